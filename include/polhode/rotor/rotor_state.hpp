@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// RotorState{q, g}: the hub. Attitude quaternion and body angular momentum; every other chart
+// converts to and from it.
+//
+// Equations   q: v_I = q v_B q* (Hamilton, scalar first), the 3-1-3 attitude of [SA (1), (2)]; g =
+// I omega [SA (24)]. Units       q none; g in moment x rate, components along the principal axes B.
+// Domain      q any non-zero quaternion (|q| is not a coordinate: consumers use q/|q|); g any
+// vector, 0 included. Accuracy    no singularity anywhere: this is the one chart without them.
+// Errors      none: it is a plain value. Builders check their input and throw DomainError.
+// Cost        seven numbers.
+#pragma once
+
+#include "polhode/math/quaternion.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct BasicRotorState {
+  BasicQuaternion<T> q;  // attitude, body to inertial
+  BasicVec3<T> g;        // angular momentum, body components g_B
+
+  constexpr bool operator==(const BasicRotorState&) const = default;
+};
+using RotorState = BasicRotorState<double>;
+
+// Angular momentum in inertial components, G_I = q g q*: constant in free rotation. (Not [SA (28)],
+// a misprint.)
+template <Real T>
+BasicVec3<T> inertial_momentum(const BasicRotorState<T>& s) {
+  return rotate(normalized(s.q), s.g);
+}
+
+}  // namespace v0
+}  // namespace polhode
