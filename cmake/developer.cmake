@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# Settings of those who work on polhode itself. A project that adds polhode as a subdirectory, or
+# finds it installed, gets none of them.
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow
+  -Wdouble-promotion)
+
+# A warning is an error with the two compilers that we promise to compile cleanly with. With a newer
+# one it stays a warning, so that nobody's build breaks over an opinion that did not exist yet.
+set(promised OFF)
+if((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.")
+    OR (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^16\\."))
+  set(promised ON)
+endif()
+option(POLHODE_WERROR "Warnings are errors" ${promised})
+if(POLHODE_WERROR)
+  add_compile_options(-Werror)
+endif()

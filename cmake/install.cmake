@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+# cmake --install, and the package that find_package(polhode [COMPONENTS io]) finds.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/polhode)
+
+install(TARGETS polhode_core EXPORT polhode-core
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT polhode-core NAMESPACE polhode:: DESTINATION ${package_dir})
+
+if(TARGET polhode_io)
+  install(TARGETS polhode_io EXPORT polhode-io
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT polhode-io NAMESPACE polhode:: DESTINATION ${package_dir})
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/io-dependencies.cmake DESTINATION ${package_dir})
+endif()
+if(TARGET polhode)
+  install(TARGETS polhode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/polhode-config.cmake.in
+  ${PROJECT_BINARY_DIR}/polhode-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/polhode-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/polhode-config.cmake
+  ${PROJECT_BINARY_DIR}/polhode-config-version.cmake
+  DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The version of polhode. These three numbers are its only source: CMake reads them from here.
+//
+// Equations   none.
+// Units       none.
+// Domain      semantic versioning; while the major number is 0, a minor number may break the API.
+// Accuracy    none.
+// Errors      none.
+// Cost        none.
+#pragma once
+
+#define POLHODE_VERSION_MAJOR 0
+#define POLHODE_VERSION_MINOR 1
+#define POLHODE_VERSION_PATCH 0
+
+namespace polhode {
+inline namespace v0 {
+
+// "MAJOR.MINOR.PATCH" of the library that was linked (the macros tell which headers were included).
+const char* version() noexcept;
+
+}  // namespace v0
+}  // namespace polhode
