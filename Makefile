@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+# The daily commands, thin over the CMake presets. `make` alone lists them.
+
+.DEFAULT_GOAL := help
+.SUFFIXES:
+POLHODE := build/release/polhode
+PYTHON  := .venv/bin/python
+CORES   := $(shell nproc 2>/dev/null || echo 2)
+# Seconds per fuzz target: in `make test` and in `make fuzz`.
+FUZZ_SAMPLE := 20
+FUZZ        := 600
+
+.PHONY: help deps build demo test test-full check tidy format bench fuzz clean
+
+help: ## Print this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+deps: ## Install what is missing (Debian 12, Ubuntu 24.04); does nothing when all is there
+	@tools/install-deps
+
+build/%/build.ninja: CMakePresets.json | deps
+	cmake --preset $*
+
+build: build/release/build.ninja ## Build the libraries and build/release/polhode
+	cmake --build build/release --target polhode
+
+demo: build ## Apophis: a scenario of ten lines, its exact rotation, a table
+	@mkdir -p build/demo
+	$(POLHODE) run examples/apophis.toml --out build/demo/apophis.csv
+	@head -n 30 build/demo/apophis.csv | cut -c -100
+	$(POLHODE) info examples/apophis.toml
+
+test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzzing included (minutes)
+	cmake --build build/release
+	cmake --build build/fuzz
+	tools/fuzz $(FUZZ_SAMPLE)
+	ctest --preset release -j $(CORES) --progress
+	$(PYTHON) -m pytest tests
+
+test-full: build build/clang/build.ninja build/asan/build.ninja build/fuzz/build.ninja ## Big sweeps, clang, sanitizers, long fuzzing (hours)
+	cmake --build build/release
+	cmake --build build/clang
+	cmake --build build/asan
+	cmake --build build/fuzz
+	tools/fuzz $(FUZZ)
+	ctest --preset clang -j $(CORES) --progress
+	ctest --preset asan -j $(CORES) --progress
+	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES) --progress
+	POLHODE_TEST_FULL=1 $(PYTHON) -m pytest tests
+
+check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests
+	tools/check
+
+tidy: build/release/build.ninja ## clang-tidy on every source (slow; `make check` reads the changed ones)
+	tools/tidy.py --all
+
+format: ## Format every C++ file
+	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs clang-format-16 -i
+
+bench: build ## Run the benchmarks: time and error, beside Boost and GSL
+	cmake --build build/release
+	@for b in build/release/benchmarks/bench_*; do echo "$$b"; $$b || exit 1; done
+
+fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
+	cmake --build build/fuzz
+	tools/fuzz $(FUZZ)
+
+clean: ## Remove build/ (keeps .venv)
+	rm -rf build
