@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/units.hpp"
+
+#include <udunits2.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "io/detail/nearest.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr std::size_t longest_unit = 64;
+
+constexpr KnownUnit units_table[] = {
+    {"s", "second", 1.0, ""},
+    {"min", "minute", 60.0, "s"},
+    {"h", "hour", 60.0, "min"},
+    {"d", "day", 24.0, "h"},
+    {"yr", "Julian year", 365.25, "d"},
+    {"kyr", "thousand years", 1e3, "yr"},
+    {"Myr", "million years", 1e6, "yr"},
+    {"cy", "century", 100.0, "yr"},
+    {"rad", "radian", 1.0, ""},
+    {"deg", "degree", std::numbers::pi / 180.0, "rad"},
+    {"arcmin", "arcminute", std::numbers::pi / 10800.0, "rad"},
+    {"arcsec", "arcsecond", std::numbers::pi / 648e3, "rad"},
+    {"mas", "milliarcsecond", std::numbers::pi / 648e6, "rad"},
+    {"uas", "microarcsecond", std::numbers::pi / 648e9, "rad"},
+    {"rev", "revolution", 2.0 * std::numbers::pi, "rad"},
+    {"rpm", "revolution per minute", 1.0, "rev/min"},
+    {"m", "metre", 1.0, ""},
+    {"cm", "centimetre", 0.01, "m"},
+    {"km", "kilometre", 1e3, "m"},
+    {"au", "astronomical unit", 149597870700.0, "m"},
+    {"R_e", "Earth radius", 6378136.6, "m"},
+    {"kg", "kilogram", 1.0, ""},
+    {"g", "gram", 0.001, "kg"},
+    {"N", "newton", 1.0, "kg m/s2"},
+    {"J", "joule", 1.0, "N m"},
+    {"W", "watt", 1.0, "J/s"},
+    {"A", "ampere", 1.0, ""},
+    {"T", "tesla", 1.0, "kg/(A s2)"},
+};
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
+
+// UDUNITS prints its errors unless told otherwise; the caller's choice is put back.
+class QuietScope {
+ public:
+  QuietScope() : before_(ut_set_error_message_handler(ut_ignore)) {}
+  ~QuietScope() { ut_set_error_message_handler(before_); }
+  QuietScope(const QuietScope&) = delete;
+  QuietScope& operator=(const QuietScope&) = delete;
+
+ private:
+  ut_error_message_handler before_;
+};
+
+// The closed system: exactly the units of the table.
+class UnitSystem {
+ public:
+  UnitSystem() : system_(ut_new_system()) {
+    const QuietScope quiet;
+    for (const KnownUnit& known : units_table) {
+      const std::string symbol(known.symbol);
+      const UnitPointer base(known.base.empty() ? ut_new_base_unit(system_)
+                                                : parse(std::string(known.base)));
+      const UnitPointer unit(ut_scale(known.factor, base.get()));
+      if (!unit || ut_map_symbol_to_unit(symbol.c_str(), UT_ASCII, unit.get()) != UT_SUCCESS)
+        throw std::logic_error("units: cannot register " + symbol);
+    }
+  }
+  ~UnitSystem() { ut_free_system(system_); }
+  UnitSystem(const UnitSystem&) = delete;
+  UnitSystem& operator=(const UnitSystem&) = delete;
+
+  ut_unit* parse(const std::string& text) const {
+    return ut_parse(system_, text.c_str(), UT_ASCII);
+  }
+
+ private:
+  ut_system* system_;
+};
+
+const UnitSystem& unit_system() {
+  static const UnitSystem system;
+  return system;
+}
+
+bool is_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string nearest_unit(std::string_view word) {
+  std::vector<std::string_view> words;
+  for (const KnownUnit& unit : units_table) {
+    words.push_back(unit.symbol);
+    words.push_back(unit.name);
+  }
+  std::string_view best = detail::nearest(word, words);
+  if (best.empty() && word.size() > 1 && word.back() == 's')  // hours, degrees
+    best = detail::nearest(word.substr(0, word.size() - 1), words);
+  for (const KnownUnit& unit : units_table)
+    if (best == unit.symbol || best == unit.name) return std::string(unit.symbol);
+  return {};
+}
+
+void require_known(std::string_view word) {
+  for (const KnownUnit& unit : units_table)
+    if (unit.symbol == word) return;
+  std::string message = "unknown unit \"" + std::string(word) + "\"";
+  const std::string near = nearest_unit(word);
+  message += near.empty() ? "; expected s, min, h, d, yr, rad, deg, kg, m, ... or their products"
+                          : "; did you mean " + near + "?";
+  throw DomainError(message);
+}
+
+// Only words of the table, whole exponents and the 1 of "1/h" get as far as the UDUNITS parser, so
+// that its offsets ("since"), logarithms and stray factors cannot.
+void require_plain(std::string_view text) {
+  if (text.size() > longest_unit) throw DomainError("a unit of more than 64 characters");
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    if (is_word(text[i])) {
+      while (end < text.size() && is_word(text[end])) ++end;
+      require_known(text.substr(i, end - i));
+    } else if (is_digit(text[i])) {
+      while (end < text.size() && is_digit(text[end])) ++end;
+      const char before = i == 0 ? ' ' : text[i - 1];
+      const bool exponent = is_word(before) || before == '^' || before == '-' || before == '*';
+      if (!exponent && text.substr(i, end - i) != "1")
+        throw DomainError("a number inside the unit \"" + std::string(text) + "\"");
+    } else if (std::string_view(" *^/.-()").find(text[i]) == std::string_view::npos) {
+      throw DomainError("a unit with characters that no unit has");
+    }
+    i = end;
+  }
+}
+
+UnitPointer parsed_unit(std::string_view text) {
+  require_plain(text);
+  const QuietScope quiet;
+  UnitPointer unit(unit_system().parse(std::string(text)));
+  if (!unit) throw DomainError("\"" + std::string(text) + "\" is not a unit");
+  return unit;
+}
+
+// value of `from` in `to`, or NaN when the dimensions differ. UDUNITS also converts between
+// reciprocals and across offsets: a map that is not a plain factor is refused.
+double converted(double value, const ut_unit* from, const ut_unit* to) {
+  const QuietScope quiet;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (!ut_are_convertible(from, to)) return unknown;
+  using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
+  const Converter there(ut_get_converter(const_cast<ut_unit*>(from), const_cast<ut_unit*>(to)),
+                        &cv_free);
+  const Converter back(ut_get_converter(const_cast<ut_unit*>(to), const_cast<ut_unit*>(from)),
+                       &cv_free);
+  if (!there || !back) return unknown;
+  const double factor = cv_convert_double(there.get(), 1.0);
+  const double inverse = cv_convert_double(back.get(), 1.0);
+  const bool linear = cv_convert_double(there.get(), 0.0) == 0.0 &&
+                      cv_convert_double(there.get(), 2.0) == 2.0 * factor;
+  if (!linear || !(factor > 0.0) || !std::isfinite(factor)) return unknown;
+  if (inverse > 1.0 && inverse == std::floor(inverse)) return value / inverse;  // 30 min: 30/60 h
+  return value * factor;
+}
+
+// The core unit of a dimension, as text; `radians` says how often rad may stand in it.
+std::string core_unit(const Units& units, Dimension dimension, bool radians) {
+  const std::string time = "(" + units.time() + ")", moment = "(" + units.moment() + ")";
+  const std::string rad = radians ? " rad" : "";
+  switch (dimension) {
+    case Dimension::number:
+      return "1";
+    case Dimension::time:
+      return units.time();
+    case Dimension::angle:
+      return "rad";
+    case Dimension::rate:
+      return "rad/" + time;
+    case Dimension::moment:
+      return units.moment();
+    case Dimension::momentum:
+      return moment + rad + "/" + time;
+    case Dimension::energy:
+      return moment + (radians ? " rad2" : "") + "/(" + time + time + ")";
+  }
+  return "1";
+}
+
+void require_name(std::string_view what, std::string_view unit, std::string_view like) {
+  parsed_unit(unit);
+  for (const char c : unit)
+    if (!is_word(c))
+      throw DomainError(std::string(what) + ": \"" + std::string(unit) +
+                        "\" is not a single unit such as " + std::string(like));
+}
+
+}  // namespace
+
+std::span<const KnownUnit> known_units() { return units_table; }
+
+std::string_view dimension_name(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::number:
+      return "a pure number";
+    case Dimension::time:
+      return "a time";
+    case Dimension::angle:
+      return "an angle";
+    case Dimension::rate:
+      return "an angular rate";
+    case Dimension::moment:
+      return "a moment of inertia";
+    case Dimension::momentum:
+      return "an angular momentum";
+    case Dimension::energy:
+      return "an energy";
+  }
+  return "";
+}
+
+Units::Units(std::string_view time, std::string_view angle, std::string_view moment)
+    : time_(time), angle_(angle), moment_(moment) {
+  require_name("time", time, "s, h or d");
+  require_name("angle", angle, "rad or deg");
+  const UnitPointer second = parsed_unit("s"), radian = parsed_unit("rad");
+  if (std::isnan(converted(1.0, parsed_unit(time).get(), second.get())))
+    throw DomainError("time: \"" + time_ + "\" is not a unit of time");
+  const UnitPointer angle_unit = parsed_unit(angle);
+  angle_in_rad_ = converted(1.0, angle_unit.get(), radian.get());
+  if (std::isnan(angle_in_rad_))
+    throw DomainError("angle: \"" + angle_ + "\" is not a unit of angle");
+  rad_in_angle_ = converted(1.0, radian.get(), angle_unit.get());
+  const UnitPointer moment_unit = parsed_unit(moment);
+  const UnitPointer scale_free = parsed_unit("1"), physical = parsed_unit("kg m2");
+  if (std::isnan(converted(1.0, moment_unit.get(), scale_free.get())) &&
+      std::isnan(converted(1.0, moment_unit.get(), physical.get())))
+    throw DomainError("moment: \"" + moment_ + "\" is not 1 (scale-free) or a unit like kg m2");
+}
+
+double Units::to_core(double value, Dimension dimension) const {
+  const bool turns = dimension == Dimension::angle || dimension == Dimension::rate;
+  return turns ? value * angle_in_rad_ : value;
+}
+
+double Units::to_core(double value, std::string_view unit, Dimension dimension) const {
+  const UnitPointer own = parsed_unit(unit);
+  for (const bool radians : {false, true}) {
+    const double result =
+        converted(value, own.get(), parsed_unit(core_unit(*this, dimension, radians)).get());
+    if (!std::isnan(result)) return result;
+  }
+  std::string expected = "\"" + std::string(unit) + "\" is not a unit of ";
+  expected +=
+      std::string(dimension_name(dimension).substr(dimension_name(dimension).find(' ') + 1));
+  throw DomainError(expected + " here; expected one like " + label(dimension));
+}
+
+double Units::from_core(double value, Dimension dimension) const {
+  const bool turns = dimension == Dimension::angle || dimension == Dimension::rate;
+  return turns ? value * rad_in_angle_ : value;
+}
+
+std::string Units::label(Dimension dimension) const {
+  const std::string moment = moment_.find('/') == std::string::npos ? moment_ : "(" + moment_ + ")";
+  switch (dimension) {
+    case Dimension::number:
+      return "1";
+    case Dimension::time:
+      return time_;
+    case Dimension::angle:
+      return angle_;
+    case Dimension::rate:
+      return angle_ + "/" + time_;
+    case Dimension::moment:
+      return moment_;
+    case Dimension::momentum:
+      return moment + "/" + time_;
+    case Dimension::energy:
+      return moment + "/" + time_ + "2";
+  }
+  return "1";
+}
+
+Quantity quantity_from_text(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  std::string_view number = text;
+  if (number.starts_with('+') && !number.starts_with("+-")) number.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error == std::errc::result_out_of_range) throw DomainError("a number beyond double range");
+  if (error != std::errc() || !std::isfinite(value))
+    throw DomainError("no number at the start of the text");
+  std::string_view unit(end, static_cast<std::size_t>(number.data() + number.size() - end));
+  while (!unit.empty() && blank(unit.front())) unit.remove_prefix(1);
+  if (unit.empty()) throw DomainError("a number without its unit; a bare number needs no quotes");
+  return {value, std::string(unit)};
+}
+
+}  // namespace v0
+}  // namespace polhode
