@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Public headers: the same labels in the same order, and polhode.hpp names them all.
+
+With --fix, writes the list of polhode.hpp."""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+INCLUDE = ROOT / "include"
+UMBRELLA = INCLUDE / "polhode/polhode.hpp"
+LABELS = ["Equations", "Corrections", "Units", "Domain", "Accuracy", "Errors", "Cost"]
+OPTIONAL = {"Corrections"}
+NO_LABELS = {"polhode/error.hpp"}
+
+
+def label_errors(path):
+    name = path.relative_to(INCLUDE).as_posix()
+    if name in NO_LABELS:
+        return []
+    comment = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if not line.startswith("//"):
+            break
+        comment.append(line)
+    pattern = re.compile(r"^// (%s)(?= {2,}|$)" % "|".join(LABELS))
+    found = [m.group(1) for m in map(pattern.match, comment) if m]
+    missing = [label for label in LABELS if label not in found and label not in OPTIONAL]
+    if missing:
+        return [f"include/{name}: no label {', '.join(missing)} at the start of a line"]
+    if found != [label for label in LABELS if label in found]:
+        return [f"include/{name}: labels in the order {', '.join(found)}; expected {', '.join(LABELS)}"]
+    return []
+
+
+def umbrella_text():
+    names = (p.relative_to(INCLUDE).as_posix() for p in INCLUDE.rglob("*.hpp") if p != UMBRELLA)
+    core = sorted(n for n in names if not n.startswith("polhode/io/"))
+    head = UMBRELLA.read_text(encoding="utf-8").split("#pragma once")[0]
+    return head + "#pragma once\n\n" + "".join(f'#include "{n}"\n' for n in core)
+
+
+def main():
+    if "--fix" in sys.argv:
+        UMBRELLA.write_text(umbrella_text(), encoding="utf-8")
+    errors = [e for path in sorted(INCLUDE.rglob("*.hpp")) for e in label_errors(path)]
+    if UMBRELLA.read_text(encoding="utf-8") != umbrella_text():
+        errors.append("include/polhode/polhode.hpp is not the list of public headers: tools/headers.py --fix")
+    print("\n".join(errors), end="\n" if errors else "")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

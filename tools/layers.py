@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Layers: who may include whom. Fails on a forbidden include, an unknown folder, or a cycle."""
+
+import graphlib
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+# Layer -> layers it may include besides itself; "*" is every layer above it in this table. A layer
+# names only layers above it, so the graph of layers has no cycle.
+LAYERS = {
+    "math": "",
+    "elliptic": "math",
+    "ode": "math",
+    "series": "math",
+    "orbit": "math",
+    "rotor": "math",
+    "free": "math elliptic rotor",
+    "frame": "math orbit",
+    "shape": "math rotor",
+    "perturb": "math rotor orbit frame shape",
+    "system": "math rotor free frame perturb",
+    "trajectory": "math rotor",
+    "dynamics": "math ode rotor free orbit frame perturb system trajectory",
+    "average": "*",
+    "analysis": "*",
+    "ephemeris": "math orbit frame",
+    "ensemble": "*",
+    "io": "*",
+}
+# Headers that belong to no layer, for everybody.
+TOP = {"polhode/error.hpp", "polhode/version.hpp"}
+# Other people's libraries, by the folder of src/ that may use them. Public headers use none.
+THIRD_PARTY = {
+    "rotor": r"Eigen/",
+    "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|unistd\.h|sys/",
+    "cli": r"CLI/|fmt/|unistd\.h|sys/",
+}
+# The library neither prints nor starts threads; io reads and writes files.
+NOT_IN_CORE = {"iostream", "cstdio", "fstream", "filesystem", "thread", "mutex", "future"}
+NOT_IN_LIBRARY = {"iostream"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def allowed_layers():
+    allowed, above = {}, []
+    for layer, names in LAYERS.items():
+        allowed[layer] = set(above if names == "*" else names.split())
+        unknown = allowed[layer] - set(above)
+        if unknown:
+            sys.exit(f"tools/layers.py: {layer} names {unknown}, which is not above it")
+        allowed[layer].add(layer)
+        above.append(layer)
+    allowed["cli"] = set(above)
+    return allowed
+
+
+def layer_of(path):
+    """The layer of a source file; None for those that belong to no layer."""
+    parts = path.relative_to(ROOT).parts
+    if parts[0] == "cli":
+        return "cli"
+    inner = parts[2:] if parts[0] == "include" else parts[1:]
+    return inner[0] if len(inner) > 1 else None
+
+
+def complaint(path, layer, bracket, name, allowed):
+    """What is wrong with one include, or None."""
+    public = path.is_relative_to(ROOT / "include")
+    if bracket == "<":
+        if "." not in name and "/" not in name:
+            banned = NOT_IN_LIBRARY if layer == "io" else NOT_IN_CORE
+            return f"<{name}> is not for this layer" if layer != "cli" and name in banned else None
+        pattern = THIRD_PARTY.get(layer)
+        if not public and (name == "immintrin.h" or (pattern and re.match(pattern, name))):
+            return None
+        return f"<{name}> is not for this file"
+    if name in TOP:
+        return None
+    parts = name.split("/")
+    if parts[0] == "polhode" and len(parts) > 2:
+        target = parts[1]
+    elif layer == "cli":
+        return None if len(parts) == 1 else f'"{name}" is private to the library'
+    elif not public and len(parts) > 1:
+        target = parts[0]
+    else:
+        return f'"{name}": write it from the root, "polhode/<layer>/..." or "<layer>/detail/..."'
+    if target not in LAYERS:
+        return f'"{name}": no such layer'
+    if target not in allowed[layer]:
+        return f'"{name}": {layer} may not include {target}'
+    return None
+
+
+def resolved(name):
+    for base in ("include", "src", "cli"):
+        if (ROOT / base / name).exists():
+            return ROOT / base / name
+    return None
+
+
+def main():
+    allowed, errors, graph = allowed_layers(), [], {}
+    files = [p for base in ("include", "src", "cli") for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
+    for path in files:
+        where, layer = path.relative_to(ROOT), layer_of(path)
+        text = path.read_text(encoding="utf-8", errors="replace")
+        includes = INCLUDE.findall(text)
+        graph[path] = {r for b, n in includes if b == '"' and (r := resolved(n))}
+        if layer is None:
+            continue
+        if layer not in allowed:
+            errors.append(f"{where}: unknown layer {layer}")
+            continue
+        found = (complaint(path, layer, bracket, name, allowed) for bracket, name in includes)
+        errors += [f"{where}: {message}" for message in found if message]
+    try:
+        graphlib.TopologicalSorter(graph).prepare()
+    except graphlib.CycleError as cycle:
+        errors.append("cycle: " + " -> ".join(str(p.relative_to(ROOT)) for p in cycle.args[1]))
+    print("\n".join(errors), end="\n" if errors else "")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

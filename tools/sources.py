@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Rules for the text of every source: licence line, ASCII, sizes, and words with no place there."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+SPDX = "SPDX-License-Identifier: MIT"
+CODE = {".cpp", ".hpp", ".py", ".cmake", ".sh"}
+LINES = {".hpp": 300, ".cpp": 500}
+COLUMNS = 100
+# The library never prints, exits, or reads the environment.
+FORBIDDEN_IN_LIBRARY = re.compile(
+    r"std::(cout|cerr|clog|exit|abort|getenv|printf|puts|print)\b|\b(printf|puts|getenv|_exit)\s*\("
+    r"|[^\w.:]exit\s*\(|\bfprintf\s*\(\s*std(out|err)\b|\b(catch\s*\(\.\.\.\)\s*\{\s*\})"
+)
+# A tolerance is a name in tests/budgets.hpp, never a number in a test.
+TYPED_TOLERANCE = re.compile(
+    r"(?:EXPECT|ASSERT)_(?:NEAR|LT|LE)\s*\((?:(?!;\s*$).)*?,\s*"
+    r"(?:\d*\.?\d+e-\d+|0?\.0*\d+)\s*\)\s*(?:;|<<)",
+    re.MULTILINE | re.DOTALL,
+)
+NEAR_LITERAL = re.compile(
+    r"(?:EXPECT|ASSERT)_NEAR\s*\((?:(?!;\s*$).)*?,\s*[\d.]+(?:e[-+]?\d+)?\s*\)\s*(?:;|<<)",
+    re.MULTILINE | re.DOTALL,
+)
+COMMENT = re.compile(r"//[^\n]*")
+
+
+def line_of(text, match):
+    return text.count("\n", 0, match.start()) + 1
+
+
+def errors_of(name, text):
+    path = pathlib.PurePath(name)
+    lines = text.splitlines()
+    if SPDX not in "\n".join(lines[:2]) and path.suffix in CODE | {".txt"}:
+        yield f"{name}:1: no line '{SPDX}'"
+    for number, line in enumerate(lines, 1):
+        if not line.isascii():
+            yield f"{name}:{number}: not ASCII"
+        if len(line) > COLUMNS and path.suffix in LINES:
+            yield f"{name}:{number}: {len(line)} columns, at most {COLUMNS}"
+    if path.parts[0] != "tests" and len(lines) > LINES.get(path.suffix, 10**9):
+        yield f"{name}: {len(lines)} lines, at most {LINES[path.suffix]}"
+    code = COMMENT.sub("", text)
+    if path.parts[0] in ("include", "src"):
+        for match in FORBIDDEN_IN_LIBRARY.finditer(code):
+            yield f"{name}:{line_of(code, match)}: the library does not {match.group(0).strip()!r}"
+    if path.parts[0] == "tests" and path.suffix == ".cpp":
+        for pattern in (TYPED_TOLERANCE, NEAR_LITERAL):
+            for match in pattern.finditer(code):
+                yield f"{name}:{line_of(code, match)}: tolerance typed in a test; name it in budgets.hpp"
+
+
+def version_errors():
+    text = (ROOT / "include/polhode/version.hpp").read_text()
+    version = ".".join(re.findall(r"#define POLHODE_VERSION_\w+ (\d+)", text))
+    for name, pattern in (("CITATION.cff", r"^version: (\S+)"), ("CHANGELOG.md", r"^## \[?([\d.]+)")):
+        found = re.search(pattern, (ROOT / name).read_text(), re.MULTILINE)
+        if not found or found.group(1) != version:
+            yield f"{name}: version is not {version} (include/polhode/version.hpp)"
+
+
+def main():
+    listed = subprocess.run(
+        ["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, text=True, check=True,
+        stdout=subprocess.PIPE).stdout.split("\n")
+    errors = list(version_errors())
+    for name in sorted(set(filter(None, listed))):
+        path = ROOT / name
+        is_code = path.suffix in CODE or path.name == "CMakeLists.txt"
+        if is_code and path.is_file():
+            errors += errors_of(name, path.read_text(encoding="utf-8", errors="replace"))
+    print("\n".join(dict.fromkeys(errors)), end="\n" if errors else "")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
