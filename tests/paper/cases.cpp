@@ -86,6 +86,30 @@ std::vector<AndoyerCase> andoyer_cases(bool long_axis, int sign, int count) {
   return all;
 }
 
+std::vector<AndoyerCase> branches(int each) {
+  std::vector<AndoyerCase> all;
+  for (const bool long_axis : {false, true})
+    for (const int sign : {1, -1})
+      for (const AndoyerCase& e : andoyer_cases(long_axis, sign, each)) all.push_back(e);
+  return all;
+}
+
+Phase direction(Random& random) {
+  Phase d;
+  for (Mp& x : d) x = random.number(-0.4, 0.4);
+  return d;
+}
+
+AndoyerCase moved(const AndoyerCase& e, const Phase& d, const Mp& t) {
+  Phase a = e.a;
+  for (std::size_t i = 0; i < 6; ++i) a[i] += t * d[i];
+  return andoyer_case(e.I, a);
+}
+
+Mp rate(const AndoyerCase& e, const Phase& d, const std::function<Mp(const AndoyerCase&)>& f) {
+  return derivative([&](const Mp& t) { return f(moved(e, d, t)); }, Mp(0));
+}
+
 Vec euler_body_momentum(const Phase& x) {
   const Vec q{x[0], x[1], x[2]}, p{x[3], x[4], x[5]};
   // The three momenta are the projections of g on the turning axes: solve for g by cofactors.
@@ -118,6 +142,36 @@ Mp andoyer_energy(const Vec& moments, const Phase& a) {
 }
 Mp euler_energy(const Vec& moments, const Phase& x) {
   return kinetic(moments, euler_body_momentum(x));
+}
+
+Polhode polhode(const Vec& moments, const Phase& a) {
+  const Mp &I1 = moments[0], &I2 = moments[1], &I3 = moments[2];
+  Polhode p;
+  p.G = a[4];
+  p.T = andoyer_energy(moments, a);
+  const Mp side = root(a[4] * a[4] - a[3] * a[3]);
+  const Vec g{side * s(a[0]), side * c(a[0]), a[3]};
+  const Mp D1 = p.G * p.G - 2 * p.T * I1, D3 = 2 * p.T * I3 - p.G * p.G;
+  p.long_axis = p.G * p.G < 2 * p.T * I2;
+  const Mp kappa2 = I3 * (I2 - I1) / (I1 * (I3 - I2));
+  const Mp lambda2 = kappa2 * I1 * D3 / (I3 * D1);
+  p.kappa = root(kappa2);
+  p.lambda = root(lambda2);
+  p.k = p.long_axis ? 1 / p.lambda : p.lambda;
+  const Mp middle = p.long_axis ? I2 * D1 / (I2 - I1) : I2 * D3 / (I3 - I2);
+  p.amplitude = {root(I1 * D3 / (I3 - I1)), root(middle), root(I3 * D1 / (I3 - I1))};
+  p.n = root((p.long_axis ? (I2 - I1) * D3 : (I3 - I2) * D1) / (I1 * I2 * I3));
+  p.sign = (p.long_axis ? g[0] : g[2]) < 0 ? -1 : 1;
+  p.xi = angle(p.sign * g[1] / p.amplitude[1],
+               p.long_axis ? g[2] / p.amplitude[2] : g[0] / p.amplitude[0]);
+  return p;
+}
+
+Vec momentum_at(const Polhode& p, const Mp& xi) {
+  const Mp sx = s(xi), Delta = root(1 - p.k * p.k * sx * sx);
+  const Vec& A = p.amplitude;
+  if (p.long_axis) return {p.sign * A[0] * Delta, p.sign * A[1] * sx, A[2] * c(xi)};
+  return {A[0] * c(xi), p.sign * A[1] * sx, p.sign * A[2] * Delta};
 }
 
 }  // namespace polhode::paper

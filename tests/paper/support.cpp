@@ -13,6 +13,7 @@ Mp root(const Mp& x) { return sqrt(x); }
 Mp arctan(const Mp& x) { return atan(x); }
 Mp angle(const Mp& y, const Mp& x) { return atan2(y, x); }
 Mp magnitude(const Mp& x) { return abs(x); }
+Mp squared(const Mp& x) { return x * x; }
 const Mp& pi() {
   static const Mp value = boost::math::constants::pi<Mp>();
   return value;

@@ -30,6 +30,7 @@ Mp root(const Mp& x);
 Mp arctan(const Mp& x);
 Mp angle(const Mp& y, const Mp& x);  // atan2
 Mp magnitude(const Mp& x);           // |x|
+Mp squared(const Mp& x);
 const Mp& pi();
 Mp turned(const Mp& a);  // a brought to [-pi, pi]
 
@@ -129,6 +130,13 @@ AndoyerCase andoyer_case(const Vec& moments, const Phase& a);
 const std::vector<AndoyerCase>& andoyer_cases();
 // Cases of one mode: long_axis false or true, and sign of L (short-axis mode) or g1 (long-axis).
 std::vector<AndoyerCase> andoyer_cases(bool long_axis, int sign, int count);
+// The four branches together: each mode with each sign.
+std::vector<AndoyerCase> branches(int each);
+
+// A direction in Andoyer's six variables, the state met along it, and rates of change there.
+Phase direction(Random& random);
+AndoyerCase moved(const AndoyerCase& e, const Phase& d, const Mp& t);
+Mp rate(const AndoyerCase& e, const Phase& d, const std::function<Mp(const AndoyerCase&)>& f);
 
 // From Euler variables (phi, theta, psi, Phi, Theta, Psi): the body momentum, and Andoyer's
 // (l, g, h, L, G, H) with g measured between the two nodes.
@@ -137,5 +145,20 @@ Phase andoyer_of_euler(const Phase& x);
 // Energy as a function of Andoyer's and of Euler's variables.
 Mp andoyer_energy(const Vec& moments, const Phase& a);
 Mp euler_energy(const Vec& moments, const Phase& x);
+
+// The closed curve of the body momentum through a state, by its amplitude xi:
+//   short-axis mode  (A1 cos xi, sign A2 sin xi, sign A3 Delta),  sign = sign of L,
+//   long-axis mode   (sign A1 Delta, sign A2 sin xi, A3 cos xi),  sign = sign of g1,
+// with Delta = sqrt(1 - k^2 sin^2 xi) and dxi/dt = n Delta.
+struct Polhode {
+  bool long_axis;
+  Mp sign;
+  Mp G, T, k, n;
+  Mp kappa, lambda;  // Sadov's
+  Vec amplitude;
+  Mp xi;  // of the state
+};
+Polhode polhode(const Vec& moments, const Phase& andoyer);
+Vec momentum_at(const Polhode& p, const Mp& xi);
 
 }  // namespace polhode::paper
