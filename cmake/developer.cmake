@@ -27,3 +27,16 @@ option(POLHODE_WERROR "Warnings are errors" ${promised})
 if(POLHODE_WERROR)
   add_compile_options(-Werror)
 endif()
+
+# Who may include whom is part of the build: a forbidden include fails it.
+find_program(PYTHON3 python3)
+if(PYTHON3)
+  file(GLOB_RECURSE checked CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.hpp
+    ${PROJECT_SOURCE_DIR}/src/*.[ch]pp ${PROJECT_SOURCE_DIR}/cli/*.[ch]pp)
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/layers.stamp
+    COMMAND ${PYTHON3} ${PROJECT_SOURCE_DIR}/tools/layers.py
+    COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/layers.stamp
+    DEPENDS ${checked} ${PROJECT_SOURCE_DIR}/tools/layers.py
+    COMMENT "Layers: who includes whom")
+  add_custom_target(layers ALL DEPENDS ${PROJECT_BINARY_DIR}/layers.stamp)
+endif()

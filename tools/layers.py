@@ -40,7 +40,7 @@ THIRD_PARTY = {
     "cli": r"CLI/|fmt/|unistd\.h|sys/",
 }
 # The library neither prints nor starts threads; io reads and writes files.
-NOT_IN_CORE = {"iostream", "cstdio", "fstream", "filesystem", "thread", "mutex", "future"}
+NOT_IN_CORE = {"iostream", "fstream", "filesystem", "thread", "mutex", "future"}
 NOT_IN_LIBRARY = {"iostream"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Body: the validated, immutable principal moments of inertia of a rigid body.
 //
-// Equations   [SA (15)]; kinetic energy T = (1/2) g . omega [SA "kinetic"], omega_i = g_i / I_i [SA
-// (24)]. Units       any consistent unit of moment of inertia; the library is scale-free. Domain
-// three positive moments in any order with Imax <= Imid + Imin (to 4 eps Imax: flat bodies are
-// allowed and
-//             stored as given). Axisymmetric and spherical bodies are ordinary input. A full tensor
-//             must be symmetric to 8 eps of its largest entry.
+// Equations   [SA (15)]; kinetic energy T = (1/2) g . omega [SA "kinetic"], omega_i = g_i / I_i
+//             [SA (24)].
+// Units       any consistent unit of moment of inertia; the library is scale-free.
+// Domain      three positive moments in any order with Imax <= Imid + Imin (to 4 eps Imax: flat
+//             bodies are allowed and stored as given). Axisymmetric and spherical bodies are
+//             ordinary input. A full tensor must be symmetric to 8 eps of its largest entry.
 // Accuracy    moments are stored bit for bit; those of a tensor are exact to the rounding of a
-// symmetric eigen-solver. Errors      DomainError naming the moments and the inequality they break.
+//             symmetric eigen-solver.
+// Errors      DomainError naming the moments and the inequality they break.
 // Cost        a few comparisons; from_tensor diagonalises one 3x3 matrix.
 #pragma once
 

@@ -2,10 +2,12 @@
 // RotorState{q, g}: the hub. Attitude quaternion and body angular momentum; every other chart
 // converts to and from it.
 //
-// Equations   q: v_I = q v_B q* (Hamilton, scalar first), the 3-1-3 attitude of [SA (1), (2)]; g =
-// I omega [SA (24)]. Units       q none; g in moment x rate, components along the principal axes B.
+// Equations   q: v_I = q v_B q* (Hamilton, scalar first), the 3-1-3 attitude of [SA (1), (2)];
+//             g = I omega [SA (24)].
+// Units       q none; g in moment x rate, components along the principal axes B.
 // Domain      q any non-zero quaternion (|q| is not a coordinate: consumers use q/|q|); g any
-// vector, 0 included. Accuracy    no singularity anywhere: this is the one chart without them.
+//             vector, 0 included.
+// Accuracy    no singularity anywhere: this is the one chart without them.
 // Errors      none: it is a plain value. Builders check their input and throw DomainError.
 // Cost        seven numbers.
 #pragma once
