@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// FreeRotation: the exact torque-free motion of a rigid body, prepared once, evaluated at any time
+// in constant time, in every regime.
+//
+// Equations   [SA (12)], [SA (A15)-(A43)]; regimes and frequencies docs/theory/regimes.md; the series
+//             docs/design/0002-free-rotation.md; the state transition matrix docs/design/0003-transition-matrix.md.
+// Units       any consistent set: moments, momentum = moment x rate, time = 1 / rate; angles in rad.
+// Domain      any Body, any finite state with a non-zero quaternion, any finite time; G = 0 rests.
+//             Extreme scales (1e-150, 1e150) are rescaled by powers of two inside.
+// Accuracy    budgets free_* in tests/budgets.hpp; measured table docs/accuracy/free-rotation.md. Rates are
+//             prepared, and long phases reduced, in double-double, so that accuracy does not decay with time.
+// Errors      DomainError for a non-finite state or epoch and for a zero quaternion. Evaluation never
+//             throws; NaN in, NaN out.
+// Cost        preparation tens of microseconds (short_arc: about one), one state tens of nanoseconds.
+#pragma once
+
+#include "polhode/elliptic/modulus.hpp"
+#include "polhode/free/free_kernel.hpp"
+#include "polhode/math/matrix6.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Which way the momentum moves in the body. Closed: a constant of the motion.
+enum class Regime {
+  rest,        // G = 0
+  steady,      // omega parallel to g: spin about a principal axis (b2 included), or a sphere
+  short_axis,  // circulation about the axis of the largest moment (SAM)
+  long_axis,   // circulation about the axis of the smallest moment (LAM)
+  separatrix   // G^2 = 2 T I2 exactly
+};
+
+class FreeRotation {
+ public:
+  // The motion with state s0 at time t0, with long-arc (double-double) rates.
+  FreeRotation(const Body& body, const RotorState& s0, double t0 = 0.0);
+  // The same, prepared in double precision throughout: for arcs of a few turns, as in a splitting
+  // step.
+  static FreeRotation short_arc(const Body& body, const RotorState& s0, double t0 = 0.0);
+
+  // The state at time t; q is normalised.
+  RotorState at(double t) const noexcept { return evaluated(kernel_, t); }
+
+  // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q
+  // exp(dtheta_B / 2).
+  Matrix6 state_transition(double t) const;
+
+  const Body& body() const { return body_; }
+  const RotorState& initial_state() const { return s0_; }
+  double epoch() const { return kernel_.epoch; }
+  Regime regime() const { return summary_.regime; }
+  const FreeKernel& kernel() const { return kernel_; }
+
+  double momentum() const { return kernel_.G; }         // G
+  double energy() const { return summary_.energy; }     // T
+  Modulus modulus() const { return summary_.modulus; }  // m and 1 - m, m <= 1; m = 0 when steady
+  // G^2 - 2 T I2, formed in double-double: > 0 in short-axis mode, < 0 in long-axis mode.
+  double separatrix_distance() const { return summary_.D2; }
+
+  // Period of the momentum in the body, 4K/|n|; the limit of small polhodes for spin about b1 or
+  // b3; infinite on the separatrix, for a sphere, for spin about b2, and at rest.
+  double polhode_period() const { return summary_.polhode_period; }
+  // Mean rates of precession about the momentum of the long (least moment) and the short (greatest
+  // moment) axis; both G / I2 on the separatrix. Observers' P_phi is 2 pi / precession_rate_long().
+  double precession_rate_long() const { return summary_.rate_long; }
+  double precession_rate_short() const { return summary_.rate_short; }
+
+ private:
+  struct Summary {
+    Regime regime = Regime::rest;
+    double energy = 0.0;
+    double D2 = 0.0;
+    double polhode_period = 0.0;
+    double rate_long = 0.0;
+    double rate_short = 0.0;
+    Modulus modulus = Modulus::from_ratio(0.0, 1.0);
+  };
+  struct Parts {
+    FreeKernel kernel;
+    Summary summary;
+  };
+  template <Real T>
+  static Parts prepared(const Body& body, const RotorState& s0, double t0);
+  FreeRotation(const Body& body, const RotorState& s0, const Parts& parts)
+      : body_(body), s0_(s0), kernel_(parts.kernel), summary_(parts.summary) {}
+
+  Body body_;
+  RotorState s0_;
+  FreeKernel kernel_;
+  Summary summary_;
+};
+
+}  // namespace v0
+}  // namespace polhode

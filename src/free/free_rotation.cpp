@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Preparation of FreeRotation: from a state to the kernel that evaluates it.
+#include "polhode/free/free_rotation.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "free/detail/cayley_klein.hpp"
+#include "free/detail/primed_arc.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::PrimedArc;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string text(double x) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
+  return {buffer, end};
+}
+
+void require_valid(const RotorState& s, double t0) {
+  const Quaternion& q = s.q;
+  const bool finite_q =
+      std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
+  if (!finite_q || q == Quaternion{0.0, 0.0, 0.0, 0.0})
+    throw DomainError("FreeRotation: q (" + text(q.w) + ", " + text(q.x) + ", " + text(q.y) + ", " +
+                      text(q.z) + ") is not a finite, non-zero quaternion");
+  if (!std::isfinite(s.g.x) || !std::isfinite(s.g.y) || !std::isfinite(s.g.z))
+    throw DomainError("FreeRotation: g (" + text(s.g.x) + ", " + text(s.g.y) + ", " + text(s.g.z) +
+                      ") is not finite");
+  if (!std::isfinite(t0)) throw DomainError("FreeRotation: t0 = " + text(t0) + " is not finite");
+}
+
+template <Real T>
+BasicQuaternion<T> converted(const Quaternion& q) {
+  return {T(q.w), T(q.x), T(q.y), T(q.z)};
+}
+template <Real T>
+Quaternion rounded(const BasicQuaternion<T>& q) {
+  return {to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)};
+}
+DoubleDouble widened(double x) { return x; }
+DoubleDouble widened(const DoubleDouble& x) { return x; }
+
+template <Real T>
+SeriesPolynomial<double> rounded(const SeriesPolynomial<T>& c) {
+  SeriesPolynomial<double> d{};
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = to_double(c[i]);
+  return d;
+}
+
+// The series in double, cut where the rest is below the rounding of double.
+template <Real T>
+CayleyKleinSeries<double> rounded(const CayleyKleinSeries<T>& s) {
+  CayleyKleinSeries<double> d;
+  d.hyperbolic = s.hyperbolic;
+  d.terms = s.terms;
+  d.A = rounded(s.A);
+  d.B = rounded(s.B);
+  d.C = rounded(s.C);
+  d.D = rounded(s.D);
+  d.nome = to_double(s.nome);
+  d.chi_per_u = to_double(s.chi_per_u);
+  d.phase_per_u = to_double(s.phase_per_u);
+  const double least = 0x1p-58;
+  const auto negligible = [&](std::size_t i) {
+    return std::abs(d.A[i]) + std::abs(d.B[i]) < least * std::abs(d.A[0]) &&
+           std::abs(d.C[i]) + std::abs(d.D[i]) <= least * (std::abs(d.C[0]) + std::abs(d.D[0]));
+  };
+  while (d.terms > 1 && negligible(static_cast<std::size_t>(d.terms - 1))) --d.terms;
+  return d;
+}
+
+// omega constant: q(t) = q0 exp(omega (t - t0) / 2).
+template <Real T>
+void make_steady(FreeKernel& k, const Body& body, const RotorState& s0,
+                 const BasicQuaternion<T>& q0, const PrimedArc<T>& arc) {
+  k.form = FreeKernel::Form::steady;
+  k.left = rounded(q0);
+  k.g0 = s0.g;
+  const BasicVec3<T> I = detail::converted<T>(detail::scaled(body.moments(), arc.scale.moment));
+  const BasicVec3<T> w{arc.g.x / I.x, arc.g.y / I.y, arc.g.z / I.z};
+  const T rate = norm(w);
+  if (rate == T(0.0)) return;
+  k.axis = {to_double(w.x / rate), to_double(w.y / rate), to_double(w.z / rate)};
+  k.half_precession = widened(T(0.5) * rate);
+}
+
+template <Real T>
+void make_series(FreeKernel& k, const BasicQuaternion<T>& q0, const PrimedArc<T>& arc) {
+  using std::cos;
+  using std::sin;
+  const detail::PolhodeCurve<T>& c = arc.curve;
+  const CayleyKleinSeries<T> series = detail::cayley_klein_series(c);
+  const T half_pi = T(0.5) * pi<T>();
+  BasicQuaternion<T> p;
+  if (series.hyperbolic) {
+    k.form = FreeKernel::Form::hyperbolic;
+    p = hyperbolic_sum(series, T(series.chi_per_u * arc.u0), false);
+    const T turn = series.phase_per_u * arc.u0;
+    p = rotation_z(T(T(2.0) * turn)) * p;
+    k.phase0 = widened(arc.u0);
+    k.phase_rate = widened(c.n);
+    if (!c.separatrix) {
+      k.phase_period = widened(T(2.0) * c.K);
+      k.inverse_phase_period = 1.0 / k.phase_period.hi;
+    }
+  } else {
+    k.form = FreeKernel::Form::trigonometric;
+    const T x0 = half_pi * arc.u0 / c.K;
+    p = trigonometric_sum(series, sin(x0), cos(x0));
+    k.phase0 = widened(x0);
+    k.phase_rate = widened(half_pi * c.n / c.K);
+    k.phase_period = DoubleDouble::two_pi();
+    k.inverse_phase_period = 1.0 / k.phase_period.hi;
+  }
+  const BasicQuaternion<T> right = detail::quaternion_of<T>(arc.primed);
+  k.series = rounded(series);
+  k.right = rounded(right);
+  k.left = rounded(q0 * conj(right) * conj(normalized(p)));
+  k.half_precession = widened(T(0.5) * detail::mean_precession(c));
+  k.primed_axis = arc.primed.axis;
+  k.primed_sign = arc.primed.sign;
+}
+
+}  // namespace
+
+template <Real T>
+FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s0, double t0) {
+  require_valid(s0, t0);
+  const PrimedArc<T> arc = detail::primed_arc<T>(body, s0.g);
+  const detail::PolhodeCurve<T>& c = arc.curve;
+  const BasicQuaternion<T> q0 = normalized(converted<T>(s0.q));
+  Parts parts;
+  FreeKernel& k = parts.kernel;
+  Summary& sum = parts.summary;
+  k.epoch = t0;
+  k.time_scale = std::ldexp(1.0, arc.scale.rate());
+  k.G = std::ldexp(to_double(c.G), arc.scale.momentum);
+  const bool has_polhode = !c.steady && c.DC > T(0.0);
+  if (has_polhode)
+    make_series(k, q0, arc);
+  else
+    make_steady(k, body, s0, q0, arc);
+
+  sum.regime = k.G == 0.0     ? Regime::rest
+               : !has_polhode ? Regime::steady
+               : c.separatrix ? Regime::separatrix
+               : c.long_axis  ? Regime::long_axis
+                              : Regime::short_axis;
+  const auto to_user_rate = [&](const T& x) { return std::ldexp(to_double(x), arc.scale.rate()); };
+  const Vec3 I = body.moments();
+  const auto square = [](double x) { return DoubleDouble::product(x, x); };
+  const Vec3 g = detail::scaled(s0.g, arc.scale.momentum);
+  const DoubleDouble twice_energy = square(g.x) / I.x + square(g.y) / I.y + square(g.z) / I.z;
+  sum.energy = std::ldexp(0.5 * twice_energy.hi, 2 * arc.scale.momentum);
+  sum.D2 = std::ldexp(arc.D2.hi, 2 * arc.scale.momentum);
+  sum.polhode_period = infinity;
+  if (c.steady) {
+    sum.rate_long = sum.rate_short = to_user_rate(T(2.0 * k.half_precession.hi));
+    return parts;
+  }
+  sum.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
+  const T rate1 = detail::mean_precession(c);
+  T rate3 = rate1;
+  if (!c.separatrix) {
+    using std::abs;
+    const T x_rate = T(0.5) * pi<T>() * c.n / c.K;
+    rate3 = rate1 + x_rate;
+    sum.polhode_period = to_double(T(2.0) * pi<T>() / abs(x_rate));
+    sum.polhode_period = std::ldexp(sum.polhode_period, -arc.scale.rate());
+  }
+  sum.rate_long = to_user_rate(c.long_axis ? rate3 : rate1);
+  sum.rate_short = to_user_rate(c.long_axis ? rate1 : rate3);
+  return parts;
+}
+
+FreeRotation::FreeRotation(const Body& body, const RotorState& s0, double t0)
+    : FreeRotation(body, s0, prepared<DoubleDouble>(body, s0, t0)) {}
+
+FreeRotation FreeRotation::short_arc(const Body& body, const RotorState& s0, double t0) {
+  return {body, s0, prepared<double>(body, s0, t0)};
+}
+
+}  // namespace v0
+}  // namespace polhode
