@@ -5,7 +5,10 @@
 #include <cstddef>
 
 #include "budgets.hpp"
+#include "paper/library.hpp"
 #include "paper/support.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/rotor/euler.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -345,6 +348,57 @@ TEST(PaperSection2, Eq32_Eq35_MomentaThroughInvariablePlane) {
   EXPECT_LT(Phi.size(), paper_exact);
   EXPECT_LT(Theta.size(), paper_exact);
   EXPECT_LT(Psi.size(), paper_exact);
+}
+
+// [SA (2), (25), (26), (27), (33), (34), (35)] the library from the hub to Euler's canonical set
+TEST(PaperSection2, LibraryToEuler) {
+  Gap gap;
+  for (const RotorState& state : hub_states(2, 200)) {
+    const EulerState e = to_euler(state);
+    const Phase x = exact_euler(state);
+    gap.add(turned(Mp(e.phi) - x[0]), Mp(0));
+    gap.add(Mp(e.theta), x[1]);
+    gap.add(turned(Mp(e.psi) - x[2]), Mp(0));
+    gap.add(Vec{Mp(e.Phi), Mp(e.Theta), Mp(e.Psi)}, Vec{x[3], x[4], x[5]});
+  }
+  EXPECT_LT(gap.size(), budget::paper_library);
+}
+
+// [SA (2), (25), (26), (27)] and back
+TEST(PaperSection2, LibraryFromEuler) {
+  Gap attitude, momentum;
+  for (const RotorState& state : hub_states(3, 200)) {
+    const EulerState e = to_euler(state);
+    const Phase x{Mp(e.phi), Mp(e.theta), Mp(e.psi), Mp(e.Phi), Mp(e.Theta), Mp(e.Psi)};
+    const RotorState back = to_rotor(e);
+    attitude.add(exact(back.q), euler_matrix({x[0], x[1], x[2]}));
+    momentum.add(exact(back.g), euler_body_momentum(x));
+  }
+  EXPECT_LT(attitude.size(), budget::paper_library);
+  EXPECT_LT(momentum.size(), budget::paper_library);
+}
+
+// [SA (5), (6), (7), (8), (24), "kinetic"] the library's rates, angular velocities and energy
+TEST(PaperSection2, LibraryRatesAndEnergy) {
+  Gap rates, velocity, energy, inertial;
+  Random random(4);
+  for (const RotorState& state : hub_states(4, 200)) {
+    const Vec I = random.moments();
+    const Vec3 moments = rounded(I);
+    const Body body(moments.x, moments.y, moments.z);
+    const Vec omega = unscaled(I, exact(state.g));
+    const EulerRates e = to_euler_rates(body, state);
+    rates.add(omega, body_rate({Mp(e.phi), Mp(e.theta), Mp(e.psi)},
+                               {Mp(e.phi_dot), Mp(e.theta_dot), Mp(e.psi_dot)}));
+    velocity.add(exact(angular_velocity(body, state)), omega);
+    inertial.add(exact(inertial_angular_velocity(body, state)), transposed(exact(state.q)) * omega);
+    energy.add(Mp(kinetic_energy(body, state)), kinetic(I, exact(state.g)));
+    inertial.add(exact(inertial_momentum(state)), transposed(exact(state.q)) * exact(state.g));
+  }
+  EXPECT_LT(rates.size(), budget::paper_library);
+  EXPECT_LT(velocity.size(), budget::paper_library);
+  EXPECT_LT(inertial.size(), budget::paper_library);
+  EXPECT_LT(energy.size(), budget::paper_library);
 }
 
 }  // namespace

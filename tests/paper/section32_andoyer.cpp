@@ -6,7 +6,10 @@
 #include <cstddef>
 
 #include "budgets.hpp"
+#include "paper/library.hpp"
 #include "paper/support.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/chart_jacobian.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -272,6 +275,51 @@ TEST(PaperAndoyer, RatesOfTheSixVariables) {
       gap.add(bracket(gradient(andoyer_component(i), euler_phase(e)), dH), printed[i]);
   }
   EXPECT_LT(gap.size(), paper_derivative);
+}
+
+Phase exact(const AndoyerState& a) {
+  return {Mp(a.l), Mp(a.g), Mp(a.h), Mp(a.L), Mp(a.G), Mp(a.H)};
+}
+
+// [SA "Rnew", (84), (1490), (1491), (1492)] the library from the hub to Andoyer's variables
+TEST(PaperAndoyer, LibraryToAndoyer) {
+  Gap gap;
+  for (const RotorState& state : hub_states(32, 200)) {
+    const Phase a = exact(to_andoyer(state)), x = andoyer_of_euler(exact_euler(state));
+    for (std::size_t i = 0; i < 3; ++i) gap.add(turned(a[i] - x[i]), Mp(0));
+    for (std::size_t i = 3; i < 6; ++i) gap.add(a[i], x[i]);
+  }
+  EXPECT_LT(gap.size(), budget::paper_library);
+}
+
+// [SA "Rnew", "v1", "v2", "v3", (1490), (1491), (1492)] and back: the product of five rotations
+TEST(PaperAndoyer, LibraryFromAndoyer) {
+  Gap attitude, momentum;
+  for (const RotorState& state : hub_states(33, 200)) {
+    const AndoyerState a = to_andoyer(state);
+    const RotorState back = to_rotor(a);
+    const AndoyerCase e = andoyer_case({Mp(1), Mp(1), Mp(1)}, exact(a));
+    attitude.add(paper::exact(back.q), e.R);
+    momentum.add(paper::exact(back.g), e.g_B);
+  }
+  EXPECT_LT(attitude.size(), budget::paper_library);
+  EXPECT_LT(momentum.size(), budget::paper_library);
+}
+
+// [SA (75), "dr1", "dr2"] the library's derivative of Andoyer's variables by Euler's
+TEST(PaperAndoyer, LibraryCanonicalTransformation) {
+  Gap gap;
+  for (const RotorState& state : hub_states(34, 4)) {
+    const Matrix6 M =
+        canonical_transformation({CanonicalSet::euler}, {CanonicalSet::andoyer}, state);
+    const Phase x = exact_euler(state);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Phase row = gradient(andoyer_component(i), x);
+      for (std::size_t j = 0; j < 6; ++j)
+        gap.add(Mp(M(static_cast<int>(i), static_cast<int>(j))), row[j]);
+    }
+  }
+  EXPECT_LT(gap.size(), budget::paper_library);
 }
 
 }  // namespace

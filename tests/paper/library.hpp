@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The library's doubles as exact 50-digit numbers, so that what it returns can be judged.
+#pragma once
+
+#include <vector>
+
+#include "paper/support.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode::paper {
+
+inline Vec exact(const Vec3& v) { return {Mp(v.x), Mp(v.y), Mp(v.z)}; }
+inline Vec3 rounded(const Vec& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+// R of q/|q|: inertial to body, so the transpose of the active rotation.
+inline Mat exact(const Quaternion& quaternion) {
+  const Mp w = quaternion.w;
+  const Vec v{Mp(quaternion.x), Mp(quaternion.y), Mp(quaternion.z)};
+  const Mp size2 = w * w + dot(v, v);
+  Mat R;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Vec axis{};
+    axis[j] = 1;
+    R[j] = (1 / size2) * ((w * w - dot(v, v)) * axis + 2 * dot(v, axis) * v +
+                          2 * w * cross(v, axis));  // q b_j q*
+  }
+  return R;
+}
+
+// Euler variables of a hub state, exactly.
+inline Phase exact_euler(const RotorState& s) {
+  const Vec q = euler_angles(exact(s.q)), p = euler_momenta(q, exact(s.g));
+  return {q[0], q[1], q[2], p[0], p[1], p[2]};
+}
+
+// Seeded hub states away from theta, J, I = 0 and pi, where every chart is well conditioned.
+inline std::vector<RotorState> hub_states(std::uint64_t seed, int count) {
+  Random random(seed);
+  const auto unit = [&] { return random.number(-1.0, 1.0); };
+  std::vector<RotorState> all;
+  while (all.size() < static_cast<std::size_t>(count)) {
+    const RotorState s{{unit(), unit(), unit(), unit()}, {unit(), unit(), unit()}};
+    const Phase x = exact_euler(s);
+    const Phase a = andoyer_of_euler(x);
+    const Mp G2 = squared(a[4]);
+    const bool generic = paper::s(x[1]) > Mp("0.3");
+    if (generic && squared(a[3]) < Mp("0.8") * G2 && squared(a[5]) < Mp("0.8") * G2 &&
+        G2 > Mp("0.1"))
+      all.push_back(s);
+  }
+  return all;
+}
+
+}  // namespace polhode::paper
