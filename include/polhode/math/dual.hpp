@@ -275,6 +275,9 @@ struct Dual {
 };
 
 template <Real T, int N>
+inline constexpr std::size_t derivative_order<Dual<T, N>> = 1 + derivative_order<T>;
+
+template <Real T, int N>
 struct RealTraits<Dual<T, N>> {
   static Dual<T, N> pi() { return RealTraits<T>::pi(); }
   static constexpr double epsilon() { return RealTraits<T>::epsilon(); }

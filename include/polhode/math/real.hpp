@@ -5,12 +5,16 @@
 // Equations   none.
 // Units       none: a Real is a pure number.
 // Domain      double, DoubleDouble, Dual<T, N>, and any multiprecision type with the same
-// operators. Accuracy    constants are correct to the last digit of T. Errors      none. Cost
-// pi<T>() is a constant for double and DoubleDouble; other types call atan once per use.
+//             operators.
+// Accuracy    constants are correct to the last digit of T.
+// Errors      none.
+// Cost        pi<T>() is a constant for double and DoubleDouble; other types call atan once per
+//             use.
 #pragma once
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 
 namespace polhode {
@@ -51,6 +55,11 @@ struct RealTraits<double> {
   static constexpr double to_double(double x) { return x; }
 };
 
+// How many layers of derivatives a number carries: 0, 1 for Dual<double, N>, 2 for a Dual of Duals.
+// A loop that stops when its value has converged runs as many trips more, for the derivatives.
+template <class T>
+inline constexpr std::size_t derivative_order = 0;
+
 template <class T>
 inline T pi() {
   return RealTraits<T>::pi();
@@ -61,8 +70,6 @@ inline double to_double(const T& x) {
   return RealTraits<T>::to_double(x);
 }
 
-// The number under a number: Dual types name theirs, so that rounding and decisions look at the
-// value alone.
 template <class T>
 inline double epsilon() {
   return RealTraits<T>::epsilon();

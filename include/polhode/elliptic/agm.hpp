@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The arithmetic-geometric mean, and the complete elliptic integrals that it gives.
+//
+// Equations   K = integral of 1/D, E = of D, B = of cos^2/D, D = of sin^2/D, and
+//             Pi(n) = of 1/((1 - n sin^2) D), each over [0, pi/2], with
+//             D = sqrt(1 - m sin^2) = sqrt(cos^2 + m1 sin^2). K = B + D, E = B + m1 D.
+//             cel(kc, p, a, b) = integral of (a cos^2 + b sin^2)/((cos^2 + p sin^2) D), kc^2 = m1
+//             (Bulirsch 1969): one loop for all of them, with positive terms when a, b, p are.
+// Units       none.
+// Domain      agm: a, b >= 0. cel: kc >= 0, p > 0, otherwise NaN; at kc = 0 it returns its limit,
+//             a RC(1, p) if b = 0 and +-inf otherwise. Pi: n < 1. At m1 = 0: K = D = Pi = inf,
+//             E = B = 1.
+// Accuracy    budget elliptic_complete: relative, for all m1 down to the smallest double.
+// Errors      none.
+// Cost        each step one root and two divisions; quadratic: 2 to 5 steps for m < 0.99, at most
+//             12 in double and 13 in DoubleDouble.
+#pragma once
+
+#include <cmath>
+
+#include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/modulus.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/math/real.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+T agm(T a, T b) {
+  using std::abs;
+  using std::sqrt;
+  std::size_t more = derivative_order<T>;
+  for (int i = 0; i < 64; ++i) {  // at most 12: |ln(a/b)| halves, then digits double
+    if (!(a > T(0.0)) || !(b > T(0.0))) return a * b;  // 0, or NaN
+    const T gap = a - b;
+    const T mean = T(0.5) * (a + b);
+    // The next gap is gap^2 / (8 mean): below the last digit.
+    if (gap * gap <= T(epsilon<T>()) * (mean * mean) && more-- == 0) return mean;
+    b = sqrt(a * b);
+    a = mean;
+  }
+  return a;
+}
+
+template <Real T>
+T cel(T kc, T p, T a, T b) {
+  using std::abs;
+  using std::sqrt;
+  if (kc == T(0.0)) return b == T(0.0) ? a * carlson_rc(T(1.0), p) : b / T(0.0);
+  if (!(p > T(0.0) && kc > T(0.0))) return p * T(std::numeric_limits<double>::quiet_NaN());
+  const T tolerance = sqrt(T(epsilon<T>()));
+  std::size_t more = derivative_order<T>;
+  T product = kc;
+  T mean(1.0);
+  p = sqrt(p);
+  b = b / p;
+  for (int i = 0; i < 64; ++i) {  // at most 13
+    const T a0 = a;
+    a = a + b / p;
+    const T ratio = product / p;
+    b = T(2.0) * (a0 * ratio + b);
+    p = ratio + p;
+    const T last = mean;
+    mean = kc + mean;
+    if (abs(last - kc) <= last * tolerance && more-- == 0) break;
+    kc = T(2.0) * sqrt(product);
+    product = kc * mean;
+  }
+  return T(0.5) * pi<T>() * (b + a * mean) / (mean * (mean + p));
+}
+
+template <Real T>
+T complete_k(const BasicModulus<T>& mod) {
+  using std::sqrt;
+  return T(0.5) * pi<T>() / agm(T(1.0), sqrt(mod.m1()));
+}
+template <Real T>
+T complete_e(const BasicModulus<T>& mod) {
+  using std::sqrt;
+  return cel(sqrt(mod.m1()), T(1.0), T(1.0), mod.m1());
+}
+template <Real T>
+T complete_b(const BasicModulus<T>& mod) {
+  using std::sqrt;
+  return cel(sqrt(mod.m1()), T(1.0), T(1.0), T(0.0));
+}
+template <Real T>
+T complete_d(const BasicModulus<T>& mod) {
+  using std::sqrt;
+  return cel(sqrt(mod.m1()), T(1.0), T(0.0), T(1.0));
+}
+template <Real T>
+T complete_pi(const T& n, const BasicModulus<T>& mod) {
+  using std::sqrt;
+  return cel(sqrt(mod.m1()), T(1.0) - n, T(1.0), T(1.0));
+}
+
+// Compiled once, in the library.
+extern template double agm<double>(double, double);
+extern template double cel<double>(double, double, double, double);
+extern template double complete_k<double>(const BasicModulus<double>&);
+extern template double complete_e<double>(const BasicModulus<double>&);
+extern template double complete_b<double>(const BasicModulus<double>&);
+extern template double complete_d<double>(const BasicModulus<double>&);
+extern template double complete_pi<double>(const double&, const BasicModulus<double>&);
+extern template DoubleDouble agm<DoubleDouble>(DoubleDouble, DoubleDouble);
+extern template DoubleDouble cel<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble,
+                                               DoubleDouble);
+extern template DoubleDouble complete_k<DoubleDouble>(const BasicModulus<DoubleDouble>&);
+extern template DoubleDouble complete_e<DoubleDouble>(const BasicModulus<DoubleDouble>&);
+extern template DoubleDouble complete_b<DoubleDouble>(const BasicModulus<DoubleDouble>&);
+extern template DoubleDouble complete_d<DoubleDouble>(const BasicModulus<DoubleDouble>&);
+extern template DoubleDouble complete_pi<DoubleDouble>(const DoubleDouble&,
+                                                       const BasicModulus<DoubleDouble>&);
+
+}  // namespace v0
+}  // namespace polhode

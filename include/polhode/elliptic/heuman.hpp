@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Heuman's Lambda0: the complete integral of the third kind of the circular case, made regular.
+//
+// Equations   Lambda0(psi) = (2/pi) [E F(psi|m1) + K (E(psi|m1) - F(psi|m1))]
+//             = (2/pi) k' s P cel(k', P^2, 1, 1), P = k' c / sqrt(c^2 + m s^2), where (s, c) =
+//             (sin psi, cos psi): one positive term. P^2 is not 1 - m/(1 - m1 s^2): that cancels.
+// Units       none; psi in radians.
+// Domain      any psi: Lambda0(psi + pi) = Lambda0(psi) + 2. At m = 0: sin psi; at m1 = 0:
+//             2 psi/pi; at psi = pi/2: 1.
+// Accuracy    budget elliptic_heuman: relative, for every m1.
+// Errors      none.
+// Cost        one sincos, two roots and one cel.
+#pragma once
+
+#include <cmath>
+
+#include "polhode/elliptic/agm.hpp"
+#include "polhode/elliptic/modulus.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/math/real.hpp"
+#include "polhode/math/trigonometry.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// psi in [-pi/2, pi/2], given by its sine and cosine.
+template <Real T>
+T heuman_lambda0(const T& s, const T& c, const BasicModulus<T>& mod) {
+  using std::atan2;
+  using std::sqrt;
+  if (mod.m1() == T(0.0)) return T(2.0) * atan2(s, c) / pi<T>();
+  const T k1 = sqrt(mod.m1());
+  const T root = k1 * c / sqrt(c * c + mod.m() * (s * s));
+  if (!(root > T(0.0))) return s;  // at pi/2, where s = +-1
+  return T(2.0) / pi<T>() * (k1 * s) * cel(k1, T(root * root), root, root);
+}
+
+template <Real T>
+T heuman_lambda0(const T& psi, const BasicModulus<T>& mod) {
+  using std::round;
+  const T n = round(psi / pi<T>());
+  const auto [s, c] = sincos(T(psi - n * pi<T>()));
+  return 2.0 * n + heuman_lambda0(s, c, mod);
+}
+
+// Compiled once, in the library.
+extern template double heuman_lambda0<double>(const double&, const double&,
+                                              const BasicModulus<double>&);
+extern template double heuman_lambda0<double>(const double&, const BasicModulus<double>&);
+extern template DoubleDouble heuman_lambda0<DoubleDouble>(const DoubleDouble&, const DoubleDouble&,
+                                                          const BasicModulus<DoubleDouble>&);
+extern template DoubleDouble heuman_lambda0<DoubleDouble>(const DoubleDouble&,
+                                                          const BasicModulus<DoubleDouble>&);
+
+}  // namespace v0
+}  // namespace polhode

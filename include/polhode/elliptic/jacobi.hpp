@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Jacobi's elliptic functions sn, cn, dn and the amplitude.
+//
+// Equations   u = F(am u), sn = sin am, cn = cos am, dn = sqrt(1 - m sn^2). Descending Landen (AGM)
+//             transformation with m1 alone [Bulirsch 1965]. At m1 = 0: tanh, sech, sech.
+//             Derivatives by closed rules: d am = dn (du - (dF/dm) dm), with
+//             dF/dm = (s^3/6) RD(c^2, 1, dn^2) over the last part of u and (dK/dm) = B/(2 m1) over
+//             each of its 2N quarter periods.
+// Units       u as F; the amplitude in radians, continuous over all u.
+// Domain      any finite u (infinite u: NaN), any modulus. dn and cn keep their relative accuracy
+//             for every m1: they are quotients of positive terms, never 1 - m sn^2 or 1 - sn^2.
+// Accuracy    budget elliptic_jacobi: relative to u's own rounding, eps (1 + |u|) times the slope.
+// Errors      none.
+// Cost        jacobi: one sincos, a root and two divisions per step, 0 to 8 steps in double. The
+//             amplitude: that of jacobi and of K, and one atan2.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "polhode/elliptic/agm.hpp"
+#include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/modulus.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/math/real.hpp"
+#include "polhode/math/trigonometry.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct Jacobi {
+  T sn;
+  T cn;
+  T dn;
+};
+
+namespace detail {
+
+// u = 2 K periods + rest, |rest| <= K: the half periods of am.
+template <class T>
+struct HalfPeriods {
+  T periods;
+  T rest;
+};
+template <class T>
+HalfPeriods<T> half_periods(const T& u, const BasicModulus<T>& mod) {
+  using std::round;
+  if (mod.m1() == T(0.0)) return {T(0.0), u};
+  const T whole = T(2.0) * complete_k(mod);
+  const T n = round(u / whole);
+  return {n, u - n * whole};
+}
+
+template <class T>
+Jacobi<T> jacobi_of(const T& u, const BasicModulus<T>& mod) {
+  using std::abs;
+  using std::cosh;
+  using std::sqrt;
+  using std::tanh;
+  const T one(1.0);
+  if (abs(u) < T(epsilon<T>())) return {u, one, one};
+  if (mod.m1() == T(0.0)) {
+    const T sech = one / cosh(u);
+    return {tanh(u), sech, sech};
+  }
+  const T tolerance = sqrt(T(epsilon<T>()));
+  std::array<T, 16> a;
+  std::array<T, 16> b;
+  T mean = one;
+  T other = sqrt(mod.m1());
+  std::size_t steps = 0;
+  while (true) {  // at most 13: |ln(mean/other)| halves, then digits double
+    a[steps] = mean;
+    b[steps] = other;
+    const T gap = mean - other;
+    const T next = T(0.5) * (mean + other);
+    ++steps;
+    if (!(abs(gap) > tolerance * mean) || steps == a.size()) {
+      mean = next;
+      break;
+    }
+    other = sqrt(mean * other);
+    mean = next;
+  }
+  const auto [s, c] = sincos(T(mean * u));
+  if (s == T(0.0)) return {s, c, one};
+  T cot = c / s;
+  T product = mean * cot;
+  T dn = one;
+  for (std::size_t i = steps; i-- > 0;) {
+    cot = product * cot;
+    product = product * dn;
+    dn = (b[i] + cot) / (a[i] + cot);
+    cot = product / a[i];
+  }
+  const T size = one / sqrt(product * product + one);
+  const T sn = s < T(0.0) ? -size : size;
+  return {sn, product * sn, dn};
+}
+
+}  // namespace detail
+
+// sn, cn, dn of u.
+template <Real T>
+Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod);
+
+// am u: the angle phi with u = F(phi), continuous, odd, am(u + 2K) = am u + pi.
+template <Real T>
+T amplitude(const T& u, const BasicModulus<T>& mod);
+
+namespace detail {
+
+template <class T>
+T amplitude_of(const T& u, const BasicModulus<T>& mod) {
+  using std::atan2;
+  const HalfPeriods<T> h = half_periods(u, mod);
+  const Jacobi<T> j = jacobi_of(h.rest, mod);
+  return h.periods * pi<T>() + atan2(j.sn, j.cn);
+}
+
+// The derivative of am(u, m), as a number of value 0.
+template <class T, int N>
+Dual<T, N> amplitude_shift(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& mod) {
+  const auto base = BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  const HalfPeriods<T> h = half_periods(u.value, base);
+  const Jacobi<T> j = jacobi(h.rest, base);
+  T slope = j.sn * j.sn * j.sn * carlson_rd(T(j.cn * j.cn), T(1.0), T(j.dn * j.dn)) / 6.0;
+  if (!(h.periods == T(0.0))) slope = slope + h.periods * complete_b(base) / base.m1();
+  return Dual<T, N>::chained(T(0.0), j.dn, u, -j.dn * slope, mod.m());
+}
+
+template <class T, int N>
+Dual<T, N> amplitude_of(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& mod) {
+  const auto base = BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  return amplitude(u.value, base) + amplitude_shift(u, mod);
+}
+
+template <class T, int N>
+Jacobi<Dual<T, N>> jacobi_of(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& mod) {
+  using D = Dual<T, N>;
+  const auto base = BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  const Jacobi<T> j = jacobi(u.value, base);
+  const D shift = amplitude_shift(u, mod);
+  // From dn^2 = 1 - m sn^2.
+  const T by_amplitude = -(base.m() * j.sn * (j.cn / j.dn));
+  const T by_m = -0.5 * (j.sn * (j.sn / j.dn));
+  return {shift.chained(j.sn, j.cn), shift.chained(j.cn, -j.sn),
+          D::chained(j.dn, by_amplitude, shift, by_m, mod.m())};
+}
+
+}  // namespace detail
+
+template <Real T>
+Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod) {
+  return detail::jacobi_of(u, mod);
+}
+
+template <Real T>
+T amplitude(const T& u, const BasicModulus<T>& mod) {
+  return detail::amplitude_of(u, mod);
+}
+
+// Compiled once, in the library.
+extern template Jacobi<double> jacobi<double>(const double&, const BasicModulus<double>&);
+extern template double amplitude<double>(const double&, const BasicModulus<double>&);
+extern template Jacobi<DoubleDouble> jacobi<DoubleDouble>(const DoubleDouble&,
+                                                          const BasicModulus<DoubleDouble>&);
+extern template DoubleDouble amplitude<DoubleDouble>(const DoubleDouble&,
+                                                     const BasicModulus<DoubleDouble>&);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Modulus: the parameter m = k^2 of elliptic integrals and functions, together with m1 = 1 - m.
+//
+// Equations   m + m1 = 1, both in [0, 1]. Everything that is delicate near the separatrix hangs on
+//             m1, so no function of polhode takes m alone.
+// Units       none.
+// Domain      from_ratio(a, b): a, b >= 0, not both 0, a + b finite. m = 1 (m1 = 0) is ordinary.
+// Accuracy    m and m1 each to one rounding of the quotient, however small.
+// Errors      DomainError from the factories: a negative, non-finite or empty ratio; a pair that
+//             does not add up to 1.
+// Cost        one addition and two divisions.
+#pragma once
+
+#include <cmath>
+
+#include "polhode/math/real.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+namespace detail {
+[[noreturn]] void throw_bad_ratio(double a, double b);
+[[noreturn]] void throw_bad_modulus_pair(double m, double m1);
+}  // namespace detail
+
+template <Real T>
+class BasicModulus {
+ public:
+  // m = a / (a + b), m1 = b / (a + b).
+  static BasicModulus from_ratio(const T& a, const T& b) {
+    const T sum = a + b;
+    const double total = to_double(sum);
+    if (!(a >= T(0.0) && b >= T(0.0) && total > 0.0) || std::isinf(total)) {
+      detail::throw_bad_ratio(to_double(a), to_double(b));
+    }
+    return {a / sum, b / sum};
+  }
+
+  // A pair known already, each member to its own full relative accuracy.
+  static BasicModulus from_pair(const T& m, const T& m1) {
+    const double defect = to_double(m + m1 - T(1.0));
+    if (!(m >= T(0.0) && m1 >= T(0.0) && std::abs(defect) <= 8.0 * epsilon<T>())) {
+      detail::throw_bad_modulus_pair(to_double(m), to_double(m1));
+    }
+    return {m, m1};
+  }
+
+  const T& m() const { return m_; }
+  const T& m1() const { return m1_; }
+  // The modulus with m and m1 exchanged: that of K', E', q1.
+  BasicModulus complement() const { return {m1_, m_}; }
+
+ private:
+  BasicModulus(const T& m, const T& m1) : m_(m), m1_(m1) {}
+  T m_;
+  T m1_;
+};
+using Modulus = BasicModulus<double>;
+
+// Each member rounded to double: for decisions and reports.
+template <Real T>
+Modulus to_double(const BasicModulus<T>& mod) {
+  return Modulus::from_pair(to_double(mod.m()), to_double(mod.m1()));
+}
+
+}  // namespace v0
+}  // namespace polhode
