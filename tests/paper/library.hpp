@@ -5,14 +5,22 @@
 #include <vector>
 
 #include "paper/support.hpp"
+#include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode::paper {
 
 inline Vec exact(const Vec3& v) { return {Mp(v.x), Mp(v.y), Mp(v.z)}; }
-inline Vec3 rounded(const Vec& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+inline Body body_of(const Vec& moments) {
+  return {static_cast<double>(moments[0]), static_cast<double>(moments[1]),
+          static_cast<double>(moments[2])};
+}
+// A hub state next to an Andoyer case; what it is exactly, exact_euler says.
+inline RotorState hub_state(const AndoyerCase& e) {
+  std::array<double, 6> a;
+  for (std::size_t i = 0; i < 6; ++i) a[i] = static_cast<double>(e.a[i]);
+  return to_rotor(AndoyerState{a[0], a[1], a[2], a[3], a[4], a[5]});
 }
 
 // R of q/|q|: inertial to body, so the transpose of the active rotation.

@@ -384,8 +384,7 @@ TEST(PaperSection2, LibraryRatesAndEnergy) {
   Random random(4);
   for (const RotorState& state : hub_states(4, 200)) {
     const Vec I = random.moments();
-    const Vec3 moments = rounded(I);
-    const Body body(moments.x, moments.y, moments.z);
+    const Body body = body_of(I);
     const Vec omega = unscaled(I, exact(state.g));
     const EulerRates e = to_euler_rates(body, state);
     rates.add(omega, body_rate({Mp(e.phi), Mp(e.theta), Mp(e.psi)},

@@ -6,7 +6,9 @@
 #include <cstddef>
 
 #include "budgets.hpp"
+#include "paper/library.hpp"
 #include "paper/support.hpp"
+#include "polhode/free/free_rotation.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -180,6 +182,31 @@ TEST(PaperSerret, BasePointOfTheIntegral) {
     });
     EXPECT_GT(symplectic_defect(rows), paper_misprint);
   }
+}
+
+// [SA (A22), (A23), (A24), (A39), (A40), (52), (54)] the library's state at other times: the
+// momentum by Jacobi's functions, the node by dg = (2T/G) dt - cosJ dl, in all four branches
+TEST(PaperSerret, LibraryFreeRotation) {
+  Gap momentum, attitude;
+  for (const AndoyerCase& e : branches(3)) {
+    const RotorState s0 = hub_state(e);
+    const Phase a0 = andoyer_of_euler(exact_euler(s0));
+    const Polhode p = polhode(e.I, a0);
+    const FreeRotation motion(body_of(e.I), s0);
+    EXPECT_EQ(motion.regime(), p.long_axis ? Regime::long_axis : Regime::short_axis);
+    for (const double t : {-3.0, 0.7, 5.0}) {
+      const Jacobi j = jacobi(ellint_F(p.xi, p.k) + p.n * Mp(t), p.k);
+      const Vec g = momentum_at(p, j.am);
+      const Mp node = a0[1] + 2 * p.T / p.G * Mp(t) - tilt_integral(p, p.xi, j.am);
+      const AndoyerCase then =
+          andoyer_case(e.I, {angle(g[0], g[1]), node, a0[2], g[2], p.G, a0[5]});
+      const RotorState at = motion.at(t);
+      momentum.add(exact(at.g), then.g_B);
+      attitude.add(exact(at.q), then.R);
+    }
+  }
+  EXPECT_LT(momentum.size(), budget::free_attitude);
+  EXPECT_LT(attitude.size(), budget::free_attitude);
 }
 
 }  // namespace

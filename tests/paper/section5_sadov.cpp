@@ -6,7 +6,9 @@
 #include <cstddef>
 
 #include "budgets.hpp"
+#include "paper/library.hpp"
 #include "paper/support.hpp"
+#include "polhode/free/free_rotation.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -385,6 +387,29 @@ TEST(PaperSadov, IellSadov_HeumanLambda) {
     gap.add(action_ratio(p.kappa, p.lambda), p.long_axis ? 1 - Lambda0 : Lambda0);
   }
   EXPECT_LT(gap.size(), paper_quadrature);
+}
+
+// [SA "SadovPar", "phiSadov", (A35)] the library's modulus, period and mean rates of precession:
+// n_g for the short axis, n_g - pi n/(2K) for the long one
+TEST(PaperSadov, LibraryFrequencies) {
+  Gap modulus, rates;
+  for (const AndoyerCase& e : branches(3)) {
+    const RotorState s0 = hub_state(e);
+    const Polhode p = polhode(e.I, andoyer_of_euler(exact_euler(s0)));
+    const FreeRotation motion(body_of(e.I), s0);
+    modulus.add(Mp(motion.modulus().m()), p.k * p.k);
+    modulus.add(Mp(motion.modulus().m1()), 1 - p.k * p.k);
+    const Shape w = shape(p.kappa, p.lambda);
+    const Mp K = ellint_K(w.k);
+    const Mp n_g = p.G / e.I[2] +
+                   p.G * (1 / e.I[0] - 1 / e.I[2]) * ellint_Pi(pi() / 2, w.characteristic, w.k) / K;
+    const Mp period = 4 * K / p.n;
+    rates.add(Mp(motion.polhode_period()) / period, Mp(1));
+    rates.add(Mp(motion.precession_rate_short()), n_g);
+    rates.add(Mp(motion.precession_rate_long()), n_g - 2 * pi() / period);
+  }
+  EXPECT_LT(modulus.size(), budget::paper_library);
+  EXPECT_LT(rates.size(), budget::free_attitude);
 }
 
 }  // namespace
