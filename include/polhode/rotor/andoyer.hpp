@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Andoyer variables (l, g, h, L, G, H): canonical, body-free; the angular momentum and the plane
+// that it stands on.
+//
+// Equations   R = R3(l) R1(J) R3(g) R1(I) R3(h), cos I = H/G, cos J = L/G [SA section 3.2, (84)];
+//             g_B = (G sJ sl, G sJ cl, L) [SA (1490)-(1492)]. l = atan2(g1, g2),
+//             h = atan2(G1, -G2); g is what remains of q between the two.
+// Corrections none needed here; [SA (79)] and the equation for Theta after (80) are misprinted.
+// Units       angles in radians; L, G, H in those of the angular momentum.
+// Domain      G >= 0, |L| <= G, |H| <= G. Angles returned are in (-pi, pi].
+//             J = 0: l = 0 and g + l is in g; J = pi: l = 0 and g - l is in g.
+//             I = 0: h = 0 and g + h is in g; I = pi: h = 0 and g - h is in g.
+//             G = 0: L = H = 0, read as J = I = pi/2 (their limit), so that l, g, h hold the
+//             attitude: nothing is lost.
+//             |L|, |H| beyond G are taken as G; andoyer_state checks them.
+// Accuracy    docs/guide/singularities.md. What L and G cannot hold is lost: near J = 0, pi the
+//             transverse momentum keeps an error of at most sqrt(2 eps) G; the same for I. The
+//             sum g +- l +- h that is regular at the nearest poles loses nothing.
+// Errors      to_rotor and to_andoyer never throw, NaN in, NaN out; andoyer_state throws
+//             DomainError.
+// Cost        three sincos forth; three atan2 back.
+#pragma once
+
+#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct BasicAndoyerState {
+  T l;
+  T g;
+  T h;
+  T L;
+  T G;
+  T H;
+
+  constexpr bool operator==(const BasicAndoyerState&) const = default;
+};
+using AndoyerState = BasicAndoyerState<double>;
+
+// Checked values: finite, G >= 0, |L| and |H| at most G (an excess of 4 eps is rounded away).
+AndoyerState andoyer_state(double l, double g, double h, double L, double G, double H);
+
+namespace detail {
+
+// cos and sin of half the angle whose cosine is p/G. The differences are exact near the poles.
+template <Real T>
+Phasor<T> half_polar_angle(const T& p_any, const T& G) {
+  using std::sqrt;
+  if (G == T(0.0)) return {sqrt(T(0.5)), sqrt(T(0.5))};
+  const T p = G < p_any ? G : (p_any < -G ? T(-G) : p_any);
+  return {sqrt(T(T(0.5) * ((G + p) / G))), sqrt(T(T(0.5) * ((G - p) / G)))};
+}
+
+// G e3 with the rounding of the result alone near the poles: there 1 - |e3| comes from the node.
+template <Real T>
+T axial_momentum(const T& G, const T& e3, const Phasor<T>& node) {
+  using std::abs;
+  if (T(abs(e3)) < T(0.5)) return G * e3;
+  const T size = G - G * ((node.re * node.re + node.im * node.im) / (T(1.0) + T(abs(e3))));
+  return e3 < T(0.0) ? T(-size) : size;
+}
+
+}  // namespace detail
+
+template <Real T>
+BasicRotorState<T> to_rotor(const BasicAndoyerState<T>& s) {
+  using detail::Phasor;
+  const Phasor<T> J = detail::half_polar_angle(s.L, s.G);
+  const Phasor<T> I = detail::half_polar_angle(s.H, s.G);
+  const Phasor<T> l = detail::phasor(T(T(0.5) * s.l));
+  const Phasor<T> g = detail::phasor(T(T(0.5) * s.g));
+  const Phasor<T> h = detail::phasor(T(T(0.5) * s.h));
+  const Phasor<T> a = (h * l) * (T(I.re * J.re) * g - T(I.im * J.im) * conj(g));
+  const Phasor<T> b = (h * conj(l)) * (T(I.re * J.im) * g + T(I.im * J.re) * conj(g));
+  const T transverse = T(2.0) * (s.G * J.re) * J.im;  // G sin J
+  const Phasor<T> twice_l = l * l;
+  const T L = s.G < s.L ? s.G : (s.L < -s.G ? T(-s.G) : s.L);
+  return {detail::quaternion(detail::PhasorPair<T>{a, b}),
+          {transverse * twice_l.im, transverse * twice_l.re, L}};
+}
+
+namespace detail {
+
+// sin I sin J e^g up to a positive factor: the node j of the body equator against the node i. The
+// same computed i that gives h gives g, so that g + h keeps its digits near I = 0 while h loses
+// them, and so on for l and for pi.
+template <Real T>
+Phasor<T> andoyer_node(const InvariablePlane<T>& p) {
+  Phasor<T> l = p.node_l, h = p.node_h;
+  if (!is_moderate(T((l.re * l.re + l.im * l.im) * (h.re * h.re + h.im * h.im)))) {
+    l = direction(l);
+    h = direction(h);
+  }
+  const BasicVec3<T> j = rotate(p.q, BasicVec3<T>{l.re, -l.im, T(0.0)});
+  const BasicVec3<T>& k = p.k_I;
+  return {h.re * j.x + h.im * j.y,
+          k.z * (h.re * j.y - h.im * j.x) + (k.x * h.im - k.y * h.re) * j.z};
+}
+
+}  // namespace detail
+
+template <Real T>
+BasicAndoyerState<T> to_andoyer(const BasicRotorState<T>& s) {
+  const detail::InvariablePlane<T> p = detail::invariable_plane(s.q, s.g);
+  return {detail::argument(p.node_l),
+          detail::argument(detail::andoyer_node(p)),
+          detail::argument(p.node_h),
+          s.g.z,
+          p.G,
+          detail::axial_momentum(p.G, p.k_I.z, p.node_h)};
+}
+
+extern template RotorState to_rotor(const AndoyerState&);
+extern template AndoyerState to_andoyer(const RotorState&);
+
+}  // namespace v0
+}  // namespace polhode

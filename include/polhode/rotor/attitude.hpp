@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Attitude in its other forms, rotation matrix and 3-1-3 angles, and the hub state from an attitude
+// and an angular velocity.
+//
+// Equations   R = R3(psi) R1(theta) R3(phi) [SA (1), (2)], inertial to body: the rows of R are the
+//             body axes. q = qz(phi) qx(theta) qz(psi). g = I omega [SA (24)],
+//             omega_I = R^T omega_B [SA (8)].
+// Corrections [SA (1)] holds for passive elementary matrices; as active operators it gives R^T.
+// Units       angles in radians; rates in radians per unit of time.
+// Domain      phi, psi in (-pi, pi], theta in [0, pi]; any angle is accepted as input. At theta = 0
+//             psi = 0 and phi + psi is in phi; at theta = pi psi = 0 and phi - psi is in phi.
+//             A matrix must be orthogonal to 1e-6 per entry of R R^T - 1, with determinant +1.
+// Accuracy    tests/unit/rotor/attitude.cpp. Near theta = 0 the attitude loses nothing, because
+//             phi + psi keeps its digits; near theta = pi the same with phi - psi.
+// Errors      DomainError from unit_quaternion, from attitude(matrix) and from the rotor_state
+//             functions, for input that is not finite, not a rotation, or a zero quaternion.
+// Cost        three sincos forth, three atan2 back.
+#pragma once
+
+#include "polhode/math/quaternion.hpp"
+#include "polhode/math/vector.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct BasicEulerAngles {
+  T phi;
+  T theta;
+  T psi;
+
+  constexpr bool operator==(const BasicEulerAngles&) const = default;
+};
+using EulerAngles = BasicEulerAngles<double>;
+
+// R of [SA (2)]: v_B = R v_I.
+template <Real T>
+BasicMat3<T> attitude_matrix(const BasicQuaternion<T>& q) {
+  return transpose(rotation_matrix(normalized(q)));
+}
+
+// q = qz(phi) qx(theta) qz(psi)
+template <Real T>
+BasicQuaternion<T> attitude(const BasicEulerAngles<T>& e) {
+  using std::cos;
+  using std::sin;
+  const T half = T(0.5) * e.theta;
+  const detail::Phasor<T> phi = detail::phasor(T(T(0.5) * e.phi));
+  const detail::Phasor<T> psi = detail::phasor(T(T(0.5) * e.psi));
+  return detail::quaternion(
+      detail::PhasorPair<T>{T(cos(half)) * (phi * psi), T(sin(half)) * (phi * conj(psi))});
+}
+
+template <Real T>
+BasicEulerAngles<T> euler_angles(const BasicQuaternion<T>& q_any) {
+  using std::atan2;
+  const detail::PhasorPair<T> q = detail::phasor_pair(detail::unit_attitude(q_any));
+  const T c = detail::modulus(q.a), s = detail::modulus(q.b);
+  const T theta = T(2.0) * T(atan2(s, c));
+  if (s == T(0.0)) return {detail::argument(q.a * q.a), theta, T(0.0)};
+  if (c == T(0.0)) return {detail::argument(q.b * q.b), theta, T(0.0)};
+  return {detail::argument(q.a * q.b), theta, detail::argument(q.a * conj(q.b))};
+}
+
+// A quaternion as a user types it: finite, not zero; scaled to unit length unless it already has it
+// to 4 eps, so that unit input keeps its bits.
+Quaternion unit_quaternion(double w, double x, double y, double z);
+
+// Quaternion (body to inertial) of a rotation matrix R (inertial to body).
+Quaternion attitude(const Mat3& R);
+
+// The hub state of an attitude and an angular velocity in body or in inertial components.
+RotorState rotor_state(const Body& body, const Quaternion& q, const Vec3& omega_B);
+RotorState rotor_state_inertial(const Body& body, const Quaternion& q, const Vec3& omega_I);
+
+extern template Mat3 attitude_matrix(const Quaternion&);
+extern template Quaternion attitude(const EulerAngles&);
+extern template EulerAngles euler_angles(const Quaternion&);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Derivatives of the canonical charts: B = d(dtheta_B, dg_B)/d(chart), its inverse, and the
+// derivative of one chart by another.
+//
+// Equations   hub tangent (dtheta_B, dg_B): q -> q exp(dtheta_B/2), g_B -> g_B + dg_B, with the
+//             Poisson tensor Pi(g) = [[0, 1], [-1, hat(g)]]. Three angles, then three momenta, in
+//             the order of the fields. A canonical chart satisfies B Jc B^T = Pi,
+//             Jc = [[0, 1], [-1, 0]], so B^-1 = Jc B^T Pi^-1, Pi^-1 = [[hat(g), -1], [1, 0]]: no
+//             angle is ever differentiated. dtheta_B = b3 dl + j dJ + k dg + i dI + s3 dh
+//             [SA (dr1), (dr2)] in body components.
+// Corrections none.
+// Units       entry (i, j): unit of hub coordinate i over unit of chart coordinate j.
+// Domain      any state. The functions of a hub state keep all digits of a small theta, J or I that
+//             the chart itself has rounded away. The Poincare-type sets are regular at their
+//             poles. The plain sets have entries +-infinity exactly at theta, J, I = 0, pi, where
+//             they have no inverse; G = 0 is singular for all but Euler's.
+// Accuracy    docs/guide/singularities.md. Computed in double-double, rounded once: only the last
+//             bit of an entry is in doubt, except in the two functions that take B as an argument.
+// Errors      none: NaN in, NaN out.
+// Cost        a few microseconds; the functions that take B: a few hundred flops.
+#pragma once
+
+#include "polhode/math/matrix6.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/poincare.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// One of the canonical charts; the poles matter to the Poincare-type sets alone.
+enum class CanonicalSet { euler, andoyer, poincare };
+struct CanonicalChart {
+  CanonicalSet set;
+  Pole pole_J = Pole::zero;
+  Pole pole_I = Pole::zero;
+
+  constexpr bool operator==(const CanonicalChart&) const = default;
+};
+
+// B at a chart state.
+Matrix6 chart_jacobian(const EulerState& s);
+Matrix6 chart_jacobian(const AndoyerState& s);
+Matrix6 chart_jacobian(const PoincareState& s);
+
+// B, and its inverse, at a hub state.
+Matrix6 chart_jacobian(const CanonicalChart& chart, const RotorState& s);
+Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s);
+
+// d(to)/d(from) at a hub state.
+Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
+                                 const RotorState& s);
+
+// The same for any canonical charts given by their B at one hub state with body momentum g_B.
+Matrix6 inverse_chart_jacobian(const Matrix6& B, const Vec3& g_B);
+Matrix6 canonical_transformation(const Matrix6& B_from, const Matrix6& B_to, const Vec3& g_B);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// 3-1-3 Euler angles with their canonical momenta (phi, theta, psi, Phi, Theta, Psi), and with
+// their rates.
+//
+// Equations   R [SA (2)]; rates and angular velocity [SA (5)-(7)]; g_B = (A spsi + Theta cpsi,
+//             A cpsi - Theta spsi, Psi) with A = (Phi - Psi ctheta)/stheta [SA (25)-(27)]. The
+//             momenta are those of the body alone: Phi = G . s3, Theta = G . node, Psi = G . b3.
+// Corrections [SA (17)]: phid c_psi s_theta, not c_phi. [SA (28)] is not used: G_I = R^T g.
+// Units       angles in radians; momenta in those of the angular momentum; rates in rad per time.
+// Domain      any theta as input; theta in [0, pi] and phi, psi in (-pi, pi] as output.
+//             theta = 0 or pi: only phi + psi or phi - psi means something. The node is then put
+//             along the transverse momentum (for the rates: the transverse angular velocity), so
+//             that A = 0 and to_rotor gives the state back; where that vanishes too, psi = 0. The
+//             rate about the common axis is in phi_dot.
+//             theta = 0 with Phi != Psi is no state: to_rotor answers an infinite momentum.
+//             euler_state throws there, and at the double nearest to pi with Phi != -Psi.
+// Accuracy    docs/guide/singularities.md. Phi - Psi cancels near theta = 0 and pi: the transverse
+//             momentum keeps an error of about eps |Psi| / sin theta, at most its own size.
+// Errors      to_rotor, to_euler, to_euler_rates never throw, NaN in, NaN out; euler_state throws
+//             DomainError.
+// Cost        three sincos forth; three atan2 back.
+#pragma once
+
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct BasicEulerState {
+  T phi;
+  T theta;
+  T psi;
+  T Phi;
+  T Theta;
+  T Psi;
+
+  constexpr bool operator==(const BasicEulerState&) const = default;
+};
+using EulerState = BasicEulerState<double>;
+
+// Not canonical, and not body-free.
+template <Real T>
+struct BasicEulerRates {
+  T phi;
+  T theta;
+  T psi;
+  T phi_dot;
+  T theta_dot;
+  T psi_dot;
+
+  constexpr bool operator==(const BasicEulerRates&) const = default;
+};
+using EulerRates = BasicEulerRates<double>;
+
+// Checked values: finite; at theta = 0 and pi the momenta must agree.
+EulerState euler_state(double phi, double theta, double psi, double Phi, double Theta, double Psi);
+
+namespace detail {
+
+// The body components of a vector with parts along (b3 x node), the node and b3.
+template <Real T>
+BasicVec3<T> node_to_body(const T& across, const T& along, const T& axial, const Phasor<T>& psi) {
+  // 0 times an infinite part is 0: the limit along psi = 0.
+  const T as = psi.im == T(0.0) ? T(0.0) : T(across * psi.im);
+  const T ac = psi.re == T(0.0) ? T(0.0) : T(across * psi.re);
+  return {as + along * psi.re, ac - along * psi.im, axial};
+}
+
+// n/d, where 0/0 stands for the part that vanishes at theta = 0 and pi.
+template <Real T>
+T quotient(const T& n, const T& d) {
+  return n == T(0.0) ? T(0.0) : T(n / d);
+}
+
+// What the 3-1-3 angles of a quaternion are made of.
+template <Real T>
+struct EulerFrame {
+  T c;  // cos(theta/2)
+  T s;  // sin(theta/2)
+  Phasor<T> phi;
+  Phasor<T> psi;  // of length one
+};
+
+// transverse: the vector whose node part is kept where theta leaves the node free.
+template <Real T>
+EulerFrame<T> euler_frame(const BasicQuaternion<T>& q_any, const BasicVec3<T>& transverse) {
+  const PhasorPair<T> q = phasor_pair(unit_attitude(q_any));
+  const T c = modulus(q.a), s = modulus(q.b);
+  if (s == T(0.0) || c == T(0.0)) {
+    const Phasor<T> d = direction(Phasor<T>{transverse.x, -transverse.y});
+    const Phasor<T> psi = T(T(1.0) / modulus(d)) * d;
+    return {c, s, s == T(0.0) ? (q.a * q.a) * conj(psi) : (q.b * q.b) * psi, psi};
+  }
+  const Phasor<T> b = is_moderate(s) ? q.b : direction(q.b);
+  const Phasor<T> psi = q.a * conj(b);
+  return {c, s, q.a * b, T(T(1.0) / modulus(psi)) * psi};
+}
+
+}  // namespace detail
+
+template <Real T>
+BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
+  using detail::Phasor;
+  using std::abs;
+  const Phasor<T> theta = detail::phasor(T(T(0.5) * e.theta));
+  const Phasor<T> phi = detail::phasor(T(T(0.5) * e.phi));
+  const Phasor<T> psi = detail::phasor(T(T(0.5) * e.psi));
+  const T c = theta.re, s = theta.im;
+  // not Phi - Psi ctheta: its product rounds, these differences do not where they cancel
+  const T across = T(abs(s)) < T(abs(c))
+                       ? detail::quotient(T(e.Phi - e.Psi), T(T(2.0) * s * c)) + e.Psi * (s / c)
+                       : detail::quotient(T(e.Phi + e.Psi), T(T(2.0) * s * c)) - e.Psi * (c / s);
+  return {detail::quaternion(detail::PhasorPair<T>{c * (phi * psi), s * (phi * conj(psi))}),
+          detail::node_to_body(across, e.Theta, e.Psi, psi * psi)};
+}
+
+template <Real T>
+BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
+  using std::atan2;
+  const detail::EulerFrame<T> f = detail::euler_frame(state.q, state.g);
+  const BasicVec3<T>& g = state.g;
+  const T along = g.x * f.psi.re - g.y * f.psi.im;
+  const T across = g.x * f.psi.im + g.y * f.psi.re;
+  // not A stheta + Psi ctheta: near the poles Phi -+ Psi is what to_rotor needs
+  const T tilt = T(2.0) * f.s * f.c * across;
+  const T Phi = f.s < f.c ? T(g.z + (tilt - T(2.0) * f.s * f.s * g.z))
+                          : T((tilt + T(2.0) * f.c * f.c * g.z) - g.z);
+  return {detail::argument(f.phi),
+          T(2.0) * T(atan2(f.s, f.c)),
+          detail::argument(f.psi),
+          Phi,
+          along,
+          g.z};
+}
+
+template <Real T>
+BasicRotorState<T> to_rotor(const Body& body, const BasicEulerRates<T>& e) {
+  using std::cos;
+  using std::sin;
+  const detail::Phasor<T> psi = detail::phasor(e.psi);
+  const BasicVec3<T> w = detail::node_to_body(T(e.phi_dot * T(sin(e.theta))), e.theta_dot,
+                                              T(e.psi_dot + e.phi_dot * T(cos(e.theta))), psi);
+  const Vec3& I = body.moments();
+  return {attitude(BasicEulerAngles<T>{e.phi, e.theta, e.psi}),
+          {T(I.x) * w.x, T(I.y) * w.y, T(I.z) * w.z}};
+}
+
+template <Real T>
+BasicEulerRates<T> to_euler_rates(const Body& body, const BasicRotorState<T>& state) {
+  using std::abs;
+  using std::atan2;
+  const Vec3& I = body.moments();
+  const BasicVec3<T> w{state.g.x / T(I.x), state.g.y / T(I.y), state.g.z / T(I.z)};
+  const detail::EulerFrame<T> f = detail::euler_frame(state.q, w);
+  const T phi = detail::argument(f.phi), theta = T(2.0) * T(atan2(f.s, f.c));
+  const T psi = detail::argument(f.psi);
+  const T along = w.x * f.psi.re - w.y * f.psi.im;
+  const T sine = T(2.0) * f.s * f.c;
+  const T phi_dot = (w.x * f.psi.im + w.y * f.psi.re) / (sine == T(0.0) ? T(1.0) : sine);
+  const bool at_pole = sine == T(0.0) || T(std::numeric_limits<double>::max()) < T(abs(phi_dot));
+  if (at_pole) return {phi, theta, psi, f.s < f.c ? w.z : T(-w.z), along, T(0.0)};
+  return {phi, theta, psi, phi_dot, along, w.z - phi_dot * ((f.c - f.s) * (f.c + f.s))};
+}
+
+extern template RotorState to_rotor(const EulerState&);
+extern template EulerState to_euler(const RotorState&);
+extern template RotorState to_rotor(const Body&, const EulerRates&);
+extern template EulerRates to_euler_rates(const Body&, const RotorState&);
+
+}  // namespace v0
+}  // namespace polhode
