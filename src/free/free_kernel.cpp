@@ -4,68 +4,114 @@
 
 #include <cmath>
 
+#include "free/detail/reduced_sincos.hpp"
+#include "polhode/math/error_free.hpp"
 #include "polhode/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-// sin and cos of hi + lo, |lo| below an ulp of hi.
-SinCos<double> sincos_of(const DoubleDouble& a) {
-  const SinCos<double> t = sincos(a.hi);
-  return {t.sin + t.cos * a.lo, t.cos - t.sin * a.lo};
+// The two ways to an exact product; both give the same bits.
+struct DekkerProduct {
+  static TwoTerms<double> of(double a, double b) { return two_prod(a, b); }
+};
+struct FmaProduct {
+  [[gnu::always_inline]] static TwoTerms<double> of(double a, double b) {
+    return two_prod_fma(a, b);
+  }
+};
+
+// rate * elapsed + start, and the same less a whole number of periods. Unlike DoubleDouble's
+// operators this carries one low part through the whole chain; what that loses is 2^-104 of the
+// phase.
+template <class Product>
+[[gnu::always_inline]] inline TwoTerms<double> phase_at(const DoubleDouble& rate,
+                                                        const TwoTerms<double>& elapsed,
+                                                        const DoubleDouble& start) {
+  const TwoTerms<double> p = Product::of(rate.hi, elapsed.hi);
+  const TwoTerms<double> s = two_sum(p.hi, start.hi);
+  const double lo = p.lo + (rate.hi * elapsed.lo + rate.lo * elapsed.hi);
+  return {s.hi, s.lo + (lo + start.lo)};
 }
 
-DoubleDouble reduced_turns(const DoubleDouble& phase) {
-  constexpr double inverse_two_pi = 0.15915494309189535;
-  return phase - DoubleDouble::two_pi() * std::rint(phase.hi * inverse_two_pi);
+template <class Product>
+[[gnu::always_inline]] inline TwoTerms<double> less_periods(const TwoTerms<double>& phase,
+                                                            const DoubleDouble& period,
+                                                            double count) {
+  const TwoTerms<double> c = Product::of(count, period.hi);
+  const double hi = phase.hi - c.hi;  // exact: within a factor of two, or count = 0
+  return quick_two_sum(hi, phase.lo - (c.lo + count * period.lo));
 }
 
-RotorState steady_state(const FreeKernel& k, const DoubleDouble& elapsed) {
-  const SinCos<double> t = sincos_of(reduced_turns(k.half_precession * elapsed));
-  const Quaternion turn{t.cos, t.sin * k.axis.x, t.sin * k.axis.y, t.sin * k.axis.z};
-  return {k.left * turn, k.g0};
+constexpr double inverse_two_pi = 0.15915494309189535;
+
+template <class Product>
+[[gnu::always_inline]] inline SinCos<double> sincos_of_turn(const TwoTerms<double>& turn) {
+  return detail::reduced_sincos(
+      less_periods<Product>(turn, DoubleDouble::two_pi(), std::rint(turn.hi * inverse_two_pi)));
 }
 
 // Momentum along the primed axes over G, from the attitude of those axes: R^T e3 for any |p|.
-Vec3 momentum_direction(const Quaternion& p, double n2) {
-  const double f = 2.0 / n2;
+[[gnu::always_inline]] inline Vec3 momentum_direction(const Quaternion& p, double inverse_n2) {
+  const double f = 2.0 * inverse_n2;
   return {f * (p.x * p.z - p.w * p.y), f * (p.y * p.z + p.w * p.x),
-          (p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y) / n2};
+          inverse_n2 * (p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y)};
 }
 
-}  // namespace
-
-RotorState evaluated(const FreeKernel& k, double t) noexcept {
+template <class Product>
+[[gnu::always_inline]] inline RotorState state_at(const FreeKernel& k, double t) {
   const TwoTerms<double> difference = two_sum(t, -k.epoch);
-  const DoubleDouble elapsed{k.time_scale * difference.hi, k.time_scale * difference.lo};
-  if (k.form == FreeKernel::Form::steady) return steady_state(k, elapsed);
-
-  DoubleDouble phase = k.phase0 + k.phase_rate * elapsed;
+  const TwoTerms<double> elapsed{k.time_scale * difference.hi, k.time_scale * difference.lo};
+  TwoTerms<double> turn = phase_at<Product>(k.half_precession, elapsed, DoubleDouble{});
+  if (k.form == FreeKernel::Form::steady) {
+    const SinCos<double> c = sincos_of_turn<Product>(turn);
+    return {k.left * Quaternion{c.cos, c.sin * k.axis.x, c.sin * k.axis.y, c.sin * k.axis.z}, k.g0};
+  }
+  TwoTerms<double> phase = phase_at<Product>(k.phase_rate, elapsed, k.phase0);
   const double periods = std::rint(phase.hi * k.inverse_phase_period);
-  phase = phase - k.phase_period * periods;
-  DoubleDouble turn = k.half_precession * elapsed;
+  phase = less_periods<Product>(phase, k.phase_period, periods);
   Quaternion p;
   if (k.form == FreeKernel::Form::trigonometric) {
-    const SinCos<double> x = sincos_of(phase);
+    const SinCos<double> x = detail::reduced_sincos(phase);
     p = trigonometric_sum(k.series, x.sin, x.cos);
   } else {
     const bool odd = std::fmod(periods, 2.0) != 0.0;
     p = hyperbolic_sum(k.series, k.series.chi_per_u * phase.hi, odd);
-    turn = turn + k.series.phase_per_u * phase.hi;
+    turn.lo += k.series.phase_per_u * phase.hi;
+    turn = two_sum(turn.hi, turn.lo);
   }
-  const double n2 = p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z;
-  const SinCos<double> c = sincos_of(reduced_turns(turn));
-  const double f = 1.0 / std::sqrt(n2);
+  const double inverse_n2 = 1.0 / (p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
+  const SinCos<double> c = sincos_of_turn<Product>(turn);
+  const double f = std::sqrt(inverse_n2);
   const Quaternion spun{f * (c.cos * p.w - c.sin * p.z), f * (c.cos * p.x - c.sin * p.y),
                         f * (c.cos * p.y + c.sin * p.x), f * (c.cos * p.z + c.sin * p.w)};
-  const Vec3 m = momentum_direction(p, n2);
+  const Vec3 m = momentum_direction(p, inverse_n2);
+  const double n1 = k.G * m.x, n2 = k.G * m.y, n3 = k.G * m.z;
   RotorState s{k.left * (spun * k.right), {}};
-  for (int i = 0; i < 3; ++i) {
-    const auto j = static_cast<std::size_t>(i);
-    s.g[k.primed_axis[j]] = k.G * k.primed_sign[j] * m[i];
-  }
+  s.g[k.primed_axis[0]] = k.primed_sign[0] * n1;
+  s.g[k.primed_axis[1]] = k.primed_sign[1] * n2;
+  s.g[k.primed_axis[2]] = k.primed_sign[2] * n3;
   return s;
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2,fma"))) RotorState state_at_fma(const FreeKernel& k, double t) {
+  return state_at<FmaProduct>(k, t);
+}
+bool processor_has_fma() {
+  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return has;
+}
+#endif
+
+}  // namespace
+
+RotorState evaluated(const FreeKernel& k, double t) noexcept {
+#if defined(__x86_64__)
+  if (processor_has_fma()) return state_at_fma(k, t);
+#endif
+  return state_at<DekkerProduct>(k, t);
 }
 
 }  // namespace v0
