@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The state transition matrix of FreeRotation over up to ten turns, against 76-digit variational
+// equations, in every regime: J = 0, the separatrix, axisymmetric bodies and the sphere included.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "budgets.hpp"
+#include "oracle/free_cases.hpp"
+#include "oracle/free_transition.hpp"
+#include "polhode/free/free_rotation.hpp"
+
+namespace {
+
+namespace budget = polhode::budget;
+using oracle::FreeCase;
+using oracle::Wide;
+
+constexpr std::uint64_t seed = 1923;  // the year of Andoyer's book
+
+// The largest over the four 3x3 blocks of |block - exact| / |exact|, Frobenius norms; the block of
+// d(g)/d(theta), which is 0, counts relative to G. Infinite for what is not finite.
+double relative_error(const polhode::Matrix6& m, const oracle::WideMatrix6& exact, double G) {
+  double worst = 0.0;
+  for (int block = 0; block < 4; ++block) {
+    const int row = 3 * (block / 2), column = 3 * (block % 2);
+    Wide error = 0, size = row == 3 && column == 0 ? Wide(G) * G : Wide(0);
+    for (int i = row; i < row + 3; ++i) {
+      for (int j = column; j < column + 3; ++j) {
+        if (!std::isfinite(m(i, j))) return std::numeric_limits<double>::infinity();
+        const Wide d = Wide(m(i, j)) - exact(i, j);
+        error += d * d;
+        size += exact(i, j) * exact(i, j);
+      }
+    }
+    if (error != 0) worst = std::max(worst, static_cast<double>(Wide(sqrt(error / size))));
+  }
+  return worst;
+}
+
+double transition_error(const FreeCase& c) {
+  oracle::FreeBody body(c.moments, c.start.q, c.start.g);
+  const polhode::FreeRotation rotation(polhode::Body(c.moments.x, c.moments.y, c.moments.z),
+                                       c.start, c.t0);
+  const auto exact = oracle::FreeTransition(body).at(Wide(c.t) - Wide(c.t0));
+  return relative_error(rotation.state_transition(c.t), exact,
+                        static_cast<double>(body.momentum()));
+}
+
+void expect_transitions(const std::vector<FreeCase>& cases) {
+  std::vector<double> errors;
+  std::string worst;
+  double largest = 0.0;
+  for (const FreeCase& c : cases) {
+    const double error = transition_error(c);
+    errors.push_back(error);
+    if (worst.empty() || error > largest) worst = description(c);
+    largest = std::max(largest, error);
+  }
+  std::sort(errors.begin(), errors.end());
+  std::array<char, 32> text{};
+  testing::Test::RecordProperty("cases", std::to_string(errors.size()));
+  std::snprintf(text.data(), text.size(), "%.2g", errors[errors.size() / 2]);
+  testing::Test::RecordProperty("transition_median", text.data());
+  std::snprintf(text.data(), text.size(), "%.2g", largest);
+  testing::Test::RecordProperty("transition_max", text.data());
+  EXPECT_LE(largest, budget::free_transition) << worst;
+}
+
+// Drawn like the accuracy sets, over -10 .. 10 turns.
+std::vector<FreeCase> drawn_cases(oracle::CaseMaker maker, std::uint64_t stream, std::size_t sample,
+                                  std::size_t full) {
+  const std::size_t count = std::getenv("POLHODE_TEST_FULL") != nullptr ? full : sample;
+  std::vector<FreeCase> cases;
+  for (std::size_t i = 0; i < count; ++i) {
+    oracle::Draw draw(seed + (stream << 32U), i);
+    FreeCase c = maker(draw);
+    set_time(c, draw.uniform(-10.0, 10.0));
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+// The states where derivatives of the coordinates do not exist, ten turns either way.
+std::vector<FreeCase> degenerate_cases() {
+  struct Start {
+    polhode::Vec3 moments, g;
+  };
+  const double next = std::nextafter(0.3, 1.0);
+  const Start starts[] = {
+      {{1.0, 2.0, 2.5}, {0.0, 0.0, 1.0}},    {{1.0, 2.0, 2.5}, {0.0, 0.0, -1.0}},
+      {{1.0, 2.0, 2.5}, {1.0, 0.0, 0.0}},    {{1.0, 2.0, 2.5}, {0.0, 1.0, 0.0}},
+      {{2.5, 1.0, 2.0}, {0.0, 0.0, 1.0}},    {{1.0, 2.0, 2.5}, {1e-150, 1e-160, 1.0}},
+      {{1.0, 2.0, 2.5}, {1e-8, 1e-9, -1.0}}, {{3.0, 4.0, 6.0}, {0.3, 0.5, 0.3}},
+      {{3.0, 4.0, 6.0}, {0.3, -0.5, 0.3}},   {{6.0, 3.0, 4.0}, {0.3, 0.3, -0.1}},
+      {{3.0, 4.0, 6.0}, {next, 0.5, 0.3}},   {{3.0, 4.0, 6.0}, {0.3, 0.5, next}},
+      {{1.0, 1.0, 1.5}, {0.3, 0.5, 0.2}},    {{1.0, 1.0, 1.5}, {0.0, 0.0, 0.7}},
+      {{1.0, 1.0, 1.5}, {0.3, 0.5, 0.0}},    {{1.0, 1.5, 1.5}, {0.3, 0.5, 0.2}},
+      {{1.0, 1.5, 1.5}, {0.0, 0.5, 0.2}},    {{1.0, 1.5, 1.5}, {0.7, 0.0, 0.0}},
+      {{2.0, 2.0, 2.0}, {0.3, 0.5, 0.2}},    {{2.0, 2.0, 2.0}, {0.0, 0.0, 0.2}},
+      {{1.0, 2.0, 2.5}, {0.0, 0.0, 0.0}},    {{2.0, 2.0, 2.0}, {0.0, 0.0, 0.0}}};
+  std::vector<FreeCase> cases;
+  for (const Start& s : starts) {
+    FreeCase c{s.moments, {{0.5, 0.5, -0.125, 0.75}, s.g}, 0.0, 0.0};
+    const bool rest = s.g == polhode::Vec3{};
+    for (const double turns : {-10.0, 0.0, 3.7, 10.0}) {
+      if (rest)
+        c.t = turns;
+      else
+        set_time(c, turns);
+      cases.push_back(c);
+    }
+  }
+  return cases;
+}
+
+TEST(FreeTransition, RandomBodies) {
+  expect_transitions(drawn_cases(oracle::random_case, 1, 40, 300));
+}
+
+TEST(FreeTransition, NearPrincipalAxes) {
+  expect_transitions(drawn_cases(oracle::near_axis_case, 2, 20, 200));
+}
+
+TEST(FreeTransition, NearlyEqualMoments) {
+  expect_transitions(drawn_cases(oracle::nearly_equal_case, 3, 40, 300));
+}
+
+TEST(FreeTransition, NearTheSeparatrix) {
+  expect_transitions(drawn_cases(oracle::near_separatrix_case, 4, 20, 200));
+}
+
+TEST(FreeTransition, OnTheSeparatrix) {
+  expect_transitions(drawn_cases(oracle::exact_separatrix_case, 5, 20, 100));
+}
+
+TEST(FreeTransition, Degenerate) { expect_transitions(degenerate_cases()); }
+
+}  // namespace
