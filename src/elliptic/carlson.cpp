@@ -4,13 +4,9 @@
 namespace polhode {
 inline namespace v0 {
 
-template double carlson_rf<double>(double, double, double);
 template double carlson_rc<double>(const double&, const double&);
-template double carlson_rd<double>(double, double, double);
 template double carlson_rj<double>(double, double, double, double);
-template DoubleDouble carlson_rf<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble);
 template DoubleDouble carlson_rc<DoubleDouble>(const DoubleDouble&, const DoubleDouble&);
-template DoubleDouble carlson_rd<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble);
 template DoubleDouble carlson_rj<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble,
                                                DoubleDouble);
 

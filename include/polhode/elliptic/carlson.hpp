@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Carlson's symmetric elliptic integrals RF, RC, RD and RJ.
+// Carlson's symmetric elliptic integrals: RC and RJ here, RF and RD in carlson_rf_rd.hpp.
 //
-// Equations   RF = (1/2) int_0^inf dt / s,  RJ = (3/2) int_0^inf dt / (s (t + p)),
-//             s = sqrt((t + x)(t + y)(t + z));  RC(x, y) = RF(x, y, y);  RD(x, y, z) =
-//             RJ(x, y, z, z). Duplication, then Taylor to degree 7 [Carlson 1995; DLMF 19.36].
-//             Derivatives differentiate the duplication itself, where every step is smooth: they
-//             hold at equal arguments, where the closed rule dRJ/dx = (RJ - RD(y,z,x))/(2(x-p))
-//             is 0/0. They equal dRF/dx = -RD(y,z,x)/6 and its like.
-// Units       RF, RC: argument^(-1/2); RD, RJ: argument^(-3/2).
-// Domain      x, y, z >= 0, at most one of them 0 (two: inf); RC: y > 0; RD: z > 0; RJ: p > 0.
-//             Otherwise NaN. At x = 0 the derivative with respect to x is infinite; a Dual whose
-//             derivatives are 0 there is a constant.
+// Equations   RJ = (3/2) int_0^inf dt / (s (t + p)), s = sqrt((t + x)(t + y)(t + z));
+//             RC(x, y) = RF(x, y, y). RJ(x, y, z, z) = RD(x, y, z). Duplication, then Taylor to
+//             degree 7 [Carlson 1995; DLMF 19.36]; p far above the others is first exchanged for
+//             one next to the least of them [DLMF 19.21.12]. A Dual differentiates the duplication
+//             of RJ, since the closed rule dRJ/dx = (RJ - RD(y,z,x))/(2(x-p)) is 0/0 at p = x; RC
+//             has dRC/dx = -RD(y,y,x)/6, dRC/dy = -RD(x,y,y)/3.
+// Units       RC: argument^(-1/2); RJ: argument^(-3/2).
+// Domain      x, y, z >= 0, at most one of them 0 (two: inf); RC: x >= 0, y > 0; RJ: p > 0.
+//             Otherwise NaN; inf at y = 0 and p = 0. At x = 0 the derivative with respect to x is
+//             infinite; a Dual whose derivatives are 0 there is a constant.
 // Accuracy    budget elliptic_carlson: relative, also for extreme ratios of the arguments.
 // Errors      none.
-// Cost        4 to 7 trips in double (at most 14 for ratios up to 1e300), 7 to 10 in DoubleDouble;
-//             a trip is three roots; RJ adds a division and, while p is far from the others, an
-//             arctangent or a logarithm.
+// Cost        RC: a root and an arctangent or a logarithm. RJ: the trips of RF, each with four
+//             roots, a division and, while p is far from the others, an arctangent or a logarithm.
 #pragma once
 
 #include <array>
@@ -23,7 +22,9 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
+#include "polhode/elliptic/carlson_rf_rd.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
@@ -32,22 +33,6 @@ namespace polhode {
 inline namespace v0 {
 
 namespace detail {
-
-// The neglected terms are of degree 8 in the deviations: deviations below this are small enough.
-template <class T>
-double carlson_tolerance() {
-  return std::sqrt(std::sqrt(std::sqrt(epsilon<T>())));
-}
-
-inline double largest(double a, double b) { return a < b ? b : a; }
-
-// The largest deviation from the mean a.
-template <class T>
-double deviation(const T& a, const T& x, const T& y, const T& z) {
-  const double m = to_double(a);
-  return largest(largest(std::abs(m - to_double(x)), std::abs(m - to_double(y))),
-                 std::abs(m - to_double(z)));
-}
 
 // 1/(2k + 1), k < 64.
 inline constexpr std::array<DoubleDouble, 64> odd_reciprocals = [] {
@@ -100,34 +85,6 @@ T carlson_rc_unit(const T& e, const T& w) {
   return log((T(1.0) + r) / sqrt(w)) / r;
 }
 
-// The degree-7 polynomial that RD and RJ share  [DLMF 19.36.2].
-template <class T>
-T carlson_rj_series(const T& e2, const T& e3, const T& e4, const T& e5) {
-  const T sum = (471240.0 - 540540.0 * e2) * e5 + (612612.0 * e2 - 540540.0 * e3 - 556920.0) * e4 +
-                (306306.0 * e3 + e2 * (675675.0 * e2 - 706860.0) + 680680.0) * e3 +
-                e2 * ((417690.0 - 255255.0 * e2) * e2 - 875160.0);
-  return T(1.0) + sum / 4084080.0;  // one common denominator
-}
-
-// The factor exp2(-2 n) of n duplications, and whether deviations are small enough to stop.
-template <class T>
-class CarlsonTrips {
- public:
-  explicit CarlsonTrips(double first_deviation)
-      : deviation_(first_deviation / carlson_tolerance<T>()) {}
-  bool converged(const T& mean) {
-    const bool small = !(factor_ * deviation_ >= to_double(mean));
-    return (small && more_-- == 0) || factor_ < 0x1p-80;
-  }
-  void next() { factor_ *= 0.25; }
-  double factor() const { return factor_; }
-
- private:
-  double deviation_;
-  double factor_ = 1.0;
-  std::size_t more_ = derivative_order<T>;
-};
-
 // RC(1, 1 + e)/d of one duplication: d = product of (sp + s_i), e = product of (sp - s_i)/(sp +
 // s_i).
 template <class T>
@@ -143,83 +100,54 @@ T carlson_rj_term(const T& sx, const T& sy, const T& sz, const T& sp) {
   return carlson_rc_unit(e, w) / d;
 }
 
-inline bool two_zeros(bool x, bool y, bool z) { return (x && y) || (y && z) || (x && z); }
-
 }  // namespace detail
-
-template <Real T>
-T carlson_rf(T x, T y, T z) {
-  using std::sqrt;
-  const T zero(0.0);
-  if (detail::two_zeros(x == zero, y == zero, z == zero)) {
-    return T(std::numeric_limits<double>::infinity());
-  }
-  T a = (x + y + z) / 3.0;
-  detail::CarlsonTrips<T> trips(detail::deviation(a, x, y, z));
-  while (!trips.converged(a)) {  // at most 40
-    const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
-    const T lambda = sx * (sy + sz) + sy * sz;
-    a = 0.25 * (a + lambda);
-    x = 0.25 * (x + lambda);
-    y = 0.25 * (y + lambda);
-    z = 0.25 * (z + lambda);
-    trips.next();
-  }
-  const T dx = (a - x) / a;
-  const T dy = (a - y) / a;
-  const T dz = -(dx + dy);
-  const T e2 = dx * dy - dz * dz;
-  const T e3 = dx * dy * dz;
-  const T sum = e3 * (6930.0 * e3 + e2 * (15015.0 * e2 - 16380.0) + 17160.0) +
-                e2 * ((10010.0 - 5775.0 * e2) * e2 - 24024.0);
-  return (T(1.0) + sum / 240240.0) / sqrt(a);  // [DLMF 19.36.1]
-}
 
 template <Real T>
 T carlson_rc(const T& x, const T& y) {
   using std::atan2;
   using std::log;
   using std::sqrt;
-  const T difference = y - x;
-  if (std::abs(to_double(difference)) < 0.05 * to_double(x)) {
-    return detail::carlson_rc_near_one(difference / x) / sqrt(x);
+  if constexpr (derivative_order<T> > 0) {
+    // By the closed rule: the formulas below lose digits of the slope around x = y.
+    const auto &a = x.value, &b = y.value;
+    const auto slope_x = x.is_constant() ? 0.0 * a : carlson_rd(b, b, a) / -6.0;
+    return T::chained(carlson_rc(a, b), slope_x, x, carlson_rd(a, b, b) / -3.0, y);
+  } else {
+    const T difference = y - x;
+    if (std::abs(to_double(difference)) < 0.05 * to_double(x)) {
+      return detail::carlson_rc_near_one(T(difference / x)) / sqrt(x);
+    }
+    if (difference > T(0.0)) {
+      const T r = sqrt(difference);
+      return atan2(r, sqrt(x)) / r;
+    }
+    if (y > T(0.5) * x) {
+      return detail::carlson_rc_unit(T(difference / x), T(y / x)) / sqrt(x);
+    }
+    const T r = sqrt(-difference);
+    return log((sqrt(x) + r) / sqrt(y)) / r;  // NaN for y < 0, inf for y = 0
   }
-  if (difference > T(0.0)) {
-    const T r = sqrt(difference);
-    return atan2(r, sqrt(x)) / r;
-  }
-  if (y > T(0.5) * x) return detail::carlson_rc_unit(difference / x, y / x) / sqrt(x);
-  const T r = sqrt(-difference);
-  return log((sqrt(x) + r) / sqrt(y)) / r;  // NaN for y < 0, inf for y = 0
 }
 
 template <Real T>
-T carlson_rd(T x, T y, T z) {
+T carlson_rj(T x, T y, T z, T p);
+
+namespace detail {
+
+// p far above the others, where each duplication brings it down by 4 only: exchanged for q next to
+// the least of them  [DLMF 19.21.12]. RF dominates the difference.
+template <class T>
+T carlson_rj_far(T x, T y, T z, const T& p) {
   using std::sqrt;
-  const T zero(0.0);
-  if (z == zero || (x == zero && y == zero)) return T(std::numeric_limits<double>::infinity());
-  T a = (x + y + 3.0 * z) / 5.0;
-  T sum(0.0);
-  detail::CarlsonTrips<T> trips(detail::deviation(a, x, y, z));
-  while (!trips.converged(a)) {  // at most 40
-    const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
-    const T lambda = sx * (sy + sz) + sy * sz;
-    sum = sum + trips.factor() / (sz * (z + lambda));
-    a = 0.25 * (a + lambda);
-    x = 0.25 * (x + lambda);
-    y = 0.25 * (y + lambda);
-    z = 0.25 * (z + lambda);
-    trips.next();
-  }
-  const T dx = (a - x) / a;
-  const T dy = (a - y) / a;
-  const T dz = -(dx + dy) / 3.0;
-  const T xy = dx * dy;
-  const T z2 = dz * dz;
-  const T series = detail::carlson_rj_series<T>(xy - 6.0 * z2, (3.0 * xy - 8.0 * z2) * dz,
-                                                3.0 * (xy - z2) * z2, xy * z2 * dz);
-  return 3.0 * sum + trips.factor() * series / (a * sqrt(a));
+  if (y < x) std::swap(x, y);
+  if (z < x) std::swap(x, z);
+  const T r = (y - x) * (z - x) / (p - x);
+  const T q = x + r;
+  const T rc = sqrt(x) * carlson_rc(T(y * z), T(p * q));  // RC(y z/x, p q/x)
+  return (3.0 * (carlson_rf(x, y, z) - rc) - r * carlson_rj(x, y, z, q)) / (p - x);
 }
+
+}  // namespace detail
 
 template <Real T>
 T carlson_rj(T x, T y, T z, T p) {
@@ -228,6 +156,9 @@ T carlson_rj(T x, T y, T z, T p) {
   const T zero(0.0);
   if (p == zero || detail::two_zeros(x == zero, y == zero, z == zero)) {
     return T(std::numeric_limits<double>::infinity());
+  }
+  if (p > T(4096.0) * (x < y ? (y < z ? z : y) : (x < z ? z : x))) {
+    return detail::carlson_rj_far(x, y, z, p);
   }
   T a = (x + y + z + 2.0 * p) / 5.0;
   T sum(0.0);
@@ -258,13 +189,9 @@ T carlson_rj(T x, T y, T z, T p) {
 }
 
 // Compiled once, in the library.
-extern template double carlson_rf<double>(double, double, double);
 extern template double carlson_rc<double>(const double&, const double&);
-extern template double carlson_rd<double>(double, double, double);
 extern template double carlson_rj<double>(double, double, double, double);
-extern template DoubleDouble carlson_rf<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble);
 extern template DoubleDouble carlson_rc<DoubleDouble>(const DoubleDouble&, const DoubleDouble&);
-extern template DoubleDouble carlson_rd<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble);
 extern template DoubleDouble carlson_rj<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble,
                                                       DoubleDouble);
 
