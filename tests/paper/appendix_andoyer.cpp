@@ -169,9 +169,8 @@ TEST(PaperErrata, AndoyerMethod_CoordinatesAndMomenta) {
   for (const AndoyerCase& e : andoyer_cases()) {
     const Phase x{e.q[0], e.q[1], e.q[2], e.p[0], e.p[1], e.p[2]};
     const Phase dH = gradient([&](const Phase& z) { return euler_energy(e.I, z); }, x);
-    const auto flow = [&](std::size_t i) {
-      return bracket(gradient([i](const Phase& z) { return andoyer_of_euler(z)[i]; }, x), dH);
-    };
+    const auto rows = jacobian(andoyer_of_euler, x);
+    const auto flow = [&](std::size_t i) { return bracket(rows[i], dH); };
     const Phase by = gradient([&](const Phase& a) { return andoyer_energy(e.I, a); }, e.a);
     printed.add(flow(3), by[0]);  // q* as coordinate, p as its momentum
     printed.add(flow(0), -by[3]);

@@ -49,10 +49,7 @@ Phase andoyer_pairs(const Phase& y) { return {y[2], y[0], y[1], y[5], y[3], y[4]
 std::array<Phase, 6> serret_rows(const AndoyerCase& e,
                                  const std::function<Phase(const Phase&)>& elements) {
   const Phase y{e.a[1], e.a[2], e.a[0], e.a[4], e.a[5], e.a[3]};
-  std::array<Phase, 6> rows;
-  for (std::size_t i = 0; i < 6; ++i)
-    rows[i] = gradient([&](const Phase& z) { return elements(andoyer_pairs(z))[i]; }, y);
-  return rows;
+  return jacobian([&](const Phase& z) { return elements(andoyer_pairs(z)); }, y);
 }
 
 // [SA (39), (41), (43), (47), (51), (60)] for any variation of the state and of t:

@@ -44,9 +44,6 @@ Mp side_L(const AndoyerCase& e) { return root(e.a[4] * e.a[4] - e.a[3] * e.a[3])
 Mp side_H(const AndoyerCase& e) { return root(e.a[4] * e.a[4] - e.a[5] * e.a[5]); }
 
 Phase euler_phase(const AndoyerCase& e) { return {e.q[0], e.q[1], e.q[2], e.p[0], e.p[1], e.p[2]}; }
-Field andoyer_component(std::size_t i) {
-  return [i](const Phase& x) { return andoyer_of_euler(x)[i]; };
-}
 
 // [SA "Rnew", "v1", "v2", "v3"] what is right as printed: third row, and first row of column 3
 TEST(PaperAndoyer, Rnew_EntriesRightAsPrinted) {
@@ -158,9 +155,7 @@ TEST(PaperAndoyer, Eq75_EqualOneForms) {
 TEST(PaperAndoyer, Eq75_CanonicalBrackets) {
   for (std::size_t n = 0; n < 4; ++n) {
     const AndoyerCase& e = andoyer_cases()[n];
-    std::array<Phase, 6> rows;
-    for (std::size_t i = 0; i < 6; ++i) rows[i] = gradient(andoyer_component(i), euler_phase(e));
-    EXPECT_LT(symplectic_defect(rows), paper_derivative);
+    EXPECT_LT(symplectic_defect(jacobian(andoyer_of_euler, euler_phase(e))), paper_derivative);
   }
 }
 
@@ -271,8 +266,8 @@ TEST(PaperAndoyer, RatesOfTheSixVariables) {
                         (L * L - G * G) * k.sl * k.cl * (1 / e.I[0] - 1 / e.I[1]),
                         Mp(0),
                         Mp(0)};
-    for (std::size_t i = 0; i < 6; ++i)
-      gap.add(bracket(gradient(andoyer_component(i), euler_phase(e)), dH), printed[i]);
+    const auto rows = jacobian(andoyer_of_euler, euler_phase(e));
+    for (std::size_t i = 0; i < 6; ++i) gap.add(bracket(rows[i], dH), printed[i]);
   }
   EXPECT_LT(gap.size(), paper_derivative);
 }
@@ -312,12 +307,10 @@ TEST(PaperAndoyer, LibraryCanonicalTransformation) {
   for (const RotorState& state : hub_states(34, 4)) {
     const Matrix6 M =
         canonical_transformation({CanonicalSet::euler}, {CanonicalSet::andoyer}, state);
-    const Phase x = exact_euler(state);
-    for (std::size_t i = 0; i < 6; ++i) {
-      const Phase row = gradient(andoyer_component(i), x);
+    const auto rows = jacobian(andoyer_of_euler, exact_euler(state));
+    for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j)
-        gap.add(Mp(M(static_cast<int>(i), static_cast<int>(j))), row[j]);
-    }
+        gap.add(Mp(M(static_cast<int>(i), static_cast<int>(j))), rows[i][j]);
   }
   EXPECT_LT(gap.size(), budget::paper_library);
 }

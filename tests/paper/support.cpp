@@ -97,6 +97,18 @@ Phase gradient(const Field& f, const Phase& x) {
   }
   return d;
 }
+std::array<Phase, 6> jacobian(const std::function<Phase(const Phase&)>& f, const Phase& x) {
+  const Mp step("1e-16");
+  std::array<Phase, 6> rows;
+  for (std::size_t j = 0; j < 6; ++j) {
+    Phase up = x, down = x;
+    up[j] += step;
+    down[j] -= step;
+    const Phase after = f(up), before = f(down);
+    for (std::size_t i = 0; i < 6; ++i) rows[i][j] = (after[i] - before[i]) / (2 * step);
+  }
+  return rows;
+}
 Mp bracket(const Phase& df, const Phase& dh) {
   Mp sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += df[i] * dh[i + 3] - df[i + 3] * dh[i];

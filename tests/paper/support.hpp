@@ -67,6 +67,8 @@ Mp kinetic(const Vec& moments, const Vec& g);
 // Central differences; the error is about 1e-32 of the third derivative.
 Mp derivative(const Curve& f, const Mp& x);
 Phase gradient(const Field& f, const Phase& x);
+// Rows are the gradients of the six components.
+std::array<Phase, 6> jacobian(const std::function<Phase(const Phase&)>& f, const Phase& x);
 // (f, h) = sum over pairs of f_q h_p - f_p h_q
 Mp bracket(const Phase& df, const Phase& dh);
 Mp bracket(const Field& f, const Field& h, const Phase& x);
