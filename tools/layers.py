@@ -36,8 +36,8 @@ TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 # Other people's libraries, by the folder of src/ that may use them. Public headers use none.
 THIRD_PARTY = {
     "rotor": r"Eigen/",
-    "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|unistd\.h|sys/",
-    "cli": r"CLI/|fmt/|unistd\.h|sys/",
+    "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|(unistd|fcntl)\.h|sys/",
+    "cli": r"CLI/|fmt/|(unistd|fcntl)\.h|sys/",
 }
 # The library neither prints nor starts threads; io reads and writes files.
 NOT_IN_CORE = {"iostream", "fstream", "filesystem", "thread", "mutex", "future"}
