@@ -148,6 +148,20 @@ TEST(PaperAppendix, A15_A24_EllipseAndModulus) {
   EXPECT_LT(gap.size(), paper_exact);
 }
 
+// [SA (A15), (A16), (A20)] the three distances that decide the regime, as sums of squares
+TEST(PaperAppendix, A15_A20_DistancesWithoutCancellation) {
+  Gap gap;
+  for (const AndoyerCase& e : andoyer_cases()) {
+    const Mp &I1 = e.I[0], &I2 = e.I[1], &I3 = e.I[2];
+    const Mp g1 = squared(e.g_B[0]), g2 = squared(e.g_B[1]), g3 = squared(e.g_B[2]);
+    const Mp G2 = squared(e.a[4]), T = kinetic(e.I, e.g_B);
+    gap.add(G2 - 2 * T * I1, g2 * (I2 - I1) / I2 + g3 * (I3 - I1) / I3);
+    gap.add(G2 - 2 * T * I2, g3 * (I3 - I2) / I3 - g1 * (I2 - I1) / I1);
+    gap.add(2 * T * I3 - G2, g1 * (I3 - I1) / I1 + g2 * (I3 - I2) / I2);
+  }
+  EXPECT_LT(gap.size(), paper_exact);
+}
+
 // [SA (A25), (A26), (A27), (A28), (A29), (A30)] by the flow in Andoyer's variables
 TEST(PaperAppendix, A25_A30_EulerEquations) {
   Gap gap;

@@ -63,6 +63,24 @@ TEST(PaperSection2, Eq2_AttitudeMatrix) {
   EXPECT_LT(gap.size(), paper_exact);
 }
 
+// [SA (2)] the quaternion of the same attitude, active from body to inertial axes
+TEST(PaperSection2, Eq2_Quaternion) {
+  Gap gap;
+  Random random(22);
+  for (int i = 0; i < 20; ++i) {
+    const double phi = random.number(-3, 3), theta = random.number(0, 3),
+                 psi = random.number(-3, 3);
+    const Quaternion q = rotation_z(phi) * rotation_x(theta) * rotation_z(psi);
+    gap.add(exact(q), euler_matrix({Mp(phi), Mp(theta), Mp(psi)}));
+    const Mp c2 = c(Mp(theta) / 2), s2 = s(Mp(theta) / 2), sum = (Mp(phi) + psi) / 2;
+    const Mp difference = (Mp(phi) - psi) / 2;
+    gap.add(Mp(q.w), c2 * c(sum));
+    gap.add(Vec{Mp(q.x), Mp(q.y), Mp(q.z)},
+            Vec{s2 * c(difference), s2 * s(difference), c2 * s(sum)});
+  }
+  EXPECT_LT(gap.size(), budget::paper_library);
+}
+
 // [SA (3), (4)] hat(omega) = -Rdot R^T; the opposite sign of Rdot is wrong.
 TEST(PaperSection2, Eq3_Eq4_HatOfBodyRate) {
   Gap gap, other_sign;

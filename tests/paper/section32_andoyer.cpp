@@ -151,6 +151,33 @@ TEST(PaperAndoyer, Eq75_EqualOneForms) {
   EXPECT_LT(gap.size(), paper_derivative);
 }
 
+// [SA (75)] in the tangent (dtheta_B, dg_B) of the hub: B Jc B^T = Pi for B = d(hub)/d(Andoyer)
+TEST(PaperAndoyer, Eq75_HubTangent) {
+  Gap tensor;
+  for (const AndoyerCase& e : andoyer_cases()) {
+    std::array<Phase, 6> B;  // rows: three of dtheta_B, three of dg_B
+    for (std::size_t j = 0; j < 6; ++j) {
+      Phase d{};
+      d[j] = 1;
+      const Vec turn = e.R * inertial_rate([&](const Mp& t) { return moved(e, d, t).R; });
+      for (std::size_t i = 0; i < 3; ++i) {
+        B[i][j] = turn[i];
+        B[i + 3][j] = rate(e, d, [i](const AndoyerCase& x) { return x.g_B[i]; });
+      }
+    }
+    const Mat g = hat(e.g_B);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Mp one = i == j ? 1 : 0;
+        tensor.add(bracket(B[i], B[j]), Mp(0));
+        tensor.add(bracket(B[i], B[j + 3]), one);
+        tensor.add(bracket(B[i + 3], B[j]), -one);
+        tensor.add(bracket(B[i + 3], B[j + 3]), g[i][j]);
+      }
+  }
+  EXPECT_LT(tensor.size(), paper_derivative);
+}
+
 // [SA (75)] all brackets of Andoyer's variables, taken in Euler's
 TEST(PaperAndoyer, Eq75_CanonicalBrackets) {
   for (std::size_t n = 0; n < 4; ++n) {

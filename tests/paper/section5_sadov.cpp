@@ -346,6 +346,34 @@ TEST(PaperSadov, PhiSadov_CanonicalWithFrequencies) {
   }
 }
 
+// [SA "phiSadov", (A35)] n_l and n_g through kappa and lambda, and their limits at the two ends
+TEST(PaperSadov, PhiSadov_FrequencyLimits) {
+  Gap limits;
+  for (const AndoyerCase& e : branches(1)) {
+    const Mp &I1 = e.I[0], &I2 = e.I[1], &I3 = e.I[2], &G = e.a[4];
+    const Mp kappa = polhode(e.I, e.a).kappa, spread = 1 / I1 - 1 / I3;
+    const auto n_l = [&](const Mp& lambda) {  // for L > 0
+      const Shape w = shape(kappa, lambda);
+      return -pi() * G * kappa * spread /
+             (2 * root((squared(kappa) + squared(lambda)) * one_plus(kappa)) * w.scale *
+              ellint_K(w.k));
+    };
+    const auto n_g = [&](const Mp& lambda) {
+      const Shape w = shape(kappa, lambda);
+      return G / I3 + G * spread * ellint_Pi(pi() / 2, w.characteristic, w.k) / ellint_K(w.k);
+    };
+    const Polhode p = polhode(e.I, e.a);
+    const Mp K = ellint_K(p.k);
+    limits.add(n_l(p.lambda), -pi() * p.n / (2 * K));
+    const Mp tiny("1e-20");
+    limits.add(n_l(tiny), -G * root(spread * (1 / I2 - 1 / I3)));
+    limits.add(n_g(tiny) + n_l(tiny), G / I3);
+    limits.add(n_l(1 / tiny), -G / I1 * root((I2 - I1) * (I3 - I1) / (I2 * I3)));
+    limits.add(n_g(1 / tiny), G / I1);
+  }
+  EXPECT_LT(limits.size(), paper_quadrature);
+}
+
 // [SA "inversion"] z = am(2 phi_l K/pi), then g, l and L
 TEST(PaperSadov, Inversion_RoundTrip) {
   Gap gap;
