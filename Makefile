@@ -24,11 +24,9 @@ build/%/build.ninja: CMakePresets.json | deps
 build: build/release/build.ninja ## Build the libraries and build/release/polhode
 	cmake --build build/release --target polhode
 
-demo: build ## Apophis: a scenario of ten lines, its exact rotation, a table
+demo: build ## Apophis from ten lines of TOML: its exact rotation in CSV and HDF5, and a table
 	@mkdir -p build/demo
-	$(POLHODE) run examples/apophis.toml --out build/demo/apophis.csv
-	@head -n 30 build/demo/apophis.csv | cut -c -100
-	$(POLHODE) info examples/apophis.toml
+	$(POLHODE) run examples/apophis.toml --out build/demo/apophis.csv --out build/demo/apophis.h5
 
 test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzzing included (minutes)
 	cmake --build build/release
