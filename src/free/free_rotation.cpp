@@ -8,6 +8,7 @@
 #include <string>
 
 #include "free/detail/cayley_klein.hpp"
+#include "free/detail/polhode_family.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "polhode/error.hpp"
 
@@ -166,6 +167,13 @@ FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s
     sum.rate_long = sum.rate_short = to_user_rate(T(2.0 * k.half_precession.hi));
     return parts;
   }
+  const detail::FamilyMember<T> member{c.r2, c.kp2};
+  sum.long_axis = c.long_axis;
+  sum.sign_g1 = static_cast<int>(c.long_axis ? arc.s3 : arc.s1);
+  sum.sign_g3 = static_cast<int>(c.long_axis ? arc.s1 : arc.s3);
+  sum.deficit = k.G * to_double(detail::action_deficit(c.kap2, member));
+  sum.action =
+      c.r2 < T(1.0) ? k.G - sum.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
   sum.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
   const T rate1 = detail::mean_precession(c);
   T rate3 = rate1;

@@ -59,6 +59,15 @@ class FreeRotation {
   // G^2 - 2 T I2, formed in double-double: > 0 in short-axis mode, < 0 in long-axis mode.
   double separatrix_distance() const { return summary_.D2; }
 
+  // The axis of circulation and the signs of the momentum along sorted axes 1 and 3 at the epoch.
+  bool circulates_long_axis() const { return summary_.long_axis; }
+  int sign_g1() const { return summary_.sign_g1; }
+  int sign_g3() const { return summary_.sign_g3; }
+  // Action of the circulation, (1/2pi) of the integral of g3' dl' over a polhode, and G minus it;
+  // each to its own full accuracy.
+  double circulation_action() const { return summary_.action; }
+  double circulation_deficit() const { return summary_.deficit; }
+
   // Period of the momentum in the body, 4K/|n|; the limit of small polhodes for spin about b1 or
   // b3; infinite on the separatrix, for a sphere, for spin about b2, and at rest.
   double polhode_period() const { return summary_.polhode_period; }
@@ -75,6 +84,11 @@ class FreeRotation {
     double polhode_period = 0.0;
     double rate_long = 0.0;
     double rate_short = 0.0;
+    double action = 0.0;
+    double deficit = 0.0;
+    bool long_axis = false;
+    int sign_g1 = 1;
+    int sign_g3 = 1;
     Modulus modulus = Modulus::from_ratio(0.0, 1.0);
   };
   struct Parts {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Sadov's action-angle variables (phi_l, phi_g, phi_h, I_l, I_g, I_h) of free rotation.
+//
+// Equations   [SA "actions"], [SA "IellSadov"], [SA "phiSadov"]; action by complete integrals of the third
+//             kind, equal to Kinoshita's Heuman-Lambda form (tests/paper). In short-axis mode I_l has the
+//             sign of the momentum along the short axis; in long-axis mode I_l >= 0 and `lobe` is the
+//             sign of the momentum along the long axis. phi_h = h, I_h = H, I_g = G.
+// Corrections [SA "transf. eqs"], [SA "quad L dl"]: docs/theory/errata.md.
+// Units       angles in radians, (-pi, pi]; actions in those of the angular momentum.
+// Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper permutation).
+//             Limits: spin about the short axis phi_l = 0, |I_l| = I_g, and about the long axis phi_l = 0,
+//             I_l = 0; exact separatrix phi_l = 0 (variables do not exist there); about the middle axis
+//             phi_l = +-pi/2; sphere: I_l = L, phi_l = l - pi/2, phi_g = g (Andoyer); I = 0: phi_h = 0.
+// Accuracy    budgets sadov_* in tests/budgets.hpp. Next to the separatrix the pair (I_l, phi_l) itself
+//             cannot hold the state: digits are lost like log10(G^2 / |D2|).
+// Errors      to_rotor throws DomainError for actions outside the region named.
+// Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor tens of microseconds.
+#pragma once
+
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/math/matrix6.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+enum class SadovRegion { short_axis, long_axis };
+
+struct SadovState {
+  double phi_l;
+  double phi_g;
+  double phi_h;
+  double I_l;
+  double I_g;
+  double I_h;
+  SadovRegion region = SadovRegion::short_axis;
+  int lobe = 1;  // long-axis region: sign of the momentum along the long axis
+
+  constexpr bool operator==(const SadovState&) const = default;
+};
+
+// Constant rates of the angles: phi_l = n_l t + ..., phi_g = n_g t + ...; n_h = 0. n = dT/dI.
+struct SadovFrequencies {
+  double n_l;
+  double n_g;
+};
+
+SadovState to_sadov(const FreeRotation& motion, double t);
+SadovFrequencies sadov_frequencies(const FreeRotation& motion);
+
+RotorState to_rotor(const Body& body, const SadovState& s);
+
+// d(dtheta_B, dg_B) / d(phi_l, phi_g, phi_h, I_l, I_g, I_h), by dual numbers through to_rotor.
+Matrix6 chart_jacobian(const Body& body, const SadovState& s);
+
+}  // namespace v0
+}  // namespace polhode

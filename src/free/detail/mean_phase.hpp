@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The two slow constants of a kernel at a time t: the phase x on the polhode and the mean frame.
+#pragma once
+
+#include <cmath>
+
+#include "polhode/free/free_kernel.hpp"
+#include "polhode/math/double_double.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct MeanPhase {
+  DoubleDouble x;        // pi u / (2K) in (-pi, pi]; 0 on the separatrix
+  DoubleDouble u_per_x;  // 2K / pi; 0 on the separatrix
+  DoubleDouble u;        // x u_per_x; on the separatrix the full u
+  Quaternion frame;      // inertial axes <- mean frame
+};
+
+inline DoubleDouble wrapped(const DoubleDouble& angle) {
+  const DoubleDouble r =
+      angle - DoubleDouble::two_pi() * std::rint(angle.hi / (2.0 * RealTraits<double>::pi()));
+  return r;
+}
+
+// Not for the steady form, whose phase is no coordinate.
+inline MeanPhase mean_phase(const FreeKernel& k, double t) {
+  const DoubleDouble elapsed = DoubleDouble::sum(t, -k.epoch) * k.time_scale;
+  const DoubleDouble phase = k.phase0 + k.phase_rate * elapsed;
+  MeanPhase m;
+  if (k.form == FreeKernel::Form::trigonometric) {
+    m.x = wrapped(phase);
+  } else if (k.inverse_phase_period > 0.0) {
+    m.u_per_x = k.phase_period / DoubleDouble::pi();
+    m.x = wrapped(phase / m.u_per_x);
+    m.u = m.x * m.u_per_x;
+  } else {
+    m.u = phase;
+  }
+  const DoubleDouble turn = wrapped(k.half_precession * elapsed);
+  m.frame = k.left * Quaternion{std::cos(turn.hi) - turn.lo * std::sin(turn.hi), 0.0, 0.0,
+                                std::sin(turn.hi) + turn.lo * std::cos(turn.hi)};
+  return m;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Sadov's variables, read from a FreeRotation and turned back into a state.
+#include "polhode/free/sadov.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "free/detail/assembly.hpp"
+#include "free/detail/hub_tangent.hpp"
+#include "free/detail/mean_phase.hpp"
+#include "free/detail/polhode_family.hpp"
+#include "free/detail/sorted_state.hpp"
+#include "polhode/error.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/euler.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using DD = DoubleDouble;
+constexpr double half_pi = 1.5707963267948966;
+
+double wrapped(double angle) { return std::remainder(angle, 4.0 * half_pi); }
+
+// A sphere has no polhode: Andoyer's variables are action-angle already, with the origin of phi_l
+// where the limit I1 = I2 puts it.
+SadovState spherical_state(const Body& body, const RotorState& s) {
+  const AndoyerState a = to_andoyer(detail::in_sorted_axes(body, s));
+  return {wrapped(a.l - half_pi), a.g, a.h, a.L, a.G, a.H, SadovRegion::short_axis, 1};
+}
+
+template <Real T>
+struct SadovCoordinates {
+  T phi_l, phi_g, phi_h, I_l, I_g, I_h;
+};
+
+// The polhode with this action: a root in DoubleDouble, then one Newton step in T, which carries
+// the derivatives when T is dual.
+template <Real T>
+detail::FamilyMember<T> member_with_deficit(const BasicVec3<DD>& sorted, bool long_axis,
+                                            const T& deficit) {
+  const DD kap2 = detail::kappa_squared(detail::primed_moments(sorted, long_axis));
+  const DD target = detail::value_of(deficit);
+  if (!(target > DD(0.0))) return {deficit, T(1.0)};
+  const DD highest = detail::family_end(kap2);
+  const auto excess = [&](const DD& v) {
+    return log(detail::action_deficit(kap2, detail::family_member(kap2, v)) / target);
+  };
+  const DD v = detail::family_root(excess, detail::family_start<DD>(), highest);
+  const detail::FamilyMember<DD> f = detail::family_member(kap2, v);
+  const DD slope = detail::action_deficit_slope(kap2, f);
+  const T step = (deficit - T(target)) / T(slope);
+  return {T(f.r2) + step, T(f.kp2) - T(kap2) * step};
+}
+
+template <Real T>
+BasicRotorState<T> rotor_from(const Body& body, const SadovCoordinates<T>& c, SadovRegion region,
+                              int lobe) {
+  using std::abs;
+  const detail::AxisOrder order = detail::ascending_order(body.moments());
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
+  const bool long_axis = region == SadovRegion::long_axis;
+  const bool negative = !long_axis && c.I_l < T(0.0);
+  const detail::PrimedSense sense{long_axis, 1.0,
+                                  long_axis ? static_cast<double>(lobe) : (negative ? -1.0 : 1.0)};
+  const T deficit = (long_axis ? c.I_l : T(c.I_g - abs(c.I_l))) / c.I_g;
+  const detail::FamilyMember<T> f = member_with_deficit(sorted, long_axis, deficit);
+  const BasicVec3<T> moments{T(sorted.x), T(sorted.y), T(sorted.z)};
+  const detail::PolhodeCurve<T> curve = detail::family_curve(moments, long_axis, T(1.0), f);
+  const T x = long_axis || negative ? c.phi_l : T(-c.phi_l);
+  const T u = x * (T(2.0) * curve.K / pi<T>());
+  const T mean_angle = c.phi_g + detail::node_offset<T>(sense) - (long_axis ? T(0.0) : x);
+  return detail::assembled(order, sense, curve, u,
+                           detail::InvariableElements<T>{mean_angle, c.phi_h, c.I_h, c.I_g});
+}
+
+void require_actions(const Body& body, const SadovState& s) {
+  const double slack = 1.0 + 8.0 * epsilon<double>();
+  const double I[3] = {s.I_l, s.I_g, s.I_h};
+  if (!std::all_of(I, I + 3, [](double x) { return std::isfinite(x); }) || !(s.I_g > 0.0) ||
+      std::abs(s.I_h) > s.I_g * slack || std::abs(s.I_l) > s.I_g * slack)
+    throw DomainError("SadovState: actions (" + detail::text(s.I_l) + ", " + detail::text(s.I_g) +
+                      ", " + detail::text(s.I_h) + ") need I_g > 0, |I_l| <= I_g, |I_h| <= I_g");
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
+  if (sorted.x == sorted.z) return;
+  const bool long_axis = s.region == SadovRegion::long_axis;
+  const detail::PrimedMoments<DD> primed = detail::primed_moments(sorted, long_axis);
+  if (!detail::mode_exists(primed))
+    throw DomainError(std::string("SadovState: a body with equal ") +
+                      (long_axis ? "lesser" : "greater") + " moments has no " +
+                      (long_axis ? "long" : "short") + "-axis mode");
+  const double kappa = std::sqrt(detail::kappa_squared(primed).hi);
+  const double border = std::atan2(1.0, kappa) / half_pi;  // 1 - (2/pi) arctan(kappa)
+  const double deficit = long_axis ? s.I_l / s.I_g : (s.I_g - std::abs(s.I_l)) / s.I_g;
+  if (!(deficit >= -8.0 * epsilon<double>() && deficit <= border + 8.0 * epsilon<double>()))
+    throw DomainError("SadovState: I_l / I_g = " + detail::text(s.I_l / s.I_g) + " is not in the " +
+                      (long_axis ? "long-axis region [0, " + detail::text(border)
+                                 : "short-axis region [" + detail::text(1.0 - border) + ", 1") +
+                      "] of this body");
+}
+
+}  // namespace
+
+SadovFrequencies sadov_frequencies(const FreeRotation& m) {
+  const double rate = 4.0 * half_pi / m.polhode_period();
+  const bool positive = !m.circulates_long_axis() && m.sign_g3() < 0;
+  return {positive ? rate : -rate, m.precession_rate_short()};
+}
+
+SadovState to_sadov(const FreeRotation& m, double t) {
+  const Body& body = m.body();
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
+  if (sorted.x == sorted.z || m.regime() == Regime::rest) return spherical_state(body, m.at(t));
+  if (m.kernel().form == FreeKernel::Form::steady)
+    return to_sadov(FreeRotation(body, detail::displaced(body, m.at(t)), t), t);
+
+  const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
+  const bool long_axis = m.circulates_long_axis();
+  const detail::PrimedSense sense{long_axis, double(long_axis ? m.sign_g3() : m.sign_g1()),
+                                  double(long_axis ? m.sign_g1() : m.sign_g3())};
+  const EulerState frame = to_euler(RotorState{phase.frame, {}});  // 3-1-3: (h, I, mean angle)
+  const double x = phase.x.hi;
+  const double from_start = sense.s1 < 0.0 ? x + 2.0 * half_pi : x;
+  SadovState s{};
+  s.region = long_axis ? SadovRegion::long_axis : SadovRegion::short_axis;
+  s.lobe = long_axis ? m.sign_g1() : 1;
+  s.I_g = m.momentum();
+  s.I_h = inertial_momentum(m.initial_state()).z;
+  s.I_l = long_axis ? m.circulation_deficit() : m.sign_g3() * m.circulation_action();
+  s.phi_h = frame.phi;
+  s.phi_l = wrapped(long_axis || m.sign_g3() < 0 ? from_start : -from_start);
+  s.phi_g = wrapped(frame.psi - detail::node_offset<double>(sense) + (long_axis ? 0.0 : x));
+  return s;
+}
+
+RotorState to_rotor(const Body& body, const SadovState& s) {
+  require_actions(body, s);
+  if (detail::is_sphere(body))
+    return detail::in_body_axes(
+        body, to_rotor(AndoyerState{s.phi_l + half_pi, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h}));
+  const SadovCoordinates<DD> c{s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};
+  return detail::rounded_state(rotor_from(body, c, s.region, s.lobe));
+}
+
+Matrix6 chart_jacobian(const Body& body, const SadovState& s) {
+  require_actions(body, s);
+  using Dual6 = Dual<DD, 6>;
+  const double c[6] = {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};
+  Dual6 d[6];
+  for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(c[i]), i);
+  if (detail::is_sphere(body))
+    return detail::hub_tangent(detail::in_body_axes(
+        body,
+        to_rotor(BasicAndoyerState<Dual6>{Dual6(d[0] + half_pi), d[1], d[2], d[3], d[4], d[5]})));
+  return detail::hub_tangent(rotor_from(
+      body, SadovCoordinates<Dual6>{d[0], d[1], d[2], d[3], d[4], d[5]}, s.region, s.lobe));
+}
+
+}  // namespace v0
+}  // namespace polhode

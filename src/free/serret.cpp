@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Serret's elements, read from a FreeRotation and turned back into a state.
+#include "polhode/free/serret.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "free/detail/assembly.hpp"
+#include "free/detail/hub_tangent.hpp"
+#include "free/detail/mean_phase.hpp"
+#include "free/detail/sorted_state.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/euler.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using DD = DoubleDouble;
+constexpr double half_pi = 1.5707963267948966;
+
+double wrapped(double angle) { return std::remainder(angle, 4.0 * half_pi); }
+
+template <Real T>
+struct SerretCoordinates {
+  T g0, h, minus_t0, G, H, energy;
+};
+
+// The moment of one scaled unit.
+double moment_unit(const Body& body) {
+  return std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
+}
+
+// Discriminants at momentum 1 and scaled moments: 1 - 2 T I / G^2, none below zero.
+template <Real T>
+detail::Discriminants<T> discriminants_of(const BasicVec3<T>& I, const T& twice_energy) {
+  const T one(1.0), zero(0.0);
+  const T D1 = one - twice_energy * I.x, D3 = twice_energy * I.z - one;
+  return {D1 < zero ? zero : D1, one - twice_energy * I.y, D3 < zero ? zero : D3};
+}
+
+template <Real T>
+detail::PolhodeCurve<T> curve_of(const Body& body, const SerretCoordinates<T>& c) {
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
+  const BasicVec3<T> I{T(sorted.x), T(sorted.y), T(sorted.z)};
+  const T twice_energy = T(2.0 * moment_unit(body)) * c.energy / (c.G * c.G);
+  return detail::polhode_curve(I, T(1.0), discriminants_of(I, twice_energy), false);
+}
+
+template <Real T>
+BasicRotorState<T> rotor_from(const Body& body, const detail::PolhodeCurve<T>& curve,
+                              const SerretCoordinates<T>& c, int sign_g1, int sign_g3, double t) {
+  const detail::AxisOrder order = detail::ascending_order(body.moments());
+  const double s1 = sign_g1 < 0 ? -1.0 : 1.0, s3 = sign_g3 < 0 ? -1.0 : 1.0;
+  const detail::PrimedSense sense{curve.long_axis, curve.long_axis ? s3 : s1,
+                                  curve.long_axis ? s1 : s3};
+  const T elapsed = (T(t) + c.minus_t0) * c.G / T(moment_unit(body));  // in units of momentum 1
+  const T mean_angle =
+      c.g0 + detail::node_offset<T>(sense) + detail::mean_precession(curve) * elapsed;
+  return detail::assembled(order, sense, curve, T(curve.n * elapsed),
+                           detail::InvariableElements<T>{mean_angle, c.h, c.H, c.G});
+}
+
+// The state at t0 of a rotation that is steady: l = +-pi/2 and L from the energy.
+RotorState base_state(const Body& body, const SerretCoordinates<DD>& c, const SerretState& s) {
+  const BasicVec3<DD> I = detail::sorted_moments(body);
+  const DD twice_energy = DD(2.0 * moment_unit(body)) * c.energy / (c.G * c.G);
+  const detail::Discriminants<DD> d = discriminants_of(I, twice_energy);
+  const double L = s.sign_g3 * (c.G * sqrt(I.z * d.D1 / (I.z - I.x))).hi;
+  const double l = s.sign_g1 < 0 ? -half_pi : half_pi;
+  return detail::in_body_axes(body, to_rotor(AndoyerState{l, s.g0, s.h, L, s.G, s.H}));
+}
+
+void require_elements(const Body& body, const SerretState& s) {
+  if (detail::is_sphere(body))
+    throw DomainError("SerretState: moment " + detail::text(body.moments().x) +
+                      " three times: a sphere has no Serret elements (T does not tell J)");
+  const Vec3 I = detail::sorted_doubles(body);
+  const double slack = 1.0 + 8.0 * epsilon<double>();
+  const bool finite = std::isfinite(s.g0) && std::isfinite(s.h) && std::isfinite(s.t0) &&
+                      std::isfinite(s.G) && std::isfinite(s.H) && std::isfinite(s.T);
+  if (!finite || !(s.G > 0.0) || std::abs(s.H) > s.G * slack)
+    throw DomainError("SerretState: G = " + detail::text(s.G) + ", H = " + detail::text(s.H) +
+                      " need finite elements, G > 0 and |H| <= G");
+  const double low = 0.5 * s.G * s.G / I.z, high = 0.5 * s.G * s.G / I.x;
+  if (s.T * slack < low || s.T > high * slack)
+    throw DomainError("SerretState: T = " + detail::text(s.T) +
+                      " is not in [G^2/2I3, G^2/2I1] = [" + detail::text(low) + ", " +
+                      detail::text(high) + "]");
+}
+
+}  // namespace
+
+SerretState to_serret(const FreeRotation& m, double t) {
+  const Body& body = m.body();
+  SerretState s{};
+  s.t0 = t;
+  s.G = m.momentum();
+  s.H = inertial_momentum(m.initial_state()).z;
+  s.T = m.energy();
+  const auto standing_still = [&] {
+    const AndoyerState a = to_andoyer(detail::in_sorted_axes(body, m.at(t)));
+    s.g0 = a.g;
+    s.h = a.h;
+    return s;
+  };
+  if (detail::is_sphere(body) || m.regime() == Regime::rest) return standing_still();
+  if (m.kernel().form == FreeKernel::Form::steady) {
+    const SerretState limit = to_serret(FreeRotation(body, detail::displaced(body, m.at(t)), t), t);
+    // n = 0: an axisymmetric body spinning across its axis. u stands still at any time.
+    const double turns = std::abs(limit.t0 - t) * s.T / s.G;
+    if (!(turns < 1e30)) return standing_still();
+    s.g0 = limit.g0;
+    s.h = limit.h;
+    s.t0 = limit.t0;
+    s.sign_g1 = limit.sign_g1;
+    s.sign_g3 = limit.sign_g3;
+    return s;
+  }
+  const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
+  const bool long_axis = m.circulates_long_axis();
+  const bool periodic = m.regime() != Regime::separatrix;
+  const detail::PrimedSense sense{long_axis, double(long_axis ? m.sign_g3() : m.sign_g1()),
+                                  double(long_axis ? m.sign_g1() : m.sign_g3())};
+  // u = 0 of the elements is where the node sign is positive: half a polhode away if it is not now.
+  const FreeKernel& k = m.kernel();
+  DD elapsed;  // t - t0, scaled
+  DD x = phase.x;
+  if (periodic) {
+    if (sense.s1 < 0.0) x = x.hi > 0.0 ? x - DD::pi() : x + DD::pi();
+    const DD x_rate =
+        k.form == FreeKernel::Form::trigonometric ? k.phase_rate : k.phase_rate / phase.u_per_x;
+    elapsed = x / x_rate;
+  } else {
+    elapsed = phase.u / k.phase_rate;
+  }
+  const EulerState frame = to_euler(RotorState{phase.frame, {}});  // 3-1-3: (h, I, mean angle)
+  const DD swept = detail::wrapped(DD(2.0) * k.half_precession * elapsed);
+  const detail::PrimedSense start{long_axis, periodic ? 1.0 : sense.s1, sense.s3};
+  const double half_turn = periodic && sense.s1 < 0.0 ? 2.0 * half_pi : 0.0;
+  s.t0 = (DD(t) - elapsed / DD(k.time_scale)).hi;
+  s.h = frame.phi;
+  s.g0 = wrapped(frame.psi - swept.hi - detail::node_offset<double>(start) + half_turn);
+  s.sign_g1 = long_axis || !periodic ? m.sign_g1() : 1;
+  s.sign_g3 = !long_axis || !periodic ? m.sign_g3() : 1;
+  return s;
+}
+
+RotorState to_rotor(const Body& body, const SerretState& s, double t) {
+  require_elements(body, s);
+  const SerretCoordinates<DD> c{s.g0, s.h, -DD(s.t0), s.G, s.H, s.T};
+  const detail::PolhodeCurve<DD> curve = curve_of(body, c);
+  if (curve.steady) return FreeRotation(body, base_state(body, c, s), s.t0).at(t);
+  return detail::rounded_state(rotor_from(body, curve, c, s.sign_g1, s.sign_g3, t));
+}
+
+FreeRotation free_rotation(const Body& body, const SerretState& s) {
+  return {body, to_rotor(body, s, s.t0), s.t0};
+}
+
+Matrix6 chart_jacobian(const Body& body, const SerretState& s, double t) {
+  require_elements(body, s);
+  using Dual6 = Dual<DD, 6>;
+  const double e[6] = {s.g0, s.h, -s.t0, s.G, s.H, s.T};
+  Dual6 d[6];
+  for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(e[i]), i);
+  const SerretCoordinates<Dual6> c{d[0], d[1], d[2], d[3], d[4], d[5]};
+  return detail::hub_tangent(rotor_from(body, curve_of(body, c), c, s.sign_g1, s.sign_g3, t));
+}
+
+}  // namespace v0
+}  // namespace polhode
