@@ -4,6 +4,21 @@
 
 namespace polhode::budget {
 
+// --- elliptic kernels (tests/unit/elliptic): relative errors in units of epsilon<T>(), 2^-52 of
+// double and 2^-104 of DoubleDouble ---
+inline constexpr double elliptic_carlson = 4.0;
+inline constexpr double elliptic_carlson_derivative = 10.0;
+inline constexpr double elliptic_complete = 4.0;
+inline constexpr double elliptic_complete_derivative = 16.0;
+inline constexpr double elliptic_nome = 4.0;
+inline constexpr double elliptic_heuman = 4.0;
+inline constexpr double elliptic_legendre = 4.0;
+inline constexpr double elliptic_legendre_derivative = 6.0;
+// Of sn, cn, dn: over |f| + |u f'|, what one rounding of f and of u does. Of their derivatives: over
+// 1 + |u|.
+inline constexpr double elliptic_jacobi = 3.0;
+inline constexpr double elliptic_jacobi_derivative = 20.0;
+
 // --- the paper's equations, at 50 digits (tests/paper) ---
 // Identities without a derivative or an integral.
 inline constexpr double paper_exact = 1e-45;
@@ -15,6 +30,44 @@ inline constexpr double paper_quadrature = 1e-33;
 inline constexpr double paper_misprint = 1e-2;
 // The library's doubles against 50 digits, at states where no chart is near a pole.
 inline constexpr double paper_library = 4e-15;
+// Of Serret's and Sadov's sets, at |D2| > 0.02 G^2.
+inline constexpr double paper_library_adapted = 1e-14;
+
+// --- body and charts (tests/unit/rotor, tests/property/chart_*), G = 1 ---
+// Moments and reassembled tensor against the tensor given, relative to the largest moment.
+inline constexpr double body_tensor = 4e-15;
+// Direction of principal axes whose moments differ by a fifth.
+inline constexpr double body_axes = 1e-14;
+// A rotation matrix rounded to float.
+inline constexpr double float_matrix = 2e-7;
+// A few roundings: conversions at points where they are well conditioned.
+inline constexpr double chart_rounding = 3e-15;
+// Andoyer round trip of the hub where sin I, sin J > 0.09, relative.
+inline constexpr double andoyer_generic = 5e-14;
+// What L, G, H cannot hold: attitude and momentum within min(eps x this / J, andoyer_pole).
+inline constexpr double andoyer_pole_eps = 3.0;
+inline constexpr double andoyer_pole = 3e-8;
+// g +- l +- h near the poles, and its limit at 1e-9 from them.
+inline constexpr double andoyer_sum = 4e-15;
+inline constexpr double andoyer_limit = 4e-9;
+// Transverse momentum near theta = 0, pi: eps x this |Psi| / sin theta.
+inline constexpr double euler_pole_eps = 2.0;
+// Poincare-type sets, round trip of the hub within 90 degrees of their poles.
+inline constexpr double poincare = 1e-14;
+// At the poles that a set is not made for.
+inline constexpr double poincare_far_pole = 1e-7;
+// Chart to chart and back: floor + eps x this x what the inverse Jacobians make of the sizes.
+inline constexpr double round_trip_floor = 1e-14;
+inline constexpr double round_trip_eps = 20.0;
+// |M J M^T - J| in units of eps (|M| |J| |M^T|), entry by entry.
+inline constexpr double symplectic_eps = 4.0;
+// The same for B at the chart's own numbers, against g rounded there: over the distance to the pole.
+inline constexpr double own_symplectic_eps = 50.0;
+// A product of Jacobians rounded to double, in eps of its terms.
+inline constexpr double given_jacobian_eps = 4.0;
+// Entries of B, relative, and what a zero of the differences may be.
+inline constexpr double jacobian_eps = 1.0;
+inline constexpr double jacobian_zero = 1e-30;
 
 // --- the oracle of free rotation, 76 digits (tests/oracle) ---
 // Against typed digits of another program (30 of them).
@@ -24,16 +77,13 @@ inline constexpr double oracle_agreement = 1e-56;
 // Of a transition matrix against central differences of step 1e-25.
 inline constexpr double oracle_differences = 1e-45;
 
-// --- free rotation (tests/property) ---
-// Rotation angle, rad, and |dg|/G: every case of the random set and of the exact separatrix.
-inline constexpr double free_attitude = 1e-14;
-inline constexpr double free_attitude_median = 1e-15;
-// Hard cases: free_attitude + free_separatrix_growth (N + 1) G^2/|D2| after N half periods.
-inline constexpr double free_separatrix_growth = 3.0 * 2.220446049250313e-16;
-// After 1e6 and 1e9 turns, for |2 T I2/G^2 - 1| > 1e-3.
-inline constexpr double free_attitude_1e6_turns = 1e-14;
-inline constexpr double free_attitude_1e9_turns = 1e-12;
+// --- free rotation (tests/property), against the oracle ---
+// Rotation angle, rad, and |dg|/G, in every set: hard cases, the separatrix, 1e9 turns.
+inline constexpr double free_state = 2e-15;
+inline constexpr double free_state_median = 4e-16;
 // State transition matrix over ten turns, each 3x3 block relative to its norm.
-inline constexpr double free_transition = 1e-12;
+inline constexpr double free_transition = 2e-14;
+// The library's doubles against the paper's formulas at 50 digits (tests/paper).
+inline constexpr double free_attitude = 1e-14;
 
 }  // namespace polhode::budget

@@ -28,8 +28,8 @@ PAPER = [
     ("4", "Perturbations and precessing frames", "96-124 4448 125-127"),
     ("5", "Sadov's variables",
      "HJ U2 abcd SerTointerm Haminterm SadovPar LSadov ActioTransf actions changeAction IellSadov "
-     "SadovH transformation dI_l/dlambda partialPhiU phiSadovProv dL/dlambda quadrature~dL/dlambda "
-     "quadrature~L~dl phiSadov inversion"),
+     "SadovH transf.~eqs dI_l/dlambda partialPhiU phiSadovProv dL/dlambda quad~dL/dlambda "
+     "quad~L~dl phiSadov inversion"),
     ("A.1-A.3", "Spherical triangle, elliptic solution, variations of S",
      "A1-A30 A33-A48 A51-A66"),
     ("A.4-A.5", "Rates of the node, Andoyer's method",

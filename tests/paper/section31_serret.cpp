@@ -9,6 +9,7 @@
 #include "paper/library.hpp"
 #include "paper/support.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/free/serret.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -204,6 +205,33 @@ TEST(PaperSerret, LibraryFreeRotation) {
   }
   EXPECT_LT(momentum.size(), budget::free_attitude);
   EXPECT_LT(attitude.size(), budget::free_attitude);
+}
+
+// [SA (36), (51), (54), (56), (57), (58), (59), (61), (62)] the library's Serret elements, and the
+// way back to the hub
+TEST(PaperSerret, LibrarySerretState) {
+  Gap forth, back;
+  for (const AndoyerCase& e : branches(3)) {
+    const RotorState s0 = hub_state(e);
+    const Body body = body_of(e.I);
+    const FreeRotation motion(body, s0);
+    const auto compare = [](Gap& gap, const SerretState& s, const Phase& x) {
+      gap.add(turned(Mp(s.g0) - x[0]), Mp(0));
+      gap.add(turned(Mp(s.h) - x[1]), Mp(0));
+      gap.add(Mp(s.t0), -x[2]);
+      gap.add(Vec{Mp(s.G), Mp(s.H), Mp(s.T)}, Vec{x[3], x[4], x[5]});
+    };
+    const Phase a = andoyer_of_euler(exact_euler(s0));
+    const Polhode p = polhode(e.I, a);
+    const SerretState s = to_serret(motion, 0.0);
+    EXPECT_EQ(Mp(p.long_axis ? s.sign_g1 : s.sign_g3), p.sign);
+    compare(forth, s, serret(e.I, a, Mp(0)));
+    const double t = 0.4;
+    const RotorState later = to_rotor(body, s, t);
+    compare(back, s, serret(e.I, andoyer_of_euler(exact_euler(later)), Mp(t)));
+  }
+  EXPECT_LT(forth.size(), budget::paper_library_adapted);
+  EXPECT_LT(back.size(), budget::paper_library_adapted);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "paper/library.hpp"
 #include "paper/support.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/free/sadov.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -245,7 +246,7 @@ TEST(PaperSadov, PartialPhiU_DerivativesOfLambda) {
   EXPECT_LT(by_momentum.size(), paper_derivative);
 }
 
-// [SA "dL/dlambda", "quadrature dL/dlambda"] for L > 0
+// [SA "dL/dlambda", "quad dL/dlambda"] for L > 0
 TEST(PaperSadov, DerivativeOfMomentumByLambda) {
   Gap slope, quadrature;
   for (const AndoyerCase& e : andoyer_cases(false, 1, 4)) {
@@ -270,7 +271,7 @@ TEST(PaperSadov, DerivativeOfMomentumByLambda) {
   EXPECT_LT(quadrature.size(), paper_quadrature);
 }
 
-// [SA "quadrature L dl"] printed K(lambda) where the incomplete F(z, lambda) stands
+// [SA "quad L dl"] printed K(lambda) where the incomplete F(z, lambda) stands
 TEST(PaperErrata, QuadratureLdl_IncompleteF) {
   Gap printed, right;
   for (const AndoyerCase& e : andoyer_cases(false, 1, 4)) {
@@ -288,7 +289,7 @@ TEST(PaperErrata, QuadratureLdl_IncompleteF) {
   EXPECT_LT(right.size(), paper_quadrature);
 }
 
-// [SA "transformation", "ActioTransf"] last line: dW/dI_h = h is phi_h, printed phi_g. h is
+// [SA "transf. eqs", "ActioTransf"] last line: dW/dI_h = h is phi_h, printed phi_g. h is
 // conjugate to I_h = H and not to I_g = G
 TEST(PaperErrata, Transformation_PhiHLabel) {
   Gap printed, right;
@@ -436,6 +437,39 @@ TEST(PaperSadov, LibraryFrequencies) {
   }
   EXPECT_LT(modulus.size(), budget::paper_library);
   EXPECT_LT(rates.size(), budget::free_attitude);
+}
+
+// [SA "actions", "IellSadov", "phiSadov", "changeAction"] the library's Sadov variables, its
+// frequencies, and the way back to the hub
+TEST(PaperSadov, LibrarySadovState) {
+  Gap forth, frequencies, back;
+  for (const AndoyerCase& e : branches(3)) {
+    const RotorState s0 = hub_state(e);
+    const Body body = body_of(e.I);
+    const FreeRotation motion(body, s0);
+    const Phase a = andoyer_of_euler(exact_euler(s0)), Q = sadov(e.I, a);
+    const Polhode p = polhode(e.I, a);
+    const auto compare = [](Gap& gap, const SadovState& s, const Phase& x) {
+      gap.add(turned(Mp(s.phi_l) - x[0]), Mp(0));
+      gap.add(turned(Mp(s.phi_g) - x[1]), Mp(0));
+      gap.add(turned(Mp(s.phi_h) - x[2]), Mp(0));
+      gap.add(Vec{Mp(s.I_l), Mp(s.I_g), Mp(s.I_h)}, Vec{x[3], x[4], x[5]});
+    };
+    const SadovState s = to_sadov(motion, 0.0);
+    EXPECT_EQ(s.region == SadovRegion::long_axis, p.long_axis);
+    EXPECT_EQ(Mp(s.lobe), p.long_axis ? p.sign : Mp(1));
+    compare(forth, s, Q);
+    const Shape w = shape(p.kappa, p.lambda);
+    const Mp K = ellint_K(w.k), sign = p.long_axis ? Mp(1) : p.sign;
+    const SadovFrequencies n = sadov_frequencies(motion);
+    frequencies.add(Mp(n.n_l), -sign * pi() * p.n / (2 * K));
+    frequencies.add(Mp(n.n_g), p.G / e.I[2] + p.G * (1 / e.I[0] - 1 / e.I[2]) *
+                                                  ellint_Pi(pi() / 2, w.characteristic, w.k) / K);
+    compare(back, s, sadov(e.I, andoyer_of_euler(exact_euler(to_rotor(body, s)))));
+  }
+  EXPECT_LT(forth.size(), budget::paper_library_adapted);
+  EXPECT_LT(frequencies.size(), budget::paper_library);
+  EXPECT_LT(back.size(), budget::paper_library_adapted);
 }
 
 }  // namespace
