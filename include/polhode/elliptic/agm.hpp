@@ -9,7 +9,7 @@
 // Units       none.
 // Domain      agm: a, b >= 0. cel: kc >= 0, p > 0, otherwise NaN; at kc = 0 it returns its limit,
 //             a RC(1, p) if b = 0 and +-inf otherwise. Pi: n < 1. At m1 = 0: K = D = Pi = inf,
-//             E = B = 1.
+//             E = B = 1 (and derivatives with respect to m are infinite: not given).
 // Accuracy    budget elliptic_complete: relative, for all m1 down to the smallest double.
 // Errors      none.
 // Cost        each step one root and two divisions; quadratic: 2 to 5 steps for m < 0.99, at most
@@ -17,6 +17,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/modulus.hpp"
@@ -44,12 +46,13 @@ T agm(T a, T b) {
   return a;
 }
 
-template <Real T>
-T cel(T kc, T p, T a, T b) {
+namespace detail {
+
+// Bulirsch's loop; kc, p > 0.
+template <class T>
+T cel_loop(T kc, T p, T a, T b) {
   using std::abs;
   using std::sqrt;
-  if (kc == T(0.0)) return b == T(0.0) ? a * carlson_rc(T(1.0), p) : b / T(0.0);
-  if (!(p > T(0.0) && kc > T(0.0))) return p * T(std::numeric_limits<double>::quiet_NaN());
   const T tolerance = sqrt(T(epsilon<T>()));
   std::size_t more = derivative_order<T>;
   T product = kc;
@@ -69,6 +72,33 @@ T cel(T kc, T p, T a, T b) {
     product = kc * mean;
   }
   return T(0.5) * pi<T>() * (b + a * mean) / (mean * (mean + p));
+}
+
+// kc small and b small beside a, with derivatives. The part of a has a small slope in kc, which
+// the loop would find as a difference of slopes of order 1/kc: it has a closed rule instead,
+// d cel(kc, p, 1, 0)/d kc = -kc (D - cel(kc, p, 1, 0))/(p - kc^2).
+template <class T, int N>
+Dual<T, N> cel_of_cosine(const Dual<T, N>& kc, const Dual<T, N>& p, const Dual<T, N>& a,
+                         const Dual<T, N>& b) {
+  using D = Dual<T, N>;
+  const T k = kc.value;
+  const D by_p = cel_loop(D(k), p, D(1.0), D(0.0));
+  const T d = cel_loop(k, T(1.0), T(0.0), T(1.0));
+  const D by_kc = kc.chained(T(0.0), -k * (d - by_p.value) / (p.value - k * k));
+  return a * (by_p + by_kc) + b * cel_loop(kc, p, D(0.0), D(1.0));
+}
+
+}  // namespace detail
+
+template <Real T>
+T cel(T kc, T p, T a, T b) {
+  using std::abs;
+  if (kc == T(0.0)) return b == T(0.0) ? a * carlson_rc(T(1.0), p) : b / T(0.0);
+  if (!(p > T(0.0) && kc > T(0.0))) return p * T(std::numeric_limits<double>::quiet_NaN());
+  if constexpr (derivative_order<T> > 0) {
+    if (4.0 * kc * kc < p && 8.0 * abs(b) < abs(a)) return detail::cel_of_cosine(kc, p, a, b);
+  }
+  return detail::cel_loop(kc, p, a, b);
 }
 
 template <Real T>

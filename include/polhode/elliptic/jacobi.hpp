@@ -123,7 +123,7 @@ T amplitude_of(const T& u, const BasicModulus<T>& mod) {
 // The derivative of am(u, m), as a number of value 0.
 template <class T, int N>
 Dual<T, N> amplitude_shift(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& mod) {
-  const auto base = BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  const auto base = values(mod);
   const HalfPeriods<T> h = half_periods(u.value, base);
   const Jacobi<T> j = jacobi(h.rest, base);
   T slope = j.sn * j.sn * j.sn * carlson_rd(T(j.cn * j.cn), T(1.0), T(j.dn * j.dn)) / 6.0;
@@ -133,14 +133,14 @@ Dual<T, N> amplitude_shift(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& 
 
 template <class T, int N>
 Dual<T, N> amplitude_of(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& mod) {
-  const auto base = BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  const auto base = values(mod);
   return amplitude(u.value, base) + amplitude_shift(u, mod);
 }
 
 template <class T, int N>
 Jacobi<Dual<T, N>> jacobi_of(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>& mod) {
   using D = Dual<T, N>;
-  const auto base = BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  const auto base = values(mod);
   const Jacobi<T> j = jacobi(u.value, base);
   const D shift = amplitude_shift(u, mod);
   // From dn^2 = 1 - m sn^2.

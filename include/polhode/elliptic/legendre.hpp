@@ -118,18 +118,6 @@ T legendre_f(const T& s, const T& c, const BasicModulus<T>& mod) {
   }
 }
 
-template <Real T>
-T legendre_e(const T& s, const T& c, const BasicModulus<T>& mod) {
-  using std::sqrt;
-  if constexpr (derivative_order<T> > 0) {
-    const auto a = detail::fixed_amplitude(s, c);
-    return detail::legendre_e_at(a.s, a.c, mod) +
-           a.shift * sqrt(detail::squared_delta(a.s, a.c, mod));
-  } else {
-    return detail::legendre_e_at(s, c, mod);
-  }
-}
-
 // D = (F - E)/m, without its cancellation as m -> 0.
 template <Real T>
 T legendre_d(const T& s, const T& c, const BasicModulus<T>& mod) {
@@ -140,6 +128,21 @@ T legendre_d(const T& s, const T& c, const BasicModulus<T>& mod) {
            a.shift * (a.s * a.s) / sqrt(detail::squared_delta(a.s, a.c, mod));
   } else {
     return detail::legendre_d_at(s, c, mod);
+  }
+}
+
+template <Real T>
+T legendre_e(const T& s, const T& c, const BasicModulus<T>& mod) {
+  using std::sqrt;
+  if constexpr (derivative_order<T> > 0) {
+    // dE/dm = -D/2: through the sum above the slope of a short arc would cancel.
+    const auto base = values(mod);
+    const auto delta = sqrt(detail::squared_delta(s.value, c.value, base));
+    const auto by_m = -0.5 * legendre_d(s.value, c.value, base);
+    const auto shift = detail::fixed_amplitude(s, c).shift;
+    return T::chained(legendre_e(s.value, c.value, base), delta, shift, by_m, mod.m());
+  } else {
+    return detail::legendre_e_at(s, c, mod);
   }
 }
 

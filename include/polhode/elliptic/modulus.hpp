@@ -13,6 +13,7 @@
 
 #include <cmath>
 
+#include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
@@ -61,6 +62,12 @@ using Modulus = BasicModulus<double>;
 template <Real T>
 Modulus to_double(const BasicModulus<T>& mod) {
   return Modulus::from_pair(to_double(mod.m()), to_double(mod.m1()));
+}
+
+// The modulus of a Dual without its derivatives.
+template <Real T, int N>
+BasicModulus<T> values(const BasicModulus<Dual<T, N>>& mod) {
+  return BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
 }
 
 }  // namespace v0
