@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Tumblers: two periods to energy and momentum, and the long-axis angles.
+#include "polhode/free/tumbler.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "free/detail/polhode_family.hpp"
+#include "free/detail/primed_arc.hpp"
+#include "free/detail/sorted_state.hpp"
+#include "polhode/error.hpp"
+#include "polhode/rotor/euler.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using DD = DoubleDouble;
+using detail::text;
+constexpr double half_pi = 1.5707963267948966;
+
+// Tumbler axes (intermediate, short, long) <- body axes.
+detail::AxisOrder tumbler_axes(const Body& body) {
+  return detail::composed(detail::ascending_order(body.moments()),
+                          detail::AxisOrder{{1, 2, 0}, {1.0, 1.0, 1.0}});
+}
+
+// Inertial axes <- the frame of phi: qz(longitude) qy(pi/2 - latitude).
+Quaternion pole_frame(const Vec3& pole) {
+  const double across = std::hypot(pole.x, pole.y);
+  const double longitude = across > 0.0 ? std::atan2(pole.y, pole.x) : 0.0;
+  const double half = 0.5 * std::atan2(across, pole.z);
+  return rotation_z(longitude) * Quaternion{std::cos(half), 0.0, std::sin(half), 0.0};
+}
+
+// Rates at momentum 1 and scaled moments.
+struct FamilyRates {
+  DD rotation;    // 2 pi / P_psi
+  DD precession;  // 2 pi / P_phi
+};
+
+FamilyRates family_rates(const BasicVec3<DD>& sorted, bool long_axis,
+                         const detail::FamilyMember<DD>& f) {
+  const detail::PolhodeCurve<DD> c = detail::family_curve(sorted, long_axis, DD(1.0), f);
+  const DD x_rate = DD(0.5) * DD::pi() * c.n / c.K;
+  const DD primed1 = detail::mean_precession(c);
+  return {abs(x_rate), long_axis ? primed1 + x_rate : primed1};
+}
+
+std::string mode_name(bool long_axis) { return long_axis ? "LAM" : "SAM"; }
+
+void require_mode(const Body& body, bool long_axis) {
+  const detail::PrimedMoments<DD> I =
+      detail::primed_moments(detail::sorted_moments(body), long_axis);
+  const Vec3& m = body.moments();
+  if (detail::is_sphere(body) || !detail::mode_exists(I))
+    throw DomainError("TumblerState: moments (" + text(m.x) + ", " + text(m.y) + ", " + text(m.z) +
+                      ") have no " + mode_name(long_axis) + ": it needs unequal " +
+                      (long_axis ? "lesser" : "greater") + " moments");
+}
+
+bool is_long_axis(Regime mode) {
+  if (mode != Regime::short_axis && mode != Regime::long_axis)
+    throw DomainError("TumblerState: mode must be short_axis (SAM) or long_axis (LAM)");
+  return mode == Regime::long_axis;
+}
+
+void require_periods(const TumblerState& s) {
+  for (const double period : {s.precession_period, s.rotation_period})
+    if (!(period > 0.0) || !std::isfinite(period))
+      throw DomainError("TumblerState: period " + text(period) + " must be positive and finite");
+  if (!(norm(s.pole) > 0.0) || !std::isfinite(norm(s.pole)))
+    throw DomainError("TumblerState: pole (" + text(s.pole.x) + ", " + text(s.pole.y) + ", " +
+                      text(s.pole.z) + ") must be a finite, non-zero vector");
+  if (!std::isfinite(s.phi0) || !std::isfinite(s.psi0))
+    throw DomainError("TumblerState: angles (" + text(s.phi0) + ", " + text(s.psi0) +
+                      ") must be finite");
+}
+
+// The member of the family whose P_psi/P_phi is that of the observer.
+detail::FamilyMember<DD> member_with_ratio(const Body& body, bool long_axis, const DD& ratio) {
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
+  const DD kap2 = detail::kappa_squared(detail::primed_moments(sorted, long_axis));
+  const double least = least_period_ratio(body, long_axis ? Regime::long_axis : Regime::short_axis);
+  if (ratio.hi < least * (1.0 - 4.0 * epsilon<double>()))
+    throw DomainError("TumblerState: P_psi/P_phi = " + text(ratio.hi) + " is impossible in " +
+                      mode_name(long_axis) + " for these moments; it must be at least " +
+                      text(least));
+  const auto excess = [&](const DD& v) {
+    const FamilyRates r = family_rates(sorted, long_axis, detail::family_member(kap2, v));
+    return r.precession / (ratio * r.rotation) - DD(1.0);
+  };
+  // A double ratio tells no polhode smaller than J^2 = 1e-18 from a point.
+  const DD v = detail::family_root(excess, DD(-50.0), detail::family_end(kap2));
+  return detail::family_member(kap2, v);
+}
+
+// sin^2 theta from psi: 2T/G^2 = sin^2 theta (sin^2 psi/I_y' + ...) with (x, y, z) = (I2, I3, I1).
+struct Inclination {
+  double sin, cos;
+};
+
+// a1^2 and a3^2 at momentum 1 are the squares of the momentum along sorted axes 1 and 3 when that
+// along 2 is zero: k_z^2 = a1^2 - (I1/I2)(1 - beta) k_x^2 in sums that do not cancel.
+Inclination inclination(const BasicVec3<DD>& I, const detail::PolhodeCurve<DD>& c, double psi0,
+                        bool long_axis) {
+  const DD s = sin(DD(psi0)), p2 = s * s;
+  const DD along_long2 = long_axis ? c.a3 * c.a3 : c.a1 * c.a1;
+  const DD along_short2 = long_axis ? c.a1 * c.a1 : c.a3 * c.a3;
+  const DD beta = (I.y - I.x) / (I.z - I.x);
+  // k_z^2 = al - m k_x^2, k_y^2 = as - (1 - m) k_x^2, k_x^2 = p2 (k_x^2 + k_y^2).
+  const DD m = I.x / I.y * (DD(1.0) - beta);
+  const DD across2 = along_short2 / (DD(1.0) - m * p2);  // k_x^2 + k_y^2
+  const DD along2 = along_long2 - m * p2 * across2;
+  return {sqrt(across2).hi, along2 > DD(0.0) ? sqrt(along2).hi : 0.0};
+}
+
+}  // namespace
+
+double least_period_ratio(const Body& body, Regime mode) {
+  const bool long_axis = is_long_axis(mode);
+  require_mode(body, long_axis);
+  const FamilyRates r = family_rates(detail::sorted_moments(body), long_axis, {DD(0.0), DD(1.0)});
+  return (r.precession / r.rotation).hi;
+}
+
+double psi_max(const FreeRotation& m) {
+  if (m.regime() != Regime::short_axis) return std::numeric_limits<double>::quiet_NaN();
+  // sin^2 psi = k_x^2 / (k_x^2 + k_y^2) is largest where k_z = 0, at sn = +-1: a2^2/(a2^2 + a3^2
+  // k'^2).
+  const detail::PolhodeCurve<DD> c = detail::primed_arc<DD>(m.body(), m.initial_state().g).curve;
+  return atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
+}
+
+RotorState to_rotor(const Body& body, const TumblerState& s) {
+  const bool long_axis = is_long_axis(s.mode);
+  require_periods(s);
+  require_mode(body, long_axis);
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
+  const detail::FamilyMember<DD> f =
+      member_with_ratio(body, long_axis, DD(s.rotation_period) / DD(s.precession_period));
+  const FamilyRates rates = family_rates(sorted, long_axis, f);
+  const detail::PolhodeCurve<DD> c = detail::family_curve(sorted, long_axis, DD(1.0), f);
+  if (!long_axis) {
+    const double limit = atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
+    if (std::abs(s.psi0) > limit * (1.0 + 8.0 * epsilon<double>()))
+      throw DomainError("TumblerState: psi0 = " + text(s.psi0) +
+                        " rad is beyond psi_max = " + text(limit) + " rad of this SAM");
+  }
+  const double psi = !long_axis && s.sense < 0 ? s.psi0 + 2.0 * half_pi : s.psi0;
+  const Inclination incl = inclination(sorted, c, psi, long_axis);
+  const double theta = std::atan2(incl.sin, s.branch < 0 ? -incl.cos : incl.cos);
+  const Quaternion q =
+      pole_frame(s.pole) * rotation_z(s.phi0) * rotation_x(theta) * rotation_z(psi);
+
+  // G from the precession, which is never small against the rotation.
+  const double unit = std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
+  const double G = (DD::two_pi() / DD(s.precession_period) / rates.precession).hi * unit;
+  const Vec3 k{incl.sin * std::sin(psi), incl.sin * std::cos(psi), std::cos(theta)};
+  const detail::AxisOrder axes = tumbler_axes(body);
+  return {q * detail::quaternion_of<double>(axes), G * detail::restored(axes, k)};
+}
+
+TumblerState to_tumbler(const FreeRotation& m, double t) {
+  const bool long_axis = m.regime() == Regime::long_axis;
+  if (!long_axis && m.regime() != Regime::short_axis)
+    throw DomainError(
+        "to_tumbler: a motion that is at rest, steady or on the separatrix has no P_psi");
+  const RotorState s = m.at(t);
+  const Vec3 pole = inertial_momentum(m.initial_state());
+  const Quaternion right = detail::quaternion_of<double>(tumbler_axes(m.body()));
+  const Quaternion q = conj(pole_frame(pole)) * s.q * conj(right);
+  const Vec3 k = detail::reordered(tumbler_axes(m.body()), s.g);
+  const EulerState e = to_euler(RotorState{q, {}});
+  TumblerState d{};
+  d.precession_period = 4.0 * half_pi / m.precession_rate_long();
+  d.rotation_period = m.polhode_period();
+  d.pole = (1.0 / norm(pole)) * pole;
+  d.mode = m.regime();
+  d.phi0 = e.phi;
+  d.psi0 = std::atan2(k.x, k.y);
+  d.branch = k.z < 0.0 ? -1 : 1;
+  if (!long_axis && k.y < 0.0) {
+    d.sense = -1;
+    d.psi0 = std::atan2(-k.x, -k.y);
+  }
+  return d;
+}
+
+}  // namespace v0
+}  // namespace polhode
