@@ -86,4 +86,12 @@ inline constexpr double free_transition = 2e-14;
 // The library's doubles against the paper's formulas at 50 digits (tests/paper).
 inline constexpr double free_attitude = 1e-14;
 
+// --- text and files (tests/unit/io) ---
+// A state read from text against the same state built directly; momentum of order ten.
+inline constexpr double io_state = 4e-15;
+// Serret elements of two states of one motion.
+inline constexpr double io_elements = 4e-14;
+// Columns of a row of `convert` after a round trip through another chart, numbers of order one.
+inline constexpr double io_convert = 4e-15;
+
 }  // namespace polhode::budget

@@ -97,6 +97,7 @@ Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s)
 
 Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
                                  const RotorState& s) {
+  if (from == to) return Matrix6::identity();
   const WideState w = wide(s);
   const double G = norm(s.g);
   WideMatrix6 m =

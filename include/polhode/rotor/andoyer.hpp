@@ -102,7 +102,7 @@ Phasor<T> andoyer_node(const InvariablePlane<T>& p) {
 
 }  // namespace detail
 
-template <Real T>
+template <Real T = double>
 BasicAndoyerState<T> to_andoyer(const BasicRotorState<T>& s) {
   const detail::InvariablePlane<T> p = detail::invariable_plane(s.q, s.g);
   return {detail::argument(p.node_l),

@@ -37,7 +37,7 @@ struct BasicEulerAngles {
 using EulerAngles = BasicEulerAngles<double>;
 
 // R of [SA (2)]: v_B = R v_I.
-template <Real T>
+template <Real T = double>
 BasicMat3<T> attitude_matrix(const BasicQuaternion<T>& q) {
   return transpose(rotation_matrix(normalized(q)));
 }
@@ -54,15 +54,40 @@ BasicQuaternion<T> attitude(const BasicEulerAngles<T>& e) {
       detail::PhasorPair<T>{T(cos(half)) * (phi * psi), T(sin(half)) * (phi * conj(psi))});
 }
 
+namespace detail {
+
+// What the 3-1-3 angles of a quaternion are made of.
 template <Real T>
-BasicEulerAngles<T> euler_angles(const BasicQuaternion<T>& q_any) {
+struct EulerFrame {
+  T c;  // cos(theta/2)
+  T s;  // sin(theta/2)
+  Phasor<T> phi;
+  Phasor<T> psi;  // of length one
+};
+
+// transverse: the vector whose node part is kept where theta leaves the node free.
+template <Real T>
+EulerFrame<T> euler_frame(const BasicQuaternion<T>& q_any, const BasicVec3<T>& transverse) {
+  const PhasorPair<T> q = phasor_pair(unit_attitude(q_any));
+  const T c = modulus(q.a), s = modulus(q.b);
+  if (s == T(0.0) || c == T(0.0)) {
+    const Phasor<T> d = direction(Phasor<T>{transverse.x, -transverse.y});
+    const Phasor<T> psi = T(T(1.0) / modulus(d)) * d;
+    return {c, s, s == T(0.0) ? (q.a * q.a) * conj(psi) : (q.b * q.b) * psi, psi};
+  }
+  const Phasor<T> a = is_moderate(c) ? q.a : direction(q.a);
+  const Phasor<T> b = is_moderate(s) ? q.b : direction(q.b);
+  const Phasor<T> psi = a * conj(b);
+  return {c, s, a * b, T(T(1.0) / modulus(psi)) * psi};
+}
+
+}  // namespace detail
+
+template <Real T = double>
+BasicEulerAngles<T> euler_angles(const BasicQuaternion<T>& q) {
   using std::atan2;
-  const detail::PhasorPair<T> q = detail::phasor_pair(detail::unit_attitude(q_any));
-  const T c = detail::modulus(q.a), s = detail::modulus(q.b);
-  const T theta = T(2.0) * T(atan2(s, c));
-  if (s == T(0.0)) return {detail::argument(q.a * q.a), theta, T(0.0)};
-  if (c == T(0.0)) return {detail::argument(q.b * q.b), theta, T(0.0)};
-  return {detail::argument(q.a * q.b), theta, detail::argument(q.a * conj(q.b))};
+  const detail::EulerFrame<T> f = detail::euler_frame(q, BasicVec3<T>{});
+  return {detail::argument(f.phi), T(2.0) * T(atan2(f.s, f.c)), detail::argument(f.psi)};
 }
 
 // A quaternion as a user types it: finite, not zero; scaled to unit length unless it already has it

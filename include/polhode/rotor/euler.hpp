@@ -76,30 +76,6 @@ T quotient(const T& n, const T& d) {
   return n == T(0.0) ? T(0.0) : T(n / d);
 }
 
-// What the 3-1-3 angles of a quaternion are made of.
-template <Real T>
-struct EulerFrame {
-  T c;  // cos(theta/2)
-  T s;  // sin(theta/2)
-  Phasor<T> phi;
-  Phasor<T> psi;  // of length one
-};
-
-// transverse: the vector whose node part is kept where theta leaves the node free.
-template <Real T>
-EulerFrame<T> euler_frame(const BasicQuaternion<T>& q_any, const BasicVec3<T>& transverse) {
-  const PhasorPair<T> q = phasor_pair(unit_attitude(q_any));
-  const T c = modulus(q.a), s = modulus(q.b);
-  if (s == T(0.0) || c == T(0.0)) {
-    const Phasor<T> d = direction(Phasor<T>{transverse.x, -transverse.y});
-    const Phasor<T> psi = T(T(1.0) / modulus(d)) * d;
-    return {c, s, s == T(0.0) ? (q.a * q.a) * conj(psi) : (q.b * q.b) * psi, psi};
-  }
-  const Phasor<T> b = is_moderate(s) ? q.b : direction(q.b);
-  const Phasor<T> psi = q.a * conj(b);
-  return {c, s, q.a * b, T(T(1.0) / modulus(psi)) * psi};
-}
-
 }  // namespace detail
 
 template <Real T>
@@ -118,7 +94,7 @@ BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
           detail::node_to_body(across, e.Theta, e.Psi, psi * psi)};
 }
 
-template <Real T>
+template <Real T = double>
 BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
   using std::atan2;
   const detail::EulerFrame<T> f = detail::euler_frame(state.q, state.g);
@@ -149,21 +125,24 @@ BasicRotorState<T> to_rotor(const Body& body, const BasicEulerRates<T>& e) {
           {T(I.x) * w.x, T(I.y) * w.y, T(I.z) * w.z}};
 }
 
-template <Real T>
+template <Real T = double>
 BasicEulerRates<T> to_euler_rates(const Body& body, const BasicRotorState<T>& state) {
   using std::abs;
   using std::atan2;
+  using std::cos;
+  using std::sin;
   const Vec3& I = body.moments();
   const BasicVec3<T> w{state.g.x / T(I.x), state.g.y / T(I.y), state.g.z / T(I.z)};
   const detail::EulerFrame<T> f = detail::euler_frame(state.q, w);
   const T phi = detail::argument(f.phi), theta = T(2.0) * T(atan2(f.s, f.c));
   const T psi = detail::argument(f.psi);
   const T along = w.x * f.psi.re - w.y * f.psi.im;
-  const T sine = T(2.0) * f.s * f.c;
+  // of theta as rounded, not 2 s c: near pi they differ, and phi_dot stheta must come back
+  const T sine = f.s == T(0.0) || f.c == T(0.0) ? T(0.0) : T(sin(theta));
   const T phi_dot = (w.x * f.psi.im + w.y * f.psi.re) / (sine == T(0.0) ? T(1.0) : sine);
   const bool at_pole = sine == T(0.0) || T(std::numeric_limits<double>::max()) < T(abs(phi_dot));
   if (at_pole) return {phi, theta, psi, f.s < f.c ? w.z : T(-w.z), along, T(0.0)};
-  return {phi, theta, psi, phi_dot, along, w.z - phi_dot * ((f.c - f.s) * (f.c + f.s))};
+  return {phi, theta, psi, phi_dot, along, w.z - phi_dot * T(cos(theta))};
 }
 
 extern template RotorState to_rotor(const EulerState&);

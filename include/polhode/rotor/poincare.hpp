@@ -2,9 +2,9 @@
 // The four Poincare-type sets (sigma, Q1, Q2, G, P1, P2): canonical, and regular where Andoyer's
 // variables are not, J and I near 0 or pi.
 //
-// Equations   sigma = g + s_J l + s_I h, s = 1 in a set for J or I near 0, -1 near pi, and the pairs
-//             Q = -s sqrt(2(G - s L)) sin l, P = sqrt(2(G - s L)) cos l (with H, h for the second),
-//             evaluated without l and h:
+// Equations   sigma = g + s_J l + s_I h, s = 1 in a set for J or I near 0, -1 near pi, and the
+//             pairs Q = -s sqrt(2(G - s L)) sin l, P = sqrt(2(G - s L)) cos l (with H, h for the
+//             second), evaluated without l and h:
 //             J near 0:  Q1 = -g1 sqrt(2/(G+L)), P1 = g2 sqrt(2/(G+L));
 //             J near pi: Q1 =  g1 sqrt(2/(G-L)), P1 = g2 sqrt(2/(G-L));
 //             I near 0:  Q2 = -G1 sqrt(2/(G+H)), P2 = -G2 sqrt(2/(G+H));
@@ -116,19 +116,19 @@ BasicPoincareState<T> poincare_state(const InvariablePlane<T>& p, Pole pole_J, P
   const PoincarePair<T> p1 = poincare_pair(pole_J, p.k_B.z, p.node_l, p.G);
   const PoincarePair<T> p2 = poincare_pair(pole_I, p.k_I.z, p.node_h, p.G);
   const Phasor<T> half =
-      half_sigma(outer_factor(pole_I, p2), phasor_pair(p.q), inner_factor(pole_J, p1));
+      direction(half_sigma(outer_factor(pole_I, p2), phasor_pair(p.q), inner_factor(pole_J, p1)));
   return {argument(half * half), p1.Q, p2.Q, p.G, p1.P, p2.P, pole_J, pole_I};
 }
 
 }  // namespace detail
 
-template <Real T>
+template <Real T = double>
 BasicPoincareState<T> to_poincare(const BasicRotorState<T>& s, Pole pole_J, Pole pole_I) {
   return detail::poincare_state(detail::invariable_plane(s.q, s.g), pole_J, pole_I);
 }
 
 // The set whose poles are nearest to the state: the one that is regular there.
-template <Real T>
+template <Real T = double>
 BasicPoincareState<T> nearest_poincare(const BasicRotorState<T>& s) {
   const detail::InvariablePlane<T> p = detail::invariable_plane(s.q, s.g);
   return detail::poincare_state(p, detail::nearest_pole(p.k_B.z), detail::nearest_pole(p.k_I.z));

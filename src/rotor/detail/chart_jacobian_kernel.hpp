@@ -26,6 +26,16 @@ BasicVec3<T> divided(const BasicVec3<T>& v, const T& s) {
   return {quotient(v.x, s), quotient(v.y, s), quotient(v.z, s)};
 }
 
+// a + b, where opposite infinities, at J and I both at a pole, leave that of a.
+template <Real T>
+BasicVec3<T> combined(const BasicVec3<T>& a, const BasicVec3<T>& b) {
+  const auto sum = [](const T& x, const T& y) {
+    const T s = x + y;
+    return !(s == s) && x == x && y == y ? x : s;
+  };
+  return {sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)};
+}
+
 template <Real T>
 Phasor<T> unit_direction(const Phasor<T>& a) {
   const Phasor<T> d = direction(a);
@@ -93,7 +103,7 @@ BasicMatrix6<T> chart_jacobian(const AndoyerAxes<T>& a) {
   set_column(B, 1, divided(a.g, a.G), none);
   set_column(B, 2, a.s3, none);
   set_column(B, 3, -j_per_L, divided(-cJ * across, sJ) + b3);
-  set_column(B, 4, cJ * j_per_L + a.I.re * i_per_H, divided(across, sJ));
+  set_column(B, 4, combined(cJ * j_per_L, a.I.re * i_per_H), divided(across, sJ));
   set_column(B, 5, -i_per_H, none);
   return B;
 }

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/rotor/body.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+
+#include "budgets.hpp"
+#include "polhode/error.hpp"
+#include "polhode/rotor/attitude.hpp"
+
+namespace {
+
+using namespace polhode;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class F>
+std::string message_of(F f) {
+  try {
+    f();
+  } catch (const DomainError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+std::string message_of(double I1, double I2, double I3) {
+  return message_of([=] { Body(I1, I2, I3); });
+}
+
+// A D A^T of a rotation A given by a quaternion
+Mat3 tensor_of(const Vec3& moments, const Quaternion& q) {
+  const Mat3 A = rotation_matrix(normalized(q));
+  Mat3 D{};
+  for (int i = 0; i < 3; ++i) D(i, i) = moments[i];
+  Mat3 t = A * D * transpose(A);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < i; ++j) t(i, j) = t(j, i);
+  return t;
+}
+double difference(const Mat3& a, const Mat3& b) {
+  double worst = 0.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) worst = std::max(worst, std::abs(a(i, j) - b(i, j)));
+  return worst;
+}
+
+TEST(Body, KeepsMomentsInAnyOrderBitForBit) {
+  for (const Vec3& m :
+       {Vec3{1, 2, 2.5}, Vec3{2.5, 1, 2}, Vec3{2, 2.5, 1}, Vec3{1, 1, 1}, Vec3{0.1, 0.2, 0.3},
+        Vec3{1e-300, 1e-300, 1e-300}, Vec3{1e308, 1e308, 1e308}, Vec3{1, 1, 2}}) {
+    const Body body(m.x, m.y, m.z);
+    EXPECT_EQ(body.moments(), m);
+    EXPECT_EQ(body.q_FB(), Quaternion{});
+  }
+}
+
+TEST(Body, FlatBodiesHaveFourEpsOfRoom) {
+  EXPECT_NO_THROW(Body(1, 1, 2 * (1 + 3 * eps)));
+  EXPECT_NO_THROW(Body(2 * (1 + 3 * eps), 1, 1));
+  EXPECT_THROW(Body(1, 1, 2 * (1 + 6 * eps)), DomainError);
+  EXPECT_THROW(Body(1, 2 * (1 + 6 * eps), 1), DomainError);
+}
+
+TEST(Body, SaysWhichInequalityBreaks) {
+  EXPECT_EQ(message_of(1, 1, 3), "Body: moments (1, 1, 3) break I3 <= I1 + I2");
+  EXPECT_EQ(message_of(3, 1, 1.5), "Body: moments (3, 1, 1.5) break I1 <= I2 + I3");
+  EXPECT_EQ(message_of(0.1, 1, 0.2), "Body: moments (0.1, 1, 0.2) break I2 <= I1 + I3");
+  EXPECT_EQ(message_of(0, 1, 1), "Body: moments (0, 1, 1) must be positive and finite");
+  EXPECT_EQ(message_of(1, -1, 1), "Body: moments (1, -1, 1) must be positive and finite");
+  EXPECT_EQ(message_of(1, 1, nan), "Body: moments (1, 1, nan) must be positive and finite");
+  EXPECT_EQ(message_of(inf, 1, 1), "Body: moments (inf, 1, 1) must be positive and finite");
+}
+
+TEST(Body, DiagonalTensorKeepsItsOrderAndHasNoRotation) {
+  const Body body = Body::from_tensor({{{3, 0.0, -0.0}, {0.0, 1, 0.0}, {-0.0, 0.0, 2.5}}});
+  EXPECT_EQ(body.moments(), (Vec3{3, 1, 2.5}));
+  EXPECT_EQ(body.q_FB(), Quaternion{});
+}
+
+TEST(Body, TensorGivesMomentsAndTheRotationToPrincipalAxes) {
+  std::mt19937_64 engine(11);
+  std::normal_distribution<double> n;
+  const std::array<Vec3, 6> bodies{Vec3{1, 2, 2.5}, Vec3{3, 1, 2.5}, Vec3{1, 1, 1.5},
+                                   Vec3{1.5, 2, 2}, Vec3{1, 1, 1},   Vec3{1, 2, 3}};
+  for (int k = 0; k < 3000; ++k) {
+    const Vec3 m = bodies[static_cast<std::size_t>(k) % bodies.size()];
+    const Quaternion q{n(engine), n(engine), n(engine), n(engine)};
+    const Mat3 t = tensor_of(m, q);
+    const Body body = Body::from_tensor(t);
+    std::array<double, 3> found{body.moments().x, body.moments().y, body.moments().z};
+    std::array<double, 3> expected{m.x, m.y, m.z};
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(found[i], expected[i], budget::body_tensor * expected[2]);
+    }
+    EXPECT_LE(difference(tensor_of(body.moments(), body.q_FB()), t),
+              budget::body_tensor * expected[2]);
+    // what from_tensor gives, Body takes
+    EXPECT_NO_THROW(Body(body.moments().x, body.moments().y, body.moments().z));
+  }
+}
+
+TEST(Body, PrincipalAxesAreTheOnesNearestToTheTensorsAxes) {
+  for (const Vec3& m : {Vec3{1, 2, 2.5}, Vec3{2.5, 1, 2}, Vec3{2, 2.5, 1}, Vec3{2.5, 2, 1}}) {
+    const Quaternion q = normalized(Quaternion{1.0, 0.1, -0.2, 0.15});
+    const Body body = Body::from_tensor(tensor_of(m, q));
+    const Quaternion d = conj(q) * body.q_FB();
+    EXPECT_LE(norm(Vec3{d.x, d.y, d.z}), budget::body_axes);
+    EXPECT_LE(norm(body.moments() - m), budget::body_tensor * 2.5);
+  }
+}
+
+TEST(Body, TensorErrorsNameTheEntries) {
+  EXPECT_EQ(message_of([] {
+              Body::from_tensor({{{2, 0.1, 0}, {0.2, 2, 0}, {0, 0, 2}}});
+            }),
+            "Body::from_tensor: entries (0.1, 0.2) at 12 and its mirror must be equal");
+  EXPECT_NO_THROW(Body::from_tensor({{{2, 0.1, 0}, {0.1 + 8 * eps, 2, 0}, {0, 0, 2}}}));
+  EXPECT_EQ(message_of([] {
+              Body::from_tensor({{{2, 0, 0}, {0, nan, 0}, {0, 0, 2}}});
+            }),
+            "Body::from_tensor: entry nan must be finite");
+  EXPECT_EQ(message_of([] {
+              Body::from_tensor({{{1, 0, 0}, {0, 1, 0}, {0, 0, 3}}});
+            }),
+            "Body::from_tensor: moments (1, 1, 3) break I3 <= I1 + I2");
+  EXPECT_THAT(message_of([] {
+                Body::from_tensor({{{1, 2, 0}, {2, 1, 0}, {0, 0, 2}}});
+              }),
+              testing::HasSubstr("must be positive and finite"));
+}
+
+TEST(Body, RatesAndEnergyOfAKnownState) {
+  const Body body(1, 2, 2.5);
+  const RotorState s{{0.5, 0.5, 0.5, 0.5}, {2, 3, 5}};  // b1 -> s2 -> s3 -> s1
+  EXPECT_EQ(angular_velocity(body, s), (Vec3{2, 1.5, 2}));
+  EXPECT_EQ(inertial_angular_velocity(body, s), (Vec3{2, 2, 1.5}));
+  EXPECT_EQ(kinetic_energy(body, s), 0.5 * (4 + 4.5 + 10));
+}
+
+}  // namespace
