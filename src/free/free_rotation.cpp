@@ -2,7 +2,6 @@
 // Preparation of FreeRotation: from a state to the kernel that evaluates it.
 #include "polhode/free/free_rotation.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,6 +9,7 @@
 #include "free/detail/cayley_klein.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/primed_arc.hpp"
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -19,23 +19,18 @@ namespace {
 using detail::PrimedArc;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::string text(double x) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
-  return {buffer, end};
-}
-
 void require_valid(const RotorState& s, double t0) {
   const Quaternion& q = s.q;
   const bool finite_q =
       std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
   if (!finite_q || q == Quaternion{0.0, 0.0, 0.0, 0.0})
-    throw DomainError("FreeRotation: q (" + text(q.w) + ", " + text(q.x) + ", " + text(q.y) + ", " +
-                      text(q.z) + ") is not a finite, non-zero quaternion");
+    throw DomainError("FreeRotation: q " + detail::tuple_text({q.w, q.x, q.y, q.z}) +
+                      " is not a finite, non-zero quaternion");
   if (!std::isfinite(s.g.x) || !std::isfinite(s.g.y) || !std::isfinite(s.g.z))
-    throw DomainError("FreeRotation: g (" + text(s.g.x) + ", " + text(s.g.y) + ", " + text(s.g.z) +
-                      ") is not finite");
-  if (!std::isfinite(t0)) throw DomainError("FreeRotation: t0 = " + text(t0) + " is not finite");
+    throw DomainError("FreeRotation: g " + detail::tuple_text({s.g.x, s.g.y, s.g.z}) +
+                      " is not finite");
+  if (!std::isfinite(t0))
+    throw DomainError("FreeRotation: t0 = " + detail::number_text(t0) + " is not finite");
 }
 
 template <Real T>
@@ -133,60 +128,62 @@ void make_series(FreeKernel& k, const BasicQuaternion<T>& q0, const PrimedArc<T>
 }  // namespace
 
 template <Real T>
-FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s0, double t0) {
-  require_valid(s0, t0);
-  const PrimedArc<T> arc = detail::primed_arc<T>(body, s0.g);
+FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc<T>& arc,
+                                               const FreeKernel& k, const Vec3& g_B) {
+  using std::abs;
   const detail::PolhodeCurve<T>& c = arc.curve;
-  const BasicQuaternion<T> q0 = normalized(converted<T>(s0.q));
-  Parts parts;
-  FreeKernel& k = parts.kernel;
-  Summary& sum = parts.summary;
-  k.epoch = t0;
-  k.time_scale = std::ldexp(1.0, arc.scale.rate());
-  k.G = std::ldexp(to_double(c.G), arc.scale.momentum);
-  const bool has_polhode = !c.steady && c.DC > T(0.0);
-  if (has_polhode)
-    make_series(k, q0, arc);
-  else
-    make_steady(k, body, s0, q0, arc);
-
-  sum.regime = k.G == 0.0     ? Regime::rest
-               : !has_polhode ? Regime::steady
-               : c.separatrix ? Regime::separatrix
-               : c.long_axis  ? Regime::long_axis
-                              : Regime::short_axis;
-  const auto to_user_rate = [&](const T& x) { return std::ldexp(to_double(x), arc.scale.rate()); };
-  const Vec3 I = body.moments();
-  const auto square = [](double x) { return DoubleDouble::product(x, x); };
-  const Vec3 g = detail::scaled(s0.g, arc.scale.momentum);
-  const DoubleDouble twice_energy = square(g.x) / I.x + square(g.y) / I.y + square(g.z) / I.z;
-  sum.energy = std::ldexp(0.5 * twice_energy.hi, 2 * arc.scale.momentum);
-  sum.D2 = std::ldexp(arc.D2.hi, 2 * arc.scale.momentum);
-  sum.polhode_period = infinity;
+  const bool has_polhode = k.form != FreeKernel::Form::steady;
+  Summary s;
+  s.regime = k.G == 0.0     ? Regime::rest
+             : !has_polhode ? Regime::steady
+             : c.separatrix ? Regime::separatrix
+             : c.long_axis  ? Regime::long_axis
+                            : Regime::short_axis;
+  const Vec3 g = detail::scaled(g_B, arc.scale.momentum);
+  DoubleDouble twice_energy = 0.0;
+  for (int i = 0; i < 3; ++i) twice_energy += DoubleDouble::product(g[i], g[i]) / body.moments()[i];
+  s.energy = std::ldexp(0.5 * twice_energy.hi, 2 * arc.scale.momentum);
+  s.D2 = std::ldexp(arc.D2.hi, 2 * arc.scale.momentum);
+  s.polhode_period = infinity;
+  const auto user_rate = [&](double x) { return std::ldexp(x, arc.scale.rate()); };
   if (c.steady) {
-    sum.rate_long = sum.rate_short = to_user_rate(T(2.0 * k.half_precession.hi));
-    return parts;
+    s.rate_long = s.rate_short = user_rate(2.0 * k.half_precession.hi);
+    return s;
   }
   const detail::FamilyMember<T> member{c.r2, c.kp2};
-  sum.long_axis = c.long_axis;
-  sum.sign_g1 = static_cast<int>(c.long_axis ? arc.s3 : arc.s1);
-  sum.sign_g3 = static_cast<int>(c.long_axis ? arc.s1 : arc.s3);
-  sum.deficit = k.G * to_double(detail::action_deficit(c.kap2, member));
-  sum.action =
-      c.r2 < T(1.0) ? k.G - sum.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
-  sum.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
+  s.long_axis = c.long_axis;
+  s.sign_g1 = static_cast<int>(c.long_axis ? arc.s3 : arc.s1);
+  s.sign_g3 = static_cast<int>(c.long_axis ? arc.s1 : arc.s3);
+  s.deficit = k.G * to_double(detail::action_deficit(c.kap2, member));
+  s.action =
+      c.r2 < T(1.0) ? k.G - s.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
+  s.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
   const T rate1 = detail::mean_precession(c);
   T rate3 = rate1;
   if (!c.separatrix) {
-    using std::abs;
     const T x_rate = T(0.5) * pi<T>() * c.n / c.K;
     rate3 = rate1 + x_rate;
-    sum.polhode_period = to_double(T(2.0) * pi<T>() / abs(x_rate));
-    sum.polhode_period = std::ldexp(sum.polhode_period, -arc.scale.rate());
+    s.polhode_period = std::ldexp(to_double(T(2.0) * pi<T>() / abs(x_rate)), -arc.scale.rate());
   }
-  sum.rate_long = to_user_rate(c.long_axis ? rate3 : rate1);
-  sum.rate_short = to_user_rate(c.long_axis ? rate1 : rate3);
-  return parts;
+  s.rate_long = user_rate(to_double(c.long_axis ? rate3 : rate1));
+  s.rate_short = user_rate(to_double(c.long_axis ? rate1 : rate3));
+  return s;
+}
+
+template <Real T>
+FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s0, double t0) {
+  require_valid(s0, t0);
+  const PrimedArc<T> arc = detail::primed_arc<T>(body, s0.g);
+  const BasicQuaternion<T> q0 = normalized(converted<T>(s0.q));
+  FreeKernel k;
+  k.epoch = t0;
+  k.time_scale = std::ldexp(1.0, arc.scale.rate());
+  k.G = std::ldexp(to_double(arc.curve.G), arc.scale.momentum);
+  if (!arc.curve.steady && arc.curve.DC > T(0.0))
+    make_series(k, q0, arc);
+  else
+    make_steady(k, body, s0, q0, arc);
+  return {k, summarized(body, arc, k, s0.g)};
 }
 
 FreeRotation::FreeRotation(const Body& body, const RotorState& s0, double t0)

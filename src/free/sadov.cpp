@@ -11,6 +11,7 @@
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
@@ -23,13 +24,11 @@ namespace {
 using DD = DoubleDouble;
 constexpr double half_pi = 1.5707963267948966;
 
-double wrapped(double angle) { return std::remainder(angle, 4.0 * half_pi); }
-
 // A sphere has no polhode: Andoyer's variables are action-angle already, with the origin of phi_l
 // where the limit I1 = I2 puts it.
 SadovState spherical_state(const Body& body, const RotorState& s) {
   const AndoyerState a = to_andoyer(detail::in_sorted_axes(body, s));
-  return {wrapped(a.l - half_pi), a.g, a.h, a.L, a.G, a.H, SadovRegion::short_axis, 1};
+  return {detail::wrapped(a.l - half_pi), a.g, a.h, a.L, a.G, a.H, SadovRegion::short_axis, 1};
 }
 
 template <Real T>
@@ -82,8 +81,9 @@ void require_actions(const Body& body, const SadovState& s) {
   const double I[3] = {s.I_l, s.I_g, s.I_h};
   if (!std::all_of(I, I + 3, [](double x) { return std::isfinite(x); }) || !(s.I_g > 0.0) ||
       std::abs(s.I_h) > s.I_g * slack || std::abs(s.I_l) > s.I_g * slack)
-    throw DomainError("SadovState: actions (" + detail::text(s.I_l) + ", " + detail::text(s.I_g) +
-                      ", " + detail::text(s.I_h) + ") need I_g > 0, |I_l| <= I_g, |I_h| <= I_g");
+    throw DomainError("SadovState: actions (" + detail::number_text(s.I_l) + ", " +
+                      detail::number_text(s.I_g) + ", " + detail::number_text(s.I_h) +
+                      ") need I_g > 0, |I_l| <= I_g, |I_h| <= I_g");
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
   if (sorted.x == sorted.z) return;
   const bool long_axis = s.region == SadovRegion::long_axis;
@@ -96,10 +96,11 @@ void require_actions(const Body& body, const SadovState& s) {
   const double border = std::atan2(1.0, kappa) / half_pi;  // 1 - (2/pi) arctan(kappa)
   const double deficit = long_axis ? s.I_l / s.I_g : (s.I_g - std::abs(s.I_l)) / s.I_g;
   if (!(deficit >= -8.0 * epsilon<double>() && deficit <= border + 8.0 * epsilon<double>()))
-    throw DomainError("SadovState: I_l / I_g = " + detail::text(s.I_l / s.I_g) + " is not in the " +
-                      (long_axis ? "long-axis region [0, " + detail::text(border)
-                                 : "short-axis region [" + detail::text(1.0 - border) + ", 1") +
-                      "] of this body");
+    throw DomainError(
+        "SadovState: I_l / I_g = " + detail::number_text(s.I_l / s.I_g) + " is not in the " +
+        (long_axis ? "long-axis region [0, " + detail::number_text(border)
+                   : "short-axis region [" + detail::number_text(1.0 - border) + ", 1") +
+        "] of this body");
 }
 
 }  // namespace
@@ -131,8 +132,8 @@ SadovState to_sadov(const FreeRotation& m, double t) {
   s.I_h = inertial_momentum(m.initial_state()).z;
   s.I_l = long_axis ? m.circulation_deficit() : m.sign_g3() * m.circulation_action();
   s.phi_h = frame.phi;
-  s.phi_l = wrapped(long_axis || m.sign_g3() < 0 ? from_start : -from_start);
-  s.phi_g = wrapped(frame.psi - detail::node_offset<double>(sense) + (long_axis ? 0.0 : x));
+  s.phi_l = detail::wrapped(long_axis || m.sign_g3() < 0 ? from_start : -from_start);
+  s.phi_g = detail::wrapped(frame.psi - detail::node_offset<double>(sense) + (long_axis ? 0.0 : x));
   return s;
 }
 

@@ -9,6 +9,7 @@
 #include "free/detail/hub_tangent.hpp"
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/dual.hpp"
@@ -21,8 +22,6 @@ namespace {
 
 using DD = DoubleDouble;
 constexpr double half_pi = 1.5707963267948966;
-
-double wrapped(double angle) { return std::remainder(angle, 4.0 * half_pi); }
 
 template <Real T>
 struct SerretCoordinates {
@@ -76,20 +75,20 @@ RotorState base_state(const Body& body, const SerretCoordinates<DD>& c, const Se
 
 void require_elements(const Body& body, const SerretState& s) {
   if (detail::is_sphere(body))
-    throw DomainError("SerretState: moment " + detail::text(body.moments().x) +
+    throw DomainError("SerretState: moment " + detail::number_text(body.moments().x) +
                       " three times: a sphere has no Serret elements (T does not tell J)");
   const Vec3 I = detail::sorted_doubles(body);
   const double slack = 1.0 + 8.0 * epsilon<double>();
   const bool finite = std::isfinite(s.g0) && std::isfinite(s.h) && std::isfinite(s.t0) &&
                       std::isfinite(s.G) && std::isfinite(s.H) && std::isfinite(s.T);
   if (!finite || !(s.G > 0.0) || std::abs(s.H) > s.G * slack)
-    throw DomainError("SerretState: G = " + detail::text(s.G) + ", H = " + detail::text(s.H) +
-                      " need finite elements, G > 0 and |H| <= G");
+    throw DomainError("SerretState: G = " + detail::number_text(s.G) + ", H = " +
+                      detail::number_text(s.H) + " need finite elements, G > 0 and |H| <= G");
   const double low = 0.5 * s.G * s.G / I.z, high = 0.5 * s.G * s.G / I.x;
   if (s.T * slack < low || s.T > high * slack)
-    throw DomainError("SerretState: T = " + detail::text(s.T) +
-                      " is not in [G^2/2I3, G^2/2I1] = [" + detail::text(low) + ", " +
-                      detail::text(high) + "]");
+    throw DomainError("SerretState: T = " + detail::number_text(s.T) +
+                      " is not in [G^2/2I3, G^2/2I1] = [" + detail::number_text(low) + ", " +
+                      detail::number_text(high) + "]");
 }
 
 }  // namespace
@@ -143,7 +142,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const double half_turn = periodic && sense.s1 < 0.0 ? 2.0 * half_pi : 0.0;
   s.t0 = (DD(t) - elapsed / DD(k.time_scale)).hi;
   s.h = frame.phi;
-  s.g0 = wrapped(frame.psi - swept.hi - detail::node_offset<double>(start) + half_turn);
+  s.g0 = detail::wrapped(frame.psi - swept.hi - detail::node_offset<double>(start) + half_turn);
   s.sign_g1 = long_axis || !periodic ? m.sign_g1() : 1;
   s.sign_g3 = !long_axis || !periodic ? m.sign_g3() : 1;
   return s;

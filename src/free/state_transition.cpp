@@ -43,7 +43,7 @@ Columns momentum_columns(const DDVec3& moments, const Vec3& g_sorted, const DD& 
   BasicVec3<Dual3> g0;
   for (int i = 0; i < 3; ++i) g0[i] = Dual3::variable(DD(g_sorted[i]), i);
   const DD I1 = moments.x, I2 = moments.y, I3 = moments.z;
-  const Dual3 D2 = (g0.z * g0.z * (((I3 - I2)) * I1) - g0.x * g0.x * ((I2 - I1) * I3)) / (I1 * I3);
+  const Dual3 D2 = (g0.z * g0.z * ((I3 - I2) * I1) - g0.x * g0.x * ((I2 - I1) * I3)) / (I1 * I3);
   const detail::EulerFlow<Dual3> flow = detail::euler_flow(moments, g0, D2, time);
   const DDVec3 g = values(flow.g), start = values(g0);
   const DD G2 = dot(start, start);

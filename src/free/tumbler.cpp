@@ -9,6 +9,7 @@
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/rotor/euler.hpp"
 
@@ -17,7 +18,6 @@ inline namespace v0 {
 namespace {
 
 using DD = DoubleDouble;
-using detail::text;
 constexpr double half_pi = 1.5707963267948966;
 
 // Tumbler axes (intermediate, short, long) <- body axes.
@@ -55,8 +55,9 @@ void require_mode(const Body& body, bool long_axis) {
       detail::primed_moments(detail::sorted_moments(body), long_axis);
   const Vec3& m = body.moments();
   if (detail::is_sphere(body) || !detail::mode_exists(I))
-    throw DomainError("TumblerState: moments (" + text(m.x) + ", " + text(m.y) + ", " + text(m.z) +
-                      ") have no " + mode_name(long_axis) + ": it needs unequal " +
+    throw DomainError("TumblerState: moments (" + detail::number_text(m.x) + ", " +
+                      detail::number_text(m.y) + ", " + detail::number_text(m.z) + ") have no " +
+                      mode_name(long_axis) + ": it needs unequal " +
                       (long_axis ? "lesser" : "greater") + " moments");
 }
 
@@ -69,13 +70,15 @@ bool is_long_axis(Regime mode) {
 void require_periods(const TumblerState& s) {
   for (const double period : {s.precession_period, s.rotation_period})
     if (!(period > 0.0) || !std::isfinite(period))
-      throw DomainError("TumblerState: period " + text(period) + " must be positive and finite");
+      throw DomainError("TumblerState: period " + detail::number_text(period) +
+                        " must be positive and finite");
   if (!(norm(s.pole) > 0.0) || !std::isfinite(norm(s.pole)))
-    throw DomainError("TumblerState: pole (" + text(s.pole.x) + ", " + text(s.pole.y) + ", " +
-                      text(s.pole.z) + ") must be a finite, non-zero vector");
+    throw DomainError("TumblerState: pole (" + detail::number_text(s.pole.x) + ", " +
+                      detail::number_text(s.pole.y) + ", " + detail::number_text(s.pole.z) +
+                      ") must be a finite, non-zero vector");
   if (!std::isfinite(s.phi0) || !std::isfinite(s.psi0))
-    throw DomainError("TumblerState: angles (" + text(s.phi0) + ", " + text(s.psi0) +
-                      ") must be finite");
+    throw DomainError("TumblerState: angles (" + detail::number_text(s.phi0) + ", " +
+                      detail::number_text(s.psi0) + ") must be finite");
 }
 
 // The member of the family whose P_psi/P_phi is that of the observer.
@@ -84,9 +87,9 @@ detail::FamilyMember<DD> member_with_ratio(const Body& body, bool long_axis, con
   const DD kap2 = detail::kappa_squared(detail::primed_moments(sorted, long_axis));
   const double least = least_period_ratio(body, long_axis ? Regime::long_axis : Regime::short_axis);
   if (ratio.hi < least * (1.0 - 4.0 * epsilon<double>()))
-    throw DomainError("TumblerState: P_psi/P_phi = " + text(ratio.hi) + " is impossible in " +
-                      mode_name(long_axis) + " for these moments; it must be at least " +
-                      text(least));
+    throw DomainError("TumblerState: P_psi/P_phi = " + detail::number_text(ratio.hi) +
+                      " is impossible in " + mode_name(long_axis) +
+                      " for these moments; it must be at least " + detail::number_text(least));
   const auto excess = [&](const DD& v) {
     const FamilyRates r = family_rates(sorted, long_axis, detail::family_member(kap2, v));
     return r.precession / (ratio * r.rotation) - DD(1.0);
@@ -145,8 +148,9 @@ RotorState to_rotor(const Body& body, const TumblerState& s) {
   if (!long_axis) {
     const double limit = atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
     if (std::abs(s.psi0) > limit * (1.0 + 8.0 * epsilon<double>()))
-      throw DomainError("TumblerState: psi0 = " + text(s.psi0) +
-                        " rad is beyond psi_max = " + text(limit) + " rad of this SAM");
+      throw DomainError("TumblerState: psi0 = " + detail::number_text(s.psi0) +
+                        " rad is beyond psi_max = " + detail::number_text(limit) +
+                        " rad of this SAM");
   }
   const double psi = !long_axis && s.sense < 0 ? s.psi0 + 2.0 * half_pi : s.psi0;
   const Inclination incl = inclination(sorted, c, psi, long_axis);

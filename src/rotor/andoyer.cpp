@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
-#include "rotor/detail/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

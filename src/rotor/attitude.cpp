@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
-#include "rotor/detail/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

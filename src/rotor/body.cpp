@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "rotor/detail/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

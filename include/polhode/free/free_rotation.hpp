@@ -23,6 +23,11 @@
 namespace polhode {
 inline namespace v0 {
 
+namespace detail {
+template <Real T>
+struct PrimedArc;
+}  // namespace detail
+
 // Which way the momentum moves in the body. Closed: a constant of the motion.
 enum class Regime {
   rest,        // G = 0
@@ -95,6 +100,9 @@ class FreeRotation {
     FreeKernel kernel;
     Summary summary;
   };
+  template <Real T>
+  static Summary summarized(const Body& body, const detail::PrimedArc<T>& arc,
+                            const FreeKernel& kernel, const Vec3& g_B);
   template <Real T>
   static Parts prepared(const Body& body, const RotorState& s0, double t0);
   FreeRotation(const Body& body, const RotorState& s0, const Parts& parts)

@@ -7,6 +7,7 @@
 // (no K), not for axisymmetric bodies or the sphere. docs/design/0003-transition-matrix.md
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -51,7 +52,7 @@ FlowFunctions<T> flow_by_series(const FlowParameters<T>& p, const T& h) {
   for (std::size_t k = 0; k < flow_order; ++k) {
     f[k] = p.epsilon * convolution(S, S, k);
     w_dot[k] = f[k] - convolution(w_dot, f, k);  // (1 + f) w' = f, and w_dot[k] is still 0
-    const T next = T(1.0 / 1.0) / T(static_cast<double>(k + 1));
+    const T next = T(1.0) / T(static_cast<double>(k + 1));
     S[k + 1] = next * convolution(C, D, k);
     C[k + 1] = -(next * (p.mu * convolution(S, D, k)));
     D[k + 1] = -(next * (p.nu * convolution(S, C, k)));

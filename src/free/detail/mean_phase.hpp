@@ -18,11 +18,12 @@ struct MeanPhase {
   Quaternion frame;      // inertial axes <- mean frame
 };
 
+// Angles modulo 2 pi, in [-pi, pi].
 inline DoubleDouble wrapped(const DoubleDouble& angle) {
-  const DoubleDouble r =
-      angle - DoubleDouble::two_pi() * std::rint(angle.hi / (2.0 * RealTraits<double>::pi()));
-  return r;
+  const DoubleDouble turn = DoubleDouble::two_pi();
+  return angle - turn * std::rint(angle.hi / turn.hi);
 }
+inline double wrapped(double angle) { return wrapped(DoubleDouble(angle)).hi; }
 
 // Not for the steady form, whose phase is no coordinate.
 inline MeanPhase mean_phase(const FreeKernel& k, double t) {

@@ -2,9 +2,7 @@
 // States seen from the body axes sorted by moment, and states displaced off a steady rotation.
 #pragma once
 
-#include <charconv>
 #include <cmath>
-#include <string>
 
 #include "free/detail/axis_order.hpp"
 #include "free/detail/primed_arc.hpp"
@@ -14,11 +12,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-inline std::string text(double x) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
-}
 
 inline bool is_sphere(const Body& body) {
   const Vec3& I = body.moments();
