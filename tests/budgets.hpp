@@ -4,6 +4,13 @@
 
 namespace polhode::budget {
 
+// --- numbers (tests/unit/math): relative errors in units of epsilon<T>(), 2^-52 of double and
+// 2^-104 of DoubleDouble ---
+inline constexpr double double_double_constant = 0.125;
+inline constexpr double double_double_arithmetic = 1.0;
+inline constexpr double double_double_functions = 2.0;
+inline constexpr double dual_derivative = 4.0;
+
 // --- elliptic kernels (tests/unit/elliptic): relative errors in units of epsilon<T>(), 2^-52 of
 // double and 2^-104 of DoubleDouble ---
 inline constexpr double elliptic_carlson = 4.0;
