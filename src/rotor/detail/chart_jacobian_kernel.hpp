@@ -29,9 +29,10 @@ BasicVec3<T> divided(const BasicVec3<T>& v, const T& s) {
 // a + b, where opposite infinities, at J and I both at a pole, leave that of a.
 template <Real T>
 BasicVec3<T> combined(const BasicVec3<T>& a, const BasicVec3<T>& b) {
-  const auto sum = [](const T& x, const T& y) {
+  const auto is_number = [](const T& x) { return x < T(0.0) || T(0.0) < x || x == T(0.0); };
+  const auto sum = [&](const T& x, const T& y) {
     const T s = x + y;
-    return !(s == s) && x == x && y == y ? x : s;
+    return !is_number(s) && is_number(x) && is_number(y) ? x : s;
   };
   return {sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)};
 }

@@ -8,6 +8,7 @@
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
+#include "polhode/math/double_double.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "property/chart_support.hpp"
 
@@ -196,6 +197,24 @@ TEST(Andoyer, RegularSumLosesNothing) {
       EXPECT_LE(std::abs(angle_difference(a.g + sJ * a.l + sI * a.h, g + sJ * l + sI * h)),
                 budget::andoyer_sum);
     }
+  }
+}
+
+// A given L a few ulps below G says what J is, to full relative accuracy.
+TEST(Andoyer, DifferencesOfMomentaKeepTheirDigits) {
+  using Wide = DoubleDouble;
+  Sampler sample(9);
+  for (int k = 0; k < 500; ++k) {
+    const double G = sample.uniform(1.0, 7.0);
+    const double L = G * (1.0 - (1 + k % 7) * eps) * (sample.coin() ? 1.0 : -1.0);
+    const AndoyerState a{sample.angle(), sample.angle(), sample.angle(), L, G, 0.3 * G};
+    const RotorState s = to_rotor(a);
+    const auto w = to_rotor(BasicAndoyerState<Wide>{a.l, a.g, a.h, a.L, a.G, a.H});
+    const double size = std::hypot(s.g.x, s.g.y);
+    EXPECT_LE(std::abs((Wide(s.g.x) - w.g.x).hi), budget::chart_rounding * size);
+    EXPECT_LE(std::abs((Wide(s.g.y) - w.g.y).hi), budget::chart_rounding * size);
+    const Quaternion q{w.q.w.hi, w.q.x.hi, w.q.y.hi, w.q.z.hi};
+    EXPECT_LE(attitude_difference(s.q, q), budget::chart_rounding);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
+#include "polhode/math/double_double.hpp"
 #include "property/chart_support.hpp"
 
 namespace {
@@ -120,6 +121,22 @@ TEST(EulerState, NearThePolesLosesWhatItsNumbersCannotHold) {
                 budget::chart_rounding + std::min(budget::euler_pole_eps * eps / std::sin(e.theta),
                                                   2.0 * std::hypot(s.g.x, s.g.y)));
     }
+  }
+}
+
+// Phi and Psi a few ulps apart say what the transverse momentum is, to full relative accuracy.
+TEST(EulerState, DifferencesOfMomentaKeepTheirDigits) {
+  using Wide = DoubleDouble;
+  Sampler sample(10);
+  for (int k = 0; k < 500; ++k) {
+    const double Psi = sample.uniform(1.0, 7.0), Phi = Psi * (1.0 + (1 + k % 7) * eps);
+    const double theta = sample.log_uniform(1e-16, 1e-12);
+    const EulerState e{sample.angle(), theta, sample.angle(), Phi, 0.0, Psi};
+    const RotorState s = to_rotor(e);
+    const auto w = to_rotor(BasicEulerState<Wide>{e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi});
+    const double size = std::hypot(s.g.x, s.g.y);
+    EXPECT_LE(std::abs((Wide(s.g.x) - w.g.x).hi), budget::chart_rounding * size);
+    EXPECT_LE(std::abs((Wide(s.g.y) - w.g.y).hi), budget::chart_rounding * size);
   }
 }
 
