@@ -41,6 +41,10 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
   if (word.empty() || word.size() > longest_word) return {};
+  constexpr std::size_t telling = 4;  // "equator" for "equator-J2000"
+  if (word.size() >= telling)
+    for (const std::string_view candidate : known)
+      if (candidate.starts_with(word)) return candidate;
   std::string_view best;
   int best_distance = std::max(3, 2 * (static_cast<int>(word.size()) + 2) / 3);
   for (const std::string_view candidate : known) {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+#include "polhode/io/sink.hpp"
+#include "polhode/version.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr int bad_input = 2;
+constexpr int failed_run = 1;
+
+int failure(int status, const std::string& message) {
+  std::fputs((message + "\n").c_str(), stderr);
+  return status;
+}
+
+// Help and version are exceptions to CLI11, too.
+int parse_outcome(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0) {
+    const auto used = app.get_subcommands();
+    const std::string command = used.empty() ? "polhode" : "polhode " + used.front()->get_name();
+    std::string text = error.what();
+    for (char& c : text)
+      if (c == '\n') c = ' ';
+    return failure(bad_input, command + ": " + text + "; see " + command + " --help");
+  }
+  app.exit(error);
+  return std::fflush(stdout) == 0 ? 0 : failure(failed_run, "<stdout>: cannot be written");
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  errno = 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0)
+    throw OutputError(std::string("<stdout>: cannot be written: ") + std::strerror(errno));
+}
+
+int command_line(int argc, const char* const* argv) {
+  CLI::App app("Exact rotation of rigid bodies, in every variable set.", "polhode");
+  app.set_version_flag("--version", "polhode " + std::string(version()));
+  app.require_subcommand(1);
+  app.footer(
+      "\nExample:\n  polhode init tumbler > body.toml && polhode run body.toml --out body.csv");
+  add_run(app);
+  add_info(app);
+  add_convert(app);
+  add_init(app);
+  add_cite(app);
+  add_schema(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return parse_outcome(app, error);
+  } catch (const DomainError& error) {
+    return failure(bad_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return failure(failed_run, "polhode: out of memory");
+  } catch (const std::exception& error) {
+    return failure(failed_run, error.what());
+  }
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/convert.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+#include "polhode/io/sink.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct ConvertOptions {
+  std::string from;
+  std::string to;
+  std::string moments;
+  std::string in = "-";
+};
+
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path)
+      : name_(path == "-" ? "<stdin>" : path), file_(stdin) {
+    if (path == "-") return;
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+      throw DomainError(name_ + ": is a folder; expected a CSV file");
+    file_ = std::fopen(path.c_str(), "rb");
+    if (file_ == nullptr) fail();
+  }
+  ~InputFile() {
+    if (file_ != stdin) std::fclose(file_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  // Past the buffer of FILE, which would wait for all of a large read.
+  std::size_t read(std::span<char> buffer) const {
+    for (;;) {
+      const ssize_t count = ::read(::fileno(file_), buffer.data(), buffer.size());
+      if (count >= 0) return static_cast<std::size_t>(count);
+      if (errno != EINTR) fail();
+    }
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw DomainError(name_ + ": cannot be read: " + std::strerror(errno));
+  }
+  std::string name_;
+  std::FILE* file_;
+};
+
+Body body_of(const std::string& moments) {
+  double I[3] = {};
+  const char* p = moments.data();
+  const char* end = p + moments.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [stop, error] = std::from_chars(p, end, I[i]);
+    const bool last = i == 2;
+    if (error != std::errc() || (last ? stop != end : stop == end || *stop != ','))
+      throw DomainError("convert: --moments: got \"" + moments +
+                        "\"; expected three numbers I1,I2,I3");
+    p = last ? stop : stop + 1;
+  }
+  return Body(I[0], I[1], I[2]);
+}
+
+void convert_file(const ConvertOptions& options) {
+  Conversion conversion{options.from, options.to, std::nullopt};
+  if (!options.moments.empty()) conversion.body = body_of(options.moments);
+  const InputFile in(options.in);
+  const auto write = [](std::string_view bytes) { print(bytes); };
+  convert(
+      conversion, in.name(), [&](std::span<char> buffer) { return in.read(buffer); }, write);
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "convert", "Convert a CSV table of states to another chart, row by row (angles in radians)");
+  const auto options = std::make_shared<ConvertOptions>();
+  std::string charts = "Charts and the columns they need:\n";
+  for (const TableChart& chart : table_charts())
+    charts += "  " + std::string(chart.name) + ": " + std::string(chart.columns) +
+              (chart.options.empty() ? "" : " (" + std::string(chart.options) + ")") +
+              (chart.needs_body ? "; --moments" : "") + "\n";
+  command->add_option("--from", options->from, "Chart of the input")->required();
+  command->add_option("--to", options->to, "Chart of the output")->required();
+  command->add_option("--moments", options->moments, "Principal moments, for charts that need them")
+      ->type_name("I1,I2,I3");
+  command->add_option("FILE", options->in, "CSV to read; - is standard input")
+      ->capture_default_str();
+  command->footer(charts +
+                  "\nExample:\n  polhode convert --from rotor --to andoyer < in.csv > out.csv");
+  command->callback([options] { convert_file(*options); });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "polhode/io/summary.hpp"
+
+namespace polhode::cli {
+
+void add_info(CLI::App& app) {
+  struct Options {
+    std::string scenario;
+    bool json = false;
+  };
+  CLI::App* command = app.add_subcommand("info", "Say what the body of a scenario does");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
+      ->required();
+  command->add_flag("--json", options->json, "For programs: every digit");
+  command->footer("Example:\n  polhode info examples/toutatis.toml");
+  command->callback([options] {
+    const Scenario scenario = read_scenario(options->scenario);
+    const auto lines = summary(scenario, free_rotation(scenario));
+    print(options->json ? summary_json(lines) : summary_table(lines));
+  });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "polhode/io/schema.hpp"
+
+namespace polhode::cli {
+
+void add_init(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("init", "Print a commented scenario to start from");
+  const auto chart = std::make_shared<std::string>("attitude-rate");
+  std::string charts;
+  for (const std::string_view name : state_charts())
+    charts += (charts.empty() ? "" : ", ") + std::string(name);
+  command->add_option("CHART", *chart, "How the state is given: " + charts)->capture_default_str();
+  command->footer("Example:\n  polhode init tumbler > body.toml");
+  command->callback([chart] { print(scenario_template(*chart)); });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The times of the rows of a run.
+//
+// Equations   row k of a step is start + k step, of a count start + k (stop - start)/(count - 1).
+// Units       the unit of time of the scenario.
+// Domain      finite numbers; a step that leads from start towards stop; at most 2^53 rows. A row
+//             that rounding puts beyond stop by a few units in the last place is kept.
+// Accuracy    every time is rounded once, never accumulated: exactly, for a step; from
+//             double-double, for a count.
+// Errors      DomainError from the factories.
+// Cost        a few flops per row.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace polhode {
+inline namespace v0 {
+
+class SaveAt {
+ public:
+  static SaveAt steps(double start, double stop, double step);
+  static SaveAt count(double start, double stop, std::int64_t rows);
+  static SaveAt times(std::vector<double> at);
+
+  std::int64_t size() const { return size_; }
+  double operator[](std::int64_t k) const;
+
+ private:
+  SaveAt() = default;
+  double start_ = 0.0;
+  double stop_ = 0.0;
+  double step_ = 0.0;  // 0: by count
+  std::vector<double> at_;
+  std::int64_t size_ = 0;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A scenario: a real body, its state at an epoch, and what to write, read from a TOML file and
+// checked completely. The keys are in polhode/io/schema.hpp.
+//
+// Equations   none of its own; each chart is converted by its header in rotor/ and free/.
+// Units       numbers are in core units (polhode/io/units.hpp): the unit of time of the file,
+//             radians, its unit of moment.
+// Domain      files of at most 16 MB, UTF-8. A full tensor gives principal axes; the body axes of
+//             the file (attitude-rate, columns q, omega, g) stay those of the tensor.
+// Accuracy    numbers are read to the nearest double; a unit costs at most two roundings.
+// Errors      ScenarioError: one line per mistake, FILE:LINE:COLUMN: KEY: got VALUE; expected ...,
+//             sorted by place, at most twenty. What a chart or body refuses is reported there too.
+// Cost        milliseconds, of which one preparation of the motion.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/io/save_at.hpp"
+#include "polhode/io/units.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/euler.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Every mistake of a file; what() holds one line for each.
+class ScenarioError : public DomainError {
+ public:
+  using DomainError::DomainError;
+};
+
+// [state.attitude-rate], in the body axes of the file.
+struct AttitudeRate {
+  Quaternion q;  // body axes of the file to inertial
+  Vec3 omega;    // in the axes that omega_axes names
+  enum class Axes { body, inertial } omega_axes = Axes::body;
+};
+
+using InitialState =
+    std::variant<TumblerState, AttitudeRate, EulerState, AndoyerState, SerretState, SadovState>;
+
+struct Scenario {
+  std::string name;   // of the file, without its folder: "apophis.toml"
+  std::string text;   // the file itself
+  std::string title;  // may be empty
+  Units units;
+  Body body;
+  std::string chart;  // "tumbler", ...: what `state` holds
+  InitialState state;
+  std::string epoch;                 // "2013-01-05T00:00:00 UTC", or empty
+  std::string axes;                  // "inertial", "ecliptic-J2000", "equator-J2000"
+  std::optional<SaveAt> time;        // left out: nothing to run
+  std::vector<std::string> columns;  // names of column groups
+};
+
+// `name` stands for the file in messages and outputs.
+Scenario scenario_from_text(std::string_view text, const std::string& name);
+// "-" is standard input. DomainError when there is no such file, or it is a folder.
+Scenario read_scenario(const std::string& path);
+
+// The hub state at t = 0 and the motion through it.
+RotorState initial_state(const Scenario& scenario);
+FreeRotation free_rotation(const Scenario& scenario);
+
+}  // namespace v0
+}  // namespace polhode

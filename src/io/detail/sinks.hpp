@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The sinks behind open_sink.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polhode/io/sink.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+std::unique_ptr<Sink> csv_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
+                               const Provenance& provenance);
+std::unique_ptr<Sink> hdf5_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
+                                const Provenance& provenance);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

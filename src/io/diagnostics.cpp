@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "io/detail/values.hpp"
+#include "polhode/io/scenario.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t longest_path = 500;
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t longest) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string result;
+  for (const char c : text) {
+    if (result.size() >= longest) return result + "...";
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      result += c;
+    } else {
+      result += "\\x";
+      result += digits[byte >> 4];
+      result += digits[byte & 15];
+    }
+  }
+  return result;
+}
+
+Diagnostics::Diagnostics(std::string_view name) : name_(printable(name, longest_path)) {}
+
+void Diagnostics::add(Position where, std::string_view path, std::string_view text) {
+  entries_.push_back({where, name_ + ":" + std::to_string(where.line) + ":" +
+                                 std::to_string(where.column) + ": " + std::string(path) + ": " +
+                                 std::string(text)});
+}
+
+void Diagnostics::raise() const {
+  if (entries_.empty()) return;
+  std::vector<Entry> sorted = entries_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Entry& a, const Entry& b) { return a.where < b.where; });
+  std::string lines;
+  for (const Entry& entry : sorted) lines += (lines.empty() ? "" : "\n") + entry.line;
+  throw ScenarioError(lines);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

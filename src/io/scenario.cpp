@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/scenario.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "io/detail/number_text.hpp"
+#include "io/detail/sadov_region.hpp"
+#include "io/detail/values.hpp"
+#include "polhode/io/schema.hpp"
+#include "polhode/rotor/attitude.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::Diagnostics;
+using detail::Value;
+using detail::Values;
+
+constexpr std::size_t largest_file = std::size_t{16} << 20;
+constexpr double arcsecond = std::numbers::pi / 648000.0;
+constexpr double obliquity_J2000 = 84381.448 * arcsecond;  // the ecliptic of J2000 (IAU 1976)
+
+double number(const Values& values, std::string_view path) {
+  return values.find(path)->second.numbers.at(0);
+}
+bool given(const Values& values, std::string_view path) {
+  const auto found = values.find(path);
+  return found != values.end() && found->second.given;
+}
+bool there(const Values& values, std::string_view path) { return values.contains(path); }
+
+Vec3 vector(const Values& values, std::string_view path) {
+  const std::vector<double>& n = values.find(path)->second.numbers;
+  return {n.at(0), n.at(1), n.at(2)};
+}
+const std::string& word(const Values& values, std::string_view path) {
+  return values.find(path)->second.words.at(0);
+}
+int sign(const Values& values, std::string_view path) {
+  return static_cast<int>(values.find(path)->second.whole);
+}
+
+// The key of a table that a message of the library names first: "L = 1.5 must be ...", or the
+// table.
+std::string blamed(const Values& values, std::string_view path, std::string_view message) {
+  std::string place(path);
+  if (values.find(path)->second.key->type != KeyType::table) return place;
+  if (message.find("P_psi/P_phi") != std::string_view::npos) return place + ".rotation_period";
+  std::size_t first = message.size();
+  for (const auto& [own, value] : values) {
+    const std::size_t found = message.find(" " + std::string(key_name(own)) + " = ");
+    if (key_table(own) != path || found >= first) continue;
+    first = found;
+    place = own;
+  }
+  return place;
+}
+
+// What a constructor of the library refuses becomes a message at the place of `path`, or at that of
+// the key in it that the message names.
+template <class Build>
+auto built(const Values& values, std::string_view path, const std::string& name,
+           const Build& build) {
+  try {
+    return build();
+  } catch (const DomainError& error) {
+    const std::string place = blamed(values, path, error.what());
+    const Value& value = values.find(place)->second;
+    Diagnostics diagnostics(name);
+    const bool table = value.key->type == KeyType::table;
+    diagnostics.add(value.where, place,
+                    (table ? std::string() : "got " + value.shown + "; ") + error.what());
+    diagnostics.raise();
+    throw;  // not reached: there was one
+  }
+}
+
+Body body_of(const Values& values, const std::string& name) {
+  if (there(values, "body.moments"))
+    return built(values, "body.moments", name, [&] {
+      const Vec3 I = vector(values, "body.moments");
+      return Body(I.x, I.y, I.z);
+    });
+  return built(values, "body.tensor", name, [&] {
+    const std::vector<double>& n = values.find("body.tensor")->second.numbers;
+    return Body::from_tensor(Mat3{
+        {{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}});
+  });
+}
+
+Vec3 direction(double longitude, double latitude) {
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
+}
+
+// The pole in the axes of the state. Ecliptic and equator of J2000 share axis 1, the equinox.
+Vec3 pole_of(const Values& values, const std::string& name) {
+  const bool equatorial = there(values, "state.tumbler.pole.ra");
+  const std::string path = "state.tumbler.pole.";
+  const std::string latitude_key = path + (equatorial ? "dec" : "latitude");
+  const double latitude = number(values, latitude_key);
+  const std::string& axes = word(values, "state.axes");
+  built(values, latitude_key, name, [&] {
+    if (std::fabs(latitude) > 0.5 * std::numbers::pi * (1.0 + 1e-15))
+      throw DomainError("expected an angle from -90 to 90 deg");
+    if (equatorial && axes == "inertial")
+      throw DomainError("ra and dec need axes = \"ecliptic-J2000\" or \"equator-J2000\"");
+    return 0;
+  });
+  const Vec3 p = direction(number(values, path + (equatorial ? "ra" : "longitude")), latitude);
+  if (axes == "inertial" || equatorial == (axes == "equator-J2000")) return p;
+  const double c = std::cos(obliquity_J2000);
+  const double s = equatorial ? std::sin(obliquity_J2000) : -std::sin(obliquity_J2000);
+  return {p.x, c * p.y + s * p.z, c * p.z - s * p.y};
+}
+
+TumblerState tumbler_of(const Values& values, const std::string& name) {
+  for (const char* period : {"state.tumbler.precession_period", "state.tumbler.rotation_period"})
+    built(values, period, name, [&] {
+      if (!(number(values, period) > 0.0)) throw DomainError("expected a positive time");
+      return 0;
+    });
+  const bool short_axis = word(values, "state.tumbler.mode") == "SAM";
+  return {.precession_period = number(values, "state.tumbler.precession_period"),
+          .rotation_period = number(values, "state.tumbler.rotation_period"),
+          .pole = pole_of(values, name),
+          .mode = short_axis ? Regime::short_axis : Regime::long_axis,
+          .phi0 = number(values, "state.tumbler.phi0"),
+          .psi0 = number(values, "state.tumbler.psi0"),
+          .branch = sign(values, "state.tumbler.branch"),
+          .sense = sign(values, "state.tumbler.sense")};
+}
+
+// The library says it too, but in radians.
+void require_psi(const Values& values, const Body& body, TumblerState s, const Units& units,
+                 const std::string& name) {
+  const double psi0 = std::exchange(s.psi0, 0.0);
+  if (s.mode != Regime::short_axis || psi0 == 0.0) return;
+  const double limit = built(values, "state.tumbler", name,
+                             [&] { return psi_max(FreeRotation(body, to_rotor(body, s))); });
+  built(values, "state.tumbler.psi0", name, [&] {
+    if (std::fabs(psi0) > limit * (1.0 + 1e-15))
+      throw DomainError("expected at most psi_max = " +
+                        detail::number_text(units.from_core(limit, Dimension::angle)) + " " +
+                        units.angle() + " on either side");
+    return 0;
+  });
+}
+
+AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
+  const std::string path = "state.attitude-rate.";
+  const auto attitude_of = [&]() -> Quaternion {
+    if (!there(values, path + "quaternion"))
+      return attitude(EulerAngles{number(values, path + "euler.phi"),
+                                  number(values, path + "euler.theta"),
+                                  number(values, path + "euler.psi")});
+    return built(values, path + "quaternion", name, [&] {
+      const std::vector<double>& n = values.find(path + "quaternion")->second.numbers;
+      return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3));
+    });
+  };
+  const bool body = there(values, path + "omega_body");
+  return {attitude_of(), vector(values, path + (body ? "omega_body" : "omega_inertial")),
+          body ? AttitudeRate::Axes::body : AttitudeRate::Axes::inertial};
+}
+
+SadovState sadov_of(const Values& values, const Body& body) {
+  const auto value = [&](const char* key) {
+    return number(values, std::string("state.sadov.") + key);
+  };
+  const double I_l = value("I_l"), I_g = value("I_g");
+  const bool told = there(values, "state.sadov.region");
+  const SadovRegion region =
+      told ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
+                                                          : SadovRegion::long_axis)
+           : detail::sadov_region(body, I_l, I_g);
+  return {value("phi_l"),
+          value("phi_g"),
+          value("phi_h"),
+          I_l,
+          I_g,
+          value("I_h"),
+          region,
+          sign(values, "state.sadov.lobe")};
+}
+
+InitialState state_of(const Values& values, const std::string& chart, const Body& body,
+                      const std::string& name) {
+  const std::string path = "state." + chart;
+  const auto value = [&](const char* key) { return number(values, path + "." + key); };
+  if (chart == "tumbler") return tumbler_of(values, name);
+  if (chart == "attitude-rate") return attitude_rate_of(values, name);
+  return built(values, path, name, [&]() -> InitialState {
+    if (chart == "euler")
+      return euler_state(value("phi"), value("theta"), value("psi"), value("Phi"), value("Theta"),
+                         value("Psi"));
+    if (chart == "andoyer")
+      return andoyer_state(value("l"), value("g"), value("h"), value("L"), value("G"), value("H"));
+    if (chart == "serret")
+      return SerretState{value("g0"),
+                         value("h"),
+                         value("t0"),
+                         value("G"),
+                         value("H"),
+                         value("T"),
+                         sign(values, path + ".axis_sign")};
+    return sadov_of(values, body);
+  });
+}
+
+std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
+  if (!there(values, "time")) return std::nullopt;
+  const double start = number(values, "time.start");
+  if (there(values, "time.at")) {
+    if (given(values, "time.start"))
+      return built(values, "time.start", name, []() -> std::optional<SaveAt> {
+        throw DomainError("expected no start beside at, which lists every time");
+      });
+    return SaveAt::times(values.find("time.at")->second.numbers);
+  }
+  const double stop = number(values, "time.stop");
+  if (there(values, "time.step"))
+    return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
+      return SaveAt::steps(start, stop, number(values, "time.step"));
+    });
+  return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
+    return SaveAt::count(start, stop, values.find("time.count")->second.whole);
+  });
+}
+
+std::string chart_of(const Values& values) {
+  for (const std::string_view chart : state_charts())
+    if (there(values, "state." + std::string(chart))) return std::string(chart);
+  return {};
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+
+std::string file_text(const std::string& path) {
+  const std::string shown = detail::printable(path, largest_file);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw DomainError(shown + ": is a folder; expected a scenario file");
+  errno = 0;
+  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
+                                                               : std::fopen(path.c_str(), "rb"));
+  if (!file) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  std::string text(largest_file + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get()) != 0)
+    throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  return text;
+}
+
+}  // namespace
+
+Scenario scenario_from_text(std::string_view text, const std::string& name) {
+  Diagnostics diagnostics(name);
+  if (text.size() > largest_file) {
+    diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
+    diagnostics.raise();
+  }
+  const auto [values, units] = detail::read_values(text, scenario_schema(), diagnostics);
+  diagnostics.raise();
+  const std::string chart = chart_of(values);
+  const Body body = body_of(values, name);
+  Scenario scenario{.name = std::filesystem::path(name).filename().string(),
+                    .text = std::string(text),
+                    .title = there(values, "title") ? word(values, "title") : "",
+                    .units = units,
+                    .body = body,
+                    .chart = chart,
+                    .state = state_of(values, chart, body, name),
+                    .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
+                    .axes = word(values, "state.axes"),
+                    .time = times_of(values, name),
+                    .columns = values.find("output.columns")->second.words};
+  if (const TumblerState* tumbler = std::get_if<TumblerState>(&scenario.state))
+    require_psi(values, body, *tumbler, units, name);
+  built(values, "state." + chart, name, [&] { return free_rotation(scenario); });
+  return scenario;
+}
+
+Scenario read_scenario(const std::string& path) {
+  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path);
+}
+
+}  // namespace v0
+}  // namespace polhode

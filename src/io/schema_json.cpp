@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// The JSON Schema of scenario files, for editors that check and complete TOML as it is typed.
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "io/detail/json.hpp"
+#include "polhode/io/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::JsonWriter;
+
+constexpr Dimension dimensions[] = {Dimension::number, Dimension::time,   Dimension::angle,
+                                    Dimension::rate,   Dimension::moment, Dimension::momentum,
+                                    Dimension::energy};
+
+std::string definition_name(Dimension dimension) {
+  std::string name(dimension_name(dimension));
+  name.erase(0, name.find(' ') + 1);
+  for (char& c : name)
+    if (c == ' ') c = '_';
+  return name;
+}
+
+void write_definition(JsonWriter& json, Dimension dimension) {
+  json.key(definition_name(dimension)).begin_object();
+  json.key("description").value(dimension_name(dimension));
+  if (dimension == Dimension::number) {
+    json.key("type").value("number").end_object();
+    return;
+  }
+  json.key("anyOf").begin_array();
+  json.begin_object().key("type").value("number").end_object();
+  json.begin_object().key("type").value("string");
+  json.key("pattern").value("^[ \\t]*[-+]?[0-9.][0-9.eE+-]*[ \\t]*[A-Za-z1(].*$").end_object();
+  json.begin_object().key("type").value("object").key("properties").begin_object();
+  json.key("value").begin_object().key("type").value("number").end_object();
+  json.key("unit").begin_object().key("type").value("string").end_object().end_object();
+  json.key("required").begin_array().value("value").value("unit").end_array();
+  json.key("additionalProperties").value(false).end_object();
+  json.end_array().end_object();
+}
+
+void write_reference(JsonWriter& json, Dimension dimension) {
+  json.begin_object().key("$ref").value("#/$defs/" + definition_name(dimension)).end_object();
+}
+
+void write_words(JsonWriter& json, const Key& key) {
+  json.begin_array();
+  for (const std::string_view word : separated(key.allowed, '|')) {
+    if (key.type == KeyType::integer)
+      json.raw(word);
+    else
+      json.value(word);
+  }
+  json.end_array();
+}
+
+void write_array(JsonWriter& json, int length, const auto& items) {
+  json.key("type").value("array").key("items");
+  items();
+  json.key("minItems").value(std::int64_t{length > 0 ? length : 1});
+  if (length > 0) json.key("maxItems").value(std::int64_t{length});
+}
+
+void write_numbers(JsonWriter& json, const Key& key) {
+  const auto array = [&] {
+    write_array(json, key.length, [&] { write_reference(json, key.dimension); });
+  };
+  if (key.dimension == Dimension::number) {
+    array();
+    return;
+  }
+  json.key("anyOf").begin_array().begin_object();
+  array();
+  json.end_object().begin_object().key("type").value("object").key("properties").begin_object();
+  json.key("value").begin_object();
+  write_array(json, key.length, [&] { write_reference(json, Dimension::number); });
+  json.end_object().key("unit").begin_object().key("type").value("string").end_object();
+  json.end_object().key("required").begin_array().value("value").value("unit").end_array();
+  json.key("additionalProperties").value(false).end_object().end_array();
+}
+
+void write_value(JsonWriter& json, const Key& key) {
+  switch (key.type) {
+    case KeyType::table:
+      break;  // write_key
+    case KeyType::integer:
+      json.key("type").value("integer");
+      break;
+    case KeyType::number:
+      json.key("$ref").value("#/$defs/" + definition_name(key.dimension));
+      break;
+    case KeyType::numbers:
+      write_numbers(json, key);
+      break;
+    case KeyType::matrix:
+      write_array(json, 3, [&] {
+        json.begin_object();
+        write_array(json, 3, [&] { write_reference(json, key.dimension); });
+        json.end_object();
+      });
+      break;
+    case KeyType::text:
+    case KeyType::unit:
+    case KeyType::epoch:
+      json.key("type").value("string");
+      break;
+    case KeyType::choice:
+      break;  // the enum below says all
+    case KeyType::choices:
+      write_array(json, 0, [&] {
+        json.begin_object().key("enum");
+        write_words(json, key);
+        json.end_object();
+      });
+      json.key("uniqueItems").value(true);
+      return;
+  }
+  if (!key.allowed.empty()) {
+    json.key("enum");
+    write_words(json, key);
+  }
+}
+
+// One set of alternatives holds, and none of the keys of the others is there.
+void write_alternative(JsonWriter& json, std::string_view sets, std::string_view chosen) {
+  const std::vector<std::string_view> own = separated(chosen, '+');
+  json.begin_object().key("required").begin_array();
+  for (const std::string_view name : own) json.value(name);
+  json.end_array().key("not").begin_object().key("anyOf").begin_array();
+  for (const std::string_view set : separated(sets, '|'))
+    for (const std::string_view name : separated(set, '+'))
+      if (std::find(own.begin(), own.end(), name) == own.end())
+        json.begin_object().key("required").begin_array().value(name).end_array().end_object();
+  json.end_array().end_object().end_object();
+}
+
+void write_alternatives(JsonWriter& json, const Schema& schema, std::string_view table) {
+  bool any = false;
+  for (const Alternatives& row : schema.alternatives) {
+    if (row.table != table) continue;
+    if (!any) json.key("allOf").begin_array();
+    any = true;
+    json.begin_object().key("oneOf").begin_array();
+    for (const std::string_view set : separated(row.sets, '|'))
+      write_alternative(json, row.sets, set);
+    json.end_array().end_object();
+  }
+  if (any) json.end_array();
+}
+
+void write_table(JsonWriter& json, const Schema& schema, std::string_view table);
+
+void write_key(JsonWriter& json, const Schema& schema, const Key& key) {
+  json.begin_object().key("description").value(key.help);
+  if (key.type != KeyType::table) {
+    write_value(json, key);
+    if (!key.fallback.empty()) json.key("default").raw(key.fallback);
+  } else if (key.path.ends_with("[]")) {
+    json.key("type").value("array").key("items").begin_object();
+    write_table(json, schema, key.path);
+    json.end_object();
+  } else {
+    write_table(json, schema, key.path);
+  }
+  json.end_object();
+}
+
+void write_table(JsonWriter& json, const Schema& schema, std::string_view table) {
+  const std::vector<const Key*> keys = keys_of(schema, table);
+  const Key* named = nullptr;
+  json.key("type").value("object").key("properties").begin_object();
+  for (const Key* key : keys) {
+    if (key_name(key->path) == "*") {
+      named = key;
+      continue;
+    }
+    json.key(key_name(key->path));
+    write_key(json, schema, *key);
+  }
+  json.end_object().key("additionalProperties");
+  if (named == nullptr)
+    json.value(false);
+  else
+    write_key(json, schema, *named);
+  json.key("required").begin_array();
+  for (const Key* key : keys)
+    if (key->presence == Presence::required) json.value(key_name(key->path));
+  json.end_array();
+  write_alternatives(json, schema, table);
+}
+
+}  // namespace
+
+std::string json_schema(const Schema& schema) {
+  JsonWriter json;
+  json.begin_object();
+  json.key("$schema").value("https://json-schema.org/draft/2020-12/schema");
+  json.key("title").value("polhode scenario, schema 1");
+  write_table(json, schema, "");
+  json.key("$defs").begin_object();
+  for (const Dimension dimension : dimensions) write_definition(json, dimension);
+  json.end_object().end_object();
+  return json.text();
+}
+
+}  // namespace v0
+}  // namespace polhode

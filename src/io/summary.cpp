@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "io/detail/json.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+std::string mode(Regime regime) {
+  switch (regime) {
+    case Regime::rest:
+      return "rest";
+    case Regime::steady:
+      return "steady spin about a principal axis";
+    case Regime::short_axis:
+      return "short-axis mode (SAM)";
+    case Regime::long_axis:
+      return "long-axis mode (LAM)";
+    case Regime::separatrix:
+      return "separatrix: about the intermediate axis, without a period";
+  }
+  return {};
+}
+
+class Lines {
+ public:
+  explicit Lines(const Units& units) : units_(units) {}
+
+  void text(const char* key, const char* label, const std::string& value) {
+    if (!value.empty()) lines_.push_back({key, label, {}, value, {}});
+  }
+  void number(const char* key, const char* label, double core, Dimension dimension) {
+    if (std::isfinite(core)) numbers(key, label, {core}, dimension);
+  }
+  void numbers(const char* key, const char* label, std::vector<double> core, Dimension dimension) {
+    for (double& x : core) x = units_.from_core(x, dimension);
+    const std::string unit = units_.label(dimension);
+    lines_.push_back({key, label, std::move(core), {}, unit == "1" ? "" : unit});
+  }
+  std::vector<SummaryLine> take() { return std::move(lines_); }
+
+ private:
+  const Units& units_;
+  std::vector<SummaryLine> lines_;
+};
+
+double largest(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
+
+}  // namespace
+
+std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion) {
+  Lines lines(scenario.units);
+  const Vec3& I = motion.body().moments();
+  const double I3 = largest(I);
+  const double turn = 2.0 * std::numbers::pi;
+  const bool tumbles =
+      motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
+  lines.text("title", "title", scenario.title);
+  lines.text("mode", "mode", mode(motion.regime()));
+  lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
+  lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},
+                Dimension::number);
+  lines.number("precession_period", "precession period P_phi (long axis)",
+               turn / motion.precession_rate_long(), Dimension::time);
+  if (tumbles)
+    lines.number("rotation_period", "rotation period P_psi", motion.polhode_period(),
+                 Dimension::time);
+  lines.number("short_axis_period", "precession period of the short axis",
+               turn / motion.precession_rate_short(), Dimension::time);
+  if (motion.regime() == Regime::short_axis)
+    lines.number("psi_max", "psi_max", psi_max(motion), Dimension::angle);
+  lines.number("momentum", "angular momentum G", motion.momentum(), Dimension::momentum);
+  lines.number("energy", "kinetic energy T", motion.energy(), Dimension::energy);
+  lines.number("modulus", "elliptic parameter m", motion.modulus().m(), Dimension::number);
+  lines.number("complement", "its complement 1 - m", motion.modulus().m1(), Dimension::number);
+  lines.text("epoch", "epoch (t = 0)", scenario.epoch);
+  lines.text("axes", "inertial axes", scenario.axes);
+  const Quaternion& q = motion.body().q_FB();
+  if (!(q == Quaternion{}))
+    lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
+                  {q.w, q.x, q.y, q.z}, Dimension::number);
+  return lines.take();
+}
+
+std::string summary_table(const std::vector<SummaryLine>& lines) {
+  std::size_t width = 0;
+  for (const SummaryLine& line : lines) width = std::max(width, line.label.size());
+  std::string table;
+  for (const SummaryLine& line : lines) {
+    std::string value = line.text;
+    for (const double number : line.numbers)
+      value += (value.empty() ? "" : ", ") + fmt::format("{:.10g}", number);
+    table += fmt::format("{:<{}}  {}{}{}\n", line.label, width, value, line.unit.empty() ? "" : " ",
+                         line.unit);
+  }
+  return table;
+}
+
+std::string summary_json(const std::vector<SummaryLine>& lines) {
+  detail::JsonWriter json;
+  json.begin_object();
+  for (const SummaryLine& line : lines) {
+    json.key(line.key);
+    if (line.numbers.empty()) {
+      json.value(line.text);
+      continue;
+    }
+    json.begin_object().key("value");
+    if (line.numbers.size() > 1) json.begin_array();
+    for (const double number : line.numbers) json.value(number);
+    if (line.numbers.size() > 1) json.end_array();
+    json.key("unit").value(line.unit.empty() ? "1" : line.unit).end_object();
+  }
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: MIT
+// The only source that knows toml++: a TOML document against the table of keys.
+#include "io/detail/values.hpp"
+
+#define TOML_MAX_NESTED_VALUES 16
+#define TOML_HEADER_ONLY 1
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "io/detail/nearest.hpp"
+#include "io/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// toml++ 3.3 destroys a.b.c... by recursion: a key of a million dots would overflow the stack.
+constexpr int most_dots = 250;
+constexpr std::size_t longest_name = 200;
+
+Position position(const toml::source_region& region) {
+  const Position start{region.begin.line, region.begin.column};
+  return start.line == 0 ? Position{} : start;
+}
+
+// toml++ itself refuses to make a double of a whole number beyond 2^53.
+std::optional<double> real(const toml::node* node) {
+  if (node == nullptr) return std::nullopt;
+  if (const auto* whole = node->as_integer()) return static_cast<double>(whole->get());
+  if (const auto* floating = node->as_floating_point()) return floating->get();
+  return std::nullopt;
+}
+
+std::string shown(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return '"' + printable(*node.value<std::string_view>()) + '"';
+    case toml::node_type::integer:
+      return std::to_string(*node.value<std::int64_t>());
+    case toml::node_type::floating_point:
+      return number_text(*node.value<double>());
+    case toml::node_type::boolean:
+      return *node.value<bool>() ? "true" : "false";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      break;
+    default:
+      return "a date without quotes";
+  }
+  const toml::array& array = *node.as_array();
+  std::string text = "[";
+  for (const toml::node& item : array) {
+    if (text.size() > 40) return text + ", ...]";
+    text += (text.size() > 1 ? ", " : "") + (item.is_array() ? "[...]" : shown(item));
+  }
+  return text + "]";
+}
+
+// A run of a key's characters with too many dots, before the parser sees it.
+std::optional<Position> deep_key(std::string_view text) {
+  Position here;
+  int dots = 0;
+  for (const char c : text) {
+    if (c == '.' && ++dots > most_dots) return here;
+    if (std::string_view(",=[]{}#\n").find(c) != std::string_view::npos) dots = 0;
+    ++here.column;
+    if (c == '\n') here = {here.line + 1, 1};
+  }
+  return std::nullopt;
+}
+
+class Reader {
+ public:
+  Reader(const Schema& schema, Diagnostics& diagnostics)
+      : schema_(schema), diagnostics_(diagnostics) {}
+
+  ReadFile read(const toml::table& file);
+
+ private:
+  void read_units(const toml::table& file);
+  void read_table(const toml::table& table, std::string_view pattern, const std::string& path);
+  std::vector<std::string_view> unknown_keys(const toml::table& table,
+                                             const std::vector<const Key*>& known,
+                                             const std::string& path);
+  void check_alternatives(const toml::table& table, std::string_view pattern,
+                          const std::string& path, bool misspelt);
+  void read_key(const Key& key, const toml::node& node, const std::string& path, Position where,
+                bool given);
+  void read_tables(const Key& key, const toml::array& array, const std::string& path);
+  void read_fallback(const Key& key, const std::string& path, Position where);
+  bool read_leaf(const Key& key, const toml::node& node, Value& value);
+  bool read_words(const Key& key, const toml::node& node, Value& value);
+  bool read_word(const Key& key, const toml::node& node, Value& value);
+  bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value);
+  bool read_matrix(const Key& key, const toml::node& node, Value& value);
+  std::optional<double> number(const Key& key, const toml::node& node);
+  std::optional<double> quantity(const Key& key, const toml::table& table);
+  bool wrong(const toml::node& node, const std::string& reason = {});
+
+  const Schema& schema_;
+  Diagnostics& diagnostics_;
+  Values values_;
+  Units units_;
+  // What read_leaf is reading: messages name it.
+  const Key* key_ = nullptr;
+  std::string path_;
+};
+
+std::string joined(const std::string& path, std::string_view name) {
+  return path.empty() ? std::string(name) : path + "." + std::string(name);
+}
+
+// One message: got VALUE; expected ...; reason.
+bool Reader::wrong(const toml::node& node, const std::string& reason) {
+  diagnostics_.add(position(node.source()), path_,
+                   "got " + shown(node) + "; expected " + expectation(*key_, units_) +
+                       (reason.empty() ? "" : "; " + reason));
+  return false;
+}
+
+std::optional<double> Reader::quantity(const Key& key, const toml::table& table) {
+  const std::optional<double> value = real(table.get("value"));
+  const auto unit = table["unit"].value<std::string_view>();
+  if (key.dimension == Dimension::number || table.size() != 2 || !value || !unit ||
+      !std::isfinite(*value)) {
+    wrong(table);
+    return std::nullopt;
+  }
+  try {
+    return units_.to_core(*value, *unit, key.dimension);
+  } catch (const DomainError& error) {
+    wrong(table, error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<double> Reader::number(const Key& key, const toml::node& node) {
+  if (const std::optional<double> value = real(&node)) {
+    if (std::isfinite(*value)) return units_.to_core(*value, key.dimension);
+    wrong(node, "numbers must be finite");
+    return std::nullopt;
+  }
+  if (node.is_table()) return quantity(key, *node.as_table());
+  if (!node.is_string() || key.dimension == Dimension::number) {
+    wrong(node);
+    return std::nullopt;
+  }
+  try {
+    const Quantity quantity = quantity_from_text(*node.value<std::string_view>());
+    return units_.to_core(quantity.value, quantity.unit, key.dimension);
+  } catch (const DomainError& error) {
+    wrong(node, error.what());
+    return std::nullopt;
+  }
+}
+
+bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t length,
+                          Value& value) {
+  if (const toml::table* table = node.as_table()) {  // { value = [..], unit = ".." }
+    const toml::array* list = (*table)["value"].as_array();
+    const auto unit = (*table)["unit"].value<std::string>();
+    if (list == nullptr || !unit || table->size() != 2) return wrong(node);
+    const std::size_t before = value.numbers.size();
+    for (const toml::node& item : *list) {
+      toml::table one{{"unit", *unit}};
+      one.insert("value", real(&item).value_or(std::nan("")));
+      const std::optional<double> number = quantity(key, one);
+      if (!number) return false;
+      value.numbers.push_back(*number);
+    }
+    const std::size_t found = value.numbers.size() - before;
+    return found == 0 || (length > 0 && found != length) ? wrong(node) : true;
+  }
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty() || (length > 0 && array->size() != length))
+    return wrong(node);
+  for (const toml::node& item : *array) {
+    const std::optional<double> found = number(key, item);
+    if (!found) return false;
+    value.numbers.push_back(*found);
+  }
+  return true;
+}
+
+bool Reader::read_matrix(const Key& key, const toml::node& node, Value& value) {
+  const toml::array* rows = node.as_array();
+  if (rows == nullptr || rows->size() != 3) return wrong(node);
+  for (const toml::node& row : *rows)
+    if (!row.is_array() || !read_numbers(key, row, 3, value))
+      return row.is_array() ? false : wrong(node);
+  return true;
+}
+
+bool Reader::read_word(const Key& key, const toml::node& node, Value& value) {
+  const std::vector<std::string_view> allowed = separated(key.allowed, '|');
+  const auto word = node.value<std::string_view>();
+  if (!node.is_string() || !word) return wrong(node);
+  if (std::find(allowed.begin(), allowed.end(), *word) == allowed.end()) {
+    const std::string_view near = nearest(*word, allowed);
+    return wrong(node, near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?");
+  }
+  if (std::find(value.words.begin(), value.words.end(), *word) != value.words.end())
+    return wrong(node, "it is there twice");
+  value.words.emplace_back(*word);
+  return true;
+}
+
+bool Reader::read_words(const Key& key, const toml::node& node, Value& value) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) return wrong(node);
+  return std::all_of(array->begin(), array->end(),
+                     [&](const toml::node& item) { return read_word(key, item, value); });
+}
+
+bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
+  switch (key.type) {
+    case KeyType::table:
+      return false;
+    case KeyType::integer: {
+      const std::vector<std::string_view> allowed = separated(key.allowed, '|');
+      if (!node.is_integer()) return wrong(node);
+      value.whole = *node.value<std::int64_t>();
+      if (!allowed.empty() &&
+          std::find(allowed.begin(), allowed.end(), std::to_string(value.whole)) == allowed.end())
+        return wrong(node);
+      return true;
+    }
+    case KeyType::number: {
+      const std::optional<double> found = number(key, node);
+      if (found) value.numbers.push_back(*found);
+      return found.has_value();
+    }
+    case KeyType::numbers:
+      return read_numbers(key, node, static_cast<std::size_t>(key.length), value);
+    case KeyType::matrix:
+      return read_matrix(key, node, value);
+    case KeyType::choice:
+      return read_word(key, node, value);
+    case KeyType::choices:
+      return read_words(key, node, value);
+    case KeyType::text:
+    case KeyType::unit:
+    case KeyType::epoch:
+      break;
+  }
+  if (!node.is_string()) return wrong(node);
+  value.words.push_back(*node.value<std::string>());
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::any_of(value.words[0].begin(), value.words[0].end(), control))
+    return wrong(node, "it must be one line without control characters");
+  try {
+    if (key.type == KeyType::epoch) require_epoch(value.words[0]);
+  } catch (const DomainError& error) {
+    return wrong(node, error.what());
+  }
+  return true;
+}
+
+void Reader::read_tables(const Key& key, const toml::array& array, const std::string& path) {
+  std::size_t i = 0;
+  for (const toml::node& item : array)
+    read_table(*item.as_table(), key.path, path + "[" + std::to_string(i++) + "]");
+}
+
+void Reader::read_key(const Key& key, const toml::node& node, const std::string& path,
+                      Position where, bool given) {
+  key_ = &key;
+  path_ = path;
+  Value value;
+  value.key = &key;
+  value.where = where;
+  value.given = given;
+  value.shown = shown(node);
+  if (key.type != KeyType::table) {
+    if (read_leaf(key, node, value)) values_.insert_or_assign(path, std::move(value));
+    return;
+  }
+  const bool array = key.path.ends_with("[]");
+  const bool fits = array ? node.is_array_of_tables() : node.is_table();
+  if (!fits) {
+    wrong(node);
+    return;
+  }
+  values_.insert_or_assign(path, std::move(value));
+  if (array)
+    read_tables(key, *node.as_array(), path);
+  else
+    read_table(*node.as_table(), key.path, path);
+}
+
+void Reader::read_fallback(const Key& key, const std::string& path, Position where) {
+  const toml::table parsed = toml::parse("x = " + std::string(key.fallback));
+  read_key(key, *parsed.get("x"), path, where, false);
+}
+
+// Reports keys that the table does not know; returns the known ones that were meant.
+std::vector<std::string_view> Reader::unknown_keys(const toml::table& table,
+                                                   const std::vector<const Key*>& known,
+                                                   const std::string& path) {
+  std::vector<std::string_view> names, meant;
+  for (const Key* key : known) names.push_back(key_name(key->path));
+  if (std::find(names.begin(), names.end(), "*") != names.end()) return meant;
+  for (const auto& [name, node] : table) {
+    if (std::find(names.begin(), names.end(), name.str()) != names.end()) continue;
+    if (diagnostics_.full()) break;
+    const std::string_view near = nearest(name.str(), names);
+    if (!near.empty()) meant.push_back(near);
+    std::string text = "unknown key; expected ";
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
+    if (!near.empty()) text += "; did you mean " + std::string(near) + "?";
+    diagnostics_.add(position(name.source()), joined(path, printable(name.str())), text);
+  }
+  return meant;
+}
+
+// The keys of `sets` that the table has, each once.
+std::vector<std::string_view> present_keys(const toml::table& table, std::string_view sets) {
+  std::vector<std::string_view> present;
+  for (const std::string_view set : separated(sets, '|'))
+    for (const std::string_view name : separated(set, '+'))
+      if (table.contains(name) && std::find(present.begin(), present.end(), name) == present.end())
+        present.push_back(name);
+  return present;
+}
+
+std::string sets_in_words(std::string_view sets) {
+  std::string words;
+  for (const char c : sets) {
+    if (c == '|')
+      words += ", ";
+    else if (c == '+')
+      words += " with ";
+    else
+      words += c;
+  }
+  return words;
+}
+
+// `misspelt`: some key of the table is unknown, so a missing one may be that.
+void Reader::check_alternatives(const toml::table& table, std::string_view pattern,
+                                const std::string& path, bool misspelt) {
+  for (const Alternatives& row : schema_.alternatives) {
+    if (row.table != pattern || misspelt) continue;
+    const std::vector<std::string_view> present = present_keys(table, row.sets);
+    const auto matches = [&](std::string_view set) {
+      const std::vector<std::string_view> names = separated(set, '+');
+      return names.size() == present.size() &&
+             std::all_of(names.begin(), names.end(),
+                         [&](std::string_view name) { return table.contains(name); });
+    };
+    const std::vector<std::string_view> sets = separated(row.sets, '|');
+    if (std::any_of(sets.begin(), sets.end(), matches)) continue;
+    std::string got;
+    for (const std::string_view name : present)
+      got += (got.empty() ? "" : ", ") + std::string(name);
+    const toml::node& where = present.empty() ? table : *table.get(present.back());
+    diagnostics_.add(position(where.source()), path,
+                     "got " + (got.empty() ? "none of them" : got) + "; expected exactly one of " +
+                         sets_in_words(row.sets));
+  }
+}
+
+void Reader::read_table(const toml::table& table, std::string_view pattern,
+                        const std::string& path) {
+  const std::vector<const Key*> known = keys_of(schema_, pattern);
+  const std::vector<std::string_view> meant = unknown_keys(table, known, path);
+  for (const Key* key : known) {
+    if (diagnostics_.full()) return;
+    const std::string_view name = key_name(key->path);
+    if (name == "*") {
+      for (const auto& [own, node] : table)
+        if (!diagnostics_.full())
+          read_key(*key, node, joined(path, own.str()), position(node.source()), true);
+      continue;
+    }
+    const std::string at = joined(path, name);
+    if (values_.contains(at)) continue;  // [units], read first
+    if (const toml::node* node = table.get(name)) {
+      read_key(*key, *node, at, position(node->source()), true);
+    } else if (!key->fallback.empty()) {
+      read_fallback(*key, at, position(table.source()));
+    } else if (key->presence == Presence::required &&
+               std::find(meant.begin(), meant.end(), name) == meant.end()) {
+      diagnostics_.add(position(table.source()), at,
+                       "got nothing; expected " + expectation(*key, units_));
+    }
+  }
+  check_alternatives(table, pattern, path, !meant.empty());
+}
+
+// Units come first: every number below needs them. Each is tried alone, so that each error points
+// at its own line.
+void Reader::read_units(const toml::table& file) {
+  if (const toml::node* node = file.get("units"); node != nullptr && !node->is_table()) return;
+  const toml::table none;
+  const toml::table* table = file["units"].as_table();
+  std::string unit[] = {"s", "rad", "1"};
+  const std::string_view names[] = {"time", "angle", "moment"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const toml::node* node = (table != nullptr ? *table : none).get(names[i]);
+    if (node == nullptr || !node->is_string()) continue;
+    std::string trial[] = {unit[0], unit[1], unit[2]};
+    trial[i] = *node->value<std::string>();
+    try {
+      const Units units(trial[0], trial[1], trial[2]);
+      unit[i] = trial[i];
+    } catch (const DomainError& error) {
+      diagnostics_.add(position(node->source()), "units." + std::string(names[i]),
+                       "got " + shown(*node) + "; expected a unit; " + error.what());
+    }
+  }
+  units_ = Units(unit[0], unit[1], unit[2]);
+}
+
+ReadFile Reader::read(const toml::table& file) {
+  if (!keys_of(schema_, "units").empty()) read_units(file);
+  read_table(file, "", "");
+  return {std::move(values_), std::move(units_)};
+}
+
+}  // namespace
+
+ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics) {
+  if (const std::optional<Position> where = deep_key(text)) {
+    diagnostics.add(*where, "file", "got a key of more than 250 dots; expected a scenario");
+    return {{}, Units()};
+  }
+  try {
+    const toml::table file = toml::parse(text);
+    if (file.empty()) {
+      diagnostics.add({}, "file",
+                      "got no key at all; expected a scenario (polhode init prints one)");
+      return {{}, Units()};
+    }
+    return Reader(schema, diagnostics).read(file);
+  } catch (const toml::parse_error& error) {
+    diagnostics.add(position(error.source()), "file",
+                    "not TOML: " + printable(error.description(), longest_name));
+    return {{}, Units()};
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

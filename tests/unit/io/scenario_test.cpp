@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/scenario.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "budgets.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string head = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
+const std::string andoyer = "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 0.5\nG = 1\nH = 0.1\n";
+
+std::string error_of(const std::string& text) {
+  try {
+    scenario_from_text(text, "f.toml");
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scenario, KeepsWhatTheFileSays) {
+  const Scenario s = scenario_from_text(
+      "schema = 1\ntitle = \"A body\"\n[units]\ntime = \"h\"\nangle = \"deg\"\n"
+      "[body]\nmoments = [2, 1, 2.5]\n[state]\nepoch = \"JD 2456297.5 TDB\"\n"
+      "axes = \"ecliptic-J2000\"\n"
+      "[state.andoyer]\nl = 180\ng = \"1 rad\"\nh = { value = 0.5, unit = \"rev\" }\nL = 0.5\n"
+      "G = \"2 1/h\"\nH = 0.1\n[time]\nstop = 1\nstep = \"15 min\"\n"
+      "[output]\ncolumns = [\"g\", \"serret\"]\n",
+      "folder/f.toml");
+  EXPECT_EQ(s.name, "f.toml");
+  EXPECT_EQ(s.title, "A body");
+  EXPECT_EQ(s.chart, "andoyer");
+  EXPECT_EQ(s.epoch, "JD 2456297.5 TDB");
+  EXPECT_EQ(s.axes, "ecliptic-J2000");
+  EXPECT_EQ(s.body.moments(), (Vec3{2.0, 1.0, 2.5}));
+  const AndoyerState a = std::get<AndoyerState>(s.state);
+  EXPECT_EQ(a.l, std::numbers::pi);
+  EXPECT_EQ(a.g, 1.0);
+  EXPECT_EQ(a.h, std::numbers::pi);
+  EXPECT_EQ(a.G, 2.0);
+  ASSERT_TRUE(s.time);
+  EXPECT_EQ(s.time->size(), 5);
+  EXPECT_EQ((*s.time)[3], 0.75);
+  EXPECT_EQ(s.columns, (std::vector<std::string>{"g", "serret"}));
+}
+
+TEST(Scenario, DefaultsAreThoseOfTheSchema) {
+  const Scenario s = scenario_from_text(head + andoyer, "f.toml");
+  EXPECT_EQ(s.units.time(), "s");
+  EXPECT_EQ(s.units.angle(), "rad");
+  EXPECT_EQ(s.axes, "inertial");
+  EXPECT_EQ(s.columns, (std::vector<std::string>{"q", "omega"}));
+  EXPECT_FALSE(s.time);
+}
+
+TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
+  const std::string text =
+      "schema = 1\n[units]\nangle = \"deg\"\n[body]\nmoments = [1, 2, 2.5]\n"
+      "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n";
+  for (const char* rate : {"omega_body", "omega_inertial"}) {
+    const Scenario s = scenario_from_text(text + rate + " = [180, 0, \"1 rad/s\"]\n", "f.toml");
+    const RotorState r = initial_state(s);
+    EXPECT_NEAR(r.g.x, std::numbers::pi, budget::io_state);
+    EXPECT_NEAR(r.g.z, 2.5, budget::io_state);
+  }
+}
+
+// The body axes of the file are those of the tensor: a rotated tensor with the same omega is the
+// same motion as the principal moments with the omega in principal axes.
+TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
+  const std::string state = "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\n";
+  const Scenario diagonal = scenario_from_text(
+      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n" + state + "omega_body = [1, 2, 3]\n", "a");
+  const Scenario full =
+      scenario_from_text("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n" +
+                             state + "omega_body = [1, 2, 3]\n",
+                         "b");
+  const FreeRotation a = free_rotation(diagonal), b = free_rotation(full);
+  EXPECT_NEAR(a.energy(), b.energy(), budget::io_state);
+  const Vec3 Ga = inertial_momentum(a.at(0.7)), Gb = inertial_momentum(b.at(0.7));
+  EXPECT_NEAR(norm(Ga - Gb), 0.0, budget::io_state);
+}
+
+TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {
+  const std::string error = error_of("schema = 1\ntitel = 3\n[body]\nmoments = [1, 2]\n" + andoyer +
+                                     "[output]\ncolumns = [\"Q\"]\n");
+  const std::size_t first = error.find("f.toml:2:1: titel: unknown key"),
+                    second = error.find("f.toml:4:11: body.moments: got [1, 2]"),
+                    third = error.find("f.toml:13:12: output.columns: got \"Q\"");
+  EXPECT_EQ(first, 0U);
+  EXPECT_TRUE(first < second && second < third) << error;
+}
+
+TEST(Scenario, AMisspeltKeyIsNotMissingToo) {
+  EXPECT_EQ(error_of("schema = 1\n[body]\nmomnets = [1, 2, 2.5]\n" + andoyer),
+            "f.toml:3:1: body.momnets: unknown key; expected moments or tensor; did you mean "
+            "moments?");
+}
+
+TEST(Scenario, WhatTheLibraryRefusesHasItsPlace) {
+  EXPECT_THAT(error_of("schema = 1\n[body]\nmoments = [1, 1, 3]\n" + andoyer),
+              StartsWith("f.toml:3:11: body.moments: got [1, 1, 3]; Body: moments"));
+  EXPECT_THAT(error_of(head + "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 1.5\nG = 1\nH = 0.1\n"),
+              StartsWith("f.toml:8:5: state.andoyer.L: got 1.5; "));
+  EXPECT_THAT(error_of(head + "[state.attitude-rate]\nquaternion = [0, 0, 0, 0]\n"
+                              "omega_body = [1, 2, 3]\n"),
+              StartsWith("f.toml:5:14: state.attitude-rate.quaternion: got [0, 0, 0, 0]; "));
+  EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = 1\nstep = -1\n"),
+              StartsWith("f.toml:13:8: time.step: got -1; "));
+}
+
+TEST(Scenario, TumblersThatCannotBeSayWhy) {
+  const auto error = [&](const std::string& periods, const std::string& rest) {
+    return error_of(
+        "schema = 1\n[units]\ntime = \"h\"\nangle = \"deg\"\n[body]\n"
+        "moments = [0.61, 0.965, 1]\n[state.tumbler]\nmode = \"SAM\"\n" +
+        periods + "pole = { longitude = 250, latitude = -75 }\n" + rest);
+  };
+  const std::string apophis = "precession_period = 27.38\nrotation_period = 263\n";
+  EXPECT_EQ(error(apophis, ""), "no error");
+  EXPECT_EQ(error(apophis, "psi0 = 10\n"), "no error");
+  EXPECT_THAT(error(apophis, "psi0 = 80\n"),
+              StartsWith("f.toml:12:8: state.tumbler.psi0: got 80; expected at most psi_max = "));
+  EXPECT_THAT(error("precession_period = 27.38\nrotation_period = 2\n", ""),
+              StartsWith("f.toml:10:19: state.tumbler.rotation_period: got 2; TumblerState: "
+                         "P_psi/P_phi = 0.07"));
+  EXPECT_THAT(error("precession_period = -1\nrotation_period = 2\n", ""),
+              StartsWith("f.toml:9:21: state.tumbler.precession_period: got -1; expected"));
+}
+
+// One pole in three notations: the ecliptic one, and both axes of J2000.
+TEST(Scenario, PolesTurnWithTheAxes) {
+  const auto momentum = [&](const std::string& axes, const std::string& pole) {
+    const Scenario s = scenario_from_text(
+        "schema = 1\n[body]\nmoments = [0.61, 0.965, 1]\n[state]\naxes = \"" + axes +
+            "\"\n[state.tumbler]\nmode = \"SAM\"\nprecession_period = 27.38\n"
+            "rotation_period = 263\npole = " +
+            pole + "\n",
+        "f.toml");
+    const Vec3 G = inertial_momentum(initial_state(s));
+    return (1.0 / norm(G)) * G;
+  };
+  const std::string north = "{ longitude = 0, latitude = \"90 deg\" }";
+  const std::string equinox = "{ ra = 0, dec = 0 }";
+  const std::string pole_of_ecliptic = "{ ra = \"270 deg\", dec = \"239618.552 arcsec\" }";
+  const auto expect = [](const Vec3& a, const Vec3& b) {
+    EXPECT_NEAR(norm(a - b), 0.0, budget::io_state);
+  };
+  expect(momentum("ecliptic-J2000", north), {0.0, 0.0, 1.0});
+  expect(momentum("inertial", north), {0.0, 0.0, 1.0});
+  expect(momentum("ecliptic-J2000", equinox), {1.0, 0.0, 0.0});
+  expect(momentum("ecliptic-J2000", pole_of_ecliptic), {0.0, 0.0, 1.0});
+  expect(momentum("equator-J2000", north), momentum("equator-J2000", pole_of_ecliptic));
+}
+
+TEST(Scenario, NotANumberIsRefusedEverywhere) {
+  for (const char* bad : {"nan", "inf", "-inf", "\"nan s\"", "{ value = nan, unit = \"s\" }"})
+    EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = " + bad + "\nstep = 1\n"),
+                StartsWith("f.toml:12:8: time.stop: got"))
+        << bad;
+}
+
+TEST(Scenario, ExactlyOneChart) {
+  EXPECT_THAT(error_of(head), HasSubstr("state: got nothing; expected a table"));
+  EXPECT_THAT(error_of(head + "[state]\naxes = \"inertial\"\n"),
+              HasSubstr("state: got none of them; expected exactly one of tumbler, attitude-rate"));
+  EXPECT_THAT(error_of(head + andoyer +
+                       "[state.euler]\nphi = 1\ntheta = 1\npsi = 1\nPhi = 1\nTheta = 1\nPsi = 1\n"),
+              HasSubstr("state: got euler, andoyer; expected exactly one of"));
+}
+
+TEST(Scenario, EpochsAreRealDates) {
+  const auto error = [&](const std::string& epoch) {
+    return error_of(head + "[state]\nepoch = \"" + epoch + "\"\n" + andoyer);
+  };
+  for (const char* good :
+       {"2013-01-05T00:00:00 UTC", "2013-01-05 TT", "2012-02-29T23:59:59.999 TDB",
+        "2016-12-31T23:59:60 UTC", "2013-01-05 18:30 UT1", "JD 2456297.5 TAI", "JD -1.5e3 TT"})
+    EXPECT_EQ(error(good), "no error") << good;
+  for (const char* bad : {"2013-02-29 UTC", "2013-13-01 UTC", "2013-1-5 UTC", "2013-01-05",
+                          "2013-01-05 EST", "2013-01-05T24:00:00 UTC", "2013-01-05T23:59:60 TT",
+                          "2013-01-05T1 UTC", "2013-01-05T12:00:00. UTC", "2013-01-05X12:00:00 UTC",
+                          "JD nan UTC", "JD UTC", "JD 1x TT", "", " UTC", "0000-00-00 UTC"})
+    EXPECT_THAT(error(bad), HasSubstr("f.toml:5:9: state.epoch: got \"")) << bad;
+}
+
+TEST(Scenario, NoiseIsRefusedInOneLine) {
+  EXPECT_EQ(error_of(""),
+            "f.toml:1:1: file: got no key at all; expected a scenario (polhode init prints one)");
+  EXPECT_EQ(error_of("# only a comment\n").find("f.toml:1:1: file: got no key"), 0U);
+  std::string deep;
+  for (int i = 0; i < 1000000; ++i) deep += "a.";
+  for (const std::string& text :
+       {deep + "a = 1", "[" + deep + "a]", "x = " + std::string(1000000, '['),
+        "x = " + std::string(100000, '{'), std::string(1000, '\0'), std::string("\xff\xfe\0\0", 4),
+        std::string(17 << 20, ' '), "a = " + std::string(1000000, '9'),
+        "a = \"" + std::string(1000000, 'x')}) {
+    const std::string error = error_of(text);
+    EXPECT_EQ(error.find("f.toml:1:"), 0U) << error.substr(0, 200);
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+    EXPECT_LT(error.size(), 400U);
+  }
+}
+
+TEST(Scenario, ManyErrorsStayFew) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  const std::string error = error_of(text);
+  EXPECT_LE(std::count(error.begin(), error.end(), '\n'), 20);
+}
+
+TEST(Scenario, NamesOfAnyFileStayOneLine) {
+  try {
+    scenario_from_text("", "a\nb\x1b.toml");
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_THAT(error.what(), StartsWith("a\\x0ab\\x1b.toml:1:1: "));
+  }
+}
+
+}  // namespace
+}  // namespace polhode

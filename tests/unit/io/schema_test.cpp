@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/schema.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "io/detail/nearest.hpp"
+#include "io/detail/values.hpp"
+#include "polhode/io/columns.hpp"
+#include "polhode/io/scenario.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// What later sections need: names that the file chooses, and arrays of tables.
+constexpr Key growing_keys[] = {
+    {.path = "orbit", .help = "Orbits by name."},
+    {.path = "orbit.*", .help = "One orbit."},
+    {.path = "orbit.*.period",
+     .type = KeyType::number,
+     .presence = Presence::required,
+     .dimension = Dimension::time,
+     .example = "1",
+     .help = "Its period."},
+    {.path = "event[]", .help = "What ends a run."},
+    {.path = "event[].kind",
+     .type = KeyType::choice,
+     .presence = Presence::required,
+     .allowed = "crossing|count",
+     .help = "Its kind."},
+    {.path = "event[].at", .type = KeyType::number, .fallback = "3", .help = "Where."},
+};
+constexpr Schema growing{growing_keys, {}};
+
+TEST(Schema, EveryRowIsComplete) {
+  std::set<std::string_view> paths;
+  for (const Key& key : scenario_schema().keys) {
+    EXPECT_TRUE(paths.insert(key.path).second) << key.path;
+    EXPECT_THAT(std::string(key.help), ::testing::EndsWith(".")) << key.path;
+    EXPECT_EQ(key.example.empty(), key.type == KeyType::table) << key.path;
+    const std::string_view table = key_table(key.path);
+    EXPECT_TRUE(table.empty() || paths.contains(table)) << key.path;
+    const bool listed = key.type == KeyType::choice || key.type == KeyType::choices;
+    EXPECT_TRUE(!listed || !key.allowed.empty()) << key.path;
+  }
+}
+
+TEST(Schema, AlternativesNameKeysOfTheirTable) {
+  std::set<std::string> members;
+  for (const Alternatives& row : scenario_schema().alternatives)
+    for (const std::string_view set : separated(row.sets, '|'))
+      for (const std::string_view name : separated(set, '+'))
+        members.insert(std::string(row.table) + "." + std::string(name));
+  for (const Key& key : scenario_schema().keys)
+    EXPECT_EQ(key.presence == Presence::alternative, members.erase(std::string(key.path)) == 1)
+        << key.path;
+  EXPECT_TRUE(members.empty()) << *members.begin();
+}
+
+TEST(Schema, ColumnsAreThoseThatRowsCanHold) {
+  const auto keys = scenario_schema().keys;
+  const auto columns = std::find_if(keys.begin(), keys.end(),
+                                    [](const Key& k) { return k.path == "output.columns"; });
+  ASSERT_NE(columns, keys.end());
+  EXPECT_EQ(separated(columns->allowed, '|'), column_group_names());
+}
+
+TEST(Schema, TemplatesAreScenarios) {
+  EXPECT_THAT(state_charts(),
+              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov"));
+  for (const std::string_view chart : state_charts()) {
+    const Scenario scenario = scenario_from_text(scenario_template(chart), "template");
+    EXPECT_EQ(scenario.chart, chart);
+    EXPECT_EQ(scenario.time->size(), 1441) << chart;
+  }
+  EXPECT_THROW(scenario_template("tumbelr"), DomainError);
+}
+
+TEST(Schema, ReadsNamesThatTheFileChooses) {
+  detail::Diagnostics diagnostics("f");
+  const detail::ReadFile file = detail::read_values(
+      "[orbit.moon]\nperiod = \"27 d\"\n[orbit.sun]\nperiod = 3\n", growing, diagnostics);
+  diagnostics.raise();
+  EXPECT_EQ(file.values.at("orbit.moon.period").numbers.at(0), 27 * 86400.0);
+  EXPECT_EQ(file.values.at("orbit.sun.period").numbers.at(0), 3.0);
+}
+
+TEST(Schema, ReadsArraysOfTables) {
+  detail::Diagnostics diagnostics("f");
+  const detail::ReadFile file =
+      detail::read_values("[[event]]\nkind = \"count\"\n[[event]]\nkind = \"crossing\"\nat = 5\n",
+                          growing, diagnostics);
+  diagnostics.raise();
+  EXPECT_EQ(file.values.at("event[0].kind").words.at(0), "count");
+  EXPECT_EQ(file.values.at("event[0].at").numbers.at(0), 3.0);
+  EXPECT_EQ(file.values.at("event[1].at").numbers.at(0), 5.0);
+}
+
+TEST(Schema, ErrorsInsideThemNameTheirPath) {
+  detail::Diagnostics diagnostics("f");
+  detail::read_values("[orbit.moon]\nperoid = 3\n[[event]]\nkind = \"cuont\"\n", growing,
+                      diagnostics);
+  try {
+    diagnostics.raise();
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("f:2:1: orbit.moon.peroid: unknown key; expected period; "
+                                        "did you mean period?"));
+    EXPECT_THAT(error.what(), HasSubstr("f:4:8: event[0].kind: got \"cuont\"; expected "
+                                        "\"crossing\" or \"count\"; did you mean \"count\"?"));
+  }
+}
+
+TEST(Schema, DocumentsKnowThemToo) {
+  EXPECT_THAT(json_schema(growing), HasSubstr("\"additionalProperties\": {"));
+  EXPECT_THAT(json_schema(growing), HasSubstr("\"type\": \"array\""));
+  EXPECT_THAT(markdown_reference(growing), HasSubstr("## `[orbit.*]`"));
+  EXPECT_THAT(markdown_reference(growing), HasSubstr("## `[[event]]`"));
+}
+
+TEST(Nearest, CountsHalfEdits) {
+  EXPECT_EQ(detail::edit_distance("", "ab"), 4);
+  EXPECT_EQ(detail::edit_distance("phi", "Phi"), 1);
+  EXPECT_EQ(detail::edit_distance("moments", "momnets"), 2);
+  EXPECT_EQ(detail::edit_distance("kitten", "sitting"), 6);
+}
+
+TEST(Nearest, OffersSlipsOnly) {
+  constexpr std::string_view known[] = {"precession_period", "rotation_period", "pole", "mode"};
+  EXPECT_EQ(detail::nearest("presession_period", known), "precession_period");
+  EXPECT_EQ(detail::nearest("Pole", known), "pole");
+  EXPECT_EQ(detail::nearest("rota", known), "rotation_period");
+  EXPECT_EQ(detail::nearest("x", known), "");
+  EXPECT_EQ(detail::nearest("colour", known), "");
+  EXPECT_EQ(detail::nearest(std::string(100000, 'p'), known), "");
+}
+
+}  // namespace
+}  // namespace polhode
