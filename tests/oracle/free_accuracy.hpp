@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a free rotation misses: its state against the oracle's, and the bound that it promises.
+// What a free rotation misses: its state against the oracle's.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
-#include "budgets.hpp"
 #include "oracle/free_body.hpp"
 #include "oracle/free_cases.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -15,7 +14,6 @@ namespace oracle {
 struct FreeError {
   double angle = 0.0;     // of the rotation between the attitudes, rad
   double momentum = 0.0;  // |g - g*| / G
-  double bound = 0.0;     // of the hard cases
 };
 
 // The angle of conj(exact) q, q taken as q/|q|; infinite when q has a component that is not finite.
@@ -35,23 +33,9 @@ inline double momentum_error(const WideVec3& exact, const polhode::Vec3& g, cons
   return G == 0 ? 0.0 : static_cast<double>(Wide(error / G));
 }
 
-// The bound of the hard cases, budget::free_attitude + free_separatrix_growth (N + 1) G^2/|D2| with
-// N half polhode periods elapsed; the first term alone when the motion has no separatrix to miss:
-// steady rotation and the separatrix itself.
-inline double hard_bound(const FreeBody& body, double elapsed) {
-  using polhode::budget::free_attitude;
-  using polhode::budget::free_separatrix_growth;
-  if (body.motion() != Motion::periodic) return free_attitude;
-  const double halves = std::abs(static_cast<double>(Wide(elapsed / body.half_period())));
-  const double distance =
-      std::abs(static_cast<double>(Wide(body.d2() / (body.momentum() * body.momentum()))));
-  return free_attitude + free_separatrix_growth * (halves + 1.0) / distance;
-}
-
 inline FreeError error_at(FreeBody& body, const polhode::RotorState& got, double t, double t0) {
   const WideState exact = body.at(t, t0);
-  return {attitude_error(exact.q, got.q), momentum_error(exact.g, got.g, body.momentum()),
-          hard_bound(body, t - t0)};
+  return {attitude_error(exact.q, got.q), momentum_error(exact.g, got.g, body.momentum())};
 }
 
 inline FreeError free_error(const FreeCase& c) {

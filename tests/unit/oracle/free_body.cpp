@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "budgets.hpp"
 #include "oracle/direct_flow.hpp"
 #include "oracle/free_cases.hpp"
