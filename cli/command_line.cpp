@@ -58,6 +58,7 @@ int command_line(int argc, const char* const* argv) {
   add_convert(app);
   add_init(app);
   add_cite(app);
+  add_golden(app);
   add_schema(app);
   try {
     app.parse(argc, argv);

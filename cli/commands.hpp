@@ -12,6 +12,7 @@ void add_info(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_init(CLI::App& app);
 void add_cite(CLI::App& app);
+void add_golden(CLI::App& app);
 void add_schema(CLI::App& app);
 
 // Writes to standard output; OutputError when it cannot.

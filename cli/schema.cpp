@@ -3,6 +3,7 @@
 #include "polhode/io/schema.hpp"
 
 #include <memory>
+#include <string>
 
 #include "commands.hpp"
 
@@ -10,12 +11,17 @@ namespace polhode::cli {
 
 void add_schema(CLI::App& app) {
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of scenario files");
-  const auto markdown = std::make_shared<bool>(false);
-  command->add_flag("--markdown", *markdown, "The key reference of docs/reference/scenario.md");
+  const auto part = std::make_shared<std::string>("json");
+  command->add_option("PART", *part, "json, or the keys or units of docs/reference/scenario.md")
+      ->check(CLI::IsMember({"json", "keys", "units"}))
+      ->capture_default_str();
   command->footer("Example:\n  polhode schema > scenario.schema.json");
   command->group("");
-  command->callback([markdown] {
-    print(*markdown ? markdown_reference(scenario_schema()) : json_schema(scenario_schema()));
+  command->callback([part] {
+    const Schema& schema = scenario_schema();
+    print(*part == "json"   ? json_schema(schema)
+          : *part == "keys" ? markdown_reference(schema)
+                            : markdown_units());
   });
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The table of keys as a reference page and as a scenario to start from.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include "io/detail/nearest.hpp"
@@ -164,6 +167,20 @@ std::string markdown_reference(const Schema& schema) {
   append_section(page, schema, nullptr);
   for (const Key& key : schema.keys)
     if (key.type == KeyType::table) append_section(page, schema, &key);
+  return page;
+}
+
+std::string markdown_units() {
+  std::string page = "| unit | what it is | in others |\n|---|---|---|\n";
+  for (const KnownUnit& unit : known_units()) {
+    const std::string base = unit.base.empty() ? "" : "`" + std::string(unit.base) + "`";
+    std::string factor = unit.factor == 1.0 ? "" : fmt::format("{:.12g} ", unit.factor);
+    if (unit.base == "rad")
+      factor =
+          unit.factor > 1.0 ? "2 pi " : fmt::format("pi/{:.0f} ", std::numbers::pi / unit.factor);
+    page += "| `" + std::string(unit.symbol) + "` | " + std::string(unit.name) + " | " + factor +
+            base + " |\n";
+  }
   return page;
 }
 

@@ -80,6 +80,8 @@ std::string expectation(const Key& key, const Units& units);
 std::string json_schema(const Schema& schema);
 // The generated part of docs/reference/scenario.md: one list of keys per table of the file.
 std::string markdown_reference(const Schema& schema);
+// The list of units of the same page.
+std::string markdown_units();
 // The charts that [state.CHART] knows.
 std::vector<std::string_view> state_charts();
 // A commented scenario to start from, with the given chart in [state.CHART]. DomainError when
