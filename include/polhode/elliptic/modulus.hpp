@@ -5,6 +5,7 @@
 //             m1, so no function of polhode takes m alone.
 // Units       none.
 // Domain      from_ratio(a, b): a, b >= 0, not both 0, a + b finite. m = 1 (m1 = 0) is ordinary.
+//             In DoubleDouble a member is 0 or above 1e-230: below, its low part has no room.
 // Accuracy    m and m1 each to one rounding of the quotient, however small.
 // Errors      DomainError from the factories: a negative, non-finite or empty ratio; a pair that
 //             does not add up to 1.
