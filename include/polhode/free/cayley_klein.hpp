@@ -4,9 +4,11 @@
 // separatrix.
 //
 // Equations   with x = pi u / (2K), a = pi y1 / (2K), y1 = F(arctan(1/kappa), k'):
-//               w + iz ~ theta4(x - ia; p) exp(i Lambda t),  x + iy ~ r theta1(x - ia; p) exp(i Lambda t)
-//             is the quaternion of the primed axes in the invariable frame, up to a positive factor.
-//             The momentum follows from the same four numbers. docs/design/0002-free-rotation.md.
+//               w + iz ~ theta4(x - ia; p) exp(i Lambda t),  x + iy ~ r theta1(x - ia; p) exp(i
+//               Lambda t)
+//             is the quaternion of the primed axes in the invariable frame, up to a positive
+//             factor. The momentum follows from the same four numbers.
+//             docs/design/0002-free-rotation.md.
 // Units       x and chi are pure numbers.
 // Domain      |chi| <= K chi_per_u, or any chi on the separatrix (nome 0); any x.
 // Accuracy    a few units of rounding of T; series are cut at the rounding of T.

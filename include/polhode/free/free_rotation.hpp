@@ -2,16 +2,20 @@
 // FreeRotation: the exact torque-free motion of a rigid body, prepared once, evaluated at any time
 // in constant time, in every regime.
 //
-// Equations   [SA (12)], [SA (A15)-(A43)]; regimes and frequencies docs/theory/regimes.md; the series
-//             docs/design/0002-free-rotation.md; the state transition matrix docs/design/0003-transition-matrix.md.
-// Units       any consistent set: moments, momentum = moment x rate, time = 1 / rate; angles in rad.
+// Equations   [SA (12)], [SA (A15)-(A43)]; regimes and frequencies docs/theory/regimes.md; the
+//             series docs/design/0002-free-rotation.md; the state transition matrix
+//             docs/design/0003-transition-matrix.md.
+// Units       any consistent set: moments, momentum = moment x rate, time = 1 / rate; angles in
+//             rad.
 // Domain      any Body, any finite state with a non-zero quaternion, any finite time; G = 0 rests.
 //             Extreme scales (1e-150, 1e150) are rescaled by powers of two inside.
-// Accuracy    budgets free_* in tests/budgets.hpp; measured table docs/accuracy/free-rotation.md. Rates are
-//             prepared, and long phases reduced, in double-double, so that accuracy does not decay with time.
-// Errors      DomainError for a non-finite state or epoch and for a zero quaternion. Evaluation never
-//             throws; NaN in, NaN out.
-// Cost        preparation tens of microseconds (short_arc: about one), one state tens of nanoseconds.
+// Accuracy    budgets free_* in tests/budgets.hpp; measured table docs/accuracy/free-rotation.md.
+//             Rates are prepared, and long phases reduced, in double-double, so that accuracy does
+//             not decay with time.
+// Errors      DomainError for a non-finite state or epoch and for a zero quaternion. Evaluation
+//             never throws; NaN in, NaN out.
+// Cost        preparation tens of microseconds (short_arc: about one), one state tens of
+//             nanoseconds.
 #pragma once
 
 #include "polhode/elliptic/modulus.hpp"

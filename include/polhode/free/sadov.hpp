@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Sadov's action-angle variables (phi_l, phi_g, phi_h, I_l, I_g, I_h) of free rotation.
 //
-// Equations   [SA "actions"], [SA "IellSadov"], [SA "phiSadov"]; action by complete integrals of the third
-//             kind, equal to Kinoshita's Heuman-Lambda form (tests/paper). In short-axis mode I_l has the
-//             sign of the momentum along the short axis; in long-axis mode I_l >= 0 and `lobe` is the
-//             sign of the momentum along the long axis. phi_h = h, I_h = H, I_g = G.
+// Equations   [SA "actions"], [SA "IellSadov"], [SA "phiSadov"]; action by complete integrals of
+//             the third kind, equal to Kinoshita's Heuman-Lambda form (tests/paper). In short-axis
+//             mode I_l has the sign of the momentum along the short axis; in long-axis mode I_l >=
+//             0 and `lobe` is the sign of the momentum along the long axis. phi_h = h, I_h = H, I_g
+//             = G.
 // Corrections [SA "transf. eqs"], [SA "quad L dl"]: docs/theory/errata.md.
 // Units       angles in radians, (-pi, pi]; actions in those of the angular momentum.
-// Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper permutation).
-//             Limits: spin about the short axis phi_l = 0, |I_l| = I_g, and about the long axis phi_l = 0,
-//             I_l = 0; exact separatrix phi_l = 0 (variables do not exist there); about the middle axis
-//             phi_l = +-pi/2; sphere: I_l = L, phi_l = l - pi/2, phi_g = g (Andoyer); I = 0: phi_h = 0.
-// Accuracy    budgets sadov_* in tests/budgets.hpp. Next to the separatrix the pair (I_l, phi_l) itself
-//             cannot hold the state: digits are lost like log10(G^2 / |D2|).
+// Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper
+//             permutation). Limits: spin about the short axis phi_l = 0, |I_l| = I_g, and about the
+//             long axis phi_l = 0, I_l = 0; exact separatrix phi_l = 0 (variables do not exist
+//             there); about the middle axis phi_l = +-pi/2; sphere: I_l = L, phi_l = l - pi/2,
+//             phi_g = g (Andoyer); I = 0: phi_h = 0.
+// Accuracy    budgets sadov_* in tests/budgets.hpp. Next to the separatrix the pair (I_l, phi_l)
+//             itself cannot hold the state: digits are lost like log10(G^2 / |D2|).
 // Errors      to_rotor throws DomainError for actions outside the region named.
-// Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor tens of microseconds.
+// Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor tens of
+//             microseconds.
 #pragma once
 
 #include "polhode/free/free_rotation.hpp"

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Serret's elements (g0, h, -t0; G, H, T) of free rotation: canonical constants of the motion.
 //
-// Equations   [SA (36)-(62)]: u = n (t - t0), the base point of u and of the integral of cos J dl is
-//             l = pi/2 (long-axis mode: the sign of g1 times pi/2), and g0 is Andoyer's g at time t0.
+// Equations   [SA (36)-(62)]: u = n (t - t0), the base point of u and of the integral of cos J dl
+//             is l = pi/2 (long-axis mode: the sign of g1 times pi/2), and g0 is Andoyer's g at
+//             time t0.
 // Corrections the base point of [SA (51)] must be u = 0: docs/theory/errata.md.
 // Units       g0, h in radians, (-pi, pi]; G, H angular momentum, T energy, t0 time.
-// Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper permutation).
-//             Short-axis mode: sign_g1 = 1, sign_g3 the sense of circulation; long-axis mode the reverse;
-//             on the separatrix both signs tell which of the four branches. The elements are
-//             multivalued: t0 + a period goes with g0 + n_g times it; t0 nearest to t is returned.
-//             Limits: spin about the short or long axis t0 = t; about the middle axis, where t0 is
-//             infinite, that of a momentum 2^-440 G away; across the axis of an axisymmetric body (n = 0)
-//             t0 = t and g0 = g, and l is lost; sphere the same, which to_rotor refuses, since T no
-//             longer tells J.
-// Accuracy    budgets serret_* in tests/budgets.hpp; T and G hold the distance to the separatrix and to the
-//             axes only to eps G^2: near those the hub loses sqrt(eps).
-// Errors      to_rotor throws DomainError for G < 0, |H| > G, or T outside [G^2/2I3, G^2/2I1], a sphere.
+// Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper
+//             permutation). Short-axis mode: sign_g1 = 1, sign_g3 the sense of circulation;
+//             long-axis mode the reverse; on the separatrix both signs tell which of the four
+//             branches. The elements are multivalued: t0 + a period goes with g0 + n_g times it; t0
+//             nearest to t is returned. Limits: spin about the short or long axis t0 = t; about the
+//             middle axis, where t0 is infinite, that of a momentum 2^-440 G away; across the axis
+//             of an axisymmetric body (n = 0) t0 = t and g0 = g, and l is lost; sphere the same,
+//             which to_rotor refuses, since T no longer tells J.
+// Accuracy    budgets serret_* in tests/budgets.hpp; T and G hold the distance to the separatrix
+//             and to the axes only to eps G^2: near those the hub loses sqrt(eps).
+// Errors      to_rotor throws DomainError for G < 0, |H| > G, or T outside [G^2/2I3, G^2/2I1], a
+//             sphere.
 // Cost        tens of microseconds.
 #pragma once
 

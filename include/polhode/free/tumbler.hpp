@@ -2,20 +2,23 @@
 // TumblerState: a free rotation as observers of asteroids describe it: pole of the angular
 // momentum, precession period, rotation period, mode, and two phase angles.
 //
-// Equations   long-axis convention of Kaasalainen (2001): 3-1-3 angles phi, theta, psi of tumbler axes
-//             (x, y, z) = (intermediate, short, long), attitude from tumbler to inertial axes
+// Equations   long-axis convention of Kaasalainen (2001): 3-1-3 angles phi, theta, psi of tumbler
+//             axes (x, y, z) = (intermediate, short, long), attitude from tumbler to inertial axes
 //               q = qz(longitude) qy(pi/2 - latitude) qz(phi) qx(theta) qz(psi)
 //             so that the third axis of the frame of phi is the momentum and phi = 0 puts the node
 //             along qz(longitude) qy(pi/2 - latitude) e_x, which points south of the pole. psi = 0
-//             when the momentum lies in the long-short plane. The drawing is in docs/guide/tumblers.md.
-//             P_phi is the mean period of phi, P_psi the period of psi: the polhode period.
-// Units       periods in the time unit, angles in radians, pole a vector of any length in inertial axes.
-// Domain      short_axis (SAM): psi oscillates, |psi0| <= psi_max, and `branch` = 1 | -1 picks the sign of
-//             cos theta at the epoch. long_axis (LAM): psi circulates; branch is the lobe, the sign of
-//             cos theta. `sense` = -1 is a SAM whose momentum is on the far side of the short axis (psi
-//             about pi); the catalogues have no sign for it. Equal lesser moments have no LAM, equal greater
-//             moments no SAM, a sphere neither.
-// Accuracy    budget tumbler_round_trip for |psi| <= 0.9 psi_max; psi0 loses half its digits at psi_max.
+//             when the momentum lies in the long-short plane. The drawing is in
+//             docs/guide/tumblers.md. P_phi is the mean period of phi, P_psi the period of psi: the
+//             polhode period.
+// Units       periods in the time unit, angles in radians, pole a vector of any length in inertial
+//             axes.
+// Domain      short_axis (SAM): psi oscillates, |psi0| <= psi_max, and `branch` = 1 | -1 picks the
+//             sign of cos theta at the epoch. long_axis (LAM): psi circulates; branch is the lobe,
+//             the sign of cos theta. `sense` = -1 is a SAM whose momentum is on the far side of the
+//             short axis (psi about pi); the catalogues have no sign for it. Equal lesser moments
+//             have no LAM, equal greater moments no SAM, a sphere neither.
+// Accuracy    budget tumbler_round_trip for |psi| <= 0.9 psi_max; psi0 loses half its digits at
+//             psi_max.
 // Errors      DomainError: periods that no motion of this body in this mode has (with the bound of
 //             P_psi/P_phi), |psi0| > psi_max (with psi_max), non-positive periods, a zero pole.
 // Cost        a few hundred microseconds (a root in double-double).

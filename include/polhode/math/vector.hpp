@@ -4,7 +4,8 @@
 //
 // Equations   hat map [SA (4)]: hat(w) v = w x v.
 // Units       those of the components.
-// Domain      any components; NaN in, NaN out. norm() scales, so it neither overflows nor underflows.
+// Domain      any components; NaN in, NaN out. norm() scales, so it neither overflows nor
+//             underflows.
 // Accuracy    each operation is the plain rounded formula.
 // Errors      none.
 // Cost        a few flops each; everything is inline.
