@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 
@@ -35,7 +36,9 @@ int parse_outcome(const CLI::App& app, const CLI::ParseError& error) {
     return failure(bad_input, command + ": " + text + "; see " + command + " --help");
   }
   app.exit(error);
-  return std::fflush(stdout) == 0 ? 0 : failure(failed_run, "<stdout>: cannot be written");
+  std::cout.flush();
+  const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return written ? 0 : failure(failed_run, "<stdout>: cannot be written");
 }
 
 }  // namespace

@@ -14,18 +14,20 @@
 
 namespace polhode {
 inline namespace v0 {
+
+struct RowSample {
+  const FreeRotation& motion;
+  const SerretState& elements;
+  double t = 0.0;
+  RotorState state = {};
+};
+
 namespace {
 
 using enum Dimension;
 
 constexpr std::size_t widest_group = 6;
 using Numbers = std::array<double, widest_group>;
-
-struct Sample {
-  const FreeRotation& motion;
-  double t;
-  RotorState state;
-};
 
 struct ColumnSpec {
   std::string_view name;
@@ -34,39 +36,41 @@ struct ColumnSpec {
 struct GroupSpec {
   std::string_view name;
   std::array<ColumnSpec, widest_group> columns;  // an empty name ends them
-  Numbers (*numbers)(const Sample&);
+  Numbers (*numbers)(const RowSample&);
 };
 
 Numbers numbers_of(const Vec3& v) { return {v.x, v.y, v.z, 0.0, 0.0, 0.0}; }
 
 // Principal axes B to the axes F of the body's tensor; the identity without one.
-Vec3 in_body_axes(const Sample& s, const Vec3& v_B) { return rotate(s.motion.body().q_FB(), v_B); }
+Vec3 in_body_axes(const RowSample& s, const Vec3& v_B) {
+  return rotate(s.motion.body().q_FB(), v_B);
+}
 
-Numbers attitude_numbers(const Sample& s) {
+Numbers attitude_numbers(const RowSample& s) {
   const Quaternion q = s.state.q * conj(s.motion.body().q_FB());
   return {q.w, q.x, q.y, q.z, 0.0, 0.0};
 }
-Numbers omega_numbers(const Sample& s) {
+Numbers omega_numbers(const RowSample& s) {
   return numbers_of(in_body_axes(s, angular_velocity(s.motion.body(), s.state)));
 }
-Numbers inertial_omega_numbers(const Sample& s) {
+Numbers inertial_omega_numbers(const RowSample& s) {
   return numbers_of(inertial_angular_velocity(s.motion.body(), s.state));
 }
-Numbers momentum_numbers(const Sample& s) { return numbers_of(in_body_axes(s, s.state.g)); }
-Numbers euler_numbers(const Sample& s) {
+Numbers momentum_numbers(const RowSample& s) { return numbers_of(in_body_axes(s, s.state.g)); }
+Numbers euler_numbers(const RowSample& s) {
   const EulerState e = to_euler(s.state);
   return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
 }
-Numbers andoyer_numbers(const Sample& s) {
+Numbers andoyer_numbers(const RowSample& s) {
   const AndoyerState a = to_andoyer(s.state);
   return {a.l, a.g, a.h, a.L, a.G, a.H};
 }
-Numbers sadov_numbers(const Sample& s) {
+Numbers sadov_numbers(const RowSample& s) {
   const SadovState a = to_sadov(s.motion, s.t);
   return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h};
 }
-Numbers serret_numbers(const Sample& s) {
-  const SerretState a = to_serret(s.motion, s.t);
+Numbers serret_numbers(const RowSample& s) {
+  const SerretState& a = s.elements;
   return {a.g0, a.t0, a.T, a.h, a.G, a.H};
 }
 
@@ -143,14 +147,27 @@ RowLayout::RowLayout(std::span<const std::string> groups, const Units& units) : 
   width_ = cells_.size() + 1;
 }
 
-void RowLayout::write_row(const FreeRotation& motion, double t, std::span<double> out) const {
-  const Sample sample{motion, t, motion.at(t)};
-  out[0] = units_.from_core(t, Dimension::time);
+void RowLayout::write_row(const RowSample& sample, std::span<double> out) const {
+  out[0] = units_.from_core(sample.t, Dimension::time);
   Numbers numbers{};
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Cell& cell = cells_[i];
     if (i == 0 || cells_[i - 1].group != cell.group) numbers = specs[cell.group].numbers(sample);
     out[i + 1] = units_.from_core(numbers[cell.index], cell.dimension);
+  }
+}
+
+void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> times,
+                           std::span<double> out) const {
+  const bool serret = std::any_of(cells_.begin(), cells_.end(), [](const Cell& cell) {
+    return specs[cell.group].numbers == serret_numbers;
+  });
+  const SerretState elements = serret ? to_serret(motion, 0.0) : SerretState{};
+  RowSample sample{motion, elements};
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    sample.t = times[k];
+    sample.state = motion.at(times[k]);
+    write_row(sample, out.subspan(k * width_, width_));
   }
 }
 

@@ -24,6 +24,8 @@
 namespace polhode {
 inline namespace v0 {
 
+struct RowSample;
+
 struct Column {
   std::string name;
   std::string unit;
@@ -43,10 +45,14 @@ class RowLayout {
   // "t" first, then as asked for, without columns that an earlier group has.
   const std::vector<ColumnGroup>& groups() const { return groups_; }
   std::size_t width() const { return width_; }
-  // Writes the width() numbers of time t to out.
-  void write_row(const FreeRotation& motion, double t, std::span<double> out) const;
+  // Writes width() numbers per time to out. Serret's elements, constants of the motion, are those
+  // at the epoch in every row: t0 does not jump by a period.
+  void write_rows(const FreeRotation& motion, std::span<const double> times,
+                  std::span<double> out) const;
 
  private:
+  void write_row(const RowSample& sample, std::span<double> out) const;
+
   struct Cell {
     std::size_t group;  // in the table of groups
     std::size_t index;  // in that group

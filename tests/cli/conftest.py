@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+"""How the tests of the command line run it."""
+
+import os
+import subprocess
+
+import pytest
+
+ENVIRONMENT = {"PATH": os.environ["PATH"], "LANG": "C.UTF-8"}
+SECONDS = 120
+
+
+@pytest.fixture(scope="session")
+def run(polhode):
+    """run("info", path, stdin="...") -> CompletedProcess with text; never raises on an exit code."""
+
+    def call(*arguments, stdin="", **options):
+        return subprocess.run([polhode, *map(str, arguments)], input=stdin, text=True,
+                              capture_output=True, timeout=SECONDS, env=ENVIRONMENT, **options)
+
+    return call
+
+
+@pytest.fixture
+def scenario(tmp_path):
+    """scenario("...", time="...") writes a scenario of a short-axis body and returns its path."""
+
+    def write(body="moments = [1, 2, 2.5]", time="stop = 10\nstep = 0.5",
+              columns='"q", "omega", "g"', name="body.toml",
+              state="[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]"):
+        path = tmp_path / name
+        path.write_text(f"schema = 1\ntitle = \"A body\"\n[body]\n{body}\n{state}\n"
+                        f"[time]\n{time}\n[output]\ncolumns = [{columns}]\n", encoding="utf-8")
+        return path
+
+    return write
+
+
+@pytest.fixture(scope="session")
+def table():
+    """table(csv text) -> (names, rows of floats)"""
+
+    def parse(text):
+        lines = [line for line in text.splitlines() if not line.startswith("#")]
+        return lines[0].split(","), [[float(x) for x in line.split(",")] for line in lines[1:]]
+
+    return parse

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""docs/reference is what the table of keys says, and its JSON Schema agrees with the reader."""
+
+import importlib.util
+import json
+
+import pytest
+
+
+def test_generated_pages_are_current(root, polhode):
+    spec = importlib.util.spec_from_file_location("reference_docs", root / "tools/reference_docs.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert module.stale(polhode) == [], "run tools/reference_docs.py"
+
+
+def test_the_command_page_lists_every_chart(root, run):
+    page = (root / "docs/reference/cli.md").read_text(encoding="utf-8")
+    for line in run("convert", "--help").stdout.split("Charts and the columns they need:\n")[1].split("\n"):
+        if line.startswith("  ") and ":" in line:
+            name, columns = line.strip().split(": ", 1)
+            assert f"`{name}`" in page
+            assert f"`{columns.split(';')[0].split(' ')[0]}`" in page
+
+
+@pytest.fixture(scope="module")
+def schema(root):
+    return json.loads((root / "docs/reference/scenario.schema.json").read_text(encoding="utf-8"))
+
+
+def test_examples_match_the_json_schema(root, schema):
+    jsonschema = pytest.importorskip("jsonschema")
+    tomllib = pytest.importorskip("tomllib")
+    for path in sorted((root / "examples").glob("*.toml")):
+        jsonschema.validate(tomllib.loads(path.read_text(encoding="utf-8")), schema)
+
+
+def test_every_key_has_a_place_in_the_json_schema(schema, run):
+    keys = run("schema", "keys").stdout
+    tables = [line.strip("# `[]") for line in keys.splitlines() if line.startswith("## `[")]
+    assert "state.tumbler.pole" in tables
+    for table in tables:
+        node = schema
+        for name in table.split("."):
+            node = node["properties"][name]
+        assert node["additionalProperties"] is False and node["description"]
