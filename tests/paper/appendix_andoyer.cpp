@@ -67,9 +67,9 @@ struct Moving {
   Mp y2() const { return 1 + t * t * z1; }
   Mp yt() const { return 2 * t * z1 * z2; }
   // J_u = dK/du + y dx/du with K = t z1 z2
-  Mp J1() const { return t * z2 + y() * x1(); }
-  Mp J2() const { return t * z1 + y() * x2(); }
-  Mp Jt() const { return z1 * z2 + y() * xt(); }
+  Mp j1() const { return t * z2 + y() * x1(); }
+  Mp j2() const { return t * z1 + y() * x2(); }
+  Mp jt() const { return z1 * z2 + y() * xt(); }
   Mp H() const { return y() * y() / 2 + c(x()); }
 };
 using Part = std::function<Mp(const Moving&)>;
@@ -100,9 +100,9 @@ TEST(PaperAppendix, Linear_LagrangeBrackets) {
     const Mp b1t = m.x1() * m.yt() - m.y1() * m.xt(), b2t = m.x2() * m.yt() - m.y2() * m.xt();
     equation.add(by_z1([](const Moving& w) { return w.H(); }, m) + b1t + b12 * z[1], Mp(0));
     equation.add(by_z2([](const Moving& w) { return w.H(); }, m) + b2t - b12 * z[0], Mp(0));
-    const Part J1 = [](const Moving& w) { return w.J1(); };
-    const Part J2 = [](const Moving& w) { return w.J2(); };
-    const Part Jt = [](const Moving& w) { return w.Jt(); };
+    const Part J1 = [](const Moving& w) { return w.j1(); };
+    const Part J2 = [](const Moving& w) { return w.j2(); };
+    const Part Jt = [](const Moving& w) { return w.jt(); };
     brackets.add(b12, by_z2(J1, m) - by_z1(J2, m));
     brackets.add(b1t, by_t(J1, m) - by_z1(Jt, m));
     brackets.add(b2t, by_t(J2, m) - by_z2(Jt, m));
@@ -118,10 +118,10 @@ TEST(PaperErrata, HPrime_MinusJt) {
   for (int i = 0; i < 6; ++i) {
     const Moving m{Mp(random.number(-1, 1)), Mp(random.number(0.2, 1)), Mp(random.number(-1, 1))};
     const auto z = z_rates(m);
-    const Part J1 = [](const Moving& w) { return w.J1(); };
-    const Part J2 = [](const Moving& w) { return w.J2(); };
+    const Part J1 = [](const Moving& w) { return w.j1(); };
+    const Part J2 = [](const Moving& w) { return w.j2(); };
     const Part printed_H = [](const Moving& w) { return w.H() - w.t; };
-    const Part right_H = [](const Moving& w) { return w.H() - w.Jt(); };
+    const Part right_H = [](const Moving& w) { return w.H() - w.jt(); };
     const Mp curl = by_z2(J1, m) - by_z1(J2, m);
     printed.add(by_z1(printed_H, m) + by_t(J1, m) + curl * z[1], Mp(0));
     right.add(by_z1(right_H, m) + by_t(J1, m) + curl * z[1], Mp(0));

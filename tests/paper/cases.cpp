@@ -36,6 +36,7 @@ const std::vector<EulerCase>& euler_cases() {
   static const std::vector<EulerCase> cases = [] {
     Random random(1866);
     std::vector<EulerCase> all;
+    all.reserve(12);
     for (int i = 0; i < 12; ++i) all.push_back(euler_case(random));
     return all;
   }();

@@ -65,7 +65,7 @@ Phase sadov(const Vec& moments, const Phase& a) {
 }
 
 // L^2 of LSadov
-Mp L_squared(const Mp& G, const Mp& kappa, const Mp& lambda, const Mp& l) {
+Mp axial_squared(const Mp& G, const Mp& kappa, const Mp& lambda, const Mp& l) {
   const Mp k2 = squared(kappa), l2 = squared(lambda), q = squared(s(l));
   return squared(G) * k2 / (k2 + l2) * (1 - l2 + (k2 + l2) * q) / (1 + k2 * q);
 }
@@ -141,7 +141,7 @@ TEST(PaperSadov, SadovPar_StateFunction) {
     gap.add(squared(p.lambda),
             kappa2 * I1 / I3 * (2 * I3 * p.T - p.G * p.G) / (p.G * p.G - 2 * I1 * p.T));
     EXPECT_EQ(p.lambda<1, p.G * p.G> 2 * p.T * I2);
-    gap.add(squared(e.a[3]), L_squared(p.G, p.kappa, p.lambda, e.a[0]));
+    gap.add(squared(e.a[3]), axial_squared(p.G, p.kappa, p.lambda, e.a[0]));
     gap.add(p.T, squared(p.G) / (2 * I1 * I3) * (I3 * squared(p.lambda) + I1 * kappa2) / sum2(p));
   }
   EXPECT_LT(gap.size(), paper_exact);
@@ -259,7 +259,7 @@ TEST(PaperSadov, DerivativeOfMomentumByLambda) {
     };
     const Mp& l = e.a[0];
     slope.add(
-        derivative([&](const Mp& x) { return root(L_squared(p.G, p.kappa, x, l)); }, p.lambda),
+        derivative([&](const Mp& x) { return root(axial_squared(p.G, p.kappa, x, l)); }, p.lambda),
         printed(l));
     const Mp z = amplitude(p, e.a);
     const Mp end = pi() / 2 + z + turned(l - pi() / 2 - z);  // l next to pi/2 + z
@@ -279,7 +279,7 @@ TEST(PaperErrata, QuadratureLdl_IncompleteF) {
     const Mp z = amplitude(p, e.a);
     const Mp end = pi() / 2 + z + turned(e.a[0] - pi() / 2 - z);
     const Mp value = integral(
-        [&](const Mp& l) { return root(L_squared(p.G, p.kappa, p.lambda, l)); }, pi() / 2, end);
+        [&](const Mp& l) { return root(axial_squared(p.G, p.kappa, p.lambda, l)); }, pi() / 2, end);
     const Mp front = p.G / p.kappa * root(one_plus(p.kappa) / sum2(p));
     const Mp third = sum2(p) * ellint_Pi(z, squared(p.kappa), p.lambda);
     printed.add(value, front * (third - squared(p.lambda) * ellint_K(p.lambda)));
@@ -312,7 +312,7 @@ TEST(PaperSadov, PhiSadovProv_FinalForm) {
     const Phase Q = sadov(e.I, e.a);
     const Mp z = amplitude(p, e.a), end = pi() / 2 + z + turned(e.a[0] - pi() / 2 - z);
     const auto U = [&](const Mp& lambda) {
-      return integral([&](const Mp& l) { return root(L_squared(p.G, p.kappa, lambda, l)); },
+      return integral([&](const Mp& l) { return root(axial_squared(p.G, p.kappa, lambda, l)); },
                       pi() / 2, end);
     };
     const Mp by_lambda = derivative(U, p.lambda);
