@@ -10,10 +10,10 @@ CORES   := $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SAMPLE := 20
 FUZZ        := 600
 
-.PHONY: help deps build demo test test-full check tidy format bench fuzz clean
+.PHONY: help deps build demo test test-full check tidy format docs-tables bench fuzz clean
 
 help: ## Print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 deps: ## Install what is missing (Debian 12, Ubuntu 24.04); does nothing when all is there
 	@tools/install-deps
@@ -52,8 +52,13 @@ check: build/release/build.ninja ## What to run before every commit: style, laye
 tidy: build/release/build.ninja ## clang-tidy on every source (slow; `make check` reads the changed ones)
 	tools/tidy.py --all
 
-format: ## Format every C++ file
+format: ## Format every C++ file; list the public headers in polhode.hpp
+	tools/headers.py --fix
 	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs clang-format-16 -i
+
+docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper map)
+	tools/reference_docs.py
+	tools/paper_map.py
 
 bench: build ## Run the benchmarks: time and error, beside Boost and GSL
 	cmake --build build/release
