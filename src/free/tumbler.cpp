@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "free/detail/mean_phase.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "free/detail/sorted_state.hpp"
@@ -40,12 +41,10 @@ struct FamilyRates {
   DD precession;  // 2 pi / P_phi
 };
 
-FamilyRates family_rates(const BasicVec3<DD>& sorted, bool long_axis,
-                         const detail::FamilyMember<DD>& f) {
-  const detail::PolhodeCurve<DD> c = detail::family_curve(sorted, long_axis, DD(1.0), f);
+FamilyRates family_rates(const detail::PolhodeCurve<DD>& c) {
   const DD x_rate = DD(0.5) * DD::pi() * c.n / c.K;
   const DD primed1 = detail::mean_precession(c);
-  return {abs(x_rate), long_axis ? primed1 + x_rate : primed1};
+  return {abs(x_rate), c.long_axis ? primed1 + x_rate : primed1};
 }
 
 std::string mode_name(bool long_axis) { return long_axis ? "LAM" : "SAM"; }
@@ -81,8 +80,8 @@ void require_periods(const TumblerState& s) {
                       detail::number_text(s.psi0) + ") must be finite");
 }
 
-// The member of the family whose P_psi/P_phi is that of the observer.
-detail::FamilyMember<DD> member_with_ratio(const Body& body, bool long_axis, const DD& ratio) {
+// The polhode of the family whose P_psi/P_phi is that of the observer.
+detail::PolhodeCurve<DD> curve_with_ratio(const Body& body, bool long_axis, const DD& ratio) {
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
   const DD kap2 = detail::kappa_squared(detail::primed_moments(sorted, long_axis));
   const double least = least_period_ratio(body, long_axis ? Regime::long_axis : Regime::short_axis);
@@ -90,13 +89,15 @@ detail::FamilyMember<DD> member_with_ratio(const Body& body, bool long_axis, con
     throw DomainError("TumblerState: P_psi/P_phi = " + detail::number_text(ratio.hi) +
                       " is impossible in " + mode_name(long_axis) +
                       " for these moments; it must be at least " + detail::number_text(least));
+  const auto curve = [&](const DD& v) {
+    return detail::family_curve(sorted, long_axis, DD(1.0), detail::family_member(kap2, v));
+  };
   const auto excess = [&](const DD& v) {
-    const FamilyRates r = family_rates(sorted, long_axis, detail::family_member(kap2, v));
+    const FamilyRates r = family_rates(curve(v));
     return r.precession / (ratio * r.rotation) - DD(1.0);
   };
   // A double ratio tells no polhode smaller than J^2 = 1e-18 from a point.
-  const DD v = detail::family_root(excess, DD(-50.0), detail::family_end(kap2));
-  return detail::family_member(kap2, v);
+  return curve(detail::family_root(excess, DD(-50.0), detail::family_end(kap2)));
 }
 
 // sin^2 theta from psi: 2T/G^2 = sin^2 theta (sin^2 psi/I_y' + ...) with (x, y, z) = (I2, I3, I1).
@@ -119,21 +120,46 @@ Inclination inclination(const BasicVec3<DD>& I, const detail::PolhodeCurve<DD>& 
   return {sqrt(across2).hi, along2 > DD(0.0) ? sqrt(along2).hi : 0.0};
 }
 
+// sin^2 psi = k_x^2 / (k_x^2 + k_y^2) is largest where k_z = 0, at sn = +-1: a2^2/(a2^2 + a3^2
+// k'^2).
+double largest_psi(const detail::PolhodeCurve<DD>& c) { return atan2(c.a2, c.a3 * sqrt(c.kp2)).hi; }
+
+// The polhode of these periods. In SAM psi must reach psi0 on it: where it misses by no more than
+// the rounding of the periods, which next to the spin is half the digits of psi_max, the polhode is
+// the one that the rounding allows.
+detail::PolhodeCurve<DD> curve_reaching(const Body& body, const TumblerState& s, bool long_axis) {
+  const DD ratio = DD(s.rotation_period) / DD(s.precession_period);
+  const detail::PolhodeCurve<DD> c = curve_with_ratio(body, long_axis, ratio);
+  if (long_axis || std::abs(s.psi0) <= largest_psi(c)) return c;
+  const DD rounding = DD(1.0) + DD(8.0 * epsilon<double>());
+  const detail::PolhodeCurve<DD> wider = curve_with_ratio(body, long_axis, ratio * rounding);
+  if (std::abs(s.psi0) <= largest_psi(wider)) return wider;
+  throw DomainError("TumblerState: psi0 = " + detail::number_text(s.psi0) +
+                    " rad is beyond psi_max = " + detail::number_text(largest_psi(c)) +
+                    " rad of this SAM");
+}
+
+// Of unit length. Along the inertial axis but for rounding it has no longitude: 0, and phi0 holds
+// all of the turn.
+Vec3 unit_pole(const Vec3& momentum) {
+  const Vec3 k = (1.0 / norm(momentum)) * momentum;
+  if (std::hypot(k.x, k.y) > 8.0 * epsilon<double>()) return k;
+  return {0.0, 0.0, k.z < 0.0 ? -1.0 : 1.0};
+}
+
 }  // namespace
 
 double least_period_ratio(const Body& body, Regime mode) {
   const bool long_axis = is_long_axis(mode);
   require_mode(body, long_axis);
-  const FamilyRates r = family_rates(detail::sorted_moments(body), long_axis, {DD(0.0), DD(1.0)});
+  const FamilyRates r = family_rates(
+      detail::family_curve(detail::sorted_moments(body), long_axis, DD(1.0), {DD(0.0), DD(1.0)}));
   return (r.precession / r.rotation).hi;
 }
 
 double psi_max(const FreeRotation& m) {
   if (m.regime() != Regime::short_axis) return std::numeric_limits<double>::quiet_NaN();
-  // sin^2 psi = k_x^2 / (k_x^2 + k_y^2) is largest where k_z = 0, at sn = +-1: a2^2/(a2^2 + a3^2
-  // k'^2).
-  const detail::PolhodeCurve<DD> c = detail::primed_arc<DD>(m.body(), m.initial_state().g).curve;
-  return atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
+  return largest_psi(detail::primed_arc<DD>(m.body(), m.initial_state().g).curve);
 }
 
 RotorState to_rotor(const Body& body, const TumblerState& s) {
@@ -141,17 +167,8 @@ RotorState to_rotor(const Body& body, const TumblerState& s) {
   require_periods(s);
   require_mode(body, long_axis);
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
-  const detail::FamilyMember<DD> f =
-      member_with_ratio(body, long_axis, DD(s.rotation_period) / DD(s.precession_period));
-  const FamilyRates rates = family_rates(sorted, long_axis, f);
-  const detail::PolhodeCurve<DD> c = detail::family_curve(sorted, long_axis, DD(1.0), f);
-  if (!long_axis) {
-    const double limit = atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
-    if (std::abs(s.psi0) > limit * (1.0 + 8.0 * epsilon<double>()))
-      throw DomainError("TumblerState: psi0 = " + detail::number_text(s.psi0) +
-                        " rad is beyond psi_max = " + detail::number_text(limit) +
-                        " rad of this SAM");
-  }
+  const detail::PolhodeCurve<DD> c = curve_reaching(body, s, long_axis);
+  const FamilyRates rates = family_rates(c);
   const double psi = !long_axis && s.sense < 0 ? s.psi0 + 2.0 * half_pi : s.psi0;
   const Inclination incl = inclination(sorted, c, psi, long_axis);
   const double theta = std::atan2(incl.sin, s.branch < 0 ? -incl.cos : incl.cos);
@@ -172,7 +189,7 @@ TumblerState to_tumbler(const FreeRotation& m, double t) {
     throw DomainError(
         "to_tumbler: a motion that is at rest, steady or on the separatrix has no P_psi");
   const RotorState s = m.at(t);
-  const Vec3 pole = inertial_momentum(m.initial_state());
+  const Vec3 pole = unit_pole(inertial_momentum(m.initial_state()));
   const Quaternion right = detail::quaternion_of<double>(tumbler_axes(m.body()));
   const Quaternion q = conj(pole_frame(pole)) * s.q * conj(right);
   const Vec3 k = detail::reordered(tumbler_axes(m.body()), s.g);
@@ -180,10 +197,11 @@ TumblerState to_tumbler(const FreeRotation& m, double t) {
   TumblerState d{};
   d.precession_period = 4.0 * half_pi / m.precession_rate_long();
   d.rotation_period = m.polhode_period();
-  d.pole = (1.0 / norm(pole)) * pole;
+  d.pole = pole;
   d.mode = m.regime();
-  d.phi0 = e.phi;
   d.psi0 = std::atan2(k.x, k.y);
+  // Near theta = 0, pi both nodes are lost to rounding: phi +- psi stays that of the attitude.
+  d.phi0 = detail::wrapped(e.phi + k.z / norm(k) * detail::wrapped(e.psi - d.psi0));
   d.branch = k.z < 0.0 ? -1 : 1;
   if (!long_axis && k.y < 0.0) {
     d.sense = -1;

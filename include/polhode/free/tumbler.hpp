@@ -17,10 +17,13 @@
 //             the sign of cos theta. `sense` = -1 is a SAM whose momentum is on the far side of the
 //             short axis (psi about pi); the catalogues have no sign for it. Equal lesser moments
 //             have no LAM, equal greater moments no SAM, a sphere neither.
+//             Limit: in to_tumbler a pole along the third inertial axis, to rounding, has
+//             longitude 0, and phi0 holds all of the turn.
 // Accuracy    budget tumbler_round_trip for |psi| <= 0.9 psi_max; psi0 loses half its digits at
 //             psi_max.
 // Errors      DomainError: periods that no motion of this body in this mode has (with the bound of
-//             P_psi/P_phi), |psi0| > psi_max (with psi_max), non-positive periods, a zero pole.
+//             P_psi/P_phi), |psi0| > psi_max (with psi_max) by more than a rounding of the periods
+//             may be, non-positive periods, a zero pole.
 // Cost        a few hundred microseconds (a root in double-double).
 #pragma once
 
