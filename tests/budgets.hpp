@@ -101,4 +101,38 @@ inline constexpr double io_elements = 4e-14;
 // Columns of a row of `convert` after a round trip through another chart, numbers of order one.
 inline constexpr double io_convert = 4e-15;
 
+// --- parts of free rotation and its constants (tests/unit/free), in eps ---
+// Rotation by a quaternion of a permutation of axes, a few products.
+inline constexpr double axis_order_eps = 4.0;
+// Sine and cosine of a reduced phase, against double-double; relative where they are near zero.
+inline constexpr double reduced_sincos_eps = 1.0;
+inline constexpr double reduced_sincos_relative_eps = 2.0;
+// Energy and inertial momentum of a state, and other sums over it.
+inline constexpr double free_invariants = 4e-15;
+// What a rounding of the state at one time may be at another, over the sensitivity to it.
+inline constexpr double free_carried_eps = 4.0;
+// The same for rates prepared in double (short_arc), up to three turns.
+inline constexpr double free_short_arc_eps = 8.0;
+// The two forms of the Cayley-Klein series against each other and against sn, cn, dn.
+inline constexpr double cayley_klein_eps = 8.0;
+// Identities of the family of polhodes in double-double; slopes by dual numbers.
+inline constexpr double family_eps = 32.0;
+inline constexpr double family_derivative_eps = 64.0;
+// A polhode found from its action, relative: far below the rounding of double.
+inline constexpr double family_root = 1e-25;
+// Tumbler to hub and back: periods and pole relative, angles, for |psi| <= 0.9 psi_max.
+inline constexpr double tumbler_round_trip = 1e-13;
+// Hub to tumbler and back next to the spins, where the periods hold half the digits of J: eps times
+// this over J, and at most the second.
+inline constexpr double tumbler_spin_eps = 4.0;
+inline constexpr double tumbler_spin = 2e-7;
+// Numbers published for real bodies: the last digit of a period, the error of an energy, "about".
+inline constexpr double apophis_period_h = 0.005;
+inline constexpr double apophis_energy = 0.013;
+inline constexpr double toutatis_inclination_deg = 3.0;
+// The largest of 4000 samples of psi against its limit, quadratic in the step.
+inline constexpr double psi_max_by_sampling = 1e-5;
+// Periods, rates, modulus and actions against closed forms and each other, relative.
+inline constexpr double free_constants_eps = 4.0;
+
 }  // namespace polhode::budget
