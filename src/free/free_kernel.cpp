@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "free/detail/evaluated_without_fma.hpp"
 #include "free/detail/reduced_sincos.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/trigonometry.hpp"
@@ -44,33 +45,50 @@ template <class Product>
   return quick_two_sum(hi, phase.lo - (c.lo + count * period.lo));
 }
 
-constexpr double inverse_two_pi = 0.15915494309189535;
+// The phase less its whole periods, and how many of them. Beyond 2^52 periods the rounded count
+// itself is off, so what it leaves is reduced once more.
+struct Remainder {
+  TwoTerms<double> phase;
+  double periods;
+};
+
+template <class Product>
+[[gnu::always_inline]] inline Remainder reduced(const TwoTerms<double>& phase,
+                                                const DoubleDouble& period, double inverse) {
+  const double periods = std::rint(phase.hi * inverse);
+  const TwoTerms<double> r = less_periods<Product>(phase, period, periods);
+  if (!(std::abs(r.hi * inverse) > 0.75)) return {r, periods};
+  const double more = std::rint(r.hi * inverse);
+  return {less_periods<Product>(r, period, more), periods + more};
+}
+
+// A phase beyond 2^90 has no digit left: any point of the orbit is as good, so 0 is taken; t - t is
+// NaN when t is infinite or NaN.
+constexpr double phase_limit = 0x1p90;
+[[gnu::always_inline]] inline TwoTerms<double> bounded(const TwoTerms<double>& phase, double t) {
+  if (std::abs(phase.hi) < phase_limit) return phase;
+  return {t - t, 0.0};
+}
 
 template <class Product>
 [[gnu::always_inline]] inline SinCos<double> sincos_of_turn(const TwoTerms<double>& turn) {
+  constexpr double inverse_two_pi = 0.15915494309189535;
   return detail::reduced_sincos(
-      less_periods<Product>(turn, DoubleDouble::two_pi(), std::rint(turn.hi * inverse_two_pi)));
-}
-
-// Momentum along the primed axes over G, from the attitude of those axes: R^T e3 for any |p|.
-[[gnu::always_inline]] inline Vec3 momentum_direction(const Quaternion& p, double inverse_n2) {
-  const double f = 2.0 * inverse_n2;
-  return {f * (p.x * p.z - p.w * p.y), f * (p.y * p.z + p.w * p.x),
-          inverse_n2 * (p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y)};
+      reduced<Product>(turn, DoubleDouble::two_pi(), inverse_two_pi).phase);
 }
 
 template <class Product>
 [[gnu::always_inline]] inline RotorState state_at(const FreeKernel& k, double t) {
   const TwoTerms<double> difference = two_sum(t, -k.epoch);
   const TwoTerms<double> elapsed{k.time_scale * difference.hi, k.time_scale * difference.lo};
-  TwoTerms<double> turn = phase_at<Product>(k.half_precession, elapsed, DoubleDouble{});
+  TwoTerms<double> turn = bounded(phase_at<Product>(k.half_precession, elapsed, {}), t);
   if (k.form == FreeKernel::Form::steady) {
     const SinCos<double> c = sincos_of_turn<Product>(turn);
     return {k.left * Quaternion{c.cos, c.sin * k.axis.x, c.sin * k.axis.y, c.sin * k.axis.z}, k.g0};
   }
-  TwoTerms<double> phase = phase_at<Product>(k.phase_rate, elapsed, k.phase0);
-  const double periods = std::rint(phase.hi * k.inverse_phase_period);
-  phase = less_periods<Product>(phase, k.phase_period, periods);
+  const auto [phase, periods] =
+      reduced<Product>(bounded(phase_at<Product>(k.phase_rate, elapsed, k.phase0), t),
+                       k.phase_period, k.inverse_phase_period);
   Quaternion p;
   if (k.form == FreeKernel::Form::trigonometric) {
     const SinCos<double> x = detail::reduced_sincos(phase);
@@ -113,6 +131,14 @@ RotorState evaluated(const FreeKernel& k, double t) noexcept {
 #endif
   return state_at<DekkerProduct>(k, t);
 }
+
+namespace detail {
+
+RotorState evaluated_without_fma(const FreeKernel& k, double t) noexcept {
+  return state_at<DekkerProduct>(k, t);
+}
+
+}  // namespace detail
 
 }  // namespace v0
 }  // namespace polhode

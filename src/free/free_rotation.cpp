@@ -6,8 +6,10 @@
 #include <limits>
 #include <string>
 
+#include "free/detail/assembly.hpp"
 #include "free/detail/cayley_klein.hpp"
 #include "free/detail/polhode_family.hpp"
+#include "free/detail/precession.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
@@ -75,54 +77,47 @@ CayleyKleinSeries<double> rounded(const CayleyKleinSeries<T>& s) {
 
 // omega constant: q(t) = q0 exp(omega (t - t0) / 2).
 template <Real T>
-void make_steady(FreeKernel& k, const Body& body, const RotorState& s0,
-                 const BasicQuaternion<T>& q0, const PrimedArc<T>& arc) {
+FreeKernel steady_kernel(const Body& body, const RotorState& s0, const BasicQuaternion<T>& q0,
+                         const PrimedArc<T>& arc) {
+  FreeKernel k;
   k.form = FreeKernel::Form::steady;
   k.left = rounded(q0);
   k.g0 = s0.g;
   const BasicVec3<T> I = detail::converted<T>(detail::scaled(body.moments(), arc.scale.moment));
   const BasicVec3<T> w{arc.g.x / I.x, arc.g.y / I.y, arc.g.z / I.z};
   const T rate = norm(w);
-  if (rate == T(0.0)) return;
+  if (rate == T(0.0)) return k;
   k.axis = {to_double(w.x / rate), to_double(w.y / rate), to_double(w.z / rate)};
   k.half_precession = widened(T(0.5) * rate);
+  return k;
 }
 
 template <Real T>
-void make_series(FreeKernel& k, const BasicQuaternion<T>& q0, const PrimedArc<T>& arc) {
-  using std::cos;
-  using std::sin;
+FreeKernel series_kernel(const BasicQuaternion<T>& q0, const PrimedArc<T>& arc) {
+  FreeKernel k;
   const detail::PolhodeCurve<T>& c = arc.curve;
   const CayleyKleinSeries<T> series = detail::cayley_klein_series(c);
-  const T half_pi = T(0.5) * pi<T>();
-  BasicQuaternion<T> p;
   if (series.hyperbolic) {
     k.form = FreeKernel::Form::hyperbolic;
-    p = hyperbolic_sum(series, T(series.chi_per_u * arc.u0), false);
-    const T turn = series.phase_per_u * arc.u0;
-    p = rotation_z(T(T(2.0) * turn)) * p;
     k.phase0 = widened(arc.u0);
     k.phase_rate = widened(c.n);
-    if (!c.separatrix) {
-      k.phase_period = widened(T(2.0) * c.K);
-      k.inverse_phase_period = 1.0 / k.phase_period.hi;
-    }
+    if (!c.separatrix) k.phase_period = widened(T(T(2.0) * c.K));
   } else {
     k.form = FreeKernel::Form::trigonometric;
-    const T x0 = half_pi * arc.u0 / c.K;
-    p = trigonometric_sum(series, sin(x0), cos(x0));
-    k.phase0 = widened(x0);
-    k.phase_rate = widened(half_pi * c.n / c.K);
+    k.phase0 = widened(T(T(0.5) * pi<T>() * arc.u0 / c.K));
+    k.phase_rate = widened(detail::phase_rate(c));
     k.phase_period = DoubleDouble::two_pi();
-    k.inverse_phase_period = 1.0 / k.phase_period.hi;
   }
+  if (k.phase_period.hi > 0.0) k.inverse_phase_period = 1.0 / k.phase_period.hi;
+  const BasicQuaternion<T> p = detail::primed_attitude(c, series, arc.u0);
   const BasicQuaternion<T> right = detail::quaternion_of<T>(arc.primed);
   k.series = rounded(series);
   k.right = rounded(right);
   k.left = rounded(q0 * conj(right) * conj(normalized(p)));
-  k.half_precession = widened(T(0.5) * detail::mean_precession(c));
+  k.half_precession = widened(T(T(0.5) * detail::precession_of_axis1(c)));
   k.primed_axis = arc.primed.axis;
   k.primed_sign = arc.primed.sign;
+  return k;
 }
 
 }  // namespace
@@ -140,9 +135,10 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc
              : c.long_axis  ? Regime::long_axis
                             : Regime::short_axis;
   const Vec3 g = detail::scaled(g_B, arc.scale.momentum);
+  const Vec3 I = detail::scaled(body.moments(), arc.scale.moment);
   DoubleDouble twice_energy = 0.0;
-  for (int i = 0; i < 3; ++i) twice_energy += DoubleDouble::product(g[i], g[i]) / body.moments()[i];
-  s.energy = std::ldexp(0.5 * twice_energy.hi, 2 * arc.scale.momentum);
+  for (int i = 0; i < 3; ++i) twice_energy += DoubleDouble::product(g[i], g[i]) / I[i];
+  s.energy = std::ldexp(0.5 * twice_energy.hi, 2 * arc.scale.momentum - arc.scale.moment);
   s.D2 = std::ldexp(arc.D2.hi, 2 * arc.scale.momentum);
   s.polhode_period = infinity;
   const auto user_rate = [&](double x) { return std::ldexp(x, arc.scale.rate()); };
@@ -158,15 +154,14 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc
   s.action =
       c.r2 < T(1.0) ? k.G - s.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
   s.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
-  const T rate1 = detail::mean_precession(c);
-  T rate3 = rate1;
   if (!c.separatrix) {
-    const T x_rate = T(0.5) * pi<T>() * c.n / c.K;
-    rate3 = rate1 + x_rate;
-    s.polhode_period = std::ldexp(to_double(T(2.0) * pi<T>() / abs(x_rate)), -arc.scale.rate());
+    const T x_rate = abs(detail::phase_rate(c));
+    s.polhode_period = std::ldexp(to_double(T(2.0) * pi<T>() / x_rate), -arc.scale.rate());
   }
-  s.rate_long = user_rate(to_double(c.long_axis ? rate3 : rate1));
-  s.rate_short = user_rate(to_double(c.long_axis ? rate1 : rate3));
+  const double rate1 = user_rate(2.0 * k.half_precession.hi);
+  const double rate3 = user_rate(to_double(detail::precession_of_axis3(c)));
+  s.rate_long = c.long_axis ? rate3 : rate1;
+  s.rate_short = c.long_axis ? rate1 : rate3;
   return s;
 }
 
@@ -175,14 +170,16 @@ FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s
   require_valid(s0, t0);
   const PrimedArc<T> arc = detail::primed_arc<T>(body, s0.g);
   const BasicQuaternion<T> q0 = normalized(converted<T>(s0.q));
-  FreeKernel k;
+  const bool has_polhode = !arc.curve.steady && arc.curve.DC > T(0.0);
+  FreeKernel k = has_polhode ? series_kernel(q0, arc) : steady_kernel(body, s0, q0, arc);
   k.epoch = t0;
   k.time_scale = std::ldexp(1.0, arc.scale.rate());
   k.G = std::ldexp(to_double(arc.curve.G), arc.scale.momentum);
-  if (!arc.curve.steady && arc.curve.DC > T(0.0))
-    make_series(k, q0, arc);
-  else
-    make_steady(k, body, s0, q0, arc);
+  if (!std::isnormal(k.time_scale))
+    throw DomainError("FreeRotation: g " + detail::tuple_text({s0.g.x, s0.g.y, s0.g.z}) +
+                      " over moments " +
+                      detail::tuple_text({body.moments().x, body.moments().y, body.moments().z}) +
+                      " is a rate beyond double range");
   return {k, summarized(body, arc, k, s0.g)};
 }
 

@@ -31,11 +31,6 @@ SadovState spherical_state(const Body& body, const RotorState& s) {
   return {detail::wrapped(a.l - half_pi), a.g, a.h, a.L, a.G, a.H, SadovRegion::short_axis, 1};
 }
 
-template <Real T>
-struct SadovCoordinates {
-  T phi_l, phi_g, phi_h, I_l, I_g, I_h;
-};
-
 // The polhode with this action: a root in DoubleDouble, then one Newton step in T, which carries
 // the derivatives when T is dual.
 template <Real T>
@@ -56,15 +51,13 @@ detail::FamilyMember<T> member_with_deficit(const BasicVec3<DD>& sorted, bool lo
 }
 
 template <Real T>
-BasicRotorState<T> rotor_from(const Body& body, const SadovCoordinates<T>& c, SadovRegion region,
-                              int lobe) {
+BasicRotorState<T> rotor_from(const Body& body, const BasicSadovState<T>& c) {
   using std::abs;
   const detail::AxisOrder order = detail::ascending_order(body.moments());
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
-  const bool long_axis = region == SadovRegion::long_axis;
+  const bool long_axis = c.region == SadovRegion::long_axis;
   const bool negative = !long_axis && c.I_l < T(0.0);
-  const detail::PrimedSense sense{long_axis, 1.0,
-                                  long_axis ? static_cast<double>(lobe) : (negative ? -1.0 : 1.0)};
+  const detail::PrimedSense sense{long_axis, 1.0, long_axis ? c.lobe : (negative ? -1.0 : 1.0)};
   const T deficit = (long_axis ? c.I_l : T(c.I_g - abs(c.I_l))) / c.I_g;
   const detail::FamilyMember<T> f = member_with_deficit(sorted, long_axis, deficit);
   const BasicVec3<T> moments{T(sorted.x), T(sorted.y), T(sorted.z)};
@@ -76,16 +69,23 @@ BasicRotorState<T> rotor_from(const Body& body, const SadovCoordinates<T>& c, Sa
                            detail::InvariableElements<T>{mean_angle, c.phi_h, c.I_h, c.I_g});
 }
 
+// At rest, as for a sphere, there is no polhode and the variables are Andoyer's.
+bool is_andoyer(const Body& body, const SadovState& s) {
+  return detail::is_sphere(body) || s.I_g == 0.0;
+}
+
 void require_actions(const Body& body, const SadovState& s) {
   const double slack = 1.0 + 8.0 * epsilon<double>();
   const double I[3] = {s.I_l, s.I_g, s.I_h};
-  if (!std::all_of(I, I + 3, [](double x) { return std::isfinite(x); }) || !(s.I_g > 0.0) ||
+  if (s.lobe != 1 && s.lobe != -1)
+    throw DomainError("SadovState: lobe " + std::to_string(s.lobe) + " must be 1 or -1");
+  if (!std::all_of(I, I + 3, [](double x) { return std::isfinite(x); }) || !(s.I_g >= 0.0) ||
       std::abs(s.I_h) > s.I_g * slack || std::abs(s.I_l) > s.I_g * slack)
     throw DomainError("SadovState: actions (" + detail::number_text(s.I_l) + ", " +
                       detail::number_text(s.I_g) + ", " + detail::number_text(s.I_h) +
-                      ") need I_g > 0, |I_l| <= I_g, |I_h| <= I_g");
+                      ") need I_g >= 0, |I_l| <= I_g, |I_h| <= I_g");
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
-  if (sorted.x == sorted.z) return;
+  if (is_andoyer(body, s)) return;
   const bool long_axis = s.region == SadovRegion::long_axis;
   const detail::PrimedMoments<DD> primed = detail::primed_moments(sorted, long_axis);
   if (!detail::mode_exists(primed))
@@ -106,22 +106,20 @@ void require_actions(const Body& body, const SadovState& s) {
 }  // namespace
 
 SadovFrequencies sadov_frequencies(const FreeRotation& m) {
-  const double rate = 4.0 * half_pi / m.polhode_period();
-  const bool positive = !m.circulates_long_axis() && m.sign_g3() < 0;
+  const double rate = 4.0 * half_pi / m.polhode_period();  // 0 where the period is infinite
+  const bool positive = rate == 0.0 || (!m.circulates_long_axis() && m.sign_g3() < 0);
   return {positive ? rate : -rate, m.precession_rate_short()};
 }
 
 SadovState to_sadov(const FreeRotation& m, double t) {
   const Body& body = m.body();
-  const BasicVec3<DD> sorted = detail::sorted_moments(body);
-  if (sorted.x == sorted.z || m.regime() == Regime::rest) return spherical_state(body, m.at(t));
+  if (detail::is_sphere(body) || m.regime() == Regime::rest) return spherical_state(body, m.at(t));
   if (m.kernel().form == FreeKernel::Form::steady)
     return to_sadov(FreeRotation(body, detail::displaced(body, m.at(t)), t), t);
 
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
-  const detail::PrimedSense sense{long_axis, double(long_axis ? m.sign_g3() : m.sign_g1()),
-                                  double(long_axis ? m.sign_g1() : m.sign_g3())};
+  const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
   const EulerState frame = to_euler(RotorState{phase.frame, {}});  // 3-1-3: (h, I, mean angle)
   const double x = phase.x.hi;
   const double from_start = sense.s1 < 0.0 ? x + 2.0 * half_pi : x;
@@ -129,7 +127,7 @@ SadovState to_sadov(const FreeRotation& m, double t) {
   s.region = long_axis ? SadovRegion::long_axis : SadovRegion::short_axis;
   s.lobe = long_axis ? m.sign_g1() : 1;
   s.I_g = m.momentum();
-  s.I_h = inertial_momentum(m.initial_state()).z;
+  s.I_h = to_andoyer(m.initial_state()).H;  // loses nothing near I = 0, pi
   s.I_l = long_axis ? m.circulation_deficit() : m.sign_g3() * m.circulation_action();
   s.phi_h = frame.phi;
   s.phi_l = detail::wrapped(long_axis || m.sign_g3() < 0 ? from_start : -from_start);
@@ -139,11 +137,11 @@ SadovState to_sadov(const FreeRotation& m, double t) {
 
 RotorState to_rotor(const Body& body, const SadovState& s) {
   require_actions(body, s);
-  if (detail::is_sphere(body))
+  if (is_andoyer(body, s))
     return detail::in_body_axes(
         body, to_rotor(AndoyerState{s.phi_l + half_pi, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h}));
-  const SadovCoordinates<DD> c{s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};
-  return detail::rounded_state(rotor_from(body, c, s.region, s.lobe));
+  return detail::rounded_state(rotor_from(
+      body, BasicSadovState<DD>{s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h, s.region, s.lobe}));
 }
 
 Matrix6 chart_jacobian(const Body& body, const SadovState& s) {
@@ -152,12 +150,12 @@ Matrix6 chart_jacobian(const Body& body, const SadovState& s) {
   const double c[6] = {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};
   Dual6 d[6];
   for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(c[i]), i);
-  if (detail::is_sphere(body))
+  if (is_andoyer(body, s))
     return detail::hub_tangent(detail::in_body_axes(
         body,
         to_rotor(BasicAndoyerState<Dual6>{Dual6(d[0] + half_pi), d[1], d[2], d[3], d[4], d[5]})));
   return detail::hub_tangent(rotor_from(
-      body, SadovCoordinates<Dual6>{d[0], d[1], d[2], d[3], d[4], d[5]}, s.region, s.lobe));
+      body, BasicSadovState<Dual6>{d[0], d[1], d[2], d[3], d[4], d[5], s.region, s.lobe}));
 }
 
 }  // namespace v0

@@ -8,6 +8,7 @@
 #include "free/detail/assembly.hpp"
 #include "free/detail/hub_tangent.hpp"
 #include "free/detail/mean_phase.hpp"
+#include "free/detail/precession.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
@@ -23,11 +24,6 @@ namespace {
 using DD = DoubleDouble;
 constexpr double half_pi = 1.5707963267948966;
 
-template <Real T>
-struct SerretCoordinates {
-  T g0, h, minus_t0, G, H, energy;
-};
-
 // The moment of one scaled unit.
 double moment_unit(const Body& body) {
   return std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
@@ -41,33 +37,40 @@ detail::Discriminants<T> discriminants_of(const BasicVec3<T>& I, const T& twice_
   return {D1 < zero ? zero : D1, one - twice_energy * I.y, D3 < zero ? zero : D3};
 }
 
+// 2 T / G^2 times the unit of moment; no square, so small and large units serve.
 template <Real T>
-detail::PolhodeCurve<T> curve_of(const Body& body, const SerretCoordinates<T>& c) {
+T energy_ratio(const Body& body, const BasicSerretState<T>& c) {
+  return T(2.0) * (c.T / c.G) * (T(moment_unit(body)) / c.G);
+}
+
+template <Real T>
+detail::PolhodeCurve<T> curve_of(const Body& body, const BasicSerretState<T>& c) {
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
   const BasicVec3<T> I{T(sorted.x), T(sorted.y), T(sorted.z)};
-  const T twice_energy = T(2.0 * moment_unit(body)) * c.energy / (c.G * c.G);
-  return detail::polhode_curve(I, T(1.0), discriminants_of(I, twice_energy), false);
+  return detail::polhode_curve(I, T(1.0), discriminants_of(I, energy_ratio(body, c)), false);
 }
 
 template <Real T>
 BasicRotorState<T> rotor_from(const Body& body, const detail::PolhodeCurve<T>& curve,
-                              const SerretCoordinates<T>& c, int sign_g1, int sign_g3, double t) {
+                              const BasicSerretState<T>& c, double t) {
   const detail::AxisOrder order = detail::ascending_order(body.moments());
-  const double s1 = sign_g1 < 0 ? -1.0 : 1.0, s3 = sign_g3 < 0 ? -1.0 : 1.0;
-  const detail::PrimedSense sense{curve.long_axis, curve.long_axis ? s3 : s1,
-                                  curve.long_axis ? s1 : s3};
-  const T elapsed = (T(t) + c.minus_t0) * c.G / T(moment_unit(body));  // in units of momentum 1
+  const detail::PrimedSense sense = detail::primed_sense(curve.long_axis, c.sign_g1, c.sign_g3);
+  const T elapsed = (T(t) - c.t0) * (c.G / T(moment_unit(body)));  // in units of momentum 1
   const T mean_angle =
-      c.g0 + detail::node_offset<T>(sense) + detail::mean_precession(curve) * elapsed;
+      c.g0 + detail::node_offset<T>(sense) + detail::precession_of_axis1(curve) * elapsed;
   return detail::assembled(order, sense, curve, T(curve.n * elapsed),
                            detail::InvariableElements<T>{mean_angle, c.h, c.H, c.G});
 }
 
+BasicSerretState<DD> widened(const SerretState& s) {
+  return {s.g0, s.h, s.t0, s.G, s.H, s.T, s.sign_g1, s.sign_g3};
+}
+
 // The state at t0 of a rotation that is steady: l = +-pi/2 and L from the energy.
-RotorState base_state(const Body& body, const SerretCoordinates<DD>& c, const SerretState& s) {
+RotorState base_state(const Body& body, const SerretState& s) {
+  const BasicSerretState<DD> c = widened(s);
   const BasicVec3<DD> I = detail::sorted_moments(body);
-  const DD twice_energy = DD(2.0 * moment_unit(body)) * c.energy / (c.G * c.G);
-  const detail::Discriminants<DD> d = discriminants_of(I, twice_energy);
+  const detail::Discriminants<DD> d = discriminants_of(I, energy_ratio(body, c));
   const double L = s.sign_g3 * (c.G * sqrt(I.z * d.D1 / (I.z - I.x))).hi;
   const double l = s.sign_g1 < 0 ? -half_pi : half_pi;
   return detail::in_body_axes(body, to_rotor(AndoyerState{l, s.g0, s.h, L, s.G, s.H}));
@@ -77,18 +80,21 @@ void require_elements(const Body& body, const SerretState& s) {
   if (detail::is_sphere(body))
     throw DomainError("SerretState: moment " + detail::number_text(body.moments().x) +
                       " three times: a sphere has no Serret elements (T does not tell J)");
-  const Vec3 I = detail::sorted_doubles(body);
+  const auto fail = [&](const std::string& need) {
+    throw DomainError("SerretState: (g0, h, t0, G, H, T) = " +
+                      detail::tuple_text({s.g0, s.h, s.t0, s.G, s.H, s.T}) + " needs " + need);
+  };
   const double slack = 1.0 + 8.0 * epsilon<double>();
-  const bool finite = std::isfinite(s.g0) && std::isfinite(s.h) && std::isfinite(s.t0) &&
-                      std::isfinite(s.G) && std::isfinite(s.H) && std::isfinite(s.T);
-  if (!finite || !(s.G > 0.0) || std::abs(s.H) > s.G * slack)
-    throw DomainError("SerretState: G = " + detail::number_text(s.G) + ", H = " +
-                      detail::number_text(s.H) + " need finite elements, G > 0 and |H| <= G");
-  const double low = 0.5 * s.G * s.G / I.z, high = 0.5 * s.G * s.G / I.x;
+  for (const double x : {s.g0, s.h, s.t0, s.G, s.H, s.T})
+    if (!std::isfinite(x)) fail("finite elements");
+  if (!(s.G > 0.0) || std::abs(s.H) > s.G * slack) fail("G > 0 and |H| <= G");
+  for (const int sign : {s.sign_g1, s.sign_g3})
+    if (sign != 1 && sign != -1) fail("signs of g1 and g3 that are 1 or -1");
+  const Vec3 I = detail::sorted_doubles(body);
+  const double low = 0.5 * s.G * (s.G / I.z), high = 0.5 * s.G * (s.G / I.x);
   if (s.T * slack < low || s.T > high * slack)
-    throw DomainError("SerretState: T = " + detail::number_text(s.T) +
-                      " is not in [G^2/2I3, G^2/2I1] = [" + detail::number_text(low) + ", " +
-                      detail::number_text(high) + "]");
+    fail("T in [G^2/2I3, G^2/2I1] = [" + detail::number_text(low) + ", " +
+         detail::number_text(high) + "]");
 }
 
 }  // namespace
@@ -98,7 +104,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   SerretState s{};
   s.t0 = t;
   s.G = m.momentum();
-  s.H = inertial_momentum(m.initial_state()).z;
+  s.H = to_andoyer(m.initial_state()).H;  // loses nothing near I = 0, pi
   s.T = m.energy();
   const auto standing_still = [&] {
     const AndoyerState a = to_andoyer(detail::in_sorted_axes(body, m.at(t)));
@@ -122,8 +128,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const bool periodic = m.regime() != Regime::separatrix;
-  const detail::PrimedSense sense{long_axis, double(long_axis ? m.sign_g3() : m.sign_g1()),
-                                  double(long_axis ? m.sign_g1() : m.sign_g3())};
+  const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
   // u = 0 of the elements is where the node sign is positive: half a polhode away if it is not now.
   const FreeKernel& k = m.kernel();
   DD elapsed;  // t - t0, scaled
@@ -150,10 +155,10 @@ SerretState to_serret(const FreeRotation& m, double t) {
 
 RotorState to_rotor(const Body& body, const SerretState& s, double t) {
   require_elements(body, s);
-  const SerretCoordinates<DD> c{s.g0, s.h, -DD(s.t0), s.G, s.H, s.T};
+  const BasicSerretState<DD> c = widened(s);
   const detail::PolhodeCurve<DD> curve = curve_of(body, c);
-  if (curve.steady) return FreeRotation(body, base_state(body, c, s), s.t0).at(t);
-  return detail::rounded_state(rotor_from(body, curve, c, s.sign_g1, s.sign_g3, t));
+  if (curve.steady) return FreeRotation(body, base_state(body, s), s.t0).at(t);
+  return detail::rounded_state(rotor_from(body, curve, c, t));
 }
 
 FreeRotation free_rotation(const Body& body, const SerretState& s) {
@@ -166,8 +171,8 @@ Matrix6 chart_jacobian(const Body& body, const SerretState& s, double t) {
   const double e[6] = {s.g0, s.h, -s.t0, s.G, s.H, s.T};
   Dual6 d[6];
   for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(e[i]), i);
-  const SerretCoordinates<Dual6> c{d[0], d[1], d[2], d[3], d[4], d[5]};
-  return detail::hub_tangent(rotor_from(body, curve_of(body, c), c, s.sign_g1, s.sign_g3, t));
+  const BasicSerretState<Dual6> c{d[0], d[1], -d[2], d[3], d[4], d[5], s.sign_g1, s.sign_g3};
+  return detail::hub_tangent(rotor_from(body, curve_of(body, c), c, t));
 }
 
 }  // namespace v0

@@ -5,6 +5,7 @@
 // the momentum because the inertial momentum is conserved, and along it by the change of the
 // precession.
 #include <cmath>
+#include <limits>
 
 #include "free/detail/euler_flow.hpp"
 #include "free/detail/primed_arc.hpp"
@@ -42,8 +43,7 @@ Columns momentum_columns(const DDVec3& moments, const Vec3& g_sorted, const DD& 
                          const BasicMat3<DD>& A) {
   BasicVec3<Dual3> g0;
   for (int i = 0; i < 3; ++i) g0[i] = Dual3::variable(DD(g_sorted[i]), i);
-  const DD I1 = moments.x, I2 = moments.y, I3 = moments.z;
-  const Dual3 D2 = (g0.z * g0.z * ((I3 - I2) * I1) - g0.x * g0.x * ((I2 - I1) * I3)) / (I1 * I3);
+  const Dual3 D2 = detail::separatrix_discriminant(moments, Dual3(g0.x * g0.x), Dual3(g0.z * g0.z));
   const detail::EulerFlow<Dual3> flow = detail::euler_flow(moments, g0, D2, time);
   const DDVec3 g = values(flow.g), start = values(g0);
   const DD G2 = dot(start, start);
@@ -74,6 +74,11 @@ Columns resting_columns(const DDVec3& moments, const DD& time) {
 }  // namespace
 
 Matrix6 FreeRotation::state_transition(double t) const {
+  if (!std::isfinite(t)) {
+    Matrix6 none;
+    for (auto& row : none.a) row.fill(std::numeric_limits<double>::quiet_NaN());
+    return none;
+  }
   const detail::AxisOrder order = detail::ascending_order(body_.moments());
   const detail::Scale scale{detail::exponent_of_largest(body_.moments()),
                             detail::exponent_of_largest(s0_.g)};

@@ -8,6 +8,7 @@
 
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/polhode_family.hpp"
+#include "free/detail/precession.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "math/detail/number_text.hpp"
@@ -42,9 +43,7 @@ struct FamilyRates {
 };
 
 FamilyRates family_rates(const detail::PolhodeCurve<DD>& c) {
-  const DD x_rate = DD(0.5) * DD::pi() * c.n / c.K;
-  const DD primed1 = detail::mean_precession(c);
-  return {abs(x_rate), c.long_axis ? primed1 + x_rate : primed1};
+  return {abs(detail::phase_rate(c)), detail::precession_of_long_axis(c)};
 }
 
 std::string mode_name(bool long_axis) { return long_axis ? "LAM" : "SAM"; }
@@ -75,6 +74,11 @@ void require_periods(const TumblerState& s) {
     throw DomainError("TumblerState: pole (" + detail::number_text(s.pole.x) + ", " +
                       detail::number_text(s.pole.y) + ", " + detail::number_text(s.pole.z) +
                       ") must be a finite, non-zero vector");
+  if (std::abs(s.branch) != 1 || std::abs(s.sense) != 1)
+    throw DomainError("TumblerState: branch " + std::to_string(s.branch) + " and sense " +
+                      std::to_string(s.sense) + " must be 1 or -1");
+  if (s.mode == Regime::long_axis && s.sense != 1)
+    throw DomainError("TumblerState: sense -1 is for SAM; in LAM branch names the lobe");
   if (!std::isfinite(s.phi0) || !std::isfinite(s.psi0))
     throw DomainError("TumblerState: angles (" + detail::number_text(s.phi0) + ", " +
                       detail::number_text(s.psi0) + ") must be finite");
@@ -142,9 +146,21 @@ detail::PolhodeCurve<DD> curve_reaching(const Body& body, const TumblerState& s,
 // Of unit length. Along the inertial axis but for rounding it has no longitude: 0, and phi0 holds
 // all of the turn.
 Vec3 unit_pole(const Vec3& momentum) {
-  const Vec3 k = (1.0 / norm(momentum)) * momentum;
+  const double G = norm(momentum);
+  const Vec3 k{momentum.x / G, momentum.y / G, momentum.z / G};
   if (std::hypot(k.x, k.y) > 8.0 * epsilon<double>()) return k;
   return {0.0, 0.0, k.z < 0.0 ? -1.0 : 1.0};
+}
+
+// Next to the separatrix the ratio of the periods grows like the logarithm of a distance that a
+// momentum in double precision soon cannot hold: what the state would not give back is refused.
+void require_held(const Body& body, const TumblerState& s, const RotorState& state) {
+  const FreeRotation motion(body, state);
+  const double wanted = s.rotation_period / s.precession_period;
+  const double held = motion.polhode_period() * motion.precession_rate_long() / (4.0 * half_pi);
+  if (motion.regime() == s.mode && std::abs(held - wanted) <= 1e-6 * wanted) return;
+  throw DomainError("TumblerState: P_psi/P_phi = " + detail::number_text(wanted) +
+                    " is closer to the separatrix than a momentum in double precision can hold");
 }
 
 }  // namespace
@@ -162,9 +178,11 @@ double psi_max(const FreeRotation& m) {
   return largest_psi(detail::primed_arc<DD>(m.body(), m.initial_state().g).curve);
 }
 
-RotorState to_rotor(const Body& body, const TumblerState& s) {
-  const bool long_axis = is_long_axis(s.mode);
-  require_periods(s);
+RotorState to_rotor(const Body& body, const TumblerState& given) {
+  const bool long_axis = is_long_axis(given.mode);
+  require_periods(given);
+  TumblerState s = given;
+  s.psi0 = detail::wrapped(given.psi0);  // catalogues count from 0 to 360 deg
   require_mode(body, long_axis);
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
   const detail::PolhodeCurve<DD> c = curve_reaching(body, s, long_axis);
@@ -177,10 +195,12 @@ RotorState to_rotor(const Body& body, const TumblerState& s) {
 
   // G from the precession, which is never small against the rotation.
   const double unit = std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
-  const double G = (DD::two_pi() / DD(s.precession_period) / rates.precession).hi * unit;
+  const double G = unit / rates.precession.hi * (4.0 * half_pi / s.precession_period);
   const Vec3 k{incl.sin * std::sin(psi), incl.sin * std::cos(psi), std::cos(theta)};
   const detail::AxisOrder axes = tumbler_axes(body);
-  return {q * detail::quaternion_of<double>(axes), G * detail::restored(axes, k)};
+  const RotorState state{q * detail::quaternion_of<double>(axes), G * detail::restored(axes, k)};
+  require_held(body, s, state);
+  return state;
 }
 
 TumblerState to_tumbler(const FreeRotation& m, double t) {

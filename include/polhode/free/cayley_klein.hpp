@@ -68,6 +68,15 @@ BasicQuaternion<T> trigonometric_sum(const CayleyKleinSeries<T>& s, const T& sin
           cos_x * detail::horner(s.D, s.terms, y), sin_2x * detail::horner(s.B, s.terms, y)};
 }
 
+// Direction of the momentum in the axes whose attitude in the invariable frame is p / |p|: the
+// third row of that rotation. inverse_norm2 = 1 / |p|^2.
+template <Real T>
+BasicVec3<T> momentum_direction(const BasicQuaternion<T>& p, const T& inverse_norm2) {
+  const T f = T(2.0) * inverse_norm2;
+  return {f * (p.x * p.z - p.w * p.y), f * (p.y * p.z + p.w * p.x),
+          inverse_norm2 * (p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y)};
+}
+
 // chi = chi_per_u u with |u| <= K, or any u on the separatrix; odd_half_periods flips theta1.
 template <Real T>
 BasicQuaternion<T> hyperbolic_sum(const CayleyKleinSeries<T>& s, const T& chi,

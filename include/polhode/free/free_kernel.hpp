@@ -5,7 +5,7 @@
 //
 // Equations   Cayley-Klein parameters by theta series, docs/design/0002-free-rotation.md.
 // Units       those of the Body and the RotorState it was prepared from; phases in radians.
-// Domain      made only by FreeRotation; any finite time. NaN in, NaN out.
+// Domain      made only by FreeRotation; any finite time (see free_rotation.hpp). NaN in, NaN out.
 // Accuracy    docs/accuracy/free-rotation.md. Phases are reduced in double-double.
 // Errors      none.
 // Cost        one state: two sincos (or one sincos and one exp next to the separatrix), four short

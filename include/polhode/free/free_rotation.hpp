@@ -8,12 +8,14 @@
 // Units       any consistent set: moments, momentum = moment x rate, time = 1 / rate; angles in
 //             rad.
 // Domain      any Body, any finite state with a non-zero quaternion, any finite time; G = 0 rests.
-//             Extreme scales (1e-150, 1e150) are rescaled by powers of two inside.
+//             Units are rescaled by powers of two inside; the rate g / I must be in double range.
+//             Beyond 2^52 periods the phase loses digits (2^-104 of it); beyond 2^90 rad it is
+//             lost, and the state is some state of the same orbit.
 // Accuracy    budgets free_* in tests/budgets.hpp; measured table docs/accuracy/free-rotation.md.
 //             Rates are prepared, and long phases reduced, in double-double, so that accuracy does
 //             not decay with time.
-// Errors      DomainError for a non-finite state or epoch and for a zero quaternion. Evaluation
-//             never throws; NaN in, NaN out.
+// Errors      DomainError for a non-finite state or epoch, a zero quaternion, a rate g / I beyond
+//             double range. Evaluation never throws; NaN or infinite time in, NaN out.
 // Cost        preparation tens of microseconds (short_arc: about one), one state tens of
 //             nanoseconds.
 #pragma once
@@ -53,7 +55,8 @@ class FreeRotation {
   RotorState at(double t) const noexcept { return evaluated(kernel_, t); }
 
   // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q
-  // exp(dtheta_B / 2).
+  // exp(dtheta_B / 2). On the separatrix and for spin about b2 it grows like exp(n t); NaN once n t
+  // passes about 180, and for a time that is not finite.
   Matrix6 state_transition(double t) const;
 
   const Body& body() const { return body_; }
@@ -73,12 +76,14 @@ class FreeRotation {
   int sign_g1() const { return summary_.sign_g1; }
   int sign_g3() const { return summary_.sign_g3; }
   // Action of the circulation, (1/2pi) of the integral of g3' dl' over a polhode, and G minus it;
-  // each to its own full accuracy.
+  // each to its own full accuracy. Both 0 where there is no polhode: a sphere, spin about b2, an
+  // axisymmetric body spinning across its axis.
   double circulation_action() const { return summary_.action; }
   double circulation_deficit() const { return summary_.deficit; }
 
   // Period of the momentum in the body, 4K/|n|; the limit of small polhodes for spin about b1 or
-  // b3; infinite on the separatrix, for a sphere, for spin about b2, and at rest.
+  // b3; infinite on the separatrix, for a sphere, for an axisymmetric body spinning across its
+  // axis, for spin about b2, and at rest.
   double polhode_period() const { return summary_.polhode_period; }
   // Mean rates of precession about the momentum of the long (least moment) and the short (greatest
   // moment) axis; both G / I2 on the separatrix. Observers' P_phi is 2 pi / precession_rate_long().

@@ -10,13 +10,16 @@
 // Units       angles in radians, (-pi, pi]; actions in those of the angular momentum.
 // Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper
 //             permutation). Limits: spin about the short axis phi_l = 0, |I_l| = I_g, and about the
-//             long axis phi_l = 0, I_l = 0; exact separatrix phi_l = 0 (variables do not exist
-//             there); about the middle axis phi_l = +-pi/2; sphere: I_l = L, phi_l = l - pi/2,
-//             phi_g = g (Andoyer); I = 0: phi_h = 0.
+//             long axis phi_l = 0, I_l = 0 (to 1e-130 I_g); exact separatrix phi_l = 0 or pi by the
+//             sign of g1 (the variables do not exist there); about the middle axis phi_l = +-pi/2;
+//             sphere and rest: Andoyer's, I_l = L, phi_l = l - pi/2, phi_g = g; I = 0: phi_h = 0.
 // Accuracy    budgets sadov_* in tests/budgets.hpp. Next to the separatrix the pair (I_l, phi_l)
-//             itself cannot hold the state: digits are lost like log10(G^2 / |D2|).
-// Errors      to_rotor throws DomainError for actions outside the region named.
-// Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor tens of
+//             itself cannot hold the state: digits are lost like log10(G^2 / |D2|). chart_jacobian
+//             has no meaning where the chart is singular (J = 0 or as close as I_g - |I_l| rounds
+//             to it, I = 0, pi, the separatrix): it is rank-deficient or not finite there.
+// Errors      to_rotor throws DomainError for actions outside the region named, a lobe that is no
+//             sign.
+// Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor about a hundred
 //             microseconds.
 #pragma once
 
@@ -28,18 +31,20 @@ inline namespace v0 {
 
 enum class SadovRegion { short_axis, long_axis };
 
-struct SadovState {
-  double phi_l;
-  double phi_g;
-  double phi_h;
-  double I_l;
-  double I_g;
-  double I_h;
+template <Real T>
+struct BasicSadovState {
+  T phi_l;
+  T phi_g;
+  T phi_h;
+  T I_l;
+  T I_g;
+  T I_h;
   SadovRegion region = SadovRegion::short_axis;
   int lobe = 1;  // long-axis region: sign of the momentum along the long axis
 
-  constexpr bool operator==(const SadovState&) const = default;
+  constexpr bool operator==(const BasicSadovState&) const = default;
 };
+using SadovState = BasicSadovState<double>;
 
 // Constant rates of the angles: phi_l = n_l t + ..., phi_g = n_g t + ...; n_h = 0. n = dT/dI.
 struct SadovFrequencies {

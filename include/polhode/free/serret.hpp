@@ -15,9 +15,11 @@
 //             of an axisymmetric body (n = 0) t0 = t and g0 = g, and l is lost; sphere the same,
 //             which to_rotor refuses, since T no longer tells J.
 // Accuracy    budgets serret_* in tests/budgets.hpp; T and G hold the distance to the separatrix
-//             and to the axes only to eps G^2: near those the hub loses sqrt(eps).
-// Errors      to_rotor throws DomainError for G < 0, |H| > G, or T outside [G^2/2I3, G^2/2I1], a
-//             sphere.
+//             and to the axes only to eps G^2: near those the hub loses sqrt(eps). chart_jacobian
+//             has no meaning where the chart is singular (J = 0 or as close as T rounds to it, I =
+//             0, pi, steady rotations): it is rank-deficient or not finite there.
+// Errors      to_rotor throws DomainError for G <= 0 (rest has no elements), |H| > G, T outside
+//             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.
 // Cost        tens of microseconds.
 #pragma once
 
@@ -27,18 +29,20 @@
 namespace polhode {
 inline namespace v0 {
 
-struct SerretState {
-  double g0;
-  double h;
-  double t0;
-  double G;
-  double H;
-  double T;
+template <Real Number>
+struct BasicSerretState {
+  Number g0;
+  Number h;
+  Number t0;
+  Number G;
+  Number H;
+  Number T;
   int sign_g1 = 1;  // signs of the momentum along sorted axes 1 and 3 at time t0
   int sign_g3 = 1;
 
-  constexpr bool operator==(const SerretState&) const = default;
+  constexpr bool operator==(const BasicSerretState&) const = default;
 };
+using SerretState = BasicSerretState<double>;
 
 SerretState to_serret(const FreeRotation& motion, double t);
 

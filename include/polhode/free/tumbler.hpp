@@ -22,9 +22,10 @@
 // Accuracy    budget tumbler_round_trip for |psi| <= 0.9 psi_max; psi0 loses half its digits at
 //             psi_max.
 // Errors      DomainError: periods that no motion of this body in this mode has (with the bound of
-//             P_psi/P_phi), |psi0| > psi_max (with psi_max) by more than a rounding of the periods
-//             may be, non-positive periods, a zero pole.
-// Cost        a few hundred microseconds (a root in double-double).
+//             P_psi/P_phi) or that lie too close to the separatrix to be held, |psi0| > psi_max
+//             modulo a turn (with psi_max), non-positive periods, a zero pole, a branch or sense
+//             that is no sign.
+// Cost        about a hundred microseconds (a root in double-double).
 #pragma once
 
 #include "polhode/free/free_rotation.hpp"
@@ -54,8 +55,9 @@ TumblerState to_tumbler(const FreeRotation& motion, double t);
 // Largest |psi| of a motion in short-axis mode; NaN in other regimes.
 double psi_max(const FreeRotation& motion);
 
-// The least P_psi/P_phi that the body has in a mode: small polhodes. It rises without bound towards
-// the separatrix. DomainError where the body does not have the mode.
+// The least P_psi/P_phi that the body has in a mode: small polhodes. Towards the separatrix it
+// rises like a logarithm, and soon beyond what a momentum in double precision can hold. DomainError
+// where the body does not have the mode.
 double least_period_ratio(const Body& body, Regime mode);
 
 }  // namespace v0

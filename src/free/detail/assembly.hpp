@@ -16,11 +16,16 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Where the primed axes lie in the sorted ones.
+// Where the primed axes lie in the sorted ones: s1, s3 are the signs of the momentum along them.
 struct PrimedSense {
   bool long_axis;
   double s1, s3;
 };
+
+inline PrimedSense primed_sense(bool long_axis, int sign_g1, int sign_g3) {
+  return {long_axis, static_cast<double>(long_axis ? sign_g3 : sign_g1),
+          static_cast<double>(long_axis ? sign_g1 : sign_g3)};
+}
 
 template <Real T>
 struct InvariableElements {
@@ -40,10 +45,10 @@ BasicQuaternion<T> mean_frame(const InvariableElements<T>& e) {
 
 // Attitude of the primed axes in the mean frame at argument u, up to a positive factor.
 template <Real T>
-BasicQuaternion<T> primed_attitude(const PolhodeCurve<T>& c, const T& u) {
+BasicQuaternion<T> primed_attitude(const PolhodeCurve<T>& c, const CayleyKleinSeries<T>& series,
+                                   const T& u) {
   using std::cos;
   using std::sin;
-  const CayleyKleinSeries<T> series = cayley_klein_series(c);
   if (!series.hyperbolic) {
     const T x = T(0.5) * pi<T>() * u / c.K;
     return trigonometric_sum(series, T(sin(x)), T(cos(x)));
@@ -65,12 +70,9 @@ BasicRotorState<T> assembled(const AxisOrder& sorted, const PrimedSense& sense,
                              const PolhodeCurve<T>& curve, const T& u,
                              const InvariableElements<T>& e) {
   const AxisOrder primed = composed(sorted, primed_axes(sense.long_axis, sense.s1, sense.s3));
-  const BasicQuaternion<T> p = normalized(primed_attitude(curve, u));
+  const BasicQuaternion<T> p = normalized(primed_attitude(curve, cayley_klein_series(curve), u));
   const BasicQuaternion<T> q = mean_frame(e) * p * quaternion_of<T>(primed);
-  const T two(2.0);
-  const BasicVec3<T> m{two * (p.x * p.z - p.w * p.y), two * (p.y * p.z + p.w * p.x),
-                       p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y};
-  return {q, e.G * restored(primed, m)};
+  return {q, e.G * restored(primed, momentum_direction(p, T(1.0)))};
 }
 
 // Mean angle minus the Andoyer angle g of sorted axis 3 at u = 0 (and, for the Sadov angle, minus

@@ -73,12 +73,14 @@ FlowFunctions<T> flow_by_series(const FlowParameters<T>& p, const T& h) {
 template <Real T>
 FlowFunctions<T> doubled(const FlowParameters<T>& p, const FlowFunctions<T>& v) {
   using std::atan2;
-  const T S2 = v.S * v.S, C2 = v.C * v.C, CD2 = C2 * (v.D * v.D);
-  const T inverse = T(1.0) / (C2 + p.mu * S2 * (v.D * v.D));
+  const T S2 = v.S * v.S, C2 = v.C * v.C, D2 = v.D * v.D;
+  const T inverse = T(1.0) / (C2 + p.mu * S2 * D2);
   FlowFunctions<T> r;
   r.S = T(2.0) * (v.S * (v.C * v.D)) * inverse;
-  r.C = (CD2 - p.delta * S2) * inverse;
-  r.D = (CD2 + p.delta * S2) * inverse;
+  // C^2/N and S^2/N first: each is of order one where C^2 and D^2 underflow, on the separatrix.
+  const T along = (C2 * inverse) * D2, apart = p.delta * (S2 * inverse);
+  r.C = along - apart;
+  r.D = along + apart;
   const T eS2 = p.epsilon * S2;
   r.angle = T(2.0) * v.angle +
             atan2(p.weight * (eS2 * r.S), T(1.0) + p.epsilon * (r.S * r.S) - eS2 * (r.C * r.D));
@@ -92,7 +94,7 @@ FlowFunctions<T> flow_functions(const FlowParameters<T>& p, const T& t) {
   const double rate = std::sqrt(std::max(to_double(p.mu), to_double(p.nu)));
   int halvings = 0;
   double step = std::abs(to_double(t)) * rate;
-  for (; step > 1.0 / 64.0; step *= 0.5) ++halvings;
+  for (; step > 1.0 / 64.0 && halvings < 1100; step *= 0.5) ++halvings;
   FlowFunctions<T> v = flow_by_series(p, t * T(std::ldexp(1.0, -halvings)));
   for (int i = 0; i < halvings; ++i) v = doubled(p, v);  // <= log2(64 rate t) trips
   return v;
@@ -109,12 +111,12 @@ FlowPeriod<T> flow_period(const FlowParameters<T>& p) {
   using std::sqrt;
   const bool short_axis = to_double(p.delta) > 0.0;
   const T& larger = short_axis ? p.mu : p.nu;
-  const T distance = short_axis ? p.delta : -p.delta;
+  const T& smaller = short_axis ? p.nu : p.mu;
+  const auto modulus = BasicModulus<T>::from_ratio(smaller, T(short_axis ? p.delta : T(-p.delta)));
   const T root = sqrt(larger);
   const T ratio = p.epsilon / larger;
-  const T quarter = T(0.5) * pi<T>() / agm(root, sqrt(distance));
-  const T quarter_w = cel(T(sqrt(distance) / root), T(1.0) + ratio, T(0.0), ratio) / root;
-  return {T(4.0) * quarter, T(4.0) * p.weight * quarter_w};
+  const T quarter_w = cel(T(sqrt(modulus.m1())), T(T(1.0) + ratio), T(0.0), ratio) / root;
+  return {T(4.0) * complete_k(modulus) / root, T(4.0) * p.weight * quarter_w};
 }
 
 // Where the momentum goes, and by which angle the node of body axis `pole` precesses about it.

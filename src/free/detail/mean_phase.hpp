@@ -18,10 +18,11 @@ struct MeanPhase {
   Quaternion frame;      // inertial axes <- mean frame
 };
 
-// Angles modulo 2 pi, in [-pi, pi].
+// Angles modulo 2 pi, in (-pi, pi] as doubles.
 inline DoubleDouble wrapped(const DoubleDouble& angle) {
   const DoubleDouble turn = DoubleDouble::two_pi();
-  return angle - turn * std::rint(angle.hi / turn.hi);
+  const DoubleDouble r = angle - turn * std::rint(angle.hi / turn.hi);
+  return r.hi <= -DoubleDouble::pi().hi ? r + turn : r;
 }
 inline double wrapped(double angle) { return wrapped(DoubleDouble(angle)).hi; }
 

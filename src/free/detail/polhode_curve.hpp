@@ -25,15 +25,20 @@ struct Discriminants {
   T D1, D2, D3;
 };
 
+// D2 over a common denominator: exact zeros (moments (3, 4, 6), g1 = g3) come out as zeros.
+template <Real S, Real T>
+T separatrix_discriminant(const BasicVec3<S>& I, const T& g1_squared, const T& g3_squared) {
+  return (g3_squared * ((I.z - I.y) * I.x) - g1_squared * ((I.y - I.x) * I.z)) / (I.x * I.z);
+}
+
 // As sums of signed squares; moments and momentum in sorted axes.
 inline Discriminants<DoubleDouble> discriminants(const Vec3& moments, const Vec3& g) {
   using DD = DoubleDouble;
   const DD I1 = moments.x, I2 = moments.y, I3 = moments.z;
   const DD g1 = DD::product(g.x, g.x), g2 = DD::product(g.y, g.y), g3 = DD::product(g.z, g.z);
   const DD I21 = I2 - I1, I31 = I3 - I1, I32 = I3 - I2;
-  // D2 over the common denominator: exact zeros (moments (3, 4, 6), g1 = g3) come out as zeros.
-  const DD D2 = (g3 * (I32 * I1) - g1 * (I21 * I3)) / (I1 * I3);
-  return {g2 * I21 / I2 + g3 * I31 / I3, D2, g1 * I31 / I1 + g2 * I32 / I2};
+  return {g2 * I21 / I2 + g3 * I31 / I3, separatrix_discriminant(BasicVec3<DD>{I1, I2, I3}, g1, g3),
+          g1 * I31 / I1 + g2 * I32 / I2};
 }
 
 template <Real T>
@@ -82,9 +87,9 @@ PolhodeCurve<T> polhode_curve(const BasicVec3<T>& I, const T& G, const Discrimin
   c.kap2 = c.C * BA / (c.A * CB);
   c.r2 = c.A * c.DC / (c.C * c.DA);
   c.separatrix = !(c.kp2 > T(0.0));
-  const T half_pi = T(0.5) * pi<T>();
-  if (!c.separatrix) c.K = half_pi / agm(T(1.0), sqrt(c.kp2));
-  if (c.k2 > T(0.0)) c.Kp = half_pi / agm(T(1.0), sqrt(c.k2));
+  const BasicModulus<T> modulus = BasicModulus<T>::from_ratio(c.k2, c.kp2);
+  if (!c.separatrix) c.K = complete_k(modulus);
+  if (c.k2 > T(0.0)) c.Kp = complete_k(modulus.complement());
   return c;
 }
 

@@ -108,7 +108,7 @@ template <Real T>
 T action_deficit_slope(const T& kap2, const FamilyMember<T>& f) {
   using std::sqrt;
   const T one_r = T(1.0) + f.r2;
-  const T K = T(0.5) * pi<T>() / agm(T(1.0), sqrt(f.kp2));
+  const T K = complete_k(BasicModulus<T>::from_ratio(kap2 * f.r2, f.kp2));
   return sqrt(T(1.0) + kap2) * K / (pi<T>() * one_r * sqrt(one_r));
 }
 

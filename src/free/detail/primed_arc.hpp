@@ -8,7 +8,6 @@
 
 #include "free/detail/axis_order.hpp"
 #include "free/detail/polhode_curve.hpp"
-#include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/rotor/body.hpp"
@@ -101,16 +100,6 @@ PrimedArc<T> primed_arc(const Body& body, const Vec3& g_B) {
   using std::sqrt;
   arc.u0 = s / sqrt(r2) * carlson_rf(c2, c2 + arc.curve.kp2 * s2, T(1.0));
   return arc;
-}
-
-// Mean rate of precession of primed axis 1 about the momentum, 2 Lambda: (G/C)(1 + r2 (C-A)/A W/K)
-// with W/K the mean of sn^2 / (1 + r2 sn^2); on the separatrix sn^2 = 1 in the mean.
-template <Real T>
-T mean_precession(const PolhodeCurve<T>& c) {
-  using std::sqrt;
-  T mean_w = T(1.0) / (T(1.0) + c.r2);
-  if (!c.separatrix) mean_w = cel(sqrt(c.kp2), T(1.0) + c.r2, T(0.0), T(1.0)) / c.K;
-  return c.G / c.C * (T(1.0) + c.r2 * (c.C - c.A) / c.A * mean_w);
 }
 
 }  // namespace detail

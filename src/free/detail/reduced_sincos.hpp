@@ -23,7 +23,10 @@ namespace detail {
   // pi/2 in three parts; the first two have 33 bits, so that their products with |k| <= 3 are
   // exact.
   constexpr double part1 = 0x1.921fb544p+0, part2 = 0x1.0b4611a6p-34, part3 = 0x1.3198a2e037073p-69;
-  const double k = std::rint(a.hi * two_over_pi);
+  // Adding 1.5 2^52 rounds to an integer and leaves it in the low bits; NaN does no harm.
+  constexpr double integer_bits = 0x1.8p52;
+  const double shifted = a.hi * two_over_pi + integer_bits;
+  const double k = shifted - integer_bits;
   const double r = (a.hi - k * part1) - k * part2;
   const double tail = a.lo - k * part3;
   const double z = r * r;
@@ -47,7 +50,7 @@ namespace detail {
   const double cosine = w + (((1.0 - w) - half_z) + (cos_sum - r * tail));
   // Quarter turns: k mod 4 decides which is which, and the signs; by bits, as a branch that depends
   // on the phase is mispredicted half of the time.
-  const auto quarter = static_cast<std::uint64_t>(static_cast<std::int64_t>(k));
+  const auto quarter = std::bit_cast<std::uint64_t>(shifted);
   auto first = std::bit_cast<std::uint64_t>(sine);
   auto second = std::bit_cast<std::uint64_t>(cosine);
   const std::uint64_t swapped = (first ^ second) & (0 - (quarter & 1));
