@@ -11,6 +11,7 @@
 #include <string>
 
 #include "free/detail/assembly.hpp"
+#include "free/detail/precession.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "io/detail/golden_table.hpp"
 #include "io/detail/part_file.hpp"
@@ -39,36 +40,35 @@ class WideMotion {
         steady_(arc_.curve.steady || !(arc_.curve.DC > DD(0.0))),
         q0_(normalized(widened(s0.q))) {
     if (steady_) return;
+    series_ = detail::cayley_klein_series(arc_.curve);
     right_ = detail::quaternion_of<DD>(arc_.primed);
-    left_ = q0_ * conj(right_) * conj(normalized(detail::primed_attitude(arc_.curve, arc_.u0)));
-    precession_ = detail::mean_precession(arc_.curve);
+    left_ = q0_ * conj(right_) * conj(primed_attitude(arc_.u0));
+    precession_ = detail::precession_of_axis1(arc_.curve);
   }
 
   // q and omega at t.
   WideState at(double t) const {
+    if (steady_) return steady_state(t);
     const DD elapsed = DD(t) * std::ldexp(1.0, arc_.scale.rate());
-    if (steady_) return steady_state(elapsed);
-    const detail::PolhodeCurve<DD>& c = arc_.curve;
-    const BasicQuaternion<DD> p =
-        normalized(detail::primed_attitude(c, DD(arc_.u0 + c.n * elapsed)));
-    const DD two(2.0);
-    const BasicVec3<DD> m{two * (p.x * p.z - p.w * p.y), two * (p.y * p.z + p.w * p.x),
-                          p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y};
-    const BasicVec3<DD> g = c.G * detail::restored(arc_.primed, m);
+    const BasicQuaternion<DD> p = primed_attitude(arc_.u0 + arc_.curve.n * elapsed);
+    const BasicVec3<DD> g =
+        arc_.curve.G * detail::restored(arc_.primed, momentum_direction(p, DD(1.0)));
     return {left_ * rotation_z(DD(precession_ * elapsed)) * p * right_, rate(g)};
   }
 
  private:
-  BasicVec3<DD> rate(const BasicVec3<DD>& scaled_g) const {
+  BasicQuaternion<DD> primed_attitude(const DD& u) const {
+    return normalized(detail::primed_attitude(arc_.curve, series_, u));
+  }
+  BasicVec3<DD> rate(const BasicVec3<DD>& g) const {
     const double unit = std::ldexp(1.0, arc_.scale.momentum);
-    const BasicVec3<DD>& g = scaled_g;
     return {g.x / moments_.x * unit, g.y / moments_.y * unit, g.z / moments_.z * unit};
   }
-  WideState steady_state(const DD& elapsed) const {
+  WideState steady_state(double t) const {
     const BasicVec3<DD> w = rate(arc_.g);
     const DD size = norm(w);
     if (size == DD(0.0)) return {q0_, w};
-    const DD half = DD(0.5) * size * elapsed * std::ldexp(1.0, -arc_.scale.rate());
+    const DD half = DD(0.5) * size * t;
     const DD s = sin(half) / size;
     return {q0_ * BasicQuaternion<DD>{cos(half), s * w.x, s * w.y, s * w.z}, w};
   }
@@ -76,8 +76,9 @@ class WideMotion {
   Vec3 moments_;
   detail::PrimedArc<DD> arc_;
   bool steady_;
+  CayleyKleinSeries<DD> series_;
   BasicQuaternion<DD> q0_, left_, right_;
-  DD precession_;
+  DD precession_;  // of primed axis 1, scaled
 };
 
 // What is left of a zero in double-double is not written; -0 is 0.
