@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "io/detail/number_text.hpp"
@@ -28,8 +29,14 @@ constexpr std::size_t largest_file = std::size_t{16} << 20;
 constexpr double arcsecond = std::numbers::pi / 648000.0;
 constexpr double obliquity_J2000 = 84381.448 * arcsecond;  // the ecliptic of J2000 (IAU 1976)
 
+// A path that the schema has and the reader has let pass.
+const Value& value_at(const Values& values, std::string_view path) {
+  const auto found = values.find(path);
+  if (found == values.end()) throw std::logic_error("no value of " + std::string(path));
+  return found->second;
+}
 double number(const Values& values, std::string_view path) {
-  return values.find(path)->second.numbers.at(0);
+  return value_at(values, path).numbers.at(0);
 }
 bool given(const Values& values, std::string_view path) {
   const auto found = values.find(path);
@@ -38,21 +45,21 @@ bool given(const Values& values, std::string_view path) {
 bool there(const Values& values, std::string_view path) { return values.contains(path); }
 
 Vec3 vector(const Values& values, std::string_view path) {
-  const std::vector<double>& n = values.find(path)->second.numbers;
+  const std::vector<double>& n = value_at(values, path).numbers;
   return {n.at(0), n.at(1), n.at(2)};
 }
 const std::string& word(const Values& values, std::string_view path) {
-  return values.find(path)->second.words.at(0);
+  return value_at(values, path).words.at(0);
 }
 int sign(const Values& values, std::string_view path) {
-  return static_cast<int>(values.find(path)->second.whole);
+  return static_cast<int>(value_at(values, path).whole);
 }
 
 // The key of a table that a message of the library names first: "L = 1.5 must be ...", or the
 // table.
 std::string blamed(const Values& values, std::string_view path, std::string_view message) {
   std::string place(path);
-  if (values.find(path)->second.key->type != KeyType::table) return place;
+  if (value_at(values, path).key->type != KeyType::table) return place;
   if (message.find("P_psi/P_phi") != std::string_view::npos) return place + ".rotation_period";
   std::size_t first = message.size();
   for (const auto& [own, value] : values) {
@@ -73,7 +80,7 @@ auto built(const Values& values, std::string_view path, const std::string& name,
     return build();
   } catch (const DomainError& error) {
     const std::string place = blamed(values, path, error.what());
-    const Value& value = values.find(place)->second;
+    const Value& value = value_at(values, place);
     Diagnostics diagnostics(name);
     const bool table = value.key->type == KeyType::table;
     diagnostics.add(value.where, place,
@@ -90,7 +97,7 @@ Body body_of(const Values& values, const std::string& name) {
       return Body(I.x, I.y, I.z);
     });
   return built(values, "body.tensor", name, [&] {
-    const std::vector<double>& n = values.find("body.tensor")->second.numbers;
+    const std::vector<double>& n = value_at(values, "body.tensor").numbers;
     return Body::from_tensor(Mat3{
         {{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}});
   });
@@ -163,7 +170,7 @@ AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
                                   number(values, path + "euler.theta"),
                                   number(values, path + "euler.psi")});
     return built(values, path + "quaternion", name, [&] {
-      const std::vector<double>& n = values.find(path + "quaternion")->second.numbers;
+      const std::vector<double>& n = value_at(values, path + "quaternion").numbers;
       return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3));
     });
   };
@@ -211,7 +218,8 @@ InitialState state_of(const Values& values, const std::string& chart, const Body
                          value("G"),
                          value("H"),
                          value("T"),
-                         sign(values, path + ".axis_sign")};
+                         sign(values, path + ".sign_g1"),
+                         sign(values, path + ".sign_g3")};
     return sadov_of(values, body);
   });
 }
@@ -224,7 +232,7 @@ std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
       return built(values, "time.start", name, []() -> std::optional<SaveAt> {
         throw DomainError("expected no start beside at, which lists every time");
       });
-    return SaveAt::times(values.find("time.at")->second.numbers);
+    return SaveAt::times(value_at(values, "time.at").numbers);
   }
   const double stop = number(values, "time.stop");
   if (there(values, "time.step"))
@@ -232,7 +240,7 @@ std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
       return SaveAt::steps(start, stop, number(values, "time.step"));
     });
   return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
-    return SaveAt::count(start, stop, values.find("time.count")->second.whole);
+    return SaveAt::count(start, stop, value_at(values, "time.count").whole);
   });
 }
 
@@ -286,7 +294,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
                     .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
                     .axes = word(values, "state.axes"),
                     .time = times_of(values, name),
-                    .columns = values.find("output.columns")->second.words};
+                    .columns = value_at(values, "output.columns").words};
   if (const TumblerState* tumbler = std::get_if<TumblerState>(&scenario.state))
     require_psi(values, body, *tumbler, units, name);
   built(values, "state." + chart, name, [&] { return free_rotation(scenario); });

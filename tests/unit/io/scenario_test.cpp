@@ -75,6 +75,25 @@ TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
   }
 }
 
+// Each sign of Serret's elements and each lobe of Sadov's gives another state.
+TEST(Scenario, SignsOfTheElementsAreRead) {
+  const auto momentum = [](const std::string& state) {
+    return initial_state(scenario_from_text(head + state, "f.toml")).g;
+  };
+  const std::string serret = "[state.serret]\ng0 = 0\nh = 0\nt0 = 0\nG = 1\nH = 0\n";
+  const std::string short_axis = serret + "T = 0.21\n", long_axis = serret + "T = 0.4\n";
+  EXPECT_GT(momentum(short_axis).z, 0.0);
+  EXPECT_LT(momentum(short_axis + "sign_g3 = -1\n").z, 0.0);
+  EXPECT_GT(momentum(long_axis).x, 0.0);
+  EXPECT_LT(momentum(long_axis + "sign_g1 = -1\n").x, 0.0);
+  const std::string sadov =
+      "[state.sadov]\nphi_l = 0.3\nphi_g = 0\nphi_h = 0\nI_g = 1\nI_h = 0\nI_l = 0.1\n";
+  EXPECT_GT(momentum(sadov).x, 0.0);
+  EXPECT_LT(momentum(sadov + "lobe = -1\n").x, 0.0);
+  EXPECT_EQ(momentum(sadov), momentum(sadov + "region = \"LAM\"\n"));
+  EXPECT_THROW(momentum(sadov + "region = \"SAM\"\n"), ScenarioError);
+}
+
 // The body axes of the file are those of the tensor: a rotated tensor with the same omega is the
 // same motion as the principal moments with the omega in principal axes.
 TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
