@@ -37,6 +37,11 @@ detail::Discriminants<T> discriminants_of(const BasicVec3<T>& I, const T& twice_
   return {D1 < zero ? zero : D1, one - twice_energy * I.y, D3 < zero ? zero : D3};
 }
 
+// Below this 1 - k^2 the derivative of K, like 1 / (1 - k^2), takes the digits of the others with
+// it, and on the separatrix there is none. The elements stand still, so B is then carried by the
+// flow from t0, where it needs no K.
+constexpr double flow_below = 1e-14;
+
 // 2 T / G^2 times the unit of moment; no square, so small and large units serve.
 template <Real T>
 T energy_ratio(const Body& body, const BasicSerretState<T>& c) {
@@ -172,7 +177,11 @@ Matrix6 chart_jacobian(const Body& body, const SerretState& s, double t) {
   Dual6 d[6];
   for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(e[i]), i);
   const BasicSerretState<Dual6> c{d[0], d[1], -d[2], d[3], d[4], d[5], s.sign_g1, s.sign_g3};
-  return detail::hub_tangent(rotor_from(body, curve_of(body, c), c, t));
+  const detail::PolhodeCurve<Dual6> curve = curve_of(body, c);
+  if (curve.steady || to_double(curve.kp2) > flow_below)
+    return detail::hub_tangent(rotor_from(body, curve, c, t));
+  const Matrix6 B0 = detail::hub_tangent(rotor_from(body, curve, c, s.t0));
+  return free_rotation(body, s).state_transition(t) * B0;
 }
 
 }  // namespace v0
