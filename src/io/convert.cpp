@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "io/detail/chart_rows.hpp"
@@ -25,6 +26,10 @@ using detail::ChartRow;
 constexpr int passes = -1;    // the field goes through
 constexpr int replaced = -2;  // the new chart has a column of this name
 constexpr int is_time = -3;   // goes through, and is the time of the row
+// Columns of angles in any chart; a double beyond the largest has lost six of its digits.
+constexpr std::string_view angle_columns[] = {"l",   "g",     "h",     "g0",    "phi",  "theta",
+                                              "psi", "phi_l", "phi_g", "phi_h", "sigma"};
+constexpr double largest_angle = 1e10;
 constexpr std::size_t flush_size = std::size_t{1} << 18;
 
 std::string_view without_blanks(std::string_view text) {
@@ -65,7 +70,8 @@ class Converter {
   struct Field {
     std::string name;
     int role;  // column of the old chart, or one of the constants above
-    std::string_view text;
+    double largest = std::numeric_limits<double>::max();
+    std::string_view text = {};
   };
   void flush();
   [[noreturn]] void fail(const std::string& text);
@@ -154,7 +160,7 @@ void Converter::read_header(std::string_view line) {
     std::string_view name = without_blanks({begin, static_cast<std::size_t>(stop - begin)});
     if (name.size() > 1 && name.starts_with('"') && name.ends_with('"'))
       name = name.substr(1, name.size() - 2);
-    fields_.push_back({std::string(name), passes, {}});
+    fields_.push_back({std::string(name), passes});
     if (stop == end) break;
     begin = stop + 1;
   }
@@ -185,6 +191,9 @@ void Converter::assign_roles() {
     if (std::find(found + 1, names.end(), old[i]) != names.end())
       fail("column " + old[i] + " is there twice");
     fields_[index].role = static_cast<int>(i);
+    if (std::find(std::begin(angle_columns), std::end(angle_columns), old[i]) !=
+        std::end(angle_columns))
+      fields_[index].largest = largest_angle;
     place_ = std::min(place_, index);
   }
   for (Field& field : fields_) {
@@ -219,11 +228,13 @@ const char* Converter::read_number(Field& field, const char* begin, const char* 
   const auto [stop, error] = std::from_chars(p, end, value);
   const char* after = stop;
   while (after != end && (*after == ' ' || *after == '\t')) ++after;
-  if (error != std::errc() || (after != end && *after != ',') || !std::isfinite(value)) {
+  if (error != std::errc() || (after != end && *after != ',') ||
+      !(std::fabs(value) <= field.largest)) {
     const char* wrong_end = std::find(begin, end, ',');
     fail(field.name + ": got \"" +
          detail::printable({begin, static_cast<std::size_t>(wrong_end - begin)}) +
-         "\"; expected a finite number");
+         "\"; expected a finite number" +
+         (field.largest == largest_angle ? ", angles up to 1e10" : ""));
   }
   if (field.role >= 0)
     numbers_[static_cast<std::size_t>(field.role)] = value;

@@ -24,6 +24,7 @@ namespace {
 // toml++ 3.3 destroys a.b.c... by recursion: a key of a million dots would overflow the stack.
 constexpr int most_dots = 250;
 constexpr std::size_t longest_name = 200;
+constexpr double largest_angle = 1e10;  // a double of this size has lost six of its digits
 
 Position position(const toml::source_region& region) {
   const Position start{region.begin.line, region.begin.column};
@@ -102,7 +103,9 @@ class Reader {
   bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value);
   bool read_matrix(const Key& key, const toml::node& node, Value& value);
   std::optional<double> number(const Key& key, const toml::node& node);
-  std::optional<double> quantity(const Key& key, const toml::table& table);
+  std::optional<double> with_unit(const Key& key, const toml::node& node,
+                                  std::optional<double> value, std::string_view unit);
+  std::optional<double> in_range(const Key& key, const toml::node& node, double core);
   bool wrong(const toml::node& node, const std::string& reason = {});
 
   const Schema& schema_;
@@ -126,36 +129,47 @@ bool Reader::wrong(const toml::node& node, const std::string& reason) {
   return false;
 }
 
-std::optional<double> Reader::quantity(const Key& key, const toml::table& table) {
-  const std::optional<double> value = real(table.get("value"));
-  const auto unit = table["unit"].value<std::string_view>();
-  if (key.dimension == Dimension::number || table.size() != 2 || !value || !unit ||
-      !std::isfinite(*value)) {
-    wrong(table);
+std::optional<double> Reader::in_range(const Key& key, const toml::node& node, double core) {
+  if (std::isfinite(core) &&
+      (key.dimension != Dimension::angle || std::fabs(core) <= largest_angle))
+    return core;
+  wrong(node, std::isfinite(core) ? "angles go up to 1e10 rad" : "numbers must be finite");
+  return std::nullopt;
+}
+
+// { value = .., unit = ".." } has these two keys and no other; the unit, or nothing.
+std::optional<std::string_view> own_unit(const toml::table& table) {
+  if (table.size() != 2 || !table.contains("value")) return std::nullopt;
+  return table["unit"].value<std::string_view>();
+}
+
+std::optional<double> Reader::with_unit(const Key& key, const toml::node& node,
+                                        std::optional<double> value, std::string_view unit) {
+  if (key.dimension == Dimension::number || !value) {
+    wrong(node);
     return std::nullopt;
   }
   try {
-    return units_.to_core(*value, *unit, key.dimension);
+    return in_range(key, node, units_.to_core(*value, unit, key.dimension));
   } catch (const DomainError& error) {
-    wrong(table, error.what());
+    wrong(node, error.what());
     return std::nullopt;
   }
 }
 
 std::optional<double> Reader::number(const Key& key, const toml::node& node) {
-  if (const std::optional<double> value = real(&node)) {
-    if (std::isfinite(*value)) return units_.to_core(*value, key.dimension);
-    wrong(node, "numbers must be finite");
-    return std::nullopt;
-  }
-  if (node.is_table()) return quantity(key, *node.as_table());
+  if (const std::optional<double> value = real(&node))
+    return in_range(key, node, units_.to_core(*value, key.dimension));
+  if (const toml::table* table = node.as_table())
+    return with_unit(key, node, own_unit(*table) ? real(table->get("value")) : std::nullopt,
+                     own_unit(*table).value_or(""));
   if (!node.is_string() || key.dimension == Dimension::number) {
     wrong(node);
     return std::nullopt;
   }
   try {
     const Quantity quantity = quantity_from_text(*node.value<std::string_view>());
-    return units_.to_core(quantity.value, quantity.unit, key.dimension);
+    return with_unit(key, node, quantity.value, quantity.unit);
   } catch (const DomainError& error) {
     wrong(node, error.what());
     return std::nullopt;
@@ -164,26 +178,15 @@ std::optional<double> Reader::number(const Key& key, const toml::node& node) {
 
 bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t length,
                           Value& value) {
-  if (const toml::table* table = node.as_table()) {  // { value = [..], unit = ".." }
-    const toml::array* list = (*table)["value"].as_array();
-    const auto unit = (*table)["unit"].value<std::string>();
-    if (list == nullptr || !unit || table->size() != 2) return wrong(node);
-    const std::size_t before = value.numbers.size();
-    for (const toml::node& item : *list) {
-      toml::table one{{"unit", *unit}};
-      one.insert("value", real(&item).value_or(std::nan("")));
-      const std::optional<double> number = quantity(key, one);
-      if (!number) return false;
-      value.numbers.push_back(*number);
-    }
-    const std::size_t found = value.numbers.size() - before;
-    return found == 0 || (length > 0 && found != length) ? wrong(node) : true;
-  }
-  const toml::array* array = node.as_array();
-  if (array == nullptr || array->empty() || (length > 0 && array->size() != length))
-    return wrong(node);
+  const toml::table* table = node.as_table();  // { value = [..], unit = ".." }
+  const toml::array* array = table == nullptr ? node.as_array() : (*table)["value"].as_array();
+  const std::optional<std::string_view> unit = table == nullptr ? std::nullopt : own_unit(*table);
+  const bool sized =
+      array != nullptr && !array->empty() && (length == 0 || array->size() == length);
+  if (!sized || (table != nullptr && !unit)) return wrong(node);
   for (const toml::node& item : *array) {
-    const std::optional<double> found = number(key, item);
+    const std::optional<double> found =
+        unit ? with_unit(key, item, real(&item), *unit) : number(key, item);
     if (!found) return false;
     value.numbers.push_back(*found);
   }

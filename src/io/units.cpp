@@ -259,6 +259,7 @@ double Units::to_core(double value, Dimension dimension) const {
 
 double Units::to_core(double value, std::string_view unit, Dimension dimension) const {
   const UnitPointer own = parsed_unit(unit);
+  if (!std::isfinite(value)) throw DomainError("numbers must be finite");
   for (const bool radians : {false, true}) {
     const double result =
         converted(value, own.get(), parsed_unit(core_unit(*this, dimension, radians)).get());

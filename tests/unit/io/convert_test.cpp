@@ -125,6 +125,13 @@ TEST(Convert, ABadRowStopsItAfterTheRowsBefore) {
               StartsWith("in.csv:2: andoyer_state: L = 2"));
 }
 
+TEST(Convert, AnglesEndWhereTheirDigitsDo) {
+  const std::string header = "l,g,h,L,G,H\n";
+  EXPECT_EQ(converted("andoyer", "rotor", header + "1e10,1,1,0.5,1,0\n").error, "");
+  EXPECT_EQ(converted("andoyer", "rotor", header + "1e11,1,1,0.5,1,0\n").error,
+            "in.csv:2: l: got \"1e11\"; expected a finite number, angles up to 1e10");
+}
+
 TEST(Convert, ABadHeaderStopsIt) {
   EXPECT_EQ(converted("rotor", "andoyer", "").error,
             "in.csv:1: got no header line; expected one with the columns qw,qx,qy,qz,g1,g2,g3");

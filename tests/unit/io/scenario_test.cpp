@@ -189,6 +189,32 @@ TEST(Scenario, NotANumberIsRefusedEverywhere) {
         << bad;
 }
 
+TEST(Scenario, UnitsTakeNoNumberOutOfRange) {
+  EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = \"1e308 yr\"\nstep = 1\n"),
+              StartsWith("f.toml:12:8: time.stop: got \"1e308 yr\"; expected a time"));
+  EXPECT_THAT(error_of(head + "[state.andoyer]\nl = 1e11\ng = 2\nh = 3\nL = 0\nG = 1\nH = 0\n"),
+              HasSubstr("f.toml:5:5: state.andoyer.l: got 1e+11; expected an angle"));
+}
+
+TEST(Scenario, ArraysMayHaveOneUnit) {
+  const auto error = [&](const std::string& rate) {
+    return error_of(
+        head + "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = " + rate + "\n");
+  };
+  EXPECT_EQ(error("{ value = [1, 2, 3], unit = \"rpm\" }"), "no error");
+  EXPECT_EQ(error("[1, \"2 rpm\", { value = 3, unit = \"deg/h\" }]"), "no error");
+  EXPECT_THAT(error("{ value = [1, 2, \"3\"], unit = \"rpm\" }"),
+              StartsWith("f.toml:6:31: state.attitude-rate.omega_body: got \"3\"; expected"));
+  EXPECT_THAT(error("{ value = [1, 2, nan], unit = \"rpm\" }"),
+              HasSubstr("got nan; expected an array of 3 numbers, each an "
+                        "angular rate: a number (of rad/s), \"1 rad/s\" or { value = 1, unit = "
+                        "\"rad/s\" }; numbers must be finite"));
+  EXPECT_THAT(error("{ value = [1, 2], unit = \"rpm\" }"), StartsWith("f.toml:6:14: "));
+  EXPECT_THAT(error("{ value = [1, 2, 3], unit = \"rpn\" }"), HasSubstr("did you mean rpm?"));
+  EXPECT_THAT(error("{ value = [1, 2, 3], units = \"rpm\" }"), StartsWith("f.toml:6:14: "));
+  EXPECT_THAT(error("{ value = [1, 2, 3] }"), StartsWith("f.toml:6:14: "));
+}
+
 TEST(Scenario, ExactlyOneChart) {
   EXPECT_THAT(error_of(head), HasSubstr("state: got nothing; expected a table"));
   EXPECT_THAT(error_of(head + "[state]\naxes = \"inertial\"\n"),
