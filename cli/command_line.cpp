@@ -25,9 +25,23 @@ int failure(int status, const std::string& message) {
   return status;
 }
 
+// "polhode rum FILE": CLI11 only says that a subcommand is missing.
+std::string unknown_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    if (command->get_name() == argv[1]) return {};
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return "polhode: got command \"" + std::string(argv[1]) + "\"; expected one of " + names;
+}
+
 // Help and version are exceptions to CLI11, too.
-int parse_outcome(const CLI::App& app, const CLI::ParseError& error) {
+int parse_outcome(const CLI::App& app, const CLI::ParseError& error, int argc,
+                  const char* const* argv) {
   if (error.get_exit_code() != 0) {
+    const std::string unknown = unknown_command(app, argc, argv);
+    if (!unknown.empty()) return failure(bad_input, unknown);
     const auto used = app.get_subcommands();
     const std::string command = used.empty() ? "polhode" : "polhode " + used.front()->get_name();
     std::string text = error.what();
@@ -67,7 +81,7 @@ int command_line(int argc, const char* const* argv) {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return parse_outcome(app, error);
+    return parse_outcome(app, error, argc, argv);
   } catch (const DomainError& error) {
     return failure(bad_input, error.what());
   } catch (const std::bad_alloc&) {

@@ -12,6 +12,7 @@
 #include "io/detail/line_reader.hpp"
 #include "io/detail/nearest.hpp"
 #include "io/detail/number_text.hpp"
+#include "io/detail/table_notes.hpp"
 #include "io/detail/values.hpp"
 #include "polhode/error.hpp"
 #include "polhode/io/schema.hpp"
@@ -77,6 +78,7 @@ class Converter {
   [[noreturn]] void fail(const std::string& text);
   void read_header(std::string_view line);
   void assign_roles();
+  void require_radians(const std::string& column);
   void write_header();
   void read_fields(std::string_view line);
   const char* read_number(Field& field, const char* begin, const char* end);
@@ -93,6 +95,7 @@ class Converter {
   std::size_t place_ = 0;  // the field before which the new columns are written
   bool header_done_ = false;
   std::size_t line_number_ = 0;
+  detail::TableNotes notes_;
   ChartRow numbers_{};
   double time_ = 0.0;
   std::string out_;
@@ -140,7 +143,7 @@ void Converter::finish(bool too_long) {
 void Converter::line(std::string_view line) {
   if (line_number_++ == 0 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // UTF-8 mark
   if (line.starts_with('#')) {
-    out_.append(line).push_back('\n');
+    if (header_done_ || !notes_.read(line)) out_.append(line).push_back('\n');
   } else if (without_blanks(line).empty()) {
     return;
   } else if (header_done_) {
@@ -179,7 +182,8 @@ void Converter::assign_roles() {
     const auto found = std::find(names.begin(), names.end(), old[i]);
     const auto index = static_cast<std::size_t>(found - names.begin());
     if (found == names.end() && i >= needed) {
-      numbers_[i] = std::numeric_limits<double>::quiet_NaN();
+      const double unknown = std::numeric_limits<double>::quiet_NaN();
+      numbers_[i] = notes_.constant(old[i]).value_or(unknown);
       continue;
     }
     if (found == names.end()) {
@@ -190,6 +194,7 @@ void Converter::assign_roles() {
     }
     if (std::find(found + 1, names.end(), old[i]) != names.end())
       fail("column " + old[i] + " is there twice");
+    require_radians(old[i]);
     fields_[index].role = static_cast<int>(i);
     if (std::find(std::begin(angle_columns), std::end(angle_columns), old[i]) !=
         std::end(angle_columns))
@@ -203,6 +208,15 @@ void Converter::assign_roles() {
     else if (field.name == "t" && (from_.chart.name == "serret" || to_.chart.name == "serret"))
       field.role = is_time;
   }
+}
+
+// A table of `polhode run` says its units.
+void Converter::require_radians(const std::string& column) {
+  const std::string_view unit = notes_.unit(column);
+  for (const char* angle : {"deg", "arcmin", "arcsec", "mas", "uas", "rev"})
+    if (unit == angle || unit.starts_with(std::string(angle) + "/"))
+      fail("column " + column + " is in " + std::string(unit) +
+           "; expected radians (angle = \"rad\" in the [units] of the run)");
 }
 
 void Converter::write_header() {

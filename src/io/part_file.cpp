@@ -45,6 +45,8 @@ PartFile::PartFile(const std::string& path)
     : path_(path), part_(path == "-" ? path : part_path(path)), file_(stdout) {
   if (path == "-") return;
   file_ = std::fopen(part_.c_str(), "wb");
+  if (file_ == nullptr && errno == ENOENT)
+    throw DomainError(printable(path, longest_path) + ": its folder does not exist");
   if (file_ == nullptr) throw DomainError(write_failure(part_, errno));
 }
 
