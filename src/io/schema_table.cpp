@@ -135,7 +135,8 @@ constexpr Key keys[] = {
      .dimension = Dimension::angle,
      .fallback = "0",
      .example = "0",
-     .help = "Precession angle of the long axis at t = 0."},
+     .help = "Precession angle at t = 0: about the pole, from the direction due south of it to the "
+             "node of the long axis (docs/guide/tumblers.md)."},
     {.path = "state.tumbler.psi0",
      .type = number,
      .dimension = Dimension::angle,

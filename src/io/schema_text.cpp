@@ -117,8 +117,10 @@ void append_comment(std::string& page, std::string_view text) {
   page += "# " + std::string(text) + "\n";
 }
 
-// The keys of the first set of each row of alternatives stand; the others are shown as comments.
+// The keys of the first set of each row of alternatives stand; the others are shown as comments,
+// and so is the epoch: a date that is not the user's own must not slip into their files.
 bool stands(const Schema& schema, const Key& key) {
+  if (key.type == KeyType::epoch) return false;
   if (key.presence != Presence::alternative) return true;
   const std::string_view name = key_name(key.path);
   for (const Alternatives& row : schema.alternatives) {

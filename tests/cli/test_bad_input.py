@@ -34,7 +34,7 @@ SCENARIOS = {
     "psi0": (HEAD.replace("[1, 2, 2.5]", "[0.61, 0.965, 1]") + TUMBLER + "psi0 = 1.5\n",
              "9:8: state.tumbler.psi0", "psi_max = 1.09"),
     "serret energy": (HEAD + "[state.serret]\ng0 = 0\nh = 0\nt0 = 0\nG = 1\nH = 0\nT = 9\n",
-                      "10:5: state.serret.T", "got 9"),
+                      "4:1: state.serret", "needs T in [G^2/2I3, G^2/2I1]"),
     "sadov actions": (HEAD + "[state.sadov]\nphi_l = 0\nphi_g = 0\nphi_h = 0\nI_l = 2\nI_g = 1\nI_h = 0\n",
                       "4:1: state.sadov", "|I_l| <= I_g"),
     "unknown unit": (HEAD + ANDOYER + "[time]\nstop = \"3 hours\"\nstep = 1\n", "12:8: time.stop",

@@ -112,3 +112,25 @@ def test_a_million_rows(run, polhode, tmp_path):
 def test_help_lists_every_chart(run):
     text = run("convert", "--help").stdout
     assert all(f"  {chart}: " in text for chart in CHARTS)
+
+
+def test_a_run_tells_convert_its_branch(polhode, run, tmp_path):
+    """Serret's sign_g3 and Sadov's lobe stand in a comment of the run; convert heeds it."""
+    for chart, omega in (("serret", "[0.5, 0.25, -1]"), ("sadov", "[-1.5, 0.25, 0.1]")):
+        scenario = tmp_path / f"{chart}.toml"
+        scenario.write_text(
+            "schema = 1\n[body]\nmoments = [3, 4, 6]\n[state.attitude-rate]\n"
+            f"quaternion = [0.8, 0, 0.6, 0]\nomega_body = {omega}\n"
+            f'[time]\nat = [0]\n[output]\ncolumns = ["{chart}"]\n')
+        table = run("run", str(scenario), "-o", "-").stdout
+        back = run("convert", "--from", chart, "--to", "attitude-rate", "--moments", "3,4,6",
+                   stdin=table).stdout.splitlines()[-1].split(",")
+        rates = [float(x) for x in back[-3:]]
+        wanted = [float(x) for x in omega.strip("[]").split(",")]
+        assert max(abs(a - b) for a, b in zip(rates, wanted)) < 1e-12
+
+
+def test_degrees_of_a_run_are_refused(polhode, run, tmp_path):
+    table = "# units: t [h], phi [deg], theta [deg]\nt,phi,theta,psi,Phi,Theta,Psi\n0,1,1,1,1,1,1\n"
+    result = run("convert", "--from", "euler", "--to", "rotor", stdin=table)
+    assert result.returncode == 2 and "phi is in deg; expected radians" in result.stderr
