@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The only source that knows toml++: a TOML document against the table of keys.
-#include "io/detail/values.hpp"
-
-#define TOML_MAX_NESTED_VALUES 16
-#define TOML_HEADER_ONLY 1
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
+
+#include "io/detail/values.hpp"
+
+namespace {
+struct TomlAssertion {};
+[[noreturn]] void toml_assertion_failed() { throw TomlAssertion(); }
+}  // namespace
+
+// toml++ 3.3 meets its own assertions on some noise; without them it would go on undefined.
+#undef NDEBUG
+#define TOML_ASSERT(truth) ((truth) ? static_cast<void>(0) : toml_assertion_failed())
+#define TOML_MAX_NESTED_VALUES 16
+#define TOML_HEADER_ONLY 1
+#include <toml++/toml.h>
 
 #include "io/detail/nearest.hpp"
 #include "io/detail/number_text.hpp"
@@ -21,8 +29,6 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// toml++ 3.3 destroys a.b.c... by recursion: a key of a million dots would overflow the stack.
-constexpr int most_dots = 250;
 constexpr std::size_t longest_name = 200;
 constexpr double largest_angle = 1e10;  // a double of this size has lost six of its digits
 
@@ -63,19 +69,6 @@ std::string shown(const toml::node& node) {
     text += (text.size() > 1 ? ", " : "") + (item.is_array() ? "[...]" : shown(item));
   }
   return text + "]";
-}
-
-// A run of a key's characters with too many dots, before the parser sees it.
-std::optional<Position> deep_key(std::string_view text) {
-  Position here;
-  int dots = 0;
-  for (const char c : text) {
-    if (c == '.' && ++dots > most_dots) return here;
-    if (std::string_view(",=[]{}#\n").find(c) != std::string_view::npos) dots = 0;
-    ++here.column;
-    if (c == '\n') here = {here.line + 1, 1};
-  }
-  return std::nullopt;
 }
 
 class Reader {
@@ -433,8 +426,8 @@ ReadFile Reader::read(const toml::table& file) {
 }  // namespace
 
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics) {
-  if (const std::optional<Position> where = deep_key(text)) {
-    diagnostics.add(*where, "file", "got a key of more than 250 dots; expected a scenario");
+  if (const std::optional<Refusal> refused = refusal(text)) {
+    diagnostics.add(refused->where, "file", refused->text);
     return {{}, Units()};
   }
   try {
@@ -448,8 +441,10 @@ ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& d
   } catch (const toml::parse_error& error) {
     diagnostics.add(position(error.source()), "file",
                     "not TOML: " + printable(error.description(), longest_name));
-    return {{}, Units()};
+  } catch (const TomlAssertion&) {
+    diagnostics.add({}, "file", "not TOML");
   }
+  return {{}, Units()};
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,13 @@ std::string printable(std::string_view text, std::size_t longest = 60);
 
 // Throws DomainError unless the text is a date with its scale.
 void require_epoch(std::string_view text);
+
+struct Refusal {
+  Position where;
+  std::string text;
+};
+// Why a text must not reach the TOML parser: what it would crash on, or answer undefined.
+std::optional<Refusal> refusal(std::string_view text);
 
 struct ReadFile {
   Values values;

@@ -247,7 +247,8 @@ TEST(Scenario, NoiseIsRefusedInOneLine) {
   for (int i = 0; i < 1000000; ++i) deep += "a.";
   for (const std::string& text :
        {deep + "a = 1", "[" + deep + "a]", "x = " + std::string(1000000, '['),
-        "x = " + std::string(100000, '{'), std::string(1000, '\0'), std::string("\xff\xfe\0\0", 4),
+        "x = " + std::string(100000, '{'), std::string(1000, '\0'),
+        std::string("[\0te]\na = 1", 11), std::string("\xff\xfe\0\0", 4),
         std::string(17 << 20, ' '), "a = " + std::string(1000000, '9'),
         "a = \"" + std::string(1000000, 'x')}) {
     const std::string error = error_of(text);
@@ -255,6 +256,22 @@ TEST(Scenario, NoiseIsRefusedInOneLine) {
     EXPECT_EQ(error.find('\n'), std::string::npos);
     EXPECT_LT(error.size(), 400U);
   }
+}
+
+TEST(Scenario, QuotesAndCommentsMayHoldAnything) {
+  const auto error = [&](const std::string& lines) { return error_of(lines + head + andoyer); };
+  for (const char* good :
+       {"# \xc3\xa9 ... ' \" \n", "title = \"\xc3\xa9 # \"\n", "title = '\xc3\xa9 \\'\n",
+        "title = \"\\\"\xc3\xa9\"\n", "title = \"\"\n", "title = ''\n",
+        "title = \"\"\"\xc3\xa9 \"\" \\\" \"\"\"\"\"\n", "title = '''\xc3\xa9 '' \\ '''''\n",
+        "title = \"\"\"\"\"\"\n"})
+    EXPECT_EQ(error(good), "no error") << good;
+  EXPECT_EQ(error("title = \"" + std::string(300, '.') + "\"\n# " + std::string(300, '.') + "\n"),
+            "no error");
+  for (const char* bad : {"\xc3\xa9 = 1\n", "title = \xc3\xa9\n", "title = \"\" \xc3\xa9\n",
+                          "title = \"a\\\"\" \xc3\xa9\n", "title = ''' '''''\xc3\xa9\n"})
+    EXPECT_THAT(error(bad), HasSubstr(": file: not TOML: got a character beyond ASCII")) << bad;
+  EXPECT_THAT(error("title = \"\xc3\xa9\" \xc3\xa9\n"), StartsWith("f.toml:1:13: file: "));
 }
 
 TEST(Scenario, ManyErrorsStayFew) {
