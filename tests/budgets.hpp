@@ -21,7 +21,8 @@ inline constexpr double elliptic_nome = 4.0;
 inline constexpr double elliptic_heuman = 4.0;
 inline constexpr double elliptic_legendre = 4.0;
 inline constexpr double elliptic_legendre_derivative = 6.0;
-// Of sn, cn, dn: over |f| + |u f'|, what one rounding of f and of u does. Of their derivatives: over
+// Of sn, cn, dn: over |f| + |u f'|, what one rounding of f and of u does. Of their derivatives:
+// over
 // 1 + |u|.
 inline constexpr double elliptic_jacobi = 3.0;
 inline constexpr double elliptic_jacobi_derivative = 20.0;
@@ -68,7 +69,8 @@ inline constexpr double round_trip_floor = 1e-14;
 inline constexpr double round_trip_eps = 20.0;
 // |M J M^T - J| in units of eps (|M| |J| |M^T|), entry by entry.
 inline constexpr double symplectic_eps = 4.0;
-// The same for B at the chart's own numbers, against g rounded there: over the distance to the pole.
+// The same for B at the chart's own numbers, against g rounded there: over the distance to the
+// pole.
 inline constexpr double own_symplectic_eps = 50.0;
 // A product of Jacobians rounded to double, in eps of its terms.
 inline constexpr double given_jacobian_eps = 4.0;
@@ -92,6 +94,19 @@ inline constexpr double free_state_median = 4e-16;
 inline constexpr double free_transition = 2e-14;
 // The library's doubles against the paper's formulas at 50 digits (tests/paper).
 inline constexpr double free_attitude = 1e-14;
+
+// --- Sadov's and Serret's sets (tests/property/free_charts*), G = 1 ---
+// |M J M^T - J| in units of eps (|M| |J| |M^T|), entry by entry: to the hub and to any other set.
+inline constexpr double flow_symplectic_eps = 4.0;
+// Against differences of fourth order with step 2^-14, over the largest entry of the column.
+inline constexpr double flow_differences = 1e-9;
+// Carried by the transition matrix, over the largest of the terms of a column.
+inline constexpr double flow_moved = 1e-14;
+// Serret's elements on the separatrix and back.
+inline constexpr double serret_separatrix = 2e-14;
+
+// --- angles beyond the 32-digit reduction (tests/unit/math) ---
+inline constexpr double large_angle = 2e-16;
 
 // --- text and files (tests/unit/io) ---
 // A state read from text against the same state built directly; momentum of order ten.
@@ -134,5 +149,11 @@ inline constexpr double toutatis_inclination_deg = 3.0;
 inline constexpr double psi_max_by_sampling = 1e-5;
 // Periods, rates, modulus and actions against closed forms and each other, relative.
 inline constexpr double free_constants_eps = 4.0;
+
+// Sadov's and Serret's sets: hub to set and back, absolute and over the rounding of the set; the
+// symplectic defect of B, entry by entry over eps |B| |J| |B^T|.
+inline constexpr double flow_round_trip = 1e-14;
+inline constexpr double flow_round_trip_eps = 20.0;
+inline constexpr double flow_canonical_eps = 50.0;
 
 }  // namespace polhode::budget

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Any bytes are a table that converts, or one DomainError after the rows that are good: never a
+// crash, never a number that is not finite. The first two bytes choose the charts, the third how
+// much of the table arrives at a time.
+#include "polhode/io/convert.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "polhode/error.hpp"
+
+namespace {
+
+void require(bool good) {
+  if (!good) std::abort();
+}
+
+std::string chart(std::uint8_t byte) {
+  const auto charts = polhode::table_charts();
+  return std::string(charts[byte % charts.size()].name);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace polhode;
+  if (size < 3) return -1;
+  const Conversion conversion{chart(data[0]), chart(data[1]), Body(1.0, 2.0, 2.5)};
+  const std::size_t piece = std::size_t{1} + data[2];
+  std::string_view rest(reinterpret_cast<const char*>(data) + 3, size - 3);
+  std::string out;
+  try {
+    convert(
+        conversion, "fuzz",
+        [&](std::span<char> buffer) {
+          const std::size_t count = std::min({piece, buffer.size(), rest.size()});
+          std::copy_n(rest.data(), count, buffer.data());
+          rest.remove_prefix(count);
+          return count;
+        },
+        [&](std::string_view bytes) { out += bytes; });
+  } catch (const DomainError& error) {
+    const std::string_view message = error.what();
+    require(message.starts_with("fuzz:") && message.find('\n') == std::string_view::npos);
+  }
+  require(out.empty() || out.back() == '\n');
+  return 0;
+}
