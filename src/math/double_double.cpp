@@ -31,6 +31,8 @@ constexpr DoubleDouble ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 // ln 2 = high + low, the high part of 40 bits: its products with exponents are exact.
 constexpr double ln2_high = 0x1.62e42fefa2000p-1;
 constexpr DoubleDouble ln2_low{0x1.9ef35793c7673p-41, 0x1.f97b57a079a19p-103};
+// Where sincos keeps 32 digits.
+constexpr double largest_angle = 1e10;
 // pi/2 to 212 bits.
 constexpr DoubleDouble half_pi_high{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 constexpr DoubleDouble half_pi_low{-0x1.f1976b7ed8fbcp-110, 0x1.4cf98e804177dp-164};
@@ -139,6 +141,11 @@ DoubleDouble log(DoubleDouble x) {
 SinCos<DoubleDouble> sincos(DoubleDouble x) {
   if (x.hi == 0.0) return {x, 1.0};
   if (!std::isfinite(x.hi)) return {x.hi - x.hi, x.hi - x.hi};
+  if (std::abs(x.hi) > largest_angle) {  // the reduction below would leave its quadrant
+    const double s = std::sin(x.hi), c = std::cos(x.hi);
+    const double s_lo = std::sin(x.lo), c_lo = std::cos(x.lo);
+    return {s * c_lo + c * s_lo, c * c_lo - s * s_lo};
+  }
   const ReducedAngle r = quadrant_reduced(x);
   const double j = std::nearbyint(r.rest.hi * 5.092958178940651);
   DoubleDouble s = reduced_sin(r.rest - j * sixteenth_pi);

@@ -5,8 +5,9 @@
 //             Joldes, Muller and Popescu (2017) and Lefevre et al. (2023), the accurate variants.
 // Units       none: a DoubleDouble is a Real.
 // Domain      full accuracy for magnitudes in [1e-270, 1e290]: below, the low part is subnormal;
-//             above, the splitting of a product overflows. sin, cos, sincos and tan: |x| <= 1e10.
-//             Infinities and NaN pass through with lo = 0; signed zeros keep their sign in hi.
+//             above, the splitting of a product overflows. sin, cos, sincos and tan: |x| <= 1e10,
+//             beyond which they have the digits of double. Infinities and NaN pass through with
+//             lo = 0; signed zeros keep their sign in hi.
 // Accuracy    budget double_double_* in tests/budgets.hpp: a few times epsilon = 2^-104, relative,
 //             also where a difference cancels and near the zeros of log, expm1, sin and atan2.
 // Errors      none; NaN outside the domain of a function, as in <cmath>.
