@@ -20,7 +20,7 @@ FORBIDDEN_IN_LIBRARY = re.compile(
 # A tolerance is a name in tests/budgets.hpp, never a number in a test.
 TYPED_TOLERANCE = re.compile(
     r"(?:EXPECT|ASSERT)_(?:NEAR|LT|LE)\s*\((?:(?!;\s*$).)*?,\s*"
-    r"(?:\d*\.?\d+e-\d+|0?\.0*\d+)\s*\)\s*(?:;|<<)",
+    r"(?:\d*\.?\d+e-\d+|0?\.0+[1-9]\d*)\s*\)\s*(?:;|<<)",
     re.MULTILINE | re.DOTALL,
 )
 NEAR_LITERAL = re.compile(
