@@ -10,6 +10,7 @@ namespace detail {
 namespace {
 
 constexpr std::size_t longest_path = 500;
+constexpr std::size_t longest_text = 600;
 
 }  // namespace
 
@@ -33,9 +34,9 @@ std::string printable(std::string_view text, std::size_t longest) {
 Diagnostics::Diagnostics(std::string_view name) : name_(printable(name, longest_path)) {}
 
 void Diagnostics::add(Position where, std::string_view path, std::string_view text) {
-  entries_.push_back({where, name_ + ":" + std::to_string(where.line) + ":" +
-                                 std::to_string(where.column) + ": " + std::string(path) + ": " +
-                                 std::string(text)});
+  entries_.push_back(
+      {where, name_ + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": " +
+                  printable(path, longest_path) + ": " + printable(text, longest_text)});
 }
 
 void Diagnostics::raise() const {

@@ -281,6 +281,14 @@ TEST(Scenario, ManyErrorsStayFew) {
   EXPECT_LE(std::count(error.begin(), error.end(), '\n'), 20);
 }
 
+TEST(Scenario, MessagesArePrintable) {
+  const std::string error =
+      error_of("[units]\nmoment = \"4\xef\xbb\xbf\"\n\"k\xc3\xa9y\" = 1\n" + head + andoyer);
+  EXPECT_THAT(error, HasSubstr("a number inside the unit \"4\\xef\\xbb\\xbf\""));
+  EXPECT_TRUE(std::all_of(error.begin(), error.end(),
+                          [](char c) { return (c >= 0x20 && c < 0x7f) || c == '\n'; }));
+}
+
 TEST(Scenario, NamesOfAnyFileStayOneLine) {
   try {
     scenario_from_text("", "a\nb\x1b.toml");
