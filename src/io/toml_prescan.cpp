@@ -55,6 +55,7 @@ class Outline {
       open(c);
     } else if (c == '\n' && !is_long(place_)) {
       place_ = Place::outside;
+      last_ = c;
       take(1);
     } else if (is_string(place_) && c == quote_of(place_)) {
       close();
@@ -64,8 +65,15 @@ class Outline {
   }
 
   void open(char c) {
-    const bool three = run(c) >= 3;
+    // elsewhere a quote opens nothing: toml++ reads +'x' as a broken number
+    const bool begins = std::string_view("=,[{.\n").find(last_) != std::string_view::npos;
+    const bool three = begins && run(c) >= 3;
+    if (c != ' ' && c != '\t' && c != '\r') last_ = c;
     if (c == '#') place_ = Place::comment;
+    if (!begins) {
+      take(1);
+      return;
+    }
     if (c == '"') place_ = three ? Place::long_basic : Place::basic;
     if (c == '\'') place_ = three ? Place::long_literal : Place::literal;
     take(is_long(place_) ? 3 : 1);
@@ -104,6 +112,7 @@ class Outline {
   std::size_t at_ = 0;
   Position where_;
   Place place_ = Place::outside;
+  char last_ = '\n';  // the last character outside of strings that is not blank
   int dots_ = 0;
 };
 

@@ -269,7 +269,8 @@ TEST(Scenario, QuotesAndCommentsMayHoldAnything) {
   EXPECT_EQ(error("title = \"" + std::string(300, '.') + "\"\n# " + std::string(300, '.') + "\n"),
             "no error");
   for (const char* bad : {"\xc3\xa9 = 1\n", "title = \xc3\xa9\n", "title = \"\" \xc3\xa9\n",
-                          "title = \"a\\\"\" \xc3\xa9\n", "title = ''' '''''\xc3\xa9\n"})
+                          "title = \"a\\\"\" \xc3\xa9\n", "a = +'\xc3\xa9'\n",
+                          "title = \"a\"'\xc3\xa9'\n", "title = ''' '''''\xc3\xa9\n"})
     EXPECT_THAT(error(bad), HasSubstr(": file: not TOML: got a character beyond ASCII")) << bad;
   EXPECT_THAT(error("title = \"\xc3\xa9\" \xc3\xa9\n"), StartsWith("f.toml:1:13: file: "));
 }
