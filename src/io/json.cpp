@@ -31,6 +31,12 @@ void append_quoted(std::string& out, std::string_view text) {
   out += '"';
 }
 
+// Appended, not put together first: g++ 12 sees an overlap in "\n" + std::string at -O3.
+void append_line_break(std::string& out, std::size_t levels) {
+  out += '\n';
+  out.append(2 * levels, ' ');
+}
+
 }  // namespace
 
 void JsonWriter::separate() {
@@ -42,7 +48,7 @@ void JsonWriter::separate() {
   Level& level = levels_.back();
   if (!level.empty) text_ += level.array ? ", " : ",";
   level.empty = false;
-  if (!level.array) text_ += "\n" + std::string(2 * levels_.size(), ' ');
+  if (!level.array) append_line_break(text_, levels_.size());
 }
 
 JsonWriter& JsonWriter::begin_object() {
@@ -55,7 +61,7 @@ JsonWriter& JsonWriter::begin_object() {
 JsonWriter& JsonWriter::end_object() {
   const bool empty = levels_.back().empty;
   levels_.pop_back();
-  if (!empty) text_ += "\n" + std::string(2 * levels_.size(), ' ');
+  if (!empty) append_line_break(text_, levels_.size());
   text_ += '}';
   return *this;
 }
