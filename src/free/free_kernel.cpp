@@ -15,7 +15,11 @@ namespace {
 
 // The two ways to an exact product; both give the same bits.
 struct DekkerProduct {
-  static TwoTerms<double> of(double a, double b) { return two_prod(a, b); }
+  static TwoTerms<double> of(double a, double b) {
+    if (!(std::abs(b) > 0x1p990)) return two_prod(a, b);
+    const TwoTerms<double> p = two_prod(a, 0x1p-60 * b);  // the halves of b overflow at 2^996
+    return {0x1p60 * p.hi, 0x1p60 * p.lo};
+  }
 };
 struct FmaProduct {
   [[gnu::always_inline]] static TwoTerms<double> of(double a, double b) {
