@@ -9,6 +9,9 @@
 // Cost        compile time; include the headers you use instead where that matters.
 #pragma once
 
+#include "polhode/dynamics/event.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/dynamics/method.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/carlson_rf_rd.hpp"
@@ -18,6 +21,7 @@
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/elliptic/nome.hpp"
 #include "polhode/error.hpp"
+#include "polhode/frame/frame.hpp"
 #include "polhode/free/cayley_klein.hpp"
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -32,6 +36,9 @@
 #include "polhode/math/real.hpp"
 #include "polhode/math/trigonometry.hpp"
 #include "polhode/math/vector.hpp"
+#include "polhode/perturb/any_perturbation.hpp"
+#include "polhode/perturb/effect.hpp"
+#include "polhode/perturb/user_terms.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/body.hpp"
@@ -41,4 +48,7 @@
 #include "polhode/rotor/polar_factor.hpp"
 #include "polhode/rotor/rate_jacobian.hpp"
 #include "polhode/rotor/rotor_state.hpp"
+#include "polhode/system/system.hpp"
+#include "polhode/trajectory/save_at.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 #include "polhode/version.hpp"

@@ -24,7 +24,7 @@
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
-#include "polhode/io/save_at.hpp"
+#include "polhode/trajectory/save_at.hpp"
 #include "polhode/io/units.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/save_at.hpp"
+#include "polhode/trajectory/save_at.hpp"
 
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "io/detail/number_text.hpp"
+#include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/save_at.hpp"
+#include "polhode/trajectory/save_at.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Methods: small values that say how a rotation is integrated.
+//
+// Equations   Adaptive: an explicit Runge-Kutta pair of high order on (q, g). Splitting: the exact
+//             free rotation and the exact frame, composed with exact kicks or flows of the terms.
+//             VariationOfConstants: the constants of the free rotation are the unknowns [SA (98)-
+//             (103)], here the state at a reference epoch, which is regular everywhere.
+// Units       steps in the unit of time of the system; tolerance is relative to |q| = 1 and to |g|.
+// Domain      tolerance from 1e-15 to 1e-2 (DoubleDouble: from 1e-30); a step that is positive.
+// Accuracy    docs/guide/which-propagator.md: measured work and precision of each.
+// Errors      DomainError from the functions that make a method with a value out of range; integrate
+//             checks again.
+// Cost        docs/guide/which-propagator.md.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <variant>
+
+namespace polhode {
+inline namespace v0 {
+
+// The arithmetic of a run: double with compensated sums of state and time, or double-double
+// throughout (terms included; some twenty times slower).
+enum class Precision { compensated, double_double };
+
+struct Adaptive {
+  double tolerance = 1e-12;  // of the local error of one step
+  Precision precision = Precision::compensated;
+  double first_step = 0.0;  // 0: chosen
+  double largest_step = std::numeric_limits<double>::infinity();
+
+  constexpr bool operator==(const Adaptive&) const = default;
+};
+
+// Symmetric compositions of drift (free rotation) and kick (terms). The near-integrable families
+// ABA864 and ABA1064 (Blanes et al. 2013) have an error of order eps h^8 + eps^2 h^4 and eps h^10 +
+// eps^2 h^4 when the terms are eps times the free motion.
+enum class SplittingScheme { order2, order4, order6, order8, ABA864, ABA1064 };
+
+struct Splitting {
+  double step;
+  SplittingScheme scheme = SplittingScheme::ABA864;
+
+  constexpr bool operator==(const Splitting&) const = default;
+};
+
+struct VariationOfConstants {
+  double tolerance = 1e-12;  // of the local error of one step
+  double largest_step = std::numeric_limits<double>::infinity();
+
+  constexpr bool operator==(const VariationOfConstants&) const = default;
+};
+
+using Method = std::variant<Adaptive, Splitting, VariationOfConstants>;
+
+// "adaptive, tolerance 1e-12": what outputs say.
+std::string method_text(const Method& method);
+
+// DomainError when a value of the method is out of range.
+void require_valid(const Method& method);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Frame: the attitude and rate of the reference frame S in which a rotation is described.
+// Kinematics only: the system adds what a moving frame does to the equations of motion.
+//
+// Equations   v_I = q_IS v_S q_IS*, dq_IS/dt = (1/2) q_IS (0, mu_S): mu_S is the angular velocity of
+//             S with respect to inertial axes, in components of S [SA section 4].
+// Units       q none; mu in rad per time.
+// Domain      inertial; uniformly precessing about a fixed axis; an orbit plane with node Omega(t)
+//             and inclination i(t), or with p = sin(i) sin(Omega), q = sin(i) cos(Omega); any
+//             attitude q_IS(t) that the user writes as a template function. T is double,
+//             DoubleDouble, or a Dual of them.
+// Accuracy    a few roundings; a precession angle keeps the digits of rate x time. mu is the
+//             derivative of q_IS by dual numbers, so that the two cannot disagree.
+// Errors      DomainError for a rate or axis that is not finite, an axis of length 0.
+// Cost        inertial none; precessing one sincos; a user's functions with one derivative.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/math/quaternion.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct BasicFrameMotion {
+  BasicQuaternion<T> q_IS;
+  BasicVec3<T> mu_S;
+};
+using FrameMotion = BasicFrameMotion<double>;
+
+namespace detail {
+
+// Attitude with its time derivative in the dual parts.
+class ErasedFrame {
+ public:
+  virtual ~ErasedFrame() = default;
+  virtual BasicFrameMotion<double> at(double t) const = 0;
+  virtual BasicFrameMotion<DoubleDouble> at(const DoubleDouble& t) const = 0;
+};
+
+// mu_S = 2 q* dq/dt of a unit quaternion carried as a dual number.
+template <Real T>
+BasicFrameMotion<T> frame_motion(const BasicQuaternion<Dual<T, 1>>& q) {
+  const BasicQuaternion<T> value{q.w.value, q.x.value, q.y.value, q.z.value};
+  const BasicQuaternion<T> rate{q.w.derivative[0], q.x.derivative[0], q.y.derivative[0],
+                                q.z.derivative[0]};
+  const BasicQuaternion<T> mu = conj(value) * rate;
+  return {value, {T(2.0) * mu.x, T(2.0) * mu.y, T(2.0) * mu.z}};
+}
+
+template <class F>
+class HeldFrame final : public ErasedFrame {
+ public:
+  explicit HeldFrame(F attitude) : attitude_(std::move(attitude)) {}
+  BasicFrameMotion<double> at(double t) const override { return at_any(t); }
+  BasicFrameMotion<DoubleDouble> at(const DoubleDouble& t) const override { return at_any(t); }
+
+ private:
+  template <Real T>
+  BasicFrameMotion<T> at_any(const T& t) const {
+    return frame_motion<T>(normalized(attitude_(Dual<T, 1>::variable(t, 0))));
+  }
+  F attitude_;
+};
+
+}  // namespace detail
+
+class Frame {
+ public:
+  static Frame inertial() { return Frame(nullptr); }
+
+  // Precession with a constant rate about a constant axis (the same components in I and in S;
+  // |axis| is not used); S coincides with I at `epoch`.
+  static Frame precessing(const Vec3& axis, double rate, double epoch = 0.0);
+
+  // The axes of an orbit: x along the ascending node, z along the normal; q_IS = Rz(Omega) Rx(i).
+  // Omega(t) and i(t) are generic callables on a number type.
+  template <class Node, class Inclination>
+  static Frame orbit_plane(Node Omega, Inclination i) {
+    return from_attitude(
+        [Omega, i](const auto& t) { return rotation_z(Omega(t)) * rotation_x(i(t)); });
+  }
+  // The same plane without a node, regular at i = 0: x is the direction that the shortest turn
+  // brings from the inertial x axis. p = sin(i) sin(Omega), q = sin(i) cos(Omega).
+  template <class P, class Q>
+  static Frame orbit_plane_pq(P p, Q q) {
+    return from_attitude([p, q](const auto& t) { return shortest_turn(p(t), q(t)); });
+  }
+
+  // Any unit quaternion q_IS(t), as a generic callable on a number type.
+  template <class F>
+  static Frame from_attitude(F q_IS) {
+    return Frame(std::make_shared<const detail::HeldFrame<F>>(std::move(q_IS)));
+  }
+
+  bool is_inertial() const { return motion_ == nullptr; }
+
+  // T = double or DoubleDouble; for a Dual state the time is its value (Frame depends on it alone).
+  template <Real T>
+  BasicFrameMotion<T> at(const T& t) const {
+    return is_inertial() ? BasicFrameMotion<T>{} : motion_->at(t);
+  }
+  template <Real T, int N>
+  BasicFrameMotion<Dual<T, N>> at(const Dual<T, N>& t) const {
+    const BasicFrameMotion<T> m = at(t.value);
+    using D = Dual<T, N>;
+    return {{D(m.q_IS.w), D(m.q_IS.x), D(m.q_IS.y), D(m.q_IS.z)},
+            {D(m.mu_S.x), D(m.mu_S.y), D(m.mu_S.z)}};
+  }
+
+ private:
+  explicit Frame(std::shared_ptr<const detail::ErasedFrame> motion) : motion_(std::move(motion)) {}
+
+  // The turn from inertial z to the pole (p, -q, sqrt(1 - p^2 - q^2)) about the node.
+  template <Real T>
+  static BasicQuaternion<T> shortest_turn(const T& p, const T& q) {
+    using std::sqrt;
+    const T one(1.0), half(0.5);
+    const T cos_i = sqrt(one - (p * p + q * q));
+    const T c = sqrt(half * (one + cos_i));
+    return {c, half * q / c, half * p / c, T(0.0)};
+  }
+
+  std::shared_ptr<const detail::ErasedFrame> motion_;
+};
+
+}  // namespace v0
+}  // namespace polhode

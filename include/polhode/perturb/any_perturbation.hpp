@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// AnyPerturbation: one term of any type, for lists made at run time.
+//
+// Equations   those of the term.
+// Units       those of Effect.
+// Domain      any Perturbation. What the term can do (energy, exact flow, other number types) is
+//             found at compile time and asked for by the functions supports_*.
+// Accuracy    that of the term.
+// Errors      DomainError when something is asked that the term cannot do, naming it; what the term
+//             throws passes through.
+// Cost        one virtual call. Copies share the term, which is immutable.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "polhode/perturb/effect.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+namespace detail {
+
+[[noreturn]] void term_cannot(const std::string& name, std::string_view what);
+
+// The closed set of what is asked of a term at run time.
+class ErasedTerm {
+ public:
+  virtual ~ErasedTerm() = default;
+  virtual Effect effect(const Setting& at) const = 0;
+  virtual BasicEffect<DoubleDouble> effect(const BasicSetting<DoubleDouble>& at) const = 0;
+  virtual BasicEffect<Tangent> effect(const BasicSetting<Tangent>& at) const = 0;
+  virtual double energy(const Setting& at) const = 0;
+  virtual DoubleDouble energy(const BasicSetting<DoubleDouble>& at) const = 0;
+  virtual RotorState flow(const Setting& at, double h) const = 0;
+};
+
+template <Perturbation P>
+class HeldTerm final : public ErasedTerm {
+ public:
+  HeldTerm(std::string name, P term) : name_(std::move(name)), term_(std::move(term)) {}
+
+  Effect effect(const Setting& at) const override { return term_.effect(at); }
+  BasicEffect<DoubleDouble> effect(const BasicSetting<DoubleDouble>& at) const override {
+    return effect_on(at);
+  }
+  BasicEffect<Tangent> effect(const BasicSetting<Tangent>& at) const override {
+    return effect_on(at);
+  }
+  double energy(const Setting& at) const override { return energy_on(at); }
+  DoubleDouble energy(const BasicSetting<DoubleDouble>& at) const override { return energy_on(at); }
+  RotorState flow(const Setting& at, double h) const override {
+    if constexpr (Splittable<P>) {
+      return term_.flow(at, h);
+    } else if constexpr (Kick<P>) {
+      return {at.s.q, at.s.g + h * term_.effect(at).u};
+    } else {
+      term_cannot(name_, "has no exact flow: use a method that needs none (Adaptive)");
+    }
+  }
+
+ private:
+  template <Real T>
+  BasicEffect<T> effect_on(const BasicSetting<T>& at) const {
+    if constexpr (PerturbationOn<P, T>) {
+      return term_.effect(at);
+    } else {
+      term_cannot(name_, "works on double alone: write it as a template on the number type");
+    }
+  }
+  template <Real T>
+  T energy_on(const BasicSetting<T>& at) const {
+    if constexpr (Hamiltonian<P, T>) {
+      return term_.energy(at);
+    } else {
+      term_cannot(name_, "has no energy on this number type");
+    }
+  }
+
+  std::string name_;
+  P term_;
+};
+
+}  // namespace detail
+
+class AnyPerturbation {
+ public:
+  // `name` stands for the term in messages and outputs.
+  template <Perturbation P>
+  AnyPerturbation(const std::string& name, P term)
+      : name_(name),
+        energy_(Hamiltonian<P>),
+        flow_(Splittable<P> || Kick<P>),
+        kick_(Kick<P>),
+        any_real_(PerturbationOn<P, DoubleDouble> && PerturbationOn<P, Tangent>),
+        term_(std::make_shared<const detail::HeldTerm<P>>(name, std::move(term))) {}
+
+  const std::string& name() const { return name_; }
+  bool supports_energy() const { return energy_; }
+  bool supports_flow() const { return flow_; }
+  // v = 0, and u depends on time and attitude alone.
+  bool is_kick() const { return kick_; }
+  // DoubleDouble and Tangent beside double.
+  bool supports_any_real() const { return any_real_; }
+
+  // T = double, DoubleDouble or Tangent.
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    return term_->effect(at);
+  }
+  // T = double or DoubleDouble.
+  template <Real T>
+  T energy(const BasicSetting<T>& at) const {
+    return term_->energy(at);
+  }
+  RotorState flow(const Setting& at, double h) const { return term_->flow(at, h); }
+
+ private:
+  std::string name_;
+  bool energy_;
+  bool flow_;
+  bool kick_;
+  bool any_real_;
+  std::shared_ptr<const detail::ErasedTerm> term_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Effect{v, u}: what a perturbation does to a rotor, and the concepts that its term satisfies.
+//
+// Equations   w_SB = I^-1 g + v, dg_B/dt = g_B x w_SB + u. For a Hamiltonian term H'(t, q, g):
+//             v = dH'/dg, the convective term of [SA (105)-(107)], and u = -dH'/d(theta_B), the
+//             derivative by a turn of the body about its own axes.
+// Units       v in rad per time; u a torque, momentum per time; H' an energy.
+// Domain      a setting's state is q_SB, g_B: attitude with respect to the reference frame S, which
+//             has attitude q_IS in inertial axes. q_SB is a unit quaternion. A term is called with
+//             double, DoubleDouble (accurate runs) and Tangent (state transition matrices); only
+//             double is required.
+// Accuracy    that of the term.
+// Errors      a term may throw: integrate passes the exception on unchanged.
+// Cost        a setting is a view: no copy of the body.
+#pragma once
+
+#include <concepts>
+
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// A number with its derivatives by the six coordinates (dtheta_B, dg_B) of an initial state.
+using Tangent = Dual<double, 6>;
+
+template <Real T>
+struct BasicEffect {
+  BasicVec3<T> v;  // body components of the rate that the term adds to I^-1 g
+  BasicVec3<T> u;  // body components of the torque
+
+  constexpr bool operator==(const BasicEffect&) const = default;
+};
+using Effect = BasicEffect<double>;
+
+template <Real T>
+constexpr BasicEffect<T> operator+(const BasicEffect<T>& a, const BasicEffect<T>& b) {
+  return {a.v + b.v, a.u + b.u};
+}
+
+// Where a term is asked: the body, the time, its state in the reference frame S, and S itself.
+template <Real T>
+struct BasicSetting {
+  const Body& body;
+  T t;
+  BasicRotorState<T> s;     // q_SB, g_B
+  BasicQuaternion<T> q_IS;  // identity where the reference frame is inertial
+};
+using Setting = BasicSetting<double>;
+
+// The body components of a vector given in inertial or in reference-frame axes.
+template <Real T>
+BasicVec3<T> body_from_inertial(const BasicSetting<T>& at, const BasicVec3<T>& x_I) {
+  return rotate(conj(at.s.q), rotate(conj(at.q_IS), x_I));
+}
+template <Real T>
+BasicVec3<T> body_from_reference(const BasicSetting<T>& at, const BasicVec3<T>& x_S) {
+  return rotate(conj(at.s.q), x_S);
+}
+
+template <class P, class T>
+concept PerturbationOn = Real<T> && requires(const P& term, const BasicSetting<T>& at) {
+  { term.effect(at) } -> std::same_as<BasicEffect<T>>;
+};
+template <class P>
+concept Perturbation = PerturbationOn<P, double>;
+
+// A term with an energy H'(t, q, g), of which its effect is the derivative.
+template <class P, class T = double>
+concept Hamiltonian = PerturbationOn<P, T> && requires(const P& term, const BasicSetting<T>& at) {
+  { term.energy(at) } -> std::same_as<T>;
+};
+
+// A term whose own motion is known exactly: the state after a time h under that term alone (no free
+// rotation), t and the frame held.
+template <class P>
+concept Splittable = Perturbation<P> && requires(const P& term, const Setting& at, double h) {
+  { term.flow(at, h) } -> std::same_as<RotorState>;
+};
+
+// A term with v = 0 whose u depends on time and attitude alone says `static constexpr bool kick =
+// true`: its flow is g + h u.
+template <class P>
+concept Kick = Perturbation<P> && requires { requires P::kick; };
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Stepper: what every method is to the loop of integrate. One step at a time; it owns no samples,
+// events or files.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "polhode/dynamics/integrate.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  // One step towards `stop`, ending at it or before it (not beyond). An empty string when it was
+  // made; otherwise why not and what to try, and the stepper stays where it was.
+  virtual std::string advance(double stop) = 0;
+  virtual double time() const = 0;
+  virtual RotorState state() const = 0;  // at time(), q normalised
+  // The step just made. Valid until the next advance when `keep` is false, for good otherwise.
+  virtual std::shared_ptr<const DenseStep> dense(bool keep) = 0;
+  virtual Statistics statistics() const = 0;
+};
+
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method);
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method);
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const VariationOfConstants& method);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

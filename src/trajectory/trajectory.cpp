@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/trajectory/trajectory.hpp"
+
+#include <algorithm>
+
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+RotorState Trajectory::at(double t) const {
+  const double low = std::min(start(), stop()), high = std::max(start(), stop());
+  if (!(low <= t && t <= high))
+    throw DomainError("Trajectory::at: t = " + detail::number_text(t) + " must be from " +
+                      detail::number_text(low) + " to " + detail::number_text(high));
+  if (t == start()) return parts_.initial.s;
+  if (parts_.dense.empty())
+    throw DomainError("Trajectory::at: this run kept no dense output (integrate with keep_dense)");
+  const bool forward = start() <= stop();
+  // the first step that ends at t or beyond it
+  const auto step = std::partition_point(
+      parts_.dense.begin(), parts_.dense.end(),
+      [&](const auto& piece) { return forward ? piece->t1() < t : piece->t1() > t; });
+  return (step == parts_.dense.end() ? parts_.dense.back() : *step)->at(t);
+}
+
+}  // namespace v0
+}  // namespace polhode
