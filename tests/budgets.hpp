@@ -67,11 +67,10 @@ inline constexpr double poincare_far_pole = 1e-7;
 // Chart to chart and back: floor + eps x this x what the inverse Jacobians make of the sizes.
 inline constexpr double round_trip_floor = 1e-14;
 inline constexpr double round_trip_eps = 20.0;
-// |M J M^T - J| in units of eps (|M| |J| |M^T|), entry by entry.
+// |M J M^T - J| in units of eps (|M| |J| |M^T|), entry by entry; at a hub state, and of B at the
+// chart's own numbers.
 inline constexpr double symplectic_eps = 4.0;
-// The same for B at the chart's own numbers, against g rounded there: over the distance to the
-// pole.
-inline constexpr double own_symplectic_eps = 50.0;
+inline constexpr double own_symplectic_eps = 4.0;
 // A product of Jacobians rounded to double, in eps of its terms.
 inline constexpr double given_jacobian_eps = 4.0;
 // Entries of B, relative, and what a zero of the differences may be.
@@ -94,16 +93,6 @@ inline constexpr double free_state_median = 4e-16;
 inline constexpr double free_transition = 2e-14;
 // The library's doubles against the paper's formulas at 50 digits (tests/paper).
 inline constexpr double free_attitude = 1e-14;
-
-// --- Sadov's and Serret's sets (tests/property/free_charts*), G = 1 ---
-// |M J M^T - J| in units of eps (|M| |J| |M^T|), entry by entry: to the hub and to any other set.
-inline constexpr double flow_symplectic_eps = 4.0;
-// Against differences of fourth order with step 2^-14, over the largest entry of the column.
-inline constexpr double flow_differences = 1e-9;
-// Carried by the transition matrix, over the largest of the terms of a column.
-inline constexpr double flow_moved = 1e-14;
-// Serret's elements on the separatrix and back.
-inline constexpr double serret_separatrix = 2e-14;
 
 // --- angles beyond the 32-digit reduction (tests/unit/math) ---
 inline constexpr double large_angle = 2e-16;
@@ -150,10 +139,18 @@ inline constexpr double psi_max_by_sampling = 1e-5;
 // Periods, rates, modulus and actions against closed forms and each other, relative.
 inline constexpr double free_constants_eps = 4.0;
 
-// Sadov's and Serret's sets: hub to set and back, absolute and over the rounding of the set; the
-// symplectic defect of B, entry by entry over eps |B| |J| |B^T|.
+// --- Sadov's and Serret's sets (tests/property/flow_adapted_charts.cpp,
+// tests/unit/free/flow_adapted_limits.cpp), momenta of order 1 ---
+// Hub to set and back: floor + eps x this x what the Jacobian makes of the sizes.
 inline constexpr double flow_round_trip = 1e-14;
 inline constexpr double flow_round_trip_eps = 20.0;
+// The symplectic defect of B, entry by entry over eps |B| |J| |B^T|.
 inline constexpr double flow_canonical_eps = 50.0;
+// Serret's elements exactly on the separatrix and for spin about b2; for spin about b1 or b3, where
+// T holds J to sqrt(eps) only.
+inline constexpr double serret_separatrix = 2e-14;
+inline constexpr double serret_spin = 2e-8;
+// I_l of spin about the long axis, over I_g.
+inline constexpr double sadov_long_spin = 1e-130;
 
 }  // namespace polhode::budget

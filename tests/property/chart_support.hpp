@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/math/double_double.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -18,6 +19,7 @@
 namespace chart_test {
 
 using polhode::CanonicalSet;
+using polhode::DoubleDouble;
 using polhode::Matrix6;
 using polhode::Pole;
 using polhode::RotorState;
@@ -35,16 +37,23 @@ struct Chart {
   std::function<RotorState(const Numbers&)> to_hub;
   polhode::CanonicalChart id;
   std::function<Matrix6(const Numbers&)> own_jacobian;
+  std::function<Vec3(const Numbers&)> own_momentum;  // g_B in double-double, rounded once
 };
 
-inline polhode::EulerState euler_of(const Numbers& n) {
+template <class T = double>
+polhode::BasicEulerState<T> euler_of(const Numbers& n) {
   return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
-inline polhode::AndoyerState andoyer_of(const Numbers& n) {
+template <class T = double>
+polhode::BasicAndoyerState<T> andoyer_of(const Numbers& n) {
   return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
-inline polhode::PoincareState poincare_of(const Numbers& n, Pole pole_J, Pole pole_I) {
+template <class T = double>
+polhode::BasicPoincareState<T> poincare_of(const Numbers& n, Pole pole_J, Pole pole_I) {
   return {n[0], n[1], n[2], n[3], n[4], n[5], pole_J, pole_I};
+}
+inline Vec3 rounded_momentum(const polhode::BasicRotorState<polhode::DoubleDouble>& s) {
+  return {s.g.x.hi, s.g.y.hi, s.g.z.hi};
 }
 
 inline Chart euler_chart() {
@@ -56,7 +65,8 @@ inline Chart euler_chart() {
           },
           [](const Numbers& n) { return to_rotor(euler_of(n)); },
           {CanonicalSet::euler},
-          [](const Numbers& n) { return chart_jacobian(euler_of(n)); }};
+          [](const Numbers& n) { return chart_jacobian(euler_of(n)); },
+          [](const Numbers& n) { return rounded_momentum(to_rotor(euler_of<DoubleDouble>(n))); }};
 }
 inline Chart andoyer_chart() {
   return {"andoyer",
@@ -67,7 +77,8 @@ inline Chart andoyer_chart() {
           },
           [](const Numbers& n) { return to_rotor(andoyer_of(n)); },
           {CanonicalSet::andoyer},
-          [](const Numbers& n) { return chart_jacobian(andoyer_of(n)); }};
+          [](const Numbers& n) { return chart_jacobian(andoyer_of(n)); },
+          [](const Numbers& n) { return rounded_momentum(to_rotor(andoyer_of<DoubleDouble>(n))); }};
 }
 inline Chart poincare_chart(Pole pole_J, Pole pole_I) {
   const auto text = [](Pole p) { return p == Pole::zero ? std::string("0") : std::string("pi"); };
@@ -79,7 +90,10 @@ inline Chart poincare_chart(Pole pole_J, Pole pole_I) {
           },
           [=](const Numbers& n) { return to_rotor(poincare_of(n, pole_J, pole_I)); },
           {CanonicalSet::poincare, pole_J, pole_I},
-          [=](const Numbers& n) { return chart_jacobian(poincare_of(n, pole_J, pole_I)); }};
+          [=](const Numbers& n) { return chart_jacobian(poincare_of(n, pole_J, pole_I)); },
+          [=](const Numbers& n) {
+            return rounded_momentum(to_rotor(poincare_of<DoubleDouble>(n, pole_J, pole_I)));
+          }};
 }
 inline std::vector<Chart> canonical_charts() {
   std::vector<Chart> charts{euler_chart(), andoyer_chart()};

@@ -14,9 +14,10 @@
 //             middle axis, where t0 is infinite, that of a momentum 2^-440 G away; across the axis
 //             of an axisymmetric body (n = 0) t0 = t and g0 = g, and l is lost; sphere the same,
 //             which to_rotor refuses, since T no longer tells J.
-// Accuracy    budgets serret_* in tests/budgets.hpp; T and G hold the distance to the separatrix
-//             and to the axes only to eps G^2: near those the hub loses sqrt(eps). chart_jacobian
-//             has no meaning where the chart is singular (J = 0 or as close as T rounds to it, I =
+// Accuracy    budgets flow_round_trip, flow_round_trip_eps, flow_canonical_eps and
+//             serret_separatrix in tests/budgets.hpp; measured: docs/accuracy/charts.md. T and G
+//             hold the distance to the separatrix and to the axes only to eps G^2: near those the
+//             hub loses sqrt(eps). chart_jacobian has no meaning where the chart is singular (J = 0 or as close as T rounds to it, I =
 //             0, pi, steady rotations): it is rank-deficient or not finite there.
 // Errors      to_rotor throws DomainError for G <= 0 (rest has no elements), |H| > G, T outside
 //             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.

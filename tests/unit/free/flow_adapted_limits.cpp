@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Sadov's and Serret's sets where they are singular: the documented limit, never NaN.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "budgets.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "unit/free/support.hpp"
+
+namespace {
+
+using namespace free_test;
+using polhode::SadovState;
+using polhode::SerretState;
+namespace budget = polhode::budget;
+
+bool finite(const SerretState& s) { return std::isfinite(s.g0 + s.h + s.t0 + s.G + s.H + s.T); }
+bool finite(const SadovState& s) {
+  return std::isfinite(s.phi_l + s.phi_g + s.phi_h + s.I_l + s.I_g + s.I_h);
+}
+// A state moved, with its moments, to other names of the body axes.
+NamedMotion renamed(const NamedMotion& m, int shift) {
+  NamedMotion r = m;
+  for (int i = 0; i < 3; ++i) {
+    r.moments[(i + shift) % 3] = m.moments[i];
+    r.g[(i + shift) % 3] = m.g[i];
+  }
+  return r;
+}
+
+std::vector<NamedMotion> all_motions() {
+  std::vector<NamedMotion> all;
+  for (NamedMotion m : motions())
+    for (int shift = 0; shift < 3; ++shift) all.push_back(renamed(m, shift));
+  const Vec3 prolate{2.0, 5.0, 5.0}, oblate{3.0, 3.0, 5.0};
+  for (const double sign : {1.0, -1.0}) {
+    for (int shift = 0; shift < 3; ++shift) {
+      for (const Vec3& g : {Vec3{sign, 0, 0}, Vec3{0, sign, 0}, Vec3{0, 0, sign}}) {
+        all.push_back(renamed({"prolate about an axis", prolate, g, Regime::steady}, shift));
+        all.push_back(renamed({"oblate about an axis", oblate, g, Regime::steady}, shift));
+      }
+    }
+  }
+  return all;
+}
+
+TEST(FlowAdaptedLimits, AreFiniteForEveryMotion) {
+  for (const NamedMotion& m : all_motions()) {
+    for (const double t : {0.0, 17.7, -1e9}) {
+      EXPECT_TRUE(finite(to_serret(m.motion(), t))) << m.name << " " << t;
+      EXPECT_TRUE(finite(to_sadov(m.motion(), t))) << m.name << " " << t;
+    }
+  }
+}
+
+// The axis of a steady rotation: how many principal axes have its moment, and where that is.
+enum class Spin { long_axis, middle_axis, short_axis, any_of_two, any_of_three };
+Spin spin_of(const NamedMotion& m) {
+  const std::array<double, 3> I{m.moments.x, m.moments.y, m.moments.z};
+  double spun = 0.0;
+  for (int i = 0; i < 3; ++i)
+    if (m.g[i] != 0.0) spun = m.moments[i];
+  const auto equal = std::ranges::count(I, spun);
+  if (equal == 3) return Spin::any_of_three;
+  if (equal == 2) return Spin::any_of_two;
+  if (spun == std::ranges::min(I)) return Spin::long_axis;
+  return spun == std::ranges::max(I) ? Spin::short_axis : Spin::middle_axis;
+}
+
+bool is_still(const FreeRotation& m) {
+  return m.regime() == Regime::steady || m.regime() == Regime::rest;
+}
+
+TEST(FlowAdaptedLimits, SadovBringsSteadyRotationsBack) {
+  for (const NamedMotion& m : all_motions()) {
+    const FreeRotation motion = m.motion();
+    if (!is_still(motion)) continue;
+    const SadovState s = to_sadov(motion, 17.7);
+    EXPECT_LE(difference(to_rotor(m.body(), s), motion.at(17.7)), budget::free_state) << m.name;
+    if (motion.regime() == Regime::rest) continue;
+    if (spin_of(m) == Spin::short_axis) {
+      EXPECT_EQ(s.phi_l, 0.0) << m.name;
+      EXPECT_EQ(std::abs(s.I_l), s.I_g) << m.name;
+    } else if (spin_of(m) == Spin::long_axis) {
+      EXPECT_EQ(s.phi_l, 0.0) << m.name;
+      EXPECT_LE(s.I_l, budget::sadov_long_spin * s.I_g) << m.name;
+    } else if (spin_of(m) == Spin::middle_axis) {
+      EXPECT_NEAR(std::abs(s.phi_l), 0.5 * pi, budget::free_state) << m.name;
+    }
+  }
+}
+
+TEST(FlowAdaptedLimits, SerretBringsSpinsBack) {
+  for (const NamedMotion& m : all_motions()) {
+    const FreeRotation motion = m.motion();
+    if (!is_still(motion) || motion.regime() == Regime::rest) continue;
+    const SerretState s = to_serret(motion, 17.7);
+    switch (spin_of(m)) {
+      case Spin::any_of_three:
+        EXPECT_EQ(s.t0, 17.7) << m.name;
+        EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(m.body(), s, 17.7)); }),
+                    testing::HasSubstr("a sphere has no Serret elements"));
+        continue;
+      case Spin::any_of_two: {  // l is lost, and nothing else
+        EXPECT_EQ(s.t0, 17.7) << m.name;
+        const RotorState back = to_rotor(m.body(), s, 17.7);
+        EXPECT_LE(norm(inertial_momentum(back) - inertial_momentum(m.start())),
+                  budget::free_invariants * norm(m.g))
+            << m.name;
+        EXPECT_LE(relative(kinetic_energy(m.body(), back), motion.energy()),
+                  budget::free_invariants)
+            << m.name;
+        continue;
+      }
+      case Spin::long_axis:
+      case Spin::short_axis:
+        EXPECT_EQ(s.t0, 17.7) << m.name;
+        EXPECT_LE(difference(to_rotor(m.body(), s, 17.7), motion.at(17.7)), budget::serret_spin)
+            << m.name;
+        continue;
+      case Spin::middle_axis:
+        EXPECT_LE(difference(to_rotor(m.body(), s, 17.7), motion.at(17.7)),
+                  budget::serret_separatrix)
+            << m.name;
+    }
+  }
+}
+
+// All four branches, from where they leave one spin about b2 to where they reach the other.
+TEST(FlowAdaptedLimits, SerretBringsTheSeparatrixBack) {
+  const Body body(3.0, 4.0, 6.0);
+  const Quaternion q{0.6, -0.3, 0.7, 0.2};
+  for (const double sign_1 : {1.0, -1.0}) {
+    for (const double sign_3 : {1.0, -1.0}) {
+      const FreeRotation motion(body, {q, {sign_1, 0.5, sign_3}});
+      ASSERT_EQ(motion.regime(), Regime::separatrix);
+      for (const double t : {-20.0, -5.0, -1.0, 0.0, 0.3, 3.0, 20.0}) {
+        const SerretState s = to_serret(motion, t);
+        EXPECT_EQ(s.sign_g1, sign_1);
+        EXPECT_EQ(s.sign_g3, sign_3);
+        EXPECT_LE(difference(to_rotor(body, s, t), motion.at(t)), budget::serret_separatrix) << t;
+      }
+    }
+  }
+}
+
+}  // namespace
