@@ -25,6 +25,8 @@ class SaveAt {
 
   std::int64_t size() const { return size_; }
   double operator[](std::int64_t k) const;
+  // Whether the times are a list, in whatever order; steps and counts run one way.
+  bool is_list() const { return !at_.empty(); }
 
  private:
   SaveAt() = default;

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/dynamics/integrate.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "dynamics/detail/event_watch.hpp"
+#include "dynamics/detail/sample_queue.hpp"
+#include "dynamics/detail/stepper.hpp"
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::number_text;
+using detail::tuple_text;
+
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// The problem with a unit quaternion, or DomainError.
+Problem checked(Problem problem) {
+  const auto& [q, g] = problem.initial;
+  const double size = norm(Vec3{std::hypot(q.w, q.x), q.y, q.z});
+  if (!(size > 0.0) || !std::isfinite(size))
+    throw DomainError("integrate: quaternion " + tuple_text({q.w, q.x, q.y, q.z}) +
+                      " must be finite and not zero");
+  if (!is_finite(g))
+    throw DomainError("integrate: momentum " + tuple_text({g.x, g.y, g.z}) + " must be finite");
+  if (!std::isfinite(problem.start) || !std::isfinite(problem.stop))
+    throw DomainError("integrate: start " + number_text(problem.start) + " and stop " +
+                      number_text(problem.stop) + " must be finite");
+  require_valid(problem.method);
+  for (const Event& event : problem.events)
+    if (!event.function)
+      throw DomainError("integrate: event \"" + event.name + "\" must have a function");
+  problem.initial.q = normalized(q);
+  return problem;
+}
+
+// One run: steps, and what they leave behind.
+class Run {
+ public:
+  Run(const Problem& problem, bool keep_dense, detail::SampleQueue& samples)
+      : problem_(checked(problem)),
+        keep_dense_(keep_dense),
+        samples_(samples),
+        watch_(problem_.events),
+        stepper_(std::visit([&](const auto& m) { return detail::make_stepper(problem_, m); },
+                            problem_.method)) {}
+
+  Trajectory::Parts result() {
+    parts_.initial = {problem_.start, problem_.initial};
+    parts_.method = method_text(problem_.method);
+    parts_.outcome.t = problem_.start;
+    try {
+      samples_.begin(parts_.initial);
+      watch_.begin(problem_.start, problem_.initial);
+      if (refused(problem_.start)) return finished();
+      while (stepper_->time() != problem_.stop && step()) {
+      }
+    } catch (...) {
+      samples_.flush();
+      throw;
+    }
+    return finished();
+  }
+
+ private:
+  // Whether the run goes on.
+  bool step() {
+    const std::string advice = stepper_->advance(problem_.stop);
+    if (!advice.empty()) {
+      fail(advice);
+      return false;
+    }
+    Sample end{stepper_->time(), stepper_->state()};
+    const bool crossed = watch_.crossed(end.t, end.s);
+    if (refused(parts_.outcome.t)) return false;
+    std::shared_ptr<const DenseStep> dense;
+    if (keep_dense_ || crossed || samples_.wants_inside(end.t))
+      dense = stepper_->dense(keep_dense_);
+    if (keep_dense_) parts_.dense.push_back(dense);
+    bool stopped = false;
+    if (crossed) {
+      const detail::EventWatch::Found found = watch_.found(*dense, end.s);
+      parts_.events.insert(parts_.events.end(), found.records.begin(), found.records.end());
+      stopped = found.stops;
+      if (stopped) end = {found.records.back().t, found.records.back().s};
+    }
+    samples_.step(dense.get(), end);
+    if (stopped) {
+      samples_.last(end);
+      parts_.outcome.status = Outcome::Status::stopped_by_event;
+    }
+    parts_.outcome.t = end.t;
+    return !stopped;
+  }
+
+  bool refused(double t) {
+    if (watch_.nan_event().empty()) return false;
+    fail("event \"" + watch_.nan_event() + "\" is NaN after t = " + number_text(t) +
+         ": mend its function, or leave it out");
+    return true;
+  }
+
+  void fail(const std::string& advice) {
+    parts_.outcome.status = Outcome::Status::failed;
+    parts_.outcome.advice = advice;
+  }
+
+  Trajectory::Parts finished() {
+    samples_.flush();
+    parts_.statistics = stepper_->statistics();
+    return std::move(parts_);
+  }
+
+  Problem problem_;
+  bool keep_dense_;
+  detail::SampleQueue& samples_;
+  detail::EventWatch watch_;
+  std::unique_ptr<detail::Stepper> stepper_;
+  Trajectory::Parts parts_{};
+};
+
+}  // namespace
+
+Trajectory integrate(const Problem& problem, const Keep& keep) {
+  std::vector<Sample> kept;
+  const SampleSink into_memory = [&kept](std::span<const Sample> block) {
+    kept.insert(kept.end(), block.begin(), block.end());
+  };
+  detail::SampleQueue samples(problem.start, problem.stop, keep.samples, into_memory);
+  Trajectory::Parts parts = Run(problem, keep.dense, samples).result();
+  parts.samples = std::move(kept);
+  return Trajectory(std::move(parts));
+}
+
+Trajectory integrate(const Problem& problem, const SaveAt& times, const SampleSink& sink) {
+  detail::SampleQueue samples(problem.start, problem.stop, times, sink);
+  return Trajectory(Run(problem, false, samples).result());
+}
+
+}  // namespace v0
+}  // namespace polhode
