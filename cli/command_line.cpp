@@ -8,6 +8,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
@@ -36,14 +37,32 @@ std::string unknown_command(const CLI::App& app, int argc, const char* const* ar
   return "polhode: got command \"" + std::string(argv[1]) + "\"; expected one of " + names;
 }
 
+// CLI11 names the argument that it cannot place, but not what it could; and not even that where
+// something else is missing too, as after "--form" for "--from".
+std::string unknown_argument(const CLI::App& command, const std::string& name) {
+  const std::vector<std::string> left = command.remaining();
+  if (left.empty()) return {};
+  const bool is_option = left.front().size() > 1 && left.front().front() == '-';
+  std::string expected;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_lnames().empty() == is_option) continue;
+    expected += (expected.empty() ? "" : ", ") + option->get_name(!is_option);
+  }
+  if (is_option) return name + ": got option \"" + left.front() + "\"; expected one of " + expected;
+  return name + ": got \"" + left.front() + "\"; expected " +
+         (expected.empty() ? "no argument" : "nothing after " + expected);
+}
+
 // Help and version are exceptions to CLI11, too.
 int parse_outcome(const CLI::App& app, const CLI::ParseError& error, int argc,
                   const char* const* argv) {
   if (error.get_exit_code() != 0) {
-    const std::string unknown = unknown_command(app, argc, argv);
+    std::string unknown = unknown_command(app, argc, argv);
     if (!unknown.empty()) return failure(bad_input, unknown);
     const auto used = app.get_subcommands();
     const std::string command = used.empty() ? "polhode" : "polhode " + used.front()->get_name();
+    unknown = unknown_argument(used.empty() ? app : *used.front(), command);
+    if (!unknown.empty()) return failure(bad_input, unknown);
     std::string text = error.what();
     for (char& c : text)
       if (c == '\n') c = ' ';

@@ -62,6 +62,7 @@ class InputFile {
 };
 
 Body body_of(const std::string& moments) {
+  const std::string got = "convert: --moments: got \"" + moments + "\"; ";
   double I[3] = {};
   const char* p = moments.data();
   const char* end = p + moments.size();
@@ -69,11 +70,14 @@ Body body_of(const std::string& moments) {
     const auto [stop, error] = std::from_chars(p, end, I[i]);
     const bool last = i == 2;
     if (error != std::errc() || (last ? stop != end : stop == end || *stop != ','))
-      throw DomainError("convert: --moments: got \"" + moments +
-                        "\"; expected three numbers I1,I2,I3");
+      throw DomainError(got + "expected three numbers I1,I2,I3");
     p = last ? stop : stop + 1;
   }
-  return Body(I[0], I[1], I[2]);
+  try {
+    return Body(I[0], I[1], I[2]);
+  } catch (const DomainError& error) {
+    throw DomainError(got + error.what());
+  }
 }
 
 void convert_file(const ConvertOptions& options) {

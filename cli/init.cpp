@@ -3,6 +3,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "polhode/error.hpp"
 #include "polhode/io/schema.hpp"
 
 namespace polhode::cli {
@@ -15,7 +16,13 @@ void add_init(CLI::App& app) {
     charts += (charts.empty() ? "" : ", ") + std::string(name);
   command->add_option("CHART", *chart, "How the state is given: " + charts)->capture_default_str();
   command->footer("Example:\n  polhode init tumbler > body.toml");
-  command->callback([chart] { print(scenario_template(*chart)); });
+  command->callback([chart] {
+    try {
+      print(scenario_template(*chart));
+    } catch (const DomainError& error) {
+      throw DomainError(std::string("polhode init: ") + error.what());
+    }
+  });
 }
 
 }  // namespace polhode::cli

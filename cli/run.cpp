@@ -23,7 +23,9 @@ struct RunOptions {
 void run_scenario(const RunOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
   if (!scenario.time)
-    throw DomainError(options.scenario + ": time: got nothing; expected a table [time] to run");
+    throw DomainError(
+        options.scenario +
+        ": time: got nothing; expected a table [time], stop with step or count, or at");
   std::vector<std::string> out = options.out;
   const bool table_only = out.empty() && isatty(STDOUT_FILENO) == 1;
   if (out.empty() && !table_only) out.push_back("-");

@@ -176,13 +176,14 @@ constexpr ChartMaps maps[] = {
 
 }  // namespace
 
-const ChartMaps& chart_maps(const std::string& name) {
+const ChartMaps& chart_maps(const std::string& name, const char* option) {
   std::vector<std::string_view> names;
   for (const ChartMaps& entry : maps) names.push_back(entry.chart.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return maps[found - names.begin()];
   const std::string_view near = nearest(name, names);
-  std::string message = "convert: unknown chart \"" + name + "\"; expected ";
+  std::string message =
+      std::string("convert: ") + option + ": unknown chart \"" + name + "\"; expected ";
   for (std::size_t i = 0; i < names.size(); ++i)
     message += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
   throw DomainError(message + (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));

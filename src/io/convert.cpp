@@ -112,8 +112,8 @@ Converter::Converter(const Conversion& conversion, const std::string& name, cons
     : name_(name),
       sink_(sink),
       body_(conversion.body),
-      from_(detail::chart_maps(conversion.from)),
-      to_(detail::chart_maps(conversion.to)),
+      from_(detail::chart_maps(conversion.from, "--from")),
+      to_(detail::chart_maps(conversion.to, "--to")),
       columns_(column_names(to_.chart)) {
   for (const ChartMaps* maps : {&from_, &to_})
     if (maps->chart.needs_body && !body_)

@@ -145,7 +145,8 @@ def test_a_scenario_without_times_does_not_run(run, tmp_path):
     path = tmp_path / "a.toml"
     path.write_text(HEAD + ANDOYER, encoding="utf-8")
     assert run("info", path).returncode == 0
-    assert "[time]" in check_one_line(run("run", path), 2)
+    assert check_one_line(run("run", path), 2) == (
+        f"{path}: time: got nothing; expected a table [time], stop with step or count, or at")
 
 
 @pytest.mark.parametrize("arguments", [
@@ -159,6 +160,36 @@ def test_a_scenario_without_times_does_not_run(run, tmp_path):
 ])
 def test_wrong_arguments(run, arguments):
     check_one_line(run(*arguments), 2)
+
+
+# the argument at fault, and what it could have been
+@pytest.mark.parametrize("arguments, message", [
+    (["--versio"], 'polhode: got option "--versio"; expected one of --help, --version'),
+    (["rum", "x"], 'polhode: got command "rum"; expected one of run, info, '),
+    (["run", "x", "--otu", "y"], 'polhode run: got option "--otu"; expected one of --help, --out'),
+    (["run", "x", "y"], 'polhode run: got "y"; expected nothing after FILE'),
+    (["convert", "--form", "rotor"],
+     'polhode convert: got option "--form"; expected one of --help, --from, --to, --moments'),
+    (["convert", "--from", "rotr", "--to", "euler"],
+     'convert: --from: unknown chart "rotr"; expected rotor, '),
+    (["convert", "--from", "rotor", "--to", "eulr"], "; did you mean euler?"),
+    (["convert", "--from", "rotor", "--to", "sadov", "--moments", "1,1,3"],
+     'convert: --moments: got "1,1,3"; Body: moments (1, 1, 3) break '),
+    (["init", "tumblr"], 'polhode init: chart: got "tumblr"; expected tumbler, '),
+])
+def test_message_names_the_argument(run, arguments, message):
+    assert message in check_one_line(run(*arguments), 2)
+
+
+@pytest.mark.parametrize("axes", ["", 'axes = "inertial"'])
+def test_ra_and_dec_need_named_axes(run, tmp_path, axes):
+    path = tmp_path / "a.toml"
+    tumbler = TUMBLER.replace("{ longitude = 1, latitude = 1 }", "{ ra = 1, dec = 0.5 }")
+    body = HEAD.replace("[1, 2, 2.5]", "[0.61, 0.965, 1]")
+    path.write_text(body + f"[state]\n{axes}\n" + tumbler, encoding="utf-8")
+    line = check_one_line(run("info", path), 2)
+    assert line.startswith(f"{path}:10:") and "state.tumbler.pole" in line
+    assert 'ra and dec need axes = "ecliptic-J2000" or "equator-J2000"' in line
 
 
 def test_a_full_disk(run, scenario):

@@ -27,8 +27,8 @@ struct ChartMaps {
   ChartRow (*row)(const RotorState&, const RowOrigin&);
 };
 
-// Throws DomainError with the nearest known name.
-const ChartMaps& chart_maps(const std::string& name);
+// Throws DomainError with the option that named it and the nearest known name.
+const ChartMaps& chart_maps(const std::string& name, const char* option);
 
 }  // namespace detail
 }  // namespace v0
