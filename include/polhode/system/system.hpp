@@ -66,7 +66,7 @@ BasicEffect<T> terms_effect(const System& system, const BasicSetting<T>& at) {
 template <Real T>
 BasicRotorRates<T> rotor_rates(const System& system, const T& t, const BasicRotorState<T>& s) {
   const BasicFrameMotion<T> frame = system.frame().at(t);
-  const BasicEffect<T> e = terms_effect(system, {system.body(), t, s, frame.q_IS});
+  const BasicEffect<T> e = terms_effect(system, BasicSetting<T>{system.body(), t, s, frame.q_IS});
   const Vec3& I = system.body().moments();
   const BasicVec3<T> w{s.g.x / T(I.x) + e.v.x, s.g.y / T(I.y) + e.v.y, s.g.z / T(I.z) + e.v.z};
   // not g x (w - mu) + g x mu: cancels
