@@ -145,12 +145,23 @@ inline constexpr double free_constants_eps = 4.0;
 inline constexpr double flow_round_trip = 1e-14;
 inline constexpr double flow_round_trip_eps = 20.0;
 // The symplectic defect of B, entry by entry over eps |B| |J| |B^T|.
-inline constexpr double flow_canonical_eps = 50.0;
+inline constexpr double flow_canonical_eps = 4.0;
 // Serret's elements exactly on the separatrix and for spin about b2; for spin about b1 or b3, where
 // T holds J to sqrt(eps) only.
 inline constexpr double serret_separatrix = 2e-14;
 inline constexpr double serret_spin = 2e-8;
+// Any of them where its numbers round J or I to the pole.
+inline constexpr double flow_pole = 5e-8;
 // I_l of spin about the long axis, over I_g.
 inline constexpr double sadov_long_spin = 1e-130;
+
+// --- frames and osculation (src/system): tests/paper/section4_library.cpp,
+// tests/property/osculation*.cpp, tests/unit/system ---
+// Rates, energies and momenta of order one against 50-digit Hamilton's equations.
+inline constexpr double paper_perturbed = 1e-12;
+// Angles of the osculating momentum, of axes that may stand near a pole.
+inline constexpr double paper_osculating_elements = 1e-12;
+// Convective terms carried through the free transition matrix and back.
+inline constexpr double paper_modified = 1e-12;
 
 }  // namespace polhode::budget

@@ -15,7 +15,6 @@
 #include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
-#include "polhode/rotor/euler.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -120,18 +119,19 @@ SadovState to_sadov(const FreeRotation& m, double t) {
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
-  const EulerState frame = to_euler(RotorState{phase.frame, {}});  // 3-1-3: (h, I, mean angle)
+  const detail::FrameAngles frame = detail::frame_angles(phase.frame);
   const double x = phase.x.hi;
   const double from_start = sense.s1 < 0.0 ? x + 2.0 * half_pi : x;
   SadovState s{};
   s.region = long_axis ? SadovRegion::long_axis : SadovRegion::short_axis;
   s.lobe = long_axis ? m.sign_g1() : 1;
   s.I_g = m.momentum();
-  s.I_h = to_andoyer(m.initial_state()).H;  // loses nothing near I = 0, pi
+  s.I_h = frame.pole != 0 ? frame.pole * s.I_g : to_andoyer(m.initial_state()).H;
   s.I_l = long_axis ? m.circulation_deficit() : m.sign_g3() * m.circulation_action();
-  s.phi_h = frame.phi;
+  s.phi_h = frame.h;
   s.phi_l = detail::wrapped(long_axis || m.sign_g3() < 0 ? from_start : -from_start);
-  s.phi_g = detail::wrapped(frame.psi - detail::node_offset<double>(sense) + (long_axis ? 0.0 : x));
+  s.phi_g = detail::wrapped(frame.mean_angle - detail::node_offset<double>(sense) +
+                            (long_axis ? 0.0 : x));
   return s;
 }
 

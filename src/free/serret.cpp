@@ -15,7 +15,6 @@
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
-#include "polhode/rotor/euler.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -146,13 +145,15 @@ SerretState to_serret(const FreeRotation& m, double t) {
   } else {
     elapsed = phase.u / k.phase_rate;
   }
-  const EulerState frame = to_euler(RotorState{phase.frame, {}});  // 3-1-3: (h, I, mean angle)
+  const detail::FrameAngles frame = detail::frame_angles(phase.frame);
   const DD swept = detail::wrapped(DD(2.0) * k.half_precession * elapsed);
   const detail::PrimedSense start{long_axis, periodic ? 1.0 : sense.s1, sense.s3};
   const double half_turn = periodic && sense.s1 < 0.0 ? 2.0 * half_pi : 0.0;
   s.t0 = (DD(t) - elapsed / DD(k.time_scale)).hi;
-  s.h = frame.phi;
-  s.g0 = detail::wrapped(frame.psi - swept.hi - detail::node_offset<double>(start) + half_turn);
+  s.h = frame.h;
+  if (frame.pole != 0) s.H = frame.pole * s.G;
+  s.g0 =
+      detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(start) + half_turn);
   s.sign_g1 = long_axis || !periodic ? m.sign_g1() : 1;
   s.sign_g3 = !long_axis || !periodic ? m.sign_g3() : 1;
   return s;

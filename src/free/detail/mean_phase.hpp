@@ -6,6 +6,7 @@
 
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/math/double_double.hpp"
+#include "polhode/rotor/euler.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -25,6 +26,22 @@ inline DoubleDouble wrapped(const DoubleDouble& angle) {
   return r.hi <= -DoubleDouble::pi().hi ? r + turn : r;
 }
 inline double wrapped(double angle) { return wrapped(DoubleDouble(angle)).hi; }
+
+// The angles of the mean frame, qz(h) qx(I) qz(mean_angle). A tilt of rounding has no node: then
+// h = 0, and pole is the sign of H = +-G.
+struct FrameAngles {
+  double h;
+  double mean_angle;
+  int pole = 0;
+};
+inline FrameAngles frame_angles(const Quaternion& frame) {
+  const EulerState e = to_euler(RotorState{frame, {}});
+  const double rounding = 4.0 * epsilon<double>();
+  const double tilt = std::hypot(frame.x, frame.y), rest = std::hypot(frame.w, frame.z);
+  if (tilt <= rounding * rest) return {0.0, e.psi + e.phi, 1};
+  if (rest <= rounding * tilt) return {0.0, e.psi - e.phi, -1};
+  return {e.phi, e.psi};
+}
 
 // Not for the steady form, whose phase is no coordinate.
 inline MeanPhase mean_phase(const FreeKernel& k, double t) {

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// What a state loses on the way through every chart, and how canonical the charts are: at generic
+// states and at distances down to 1e-12 from where each is singular. A seeded sample, or the full
+// counts when POLHODE_TEST_FULL is set. tools/accuracy/charts.py writes the properties recorded
+// here into docs/accuracy/charts.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "budgets.hpp"
+#include "oracle/free_cases.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "property/chart_support.hpp"
+
+namespace {
+
+using namespace chart_test;
+using oracle::Draw;
+using polhode::Body;
+using polhode::FreeRotation;
+namespace budget = polhode::budget;
+
+struct Case {
+  Body body;
+  RotorState state;  // |g| = 1
+};
+
+// What one set did to one state; bounds are what the headers promise.
+struct Loss {
+  double round_trip;
+  double allowed;
+  std::optional<double> defect = {};  // of B, in eps of its terms
+  double defect_allowed = budget::symplectic_eps;
+};
+
+// --- states ---
+
+Body triaxial(Draw& draw, const std::array<int, 3>& axis) {
+  for (;;) {
+    const auto I = oracle::detail::triaxial_moments(draw);
+    if (I[1] - I[0] < 0.05 * I[0] || I[2] - I[1] < 0.05 * I[1]) continue;
+    std::array<double, 3> moments{};
+    for (std::size_t i = 0; i < 3; ++i) moments[static_cast<std::size_t>(axis[i])] = I[i];
+    return {moments[0], moments[1], moments[2]};
+  }
+}
+
+// Components (long, middle, short) of a unit momentum at the distance named.
+using Along = std::array<double, 3>;
+Along along_near_spin(Draw& draw, std::size_t axis, double distance) {
+  return oracle::detail::direction_near_axis(draw, axis, distance * draw.uniform(1.0, 2.0));
+}
+// |G^2 - 2 T I2| = distance G^2, both sides.
+Along along_near_separatrix(Draw& draw, const Along& I, double distance) {
+  const double A = (I[2] - I[1]) / I[2], C = (I[1] - I[0]) / I[0];
+  const double middle = draw.uniform(-0.5, 0.5), across = 1.0 - middle * middle;
+  const double D2 = draw.sign() * distance;
+  return {draw.sign() * std::sqrt((A * across - D2) / (A + C)), middle,
+          draw.sign() * std::sqrt((C * across + D2) / (A + C))};
+}
+
+enum class Place { generic, J, I, theta, long_spin, short_spin, separatrix };
+struct Region {
+  Place place;
+  const char* name;
+  double closest = 1e-12;
+};
+
+Case drawn(Place place, double distance, std::uint64_t index) {
+  Draw draw(20261122, index);
+  Sampler sample(20261122 + index);
+  std::array<int, 3> axis{0, 1, 2};
+  std::swap(axis[0], axis[draw.index(3)]);
+  std::swap(axis[1], axis[1 + draw.index(2)]);
+  const Body body = triaxial(draw, axis);
+  const auto tilted = [&](double J, double I) {
+    return inclined_state({J, sample.coin(), I, sample.coin()}, sample.angle(), sample.angle(),
+                          sample.angle());
+  };
+  const double near = distance * sample.uniform(1.0, 2.0), far = sample.uniform(0.2, 1.5);
+  if (place == Place::J) return {body, tilted(near, far)};
+  if (place == Place::I) return {body, tilted(far, near)};
+  if (place == Place::theta) {
+    const double half_turns = sample.coin() ? 1.0 : 0.0;
+    const polhode::Quaternion flip{1.0 - half_turns, half_turns, 0.0, 0.0};
+    return {body,
+            {polhode::rotation_z(sample.angle()) * flip * polhode::rotation_x(near) *
+                 polhode::rotation_z(sample.angle()),
+             sample.generic().g}};
+  }
+  RotorState s = sample.generic();
+  if (place == Place::generic) return {body, s};
+  const Vec3 moments = body.moments();
+  const Along I{moments[axis[0]], moments[axis[1]], moments[axis[2]]};
+  const Along g = place == Place::separatrix
+                      ? along_near_separatrix(draw, I, distance)
+                      : along_near_spin(draw, place == Place::long_spin ? 0 : 2, distance);
+  for (std::size_t i = 0; i < 3; ++i) s.g[axis[i]] = g[i];
+  return {body, s};
+}
+
+// --- sets ---
+
+double canonical_defect(const Matrix6& B, const Vec3& g) {
+  return symplectic_defect(B, canonical_tensor(), hub_tensor(g));
+}
+double sine_of(double p, double G) { return std::sqrt(std::max(0.0, (G - p) * (G + p))) / G; }
+
+std::optional<Loss> rate_loss(const Case& c) {
+  const Vec3 w = angular_velocity(c.body, c.state);
+  return Loss{hub_difference(rotor_state(c.body, c.state.q, w), c.state), budget::chart_rounding};
+}
+std::optional<Loss> matrix_loss(const Case& c) {
+  const polhode::Quaternion q = polhode::attitude(polhode::transpose(rotation_matrix(c.state.q)));
+  return Loss{hub_difference({q, c.state.g}, c.state), budget::chart_rounding};
+}
+std::optional<Loss> euler_rates_loss(const Case& c) {
+  const auto e = to_euler_rates(c.body, c.state);
+  const Vec3 I = c.body.moments();
+  const double largest = std::max({I.x, I.y, I.z});
+  return Loss{
+      hub_difference(to_rotor(c.body, e), c.state),
+      budget::chart_rounding + budget::euler_pole_eps * eps * largest * std::abs(e.phi_dot)};
+}
+std::optional<Loss> euler_loss(const Case& c) {
+  const auto e = to_euler(c.state);
+  return Loss{hub_difference(to_rotor(e), c.state),
+              budget::chart_rounding + budget::euler_pole_eps * eps / std::sin(e.theta),
+              canonical_defect(chart_jacobian({CanonicalSet::euler}, c.state), c.state.g)};
+}
+std::optional<Loss> andoyer_loss(const Case& c) {
+  const auto a = to_andoyer(c.state);
+  const double sine = std::min(sine_of(a.L, a.G), sine_of(a.H, a.G));
+  return Loss{hub_difference(to_rotor(a), c.state),
+              budget::chart_rounding +
+                  std::min(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole),
+              canonical_defect(chart_jacobian({CanonicalSet::andoyer}, c.state), c.state.g)};
+}
+std::optional<Loss> poincare_loss(const Case& c) {
+  const auto p = nearest_poincare(c.state);
+  const Matrix6 B = chart_jacobian({CanonicalSet::poincare, p.pole_J, p.pole_I}, c.state);
+  return Loss{hub_difference(to_rotor(p), c.state), budget::poincare,
+              canonical_defect(B, c.state.g)};
+}
+// Next to a pole the numbers of a set that holds J or I by a sum of momenta round to the pole: the
+// state keeps half of its digits, and B at those numbers has no meaning.
+Loss flow_loss(const Case& c, const RotorState& back, const Matrix6& B, const Numbers& numbers,
+               bool at_pole) {
+  const double error = hub_difference(back, c.state);
+  if (at_pole) return {error, budget::flow_pole};
+  return {error,
+          budget::flow_round_trip + budget::flow_round_trip_eps * eps * amplified(B, numbers),
+          canonical_defect(B, back.g), budget::flow_canonical_eps};
+}
+constexpr double pole_distance = 1e-7;  // sqrt(eps), and some
+
+std::optional<Loss> sadov_loss(const Case& c) {
+  const auto s = to_sadov(FreeRotation(c.body, c.state), 0.0);
+  const bool spin =
+      s.region == polhode::SadovRegion::short_axis && sine_of(s.I_l, s.I_g) < pole_distance;
+  return flow_loss(c, to_rotor(c.body, s), chart_jacobian(c.body, s),
+                   {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h},
+                   spin || sine_of(s.I_h, s.I_g) < pole_distance);
+}
+std::optional<Loss> serret_loss(const Case& c) {
+  const auto s = to_serret(FreeRotation(c.body, c.state), 0.0);
+  const Vec3 I = c.body.moments();
+  const double spin_1 = 2.0 * s.T * std::min({I.x, I.y, I.z}),
+               across_1 = 1.0 - spin_1 / (s.G * s.G);
+  const double spin_3 = 2.0 * s.T * std::max({I.x, I.y, I.z}),
+               across_3 = spin_3 / (s.G * s.G) - 1.0;
+  const double least = pole_distance * pole_distance;
+  return flow_loss(c, to_rotor(c.body, s, 0.0), chart_jacobian(c.body, s, 0.0),
+                   {s.g0, s.h, s.t0, s.G, s.H, s.T},
+                   across_1 < least || across_3 < least || sine_of(s.H, s.G) < pole_distance);
+}
+constexpr double psi_share = 0.9;  // psi stands still at psi_max, and holds half of the digits
+std::optional<Loss> tumbler_loss(const Case& c) {
+  const FreeRotation motion(c.body, c.state);
+  const auto s = to_tumbler(motion, 0.0);
+  const double psi = s.sense > 0 ? s.psi0 : angle_difference(s.psi0, 3.141592653589793);
+  if (std::abs(psi) > psi_share * psi_max(motion)) return std::nullopt;
+  const Vec3 I = c.body.moments();
+  double J = 1.0;  // sine of the angle between the momentum and the nearer axis of circulation
+  for (int i = 0; i < 3; ++i) {
+    const bool middle = I[i] < std::max({I.x, I.y, I.z}) && I[i] > std::min({I.x, I.y, I.z});
+    if (!middle) J = std::min(J, std::hypot(c.state.g[(i + 1) % 3], c.state.g[(i + 2) % 3]));
+  }
+  return Loss{
+      hub_difference(to_rotor(c.body, s), c.state),
+      budget::chart_rounding + std::min(budget::tumbler_spin_eps * eps / J, budget::tumbler_spin)};
+}
+
+struct Set {
+  const char* name;
+  std::optional<Loss> (*loss)(const Case&);
+  std::vector<Region> regions;  // besides the generic one
+};
+
+const std::vector<Set>& sets() {
+  const Region J{Place::J, "J"}, I{Place::I, "I"}, theta{Place::theta, "theta"};
+  const Region long_spin{Place::long_spin, "long_spin"},
+      short_spin{Place::short_spin, "short_spin"};
+  const Region separatrix{Place::separatrix, "separatrix"};
+  static const std::vector<Set> all{
+      {"rate", rate_loss, {}},
+      {"matrix", matrix_loss, {}},
+      {"euler_rates", euler_rates_loss, {theta}},
+      {"euler", euler_loss, {theta}},
+      {"andoyer", andoyer_loss, {J, I}},
+      {"poincare", poincare_loss, {J, I}},
+      {"serret", serret_loss, {short_spin, long_spin, I, separatrix}},
+      {"sadov", sadov_loss, {short_spin, long_spin, I, separatrix}},
+      // at 1e-12 from the separatrix many a pair of periods is refused
+      {"tumbler",
+       tumbler_loss,
+       {short_spin, long_spin, I, {Place::separatrix, "separatrix", 1e-10}}}};
+  return all;
+}
+
+// --- the survey ---
+
+std::string digits(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", x);
+  return text.data();
+}
+
+void survey(const Set& set, const Region& region, double distance, std::size_t count) {
+  std::vector<double> losses;
+  double defect = -1.0;
+  for (std::uint64_t i = 0; losses.size() < count; ++i) {
+    const Case c = drawn(region.place, distance, i);
+    const std::optional<Loss> loss = set.loss(c);
+    if (!loss) continue;
+    losses.push_back(loss->round_trip);
+    EXPECT_LE(loss->round_trip, loss->allowed)
+        << set.name << ", " << region.name << " " << distance << ", state " << i;
+    if (!loss->defect) continue;
+    defect = std::max(defect, *loss->defect);
+    EXPECT_LE(*loss->defect, loss->defect_allowed)
+        << set.name << ", " << region.name << " " << distance << ", state " << i;
+  }
+  const std::string key = std::string(region.name) + (distance < 1.0 ? digits(distance) : "");
+  std::ranges::sort(losses);
+  testing::Test::RecordProperty(key + "_count", std::to_string(count));
+  testing::Test::RecordProperty(key + "_median", digits(losses[count / 2]));
+  testing::Test::RecordProperty(key + "_max", digits(losses.back()));
+  if (defect >= 0.0) testing::Test::RecordProperty(key + "_defect", digits(defect));
+}
+
+class ChartAccuracy : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ChartAccuracy, OfHubToSetAndBack) {
+  const bool full = std::getenv("POLHODE_TEST_FULL") != nullptr;
+  const Set& set = sets()[GetParam()];
+  survey(set, {Place::generic, "generic"}, 1.0, full ? 1000 : 100);
+  for (const Region& region : set.regions)
+    for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
+      if (distance > 0.5 * region.closest) survey(set, region, distance, full ? 500 : 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ChartAccuracy, testing::Range<std::size_t>(0, sets().size()),
+                         [](const auto& set) { return std::string(sets()[set.param].name); });
+
+}  // namespace
