@@ -12,12 +12,14 @@
 //             permutation). Limits: spin about the short axis phi_l = 0, |I_l| = I_g, and about the
 //             long axis phi_l = 0, I_l = 0 (to 1e-130 I_g); exact separatrix phi_l = 0 or pi by the
 //             sign of g1 (the variables do not exist there); about the middle axis phi_l = +-pi/2;
-//             sphere and rest: Andoyer's, I_l = L, phi_l = l - pi/2, phi_g = g; I = 0, pi: phi_h = 0.
+//             sphere and rest: Andoyer's, I_l = L, phi_l = l - pi/2, phi_g = g; I = 0, pi:
+//             phi_h = 0.
 // Accuracy    budgets flow_round_trip, flow_round_trip_eps and flow_canonical_eps in
 //             tests/budgets.hpp; measured: docs/accuracy/charts.md. Next to the separatrix the pair
 //             (I_l, phi_l) itself cannot hold the state: digits are lost like log10(G^2 / |D2|).
-//             chart_jacobian has no meaning where the chart is singular (J = 0 or as close as I_g - |I_l| rounds
-//             to it, I = 0, pi, the separatrix): it is rank-deficient or not finite there.
+//             chart_jacobian has no meaning where the chart is singular (J = 0 or as close as I_g -
+//             |I_l| rounds to it, I = 0, pi, the separatrix): it is rank-deficient or not finite
+//             there.
 // Errors      to_rotor throws DomainError for actions outside the region named, a lobe that is no
 //             sign.
 // Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor about a hundred

@@ -16,10 +16,11 @@
 //             which to_rotor refuses, since T no longer tells J; I = 0, pi: h = 0.
 // Accuracy    budgets flow_round_trip, flow_round_trip_eps, flow_canonical_eps and
 //             serret_separatrix in tests/budgets.hpp; measured: docs/accuracy/charts.md. T and G
-//             hold the distance to the separatrix and to the axes only to eps G^2: near an axis
-//             the hub loses up to sqrt(eps), near the separatrix about eps G^2 / |D2|, half a
-//             period from t0 the most. chart_jacobian has no meaning where the chart is singular (J = 0 or as close as T rounds to it, I =
-//             0, pi, steady rotations): it is rank-deficient or not finite there.
+//             hold the distance to the separatrix and to the axes only to eps G^2: near an axis the
+//             hub loses up to sqrt(eps), near the separatrix about eps G^2 / |D2|, half a period
+//             from t0 the most. chart_jacobian has no meaning where the chart is singular (J = 0 or
+//             as close as T rounds to it, I = 0, pi, steady rotations): it is rank-deficient or not
+//             finite there.
 // Errors      to_rotor throws DomainError for G <= 0 (rest has no elements), |H| > G, T outside
 //             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.
 // Cost        tens of microseconds.
