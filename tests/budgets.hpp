@@ -158,10 +158,22 @@ inline constexpr double sadov_long_spin = 1e-130;
 // --- frames and osculation (src/system): tests/paper/section4_library.cpp,
 // tests/property/osculation*.cpp, tests/unit/system ---
 // Rates, energies and momenta of order one against 50-digit Hamilton's equations.
-inline constexpr double paper_perturbed = 1e-12;
+inline constexpr double paper_perturbed = 1e-14;
 // Angles of the osculating momentum, of axes that may stand near a pole.
-inline constexpr double paper_osculating_elements = 1e-12;
+inline constexpr double paper_osculating_elements = 1e-14;
 // Convective terms carried through the free transition matrix and back.
-inline constexpr double paper_modified = 1e-12;
+inline constexpr double paper_modified = 2e-14;
+
+// --- orbits (tests/unit/orbit), in eps of the number type ---
+// The eccentric anomaly and 1 - cos E, relative; sin E over what a rounding of E does.
+inline constexpr double kepler_anomaly_eps = 2.0;
+inline constexpr double kepler_sine_eps = 2.0;
+inline constexpr double kepler_versine_eps = 5.0;
+// Position and velocity of an orbit, relative to their lengths, after any number of orbits.
+inline constexpr double kepler_position_eps = 8.0;
+inline constexpr double kepler_velocity_eps = 8.0;
+inline constexpr double kepler_wide_eps = 16.0;
+// Elements of a state where they are well conditioned.
+inline constexpr double kepler_elements = 1e-13;
 
 }  // namespace polhode::budget

@@ -2,14 +2,16 @@
 // System: a body, a reference frame and perturbation terms; the equations of motion of the hub
 // state (q_SB, g_B), and which angular velocity is which.
 //
-// Equations   dq/dt = (1/2) q (0, w_SB), dg/dt = g x w_SB + u, w_SB = I^-1 g + v, u and v summed over
-//             the terms and the frame. A moving frame is the term -mu . g of [SA (118)]: v = -mu, u =
-//             g x mu (mu in body components); the system adds it by itself. Hence [SA (124)]: I^-1 g
-//             + v(terms) is the inertial angular velocity; relative to S it is less by mu.
+// Equations   dq/dt = (1/2) q (0, w_SB), dg/dt = g x w_SB + u, w_SB = I^-1 g + v, u and v summed
+//             over the terms and the frame. A moving frame is the term -mu . g of [SA (118)]: v =
+//             -mu, u = g x mu (mu in body components); the system adds it by itself. Hence
+//             [SA (124)]: I^-1 g + v(terms) is the inertial angular velocity; relative to S it is
+//             less by mu.
 // Corrections [SA (4448)]: the sign of the convective part, docs/theory/errata.md.
 // Units       those of the body and its terms; any consistent set.
 // Domain      any state with a non-zero quaternion; functions of a state normalise it.
-// Accuracy    a few roundings. The two parts of the frame's term that cancel in dg/dt are not formed.
+// Accuracy    a few roundings. The two parts of the frame's term that cancel in dg/dt are not
+//             formed.
 // Errors      energy throws DomainError when a term has none. What a term throws passes through.
 // Cost        ten nanoseconds and the terms.
 #pragma once

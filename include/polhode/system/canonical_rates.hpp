@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Rates of canonical variables under any system, and the part of them that perturbations make: the
+// convective term.
+//
+// Equations   hub rates: d(theta_B)/dt = w_SB, dg_B/dt = g x w + u, w = I^-1 g + v(terms); chart
+//             rates B^-1 (w_SB, dg_B/dt) with B of chart_jacobian.hpp. For a Hamiltonian system
+//             these are Hamilton's equations [SA (101)], the six rates [SA "dot_g"]-[SA "dot_L"]
+//             plus the perturbation; torques without energy are allowed. Perturbation alone:
+//             B^-1 (v, g x v(terms) + u(terms)), with q-part dDeltaH/dp [SA (104)-(107), (111)]; in
+//             a precessing frame [SA (118)-(122)].
+// Units       of the chart's variables per time.
+// Domain      any state. At theta = 0, pi (Euler), J = 0, pi or I = 0, pi (Andoyer) the rates of
+//             the momenta are right and those of angles that do not exist there are NaN: phi, psi
+//             and Theta's neighbours of Euler's set; l and g at J = 0, pi; g and h at I = 0, pi.
+//             A Poincare-type set next to its poles has all six. G = 0: NaN but for Euler's set.
+// Accuracy    budget system_rates in tests/budgets.hpp; angles lose 1/sin of theta, J, I near the
+//             poles, as their definition does.
+// Errors      what a term throws passes through; a zero quaternion: NaN.
+// Cost        the terms and a few microseconds for B.
+#pragma once
+
+#include <array>
+
+#include "polhode/rotor/chart_jacobian.hpp"
+#include "polhode/system/system.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Rates of the hub state in the tangent of chart_jacobian.hpp, body components.
+struct HubRates {
+  Vec3 theta;  // w_SB, the rate of turn relative to the reference frame
+  Vec3 g;      // dg_B/dt
+
+  constexpr bool operator==(const HubRates&) const = default;
+};
+HubRates hub_rates(const System& system, double t, const RotorState& s);
+// What the terms and the frame add to the free rates (I^-1 g, g x I^-1 g).
+HubRates perturbation_rates(const System& system, double t, const RotorState& s);
+
+// Three coordinates, then three momenta, in the order of the chart's fields.
+using CanonicalRates = std::array<double, 6>;
+CanonicalRates canonical_rates(const CanonicalChart& chart, const System& system, double t,
+                               const RotorState& s);
+CanonicalRates perturbation_rates(const CanonicalChart& chart, const System& system, double t,
+                                  const RotorState& s);
+
+struct AndoyerRates {
+  double l;
+  double g;
+  double h;
+  double L;
+  double G;
+  double H;
+
+  constexpr bool operator==(const AndoyerRates&) const = default;
+};
+AndoyerRates andoyer_rates(const System& system, double t, const RotorState& s);
+
+// Of (phi, theta, psi, Phi, Theta, Psi). (EulerRates are angles and their rates.)
+struct EulerPhaseRates {
+  double phi;
+  double theta;
+  double psi;
+  double Phi;
+  double Theta;
+  double Psi;
+
+  constexpr bool operator==(const EulerPhaseRates&) const = default;
+};
+EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorState& s);
+
+// The convective term: what the perturbation adds to the rates of the chart's three coordinates,
+// beside the unperturbed function of the same variables. Of the Euler angles it is Phi of
+// [SA (107), (111)], zero unless H' depends on the momentum; as a vector it is effect(system, t,
+// s).v.
+std::array<double, 3> convective_term(const CanonicalChart& chart, const System& system, double t,
+                                      const RotorState& s);
+
+}  // namespace v0
+}  // namespace polhode

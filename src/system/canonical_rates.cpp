@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/system/canonical_rates.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "polhode/rotor/body.hpp"
+#include "system/detail/tangent.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr CanonicalChart euler_chart{CanonicalSet::euler};
+constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
+
+// B^-1 x; NaN where a row of B^-1 is not finite, that is where the variable does not exist.
+CanonicalRates charted(const CanonicalChart& chart, const RotorState& s, const HubRates& x) {
+  CanonicalRates z = detail::product(inverse_chart_jacobian(chart, s), x);
+  for (double& rate : z)
+    if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
+  return z;
+}
+
+}  // namespace
+
+HubRates hub_rates(const System& system, double t, const RotorState& s) {
+  const HubRates added = perturbation_rates(system, t, s);
+  const Vec3 w = angular_velocity(system.body(), s);
+  return {w + added.theta, cross(s.g, w) + added.g};
+}
+
+HubRates perturbation_rates(const System& system, double t, const RotorState& s) {
+  const FrameMotion frame = system.frame().at(t);
+  const Setting at{system.body(), t, {normalized(s.q), s.g}, frame.q_IS};
+  const Effect terms = terms_effect(system, at);
+  // not g x (v - mu) + (u + g x mu): cancels
+  return {terms.v - body_from_reference(at, frame.mu_S), cross(s.g, terms.v) + terms.u};
+}
+
+CanonicalRates canonical_rates(const CanonicalChart& chart, const System& system, double t,
+                               const RotorState& s) {
+  return charted(chart, s, hub_rates(system, t, s));
+}
+
+CanonicalRates perturbation_rates(const CanonicalChart& chart, const System& system, double t,
+                                  const RotorState& s) {
+  return charted(chart, s, perturbation_rates(system, t, s));
+}
+
+AndoyerRates andoyer_rates(const System& system, double t, const RotorState& s) {
+  const CanonicalRates z = canonical_rates(andoyer_chart, system, t, s);
+  return {z[0], z[1], z[2], z[3], z[4], z[5]};
+}
+
+EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorState& s) {
+  const CanonicalRates z = canonical_rates(euler_chart, system, t, s);
+  return {z[0], z[1], z[2], z[3], z[4], z[5]};
+}
+
+std::array<double, 3> convective_term(const CanonicalChart& chart, const System& system, double t,
+                                      const RotorState& s) {
+  const CanonicalRates z = perturbation_rates(chart, system, t, s);
+  return {z[0], z[1], z[2]};
+}
+
+}  // namespace v0
+}  // namespace polhode
