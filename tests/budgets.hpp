@@ -163,6 +163,18 @@ inline constexpr double paper_perturbed = 1e-14;
 inline constexpr double paper_osculating_elements = 1e-14;
 // Convective terms carried through the free transition matrix and back.
 inline constexpr double paper_modified = 2e-14;
+// Angular velocities of order one after 1e4 turns, against 76 digits.
+inline constexpr double osculation_rate = 1e-12;
+// How far canonical and osculating momentum are apart at least, for the frames of those tests.
+inline constexpr double osculation_apart = 1e-3;
+// Rates of Andoyer's variables on the way; with sin J = 0.004.
+inline constexpr double osculation_rates = 1e-12;
+inline constexpr double osculation_rates_near_pole = 1e-9;
+// Slopes of log-log lines; rates by fourth-order differences of step 2^-6.
+inline constexpr double osculation_slope = 0.05;
+inline constexpr double osculation_differences = 1e-9;
+// Osculating to canonical and back, and the modified set, relative.
+inline constexpr double osculation_round_trip = 1e-13;
 
 // --- orbits (tests/unit/orbit), in eps of the number type ---
 // The eccentric anomaly and 1 - cos E, relative; sin E over what a rounding of E does.
@@ -170,8 +182,8 @@ inline constexpr double kepler_anomaly_eps = 2.0;
 inline constexpr double kepler_sine_eps = 2.0;
 inline constexpr double kepler_versine_eps = 5.0;
 // Position and velocity of an orbit, relative to their lengths, after any number of orbits.
-inline constexpr double kepler_position_eps = 8.0;
-inline constexpr double kepler_velocity_eps = 8.0;
+inline constexpr double kepler_position_eps = 4.0;
+inline constexpr double kepler_velocity_eps = 10.0;
 inline constexpr double kepler_wide_eps = 16.0;
 // Elements of a state where they are well conditioned.
 inline constexpr double kepler_elements = 1e-13;

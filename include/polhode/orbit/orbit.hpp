@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Orbit: a position as a function of time, and AnyOrbit, one of any type for lists made at run
+// time.
+//
+// Equations   none.
+// Units       those of the orbit: a length, or any unit that the gravitational parameter shares.
+// Domain      T = double (any step of a run) and DoubleDouble (runs in double-double). An orbit
+//             that also takes Dual times has a velocity.
+// Accuracy    that of the orbit.
+// Errors      velocity throws DomainError when the orbit takes no Dual time; what the orbit throws
+//             passes through.
+// Cost        one virtual call. Copies share the orbit, which is immutable.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <class O, class T>
+concept OrbitOn = Real<T> && requires(const O& orbit, const T& t) {
+  { orbit.position(t) } -> std::same_as<BasicVec3<T>>;
+};
+template <class O>
+concept Orbit = std::copyable<O> && OrbitOn<O, double> && OrbitOn<O, DoubleDouble>;
+
+// The value with the slope of a time: how an orbit with a velocity takes a Dual time.
+template <Real T, int N>
+constexpr BasicVec3<Dual<T, N>> chained(const Dual<T, N>& t, const BasicVec3<T>& value,
+                                        const BasicVec3<T>& slope) {
+  return {t.chained(value.x, slope.x), t.chained(value.y, slope.y), t.chained(value.z, slope.z)};
+}
+
+namespace detail {
+
+[[noreturn]] void orbit_without_velocity(const std::string& name);
+
+class ErasedOrbit {
+ public:
+  virtual ~ErasedOrbit() = default;
+  virtual Vec3 position(double t) const = 0;
+  virtual BasicVec3<DoubleDouble> position(const DoubleDouble& t) const = 0;
+  virtual BasicVec3<Dual<double, 1>> position(const Dual<double, 1>& t) const = 0;
+};
+
+template <Orbit O>
+class HeldOrbit final : public ErasedOrbit {
+ public:
+  HeldOrbit(std::string name, O orbit) : name_(std::move(name)), orbit_(std::move(orbit)) {}
+
+  Vec3 position(double t) const override { return orbit_.position(t); }
+  BasicVec3<DoubleDouble> position(const DoubleDouble& t) const override {
+    return orbit_.position(t);
+  }
+  BasicVec3<Dual<double, 1>> position(const Dual<double, 1>& t) const override {
+    if constexpr (OrbitOn<O, Dual<double, 1>>) {
+      return orbit_.position(t);
+    } else {
+      orbit_without_velocity(name_);
+    }
+  }
+
+ private:
+  std::string name_;
+  O orbit_;
+};
+
+}  // namespace detail
+
+class AnyOrbit {
+ public:
+  // `name` stands for the orbit in messages and outputs.
+  template <Orbit O>
+  AnyOrbit(const std::string& name, O orbit)
+      : name_(name),
+        velocity_(OrbitOn<O, Dual<double, 1>>),
+        orbit_(std::make_shared<const detail::HeldOrbit<O>>(name, std::move(orbit))) {}
+
+  const std::string& name() const { return name_; }
+  bool supports_velocity() const { return velocity_; }
+
+  // T = double or DoubleDouble.
+  template <Real T>
+  BasicVec3<T> position(const T& t) const {
+    return orbit_->position(t);
+  }
+  template <int N>
+  BasicVec3<Dual<double, N>> position(const Dual<double, N>& t) const {
+    const BasicVec3<Dual<double, 1>> x = orbit_->position(Dual<double, 1>::variable(t.value, 0));
+    return chained(t, {x.x.value, x.y.value, x.z.value},
+                   {x.x.derivative[0], x.y.derivative[0], x.z.derivative[0]});
+  }
+  Vec3 velocity(double t) const {
+    const BasicVec3<Dual<double, 1>> x = orbit_->position(Dual<double, 1>::variable(t, 0));
+    return {x.x.derivative[0], x.y.derivative[0], x.z.derivative[0]};
+  }
+
+ private:
+  std::string name_;
+  bool velocity_;
+  std::shared_ptr<const detail::ErasedOrbit> orbit_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// PlanarKepler: motion on a conic in its own axes, x towards the pericentre, y along the motion
+// there.
+//
+// Equations   M = n (t - t_p), x = q - a (1 - cos E), y = b sin E; for a hyperbola cosh, sinh and 1
+//             + e for 1 - e. n may differ from sqrt(gm / a^3) (secular rates).
+// Units       lengths of `pericentre`, times of 1 / `mean_motion`.
+// Domain      0 <= e < 1 and e > 1.
+// Accuracy    budget kepler_*. The phase is formed and reduced in double-double: after any number
+//             of orbits the error is that of a rounding of t.
+// Errors      none; the orbits that hold one check.
+// Cost        position in double for e <= 0.5: some 25 ns, from 65 points prepared in
+//             double-double; else some 100 ns.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "polhode/math/double_double.hpp"
+#include "polhode/orbit/kepler_equation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Real T>
+struct BasicPlanarPoint {
+  T x;
+  T y;
+};
+template <Real T>
+struct BasicPlanarMotion {
+  BasicPlanarPoint<T> position;
+  BasicPlanarPoint<T> velocity;
+};
+
+class PlanarKepler {
+ public:
+  struct Shape {
+    DoubleDouble pericentre;
+    BasicEccentricity<DoubleDouble> eccentricity;
+    DoubleDouble mean_motion;
+    DoubleDouble pericentre_time;
+  };
+  explicit PlanarKepler(const Shape& shape);
+
+  const Shape& shape() const { return shape_; }
+  // a > 0 also for a hyperbola.
+  const DoubleDouble& semi_axis() const { return a_; }
+
+  BasicPlanarPoint<double> position(double t) const;
+  BasicPlanarPoint<DoubleDouble> position(const DoubleDouble& t) const;
+  BasicPlanarMotion<double> motion(double t) const;
+  BasicPlanarMotion<DoubleDouble> motion(const DoubleDouble& t) const;
+
+ private:
+  // The ellipse at the phase j / (2 intervals) turns.
+  struct Node {
+    double sine;
+    double cosine;
+    double slope;  // dE / d(phase in turns)
+  };
+  static constexpr int intervals = 64;
+  using Nodes = std::array<Node, intervals + 1>;
+
+  DoubleDouble mean_anomaly(double t) const;
+  DoubleDouble mean_anomaly(const DoubleDouble& t) const;
+  KeplerAnomaly anomaly(double t) const;
+  BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
+  static std::shared_ptr<const Nodes> prepared_nodes(const BasicEccentricity<DoubleDouble>& e);
+
+  Shape shape_;
+  bool hyperbola_;
+  DoubleDouble a_, b_;
+  DoubleDouble frequency_;              // turns per time
+  std::shared_ptr<const Nodes> nodes_;  // null where the general solution is used
+};
+
+}  // namespace v0
+}  // namespace polhode

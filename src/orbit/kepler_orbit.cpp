@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/orbit/kepler_orbit.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "math/detail/number_text.hpp"
+#include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/plane_axes.hpp"
+#include "orbit/detail/sine_excess.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+using WideVec3 = BasicVec3<DoubleDouble>;
+
+namespace {
+
+Vec3 rounded(const WideVec3& v) { return {v.x.hi, v.y.hi, v.z.hi}; }
+WideVec3 widened(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+[[noreturn]] void fail(const char* function, const std::string& what) {
+  throw DomainError(std::string(function) + ": " + what);
+}
+
+[[noreturn]] void fail_parabola(const char* function) {
+  fail(function,
+       "eccentricity 1 is a parabola, which has no mean motion; use an eccentricity next to it, "
+       "0.9999999999999999 or 1.0000000000000002, with the same pericentre");
+}
+
+// log(x + sqrt(1 + x^2)), odd
+DoubleDouble area_sine(const DoubleDouble& x) {
+  const DoubleDouble y = abs(x);
+  return copysign(log1p(y + y * y / (1.0 + sqrt(1.0 + y * y))), x);
+}
+
+}  // namespace
+
+double mean_motion(const KeplerElements& elements) {
+  return detail::kepler_shape(elements).mean_motion.hi;
+}
+
+void require_valid(const KeplerElements& k, const char* function) {
+  const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
+  if (!positive(k.gm)) fail(function, "gm " + detail::number_text(k.gm) + " must be positive");
+  if (!positive(k.pericentre))
+    fail(function, "pericentre " + detail::number_text(k.pericentre) + " must be positive");
+  if (k.eccentricity == 1.0) fail_parabola(function);
+  if (!(k.eccentricity >= 0.0) || !std::isfinite(k.eccentricity))
+    fail(function, "eccentricity " + detail::number_text(k.eccentricity) +
+                       " must be in [0, 1) (ellipse) or above 1 (hyperbola)");
+  for (const double x : {k.inclination, k.node, k.argument, k.mean_anomaly, k.epoch}) {
+    if (!std::isfinite(x))
+      fail(function,
+           "inclination, node, argument, mean anomaly, epoch " +
+               detail::tuple_text({k.inclination, k.node, k.argument, k.mean_anomaly, k.epoch}) +
+               " must be finite");
+  }
+  const PlanarKepler::Shape shape = detail::kepler_shape(k);
+  if (!positive(shape.mean_motion.hi) || !std::isfinite(shape.pericentre_time.hi))
+    fail(function, "gm " + detail::number_text(k.gm) + " and pericentre " +
+                       detail::number_text(k.pericentre) + " give a mean motion out of range");
+}
+
+namespace detail {
+
+PlanarKepler::Shape kepler_shape(const KeplerElements& k) {
+  const DoubleDouble complement = k.eccentricity < 1.0 ? DoubleDouble::sum(1.0, -k.eccentricity)
+                                                       : DoubleDouble::sum(k.eccentricity, -1.0);
+  const DoubleDouble a = DoubleDouble(k.pericentre) / complement;
+  const DoubleDouble n = sqrt(DoubleDouble(k.gm) / a) / a;
+  return {k.pericentre, {k.eccentricity, complement}, n, k.epoch - k.mean_anomaly / n};
+}
+
+}  // namespace detail
+
+KeplerOrbit::KeplerOrbit(const KeplerElements& elements, const PlanarKepler::Shape& shape,
+                         const Axes& axes)
+    : elements_(elements),
+      plane_(shape),
+      axes_(axes),
+      to_pericentre_(rounded(axes.to_pericentre)),
+      along_motion_(rounded(axes.along_motion)) {}
+
+KeplerOrbit::KeplerOrbit(const KeplerElements& elements)
+    : KeplerOrbit((require_valid(elements, "KeplerOrbit"), elements),
+                  detail::kepler_shape(elements), axes_of(elements)) {}
+
+KeplerOrbit::Axes KeplerOrbit::axes_of(const KeplerElements& k) {
+  const auto node = sincos(DoubleDouble(k.node)), argument = sincos(DoubleDouble(k.argument));
+  const auto inclination = sincos(DoubleDouble(k.inclination));
+  const auto turned = [&](const WideVec3& v) {
+    using namespace detail;
+    return turned_about_z(node, turned_about_x(inclination, turned_about_z(argument, v)));
+  };
+  return {turned({1.0, 0.0, 0.0}), turned({0.0, 1.0, 0.0})};
+}
+
+KeplerOrbit KeplerOrbit::from_state(const Vec3& position, const Vec3& velocity, double gm,
+                                    double epoch) {
+  constexpr const char* name = "KeplerOrbit::from_state";
+  const WideVec3 x = widened(position), v = widened(velocity);
+  const WideVec3 h = cross(x, v);
+  const DoubleDouble r = sqrt(dot(x, x)), h2 = dot(h, h), radial = dot(x, v);
+  if (!(gm > 0.0) || !std::isfinite(gm) || !std::isfinite(epoch) || !(h2.hi > 0.0) ||
+      !std::isfinite((h2 + r + dot(v, v)).hi))
+    fail(name, "position " + detail::tuple_text({position.x, position.y, position.z}) +
+                   ", velocity " + detail::tuple_text({velocity.x, velocity.y, velocity.z}) +
+                   ", gm " + detail::number_text(gm) + ", epoch " + detail::number_text(epoch) +
+                   " must be finite, gm positive, and the motion not along one line");
+  // 1/a, negative for a hyperbola: the one difference on which a near-parabola hangs
+  const DoubleDouble inverse_a = 2.0 / r - dot(v, v) / gm;
+  if (inverse_a.hi == 0.0) fail_parabola(name);
+  const DoubleDouble a = 1.0 / abs(inverse_a), p = h2 / gm, n = sqrt(gm / a) / a;
+  const DoubleDouble sine_part = radial / sqrt(gm * a);  // e sin E or e sinh H
+  const bool hyperbola = inverse_a.hi < 0.0;
+  BasicEccentricity<DoubleDouble> e;
+  BasicKeplerAnomaly<DoubleDouble> at;
+  DoubleDouble M;
+  if (hyperbola) {
+    e.e = sqrt(1.0 + p / a);
+    at.sine = sine_part / e.e;
+    at.anomaly = area_sine(at.sine);
+    at.versine = at.sine * at.sine / (1.0 + sqrt(1.0 + at.sine * at.sine));
+  } else {
+    // One pair gives e and E, so that noise of a nearly circular orbit cannot separate them.
+    const DoubleDouble cosine_part = 1.0 - r / a;
+    e.e = hypot(sine_part, cosine_part);
+    at.anomaly = e.e.hi > 0.0 ? atan2(sine_part, cosine_part) : DoubleDouble(0.0);
+    at.sine = e.e.hi > 0.0 ? sine_part / e.e : DoubleDouble(0.0);
+    const DoubleDouble half = sin(0.5 * at.anomaly);
+    at.versine = 2.0 * half * half;
+  }
+  e.complement = p / a / (1.0 + e.e);
+  M = hyperbola ? e.complement * at.anomaly + e.e * detail::sinh_excess(at.anomaly, at.sine)
+                : e.complement * at.anomaly + e.e * detail::sine_excess(at.anomaly, at.sine);
+  const PlanarKepler::Shape shape{p / (1.0 + e.e), e, n, epoch - M / n};
+  // The pericentre is where the position, turned back by its own anomaly, points.
+  const DoubleDouble px = (shape.pericentre - a * at.versine) / r;
+  const DoubleDouble py = a * sqrt(e.complement * (1.0 + e.e)) * at.sine / r;
+  const DoubleDouble hn = sqrt(h2), length = hypot(px, py);
+  const WideVec3 normal{h.x / hn, h.y / hn, h.z / hn};
+  const WideVec3 outward{x.x / r, x.y / r, x.z / r}, ahead = cross(normal, outward);
+  const Axes axes{(px / length) * outward - (py / length) * ahead,
+                  (py / length) * outward + (px / length) * ahead};
+  KeplerElements k{gm, shape.pericentre.hi, e.e.hi};
+  const DoubleDouble tilt = hypot(normal.x, normal.y);
+  k.inclination = atan2(tilt, normal.z).hi;
+  const WideVec3 node =
+      tilt.hi > 0.0 ? WideVec3{-normal.y / tilt, normal.x / tilt, 0.0} : WideVec3{1.0, 0.0, 0.0};
+  k.node = atan2(node.y, node.x).hi;
+  k.argument =
+      atan2(dot(axes.to_pericentre, cross(normal, node)), dot(axes.to_pericentre, node)).hi;
+  k.mean_anomaly = M.hi;
+  k.epoch = epoch;
+  if (!std::isfinite(n.hi) || !std::isfinite(shape.pericentre_time.hi) || !(n.hi > 0.0))
+    fail(name, "a mean motion out of range");
+  return {k, shape, axes};
+}
+
+Vec3 KeplerOrbit::position(double t) const {
+  const BasicPlanarPoint<double> at = plane_.position(t);
+  return at.x * to_pericentre_ + at.y * along_motion_;
+}
+
+WideVec3 KeplerOrbit::position(const DoubleDouble& t) const {
+  const BasicPlanarPoint<DoubleDouble> at = plane_.position(t);
+  return at.x * axes_.to_pericentre + at.y * axes_.along_motion;
+}
+
+Vec3 KeplerOrbit::velocity(double t) const {
+  const BasicPlanarPoint<double> at = plane_.motion(t).velocity;
+  return at.x * to_pericentre_ + at.y * along_motion_;
+}
+
+WideVec3 KeplerOrbit::velocity(const DoubleDouble& t) const {
+  const BasicPlanarPoint<DoubleDouble> at = plane_.motion(t).velocity;
+  return at.x * axes_.to_pericentre + at.y * axes_.along_motion;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/orbit/orbit.hpp"
+
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+void orbit_without_velocity(const std::string& name) {
+  throw DomainError("AnyOrbit: orbit \"" + name +
+                    "\" has no velocity: write position(t) as a template on the number type");
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
