@@ -126,7 +126,7 @@ SadovState to_sadov(const FreeRotation& m, double t) {
   s.region = long_axis ? SadovRegion::long_axis : SadovRegion::short_axis;
   s.lobe = long_axis ? m.sign_g1() : 1;
   s.I_g = m.momentum();
-  s.I_h = frame.pole != 0 ? frame.pole * s.I_g : to_andoyer(m.initial_state()).H;
+  s.I_h = detail::third_momentum(m, frame);
   s.I_l = long_axis ? m.circulation_deficit() : m.sign_g3() * m.circulation_action();
   s.phi_h = frame.h;
   s.phi_l = detail::wrapped(long_axis || m.sign_g3() < 0 ? from_start : -from_start);

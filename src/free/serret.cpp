@@ -151,7 +151,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const double half_turn = periodic && sense.s1 < 0.0 ? 2.0 * half_pi : 0.0;
   s.t0 = (DD(t) - elapsed / DD(k.time_scale)).hi;
   s.h = frame.h;
-  if (frame.pole != 0) s.H = frame.pole * s.G;
+  s.H = detail::third_momentum(m, frame);
   s.g0 =
       detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(start) + half_turn);
   s.sign_g1 = long_axis || !periodic ? m.sign_g1() : 1;

@@ -14,8 +14,9 @@
 //             rate about the common axis is in phi_dot.
 //             theta = 0 with Phi != Psi is no state: to_rotor answers an infinite momentum.
 //             euler_state throws there, and at the double nearest to pi with Phi != -Psi.
-// Accuracy    docs/guide/singularities.md. Phi - Psi cancels near theta = 0 and pi: the transverse
-//             momentum keeps an error of about eps |Psi| / sin theta, at most its own size.
+// Accuracy    docs/guide/singularities.md. Phi - Psi cancels near theta = 0 and pi, and theta
+//             itself is rounded next to pi: the transverse momentum keeps an error of about
+//             eps |g| / sin theta, at most its own size.
 // Errors      to_rotor, to_euler, to_euler_rates never throw, NaN in, NaN out; euler_state throws
 //             DomainError.
 // Cost        three sincos forth; three atan2 back.

@@ -4,8 +4,9 @@
 
 #include <cmath>
 
-#include "polhode/free/free_kernel.hpp"
+#include "polhode/free/free_rotation.hpp"
 #include "polhode/math/double_double.hpp"
+#include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
 
 namespace polhode {
@@ -28,19 +29,26 @@ inline DoubleDouble wrapped(const DoubleDouble& angle) {
 inline double wrapped(double angle) { return wrapped(DoubleDouble(angle)).hi; }
 
 // The angles of the mean frame, qz(h) qx(I) qz(mean_angle). A tilt of rounding has no node: then
-// h = 0, and pole is the sign of H = +-G.
+// h = 0.
 struct FrameAngles {
   double h;
   double mean_angle;
-  int pole = 0;
+  bool has_node = true;
 };
 inline FrameAngles frame_angles(const Quaternion& frame) {
   const EulerState e = to_euler(RotorState{frame, {}});
   const double rounding = 4.0 * epsilon<double>();
   const double tilt = std::hypot(frame.x, frame.y), rest = std::hypot(frame.w, frame.z);
-  if (tilt <= rounding * rest) return {0.0, e.psi + e.phi, 1};
-  if (rest <= rounding * tilt) return {0.0, e.psi - e.phi, -1};
+  if (tilt <= rounding * rest) return {0.0, e.psi + e.phi, false};
+  if (rest <= rounding * tilt) return {0.0, e.psi - e.phi, false};
   return {e.phi, e.psi};
+}
+
+// H, from which nothing is lost near I = 0, pi; exactly +-G where it is G to rounding.
+inline double third_momentum(const FreeRotation& m, const FrameAngles& frame) {
+  const AndoyerState a = to_andoyer(m.initial_state());
+  const bool along = !frame.has_node || std::abs(a.H) >= a.G;
+  return along ? std::copysign(m.momentum(), a.H) : a.H;
 }
 
 // Not for the steady form, whose phase is no coordinate.
