@@ -48,6 +48,9 @@ struct BasicSetting {
   T t;
   BasicRotorState<T> s;     // q_SB, g_B
   BasicQuaternion<T> q_IS;  // identity where the reference frame is inertial
+  // What T cannot hold of the time: it is t + t_rest. A term that follows a motion for long (an
+  // orbit) adds it, else the rounding of t is the largest error of a compensated run.
+  T t_rest = T(0.0);
 };
 using Setting = BasicSetting<double>;
 
