@@ -64,7 +64,8 @@ struct Validity {
     if (m.first_step != 0.0) require_positive("Adaptive", "first_step", m.first_step);
   }
   void operator()(const Splitting& m) const {
-    require_positive("Splitting", "step", std::isfinite(m.step) ? m.step : -1.0);
+    require_positive("Splitting", "step", m.step);
+    if (!std::isfinite(m.step)) throw DomainError("Splitting: step inf must be finite");
   }
   void operator()(const VariationOfConstants& m) const {
     require_tolerance("VariationOfConstants", m.tolerance, 1e-15);

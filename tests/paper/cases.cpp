@@ -64,7 +64,8 @@ const std::vector<AndoyerCase>& andoyer_cases() {
     Random random(1923);
     std::vector<AndoyerCase> all;
     while (all.size() < 12) {
-      const AndoyerCase e = andoyer_case(random.moments(), random_andoyer(random));
+      const Vec moments = random.moments();  // drawn first, whatever the compiler
+      const AndoyerCase e = andoyer_case(moments, random_andoyer(random));
       if (s(e.q[1]) > Mp("0.2")) all.push_back(e);
     }
     return all;
@@ -76,7 +77,8 @@ std::vector<AndoyerCase> andoyer_cases(bool long_axis, int sign, int count) {
   Random random(long_axis ? 1970 : 1972);
   std::vector<AndoyerCase> all;
   while (all.size() < static_cast<std::size_t>(count)) {
-    const AndoyerCase e = andoyer_case(random.moments(), random_andoyer(random));
+    const Vec moments = random.moments();  // drawn first, whatever the compiler
+    const AndoyerCase e = andoyer_case(moments, random_andoyer(random));
     const Mp G2 = e.a[4] * e.a[4], T = kinetic(e.I, e.g_B);
     const Mp side = (G2 - 2 * T * e.I[1]) / G2;  // > 0 in the short-axis mode
     const Mp lead = long_axis ? e.g_B[0] : e.g_B[2];
