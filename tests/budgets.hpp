@@ -174,6 +174,16 @@ inline constexpr double osculation_slope = 0.005;
 inline constexpr double osculation_differences = 1e-12;
 // Osculating to canonical and back, and the modified set, relative.
 inline constexpr double osculation_round_trip = 2e-14;
+// The generating function of section 3.1 and its derivatives, actions of order one.
+inline constexpr double paper_generating = 1e-14;
+// Two ways to the same rate of order one; by fourth-order differences of step 1e-3; 1e-7 off a
+// pole.
+inline constexpr double rates_rounding = 1e-14;
+inline constexpr double rates_by_differences = 1e-9;
+inline constexpr double rates_next_to_pole = 1e-6;
+// Lagrange brackets and what follows from them, relative; and what is not canonical.
+inline constexpr double andoyer_method = 1e-14;
+inline constexpr double not_canonical = 1e-2;
 
 // --- orbits (tests/unit/orbit), in eps of the number type ---
 // The eccentric anomaly and 1 - cos E, relative; sin E over what a rounding of E does.
@@ -186,5 +196,34 @@ inline constexpr double kepler_velocity_eps = 10.0;
 inline constexpr double kepler_wide_eps = 16.0;
 // Elements of a state where they are well conditioned.
 inline constexpr double kepler_elements = 1e-13;
+
+// --- splittings (tests/unit/dynamics/splitting.cpp) ---
+// Sum of the coefficients, in double-double, less 1.
+inline constexpr double splitting_consistency = 1.2e-16;
+// Against FreeRotation, forward and back, and against another frame, over ten turns: rad and |dg|/G.
+inline constexpr double splitting_free = 2e-13;
+// |g|^2 and 2 T of a free body after 1e5 steps, relative: one rounding of a double is 1e-16.
+inline constexpr double splitting_invariant = 1e-16;
+// Slopes of the error, in orders.
+inline constexpr double splitting_order_below = 0.3;
+inline constexpr double splitting_order_above = 1.0;
+inline constexpr double splitting_near_order = 0.5;
+// Of the ratio 5 of two errors with torques in that ratio.
+inline constexpr double splitting_proportion = 0.05;
+// Dense output against steps of the same scheme.
+inline constexpr double splitting_dense = 4e-15;
+// The symplectic defect of one step of 1 rad, entry by entry over eps |M| |J| |M^T|.
+inline constexpr double splitting_symplectic_eps = 50.0;
+// The transition matrix of a step against central differences of step 1e-5.
+inline constexpr double splitting_difference = 1e-8;
+
+// --- perturbation terms (tests/unit/perturb), over the size of the torque ---
+// Effects in double, in eps, and in double-double against differences at 76 digits.
+inline constexpr double perturb_eps = 4.0;
+inline constexpr double perturb_difference = 1e-30;
+// An average over an orbit by equal steps of time.
+inline constexpr double perturb_average = 4e-15;
+// Exponential of a damping matrix, over the larger momentum, in eps.
+inline constexpr double damping_flow_eps = 8.0;
 
 }  // namespace polhode::budget

@@ -44,7 +44,9 @@ Columns momentum_columns(const DDVec3& moments, const Vec3& g_sorted, const DD& 
   BasicVec3<Dual3> g0;
   for (int i = 0; i < 3; ++i) g0[i] = Dual3::variable(DD(g_sorted[i]), i);
   const Dual3 D2 = detail::separatrix_discriminant(moments, Dual3(g0.x * g0.x), Dual3(g0.z * g0.z));
-  const detail::EulerFlow<Dual3> flow = detail::euler_flow(moments, g0, D2, time);
+  const detail::EulerFlow<Dual3> flow =
+      detail::euler_flow(detail::FlowBody<DD>(moments), g0, D2, time);
+  const Dual3 precession = detail::precession(flow);
   const DDVec3 g = values(flow.g), start = values(g0);
   const DD G2 = dot(start, start);
   const BasicMat3<DD> At = transpose(A);
@@ -53,7 +55,7 @@ Columns momentum_columns(const DDVec3& moments, const Vec3& g_sorted, const DD& 
     const DDVec3 dg0 = derivatives(g0, j);
     const DDVec3 dg = derivatives(flow.g, j);
     const DDVec3 across = (DD(1.0) / G2) * cross(g, At * dg0 - dg);
-    const DD along = flow.precession.derivative[j] + turn_of_node(start, dg0, flow.pole) -
+    const DD along = precession.derivative[j] + turn_of_node(start, dg0, flow.pole) -
                      turn_of_node(g, dg, flow.pole);
     columns.momentum[j] = dg;
     columns.attitude[j] = across + (along / sqrt(G2)) * g;

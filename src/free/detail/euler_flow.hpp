@@ -10,11 +10,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
+#include "polhode/math/error_free.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
@@ -33,38 +35,40 @@ struct FlowFunctions {
   T S, C, D, angle;
 };
 
-inline constexpr std::size_t flow_order = 18;
-template <Real T>
-using FlowSeries = std::array<T, flow_order + 1>;
-
-template <Real T>
-T convolution(const FlowSeries<T>& a, const FlowSeries<T>& b, std::size_t k) {
+template <Real T, std::size_t terms>
+T convolution(const std::array<T, terms>& a, const std::array<T, terms>& b, std::size_t k) {
   T s = a[0] * b[k];
-  for (std::size_t i = 1; i <= k; ++i) s = s + a[i] * b[k - i];  // <= 18 trips
+  for (std::size_t i = 1; i <= k; ++i) s = s + a[i] * b[k - i];  // <= 8 trips
   return s;
 }
 
-// Taylor series of the four functions; |h| sqrt(max(mu, nu)) <= 1/64, so order 18 is beyond 1e-36.
-template <Real T>
-FlowFunctions<T> flow_by_series(const FlowParameters<T>& p, const T& h) {
-  FlowSeries<T> S{}, C{}, D{}, w{}, f{}, w_dot{};
+// Taylor series of the four functions: S and angle are odd, C and D even; the powers of h are
+// inside the coefficients.
+template <std::size_t terms, Real T, class H>
+FlowFunctions<T> flow_by_series(const FlowParameters<T>& p, const H& h) {
+  std::array<T, terms> S{}, C{}, D{}, f{}, w_dot{};
   C[0] = D[0] = T(1.0);
-  for (std::size_t k = 0; k < flow_order; ++k) {
-    f[k] = p.epsilon * convolution(S, S, k);
-    w_dot[k] = f[k] - convolution(w_dot, f, k);  // (1 + f) w' = f, and w_dot[k] is still 0
-    const T next = T(1.0) / T(static_cast<double>(k + 1));
-    S[k + 1] = next * convolution(C, D, k);
-    C[k + 1] = -(next * (p.mu * convolution(S, D, k)));
-    D[k + 1] = -(next * (p.nu * convolution(S, C, k)));
-    w[k + 1] = next * (p.weight * w_dot[k]);
+  const H h2 = h * h;
+  const T mu = p.mu * h2, nu = p.nu * h2, epsilon = p.epsilon * h2;
+  for (std::size_t k = 0; k < terms; ++k) {
+    const double odd = 2.0 * static_cast<double>(k) + 1.0;
+    S[k] = convolution(C, D, k) * H(H(1.0) / H(odd));
+    if (k + 1 == terms) break;
+    const H next = H(1.0) / H(odd + 1.0);
+    C[k + 1] = -(mu * (convolution(S, D, k) * next));
+    D[k + 1] = -(nu * (convolution(S, C, k) * next));
+    f[k + 1] = epsilon * convolution(S, S, k);
+    w_dot[k + 1] = f[k + 1] - convolution(w_dot, f, k + 1);  // (1 + f) w' = f, w_dot[k + 1] = 0
   }
-  FlowFunctions<T> v{S[flow_order], C[flow_order], D[flow_order], w[flow_order]};
-  for (std::size_t k = flow_order; k-- > 0;) {
-    v.S = v.S * h + S[k];
-    v.C = v.C * h + C[k];
-    v.D = v.D * h + D[k];
-    v.angle = v.angle * h + w[k];
+  FlowFunctions<T> v{S[terms - 1], C[terms - 1], D[terms - 1], T(0.0)};
+  for (std::size_t k = terms - 1; k-- > 0;) {
+    v.S = v.S + S[k];
+    v.C = v.C + C[k];
+    v.D = v.D + D[k];
+    v.angle = v.angle + w_dot[k + 1] * H(H(1.0) / H(2.0 * static_cast<double>(k) + 3.0));
   }
+  v.S = v.S * h;
+  v.angle = p.weight * (v.angle * h);
   return v;
 }
 
@@ -87,15 +91,22 @@ FlowFunctions<T> doubled(const FlowParameters<T>& p, const FlowFunctions<T>& v) 
   return r;
 }
 
-template <Real T>
-FlowFunctions<T> flow_functions(const FlowParameters<T>& p, const T& t) {
-  using std::abs;
-  using std::sqrt;
+// The series converges as (2 h rate / pi)^(2 terms): to 1e-36 and 1e-17 of its sum.
+template <Real T, class H>
+FlowFunctions<T> flow_functions(const FlowParameters<T>& p, const H& t) {
+  constexpr bool wide = RealTraits<T>::epsilon() < 1e-20;
+  constexpr double longest = wide ? 1.0 / 64.0 : 1.0 / 8.0;
   const double rate = std::sqrt(std::max(to_double(p.mu), to_double(p.nu)));
   int halvings = 0;
   double step = std::abs(to_double(t)) * rate;
-  for (; step > 1.0 / 64.0 && halvings < 1100; step *= 0.5) ++halvings;
-  FlowFunctions<T> v = flow_by_series(p, t * T(std::ldexp(1.0, -halvings)));
+  for (; step > longest && halvings < 1100; step *= 0.5) ++halvings;
+  const H h = t * H(std::ldexp(1.0, -halvings));
+  FlowFunctions<T> v;
+  if constexpr (wide) {
+    v = flow_by_series<9>(p, h);
+  } else {
+    v = step < 1.0 / 32.0 ? flow_by_series<5>(p, h) : flow_by_series<8>(p, h);
+  }
   for (int i = 0; i < halvings; ++i) v = doubled(p, v);  // <= log2(64 rate t) trips
   return v;
 }
@@ -119,67 +130,120 @@ FlowPeriod<T> flow_period(const FlowParameters<T>& p) {
   return {T(4.0) * complete_k(modulus) / root, T(4.0) * p.weight * quarter_w};
 }
 
-// Where the momentum goes, and by which angle the node of body axis `pole` precesses about it.
+// Quotients of the moments, which must be in ascending order.
+template <Real S>
+struct FlowBody {
+  explicit FlowBody(const BasicVec3<S>& moments) {
+    const S I1 = moments.x, I2 = moments.y, I3 = moments.z, one(1.0), zero(0.0);
+    const S I21 = I2 - I1, I31 = I3 - I1, I32 = I3 - I2, product = I1 * I2 * I3;
+    const S beta = to_double(I31) > 0.0 ? S(I21 / I31) : zero;  // any value serves the sphere
+    I = moments;
+    inverse = {one / I1, one / I2, one / I3};
+    share1 = I1 / I2 * (one - beta);
+    share3 = I3 / I2 * beta;
+    mu_a3 = I32 * I31 / (I3 * product);
+    nu_a1 = I21 * I31 / (I1 * product);
+    delta_D2 = I31 / product;
+    k23 = I32 / (I2 * I3);  // not 1/I2 - 1/I3: cancels
+    k13 = I31 / (I1 * I3);
+    k12 = I21 / (I1 * I2);
+  }
+  BasicVec3<S> I, inverse;
+  S share1, share3;  // a1 = g1^2 + share1 g2^2, a3 = g3^2 + share3 g2^2 are constant
+  S mu_a3, nu_a1;    // mu / a3, nu / a1
+  S delta_D2;        // delta / (G^2 - 2 T I2)
+  S k23, k13, k12;   // 1/I2 - 1/I3 and so on, >= 0
+};
+
+// Where the momentum goes, and by which angle the node of body axis `pole` precesses about it:
+// turn less the argument of (node_cos, node_sin).
 template <Real T>
 struct EulerFlow {
   BasicVec3<T> g;
-  T precession;
+  BasicVec3<T> change;  // g(t) - g0, with its own digits
+  T G;
+  T turn, node_cos, node_sin;
   int pole;  // 0 or 2: the axis of least or greatest moment, whichever stays away from g
 };
 
-// Moments sorted; t may be any time, D2 is G^2 - 2 T I2 as a function of g0.
+// The precession at the rate of the pole's partner, G t / I.
 template <Real T, class S>
-EulerFlow<T> euler_flow(const BasicVec3<S>& moments, const BasicVec3<T>& g0, const T& D2,
+T steady_turn(const T& G, const S& time, const S& moment, const S& inverse) {
+  if constexpr (std::same_as<S, double>) {
+    // Rounded once per arc the quotient t / I would leave a phase that grows with every arc.
+    const TwoTerms<double> p = two_prod(time, inverse), unit = two_prod(moment, inverse);
+    return G * p.hi + G * (p.lo - p.hi * ((unit.hi - 1.0) + unit.lo));
+  } else {
+    return G * T(time) * inverse;
+  }
+}
+
+// t may be any time, D2 is G^2 - 2 T I2 as a function of g0.
+template <Real T, class S>
+EulerFlow<T> euler_flow(const FlowBody<S>& body, const BasicVec3<T>& g0, const T& D2,
                         const S& time) {
-  using std::atan2;
   using std::sqrt;
-  const S I1 = moments.x, I2 = moments.y, I3 = moments.z, zero(0.0), one(1.0);
-  const S I21 = I2 - I1, I31 = I3 - I1, I32 = I3 - I2;
-  const S beta = to_double(I31) > 0.0 ? S(I21 / I31) : zero;  // any value serves the sphere
-  const T g1 = g0.x, g2 = g0.y, g3 = g0.z, g22 = g2 * g2;
-  const T a1 = g1 * g1 + (I1 / I2 * (one - beta)) * g22;  // squared amplitudes of g1, g3 at g2 = 0
-  const T a3 = g3 * g3 + (I3 / I2 * beta) * g22;
-  const T G = sqrt(a1 + a3);
-  const S product = I1 * I2 * I3;
+  const S zero(0.0), one(1.0);
+  const T g1 = g0.x, g2 = g0.y, g3 = g0.z, g22 = g2 * g2, g33 = g3 * g3;
+  const T a1 = g1 * g1 + body.share1 * g22;  // squared amplitudes of g1, g3 at g2 = 0
+  const T a3 = g33 + body.share3 * g22;
 
   EulerFlow<T> r;
+  r.G = sqrt(a1 + a3);
   r.pole = to_double(a1) <= to_double(a3) ? 0 : 2;
-  const S I_pole = r.pole == 0 ? I3 : I1;  // the pole's node turns with the other extreme moment
-  const S far =
-      r.pole == 0 ? S(I32 * I31 / (I3 * I3 * I1 * I2)) : S(I21 * I31 / (I1 * I1 * I2 * I3));
   FlowParameters<T> p;
-  p.mu = (I32 * I31 / (I3 * product)) * a3;
-  p.nu = (I21 * I31 / (I1 * product)) * a1;
-  p.delta = (I31 / product) * D2;
-  p.epsilon = far * (r.pole == 0 ? a1 : a3);
-  p.weight = (r.pole == 0 ? S(one / I3 - one / I1) : S(one / I1 - one / I3)) * G;
+  p.mu = body.mu_a3 * a3;
+  p.nu = body.nu_a1 * a1;
+  p.delta = body.delta_D2 * D2;
+  p.epsilon = r.pole == 0 ? T(body.mu_a3 * a1) : T(body.nu_a1 * a3);
+  p.weight = (r.pole == 0 ? S(-body.k13) : body.k13) * r.G;
 
-  T t(time);
-  T angle(zero);
-  if (to_double(p.delta) != 0.0) {
+  S t = time;
+  T reduced(time), angle(zero);
+  bool shifted = false;
+  const double rate = std::sqrt(std::max(to_double(p.mu), to_double(p.nu)));
+  // Half of a period is at least pi / rate.
+  if (to_double(p.delta) != 0.0 && std::abs(to_double(time)) * rate > 3.0) {
     const FlowPeriod<T> period = flow_period(p);
     const double count = std::rint(to_double(time) / to_double(period.time));
-    if (count != 0.0) {
-      t = t - period.time * S(count);
+    shifted = count != 0.0;
+    if (shifted) {
+      reduced = reduced - period.time * S(count);
       angle = period.angle * S(count);
     }
   }
-  const FlowFunctions<T> v = flow_functions(p, t);
+  const FlowFunctions<T> v = shifted ? flow_functions(p, reduced) : flow_functions(p, t);
   const T SS = v.S * v.S;
   // sn^2 and the like of the sum u0 + nt: 1 - k^2 sn^2 sn^2 = C^2 + mu (g3/a3)^2 S^2.
-  const T inverse = one / (v.C * v.C + (I32 * I31 / (I3 * product)) * (g3 * g3 * SS));
-  r.g.x = (g1 * v.C + (one / I3 - one / I2) * (g2 * g3 * v.S * v.D)) * inverse;
-  r.g.y = (g2 * v.C * v.D + (one / I1 - one / I3) * (g1 * g3 * v.S)) * inverse;
-  r.g.z = (g3 * v.D + (one / I2 - one / I1) * (g1 * g2 * v.S * v.C)) * inverse;
+  const T n3 = body.mu_a3 * (g33 * SS);
+  const T inverse = one / (v.C * v.C + n3);
+  // 1 - C, 1 - D and D - C; not by subtraction on short arcs: cancels
+  const bool near = to_double(v.C) > 0.0 && to_double(v.D) > 0.0;
+  const T c1 = near ? T(p.mu * SS / (one + v.C)) : T(one - v.C);
+  const T d1 = near ? T(p.nu * SS / (one + v.D)) : T(one - v.D);
+  const T dc = near ? T(p.delta * SS / (v.C + v.D)) : T(v.D - v.C);
+  const T g2S = g2 * v.S;
+  r.change.x = (g1 * (v.C * c1 - n3) - body.k23 * (g3 * g2S * v.D)) * inverse;
+  r.change.y = (g2 * (v.C * dc - n3) + body.k13 * (g1 * g3 * v.S)) * inverse;
+  r.change.z =
+      (g3 * (body.mu_a3 * ((body.share3 * g22) * SS) - d1) - body.k12 * (g1 * g2S * v.C)) * inverse;
+  r.g = g0 + r.change;
 
-  const S slope = r.pole == 0 ? S(one / I3 - one / I2) : S(one / I1 - one / I2);
   const T& across = r.pole == 0 ? r.g.z : r.g.x;
-  const T g2S = slope * (g2 * v.S);
-  const T cosine_sign = r.pole == 0 ? T(one) : T(-one);
-  r.precession = G * T(time) * (one / I_pole) - angle - v.angle -
-                 atan2(G * (g2S * r.g.y),
-                       across * across + r.g.y * r.g.y + cosine_sign * (g2S * (r.g.x * r.g.z)));
+  const T slope = (r.pole == 0 ? S(-body.k23) : body.k12) * g2S;
+  // The pole's node turns with the other extreme moment.
+  const int partner = 2 - r.pole;
+  r.turn = steady_turn(r.G, time, body.I[partner], body.inverse[partner]) - angle - v.angle;
+  const T sway = slope * (r.g.x * r.g.z);
+  r.node_cos = across * across + r.g.y * r.g.y + (r.pole == 0 ? sway : T(-sway));
+  r.node_sin = r.G * (slope * r.g.y);
   return r;
+}
+
+template <Real T>
+T precession(const EulerFlow<T>& flow) {
+  using std::atan2;
+  return flow.turn - atan2(flow.node_sin, flow.node_cos);
 }
 
 }  // namespace detail

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "dynamics/detail/splitting_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+bool finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
+TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g + (now - g.hi); }
+
+}  // namespace
+
+SplittingMap::SplittingMap(const System& system, SplittingScheme scheme)
+    : system_(system), free_(system.body()) {
+  for (const AnyPerturbation& term : system_.terms()) {
+    if (term.is_kick()) {
+      kicks_.push_back(term);
+    } else if (term.supports_flow()) {
+      flows_.push_back(term);
+    } else {
+      throw DomainError("Splitting: term \"" + term.name() +
+                        "\" has no exact flow: use Adaptive, which needs none");
+    }
+  }
+  const bool exact = flows_.empty() || (kicks_.empty() && flows_.size() == 1);
+  coefficients_ = splitting_coefficients(scheme, exact);
+  composed_ = {1.0};
+  if (!exact && !composes_order2(scheme)) {
+    // Three symmetric steps of order 2 make one of order 4 (Yoshida 1990).
+    const double outer = 1.0 / (2.0 - std::cbrt(2.0));
+    composed_ = {outer, 1.0 - 2.0 * outer, outer};
+  }
+}
+
+SplittingState SplittingMap::start(double t, const RotorState& s) const {
+  const Quaternion q = normalized(s.q);
+  return {{t, 0.0},
+          system_.frame().is_inertial() ? q : system_.frame().at(t).q_IS * q,
+          {s.g, {}},
+          std::nullopt,
+          0};
+}
+
+RotorState SplittingMap::state(const SplittingState& s) const {
+  if (system_.frame().is_inertial()) return {normalized(s.q_IB), s.g.hi};
+  return {normalized(conj(system_.frame().at(s.t.hi).q_IS) * s.q_IB), s.g.hi};
+}
+
+double SplittingMap::rate(const SplittingState& s) const {
+  const Vec3& I = system_.body().moments();
+  const Vec3& g = s.g.hi;
+  return std::max({std::abs(g.x / I.x), std::abs(g.y / I.y), std::abs(g.z / I.z)});
+}
+
+Setting SplittingMap::setting(const SplittingState& s, const Quaternion& q_IS) const {
+  return {system_.body(), s.t.hi, {conj(q_IS) * s.q_IB, s.g.hi}, q_IS};
+}
+
+std::string SplittingMap::term_not_finite(const SplittingState& s) const {
+  const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
+  for (const AnyPerturbation& term : system_.terms()) {
+    const Effect e = term.effect(setting(s, q_IS));
+    if (!finite(e.u) || !finite(e.v)) return term.name();
+  }
+  return "";
+}
+
+void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const noexcept {
+  const ShortFlow::Arc arc = free_.after(s.g, time.hi, time.lo);
+  const Quaternion q = s.q_IB * arc.turn;
+  const double f = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  s.q_IB = {f * q.w, f * q.x, f * q.y, f * q.z};
+  s.g = arc.g;
+  const TwoTerms<double> t = two_sum(s.t.hi, time.hi);
+  s.t = quick_two_sum(t.hi, t.lo + (s.t.lo + time.lo));
+  s.torque.reset();
+}
+
+Vec3 SplittingMap::torque(SplittingState& s) const {
+  const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
+  Vec3 u;
+  for (const AnyPerturbation& term : kicks_) u = u + term.effect(at).u;
+  ++s.evaluations;
+  return u;
+}
+
+void SplittingMap::kick(SplittingState& s, double h) const {
+  if (!flows_.empty()) {
+    for (const double fraction : composed_) composed_kick(s, fraction * h);
+    return;
+  }
+  if (kicks_.empty()) return;
+  if (!s.torque) s.torque = torque(s);
+  s.g = s.g + h * *s.torque;
+}
+
+void SplittingMap::composed_kick(SplittingState& s, double h) const {
+  if (kicks_.empty() && flows_.size() == 1) {
+    flow(s, flows_[0], h);
+    return;
+  }
+  for (const AnyPerturbation& term : flows_) flow(s, term, 0.5 * h);
+  if (!kicks_.empty()) s.g = s.g + h * torque(s);
+  for (std::size_t i = flows_.size(); i-- > 0;) flow(s, flows_[i], 0.5 * h);
+}
+
+void SplittingMap::flow(SplittingState& s, const AnyPerturbation& term, double h) const {
+  const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
+  const RotorState after = term.flow(setting(s, q_IS), h);
+  s.q_IB = normalized(q_IS * after.q);
+  s.g = replaced(s.g, after.g);
+  ++s.evaluations;
+}
+
+SplittingState SplittingMap::stepped(SplittingState s, double h) const {
+  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((i % 2 == 0) == coefficients_.drift_first) {
+      drift(s, two_prod(coefficients_.drifts[i / 2], h));
+    } else {
+      kick(s, coefficients_.kicks[i / 2] * h);
+    }
+  }
+  return s;
+}
+
+// q -> q exp(dtheta_B / 2) moves the torque, and nothing else does.
+Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
+  const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
+  const Setting at = setting(s, q_IS);
+  const auto constant = [](const Quaternion& q) {
+    return BasicQuaternion<Tangent>{Tangent(q.w), Tangent(q.x), Tangent(q.y), Tangent(q.z)};
+  };
+  const BasicQuaternion<Tangent> turn{Tangent(1.0), 0.5 * Tangent::variable(0.0, 0),
+                                      0.5 * Tangent::variable(0.0, 1),
+                                      0.5 * Tangent::variable(0.0, 2)};
+  const BasicVec3<Tangent> g{Tangent(at.s.g.x), Tangent(at.s.g.y), Tangent(at.s.g.z)};
+  Matrix6 M = Matrix6::identity();
+  for (const AnyPerturbation& term : kicks_) {
+    const BasicEffect<Tangent> e = term.effect(BasicSetting<Tangent>{
+        system_.body(), Tangent(at.t), {constant(at.s.q) * turn, g}, constant(q_IS)});
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) M(3 + i, j) += h * e.u[i].derivative[static_cast<std::size_t>(j)];
+  }
+  return M;
+}
+
+Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
+  if (!flows_.empty())
+    throw DomainError("Splitting: the flow of term \"" + flows_[0].name() +
+                      "\" has no derivative: use Adaptive for state transitions");
+  Matrix6 M = Matrix6::identity();
+  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((i % 2 == 0) == coefficients_.drift_first) {
+      const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
+      M = FreeRotation::short_arc(system_.body(), {s.q_IB, s.g.hi}).state_transition(time.hi) * M;
+      drift(s, time);
+    } else {
+      const double fraction = coefficients_.kicks[i / 2] * h;
+      M = kick_transition(s, fraction) * M;
+      kick(s, fraction);
+    }
+  }
+  return M;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

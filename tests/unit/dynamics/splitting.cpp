@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "budgets.hpp"
+#include "dynamics/detail/splitting_map.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "splitting_support.hpp"
+
+namespace polhode {
+namespace {
+
+using test::Damping;
+using test::PointMassTorque;
+using Scheme = SplittingScheme;
+
+constexpr Scheme schemes[] = {Scheme::order2, Scheme::order4, Scheme::order6,
+                              Scheme::order8, Scheme::ABA864, Scheme::ABA1064};
+constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;  // time of ten turns of W1's body
+
+System gravity(double strength, const Frame& frame = Frame::inertial()) {
+  return System(test::workload_body(), frame,
+                {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, strength})});
+}
+
+double slope(double coarse, double fine, double octaves) {
+  return std::log2(coarse / fine) / octaves;
+}
+
+TEST(SplittingCoefficients, AddUpToOneAndAreTheSameBackwards) {
+  for (const Scheme scheme : schemes) {
+    for (const bool exact : {true, false}) {
+      const detail::SplittingCoefficients c = detail::splitting_coefficients(scheme, exact);
+      for (const std::vector<double>& a : {c.drifts, c.kicks}) {
+        DoubleDouble sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+          sum += a[i];
+          EXPECT_EQ(a[i], a[a.size() - 1 - i]);
+        }
+        EXPECT_LE(std::abs((sum - 1.0).hi), budget::splitting_consistency);
+      }
+      const std::size_t more = c.drift_first ? c.drifts.size() : c.kicks.size();
+      EXPECT_EQ(more, (c.drift_first ? c.kicks.size() : c.drifts.size()) + 1);
+      EXPECT_TRUE(exact || c.drift_first || !detail::composes_order2(scheme));
+    }
+  }
+}
+
+TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
+  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
+                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
+  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
+  for (const Vec3& I : moments) {
+    const Body body(I.x, I.y, I.z);
+    for (const Vec3& g : momenta) {
+      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
+      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
+      for (const Frame& frame : {Frame::inertial(), test::precessing_frame()}) {
+        const System system(body, frame);
+        const RotorState exact = reference_state(
+            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
+        for (const Scheme scheme : schemes) {
+          const RotorState end = test::end_of(system, s, 0.0, time, Splitting{time / 97.3, scheme});
+          EXPECT_LE(test::distance(end, exact), budget::splitting_free);
+        }
+      }
+    }
+  }
+}
+
+TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
+  const System system(test::workload_body());
+  const RotorState exact = FreeRotation(system.body(), test::workload_state()).at(10.0);
+  const RotorState end = test::end_of(system, test::workload_state(), 0.0, 10.0, Splitting{5.0});
+  EXPECT_LE(test::distance(end, exact), budget::splitting_free);
+}
+
+// |g| and the kinetic energy after 1e5 drifts: no walk at all, while g itself has been rounded at
+// every step.
+TEST(Splitting, KeepsMomentumAndEnergyOfAFreeBodyBeyondDouble) {
+  const Body body = test::workload_body();
+  const detail::SplittingMap map(System(body), Scheme::order2);
+  detail::SplittingState s = map.start(0.0, test::workload_state());
+  const auto squares = [&](const Vec3& weight) {
+    DoubleDouble sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const DoubleDouble g = DoubleDouble::sum(s.g.hi[i], s.g.lo[i]);
+      sum += g * g / weight[i];
+    }
+    return sum;
+  };
+  const DoubleDouble G2 = squares({1, 1, 1}), T2 = squares(body.moments());
+  for (int i = 0; i < 100000; ++i) s = map.stepped(s, 0.0123);
+  EXPECT_LE(std::abs(((squares({1, 1, 1}) - G2) / G2).hi), budget::splitting_invariant);
+  EXPECT_LE(std::abs(((squares(body.moments()) - T2) / T2).hi), budget::splitting_invariant);
+}
+
+TEST(Splitting, HasTheOrderThatItsNameSays) {
+  const System system = gravity(1.0, test::precessing_frame());
+  const RotorState s = test::workload_state();
+  const RotorState exact = test::end_of(system, s, 0.0, 2.0, Splitting{0.002, Scheme::order8});
+  const struct {
+    Scheme scheme;
+    double order, h, octaves;
+  } cases[] = {{Scheme::order2, 2, 0.05, 2},
+               {Scheme::order4, 4, 0.05, 2},
+               {Scheme::order6, 6, 0.05, 2},
+               {Scheme::order8, 8, 0.1, 1}};
+  for (const auto& c : cases) {
+    const double coarse =
+        test::distance(test::end_of(system, s, 0.0, 2.0, Splitting{c.h, c.scheme}), exact);
+    const double fine = test::distance(
+        test::end_of(system, s, 0.0, 2.0, Splitting{c.h * std::exp2(-c.octaves), c.scheme}), exact);
+    EXPECT_GE(slope(coarse, fine, c.octaves), c.order - budget::splitting_order_below);
+    EXPECT_LE(slope(coarse, fine, c.octaves), c.order + budget::splitting_order_above);
+  }
+}
+
+// The part of the error that is odd in the torque: its leading term is that in eps.
+double odd_error(Scheme scheme, double strength, double h) {
+  std::array<double, 6> e[2];
+  for (const int side : {0, 1}) {
+    const System system = gravity(side == 0 ? strength : -strength);
+    const RotorState s = test::workload_state();
+    const RotorState exact = test::end_of(system, s, 0.0, 4.0, Splitting{0.004, Scheme::order8});
+    const RotorState end = test::end_of(system, s, 0.0, 4.0, Splitting{h, scheme});
+    e[side] = test::difference(end, exact);
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) sum += (e[0][i] - e[1][i]) * (e[0][i] - e[1][i]);
+  return 0.5 * std::sqrt(sum);
+}
+
+TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder8And10InASmallTorqueAndProportionalToIt) {
+  EXPECT_NEAR(slope(odd_error(Scheme::ABA864, 0.1, 0.1), odd_error(Scheme::ABA864, 0.1, 0.05), 1),
+              8.0, budget::splitting_near_order);
+  EXPECT_NEAR(slope(odd_error(Scheme::ABA1064, 0.1, 0.2), odd_error(Scheme::ABA1064, 0.1, 0.1), 1),
+              10.0, budget::splitting_near_order);
+  for (const auto& [scheme, h] : {std::pair{Scheme::ABA864, 0.1}, {Scheme::ABA1064, 0.2}})
+    EXPECT_NEAR(odd_error(scheme, 0.03, h) / odd_error(scheme, 0.006, h), 5.0,
+                budget::splitting_proportion);
+}
+
+TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder4InAStrongTorque) {
+  const System system = gravity(100.0);
+  const RotorState s = test::workload_state();
+  const RotorState exact = test::end_of(system, s, 0.0, 1.0, Splitting{0.001, Scheme::order8});
+  for (const Scheme scheme : {Scheme::ABA864, Scheme::ABA1064}) {
+    const double coarse =
+        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{0.025, scheme}), exact);
+    const double fine =
+        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{0.00625, scheme}), exact);
+    EXPECT_NEAR(slope(coarse, fine, 2.0), 4.0, budget::splitting_order_below);
+  }
+}
+
+// Two kinds of flows beside each other: kicks are then compositions themselves.
+TEST(Splitting, KeepsItsOrderWhereFlowsDoNotCommute) {
+  const System system(test::workload_body(), Frame::inertial(),
+                      {AnyPerturbation("damping", Damping{0.7}),
+                       AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 3.0}),
+                       AnyPerturbation("torque along b1", test::Spinner{0.9})});
+  const RotorState s = test::workload_state();
+  const RotorState exact = test::end_of(system, s, 0.0, 1.0, Splitting{0.0005, Scheme::order8});
+  const struct {
+    Scheme scheme;
+    double order, h;
+  } cases[] = {{Scheme::order2, 2, 0.01}, {Scheme::order4, 4, 0.05}, {Scheme::order6, 6, 0.05},
+               {Scheme::order8, 8, 0.1},  {Scheme::ABA864, 4, 0.1},  {Scheme::ABA1064, 4, 0.1}};
+  for (const auto& c : cases) {
+    const double coarse =
+        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{c.h, c.scheme}), exact);
+    const double fine =
+        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{0.5 * c.h, c.scheme}), exact);
+    EXPECT_GE(slope(coarse, fine, 1.0), c.order - budget::splitting_order_below)
+        << static_cast<int>(c.scheme) << " " << coarse << " " << fine;
+  }
+}
+
+TEST(Splitting, RunsBackToWhereItStarted) {
+  const System system = gravity(1.0, test::precessing_frame());
+  const RotorState s = test::workload_state();
+  for (const Scheme scheme : schemes) {
+    const Splitting method{turns_10 / 128.0, scheme};
+    const RotorState there = test::end_of(system, s, 0.0, turns_10, method);
+    EXPECT_LE(test::distance(test::end_of(system, there, turns_10, 0.0, method), s),
+              budget::splitting_free);
+  }
+}
+
+TEST(Splitting, IsTheSameMotionInAMovingFrame) {
+  const System inertial = gravity(1.0), moving = gravity(1.0, test::precessing_frame());
+  const RotorState s = test::workload_state();  // the frame coincides with inertial axes at t = 0
+  for (const Scheme scheme : schemes) {
+    const Splitting method{0.1, scheme};
+    const RotorState a = test::end_of(inertial, s, 0.0, turns_10, method);
+    const RotorState b = test::end_of(moving, s, 0.0, turns_10, method);
+    EXPECT_LE(test::distance(inertial_state(moving, turns_10, b), a), budget::splitting_free);
+  }
+}
+
+TEST(Splitting, DenseOutputIsAStepOfTheSameScheme) {
+  const System system = gravity(1.0, test::precessing_frame());
+  const RotorState s = test::workload_state();
+  for (const Scheme scheme : schemes) {
+    const Splitting method{0.1, scheme};
+    const auto stepper = detail::make_stepper(Problem{system, s, 0.0, 1.0, method, {}}, method);
+    ASSERT_EQ(stepper->advance(1.0), "");
+    ASSERT_EQ(stepper->advance(1.0), "");
+    const auto dense = stepper->dense(true);
+    EXPECT_EQ(dense->t0(), 0.1);
+    EXPECT_EQ(dense->t1(), 0.2);
+    EXPECT_LE(test::distance(dense->at(dense->t1()), stepper->state()), budget::splitting_dense);
+    const RotorState first = test::end_of(system, s, 0.0, 0.1, method);
+    EXPECT_LE(test::distance(dense->at(0.1), first), budget::splitting_dense);
+    const RotorState middle = test::end_of(system, first, 0.1, 0.143, method);
+    EXPECT_LE(test::distance(dense->at(0.143), middle), budget::splitting_dense);
+  }
+}
+
+Matrix6 poisson(const Vec3& g) {
+  Matrix6 P;
+  const Mat3 h = hat(g);
+  for (int i = 0; i < 3; ++i) {
+    P(i, 3 + i) = 1.0;
+    P(3 + i, i) = -1.0;
+    for (int j = 0; j < 3; ++j) P(3 + i, 3 + j) = h(i, j);
+  }
+  return P;
+}
+
+TEST(Splitting, StepIsSymplectic) {
+  for (const Frame& frame : {Frame::inertial(), test::precessing_frame()}) {
+    for (const Scheme scheme : schemes) {
+      const detail::SplittingMap map(gravity(1.0, frame), scheme);
+      const detail::SplittingState s = map.start(0.3, test::workload_state());
+      const Matrix6 M = map.step_transition(s, 0.1);  // one radian
+      const Vec3 g1 = map.stepped(s, 0.1).g.hi;
+      const Matrix6 P = poisson(s.g.hi), image = M * P * transpose(M), wanted = poisson(g1);
+      Matrix6 size_M = M, size_P = P;
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) {
+          size_M(i, j) = std::abs(M(i, j));
+          size_P(i, j) = std::abs(P(i, j));
+        }
+      const Matrix6 size = size_M * size_P * transpose(size_M);
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j)
+          EXPECT_LE(std::abs(image(i, j) - wanted(i, j)),
+                    budget::splitting_symplectic_eps * epsilon<double>() * size(i, j));
+    }
+  }
+}
+
+TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
+  const detail::SplittingMap map(gravity(1.0, test::precessing_frame()), Scheme::ABA864);
+  const RotorState s = test::workload_state();
+  const Matrix6 M = map.step_transition(map.start(0.3, s), 0.1);
+  const double d = 1e-5;
+  for (int j = 0; j < 6; ++j) {
+    std::array<double, 6> ends[2];
+    for (const int side : {0, 1}) {
+      const double x = side == 0 ? d : -d;
+      RotorState moved = s;
+      if (j < 3) {
+        Quaternion turn{1.0, 0.0, 0.0, 0.0};
+        (j == 0 ? turn.x : j == 1 ? turn.y : turn.z) = 0.5 * x;
+        moved.q = s.q * turn;
+      } else {
+        moved.g[j - 3] += x;
+      }
+      const auto end = map.state(map.stepped(map.start(0.3, moved), 0.1));
+      const auto base = map.state(map.stepped(map.start(0.3, s), 0.1));
+      ends[side] = test::difference(end, base);
+      for (std::size_t i = 3; i < 6; ++i) ends[side][i] *= norm(base.g);
+    }
+    for (int i = 0; i < 6; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      EXPECT_NEAR((ends[0][row] - ends[1][row]) / (2.0 * d), M(i, j), budget::splitting_difference);
+    }
+  }
+}
+
+TEST(Splitting, NamesATermWithoutAFlow) {
+  const System system(test::workload_body(), Frame::inertial(),
+                      {AnyPerturbation("drag", test::NoFlow{})});
+  try {
+    detail::make_stepper(Problem{system, test::workload_state(), 0, 1, Splitting{0.1}, {}},
+                         Splitting{0.1});
+    FAIL();
+  } catch (const DomainError& error) {
+    EXPECT_STREQ(error.what(),
+                 "Splitting: term \"drag\" has no exact flow: use Adaptive, which needs none");
+  }
+}
+
+std::string advice_of(const System& system, double start, double stop, double step) {
+  const Splitting method{step};
+  const auto stepper = detail::make_stepper(
+      Problem{system, test::workload_state(), start, stop, method, {}}, method);
+  for (int i = 0; i < 1000 && stepper->time() != stop; ++i) {
+    const double before = stepper->time();
+    const std::string advice = stepper->advance(stop);
+    if (advice.empty()) continue;
+    EXPECT_EQ(stepper->time(), before);  // it stays where it was
+    EXPECT_TRUE(std::isfinite(stepper->state().q.w));
+    return advice;
+  }
+  return "";
+}
+
+TEST(Splitting, SaysWhyItCannotGoOn) {
+  const System broken(test::workload_body(), Frame::inertial(),
+                      {AnyPerturbation("fine", PointMassTorque{1.0, 0.1}),
+                       AnyPerturbation("broken", test::BreaksAt{1.0})});
+  EXPECT_THAT(advice_of(broken, 0.0, 3.0, 0.1),
+              testing::HasSubstr("term \"broken\" is not finite near t = "));
+  EXPECT_EQ(
+      advice_of(gravity(1.0), 1e9, 2e9, 1e-9),
+      "step 1e-09 is below the rounding of t = 1e+09: take a larger step or count time from a "
+      "nearer epoch");
+  EXPECT_EQ(advice_of(gravity(1.0), 0.0, 1e12, 1e6),
+            "step 1e+06 is 7500000 radians of rotation at t = 0: take a step of less than a turn");
+}
+
+TEST(Splitting, CountsWhatItDoes) {
+  const Splitting method{0.125, Scheme::order2};
+  const auto stepper = detail::make_stepper(
+      Problem{gravity(1.0), test::workload_state(), 0.0, 1.0, method, {}}, method);
+  while (stepper->time() != 1.0) ASSERT_EQ(stepper->advance(1.0), "");
+  EXPECT_EQ(stepper->statistics().steps, 8);
+  EXPECT_EQ(stepper->statistics().evaluations, 9);  // the kick between two steps is made once
+}
+
+}  // namespace
+}  // namespace polhode
