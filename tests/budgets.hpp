@@ -178,11 +178,11 @@ inline constexpr double osculation_round_trip = 2e-14;
 inline constexpr double paper_generating = 1e-14;
 // Two ways to the same rate of order one; by fourth-order differences of step 1e-3; 1e-7 off a
 // pole.
-inline constexpr double rates_rounding = 1e-14;
-inline constexpr double rates_by_differences = 1e-9;
-inline constexpr double rates_next_to_pole = 1e-6;
+inline constexpr double rates_rounding = 2e-15;
+inline constexpr double rates_by_differences = 5e-12;
+inline constexpr double rates_next_to_pole = 1e-7;
 // Lagrange brackets and what follows from them, relative; and what is not canonical.
-inline constexpr double andoyer_method = 1e-14;
+inline constexpr double andoyer_method = 2e-15;
 inline constexpr double not_canonical = 1e-2;
 
 // --- orbits (tests/unit/orbit), in eps of the number type ---
@@ -220,10 +220,10 @@ inline constexpr double splitting_difference = 1e-8;
 // --- perturbation terms (tests/unit/perturb), over the size of the torque ---
 // Effects in double, in eps, and in double-double against differences at 76 digits.
 inline constexpr double perturb_eps = 4.0;
-inline constexpr double perturb_difference = 1e-30;
+inline constexpr double perturb_difference = 2e-31;
 // An average over an orbit by equal steps of time.
 inline constexpr double perturb_average = 4e-15;
 // Exponential of a damping matrix, over the larger momentum, in eps.
-inline constexpr double damping_flow_eps = 8.0;
+inline constexpr double damping_flow_eps = 4.0;
 
 }  // namespace polhode::budget

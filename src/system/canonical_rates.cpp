@@ -15,11 +15,15 @@ namespace {
 constexpr CanonicalChart euler_chart{CanonicalSet::euler};
 constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
 
-// B^-1 x; NaN where a row of B^-1 is not finite, that is where the variable does not exist.
+// B^-1 x; NaN where a row of B^-1 is not finite, that is where the variable does not exist, and for
+// G = |g| where g = 0.
 CanonicalRates charted(const CanonicalChart& chart, const RotorState& s, const HubRates& x) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   CanonicalRates z = detail::product(inverse_chart_jacobian(chart, s), x);
   for (double& rate : z)
-    if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(rate)) rate = none;
+  if (s.g == Vec3{} && chart.set != CanonicalSet::euler)
+    z[chart.set == CanonicalSet::andoyer ? 4 : 3] = none;
   return z;
 }
 

@@ -12,7 +12,7 @@
 // Domain      that of to_serret. S is multivalued as the elements are: another turn of g0 or h adds
 //             2 pi G or 2 pi H, another period of t0 with its turn of g0 adds a multiple of the
 //             action of the polhode. This is the branch that to_serret returns, its jumps included.
-// Accuracy    budget generating_function in tests/budgets.hpp, for times of order of a period.
+// Accuracy    budget paper_generating in tests/budgets.hpp, for times of order of a period.
 // Errors      none; NaN time in, NaN out.
 // Cost        tens of microseconds.
 #pragma once

@@ -9,11 +9,11 @@
 //             B^-1 (v, g x v(terms) + u(terms)), with q-part dDeltaH/dp [SA (104)-(107), (111)]; in
 //             a precessing frame [SA (118)-(122)].
 // Units       of the chart's variables per time.
-// Domain      any state. At theta = 0, pi (Euler), J = 0, pi or I = 0, pi (Andoyer) the rates of
-//             the momenta are right and those of angles that do not exist there are NaN: phi, psi
-//             and Theta's neighbours of Euler's set; l and g at J = 0, pi; g and h at I = 0, pi.
-//             A Poincare-type set next to its poles has all six. G = 0: NaN but for Euler's set.
-// Accuracy    budget system_rates in tests/budgets.hpp; angles lose 1/sin of theta, J, I near the
+// Domain      any state. A rate that does not exist is NaN: of phi and psi at theta = 0, pi (theta
+//             and Theta then refer to the node that to_euler chooses); of l and g at J = 0, pi; of
+//             g and h at I = 0, pi; at G = 0 of all of Andoyer's set but L and H. All others are
+//             right there. A Poincare-type set has all six at its poles, and none at G = 0.
+// Accuracy    budget paper_perturbed in tests/budgets.hpp; angles lose 1/sin of theta, J, I near the
 //             poles, as their definition does.
 // Errors      what a term throws passes through; a zero quaternion: NaN.
 // Cost        the terms and a few microseconds for B.

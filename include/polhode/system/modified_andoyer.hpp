@@ -11,7 +11,7 @@
 // Domain      any state and times; the free motion is that of the body in the reference frame S, as
 //             if S were inertial. Angles in (-pi, pi]. At J or I = 0, pi of the epoch state: as
 //             canonical_rates.hpp.
-// Accuracy    budget modified_andoyer in tests/budgets.hpp; M grows like t - t0, and like
+// Accuracy    budget paper_modified in tests/budgets.hpp; M grows like t - t0, and like
 //             exp(n (t - t0)) on the separatrix.
 // Errors      DomainError for a state that FreeRotation refuses. What a term throws passes through.
 // Cost        one FreeRotation each, tens of microseconds.

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Canonical rates: torques without energy, every chart against the motion itself, and what is
+// answered at the singularities.
+#include "polhode/system/canonical_rates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "budgets.hpp"
+#include "polhode/perturb/user_terms.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/poincare.hpp"
+
+namespace {
+
+using namespace polhode;
+
+constexpr CanonicalChart euler{CanonicalSet::euler};
+constexpr CanonicalChart andoyer{CanonicalSet::andoyer};
+
+// A torque with no energy: damping, and a push that turns with time.
+struct Push {
+  template <Real T>
+  BasicVec3<T> operator()(const T& t, const BasicRotorState<T>& s) const {
+    using std::sin;
+    return BasicVec3<T>{T(0.3) * T(sin(t)), T(-0.1), T(0.2)} - T(0.05) * s.g;
+  }
+};
+
+System pushed_in_a_frame() {
+  return System(Body(3, 4, 6), Frame::precessing({1, 2, -1}, 0.2),
+                {AnyPerturbation("push", TorqueTerm(Push{}))});
+}
+
+const RotorState generic{normalized(Quaternion{0.5, -0.7, 0.3, 0.4}), {1.2, -0.7, 2.1}};
+
+// One small step of the hub rates as they stand: q exp(w h/2), g + h dg/dt. A central difference of
+// it is good to h^2.
+RotorState stepped(const HubRates& rates, const RotorState& s, double h) {
+  const Vec3 half = 0.5 * h * rates.theta;
+  const double angle = norm(half), sinc = angle == 0.0 ? 1.0 : std::sin(angle) / angle;
+  const Quaternion turn{std::cos(angle), sinc * half.x, sinc * half.y, sinc * half.z};
+  return {s.q * turn, s.g + h * rates.g};
+}
+
+using Six = std::array<double, 6>;
+Six numbers(const EulerState& e) { return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi}; }
+Six numbers(const AndoyerState& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
+Six numbers(const PoincareState& p) { return {p.sigma, p.Q1, p.Q2, p.G, p.P1, p.P2}; }
+
+// Fourth-order differences of a chart along the step.
+template <class F>
+void expect_differences(const CanonicalRates& rates, const System& system, double t, F chart) {
+  const double h = 1e-3;
+  const HubRates hub = hub_rates(system, t, generic);
+  const auto at = [&](double x) { return numbers(chart(stepped(hub, generic, x))); };
+  const Six m2 = at(-2 * h), m1 = at(-h), p1 = at(h), p2 = at(2 * h);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double difference = (8.0 * (p1[i] - m1[i]) - (p2[i] - m2[i])) / (12.0 * h);
+    EXPECT_NEAR(rates[i], difference, budget::rates_by_differences) << i;
+  }
+}
+
+TEST(CanonicalRates, TorquesWithoutEnergyInEveryChart) {
+  const System system = pushed_in_a_frame();
+  const double t = 0.7;
+  expect_differences(canonical_rates(euler, system, t, generic), system, t,
+                     [](const RotorState& s) { return to_euler(s); });
+  expect_differences(canonical_rates(andoyer, system, t, generic), system, t,
+                     [](const RotorState& s) { return to_andoyer(s); });
+  for (const Pole J : {Pole::zero, Pole::pi}) {
+    for (const Pole I : {Pole::zero, Pole::pi}) {
+      expect_differences(canonical_rates({CanonicalSet::poincare, J, I}, system, t, generic),
+                         system, t, [&](const RotorState& s) { return to_poincare(s, J, I); });
+    }
+  }
+}
+
+TEST(CanonicalRates, HubRatesAreThoseOfTheSystem) {
+  const System system = pushed_in_a_frame();
+  const HubRates hub = hub_rates(system, 0.7, generic);
+  const RotorRates rates = rotor_rates(system, 0.7, generic);
+  const Quaternion half = conj(generic.q) * rates.q;
+  const Vec3 w{2 * half.x, 2 * half.y, 2 * half.z};
+  EXPECT_LT(norm(hub.theta - w), budget::rates_rounding);
+  EXPECT_LT(norm(hub.g - rates.g), budget::rates_rounding);
+  const HubRates added = perturbation_rates(system, 0.7, generic);
+  const HubRates unperturbed = hub_rates(System(system.body()), 0.7, generic);
+  EXPECT_LT(norm(added.theta + unperturbed.theta - hub.theta), budget::rates_rounding);
+  EXPECT_LT(norm(added.g + unperturbed.g - hub.g), budget::rates_rounding);
+  EXPECT_EQ(perturbation_rates(System(system.body()), 0.7, generic), HubRates{});
+}
+
+// A torque moves Andoyer's angles, but makes no convective term in Euler's: v = 0.
+TEST(CanonicalRates, ConvectiveTermOfATorque) {
+  const System system(Body(3, 4, 6), Frame::inertial(),
+                      {AnyPerturbation("push", TorqueTerm(Push{}))});
+  for (const double rate : convective_term(euler, system, 0.7, generic)) EXPECT_EQ(rate, 0.0);
+  EXPECT_NE(convective_term(andoyer, system, 0.7, generic)[0], 0.0);
+  EXPECT_EQ(effect(system, 0.7, generic).v, Vec3{});
+}
+
+// Spin about b3 (J = 0) whose momentum leans: l and g do not exist, h and the momenta do.
+TEST(CanonicalRates, AtTheSingularities) {
+  const System system = pushed_in_a_frame();
+  const RotorState spin{generic.q, {0.0, 0.0, 2.0}};
+  const AndoyerRates a = andoyer_rates(system, 0.7, spin);
+  EXPECT_TRUE(std::isnan(a.l));
+  EXPECT_TRUE(std::isnan(a.g));
+  const HubRates hub = hub_rates(system, 0.7, spin);
+  EXPECT_NEAR(a.L, hub.g.z, budget::rates_rounding);
+  EXPECT_NEAR(a.G, hub.g.z, budget::rates_rounding);  // g is along b3
+  const auto of_poincare = canonical_rates({CanonicalSet::poincare}, system, 0.7, spin);
+  for (const double rate : of_poincare) EXPECT_TRUE(std::isfinite(rate));
+  const AndoyerRates next_to_it = andoyer_rates(system, 0.7, RotorState{spin.q, {1e-7, 0.0, 2.0}});
+  EXPECT_NEAR(a.h, next_to_it.h, budget::rates_next_to_pole);
+  EXPECT_NEAR(a.H, next_to_it.H, budget::rates_next_to_pole);
+
+  // I = J = 0 and I = pi, J = 0: what is left is the momenta
+  for (const Quaternion& q : {Quaternion{1, 0, 0, 0}, Quaternion{0, 1, 0, 0}}) {
+    const AndoyerRates b = andoyer_rates(system, 0.7, RotorState{q, {0.0, 0.0, 2.0}});
+    EXPECT_TRUE(std::isnan(b.l) && std::isnan(b.g) && std::isnan(b.h));
+    const double sign = rotate(q, Vec3{0.0, 0.0, 1.0}).z;
+    const Vec3 u = hub_rates(system, 0.7, RotorState{q, {0.0, 0.0, 2.0}}).g;
+    EXPECT_NEAR(b.L, u.z, budget::rates_rounding);
+    EXPECT_NEAR(b.G, u.z, budget::rates_rounding);
+    EXPECT_NEAR(b.H, sign * u.z, budget::rates_rounding);
+  }
+
+  // at rest: L and H move with the torque
+  const RotorState rest{generic.q, {}};
+  const AndoyerRates c = andoyer_rates(system, 0.7, rest);
+  const Vec3 u = Push{}(0.7, rest);
+  EXPECT_TRUE(std::isnan(c.l) && std::isnan(c.g) && std::isnan(c.h) && std::isnan(c.G));
+  EXPECT_NEAR(c.L, u.z, budget::rates_rounding);
+  EXPECT_NEAR(c.H, rotate(generic.q, u).z, budget::rates_rounding);
+  for (const double rate : canonical_rates({CanonicalSet::poincare}, system, 0.7, rest))
+    EXPECT_TRUE(std::isnan(rate));
+
+  // theta = 0: phi and psi do not exist
+  const RotorState upright{{1, 0, 0, 0}, {0.5, 0.2, 1.0}};
+  const EulerPhaseRates e = euler_phase_rates(system, 0.7, upright);
+  EXPECT_TRUE(std::isnan(e.phi));
+  EXPECT_TRUE(std::isnan(e.psi));
+  EXPECT_TRUE(std::isfinite(e.theta));
+  EXPECT_TRUE(std::isfinite(e.Psi));
+}
+
+TEST(CanonicalRates, NaNInNaNOut) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const AndoyerRates a =
+      andoyer_rates(pushed_in_a_frame(), 0.0, RotorState{generic.q, {none, 0.0, 1.0}});
+  EXPECT_TRUE(std::isnan(a.l) && std::isnan(a.G) && std::isnan(a.H));
+}
+
+}  // namespace
