@@ -36,6 +36,7 @@ TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 # Other people's libraries, by the folder of src/ that may use them. Public headers use none.
 THIRD_PARTY = {
     "rotor": r"Eigen/",
+    "perturb": r"Eigen/",
     "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|(unistd|fcntl)\.h|sys/",
     "cli": r"CLI/|fmt/|(unistd|fcntl)\.h|sys/",
 }

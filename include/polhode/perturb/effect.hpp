@@ -54,14 +54,35 @@ struct BasicSetting {
 };
 using Setting = BasicSetting<double>;
 
-// The body components of a vector given in inertial or in reference-frame axes.
+namespace detail {
+
+// q* x q / (q* q) by the form that is homogeneous in q: inside a step |q| = 1 holds to 1e-13 or so,
+// and x + 2 w (u x x) + ..., the form for |q| = 1, would turn by as much too far.
 template <Real T>
-BasicVec3<T> body_from_inertial(const BasicSetting<T>& at, const BasicVec3<T>& x_I) {
-  return rotate(conj(at.s.q), rotate(conj(at.q_IS), x_I));
+constexpr BasicVec3<T> turned_back(const BasicQuaternion<T>& q, const BasicVec3<T>& x) {
+  const BasicVec3<T> u{q.x, q.y, q.z};
+  const T ww = q.w * q.w, uu = dot(u, u), two(2.0);
+  return (T(1.0) / (ww + uu)) * ((ww - uu) * x + two * dot(u, x) * u - two * q.w * cross(u, x));
 }
+
+}  // namespace detail
+
+// The axes of a vector that is not the body's own: inertial, or those of the reference frame S.
+enum class SpaceAxes { inertial, reference };
+
+// The body components of a vector given in inertial or in reference-frame axes. The lengths of the
+// quaternions do not matter.
 template <Real T>
 BasicVec3<T> body_from_reference(const BasicSetting<T>& at, const BasicVec3<T>& x_S) {
-  return rotate(conj(at.s.q), x_S);
+  return detail::turned_back(at.s.q, x_S);
+}
+template <Real T>
+BasicVec3<T> body_from_inertial(const BasicSetting<T>& at, const BasicVec3<T>& x_I) {
+  return body_from_reference(at, detail::turned_back(at.q_IS, x_I));
+}
+template <Real T>
+BasicVec3<T> body_from_space(const BasicSetting<T>& at, SpaceAxes axes, const BasicVec3<T>& x) {
+  return axes == SpaceAxes::inertial ? body_from_inertial(at, x) : body_from_reference(at, x);
 }
 
 template <class P, class T>

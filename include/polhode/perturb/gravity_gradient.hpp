@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// GravityGradient: the torque of a point mass on a rigid body, from any orbit.
+//
+// Equations   MacCullagh: H' = gm / (2 r^3) (3 n.I n - tr I), u = (3 gm / r^3) n x I n, n = r / |r|
+//             in body axes. H' is all of the second-degree potential: it vanishes for a sphere.
+//             Left out is the energy of the orbit, -gm m / r, which does not depend on the
+//             attitude.
+// Units       gm and the orbit in the same units of length and time; I in those of the body.
+// Domain      gm > 0. The orbit gives the position of the point mass from the body or of the body
+//             from the point mass, in inertial or in reference-frame axes. Several point masses are
+//             several terms.
+// Accuracy    a few roundings of the torque; a sphere has none, exactly. The length of q_SB does
+//             not matter, so neither does its rounding within a step.
+// Errors      DomainError for a gm that is not positive.
+// Cost        one position and some 60 flops. For Tangent the orbit is evaluated in double.
+#pragma once
+
+#include <utility>
+
+#include "polhode/orbit/orbit.hpp"
+#include "polhode/perturb/effect.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+namespace detail {
+
+void require_gravity(double gm);
+
+template <class O, Real T>
+BasicVec3<T> position_at(const O& orbit, const T& t) {
+  return orbit.position(t);
+}
+// A time that no variable moves, as in a state transition matrix, needs no derivatives.
+template <class O, Real T, int N>
+BasicVec3<Dual<T, N>> position_at(const O& orbit, const Dual<T, N>& t) {
+  if constexpr (OrbitOn<O, Dual<T, N>>) {
+    if (!t.is_constant()) return orbit.position(t);
+  }
+  const BasicVec3<T> x = position_at(orbit, t.value);
+  return {x.x, x.y, x.z};
+}
+
+}  // namespace detail
+
+template <Orbit O>
+class GravityGradient {
+ public:
+  static constexpr bool kick = true;
+
+  GravityGradient(double gm, O orbit, SpaceAxes axes = SpaceAxes::inertial)
+      : gm_(gm), orbit_(std::move(orbit)), axes_(axes) {
+    detail::require_gravity(gm);
+  }
+
+  double gm() const { return gm_; }
+  const O& orbit() const { return orbit_; }
+  SpaceAxes axes() const { return axes_; }
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const Direction<T> d = direction(at);
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& n = d.n_B;
+    // not n x (I n): what is equal in I would cancel
+    return {{},
+            T(3.0) * d.strength *
+                BasicVec3<T>{(T(I.z) - T(I.y)) * (n.y * n.z), (T(I.x) - T(I.z)) * (n.z * n.x),
+                             (T(I.y) - T(I.x)) * (n.x * n.y)}};
+  }
+
+  template <Real T>
+  T energy(const BasicSetting<T>& at) const {
+    const Direction<T> d = direction(at);
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& n = d.n_B;
+    // 3 n.I n - tr I with |n| = 1, a sum of differences of moments
+    const T sum = (T(I.x) - T(I.y)) * (n.x * n.x - n.y * n.y) +
+                  (T(I.y) - T(I.z)) * (n.y * n.y - n.z * n.z) +
+                  (T(I.z) - T(I.x)) * (n.z * n.z - n.x * n.x);
+    return T(0.5) * d.strength * sum;
+  }
+
+ private:
+  template <Real T>
+  struct Direction {
+    BasicVec3<T> n_B;
+    T strength;  // gm / r^3
+  };
+  template <Real T>
+  Direction<T> direction(const BasicSetting<T>& at) const {
+    const BasicVec3<T> x = detail::position_at(orbit_, at.t);
+    const T r = norm(x);
+    const T inverse = T(1.0) / r;
+    return {body_from_space(at, axes_, inverse * x), T(gm_) * inverse * inverse * inverse};
+  }
+
+  double gm_;
+  O orbit_;
+  SpaceAxes axes_;
+};
+
+}  // namespace v0
+}  // namespace polhode
