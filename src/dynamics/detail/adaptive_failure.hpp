@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Why a step could not be made, in words: the term that gives no number, or what the step says.
+#pragma once
+
+#include <string>
+
+#include "dynamics/detail/adaptive_field.hpp"
+#include "math/detail/number_text.hpp"
+#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/ode/verner98.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template <Real T>
+bool is_finite(const BasicVec3<T>& v) {
+  using std::isfinite;
+  return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+// The first term, or the frame, that is not finite in the step tried; empty when all are.
+template <Real T>
+std::string not_finite_text(const RotorField<T>& field, const DoubleDouble& t,
+                            const RotorValues<T>& y, double h) {
+  std::string text;
+  const auto watched = [&](const DoubleDouble& at_time, const RotorValues<T>& values) {
+    const BasicSetting<T> at = field.setting(at_time, values);
+    const auto found = [&](const std::string& what) {
+      if (text.empty() && is_finite(at.s.g))
+        text = what + " is not a finite number at t = " + number_text(at_time.hi);
+    };
+    if (!field.system().frame().is_inertial() && !is_finite(field.system().frame().at(at.t).mu_S))
+      found("the rate of the frame");
+    for (const AnyPerturbation& term : field.system().terms()) {
+      const BasicEffect<T> e = term.effect(at);
+      if (!is_finite(e.u)) found("the torque of term \"" + term.name() + "\"");
+      if (!is_finite(e.v)) found("the rate of term \"" + term.name() + "\"");
+    }
+    return field(at_time, values);
+  };
+  runge_kutta_step<Verner98>(watched, t, y, watched(t, y), h);
+  return text;
+}
+
+// The sentence of an outcome that is not `made`.
+template <Real T>
+std::string failure_text(const RotorField<T>& field, const DoubleDouble& t, const RotorValues<T>& y,
+                         double h, StepOutcome outcome) {
+  const std::string where = number_text(t.hi);
+  if (outcome == StepOutcome::not_finite) {
+    const std::string term = not_finite_text(field, t, y, h);
+    if (!term.empty()) return term + ": give it a value there, or stop before";
+    return "the momentum grows beyond all numbers at t = " + where +
+           ": is the sign of a torque right?";
+  }
+  return "the step at t = " + where + " would be " + number_text(std::abs(h)) +
+         ", below the rounding of t: try a larger tolerance; is a torque or the frame "
+         "discontinuous there?";
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

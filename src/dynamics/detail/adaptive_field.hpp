@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The equations of motion as an ode sees them: an array of (q, g) and its rates, and the measure of
+// an error in it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "polhode/ode/runge_kutta.hpp"
+#include "polhode/system/system.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// q, g, and for double one more to fill the processor's registers.
+template <Real T>
+inline constexpr std::size_t rotor_size = 7;
+template <>
+inline constexpr std::size_t rotor_size<double> = 8;
+
+template <Real T>
+using RotorValues = std::array<T, rotor_size<T>>;
+
+template <Real T>
+RotorValues<T> rotor_values(const BasicRotorState<T>& s) {
+  return {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z};
+}
+template <Real T>
+BasicRotorState<T> rotor_state(const RotorValues<T>& y) {
+  return {{y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}};
+}
+
+// rotor_rates with the reciprocals of the moments prepared, and with all of the time: terms get
+// what a double cannot hold of it.
+template <Real T>
+class RotorField {
+ public:
+  explicit RotorField(System system)
+      : system_(std::move(system)),
+        inverse_{inverse(system_.body().moments().x), inverse(system_.body().moments().y),
+                 inverse(system_.body().moments().z)} {}
+
+  const System& system() const { return system_; }
+
+  RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
+    const BasicSetting<T> at = setting(t, y);
+    return rates(at, terms_effect(system_, at));
+  }
+
+  BasicSetting<T> setting(const DoubleDouble& t, const RotorValues<T>& y) const {
+    BasicSetting<T> at{system_.body(), working(t), rotor_state<T>(y), {}, T(0.0)};
+    if constexpr (!is_double_double<T>) at.t_rest = T(t.lo);
+    if (!system_.frame().is_inertial()) at.q_IS = system_.frame().at(working(t)).q_IS;
+    return at;
+  }
+
+ private:
+  // The rounding of 1 / I would be 6e-12 rad after 1e4 turns.
+  static DoubleDouble inverse(double I) { return DoubleDouble(1.0) / I; }
+  static T working(const DoubleDouble& t) {
+    if constexpr (is_double_double<T>) {
+      return T(t);
+    } else {
+      return T(t.hi);
+    }
+  }
+  static T times(const T& g, const DoubleDouble& c) {
+    if constexpr (is_double_double<T>) {
+      return g * c;
+    } else {
+      return g * c.hi + g * c.lo;
+    }
+  }
+
+  RotorValues<T> rates(const BasicSetting<T>& at, const BasicEffect<T>& e) const {
+    const BasicQuaternion<T>& q = at.s.q;
+    const BasicVec3<T>& g = at.s.g;
+    const BasicVec3<T> w{times(g.x, inverse_[0]) + e.v.x, times(g.y, inverse_[1]) + e.v.y,
+                         times(g.z, inverse_[2]) + e.v.z};
+    const BasicVec3<T> g_rate = cross(g, w) + e.u;
+    const T half(0.5);
+    const BasicVec3<T> h = half * w;
+    RotorValues<T> rate{-(q.x * h.x) - q.y * h.y - q.z * h.z,
+                        q.w * h.x + q.y * h.z - q.z * h.y,
+                        q.w * h.y - q.x * h.z + q.z * h.x,
+                        q.w * h.z + q.x * h.y - q.y * h.x,
+                        g_rate.x,
+                        g_rate.y,
+                        g_rate.z};
+    if (!system_.frame().is_inertial()) {
+      const BasicVec3<T> m = half * system_.frame().at(at.t).mu_S;
+      const BasicQuaternion<T> lag = BasicQuaternion<T>{T(0.0), m.x, m.y, m.z} * q;
+      rate[0] = rate[0] - lag.w;
+      rate[1] = rate[1] - lag.x;
+      rate[2] = rate[2] - lag.y;
+      rate[3] = rate[3] - lag.z;
+    }
+    return rate;
+  }
+
+  System system_;
+  std::array<DoubleDouble, 3> inverse_;
+};
+
+// An error relative to |q| = 1 and to |g|, that of a step included: a body may start at rest. The
+// derivatives of a dual state count relative to their column: (dq, dg / |g|) by one variable.
+class RotorErrorSize {
+ public:
+  template <Real T>
+  double operator()(const std::array<T, rotor_size<T>>& error,
+                    const std::array<T, rotor_size<T>>& y,
+                    const std::array<T, rotor_size<T>>& increment) const {
+    const auto value = [](const T& x) { return to_double(x); };
+    const double g = std::max(largest(y, 4, 7, value), largest(increment, 4, 7, value));
+    double size = relative(largest(error, 0, 4, value), largest(error, 4, 7, value), 1.0, g);
+    if constexpr (derivative_order<T> > 0) {
+      for (std::size_t j = 0; j < y[0].derivative.size(); ++j) {
+        const auto slope = [j](const T& x) { return to_double(x.derivative[j]); };
+        const double dg = largest(y, 4, 7, slope);
+        const double column = std::max(largest(y, 0, 4, slope), g > 0.0 ? dg / g : dg);
+        size = greater(size, relative(largest(error, 0, 4, slope), largest(error, 4, 7, slope),
+                                      column, g * column));
+      }
+    }
+    return size;
+  }
+
+ private:
+  // std::max with a NaN that stays.
+  static double greater(double a, double b) { return a < b || b != b ? b : a; }
+
+  template <class Values, class Part>
+  static double largest(const Values& v, std::size_t from, std::size_t to, const Part& part) {
+    double r = 0.0;
+    for (std::size_t i = from; i < to; ++i) r = greater(r, std::abs(part(v[i])));
+    return r;
+  }
+  static double relative(double dq, double dg, double q, double g) {
+    if (dg == 0.0 || g == 0.0) return dq / q;
+    return greater(dq / q, dg / g);
+  }
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
