@@ -196,6 +196,8 @@ inline constexpr double kepler_velocity_eps = 10.0;
 inline constexpr double kepler_wide_eps = 16.0;
 // Elements of a state where they are well conditioned.
 inline constexpr double kepler_elements = 1e-13;
+// The node of a published sun-synchronous orbit, first order in J2.
+inline constexpr double sun_synchronous_deg_per_day = 5e-4;
 
 // --- splittings (tests/unit/dynamics/splitting.cpp) ---
 // Sum of the coefficients, in double-double, less 1.

@@ -43,6 +43,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/orbit.hpp"
 #include "polhode/orbit/planar_kepler.hpp"
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/effect.hpp"

@@ -4,10 +4,10 @@
 // Equations   a Hamiltonian's effect is v = dH'/dg, u = -dH'/d(theta_B) by dual numbers, so that it
 //             cannot be inconsistent with its energy [SA (107)].
 // Units       time, momentum and energy in those of the system; a torque in body components.
-// Domain      H is a generic callable: auto H(const auto& t, const BasicRotorState<T>& s), s = {q_SB,
-//             g_B} in the reference frame. It may depend on q through q/|q| or through products of
-//             two components; |q| = 1 holds to first order in the derivatives.
-//             A torque is a callable on double, or generic like H: then double-double runs and state
+// Domain      H is a generic callable: auto H(const auto& t, const BasicRotorState<T>& s), s =
+//             {q_SB, g_B} in the reference frame. It may depend on q through q/|q| or through
+//             products of two components; |q| = 1 holds to first order in the derivatives. A torque
+//             is a callable on double, or generic like H: then double-double runs and state
 //             transition matrices work too.
 // Accuracy    a few roundings of H.
 // Errors      none of its own; what the callable throws passes through.

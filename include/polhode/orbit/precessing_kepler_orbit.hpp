@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// PrecessingKeplerOrbit: a Kepler orbit whose node, pericentre and mean anomaly advance uniformly.
+//
+// Equations   node, argument and mean anomaly are those of the elements at their epoch plus rate (t
+//             - epoch); the mean anomaly also has n = sqrt(gm / a^3). j2_rates: the secular rates
+//             of first order of an oblate body, with p = a (1 - e^2) and k = (3/2) n J2 (R / p)^2:
+//             node -k cos i, argument k (2 - (5/2) sin^2 i), mean anomaly k sqrt(1 - e^2) (1 -
+//             (3/2) sin^2 i).
+// Units       any consistent set; rates in rad per time.
+// Domain      that of KeplerOrbit; n plus the rate of the mean anomaly must be positive. J2 of any
+//             sign, ellipses only, inclination against the equator of the body.
+// Accuracy    budget kepler_*: all three angles are formed and reduced in double-double.
+// Errors      DomainError for elements out of the domain or rates that are not finite.
+// Cost        position some 80 ns for e <= 0.5, else 150 ns; velocity 200 ns.
+#pragma once
+
+#include "polhode/orbit/kepler_orbit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct SecularRates {
+  double node = 0.0;
+  double argument = 0.0;
+  double mean_anomaly = 0.0;  // beside the mean motion
+
+  constexpr bool operator==(const SecularRates&) const = default;
+};
+
+SecularRates j2_rates(const KeplerElements& elements, double J2, double equatorial_radius);
+
+class PrecessingKeplerOrbit {
+ public:
+  PrecessingKeplerOrbit(const KeplerElements& elements, const SecularRates& rates);
+
+  const KeplerElements& elements() const { return elements_; }
+  const SecularRates& rates() const { return rates_; }
+  double gm() const { return elements_.gm; }
+
+  // T = double or DoubleDouble, or a Dual of them.
+  Vec3 position(double t) const;
+  BasicVec3<DoubleDouble> position(const DoubleDouble& t) const;
+  // The derivative of the position: the turning of the orbit is in it.
+  Vec3 velocity(double t) const;
+  BasicVec3<DoubleDouble> velocity(const DoubleDouble& t) const;
+
+  template <Real T, int N>
+  BasicVec3<Dual<T, N>> position(const Dual<T, N>& t) const {
+    return chained(t, position(t.value), velocity(t.value));
+  }
+
+ private:
+  template <Real T>
+  struct Axes {
+    SinCos<T> node;
+    SinCos<T> argument;
+    SinCos<T> inclination;
+  };
+  Axes<double> axes(double t) const;
+  Axes<DoubleDouble> axes(const DoubleDouble& t) const;
+  template <Real T>
+  static BasicVec3<T> placed(const Axes<T>& axes, const BasicPlanarPoint<T>& at);
+  template <Real T>
+  BasicVec3<T> moved(const Axes<T>& axes, const BasicPlanarMotion<T>& motion) const;
+
+  KeplerElements elements_;
+  SecularRates rates_;
+  PlanarKepler plane_;
+  SinCos<DoubleDouble> inclination_;
+};
+
+}  // namespace v0
+}  // namespace polhode

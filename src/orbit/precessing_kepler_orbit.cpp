@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
+
+#include <cmath>
+
+#include "math/detail/number_text.hpp"
+#include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/plane_axes.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+const KeplerElements& checked(const KeplerElements& elements, const SecularRates& rates) {
+  constexpr const char* name = "PrecessingKeplerOrbit";
+  require_valid(elements, name);
+  if (!std::isfinite(rates.node) || !std::isfinite(rates.argument) ||
+      !std::isfinite(rates.mean_anomaly))
+    throw DomainError(std::string(name) + ": rates of node, argument, mean anomaly " +
+                      detail::tuple_text({rates.node, rates.argument, rates.mean_anomaly}) +
+                      " must be finite");
+  if (!(detail::kepler_shape(elements).mean_motion.hi + rates.mean_anomaly > 0.0))
+    throw DomainError(std::string(name) + ": rate of the mean anomaly " +
+                      detail::number_text(rates.mean_anomaly) +
+                      " must be greater than minus the mean motion");
+  return elements;
+}
+
+PlanarKepler::Shape shape(const KeplerElements& elements, const SecularRates& rates) {
+  PlanarKepler::Shape s = detail::kepler_shape(elements);
+  s.mean_motion += rates.mean_anomaly;
+  s.pericentre_time = elements.epoch - elements.mean_anomaly / s.mean_motion;
+  return s;
+}
+
+// start + rate elapsed, in [-pi, pi]
+DoubleDouble advanced(double start, double rate, const DoubleDouble& elapsed) {
+  const DoubleDouble turn = DoubleDouble::two_pi(), angle = start + rate * elapsed;
+  return angle - turn * std::rint(angle.hi / turn.hi);
+}
+
+SinCos<double> rounded_sincos(const DoubleDouble& angle) {
+  const SinCos<double> at = sincos(angle.hi);
+  return {at.sin + angle.lo * at.cos, at.cos - angle.lo * at.sin};
+}
+
+}  // namespace
+
+SecularRates j2_rates(const KeplerElements& k, double J2, double R) {
+  require_valid(k, "j2_rates");
+  if (!(k.eccentricity < 1.0))
+    throw DomainError("j2_rates: eccentricity " + detail::number_text(k.eccentricity) +
+                      " must be below 1: a hyperbola has no secular rates");
+  if (!std::isfinite(J2) || !(R > 0.0) || !std::isfinite(R))
+    throw DomainError("j2_rates: J2 " + detail::number_text(J2) + " and equatorial radius " +
+                      detail::number_text(R) + " must be finite, the radius positive");
+  const double ratio = R / (k.pericentre * (1.0 + k.eccentricity));
+  const double size = 1.5 * mean_motion(k) * J2 * ratio * ratio;
+  const double c = std::cos(k.inclination), s = std::sin(k.inclination);
+  const double axes = std::sqrt((1.0 - k.eccentricity) * (1.0 + k.eccentricity));
+  return {-size * c, size * (2.0 - 2.5 * s * s), size * axes * (1.0 - 1.5 * s * s)};
+}
+
+PrecessingKeplerOrbit::PrecessingKeplerOrbit(const KeplerElements& elements,
+                                             const SecularRates& rates)
+    : elements_(checked(elements, rates)),
+      rates_(rates),
+      plane_(shape(elements, rates)),
+      inclination_(sincos(DoubleDouble(elements.inclination))) {}
+
+PrecessingKeplerOrbit::Axes<double> PrecessingKeplerOrbit::axes(double t) const {
+  const DoubleDouble elapsed = DoubleDouble::sum(t, -elements_.epoch);
+  return {rounded_sincos(advanced(elements_.node, rates_.node, elapsed)),
+          rounded_sincos(advanced(elements_.argument, rates_.argument, elapsed)),
+          {inclination_.sin.hi, inclination_.cos.hi}};
+}
+
+PrecessingKeplerOrbit::Axes<DoubleDouble> PrecessingKeplerOrbit::axes(const DoubleDouble& t) const {
+  const DoubleDouble elapsed = t - elements_.epoch;
+  return {sincos(advanced(elements_.node, rates_.node, elapsed)),
+          sincos(advanced(elements_.argument, rates_.argument, elapsed)), inclination_};
+}
+
+template <Real T>
+BasicVec3<T> PrecessingKeplerOrbit::placed(const Axes<T>& a, const BasicPlanarPoint<T>& at) {
+  using namespace detail;
+  const BasicVec3<T> in_plane{at.x, at.y, T(0.0)};
+  return turned_about_z(a.node,
+                        turned_about_x(a.inclination, turned_about_z(a.argument, in_plane)));
+}
+
+template <Real T>
+BasicVec3<T> PrecessingKeplerOrbit::moved(const Axes<T>& a, const BasicPlanarMotion<T>& m) const {
+  // The argument turns the plane in itself, the node turns it about the third axis.
+  const T turn(rates_.argument);
+  const BasicVec3<T> x = placed(a, m.position);
+  const BasicVec3<T> v =
+      placed<T>(a, {m.velocity.x - turn * m.position.y, m.velocity.y + turn * m.position.x});
+  return {v.x - T(rates_.node) * x.y, v.y + T(rates_.node) * x.x, v.z};
+}
+
+Vec3 PrecessingKeplerOrbit::position(double t) const { return placed(axes(t), plane_.position(t)); }
+BasicVec3<DoubleDouble> PrecessingKeplerOrbit::position(const DoubleDouble& t) const {
+  return placed(axes(t), plane_.position(t));
+}
+Vec3 PrecessingKeplerOrbit::velocity(double t) const { return moved(axes(t), plane_.motion(t)); }
+BasicVec3<DoubleDouble> PrecessingKeplerOrbit::velocity(const DoubleDouble& t) const {
+  return moved(axes(t), plane_.motion(t));
+}
+
+}  // namespace v0
+}  // namespace polhode

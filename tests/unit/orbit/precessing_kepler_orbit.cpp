@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "budgets.hpp"
+#include "oracle/kepler.hpp"
+#include "oracle/random_draw.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode::test {
+namespace {
+
+using oracle::Wide;
+using oracle::WideConic;
+using oracle::WideVec3;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// The conic of each instant.
+WideVec3 reference(const KeplerElements& k, const SecularRates& r, const Wide& t) {
+  const Wide elapsed = t - Wide(k.epoch);
+  WideConic conic(k.gm, k.pericentre, k.eccentricity, k.inclination,
+                  Wide(k.node) + r.node * elapsed, Wide(k.argument) + r.argument * elapsed, 0, 0);
+  const Wide M = Wide(k.mean_anomaly) + (conic.n + r.mean_anomaly) * elapsed;
+  return conic.position(M / conic.n);
+}
+
+double distance(const Vec3& got, const WideVec3& want) {
+  const WideVec3 d = oracle::widened(got) - want;
+  return static_cast<double>(sqrt(dot(d, d)));
+}
+
+struct Drawn {
+  KeplerElements elements;
+  SecularRates rates;
+  double t;
+};
+Drawn drawn(std::uint64_t index, double longest) {
+  oracle::Draw draw(421, index);
+  const double e = draw.uniform(0.0, 0.95);
+  const KeplerElements k{1.5,
+                         1.0 - e,
+                         e,
+                         draw.uniform(0.0, 3.0),
+                         draw.uniform(-3.0, 3.0),
+                         draw.uniform(-3.0, 3.0),
+                         draw.uniform(-3.0, 3.0),
+                         draw.uniform(-2.0, 2.0)};
+  const SecularRates r{0.1 * draw.normal(), 0.1 * draw.normal(), 0.1 * draw.normal()};
+  return {k, r, k.epoch + draw.sign() * draw.power_of_ten(-1.0, longest)};
+}
+
+TEST(PrecessingKeplerOrbit, PositionForAnyTime) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Drawn d = drawn(i, 9.0);
+    const WideVec3 want = reference(d.elements, d.rates, d.t);
+    const Vec3 got = PrecessingKeplerOrbit(d.elements, d.rates).position(d.t);
+    worst = std::max(worst, distance(got, want) / (eps * norm(got)));
+  }
+  EXPECT_LE(worst, budget::kepler_position_eps);
+}
+
+TEST(PrecessingKeplerOrbit, VelocityIsTheDerivative) {
+  double worst = 0.0;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const Drawn d = drawn(i, 3.0);
+    const Wide h = 1e-14;
+    const auto at = [&](const Wide& shift) {
+      return reference(d.elements, d.rates, Wide(d.t) + shift);
+    };
+    const WideVec3 want =
+        Wide(1 / (12 * h)) * (Wide(8) * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h)));
+    const PrecessingKeplerOrbit orbit(d.elements, d.rates);
+    const Vec3 got = orbit.velocity(d.t);
+    worst = std::max(worst, distance(got, want) / (eps * norm(got)));
+    const auto dual = orbit.position(Dual<double, 1>::variable(d.t, 0));
+    EXPECT_EQ((Vec3{dual.x.derivative[0], dual.y.derivative[0], dual.z.derivative[0]}), got);
+    EXPECT_EQ(dual.x.value, orbit.position(d.t).x);
+  }
+  EXPECT_LE(worst, budget::kepler_velocity_eps);
+}
+
+TEST(PrecessingKeplerOrbit, InDoubleDouble) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Drawn d = drawn(i, 2.0);
+    const PrecessingKeplerOrbit orbit(d.elements, d.rates);
+    const BasicVec3<DoubleDouble> x = orbit.position(DoubleDouble(d.t));
+    const WideVec3 want = reference(d.elements, d.rates, d.t);
+    const WideVec3 error = WideVec3{Wide(x.x.hi) + Wide(x.x.lo), Wide(x.y.hi) + Wide(x.y.lo),
+                                    Wide(x.z.hi) + Wide(x.z.lo)} -
+                           want;
+    const double scale = norm(orbit.position(d.t)) + norm(orbit.velocity(d.t)) * std::abs(d.t);
+    EXPECT_LE(static_cast<double>(sqrt(dot(error, error))),
+              budget::kepler_wide_eps * epsilon<DoubleDouble>() * scale);
+    const Vec3 v = orbit.velocity(d.t);
+    EXPECT_LE(std::abs(orbit.velocity(DoubleDouble(d.t)).x.hi - v.x),
+              budget::kepler_velocity_eps * eps * norm(v));
+  }
+}
+
+TEST(PrecessingKeplerOrbit, WithoutRatesIsAKeplerOrbit) {
+  const KeplerElements k{1.0, 0.8, 0.2, 0.5, 1.0, 2.0, 0.3, 0.1};
+  const KeplerOrbit still(k);
+  const PrecessingKeplerOrbit orbit(k, {});
+  for (const double t : {-4.0, 0.1, 7.5}) {
+    EXPECT_LE(norm(orbit.position(t) - still.position(t)), budget::kepler_position_eps * eps);
+  }
+}
+
+// A circle 800 km above the Earth follows the Sun at 98.6 degrees; an orbit of the critical
+// inclination keeps its pericentre.
+TEST(PrecessingKeplerOrbit, J2Rates) {
+  const double gm = 398600.4418, R = 6378.137, J2 = 1.08262668e-3, deg = 3.141592653589793 / 180.0;
+  const SecularRates sun = j2_rates({gm, 7178.137, 0.0, 98.6 * deg}, J2, R);
+  EXPECT_NEAR(sun.node * 86400.0 / deg, 360.0 / 365.2422, budget::sun_synchronous_deg_per_day);
+  const double critical = std::asin(std::sqrt(0.8));
+  const SecularRates molniya =
+      j2_rates({gm, pericentre_distance(26560.0, 0.74), 0.74, critical}, J2, R);
+  EXPECT_LE(std::abs(molniya.argument), 4.0 * eps * std::abs(molniya.node));
+  // An equatorial circle advances by k (2 + 1 - 1): what a point there feels, to first order in J2.
+  const SecularRates equator = j2_rates({1.0, 1.0, 0.0}, 1e-3, 1.0);
+  EXPECT_NEAR(equator.node + equator.argument + equator.mean_anomaly, 3e-3, 4.0 * eps);
+}
+
+template <class Function>
+bool refused(const Function& f) {
+  try {
+    f();
+  } catch (const DomainError&) {
+    return true;
+  }
+  return false;
+}
+
+TEST(PrecessingKeplerOrbit, RefusesWhatIsNoOrbit) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const KeplerElements good{1.0, 1.0, 0.1}, parabola{1.0, 1.0, 1.0}, hyperbola{1.0, 1.0, 2.0};
+  EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(parabola, {}); }));
+  EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(good, {nan, 0.0, 0.0}); }));
+  EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(good, {0.0, 0.0, -2.0}); }));
+  EXPECT_TRUE(refused([&] { (void)j2_rates(hyperbola, 1e-3, 1.0); }));
+  EXPECT_TRUE(refused([&] { (void)j2_rates(good, nan, 1.0); }));
+  EXPECT_TRUE(refused([&] { (void)j2_rates(good, 1e-3, 0.0); }));
+  EXPECT_FALSE(refused([&] { PrecessingKeplerOrbit(hyperbola, {0.1, 0.0, 0.0}); }));
+}
+
+}  // namespace
+}  // namespace polhode::test
