@@ -202,7 +202,8 @@ inline constexpr double sun_synchronous_deg_per_day = 5e-4;
 // --- splittings (tests/unit/dynamics/splitting.cpp) ---
 // Sum of the coefficients, in double-double, less 1.
 inline constexpr double splitting_consistency = 1.2e-16;
-// Against FreeRotation, forward and back, and against another frame, over ten turns: rad and |dg|/G.
+// Against FreeRotation, forward and back, and against another frame, over ten turns: rad and
+// |dg|/G.
 inline constexpr double splitting_free = 2e-13;
 // |g|^2 and 2 T of a free body after 1e5 steps, relative: one rounding of a double is 1e-16.
 inline constexpr double splitting_invariant = 1e-16;
@@ -227,5 +228,22 @@ inline constexpr double perturb_difference = 2e-31;
 inline constexpr double perturb_average = 4e-15;
 // Exponential of a damping matrix, over the larger momentum, in eps.
 inline constexpr double damping_flow_eps = 4.0;
+
+// --- runs (tests/unit/dynamics/integrate_test, tests/reference/libration) ---
+// Attitude and momentum after some turns at tolerance 1e-12, and between the steps.
+inline constexpr double adaptive_short_run = 1e-11;
+inline constexpr double adaptive_dense = 1e-10;
+// Frequencies of libration at 1e-3 rad (linear theory) and of pitch at 0.5 rad (pendulum),
+// relative.
+inline constexpr double libration_frequency = 1e-6;
+// Logarithm of the growth of an unstable pitch over seven e-foldings.
+inline constexpr double libration_growth = 1e-3;
+
+// --- frames (tests/unit/frame), in eps ---
+// Attitude, rad, and rate over max(1, |mu|), against matrices at 76 digits and their differences.
+inline constexpr double frame_attitude_eps = 4.0;
+inline constexpr double frame_rate_eps = 2.0;
+// The same in double-double.
+inline constexpr double frame_wide = 2e-31;
 
 }  // namespace polhode::budget

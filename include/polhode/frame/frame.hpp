@@ -2,16 +2,18 @@
 // Frame: the attitude and rate of the reference frame S in which a rotation is described.
 // Kinematics only: the system adds what a moving frame does to the equations of motion.
 //
-// Equations   v_I = q_IS v_S q_IS*, dq_IS/dt = (1/2) q_IS (0, mu_S): mu_S is the angular velocity of
-//             S with respect to inertial axes, in components of S [SA section 4].
+// Equations   v_I = q_IS v_S q_IS*, dq_IS/dt = (1/2) q_IS (0, mu_S): mu_S is the angular velocity
+//             of S with respect to inertial axes, in components of S [SA section 4].
 // Units       q none; mu in rad per time.
 // Domain      inertial; uniformly precessing about a fixed axis; an orbit plane with node Omega(t)
-//             and inclination i(t), or with p = sin(i) sin(Omega), q = sin(i) cos(Omega); any
-//             attitude q_IS(t) that the user writes as a template function. T is double,
-//             DoubleDouble, or a Dual of them.
-// Accuracy    a few roundings; a precession angle keeps the digits of rate x time. mu is the
+//             and inclination i(t), or with p = sin(i) sin(Omega), q = sin(i) cos(Omega), i <= 90
+//             degrees; any attitude q_IS(t) that the user writes as a template function. T is
+//             double, DoubleDouble, or a Dual of them.
+// Accuracy    budget frame_*. The angle of a uniform precession is formed and reduced in
+//             double-double: rate x time of 1e9 rad loses nothing. mu of a user's function is the
 //             derivative of q_IS by dual numbers, so that the two cannot disagree.
-// Errors      DomainError for a rate or axis that is not finite, an axis of length 0.
+// Errors      DomainError for a rate, epoch or axis that is not finite, an axis of length 0. p^2 +
+//             q^2 > 1 gives NaN; what a user's function throws passes through.
 // Cost        inertial none; precessing one sincos; a user's functions with one derivative.
 #pragma once
 
@@ -35,7 +37,6 @@ using FrameMotion = BasicFrameMotion<double>;
 
 namespace detail {
 
-// Attitude with its time derivative in the dual parts.
 class ErasedFrame {
  public:
   virtual ~ErasedFrame() = default;
