@@ -246,4 +246,17 @@ inline constexpr double frame_rate_eps = 2.0;
 // The same in double-double.
 inline constexpr double frame_wide = 2e-31;
 
+// --- the Runge-Kutta pair and its control (tests/unit/ode) ---
+// Published coefficients against the conditions, and double ones settled on the first of them.
+inline constexpr double ode_condition = 1e-30;
+inline constexpr double ode_not_of_order = 1e-6;
+inline constexpr double ode_rounded_condition = 1e-17;
+inline constexpr double ode_rounded_coefficient = 1e-15;
+inline constexpr double ode_order = 0.3;
+inline constexpr double ode_per_tolerance = 20.0;
+inline constexpr double ode_tightest = 2e-15;
+inline constexpr double ode_double_double = 1e-28;
+inline constexpr double ode_clock = 2e-15;
+inline constexpr double ode_edge = 1e-9;
+
 }  // namespace polhode::budget
