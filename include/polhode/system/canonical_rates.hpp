@@ -4,10 +4,10 @@
 //
 // Equations   hub rates: d(theta_B)/dt = w_SB, dg_B/dt = g x w + u, w = I^-1 g + v(terms); chart
 //             rates B^-1 (w_SB, dg_B/dt) with B of chart_jacobian.hpp. For a Hamiltonian system
-//             these are Hamilton's equations [SA (101)], the six rates [SA "dot_g"]-[SA "dot_L"]
-//             plus the perturbation; torques without energy are allowed. Perturbation alone:
-//             B^-1 (v, g x v(terms) + u(terms)), with q-part dDeltaH/dp [SA (104)-(107), (111)]; in
-//             a precessing frame [SA (118)-(122)].
+//             these are Hamilton's equations [SA (101)]: the six free rates [SA "dot_g", "dot_h",
+//             "dot_l", "dot_G", "dot_H", "dot_L"] plus the perturbation; torques without energy are
+//             allowed. Perturbation alone: B^-1 (v, g x v(terms) + u(terms)), with q-part
+//             dDeltaH/dp [SA (104)-(107), (111)]; in a precessing frame [SA (118)-(122)].
 // Units       of the chart's variables per time.
 // Domain      any state. A rate that does not exist is NaN: of phi and psi at theta = 0, pi (theta
 //             and Theta then refer to the node that to_euler chooses); of l and g at J = 0, pi; of
