@@ -9,7 +9,7 @@
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for a problem that is none (NaN, a method out of range, a splitting of a
 //             term without a flow). A run that cannot go on (NaN, a step too small) ends with
-//             Outcome:: failed and a sentence; samples so far are kept. What a user's callable
+//             Outcome::failed and a sentence; samples so far are kept. What a user's callable
 //             throws passes through after the samples so far have been pushed.
 // Cost        docs/guide/which-propagator.md.
 #pragma once
