@@ -206,7 +206,7 @@ inline constexpr double splitting_consistency = 1.2e-16;
 // |dg|/G.
 inline constexpr double splitting_free = 2e-13;
 // |g|^2 and 2 T of a free body after 1e5 steps, relative: one rounding of a double is 1e-16.
-inline constexpr double splitting_invariant = 1e-16;
+inline constexpr double splitting_invariant = 4e-17;
 // Slopes of the error, in orders.
 inline constexpr double splitting_order_below = 0.3;
 inline constexpr double splitting_order_above = 1.0;
@@ -214,7 +214,7 @@ inline constexpr double splitting_near_order = 0.5;
 // Of the ratio 5 of two errors with torques in that ratio.
 inline constexpr double splitting_proportion = 0.05;
 // Dense output against steps of the same scheme.
-inline constexpr double splitting_dense = 4e-15;
+inline constexpr double splitting_dense = 3e-15;
 // The symplectic defect of one step of 1 rad, entry by entry over eps |M| |J| |M^T|.
 inline constexpr double splitting_symplectic_eps = 50.0;
 // The transition matrix of a step against central differences of step 1e-5.
@@ -246,6 +246,19 @@ inline constexpr double frame_rate_eps = 2.0;
 // The same in double-double.
 inline constexpr double frame_wide = 2e-31;
 
+// --- Adaptive (tests/unit/dynamics/adaptive_*.cpp): radians plus relative momentum ---
+inline constexpr double rotor_ode_free = 1e-13;
+inline constexpr double rotor_ode_order = 0.5;
+inline constexpr double rotor_ode_closed_form = 1e-13;
+inline constexpr double rotor_ode_back_10 = 1e-12;
+inline constexpr double rotor_ode_back_100 = 1e-10;
+inline constexpr double rotor_ode_w1_tight = 1e-12;
+inline constexpr double rotor_ode_w1_per_tolerance = 1e4;
+inline constexpr double rotor_ode_dense = 1e-11;
+inline constexpr double rotor_ode_frame_10 = 1e-12;
+inline constexpr double rotor_ode_frame_1e4 = 1e-10;
+inline constexpr double rotor_ode_edge = 1e-9;
+
 // --- the Runge-Kutta pair and its control (tests/unit/ode) ---
 // Published coefficients against the conditions, and double ones settled on the first of them.
 inline constexpr double ode_condition = 1e-30;
@@ -258,5 +271,21 @@ inline constexpr double ode_tightest = 2e-15;
 inline constexpr double ode_double_double = 1e-28;
 inline constexpr double ode_clock = 2e-15;
 inline constexpr double ode_edge = 1e-9;
+
+// --- variation of constants (tests/unit/dynamics/variation.cpp) ---
+inline constexpr double collocation_tableau = 3e-16;
+inline constexpr double collocation_legendre = 2e-14;
+// Against FreeRotation, forward and back, and against another frame, over ten turns.
+inline constexpr double variation_free = 2e-14;
+// Against double-double: ten orbits of the reference workload.
+inline constexpr double variation_ten_orbits = 5e-14;
+inline constexpr double splitting_ten_orbits = 2e-13;
+inline constexpr double variation_bodies = 6e-14;
+inline constexpr double variation_separatrix = 6e-14;
+inline constexpr double variation_dense = 1e-14;
+// Error after ten turns over the tolerance.
+inline constexpr double variation_per_tolerance = 10.0;
+// How near to a discontinuity the last step ends.
+inline constexpr double variation_last_time = 1e-9;
 
 }  // namespace polhode::budget

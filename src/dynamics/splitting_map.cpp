@@ -65,7 +65,7 @@ double SplittingMap::rate(const SplittingState& s) const {
 }
 
 Setting SplittingMap::setting(const SplittingState& s, const Quaternion& q_IS) const {
-  return {system_.body(), s.t.hi, {conj(q_IS) * s.q_IB, s.g.hi}, q_IS};
+  return {system_.body(), s.t.hi, {conj(q_IS) * s.q_IB, s.g.hi}, q_IS, s.t.lo};
 }
 
 std::string SplittingMap::term_not_finite(const SplittingState& s) const {
@@ -150,7 +150,8 @@ Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
   Matrix6 M = Matrix6::identity();
   for (const AnyPerturbation& term : kicks_) {
     const BasicEffect<Tangent> e = term.effect(BasicSetting<Tangent>{
-        system_.body(), Tangent(at.t), {constant(at.s.q) * turn, g}, constant(q_IS)});
+        system_.body(), Tangent(at.t), {constant(at.s.q) * turn, g}, constant(q_IS),
+        Tangent(at.t_rest)});
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) M(3 + i, j) += h * e.u[i].derivative[static_cast<std::size_t>(j)];
   }

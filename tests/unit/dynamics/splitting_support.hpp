@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "dynamics/detail/stepper.hpp"
@@ -82,6 +83,13 @@ struct Spinner {
 
 struct NoFlow {
   Effect effect(const Setting& at) const { return {{}, -1.0 * at.s.g}; }
+};
+
+struct Throws {
+  Effect effect(const Setting& at) const {
+    if (at.t > 0.5) throw std::runtime_error("no torque here");
+    return {};
+  }
 };
 
 struct BreaksAt {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Derivatives of the free flow in the tangent of the hub: what a change of the momentum at the
+// start of an arc makes of the momentum and of the attitude at its end.
+#pragma once
+
+#include <cstddef>
+
+#include "free/detail/euler_flow.hpp"
+#include "free/detail/polhode_curve.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Rotation, along g, of the frame (node of axis p, g) that follows a change dg: the connection.
+template <Real T>
+T turn_of_node(const BasicVec3<T>& g, const BasicVec3<T>& dg, int pole) {
+  using std::sqrt;
+  const T G2 = dot(g, g);
+  const BasicVec3<T> c = cross(g, dg);
+  const T along = g[pole];
+  const T across2 = G2 - along * along;  // >= G^2 / 2 by the choice of the pole
+  return along * c[pole] / (sqrt(G2) * across2);
+}
+
+template <Real T>
+struct FlowTangent {
+  BasicVec3<T> momentum;  // dg_B at the end
+  BasicVec3<T> attitude;  // dtheta_B at the end
+};
+
+// One for each variable of g0, which is in sorted axes and not zero. `to_end` takes components in
+// body axes at the start to those at the end. The attitude moves across the momentum because the
+// inertial momentum is conserved, and along it by the change of the precession.
+template <Real T, int N, class S, class Rotation>
+std::array<FlowTangent<T>, static_cast<std::size_t>(N)> flow_tangents(
+    const FlowBody<S>& body, const BasicVec3<Dual<T, N>>& g0, const S& time,
+    const Rotation& to_end) {
+  using std::sqrt;
+  using D = Dual<T, N>;
+  const D D2 = separatrix_discriminant(body.I, D(g0.x * g0.x), D(g0.z * g0.z));
+  const EulerFlow<D> flow = euler_flow(body, g0, D2, time);
+  const D turn = precession(flow);
+  const auto value = [](const BasicVec3<D>& v) {
+    return BasicVec3<T>{v.x.value, v.y.value, v.z.value};
+  };
+  const auto slope = [](const BasicVec3<D>& v, std::size_t j) {
+    return BasicVec3<T>{v.x.derivative[j], v.y.derivative[j], v.z.derivative[j]};
+  };
+  const BasicVec3<T> g = value(flow.g), start = value(g0);
+  const T G2 = dot(start, start);
+  std::array<FlowTangent<T>, static_cast<std::size_t>(N)> tangents;
+  for (std::size_t j = 0; j < tangents.size(); ++j) {
+    const BasicVec3<T> dg0 = slope(g0, j), dg = slope(flow.g, j);
+    const BasicVec3<T> across = (T(1.0) / G2) * cross(g, to_end(dg0) - dg);
+    const T along =
+        turn.derivative[j] + turn_of_node(start, dg0, flow.pole) - turn_of_node(g, dg, flow.pole);
+    tangents[j] = {dg, across + (along / sqrt(G2)) * g};
+  }
+  return tangents;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
