@@ -43,14 +43,14 @@ KeplerAnomaly elliptic_solution(double m, const Eccentricity& e) {
   const double s = std::sin(x), c = std::cos(x);
   const double v = versine(s, c);
   const double f0 = (e.complement * x - m) + e.e * detail::sine_excess(x, s);
-  const double f1 = e.complement + e.e * v, f2 = 0.5 * e.e * s, f3 = e.e * c / 6.0;
+  const double f1 = e.complement + e.e * v, f2 = 0.5 * e.e * s, f3 = e.e * c * (1.0 / 6.0);
   const double d3 = -f0 / (f1 - f0 * f2 / f1);
   const double d4 = -f0 / (f1 + d3 * (f2 + d3 * f3));
-  const double d = -f0 / (f1 + d4 * (f2 + d4 * (f3 - d4 * f2 / 12.0)));
+  const double d = -f0 / (f1 + d4 * (f2 + d4 * (f3 - d4 * f2 * (1.0 / 12.0))));
   // |d| < 1e-3: sin and cos of x + d by the addition theorem
   const double dd = d * d;
-  const double sd = d - d * dd / 6.0 * (1.0 - dd / 20.0);
-  const double vd = 0.5 * dd * (1.0 - dd / 12.0 * (1.0 - dd / 30.0));
+  const double sd = d - d * dd * (1.0 / 6.0) * (1.0 - dd * (1.0 / 20.0));
+  const double vd = 0.5 * dd * (1.0 - dd * (1.0 / 12.0) * (1.0 - dd * (1.0 / 30.0)));
   return {x + d, s + (c * sd - s * vd), v + (s * sd + c * vd)};
 }
 

@@ -98,65 +98,84 @@ KeplerOrbit::Axes KeplerOrbit::axes_of(const KeplerElements& k) {
   return {turned({1.0, 0.0, 0.0}), turned({0.0, 1.0, 0.0})};
 }
 
+namespace {
+
+// Of a state: the motion in its plane, and the anomaly at the epoch.
+struct Passage {
+  PlanarKepler::Shape shape;
+  DoubleDouble a;
+  BasicKeplerAnomaly<DoubleDouble> at;
+  DoubleDouble mean_anomaly;
+};
+
+// h2 = |x x v|^2, radial = x.v; inverse_a, negative for a hyperbola, is the one difference on which
+// a near-parabola hangs.
+Passage passage(const DoubleDouble& r, const DoubleDouble& h2, const DoubleDouble& radial,
+                const DoubleDouble& inverse_a, double gm, double epoch) {
+  const DoubleDouble a = 1.0 / abs(inverse_a), p = h2 / gm, n = sqrt(gm / a) / a;
+  const DoubleDouble sine_part = radial / sqrt(gm * a);  // e sin E or e sinh H
+  BasicEccentricity<DoubleDouble> e;
+  BasicKeplerAnomaly<DoubleDouble> at;
+  DoubleDouble M;
+  if (inverse_a.hi < 0.0) {
+    e.e = sqrt(1.0 + p / a);
+    at.sine = sine_part / e.e;
+    at.anomaly = area_sine(at.sine);
+    at.versine = at.sine * at.sine / (1.0 + sqrt(1.0 + at.sine * at.sine));
+    M = e.e * detail::sinh_excess(at.anomaly, at.sine);
+  } else {
+    // One pair gives e and E, so that noise of a nearly circular orbit cannot separate them.
+    const DoubleDouble cosine_part = 1.0 - r / a;
+    e.e = hypot(sine_part, cosine_part);
+    if (e.e.hi > 0.0) at.anomaly = atan2(sine_part, cosine_part);
+    if (e.e.hi > 0.0) at.sine = sine_part / e.e;
+    const DoubleDouble half = sin(0.5 * at.anomaly);
+    at.versine = 2.0 * half * half;
+    M = e.e * detail::sine_excess(at.anomaly, at.sine);
+  }
+  e.complement = p / a / (1.0 + e.e);
+  M = e.complement * at.anomaly + M;
+  return {{p / (1.0 + e.e), e, n, epoch - M / n}, a, at, M};
+}
+
+}  // namespace
+
 KeplerOrbit KeplerOrbit::from_state(const Vec3& position, const Vec3& velocity, double gm,
                                     double epoch) {
   constexpr const char* name = "KeplerOrbit::from_state";
-  const WideVec3 x = widened(position), v = widened(velocity);
-  const WideVec3 h = cross(x, v);
-  const DoubleDouble r = sqrt(dot(x, x)), h2 = dot(h, h), radial = dot(x, v);
+  const WideVec3 x = widened(position), v = widened(velocity), h = cross(x, v);
+  const DoubleDouble r = sqrt(dot(x, x)), h2 = dot(h, h);
   if (!(gm > 0.0) || !std::isfinite(gm) || !std::isfinite(epoch) || !(h2.hi > 0.0) ||
       !std::isfinite((h2 + r + dot(v, v)).hi))
     fail(name, "position " + detail::tuple_text({position.x, position.y, position.z}) +
                    ", velocity " + detail::tuple_text({velocity.x, velocity.y, velocity.z}) +
                    ", gm " + detail::number_text(gm) + ", epoch " + detail::number_text(epoch) +
                    " must be finite, gm positive, and the motion not along one line");
-  // 1/a, negative for a hyperbola: the one difference on which a near-parabola hangs
   const DoubleDouble inverse_a = 2.0 / r - dot(v, v) / gm;
   if (inverse_a.hi == 0.0) fail_parabola(name);
-  const DoubleDouble a = 1.0 / abs(inverse_a), p = h2 / gm, n = sqrt(gm / a) / a;
-  const DoubleDouble sine_part = radial / sqrt(gm * a);  // e sin E or e sinh H
-  const bool hyperbola = inverse_a.hi < 0.0;
-  BasicEccentricity<DoubleDouble> e;
-  BasicKeplerAnomaly<DoubleDouble> at;
-  DoubleDouble M;
-  if (hyperbola) {
-    e.e = sqrt(1.0 + p / a);
-    at.sine = sine_part / e.e;
-    at.anomaly = area_sine(at.sine);
-    at.versine = at.sine * at.sine / (1.0 + sqrt(1.0 + at.sine * at.sine));
-  } else {
-    // One pair gives e and E, so that noise of a nearly circular orbit cannot separate them.
-    const DoubleDouble cosine_part = 1.0 - r / a;
-    e.e = hypot(sine_part, cosine_part);
-    at.anomaly = e.e.hi > 0.0 ? atan2(sine_part, cosine_part) : DoubleDouble(0.0);
-    at.sine = e.e.hi > 0.0 ? sine_part / e.e : DoubleDouble(0.0);
-    const DoubleDouble half = sin(0.5 * at.anomaly);
-    at.versine = 2.0 * half * half;
-  }
-  e.complement = p / a / (1.0 + e.e);
-  M = hyperbola ? e.complement * at.anomaly + e.e * detail::sinh_excess(at.anomaly, at.sine)
-                : e.complement * at.anomaly + e.e * detail::sine_excess(at.anomaly, at.sine);
-  const PlanarKepler::Shape shape{p / (1.0 + e.e), e, n, epoch - M / n};
+  const Passage now = passage(r, h2, dot(x, v), inverse_a, gm, epoch);
+  const PlanarKepler::Shape& shape = now.shape;
+  if (!(shape.mean_motion.hi > 0.0) || !std::isfinite(shape.mean_motion.hi) ||
+      !std::isfinite(shape.pericentre_time.hi))
+    fail(name, "a mean motion out of range");
   // The pericentre is where the position, turned back by its own anomaly, points.
-  const DoubleDouble px = (shape.pericentre - a * at.versine) / r;
-  const DoubleDouble py = a * sqrt(e.complement * (1.0 + e.e)) * at.sine / r;
-  const DoubleDouble hn = sqrt(h2), length = hypot(px, py);
-  const WideVec3 normal{h.x / hn, h.y / hn, h.z / hn};
-  const WideVec3 outward{x.x / r, x.y / r, x.z / r}, ahead = cross(normal, outward);
-  const Axes axes{(px / length) * outward - (py / length) * ahead,
-                  (py / length) * outward + (px / length) * ahead};
+  const BasicEccentricity<DoubleDouble>& e = shape.eccentricity;
+  const DoubleDouble px = (shape.pericentre - now.a * now.at.versine) / r;
+  const DoubleDouble py = now.a * sqrt(e.complement * (1.0 + e.e)) * now.at.sine / r;
+  const DoubleDouble c = px / hypot(px, py), s = py / hypot(px, py), hn = sqrt(h2);
+  const WideVec3 normal{h.x / hn, h.y / hn, h.z / hn}, outward{x.x / r, x.y / r, x.z / r};
+  const WideVec3 ahead = cross(normal, outward);
+  const Axes axes{c * outward - s * ahead, s * outward + c * ahead};
   KeplerElements k{gm, shape.pericentre.hi, e.e.hi};
   const DoubleDouble tilt = hypot(normal.x, normal.y);
-  k.inclination = atan2(tilt, normal.z).hi;
   const WideVec3 node =
       tilt.hi > 0.0 ? WideVec3{-normal.y / tilt, normal.x / tilt, 0.0} : WideVec3{1.0, 0.0, 0.0};
+  const WideVec3& P = axes.to_pericentre;
+  k.inclination = atan2(tilt, normal.z).hi;
   k.node = atan2(node.y, node.x).hi;
-  k.argument =
-      atan2(dot(axes.to_pericentre, cross(normal, node)), dot(axes.to_pericentre, node)).hi;
-  k.mean_anomaly = M.hi;
+  k.argument = atan2(dot(P, cross(normal, node)), dot(P, node)).hi;
+  k.mean_anomaly = now.mean_anomaly.hi;
   k.epoch = epoch;
-  if (!std::isfinite(n.hi) || !std::isfinite(shape.pericentre_time.hi) || !(n.hi > 0.0))
-    fail(name, "a mean motion out of range");
   return {k, shape, axes};
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double nodes_end = 0.5;
 // Adding 1.5 2^52 rounds to an integer and leaves it in the low bits.
 constexpr double integer_bits = 0x1.8p52;
+constexpr double two_pi = 2.0 * RealTraits<double>::pi();
 // Turns below which that works with room for the fraction.
 constexpr double most_turns = 0x1p50;
 
@@ -27,6 +28,7 @@ DoubleDouble fraction(const DoubleDouble& turns) {
 
 PlanarKepler::PlanarKepler(const Shape& shape)
     : shape_(shape),
+      rounded_{shape.eccentricity.e.hi, shape.eccentricity.complement.hi},
       hyperbola_(shape.eccentricity.e > DoubleDouble(1.0)),
       a_(shape.pericentre / shape.eccentricity.complement),
       b_(a_ * sqrt(shape.eccentricity.complement * (shape.eccentricity.e + 1.0))),
@@ -39,13 +41,20 @@ std::shared_ptr<const PlanarKepler::Nodes> PlanarKepler::prepared_nodes(
   auto nodes = std::make_shared<Nodes>();
   for (int j = 0; j <= intervals; ++j) {
     const auto at = eccentric_anomaly(DoubleDouble::pi() * (double(j) / intervals), e);
-    const DoubleDouble slope = DoubleDouble::two_pi() / (e.complement + e.e * at.versine);
-    (*nodes)[static_cast<std::size_t>(j)] = {at.sine.hi, (1.0 - at.versine).hi, slope.hi};
+    const DoubleDouble slope = e.complement + e.e * at.versine, cosine = 1.0 - at.versine;
+    const DoubleDouble es = e.e * at.sine, ec = e.e * cosine;
+    const DoubleDouble p = 0.5 * es / slope, r = ec / slope / 6.0;
+    (*nodes)[static_cast<std::size_t>(j)] = {.sine = at.sine.hi,
+                                             .versine = at.versine.hi,
+                                             .rate = (DoubleDouble::two_pi() / slope).hi,
+                                             .second = p.hi,
+                                             .third = (2.0 * p * p - r).hi,
+                                             .e_sine = es.hi,
+                                             .e_cosine = ec.hi,
+                                             .slope = slope.hi};
   }
   return nodes;
 }
-
-DoubleDouble PlanarKepler::mean_anomaly(double t) const { return mean_anomaly(DoubleDouble(t)); }
 
 DoubleDouble PlanarKepler::mean_anomaly(const DoubleDouble& t) const {
   const DoubleDouble elapsed = t - shape_.pericentre_time;
@@ -53,50 +62,46 @@ DoubleDouble PlanarKepler::mean_anomaly(const DoubleDouble& t) const {
   return DoubleDouble::two_pi() * fraction(frequency_ * elapsed);
 }
 
-KeplerAnomaly PlanarKepler::anomaly(double t) const {
-  const BasicEccentricity<DoubleDouble>& e = shape_.eccentricity;
-  return eccentric_anomaly(mean_anomaly(t).hi, Eccentricity{e.e.hi, e.complement.hi});
+PlanarKepler::Direction PlanarKepler::far_direction(double t) const {
+  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly(DoubleDouble(t)).hi, rounded_);
+  return {at.sine, at.versine};
 }
 
 BasicKeplerAnomaly<DoubleDouble> PlanarKepler::anomaly(const DoubleDouble& t) const {
   return eccentric_anomaly(mean_anomaly(t), shape_.eccentricity);
 }
 
-BasicPlanarPoint<double> PlanarKepler::position(double t) const {
+inline PlanarKepler::Direction PlanarKepler::direction(double t) const {
   const TwoTerms<double> elapsed = two_sum(t, -shape_.pericentre_time.hi);
   const TwoTerms<double> turns = two_prod(elapsed.hi, frequency_.hi);
-  if (!nodes_ || !(std::abs(turns.hi) < most_turns)) {
-    const KeplerAnomaly at = anomaly(t);
-    return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
-  }
+  if (hyperbola_ || !(std::abs(turns.hi) < most_turns)) return far_direction(t);
   const double whole = (turns.hi + integer_bits) - integer_bits;
-  const double rest =
-      (turns.hi - whole) + (turns.lo + (elapsed.hi * frequency_.lo +
-                                        (elapsed.lo - shape_.pericentre_time.lo) * frequency_.hi));
-  // The ellipse is symmetric: the half y >= 0.
+  const double rest = turns.hi - whole;
+  const double tail = turns.lo + (elapsed.hi * frequency_.lo +
+                                  (elapsed.lo - shape_.pericentre_time.lo) * frequency_.hi);
+  if (!nodes_) {
+    const KeplerAnomaly at = eccentric_anomaly(two_pi * (rest + tail), rounded_);
+    return {at.sine, at.versine};
+  }
+  // The ellipse is symmetric: the half y >= 0. The point is chosen without waiting for the tail.
   const double half = std::abs(rest);
   const double shifted = half * (2.0 * intervals) + integer_bits;
   const double j = shifted - integer_bits;
   const Node& node = (*nodes_)[std::bit_cast<std::uint64_t>(shifted) & (2 * intervals - 1)];
-  const double e = shape_.eccentricity.e.hi;
-  const double es = e * node.sine, ec = e * node.cosine;
-  // M - M_j = d - e (sin(E_j + d) - sin E_j), reverted to third order: d = u - p u^2 + (2 p^2 - r)
-  // u^3
-  const double phase = half - j * (0.5 / intervals);
-  const double u = phase * node.slope;
-  const double inverse = node.slope * (1.0 / (2.0 * RealTraits<double>::pi()));
-  const double p = 0.5 * es * inverse, r = ec * inverse * (1.0 / 6.0);
-  const double d = u - u * u * (p - u * (2.0 * p * p - r));
+  const double phase = (half - j * (0.5 / intervals)) + std::copysign(1.0, rest) * tail;
+  // M - M_j = d - e (sin(E_j + d) - sin E_j), reverted to third order.
+  const double u = phase * node.rate;
+  const double d = u - u * u * (node.second - u * node.third);
   // |d| < 0.06: sines to rounding in four terms
   const double z = d * d;
-  const double cubic = d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z / 362880.0)));
+  const double cubic = d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880))));
   const double sine = d - cubic;
-  const double versed = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720 - z / 40320.0)));
+  const double versed = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320))));
   // Chebyshev's step of third order
   const double residual =
-      (d * (1.0 - ec) - phase * (2.0 * RealTraits<double>::pi())) + (ec * cubic + es * versed);
-  const double slope = (1.0 - ec) + (es * sine + ec * versed);
-  const double bend = es * (1.0 - versed) + ec * sine;
+      (d * node.slope - phase * two_pi) + (node.e_cosine * cubic + node.e_sine * versed);
+  const double slope = node.slope + (node.e_sine * sine + node.e_cosine * versed);
+  const double bend = node.e_sine * (1.0 - versed) + node.e_cosine * sine;
   const double inverse_slope = 1.0 / slope;
   const double step = residual * inverse_slope;
   const double h = -step * (1.0 + 0.5 * step * bend * inverse_slope);
@@ -104,9 +109,14 @@ BasicPlanarPoint<double> PlanarKepler::position(double t) const {
   const double hh = 0.5 * h * h;
   const double s = sine + (h * (1.0 - versed) - hh * sine);
   const double v = versed + (h * sine + hh * (1.0 - versed));
-  const double x = node.cosine - (node.sine * s + node.cosine * v);
-  const double y = node.sine + (node.cosine * s - node.sine * v);
-  return {a_.hi * (x - e), std::copysign(b_.hi, rest) * y};
+  const double cosine = 1.0 - node.versine;
+  return {std::copysign(1.0, rest) * (node.sine + (cosine * s - node.sine * v)),
+          node.versine + (node.sine * s + cosine * v)};
+}
+
+BasicPlanarPoint<double> PlanarKepler::position(double t) const {
+  const Direction at = direction(t);
+  return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
 }
 
 BasicPlanarPoint<DoubleDouble> PlanarKepler::position(const DoubleDouble& t) const {
@@ -118,26 +128,27 @@ namespace {
 
 // dE/dt = n / (|1 - e| + e (1 - cos E)), hyperbolas alike.
 template <Real T>
-BasicPlanarMotion<T> planar_motion(const BasicKeplerAnomaly<T>& at, const T& q, const T& a,
+BasicPlanarMotion<T> planar_motion(const T& sine, const T& versine, const T& q, const T& a,
                                    const T& b, const T& n, const BasicEccentricity<T>& e,
                                    bool hyperbola) {
   const T one(1.0);
-  const T rate = n / (e.complement + e.e * at.versine);
-  const T cosine = hyperbola ? one + at.versine : one - at.versine;
-  return {{q - a * at.versine, b * at.sine}, {-(a * rate * at.sine), b * rate * cosine}};
+  const T rate = n / (e.complement + e.e * versine);
+  const T cosine = hyperbola ? one + versine : one - versine;
+  return {{q - a * versine, b * sine}, {-(a * rate * sine), b * rate * cosine}};
 }
 
 }  // namespace
 
 BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
-  const BasicEccentricity<DoubleDouble>& e = shape_.eccentricity;
-  return planar_motion<double>(anomaly(t), shape_.pericentre.hi, a_.hi, b_.hi,
-                               shape_.mean_motion.hi, {e.e.hi, e.complement.hi}, hyperbola_);
+  const Direction at = direction(t);
+  return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
+                               shape_.mean_motion.hi, rounded_, hyperbola_);
 }
 
 BasicPlanarMotion<DoubleDouble> PlanarKepler::motion(const DoubleDouble& t) const {
-  return planar_motion<DoubleDouble>(anomaly(t), shape_.pericentre, a_, b_, shape_.mean_motion,
-                                     shape_.eccentricity, hyperbola_);
+  const BasicKeplerAnomaly<DoubleDouble> at = anomaly(t);
+  return planar_motion<DoubleDouble>(at.sine, at.versine, shape_.pericentre, a_, b_,
+                                     shape_.mean_motion, shape_.eccentricity, hyperbola_);
 }
 
 }  // namespace v0

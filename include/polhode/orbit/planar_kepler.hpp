@@ -9,8 +9,8 @@
 // Accuracy    budget kepler_*. The phase is formed and reduced in double-double: after any number
 //             of orbits the error is that of a rounding of t.
 // Errors      none; the orbits that hold one check.
-// Cost        position in double for e <= 0.5: some 25 ns, from 65 points prepared in
-//             double-double; else some 100 ns.
+// Cost        some 30 ns in double for e <= 0.5, from 65 points prepared in double-double; 150 ns
+//             above, 300 ns for hyperbolas.
 #pragma once
 
 #include <array>
@@ -53,22 +53,32 @@ class PlanarKepler {
   BasicPlanarMotion<DoubleDouble> motion(const DoubleDouble& t) const;
 
  private:
-  // The ellipse at the phase j / (2 intervals) turns.
-  struct Node {
+  // The ellipse at the phase j / (2 intervals) turns, and how E leaves it.
+  struct alignas(64) Node {
     double sine;
-    double cosine;
-    double slope;  // dE / d(phase in turns)
+    double versine;
+    double rate;    // dE / d(phase in turns)
+    double second;  // d = u - second u^2 + third u^3 reverts Kepler's equation, u = rate x phase
+    double third;
+    double e_sine;  // e sin E, e cos E, 1 - e cos E
+    double e_cosine;
+    double slope;
   };
   static constexpr int intervals = 64;
   using Nodes = std::array<Node, intervals + 1>;
 
-  DoubleDouble mean_anomaly(double t) const;
+  struct Direction {
+    double sine;
+    double versine;
+  };
+  Direction direction(double t) const;
+  Direction far_direction(double t) const;  // hyperbolas, and phases beyond 2^50 turns
   DoubleDouble mean_anomaly(const DoubleDouble& t) const;
-  KeplerAnomaly anomaly(double t) const;
   BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
   static std::shared_ptr<const Nodes> prepared_nodes(const BasicEccentricity<DoubleDouble>& e);
 
   Shape shape_;
+  Eccentricity rounded_;
   bool hyperbola_;
   DoubleDouble a_, b_;
   DoubleDouble frequency_;              // turns per time

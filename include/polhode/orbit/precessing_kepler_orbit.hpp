@@ -11,7 +11,7 @@
 //             sign, ellipses only, inclination against the equator of the body.
 // Accuracy    budget kepler_*: all three angles are formed and reduced in double-double.
 // Errors      DomainError for elements out of the domain or rates that are not finite.
-// Cost        position some 80 ns for e <= 0.5, else 150 ns; velocity 200 ns.
+// Cost        some 150 ns for e <= 0.5, 300 ns above.
 #pragma once
 
 #include "polhode/orbit/kepler_orbit.hpp"

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Positions on orbits, and the torque that they make: time per call, and error against
+// double-double.
+//
+// Times advance by a fixed step, as in an integrator; error is the largest over 4096 of them,
+// relative to the distance.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/perturb/any_perturbation.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
+
+namespace {
+
+using namespace polhode;
+
+constexpr double step = 0.0371;
+
+// Argument: e in hundredths.
+KeplerElements elements(const benchmark::State& state) {
+  const double e = static_cast<double>(state.range(0)) / 100.0;
+  return {1.0, std::abs(1.0 - e), e, 0.3, 1.0, 2.0, 0.1, 0.0};
+}
+
+template <class O>
+double largest_error(const O& orbit) {
+  double worst = 0.0;
+  for (int i = 0; i < 4096; ++i) {
+    const double t = 0.1 + step * i;
+    const Vec3 x = orbit.position(t);
+    const BasicVec3<DoubleDouble> exact = orbit.position(DoubleDouble(t));
+    const Vec3 error{(x.x - exact.x).hi, (x.y - exact.y).hi, (x.z - exact.z).hi};
+    worst = std::max(worst, norm(error) / norm(x));
+  }
+  return worst;
+}
+
+template <class O>
+void positions(benchmark::State& state, const O& orbit) {
+  double t = 0.1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(orbit.position(t));
+    t += step;
+  }
+  state.counters["error"] = largest_error(orbit);
+}
+
+void kepler_position(benchmark::State& state) { positions(state, KeplerOrbit(elements(state))); }
+void precessing_position(benchmark::State& state) {
+  positions(state, PrecessingKeplerOrbit(elements(state), {0.01, 0.02, 0.003}));
+}
+
+void kepler_velocity(benchmark::State& state) {
+  const KeplerOrbit orbit(elements(state));
+  double t = 0.1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(orbit.velocity(t));
+    t += step;
+  }
+}
+
+void kepler_double_double(benchmark::State& state) {
+  const KeplerOrbit orbit(elements(state));
+  double t = 0.1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(orbit.position(DoubleDouble(t)));
+    t += step;
+  }
+}
+
+void kepler_constructor(benchmark::State& state) {
+  for (auto _ : state) {
+    const KeplerOrbit orbit(elements(state));
+    benchmark::DoNotOptimize(&orbit);
+  }
+}
+
+void gravity_gradient(benchmark::State& state) {
+  const AnyPerturbation term("planet", GravityGradient(1.0, KeplerOrbit(elements(state))));
+  const Body body(1.0, 2.0, 2.5);
+  Setting at{body, 0.1, {{0.5, 0.5, 0.5, 0.5}, {0.1, 0.2, 1.0}}, {}};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(term.effect(at));
+    at.t += step;
+  }
+}
+
+BENCHMARK(kepler_position)->Arg(0)->Arg(10)->Arg(50)->Arg(70)->Arg(99)->Arg(150);
+BENCHMARK(kepler_velocity)->Arg(10)->Arg(70)->Arg(150);
+BENCHMARK(kepler_double_double)->Arg(10)->Arg(150);
+BENCHMARK(kepler_constructor)->Arg(10)->Arg(70);
+BENCHMARK(precessing_position)->Arg(10)->Arg(70);
+BENCHMARK(gravity_gradient)->Arg(10)->Arg(70);
+
+}  // namespace
