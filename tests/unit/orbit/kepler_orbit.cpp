@@ -215,6 +215,26 @@ TEST(KeplerOrbit, RefusesWhatIsNoOrbit) {
   EXPECT_NE(from({1.0, nan, 0.0}, {0.0, 1.0, 0.0}, 1.0).find("finite"), std::string::npos);
 }
 
+// At times whose rounding is more than an orbit the place is some place on the ellipse.
+TEST(KeplerOrbit, FarTimesAndNoTimes) {
+  for (const double e : {0.0, 0.3, 0.8}) {
+    const KeplerOrbit orbit({1.0, 1.0 - e, e, 0.3, 0.2, 0.1});
+    for (const double t : {1e16, -1e18, 1e31, 1e40, -1e100, 1e250}) {
+      const double r = norm(orbit.position(t)), slack = budget::kepler_position_eps * eps;
+      EXPECT_GE(r, (1.0 - e) * (1.0 - slack)) << e << ' ' << t;
+      EXPECT_LE(r, (1.0 + e) * (1.0 + slack)) << e << ' ' << t;
+    }
+    EXPECT_TRUE(std::isnan(orbit.position(std::numeric_limits<double>::quiet_NaN()).x));
+    EXPECT_TRUE(std::isnan(orbit.position(HUGE_VAL).x));
+    EXPECT_TRUE(std::isnan(orbit.velocity(HUGE_VAL).x));
+  }
+  // A hyperbola far out: a straight line, at the speed sqrt(gm (e - 1) / q).
+  const KeplerOrbit orbit({1.0, 1.0, 1.5});
+  EXPECT_NEAR(norm(orbit.position(1e200)) / 1e200, std::sqrt(0.5),
+              budget::kepler_velocity_eps * eps);
+  EXPECT_NEAR(norm(orbit.velocity(1e200)), std::sqrt(0.5), budget::kepler_velocity_eps * eps);
+}
+
 TEST(KeplerOrbit, SemiMajorAxisAndMeanMotion) {
   const KeplerElements k{8.0, pericentre_distance(2.0, 0.25), 0.25};
   EXPECT_EQ(semi_major_axis(k), 2.0);
