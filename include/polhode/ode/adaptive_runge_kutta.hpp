@@ -63,13 +63,16 @@ class AdaptiveRungeKutta {
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
       const double length = step_towards(std::abs(rest.hi));
-      if (repeated && length < smallest_step()) return why;
+      if (length < smallest_step() && length < std::abs(rest.hi)) return why;
       trial_ = std::copysign(length, rest.hi);
       const auto step = runge_kutta_step<Tableau>(f_, t_, state_.y, rate_, trial_);
       evaluations_ += Tableau::stages - 1;
       const double error = size_(step.error, state_.y, step.increment);
-      const double noise = 2.0 * epsilon<T>() * size_(step.increment, state_.y, step.increment);
-      if (error <= control_.tolerance || error <= noise) {
+      // In units of what can be asked for: the tolerance, or the rounding of the increment.
+      const double excess =
+          error / std::max(control_.tolerance,
+                           8.0 * epsilon<T>() * size_(step.increment, state_.y, step.increment));
+      if (excess <= 1.0) {
         const bool ends = length == std::abs(rest.hi);
         state_.add(step.increment);
         t_ = ends ? DoubleDouble(stop) : t_ + trial_;
@@ -77,12 +80,12 @@ class AdaptiveRungeKutta {
         ++steps_;
         // A step cut short by the end says little of the next one.
         if (!ends || length > h_) h_ = length;
-        h_ = h_ * accepted_factor(error, repeated);
+        h_ = h_ * accepted_factor(excess, repeated);
         return StepOutcome::made;
       }
       ++rejected_;
-      why = std::isfinite(error) ? StepOutcome::too_small : StepOutcome::not_finite;
-      h_ = length * rejected_factor(error);
+      why = std::isfinite(excess) ? StepOutcome::too_small : StepOutcome::not_finite;
+      h_ = length * rejected_factor(excess);
     }
   }
 
@@ -129,16 +132,16 @@ class AdaptiveRungeKutta {
     return std::min(100.0 * h0, std::pow(0.01 * control_.tolerance / std::max(d1, d2), exponent));
   }
 
-  double accepted_factor(double error, bool repeated) {
-    const double ratio = std::log2(std::max(error / control_.tolerance, 1e-10));
+  double accepted_factor(double excess, bool repeated) {
+    const double ratio = std::log2(std::max(excess, 1e-10));
     const double factor = 0.9 * std::exp2(exponent * (0.4 * before_ - 0.7 * ratio));
     before_ = std::max(ratio, -13.0);  // 1e-4, as usual: a lucky step is soon forgotten
     return std::clamp(factor, 0.2, repeated ? 1.0 : 5.0);
   }
 
-  double rejected_factor(double error) const {
-    if (!std::isfinite(error)) return 0.1;
-    return std::clamp(0.9 * std::pow(control_.tolerance / error, exponent), 0.1, 0.9);
+  static double rejected_factor(double excess) {
+    if (!std::isfinite(excess)) return 0.1;
+    return std::clamp(0.9 * std::pow(excess, -exponent), 0.1, 0.9);
   }
 
   F f_;
@@ -149,7 +152,7 @@ class AdaptiveRungeKutta {
   CompensatedState<T, N> state_;
   Values rate_{};
   bool rate_known_ = false;
-  double before_ = 0.0;  // log2 of the last error over the tolerance
+  double before_ = 0.0;  // log2 of the last error over what was asked for
   double trial_ = 0.0;
   std::int64_t steps_ = 0;
   std::int64_t rejected_ = 0;

@@ -44,12 +44,12 @@ class RotorField {
 
   const System& system() const { return system_; }
 
-  RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
+  [[gnu::always_inline]] RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
     const BasicSetting<T> at = setting(t, y);
     return rates(at, terms_effect(system_, at));
   }
 
-  BasicSetting<T> setting(const DoubleDouble& t, const RotorValues<T>& y) const {
+  [[gnu::always_inline]] BasicSetting<T> setting(const DoubleDouble& t, const RotorValues<T>& y) const {
     BasicSetting<T> at{system_.body(), working(t), rotor_state<T>(y), {}, T(0.0)};
     if constexpr (!is_double_double<T>) at.t_rest = T(t.lo);
     if (!system_.frame().is_inertial()) at.q_IS = system_.frame().at(working(t)).q_IS;
@@ -74,7 +74,7 @@ class RotorField {
     }
   }
 
-  RotorValues<T> rates(const BasicSetting<T>& at, const BasicEffect<T>& e) const {
+  [[gnu::always_inline]] RotorValues<T> rates(const BasicSetting<T>& at, const BasicEffect<T>& e) const {
     const BasicQuaternion<T>& q = at.s.q;
     const BasicVec3<T>& g = at.s.g;
     const BasicVec3<T> w{times(g.x, inverse_[0]) + e.v.x, times(g.y, inverse_[1]) + e.v.y,

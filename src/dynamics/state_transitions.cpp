@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "dynamics/detail/adaptive_failure.hpp"
+#include "dynamics/detail/adaptive_field.hpp"
+#include "free/detail/hub_tangent.hpp"
+#include "math/detail/number_text.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::number_text;
+
+Adaptive checked_method(const Problem& problem) {
+  const auto* method = std::get_if<Adaptive>(&problem.method);
+  if (method == nullptr)
+    throw DomainError("state_transitions: " + method_text(problem.method) +
+                      " has no variational equations: use Adaptive");
+  require_valid(problem.method);
+  if (method->tolerance < 1e-15)
+    throw DomainError("state_transitions: tolerance " + number_text(method->tolerance) +
+                      " must be from 1e-15: derivatives are carried in double");
+  return *method;
+}
+
+void require_terms(const Problem& problem) {
+  for (const AnyPerturbation& term : problem.system.terms())
+    if (!term.supports_any_real())
+      throw DomainError("state_transitions: term \"" + term.name() +
+                        "\" works on double alone: write it as a template on the number type");
+}
+
+// The initial state with the six variables of its tangent: q exp(dtheta_B / 2), g + dg.
+detail::RotorValues<Tangent> seeded(const RotorState& s) {
+  const Quaternion q = normalized(s.q);
+  const BasicQuaternion<Tangent> turn{Tangent(1.0), 0.5 * Tangent::variable(0.0, 0),
+                                      0.5 * Tangent::variable(0.0, 1),
+                                      0.5 * Tangent::variable(0.0, 2)};
+  return detail::rotor_values<Tangent>(
+      {BasicQuaternion<Tangent>{Tangent(q.w), Tangent(q.x), Tangent(q.y), Tangent(q.z)} * turn,
+       {Tangent::variable(s.g.x, 3), Tangent::variable(s.g.y, 4), Tangent::variable(s.g.z, 5)}});
+}
+
+TransitionSample sample_at(double t, const detail::RotorValues<Tangent>& y) {
+  BasicRotorState<Tangent> s = detail::rotor_state<Tangent>(y);
+  s.q = normalized(s.q);
+  return {t,
+          {{s.q.w.value, s.q.x.value, s.q.y.value, s.q.z.value},
+           {s.g.x.value, s.g.y.value, s.g.z.value}},
+          detail::hub_tangent(s)};
+}
+
+}  // namespace
+
+std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples) {
+  const Adaptive method = checked_method(problem);
+  require_terms(problem);
+  const double size = norm(Vec3{std::hypot(problem.initial.q.w, problem.initial.q.x),
+                                problem.initial.q.y, problem.initial.q.z});
+  if (!(size > 0.0) || !std::isfinite(size) || !detail::is_finite(problem.initial.g) ||
+      !std::isfinite(problem.start) || !std::isfinite(problem.stop))
+    throw DomainError("state_transitions: state, start and stop must be finite, q not zero");
+  AdaptiveRungeKutta<Verner98, Tangent, 7, detail::RotorField<Tangent>, detail::RotorErrorSize>
+      solver(detail::RotorField<Tangent>(problem.system), {}, problem.start,
+             seeded(problem.initial), {method.tolerance, method.first_step, method.largest_step});
+  const double sign = problem.start <= problem.stop ? 1.0 : -1.0;
+  // SaveAt keeps a row that rounding puts beyond stop.
+  const double slack =
+      8.0 * epsilon<double>() * std::max(std::abs(problem.start), std::abs(problem.stop));
+  std::vector<TransitionSample> rows;
+  double last = problem.start;
+  for (std::int64_t k = 0; k < samples.size(); ++k) {
+    const double t = samples[k];
+    if (!(sign * (t - problem.start) >= 0.0 && sign * (problem.stop - t) >= -slack)) continue;
+    if (sign * (t - last) < 0.0)
+      throw DomainError("state_transitions: sample times must run from start to stop: " +
+                        number_text(t) + " comes after " + number_text(last));
+    last = t;
+    while (solver.time() != DoubleDouble(t)) {
+      const StepOutcome outcome = solver.advance(t);
+      if (outcome != StepOutcome::made)
+        throw DomainError("state_transitions: " +
+                          detail::failure_text(solver.field(), solver.time(), solver.state().y,
+                                               solver.trial(), outcome));
+    }
+    rows.push_back(sample_at(t, solver.state().y));
+  }
+  return rows;
+}
+
+}  // namespace v0
+}  // namespace polhode
