@@ -8,7 +8,7 @@
 // Units       gm and the orbit in the same units of length and time; I in those of the body.
 // Domain      gm > 0. The orbit gives the position of the point mass from the body or of the body
 //             from the point mass, in inertial or in reference-frame axes. Several point masses are
-//             several terms.
+//             several terms. Distances whose cube is in the range of the number type.
 // Accuracy    a few roundings of the torque; a sphere has none, exactly. The length of q_SB does
 //             not matter, so neither does its rounding within a step.
 // Errors      DomainError for a gm that is not positive.
@@ -61,19 +61,19 @@ class GravityGradient {
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     const Direction<T> d = direction(at);
     const Vec3& I = at.body.moments();
-    const BasicVec3<T>& n = d.n_B;
+    const BasicVec3<T>& n = d.along_B;
     // not n x (I n): what is equal in I would cancel
     return {{},
-            T(3.0) * d.strength *
-                BasicVec3<T>{(T(I.z) - T(I.y)) * (n.y * n.z), (T(I.x) - T(I.z)) * (n.z * n.x),
-                             (T(I.y) - T(I.x)) * (n.x * n.y)}};
+            (T(3.0) * d.strength) * BasicVec3<T>{(T(I.z) - T(I.y)) * (n.y * n.z),
+                                                 (T(I.x) - T(I.z)) * (n.z * n.x),
+                                                 (T(I.y) - T(I.x)) * (n.x * n.y)}};
   }
 
   template <Real T>
   T energy(const BasicSetting<T>& at) const {
     const Direction<T> d = direction(at);
     const Vec3& I = at.body.moments();
-    const BasicVec3<T>& n = d.n_B;
+    const BasicVec3<T>& n = d.along_B;
     // 3 n.I n - tr I with |n| = 1, a sum of differences of moments
     const T sum = (T(I.x) - T(I.y)) * (n.x * n.x - n.y * n.y) +
                   (T(I.y) - T(I.z)) * (n.y * n.y - n.z * n.z) +
@@ -84,15 +84,18 @@ class GravityGradient {
  private:
   template <Real T>
   struct Direction {
-    BasicVec3<T> n_B;
-    T strength;  // gm / r^3
+    BasicVec3<T> along_B;  // of any length
+    T strength;            // gm / r^3 over the square of that length
   };
   template <Real T>
   Direction<T> direction(const BasicSetting<T>& at) const {
+    using std::sqrt;
     const BasicVec3<T> x = detail::position_at(orbit_, at.t);
-    const T r = norm(x);
-    const T inverse = T(1.0) / r;
-    return {body_from_space(at, axes_, inverse * x), T(gm_) * inverse * inverse * inverse};
+    const T inverse = T(1.0) / sqrt(dot(x, x));
+    BasicVec3<T> n = inverse * x;
+    if (axes_ == SpaceAxes::inertial) n = detail::turned_back_longer(at.q_IS, n);
+    n = detail::turned_back_longer(at.s.q, n);
+    return {n, T(gm_) * inverse * inverse * inverse / dot(n, n)};
   }
 
   double gm_;
