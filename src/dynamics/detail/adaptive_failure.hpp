@@ -25,13 +25,16 @@ std::string not_finite_text(const RotorField<T>& field, const DoubleDouble& t,
                             const RotorValues<T>& y, double h) {
   std::string text;
   const auto watched = [&](const DoubleDouble& at_time, const RotorValues<T>& values) {
-    const BasicSetting<T> at = field.setting(at_time, values);
+    BasicSetting<T> at = field.setting(at_time, values);
     const auto found = [&](const std::string& what) {
       if (text.empty() && is_finite(at.s.g))
         text = what + " is not a finite number at t = " + number_text(at_time.hi);
     };
-    if (!field.system().frame().is_inertial() && !is_finite(field.system().frame().at(at.t).mu_S))
-      found("the rate of the frame");
+    if (!field.system().frame().is_inertial()) {
+      const BasicFrameMotion<T> frame = field.frame_motion(at_time);
+      if (!is_finite(frame.mu_S)) found("the rate of the frame");
+      at.q_IS = frame.q_IS;
+    }
     for (const AnyPerturbation& term : field.system().terms()) {
       const BasicEffect<T> e = term.effect(at);
       if (!is_finite(e.u)) found("the torque of term \"" + term.name() + "\"");

@@ -44,16 +44,34 @@ class RotorField {
 
   const System& system() const { return system_; }
 
-  [[gnu::always_inline]] RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
-    const BasicSetting<T> at = setting(t, y);
-    return rates(at, terms_effect(system_, at));
+  [[gnu::always_inline]] RotorValues<T> operator()(const DoubleDouble& t,
+                                                   const RotorValues<T>& y) const {
+    BasicSetting<T> at = setting(t, y);
+    if (system_.frame().is_inertial()) return rates(at, terms_effect(system_, at));
+    const BasicFrameMotion<T> frame = frame_motion(t);
+    at.q_IS = frame.q_IS;
+    return in_frame(rates(at, terms_effect(system_, at)), at.s.q, frame.mu_S);
   }
 
-  [[gnu::always_inline]] BasicSetting<T> setting(const DoubleDouble& t, const RotorValues<T>& y) const {
+  // Where the terms are asked; for a moving frame without its attitude.
+  [[gnu::always_inline]] BasicSetting<T> setting(const DoubleDouble& t,
+                                                 const RotorValues<T>& y) const {
     BasicSetting<T> at{system_.body(), working(t), rotor_state<T>(y), {}, T(0.0)};
     if constexpr (!is_double_double<T>) at.t_rest = T(t.lo);
-    if (!system_.frame().is_inertial()) at.q_IS = system_.frame().at(working(t)).q_IS;
     return at;
+  }
+
+  // At all of the time: q and what it turns in the rest of t.
+  BasicFrameMotion<T> frame_motion(const DoubleDouble& t) const {
+    BasicFrameMotion<T> frame = system_.frame().at(working(t));
+    if constexpr (!is_double_double<T>) {
+      const T half(0.5 * t.lo);
+      const BasicVec3<T> turn = half * frame.mu_S;
+      const BasicQuaternion<T> d = frame.q_IS * BasicQuaternion<T>{T(0.0), turn.x, turn.y, turn.z};
+      const BasicQuaternion<T>& q = frame.q_IS;
+      frame.q_IS = {q.w + d.w, q.x + d.x, q.y + d.y, q.z + d.z};
+    }
+    return frame;
   }
 
  private:
@@ -74,7 +92,8 @@ class RotorField {
     }
   }
 
-  [[gnu::always_inline]] RotorValues<T> rates(const BasicSetting<T>& at, const BasicEffect<T>& e) const {
+  [[gnu::always_inline]] RotorValues<T> rates(const BasicSetting<T>& at,
+                                              const BasicEffect<T>& e) const {
     const BasicQuaternion<T>& q = at.s.q;
     const BasicVec3<T>& g = at.s.g;
     const BasicVec3<T> w{times(g.x, inverse_[0]) + e.v.x, times(g.y, inverse_[1]) + e.v.y,
@@ -89,14 +108,18 @@ class RotorField {
                         g_rate.x,
                         g_rate.y,
                         g_rate.z};
-    if (!system_.frame().is_inertial()) {
-      const BasicVec3<T> m = half * system_.frame().at(at.t).mu_S;
-      const BasicQuaternion<T> lag = BasicQuaternion<T>{T(0.0), m.x, m.y, m.z} * q;
-      rate[0] = rate[0] - lag.w;
-      rate[1] = rate[1] - lag.x;
-      rate[2] = rate[2] - lag.y;
-      rate[3] = rate[3] - lag.z;
-    }
+    return rate;
+  }
+
+  // dq/dt relative to the frame: less by the frame's own turn.
+  static RotorValues<T> in_frame(RotorValues<T> rate, const BasicQuaternion<T>& q,
+                                 const BasicVec3<T>& mu_S) {
+    const BasicVec3<T> m = T(0.5) * mu_S;
+    const BasicQuaternion<T> lag = BasicQuaternion<T>{T(0.0), m.x, m.y, m.z} * q;
+    rate[0] = rate[0] - lag.w;
+    rate[1] = rate[1] - lag.x;
+    rate[2] = rate[2] - lag.y;
+    rate[3] = rate[3] - lag.z;
     return rate;
   }
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// State transition matrices: against the closed one of the free rotation, differences of runs in
+// double-double, and the symplectic law.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "budgets.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/perturb/user_terms.hpp"
+#include "unit/dynamics/adaptive_support.hpp"
+
+namespace {
+
+using namespace polhode;
+using namespace polhode::test;
+using testing::HasSubstr;
+
+const Adaptive tight{1e-14};
+
+double largest(const Matrix6& m) {
+  double size = 0.0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) size = std::max(size, std::abs(m(i, j)));
+  return size;
+}
+// Entries relative to the largest one.
+double difference(const Matrix6& a, const Matrix6& b) {
+  Matrix6 d;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) d(i, j) = a(i, j) - b(i, j);
+  return largest(d) / largest(b);
+}
+
+// The Poisson matrix of (theta_B, g_B): {theta, g} = 1, {g_i, g_j} = -eps_ijk g_k.
+Matrix6 poisson(const Vec3& g) {
+  Matrix6 P;
+  const Mat3 G = hat(g);
+  for (int i = 0; i < 3; ++i) {
+    P(i, i + 3) = 1.0;
+    P(i + 3, i) = -1.0;
+    for (int j = 0; j < 3; ++j) P(i + 3, j + 3) = G(i, j);
+  }
+  return P;
+}
+
+// (dtheta_B, dg_B) from one state to a near one.
+std::array<double, 6> tangent(const RotorState& from, const RotorState& to) {
+  Quaternion d = conj(from.q) * to.q;
+  if (d.w < 0.0) d = {-d.w, -d.x, -d.y, -d.z};
+  const Vec3 g = to.g - from.g;
+  return {2.0 * d.x, 2.0 * d.y, 2.0 * d.z, g.x, g.y, g.z};
+}
+
+TEST(StateTransitions, WithoutTorqueAreThoseOfTheFreeRotation) {
+  const double stop = 10.0 * w1_turn;
+  const FreeRotation free(w1_body, w1_state);
+  const auto rows =
+      state_transitions({System(w1_body), w1_state, 0.0, stop, tight}, SaveAt::count(0.0, stop, 4));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].transition, Matrix6::identity());
+  for (const TransitionSample& row : rows) {
+    EXPECT_LE(difference(row.transition, free.state_transition(row.t)), budget::transition_free);
+    EXPECT_LE(distance(row.s, free.at(row.t)), budget::transition_free);
+  }
+}
+
+TEST(StateTransitions, OfAGravityGradientAreTheDifferencesOfRuns) {
+  const double stop = 3.0, h = 1e-4;
+  const auto rows = state_transitions(w1(tight, 0.0, stop), SaveAt::times({stop}));
+  const Adaptive exact{1e-19, Precision::double_double};
+  Matrix6 M;
+  for (int j = 0; j < 6; ++j) {
+    const auto moved = [&](double step) {
+      RotorState s = w1_state;
+      if (j < 3) {
+        Quaternion turn{1.0, 0.0, 0.0, 0.0};
+        (j == 0 ? turn.x : j == 1 ? turn.y : turn.z) = std::tan(0.5 * step);
+        s.q = normalized(s.q * turn);
+      } else {
+        s.g[j - 3] += step;
+      }
+      return tangent(rows[0].s, end_of(w1(exact, 0.0, stop, s)).s);
+    };
+    // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h
+    const auto a = moved(h), b = moved(-h), c = moved(2.0 * h), d = moved(-2.0 * h);
+    for (int i = 0; i < 6; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      M(i, j) = (8.0 * (a[k] - b[k]) - (c[k] - d[k])) / (12.0 * h);
+    }
+  }
+  EXPECT_LE(difference(rows[0].transition, M), budget::transition_difference);
+}
+
+TEST(StateTransitions, OfAHamiltonianAreSymplectic) {
+  const auto rows = state_transitions(w1(tight, 0.0, 20.0), SaveAt::count(0.0, 20.0, 6));
+  for (const TransitionSample& row : rows) {
+    const Matrix6& M = row.transition;
+    const Matrix6 carried = M * poisson(w1_state.g) * transpose(M);
+    const double scale = largest(M) * largest(M) * largest(poisson(w1_state.g));
+    EXPECT_LE(largest(poisson(row.s.g)) * difference(carried, poisson(row.s.g)),
+              budget::transition_symplectic * scale);
+  }
+}
+
+TEST(StateTransitions, InAPrecessingFrameBackwards) {
+  const Frame frame = Frame::precessing({0.0, 0.6, 0.8}, 0.4);
+  const double stop = -2.0;
+  const auto there =
+      state_transitions(w1(tight, 0.0, stop, w1_state, frame), SaveAt::times({stop}));
+  const auto back =
+      state_transitions(w1(tight, stop, 0.0, there[0].s, frame), SaveAt::times({0.0}));
+  EXPECT_LE(distance(back[0].s, w1_state), budget::transition_free);
+  EXPECT_LE(difference(back[0].transition * there[0].transition, Matrix6::identity()),
+            budget::transition_free);
+}
+
+TEST(StateTransitions, RefuseWhatTheyCannotDo) {
+  const SaveAt end = SaveAt::times({1.0});
+  EXPECT_THAT([&] { state_transitions(w1(Splitting{0.01}, 0.0, 1.0), end); },
+              testing::ThrowsMessage<DomainError>(HasSubstr("use Adaptive")));
+  const auto on_double = [](double, const RotorState&) { return Vec3{}; };
+  const Problem p{
+      System(w1_body, Frame::inertial(), {AnyPerturbation("thruster", TorqueTerm(on_double))}),
+      w1_state, 0.0, 1.0};
+  EXPECT_THAT([&] { state_transitions(p, end); },
+              testing::ThrowsMessage<DomainError>(HasSubstr("\"thruster\" works on double alone")));
+  EXPECT_THROW(state_transitions(w1(tight, 0.0, 1.0), SaveAt::times({0.5, 0.2})), DomainError);
+  EXPECT_THROW(state_transitions(w1(Adaptive{0.0}, 0.0, 1.0), end), DomainError);
+}
+
+}  // namespace
