@@ -179,8 +179,8 @@ KeplerOrbit KeplerOrbit::from_state(const Vec3& position, const Vec3& velocity, 
   return {k, shape, axes};
 }
 
-Vec3 KeplerOrbit::position(double t) const {
-  const BasicPlanarPoint<double> at = plane_.position(t);
+Vec3 KeplerOrbit::position(double t, double rest) const {
+  const BasicPlanarPoint<double> at = plane_.position(t, rest);
   return at.x * to_pericentre_ + at.y * along_motion_;
 }
 

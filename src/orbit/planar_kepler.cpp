@@ -62,8 +62,8 @@ DoubleDouble PlanarKepler::mean_anomaly(const DoubleDouble& t) const {
   return DoubleDouble::two_pi() * fraction(frequency_ * elapsed);
 }
 
-PlanarKepler::Direction PlanarKepler::far_direction(double t) const {
-  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly(DoubleDouble(t)).hi, rounded_);
+PlanarKepler::Direction PlanarKepler::far_direction(const DoubleDouble& t) const {
+  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly(t).hi, rounded_);
   return {at.sine, at.versine};
 }
 
@@ -71,14 +71,16 @@ BasicKeplerAnomaly<DoubleDouble> PlanarKepler::anomaly(const DoubleDouble& t) co
   return eccentric_anomaly(mean_anomaly(t), shape_.eccentricity);
 }
 
-inline PlanarKepler::Direction PlanarKepler::direction(double t) const {
+inline PlanarKepler::Direction PlanarKepler::direction(double t, double rest_of_t) const {
   const TwoTerms<double> elapsed = two_sum(t, -shape_.pericentre_time.hi);
   const TwoTerms<double> turns = two_prod(elapsed.hi, frequency_.hi);
-  if (hyperbola_ || !(std::abs(turns.hi) < most_turns)) return far_direction(t);
+  if (hyperbola_ || !(std::abs(turns.hi) < most_turns))
+    return far_direction(DoubleDouble::sum(t, rest_of_t));
   const double whole = (turns.hi + integer_bits) - integer_bits;
   const double rest = turns.hi - whole;
-  const double tail = turns.lo + (elapsed.hi * frequency_.lo +
-                                  (elapsed.lo - shape_.pericentre_time.lo) * frequency_.hi);
+  const double tail =
+      turns.lo + (elapsed.hi * frequency_.lo +
+                  ((elapsed.lo - shape_.pericentre_time.lo) + rest_of_t) * frequency_.hi);
   if (!nodes_) {
     const KeplerAnomaly at = eccentric_anomaly(two_pi * (rest + tail), rounded_);
     return {at.sine, at.versine};
@@ -114,8 +116,8 @@ inline PlanarKepler::Direction PlanarKepler::direction(double t) const {
           node.versine + (node.sine * s + cosine * v)};
 }
 
-BasicPlanarPoint<double> PlanarKepler::position(double t) const {
-  const Direction at = direction(t);
+BasicPlanarPoint<double> PlanarKepler::position(double t, double rest) const {
+  const Direction at = direction(t, rest);
   return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
 }
 
@@ -140,7 +142,7 @@ BasicPlanarMotion<T> planar_motion(const T& sine, const T& versine, const T& q, 
 }  // namespace
 
 BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
-  const Direction at = direction(t);
+  const Direction at = direction(t, 0.0);
   return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
                                shape_.mean_motion.hi, rounded_, hyperbola_);
 }

@@ -100,7 +100,9 @@ BasicVec3<T> PrecessingKeplerOrbit::moved(const Axes<T>& a, const BasicPlanarMot
   return {v.x - T(rates_.node) * x.y, v.y + T(rates_.node) * x.x, v.z};
 }
 
-Vec3 PrecessingKeplerOrbit::position(double t) const { return placed(axes(t), plane_.position(t)); }
+Vec3 PrecessingKeplerOrbit::position(double t, double rest) const {
+  return placed(axes(t), plane_.position(t, rest));
+}
 BasicVec3<DoubleDouble> PrecessingKeplerOrbit::position(const DoubleDouble& t) const {
   return placed(axes(t), plane_.position(t));
 }

@@ -58,8 +58,8 @@ class KeplerOrbit {
   double gm() const { return elements_.gm; }
   double mean_motion() const { return plane_.shape().mean_motion.hi; }
 
-  // T = double or DoubleDouble, or a Dual of them.
-  Vec3 position(double t) const;
+  // T = double or DoubleDouble, or a Dual of them; `rest` is what a double cannot hold of the time.
+  Vec3 position(double t, double rest = 0.0) const;
   BasicVec3<DoubleDouble> position(const DoubleDouble& t) const;
   Vec3 velocity(double t) const;
   BasicVec3<DoubleDouble> velocity(const DoubleDouble& t) const;

@@ -40,12 +40,22 @@ constexpr BasicVec3<Dual<T, N>> chained(const Dual<T, N>& t, const BasicVec3<T>&
 
 namespace detail {
 
+// The position at t + rest, for orbits that take what their number type cannot hold of a time.
+template <class O, Real T>
+BasicVec3<T> position_at(const O& orbit, const T& t, const T& rest) {
+  if constexpr (requires { orbit.position(t, rest); }) {
+    return orbit.position(t, rest);
+  } else {
+    return orbit.position(t);
+  }
+}
+
 [[noreturn]] void orbit_without_velocity(const std::string& name);
 
 class ErasedOrbit {
  public:
   virtual ~ErasedOrbit() = default;
-  virtual Vec3 position(double t) const = 0;
+  virtual Vec3 position(double t, double rest) const = 0;
   virtual BasicVec3<DoubleDouble> position(const DoubleDouble& t) const = 0;
   virtual BasicVec3<Dual<double, 1>> position(const Dual<double, 1>& t) const = 0;
 };
@@ -55,7 +65,7 @@ class HeldOrbit final : public ErasedOrbit {
  public:
   HeldOrbit(std::string name, O orbit) : name_(std::move(name)), orbit_(std::move(orbit)) {}
 
-  Vec3 position(double t) const override { return orbit_.position(t); }
+  Vec3 position(double t, double rest) const override { return position_at(orbit_, t, rest); }
   BasicVec3<DoubleDouble> position(const DoubleDouble& t) const override {
     return orbit_.position(t);
   }
@@ -89,8 +99,13 @@ class AnyOrbit {
   // T = double or DoubleDouble.
   template <Real T>
   BasicVec3<T> position(const T& t) const {
-    return orbit_->position(t);
+    if constexpr (std::same_as<T, double>) {
+      return orbit_->position(t, 0.0);
+    } else {
+      return orbit_->position(t);
+    }
   }
+  Vec3 position(double t, double rest) const { return orbit_->position(t, rest); }
   template <int N>
   BasicVec3<Dual<double, N>> position(const Dual<double, N>& t) const {
     const BasicVec3<Dual<double, 1>> x = orbit_->position(Dual<double, 1>::variable(t.value, 0));

@@ -47,7 +47,8 @@ class PlanarKepler {
   // a > 0 also for a hyperbola.
   const DoubleDouble& semi_axis() const { return a_; }
 
-  BasicPlanarPoint<double> position(double t) const;
+  // At t + rest: what a double cannot hold of a time counts after thousands of turns.
+  BasicPlanarPoint<double> position(double t, double rest = 0.0) const;
   BasicPlanarPoint<DoubleDouble> position(const DoubleDouble& t) const;
   BasicPlanarMotion<double> motion(double t) const;
   BasicPlanarMotion<DoubleDouble> motion(const DoubleDouble& t) const;
@@ -71,8 +72,8 @@ class PlanarKepler {
     double sine;
     double versine;
   };
-  Direction direction(double t) const;
-  Direction far_direction(double t) const;  // hyperbolas, and phases beyond 2^50 turns
+  Direction direction(double t, double rest) const;
+  Direction far_direction(const DoubleDouble& t) const;  // hyperbolas, and phases beyond 2^50 turns
   DoubleDouble mean_anomaly(const DoubleDouble& t) const;
   BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
   static std::shared_ptr<const Nodes> prepared_nodes(const BasicEccentricity<DoubleDouble>& e);

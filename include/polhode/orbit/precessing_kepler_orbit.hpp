@@ -38,7 +38,7 @@ class PrecessingKeplerOrbit {
   double gm() const { return elements_.gm; }
 
   // T = double or DoubleDouble, or a Dual of them.
-  Vec3 position(double t) const;
+  Vec3 position(double t, double rest = 0.0) const;  // at t + rest
   BasicVec3<DoubleDouble> position(const DoubleDouble& t) const;
   // The derivative of the position: the turning of the orbit is in it.
   Vec3 velocity(double t) const;

@@ -27,17 +27,13 @@ namespace detail {
 
 void require_gravity(double gm);
 
-template <class O, Real T>
-BasicVec3<T> position_at(const O& orbit, const T& t) {
-  return orbit.position(t);
-}
 // A time that no variable moves, as in a state transition matrix, needs no derivatives.
 template <class O, Real T, int N>
-BasicVec3<Dual<T, N>> position_at(const O& orbit, const Dual<T, N>& t) {
+BasicVec3<Dual<T, N>> position_at(const O& orbit, const Dual<T, N>& t, const Dual<T, N>& rest) {
   if constexpr (OrbitOn<O, Dual<T, N>>) {
     if (!t.is_constant()) return orbit.position(t);
   }
-  const BasicVec3<T> x = position_at(orbit, t.value);
+  const BasicVec3<T> x = position_at(orbit, t.value, rest.value);
   return {x.x, x.y, x.z};
 }
 
@@ -90,7 +86,7 @@ class GravityGradient {
   template <Real T>
   Direction<T> direction(const BasicSetting<T>& at) const {
     using std::sqrt;
-    const BasicVec3<T> x = detail::position_at(orbit_, at.t);
+    const BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
     const T inverse = T(1.0) / sqrt(dot(x, x));
     BasicVec3<T> n = inverse * x;
     if (axes_ == SpaceAxes::inertial) n = detail::turned_back_longer(at.q_IS, n);
