@@ -282,13 +282,13 @@ inline constexpr double ode_edge = 1e-9;
 inline constexpr double collocation_tableau = 3e-16;
 inline constexpr double collocation_legendre = 2e-14;
 // Against FreeRotation, forward and back, and against another frame, over ten turns.
-inline constexpr double variation_free = 2e-14;
+inline constexpr double variation_free = 3e-14;
 // Against double-double: ten orbits of the reference workload.
-inline constexpr double variation_ten_orbits = 5e-14;
+inline constexpr double variation_ten_orbits = 2e-14;
 inline constexpr double splitting_ten_orbits = 2e-13;
-inline constexpr double variation_bodies = 6e-14;
-inline constexpr double variation_separatrix = 6e-14;
-inline constexpr double variation_dense = 1e-14;
+inline constexpr double variation_bodies = 1.5e-14;
+inline constexpr double variation_separatrix = 1e-14;
+inline constexpr double variation_dense = 3e-15;
 // Error after ten turns over the tolerance.
 inline constexpr double variation_per_tolerance = 10.0;
 // How near to a discontinuity the last step ends.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -18,9 +19,9 @@ using Values = RotorValues<double>;
 using Constants = CompensatedState<double, rotor_size<double>>;
 using Wide = BasicRotorState<DoubleDouble>;
 
-// The constants move to a new epoch before neighbouring motions have parted by more than e or so:
-// their rates would grow with the arc.
-constexpr double longest_arc = 2.0;
+// The constants move to a new epoch, the middle of the step to come, before neighbouring motions
+// have parted by more than this: their rates would grow with the arc, and short arcs are cheap.
+constexpr double longest_arc = 0.125;
 
 Wide wide(const Constants& c) {
   const auto sum = [&](std::size_t i) { return DoubleDouble::sum(c.y[i], c.carry[i]); };
@@ -84,6 +85,7 @@ class VariationStepper final : public Stepper {
         start_(solver_.state()) {}
 
   std::string advance(double stop) override {
+    follow(solver_.next_step(stop));
     const DoubleDouble begin = solver_.time();
     const Constants start = solver_.state();
     const StepOutcome outcome = solver_.advance(stop);
@@ -91,9 +93,6 @@ class VariationStepper final : public Stepper {
     before_ = *field_;
     begin_ = begin;
     start_ = start;
-    const Vec3 g{solver_.state().y[4], solver_.state().y[5], solver_.state().y[6]};
-    const double arc = (solver_.time() - field_->epoch()).hi;
-    if (std::abs(arc) * field_->free().polhode_rate(g) > longest_arc) move_epoch();
     return {};
   }
 
@@ -125,10 +124,14 @@ class VariationStepper final : public Stepper {
   }
 
   // In double-double, so that |g|, the energy and the phases of the free motion walk nowhere.
-  void move_epoch() {
-    const DoubleDouble t = solver_.time();
-    solver_.state() = split(carried(system_->body(), wide(solver_.state()), t - field_->epoch()));
-    *field_ = field_->from(t);
+  void follow(double step) {
+    const DoubleDouble elapsed = solver_.time() - field_->epoch();
+    const double arc = std::max(std::abs(elapsed.hi), std::abs(elapsed.hi + step));
+    const Vec3 g{solver_.state().y[4], solver_.state().y[5], solver_.state().y[6]};
+    if (!(arc * field_->free().polhode_rate(g) > longest_arc)) return;
+    const DoubleDouble move = elapsed + 0.5 * step;
+    solver_.state() = split(carried(system_->body(), wide(solver_.state()), move));
+    *field_ = field_->from(field_->epoch() + move);
   }
 
   std::string failure(StepOutcome outcome) const {

@@ -59,8 +59,8 @@ CollocationStep<N> collocation_step(const F& f, const Size& size, const DoubleDo
   double before = std::numeric_limits<double>::infinity();
   while (step.iterations < most_iterations) {
     for (std::size_t i = 0; i < gauss_nodes; ++i) {
-      const Values moved_y = moved(y, h, weighted(g.a[i], k));
-      k[i] = f(DoubleDouble::sum(t.hi, t.lo + g.c[i] * h), moved_y);  // later nodes see it at once
+      const Values y_i = moved(y, h, weighted(g.a[i], k));
+      k[i] = f(DoubleDouble::sum(t.hi, t.lo + g.c[i] * h), y_i);  // later nodes see it at once
     }
     ++step.iterations;
     step.evaluations += static_cast<std::int64_t>(gauss_nodes);
@@ -140,6 +140,11 @@ class AdaptiveCollocation {
     }
   }
 
+  // The step that advance would try first, with its sign.
+  double next_step(double stop) const {
+    const double rest = (DoubleDouble(stop) - t_).hi;
+    return std::copysign(h_ > 0.0 ? step_towards(std::abs(rest)) : std::abs(rest), rest);
+  }
   static double enough(double tolerance) { return 0.01 * tolerance; }
   const DoubleDouble& time() const { return t_; }
   const CompensatedState<double, N>& state() const { return state_; }
