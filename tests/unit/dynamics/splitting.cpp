@@ -15,8 +15,8 @@
 namespace polhode {
 namespace {
 
-using test::Damping;
-using test::PointMassTorque;
+using splitting_test::Damping;
+using splitting_test::PointMassTorque;
 using Scheme = SplittingScheme;
 
 constexpr Scheme schemes[] = {Scheme::order2, Scheme::order4, Scheme::order6,
@@ -24,7 +24,7 @@ constexpr Scheme schemes[] = {Scheme::order2, Scheme::order4, Scheme::order6,
 constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;  // time of ten turns of W1's body
 
 System gravity(double strength, const Frame& frame = Frame::inertial()) {
-  return System(test::workload_body(), frame,
+  return System(splitting_test::workload_body(), frame,
                 {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, strength})});
 }
 
@@ -60,13 +60,14 @@ TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
     for (const Vec3& g : momenta) {
       const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
       const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
-      for (const Frame& frame : {Frame::inertial(), test::precessing_frame()}) {
+      for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
         const System system(body, frame);
         const RotorState exact = reference_state(
             system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
         for (const Scheme scheme : schemes) {
-          const RotorState end = test::end_of(system, s, 0.0, time, Splitting{time / 97.3, scheme});
-          EXPECT_LE(test::distance(end, exact), budget::splitting_free);
+          const RotorState end =
+              splitting_test::end_of(system, s, 0.0, time, Splitting{time / 97.3, scheme});
+          EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_free);
         }
       }
     }
@@ -74,18 +75,19 @@ TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
 }
 
 TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
-  const System system(test::workload_body());
-  const RotorState exact = FreeRotation(system.body(), test::workload_state()).at(10.0);
-  const RotorState end = test::end_of(system, test::workload_state(), 0.0, 10.0, Splitting{5.0});
-  EXPECT_LE(test::distance(end, exact), budget::splitting_free);
+  const System system(splitting_test::workload_body());
+  const RotorState exact = FreeRotation(system.body(), splitting_test::workload_state()).at(10.0);
+  const RotorState end =
+      splitting_test::end_of(system, splitting_test::workload_state(), 0.0, 10.0, Splitting{5.0});
+  EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_free);
 }
 
 // |g| and the kinetic energy after 1e5 drifts: no walk at all, while g itself has been rounded at
 // every step.
 TEST(Splitting, KeepsMomentumAndEnergyOfAFreeBodyBeyondDouble) {
-  const Body body = test::workload_body();
+  const Body body = splitting_test::workload_body();
   const detail::SplittingMap map(System(body), Scheme::order2);
-  detail::SplittingState s = map.start(0.0, test::workload_state());
+  detail::SplittingState s = map.start(0.0, splitting_test::workload_state());
   const auto squares = [&](const Vec3& weight) {
     DoubleDouble sum = 0.0;
     for (int i = 0; i < 3; ++i) {
@@ -101,9 +103,10 @@ TEST(Splitting, KeepsMomentumAndEnergyOfAFreeBodyBeyondDouble) {
 }
 
 TEST(Splitting, HasTheOrderThatItsNameSays) {
-  const System system = gravity(1.0, test::precessing_frame());
-  const RotorState s = test::workload_state();
-  const RotorState exact = test::end_of(system, s, 0.0, 2.0, Splitting{0.002, Scheme::order8});
+  const System system = gravity(1.0, splitting_test::precessing_frame());
+  const RotorState s = splitting_test::workload_state();
+  const RotorState exact =
+      splitting_test::end_of(system, s, 0.0, 2.0, Splitting{0.002, Scheme::order8});
   const struct {
     Scheme scheme;
     double order, h, octaves;
@@ -112,10 +115,12 @@ TEST(Splitting, HasTheOrderThatItsNameSays) {
                {Scheme::order6, 6, 0.05, 2},
                {Scheme::order8, 8, 0.1, 1}};
   for (const auto& c : cases) {
-    const double coarse =
-        test::distance(test::end_of(system, s, 0.0, 2.0, Splitting{c.h, c.scheme}), exact);
-    const double fine = test::distance(
-        test::end_of(system, s, 0.0, 2.0, Splitting{c.h * std::exp2(-c.octaves), c.scheme}), exact);
+    const double coarse = splitting_test::distance(
+        splitting_test::end_of(system, s, 0.0, 2.0, Splitting{c.h, c.scheme}), exact);
+    const double fine = splitting_test::distance(
+        splitting_test::end_of(system, s, 0.0, 2.0,
+                               Splitting{c.h * std::exp2(-c.octaves), c.scheme}),
+        exact);
     EXPECT_GE(slope(coarse, fine, c.octaves), c.order - budget::splitting_order_below);
     EXPECT_LE(slope(coarse, fine, c.octaves), c.order + budget::splitting_order_above);
   }
@@ -126,10 +131,11 @@ double odd_error(Scheme scheme, double strength, double h) {
   std::array<double, 6> e[2];
   for (const int side : {0, 1}) {
     const System system = gravity(side == 0 ? strength : -strength);
-    const RotorState s = test::workload_state();
-    const RotorState exact = test::end_of(system, s, 0.0, 4.0, Splitting{0.004, Scheme::order8});
-    const RotorState end = test::end_of(system, s, 0.0, 4.0, Splitting{h, scheme});
-    e[side] = test::difference(end, exact);
+    const RotorState s = splitting_test::workload_state();
+    const RotorState exact =
+        splitting_test::end_of(system, s, 0.0, 4.0, Splitting{0.004, Scheme::order8});
+    const RotorState end = splitting_test::end_of(system, s, 0.0, 4.0, Splitting{h, scheme});
+    e[side] = splitting_test::difference(end, exact);
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < 6; ++i) sum += (e[0][i] - e[1][i]) * (e[0][i] - e[1][i]);
@@ -148,65 +154,70 @@ TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder8And10InASmallTorqueAndProporti
 
 TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder4InAStrongTorque) {
   const System system = gravity(100.0);
-  const RotorState s = test::workload_state();
-  const RotorState exact = test::end_of(system, s, 0.0, 1.0, Splitting{0.001, Scheme::order8});
+  const RotorState s = splitting_test::workload_state();
+  const RotorState exact =
+      splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.001, Scheme::order8});
   for (const Scheme scheme : {Scheme::ABA864, Scheme::ABA1064}) {
-    const double coarse =
-        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{0.025, scheme}), exact);
-    const double fine =
-        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{0.00625, scheme}), exact);
+    const double coarse = splitting_test::distance(
+        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.025, scheme}), exact);
+    const double fine = splitting_test::distance(
+        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.00625, scheme}), exact);
     EXPECT_NEAR(slope(coarse, fine, 2.0), 4.0, budget::splitting_order_below);
   }
 }
 
 // Two kinds of flows beside each other: kicks are then compositions themselves.
 TEST(Splitting, KeepsItsOrderWhereFlowsDoNotCommute) {
-  const System system(test::workload_body(), Frame::inertial(),
+  const System system(splitting_test::workload_body(), Frame::inertial(),
                       {AnyPerturbation("damping", Damping{0.7}),
                        AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 3.0}),
-                       AnyPerturbation("torque along b1", test::Spinner{0.9})});
-  const RotorState s = test::workload_state();
-  const RotorState exact = test::end_of(system, s, 0.0, 1.0, Splitting{0.0005, Scheme::order8});
+                       AnyPerturbation("torque along b1", splitting_test::Spinner{0.9})});
+  const RotorState s = splitting_test::workload_state();
+  const RotorState exact =
+      splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.0005, Scheme::order8});
   const struct {
     Scheme scheme;
     double order, h;
   } cases[] = {{Scheme::order2, 2, 0.01}, {Scheme::order4, 4, 0.05}, {Scheme::order6, 6, 0.05},
                {Scheme::order8, 8, 0.1},  {Scheme::ABA864, 4, 0.1},  {Scheme::ABA1064, 4, 0.1}};
   for (const auto& c : cases) {
-    const double coarse =
-        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{c.h, c.scheme}), exact);
-    const double fine =
-        test::distance(test::end_of(system, s, 0.0, 1.0, Splitting{0.5 * c.h, c.scheme}), exact);
+    const double coarse = splitting_test::distance(
+        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{c.h, c.scheme}), exact);
+    const double fine = splitting_test::distance(
+        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.5 * c.h, c.scheme}), exact);
     EXPECT_GE(slope(coarse, fine, 1.0), c.order - budget::splitting_order_below)
         << static_cast<int>(c.scheme) << " " << coarse << " " << fine;
   }
 }
 
 TEST(Splitting, RunsBackToWhereItStarted) {
-  const System system = gravity(1.0, test::precessing_frame());
-  const RotorState s = test::workload_state();
+  const System system = gravity(1.0, splitting_test::precessing_frame());
+  const RotorState s = splitting_test::workload_state();
   for (const Scheme scheme : schemes) {
     const Splitting method{turns_10 / 128.0, scheme};
-    const RotorState there = test::end_of(system, s, 0.0, turns_10, method);
-    EXPECT_LE(test::distance(test::end_of(system, there, turns_10, 0.0, method), s),
-              budget::splitting_free);
+    const RotorState there = splitting_test::end_of(system, s, 0.0, turns_10, method);
+    EXPECT_LE(
+        splitting_test::distance(splitting_test::end_of(system, there, turns_10, 0.0, method), s),
+        budget::splitting_free);
   }
 }
 
 TEST(Splitting, IsTheSameMotionInAMovingFrame) {
-  const System inertial = gravity(1.0), moving = gravity(1.0, test::precessing_frame());
-  const RotorState s = test::workload_state();  // the frame coincides with inertial axes at t = 0
+  const System inertial = gravity(1.0), moving = gravity(1.0, splitting_test::precessing_frame());
+  const RotorState s =
+      splitting_test::workload_state();  // the frame coincides with inertial axes at t = 0
   for (const Scheme scheme : schemes) {
     const Splitting method{0.1, scheme};
-    const RotorState a = test::end_of(inertial, s, 0.0, turns_10, method);
-    const RotorState b = test::end_of(moving, s, 0.0, turns_10, method);
-    EXPECT_LE(test::distance(inertial_state(moving, turns_10, b), a), budget::splitting_free);
+    const RotorState a = splitting_test::end_of(inertial, s, 0.0, turns_10, method);
+    const RotorState b = splitting_test::end_of(moving, s, 0.0, turns_10, method);
+    EXPECT_LE(splitting_test::distance(inertial_state(moving, turns_10, b), a),
+              budget::splitting_free);
   }
 }
 
 TEST(Splitting, DenseOutputIsAStepOfTheSameScheme) {
-  const System system = gravity(1.0, test::precessing_frame());
-  const RotorState s = test::workload_state();
+  const System system = gravity(1.0, splitting_test::precessing_frame());
+  const RotorState s = splitting_test::workload_state();
   for (const Scheme scheme : schemes) {
     const Splitting method{0.1, scheme};
     const auto stepper = detail::make_stepper(Problem{system, s, 0.0, 1.0, method, {}}, method);
@@ -215,11 +226,12 @@ TEST(Splitting, DenseOutputIsAStepOfTheSameScheme) {
     const auto dense = stepper->dense(true);
     EXPECT_EQ(dense->t0(), 0.1);
     EXPECT_EQ(dense->t1(), 0.2);
-    EXPECT_LE(test::distance(dense->at(dense->t1()), stepper->state()), budget::splitting_dense);
-    const RotorState first = test::end_of(system, s, 0.0, 0.1, method);
-    EXPECT_LE(test::distance(dense->at(0.1), first), budget::splitting_dense);
-    const RotorState middle = test::end_of(system, first, 0.1, 0.143, method);
-    EXPECT_LE(test::distance(dense->at(0.143), middle), budget::splitting_dense);
+    EXPECT_LE(splitting_test::distance(dense->at(dense->t1()), stepper->state()),
+              budget::splitting_dense);
+    const RotorState first = splitting_test::end_of(system, s, 0.0, 0.1, method);
+    EXPECT_LE(splitting_test::distance(dense->at(0.1), first), budget::splitting_dense);
+    const RotorState middle = splitting_test::end_of(system, first, 0.1, 0.143, method);
+    EXPECT_LE(splitting_test::distance(dense->at(0.143), middle), budget::splitting_dense);
   }
 }
 
@@ -235,10 +247,10 @@ Matrix6 poisson(const Vec3& g) {
 }
 
 TEST(Splitting, StepIsSymplectic) {
-  for (const Frame& frame : {Frame::inertial(), test::precessing_frame()}) {
+  for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
     for (const Scheme scheme : schemes) {
       const detail::SplittingMap map(gravity(1.0, frame), scheme);
-      const detail::SplittingState s = map.start(0.3, test::workload_state());
+      const detail::SplittingState s = map.start(0.3, splitting_test::workload_state());
       const Matrix6 M = map.step_transition(s, 0.1);  // one radian
       const Vec3 g1 = map.stepped(s, 0.1).g.hi;
       const Matrix6 P = poisson(s.g.hi), image = M * P * transpose(M), wanted = poisson(g1);
@@ -258,8 +270,8 @@ TEST(Splitting, StepIsSymplectic) {
 }
 
 TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
-  const detail::SplittingMap map(gravity(1.0, test::precessing_frame()), Scheme::ABA864);
-  const RotorState s = test::workload_state();
+  const detail::SplittingMap map(gravity(1.0, splitting_test::precessing_frame()), Scheme::ABA864);
+  const RotorState s = splitting_test::workload_state();
   const Matrix6 M = map.step_transition(map.start(0.3, s), 0.1);
   const double d = 1e-5;
   for (int j = 0; j < 6; ++j) {
@@ -276,7 +288,7 @@ TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
       }
       const auto end = map.state(map.stepped(map.start(0.3, moved), 0.1));
       const auto base = map.state(map.stepped(map.start(0.3, s), 0.1));
-      ends[side] = test::difference(end, base);
+      ends[side] = splitting_test::difference(end, base);
       for (std::size_t i = 3; i < 6; ++i) ends[side][i] *= norm(base.g);
     }
     for (int i = 0; i < 6; ++i) {
@@ -287,11 +299,12 @@ TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
 }
 
 TEST(Splitting, NamesATermWithoutAFlow) {
-  const System system(test::workload_body(), Frame::inertial(),
-                      {AnyPerturbation("drag", test::NoFlow{})});
+  const System system(splitting_test::workload_body(), Frame::inertial(),
+                      {AnyPerturbation("drag", splitting_test::NoFlow{})});
   try {
-    detail::make_stepper(Problem{system, test::workload_state(), 0, 1, Splitting{0.1}, {}},
-                         Splitting{0.1});
+    detail::make_stepper(
+        Problem{system, splitting_test::workload_state(), 0, 1, Splitting{0.1}, {}},
+        Splitting{0.1});
     FAIL();
   } catch (const DomainError& error) {
     EXPECT_STREQ(error.what(),
@@ -302,7 +315,7 @@ TEST(Splitting, NamesATermWithoutAFlow) {
 std::string advice_of(const System& system, double start, double stop, double step) {
   const Splitting method{step};
   const auto stepper = detail::make_stepper(
-      Problem{system, test::workload_state(), start, stop, method, {}}, method);
+      Problem{system, splitting_test::workload_state(), start, stop, method, {}}, method);
   for (int i = 0; i < 1000 && stepper->time() != stop; ++i) {
     const double before = stepper->time();
     const std::string advice = stepper->advance(stop);
@@ -315,9 +328,9 @@ std::string advice_of(const System& system, double start, double stop, double st
 }
 
 TEST(Splitting, SaysWhyItCannotGoOn) {
-  const System broken(test::workload_body(), Frame::inertial(),
+  const System broken(splitting_test::workload_body(), Frame::inertial(),
                       {AnyPerturbation("fine", PointMassTorque{1.0, 0.1}),
-                       AnyPerturbation("broken", test::BreaksAt{1.0})});
+                       AnyPerturbation("broken", splitting_test::BreaksAt{1.0})});
   EXPECT_THAT(advice_of(broken, 0.0, 3.0, 0.1),
               testing::HasSubstr("term \"broken\" is not finite near t = "));
   EXPECT_EQ(
@@ -331,7 +344,7 @@ TEST(Splitting, SaysWhyItCannotGoOn) {
 TEST(Splitting, CountsWhatItDoes) {
   const Splitting method{0.125, Scheme::order2};
   const auto stepper = detail::make_stepper(
-      Problem{gravity(1.0), test::workload_state(), 0.0, 1.0, method, {}}, method);
+      Problem{gravity(1.0), splitting_test::workload_state(), 0.0, 1.0, method, {}}, method);
   while (stepper->time() != 1.0) ASSERT_EQ(stepper->advance(1.0), "");
   EXPECT_EQ(stepper->statistics().steps, 8);
   EXPECT_EQ(stepper->statistics().evaluations, 9);  // the kick between two steps is made once

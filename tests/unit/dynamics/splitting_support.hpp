@@ -13,7 +13,7 @@
 #include "dynamics/detail/stepper.hpp"
 #include "polhode/perturb/effect.hpp"
 
-namespace polhode::test {
+namespace polhode::splitting_test {
 
 // Orbit about the inertial z axis with a = 1, pericentre on x at t = 0.
 struct PointMassTorque {
@@ -134,4 +134,4 @@ RotorState end_of(const System& system, const RotorState& initial, double start,
   return stepper->state();
 }
 
-}  // namespace polhode::test
+}  // namespace polhode::splitting_test
