@@ -341,6 +341,24 @@ TEST(Splitting, SaysWhyItCannotGoOn) {
             "step 1e+06 is 7500000 radians of rotation at t = 0: take a step of less than a turn");
 }
 
+// Another unit of mass, from grains to planets: the same bits.
+TEST(Splitting, AndVariationOfConstantsDoNotKnowUnits) {
+  const Vec3 I = splitting_test::workload_body().moments();
+  const RotorState s = splitting_test::workload_state();
+  const auto run = [&](double unit, const auto& method) {
+    const System system(Body(unit * I.x, unit * I.y, unit * I.z),
+                        splitting_test::precessing_frame(),
+                        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1})});
+    RotorState end = splitting_test::end_of(system, {s.q, unit * s.g}, 0.0, turns_10, method);
+    end.g = (1.0 / unit) * end.g;
+    return end;
+  };
+  for (const double unit : {0x1p-120, 0x1p160}) {
+    EXPECT_EQ(run(unit, Splitting{0.1}), run(1.0, Splitting{0.1}));
+    EXPECT_EQ(run(unit, VariationOfConstants{1e-9}), run(1.0, VariationOfConstants{1e-9}));
+  }
+}
+
 TEST(Splitting, CountsWhatItDoes) {
   const Splitting method{0.125, Scheme::order2};
   const auto stepper = detail::make_stepper(
