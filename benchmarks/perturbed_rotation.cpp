@@ -20,8 +20,9 @@ namespace {
 using namespace polhode;
 
 constexpr double stop = 6283.185307179586;
-const Quaternion end_q{-0.945141005522282568, 0.146971342460127602, -0.006995745106435133,
-                       -0.291648699167684123};
+// From the very doubles of `run`: 1.1 * 7.5 is rounded, which alone turns the end by 1e-11 rad.
+const Quaternion end_q{-0.945141005523173718, 0.146971342463893511, -0.006995745105534269,
+                       -0.291648699162920035};
 
 double error_of(const Quaternion& q) {
   const Quaternion d = conj(end_q) * normalized(q);
@@ -102,7 +103,7 @@ std::vector<Row> rows() {
   for (const double h : {0.0104, 0.0107, 0.011, 0.0113, 0.0116, 0.0119, 0.0122, 0.0125})
     list.push_back({"Adaptive fixed step/" + std::to_string(h).substr(0, 6),
                     Adaptive{1e-2, Precision::compensated, h, h}});
-  list.push_back({"Adaptive double-double/1e-17", Adaptive{1e-17, Precision::double_double}});
+  list.push_back({"Adaptive double-double/1e-19", Adaptive{1e-19, Precision::double_double}});
   for (const char* t : {"1e-10", "1e-11", "1e-12", "1e-13", "1e-14", "1e-15"})
     list.push_back({"VariationOfConstants/" + std::string(t), VariationOfConstants{std::stod(t)}});
   const std::vector<std::pair<std::string, SplittingScheme>> schemes{
