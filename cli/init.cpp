@@ -11,11 +11,14 @@ namespace polhode::cli {
 void add_init(CLI::App& app) {
   CLI::App* command = app.add_subcommand("init", "Print a commented scenario to start from");
   const auto chart = std::make_shared<std::string>("attitude-rate");
-  std::string charts;
-  for (const std::string_view name : state_charts())
-    charts += (charts.empty() ? "" : ", ") + std::string(name);
-  command->add_option("CHART", *chart, "How the state is given: " + charts)->capture_default_str();
-  command->footer("Example:\n  polhode init tumbler > body.toml");
+  std::string names;
+  for (const std::string_view name : scenario_templates())
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  command
+      ->add_option("CHART", *chart,
+                   "How the state of a free body is given, or what perturbs it: " + names)
+      ->capture_default_str();
+  command->footer("Example:\n  polhode init gravity-gradient > body.toml");
   command->callback([chart] {
     try {
       print(scenario_template(*chart));

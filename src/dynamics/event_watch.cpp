@@ -28,6 +28,8 @@ void EventWatch::begin(double t, const RotorState& s) {
 bool EventWatch::wanted(std::size_t i) const {
   const Side& side = sides_[i];
   if (side.old_sign * side.sign != -1) return false;
+  const double period = events_[i].period;
+  if (period > 0.0 && std::fabs(side.value - side.before) > 0.5 * period) return false;
   const Crossing crossing = events_[i].crossing;
   return crossing == Crossing::both || (crossing == Crossing::rising) == (side.sign > 0);
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "polhode/io/schema.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace {
@@ -12,7 +14,7 @@ struct Paper {
   std::string_view key;
   std::string_view text;
   std::string_view reason;
-  // Chart of [state] or group of [output] columns that rests on it; empty: every scenario.
+  // What of a scenario rests on it, parts_of joined by "|"; empty: every scenario.
   std::string_view uses;
 };
 
@@ -53,15 +55,85 @@ constexpr Paper papers[] = {
      "Kinoshita, H. (1972). First-order perturbations of the two finite body problem. "
      "Publications of the Astronomical Society of Japan 24, 423-457.",
      "action-angle variables, the form with Heuman's Lambda", "sadov"},
+    {"efroimsky2007",
+     "Efroimsky, M., Escapa, A. (2007). The theory of canonical perturbations applied to attitude "
+     "dynamics and to the Earth rotation. Osculating and nonosculating Andoyer variables. "
+     "Celestial "
+     "Mechanics and Dynamical Astronomy 98, 251-283.",
+     "osculating and canonical elements, and which angular velocity is which",
+     "moving frame|convective|omega_rel|andoyer_osc|euler_osc|axes_rel"},
+    {"markley1995",
+     "Markley, F. L. (1995). Kepler equation solver. Celestial Mechanics and Dynamical Astronomy "
+     "63, 101-111.",
+     "orbits", "orbit"},
+    {"verner2010",
+     "Verner, J. H. (2010). Numerically optimal Runge-Kutta pairs with interpolants. Numerical "
+     "Algorithms 53, 383-396.",
+     "the integration", "adaptive|variation of constants"},
+    {"celledoni2008",
+     "Celledoni, E., Fasso, F., Saefstroem, N., Zanna, A. (2008). The exact computation of the "
+     "free "
+     "rigid body motion and its use in splitting methods. SIAM Journal on Scientific Computing 30, "
+     "2084-2112.",
+     "splitting with the exact free rotor", "splitting"},
+    {"blanesmoan2002",
+     "Blanes, S., Moan, P. C. (2002). Practical symplectic partitioned Runge-Kutta and "
+     "Runge-Kutta-Nystroem methods. Journal of Computational and Applied Mathematics 142, 313-330.",
+     "the splitting of order 4", "order4"},
+    {"kahanli1997",
+     "Kahan, W., Li, R.-C. (1997). Composition constants for raising the orders of unconventional "
+     "schemes for ordinary differential equations. Mathematics of Computation 66, 1089-1099.",
+     "the splittings of order 6 and 8", "order6|order8"},
+    {"blanes2013",
+     "Blanes, S., Casas, F., Farres, A., Laskar, J., Makazaga, J., Murua, A. (2013). New families "
+     "of symplectic splitting methods for numerical integration in dynamical astronomy. Applied "
+     "Numerical Mathematics 68, 58-72.",
+     "the splitting for near-integrable systems", "near-integrable"},
 };
+
+struct MethodParts {
+  std::vector<std::string> operator()(const Adaptive&) const { return {"adaptive"}; }
+  std::vector<std::string> operator()(const VariationOfConstants&) const {
+    return {"variation of constants"};
+  }
+  std::vector<std::string> operator()(const Splitting& m) const {
+    switch (m.scheme) {
+      case SplittingScheme::order2:
+        return {"splitting"};
+      case SplittingScheme::order4:
+        return {"splitting", "order4"};
+      case SplittingScheme::order6:
+        return {"splitting", "order6"};
+      case SplittingScheme::order8:
+        return {"splitting", "order8"};
+      case SplittingScheme::ABA864:
+      case SplittingScheme::ABA1064:
+        return {"splitting", "near-integrable"};
+    }
+    return {};
+  }
+};
+
+// Its chart, its groups of columns, its method, and what moves it.
+std::vector<std::string> parts_of(const Scenario& scenario) {
+  std::vector<std::string> parts = scenario.columns;
+  parts.push_back(scenario.chart);
+  if (!scenario.frame.is_inertial()) parts.push_back("moving frame");
+  if (!scenario.orbits.empty()) parts.push_back("orbit");
+  if (const std::optional<Method> method = propagation_method(scenario))
+    for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
+  return parts;
+}
 
 }  // namespace
 
 std::vector<Citation> citations(const Scenario& scenario) {
-  const auto used = [&](std::string_view part) {
-    const std::vector<std::string>& columns = scenario.columns;
-    return part.empty() || part == scenario.chart ||
-           std::find(columns.begin(), columns.end(), part) != columns.end();
+  const std::vector<std::string> parts = parts_of(scenario);
+  const auto used = [&](std::string_view uses) {
+    const std::vector<std::string_view> any = separated(uses, '|');
+    return any.empty() || std::any_of(any.begin(), any.end(), [&](std::string_view part) {
+             return std::find(parts.begin(), parts.end(), part) != parts.end();
+           });
   };
   std::vector<Citation> result;
   for (const Paper& paper : papers)

@@ -24,7 +24,9 @@ void append_comment(std::string& out, std::string_view lead, std::string_view te
   }
 }
 
-std::string head(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
+}  // namespace
+
+std::string csv_head(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
   std::string out = "# polhode " + provenance.version + "\n";
   append_comment(out, "", provenance.title);
   for (const std::string& note : provenance.notes) append_comment(out, "", note);
@@ -43,13 +45,15 @@ std::string head(const std::vector<ColumnGroup>& groups, const Provenance& prove
   return out + names + "\n";
 }
 
+namespace {
+
 class CsvSink : public Sink {
  public:
   CsvSink(const std::string& path, const std::vector<ColumnGroup>& groups,
           const Provenance& provenance)
       : file_(path) {
     for (const ColumnGroup& group : groups) width_ += group.columns.size();
-    file_.write(head(groups, provenance));
+    file_.write(csv_head(groups, provenance));
   }
 
   void push(std::span<const double> rows) override {

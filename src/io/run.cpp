@@ -2,11 +2,14 @@
 #include "polhode/io/run.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/detail/number_text.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
@@ -19,9 +22,16 @@ namespace {
 
 constexpr std::int64_t rows_per_block = 1024;
 
+bool is_free(const Scenario& scenario) { return !propagation_method(scenario).has_value(); }
+// Free and in inertial axes: the elements of the motion are constant.
+bool has_constants(const Scenario& scenario) {
+  return is_free(scenario) && scenario.frame.is_inertial();
+}
+
 // What the numbers of a group do not say themselves: it is constant along the motion.
 std::vector<std::string> branch_notes(const Scenario& scenario) {
   std::vector<std::string> notes;
+  if (!has_constants(scenario)) return notes;
   const FreeRotation motion = free_rotation(scenario);
   for (const std::string& group : scenario.columns) {
     if (group == "sadov") {
@@ -38,7 +48,144 @@ std::vector<std::string> branch_notes(const Scenario& scenario) {
   return notes;
 }
 
+double initial_energy(const System& system, const RotorState& s) {
+  return system.is_hamiltonian() ? energy(system, 0.0, s) : 0.0;
+}
+
+// Rows, as they come, to every sink.
+class RowWriter {
+ public:
+  RowWriter(const RowLayout& layout, std::span<const std::unique_ptr<Sink>> sinks)
+      : layout_(layout), sinks_(sinks) {}
+
+  void push(const FreeRotation& motion, std::span<const double> times) {
+    numbers_.resize(times.size() * layout_.width());
+    layout_.write_rows(motion, times, numbers_);
+    send(times.size());
+  }
+  void push(const RowOrigin& origin, std::span<const Sample> samples) {
+    numbers_.resize(samples.size() * layout_.width());
+    layout_.write_rows(origin, samples, numbers_);
+    send(samples.size());
+  }
+  void finish() {
+    for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
+  }
+  std::int64_t rows() const { return rows_; }
+
+ private:
+  void send(std::size_t rows) {
+    for (const std::unique_ptr<Sink>& sink : sinks_) sink->push(numbers_);
+    rows_ += static_cast<std::int64_t>(rows);
+  }
+
+  const RowLayout& layout_;
+  std::span<const std::unique_ptr<Sink>> sinks_;
+  std::vector<double> numbers_;
+  std::int64_t rows_ = 0;
+};
+
+// In inertial axes; a moving frame is applied to each state afterwards.
+void run_free(const Scenario& scenario, RowWriter& writer) {
+  const System system = rotor_system(scenario);
+  const RotorState start = initial_state(scenario);
+  const bool moving = !scenario.frame.is_inertial();
+  const FreeRotation motion = moving
+                                  ? FreeRotation(scenario.body, inertial_state(system, 0.0, start))
+                                  : free_rotation(scenario);
+  const RowOrigin origin{system, initial_energy(system, start)};
+  const SaveAt& rows = *scenario.time;
+  std::vector<double> times;
+  std::vector<Sample> samples;
+  for (std::int64_t first = 0; first < rows.size(); first += rows_per_block) {
+    times.clear();
+    samples.clear();
+    const std::int64_t last = std::min(rows.size(), first + rows_per_block);
+    for (std::int64_t k = first; k < last; ++k) times.push_back(rows[k]);
+    if (!moving) {
+      writer.push(motion, times);
+      continue;
+    }
+    for (const double t : times) samples.push_back({t, reference_state(system, t, motion.at(t))});
+    writer.push(origin, samples);
+  }
+}
+
+// Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
+std::vector<Event> events_of(const Scenario& scenario, const System& system, double energy_0) {
+  std::vector<Event> events;
+  for (const ScenarioEvent& wanted : scenario.events) {
+    const ScalarColumn column = scalar_column(wanted.column, system, energy_0);
+    const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
+    events.push_back(
+        {wanted.name,
+         [value = column.value, target = wanted.value, turn](double t, const RotorState& s) {
+           const double x = value(t, s) - target;
+           return turn > 0.0 ? std::remainder(x, turn) : x;
+         },
+         wanted.crossing, wanted.stops, turn});
+  }
+  return events;
+}
+
+void add(Statistics& sum, const Statistics& more) {
+  sum.steps += more.steps;
+  sum.rejected += more.rejected;
+  sum.evaluations += more.evaluations;
+}
+
+// The state at the first row, from that at t = 0.
+RotorState at_first_row(const Problem& from_zero, RunReport& report) {
+  if (from_zero.start == from_zero.stop) return from_zero.initial;
+  RotorState there = from_zero.initial;
+  const Trajectory way =
+      integrate(from_zero, SaveAt::times({from_zero.stop}),
+                [&](std::span<const Sample> samples) { there = samples.back().s; });
+  report.outcome = way.outcome();
+  add(report.statistics, way.statistics());
+  return there;
+}
+
+RunReport run_integrated(const Scenario& scenario, RowWriter& writer) {
+  RunReport report;
+  const System system = rotor_system(scenario);
+  const RotorState initial = initial_state(scenario);
+  const double energy_0 = initial_energy(system, initial);
+  const SaveAt& rows = *scenario.time;
+  const double first = rows[0], last = rows[rows.size() - 1];
+  const Method method = *propagation_method(scenario);
+  const RotorState start = at_first_row({system, initial, 0.0, first, method, {}}, report);
+  if (!report.outcome.ok()) return report;
+
+  const RowOrigin origin{system, energy_0};
+  Sample latest{first, start};
+  const Trajectory trajectory =
+      integrate({system, start, first, last, method, events_of(scenario, system, energy_0)}, rows,
+                [&](std::span<const Sample> samples) {
+                  latest = samples.back();
+                  writer.push(origin, samples);
+                });
+  report.outcome = trajectory.outcome();
+  report.events = trajectory.events();
+  add(report.statistics, trajectory.statistics());
+  if (system.is_hamiltonian()) report.energy_change = energy(system, latest.t, latest.s) - energy_0;
+  return report;
+}
+
 }  // namespace
+
+RowLayout row_layout(const Scenario& scenario) {
+  return RowLayout(scenario.columns, scenario.units,
+                   has_constants(scenario) ? Branch::in_notes : Branch::in_columns);
+}
+
+std::string propagation_text(const Scenario& scenario) {
+  const std::optional<Method> method = propagation_method(scenario);
+  if (!method)
+    return scenario.frame.is_inertial() ? "exact free rotation"
+                                        : "exact free rotation, seen from the moving frame";
+  return method_text(*method) + (scenario.method ? "" : " (chosen: the file names no method)");
+}
 
 Provenance provenance(const Scenario& scenario) {
   Provenance result;
@@ -48,32 +195,39 @@ Provenance provenance(const Scenario& scenario) {
   result.scenario_text = scenario.text;
   const std::string since = scenario.epoch.empty() ? "the epoch" : scenario.epoch;
   result.notes.push_back("t counts from " + since + "; axes: " + scenario.axes);
+  if (!scenario.frame.is_inertial())
+    result.notes.push_back(
+        "attitudes and elements refer to the moving frame: " + scenario.frame_text +
+        "; omega, omega_inertial, q_inertial and axes to inertial axes");
   const Quaternion& q = scenario.body.q_FB();
   if (!(q == Quaternion{}))
     result.notes.push_back(
-        "q, omega and g refer to the axes of the tensor, charts to principal axes, q_FB = [" +
+        "q, g and the body components of vectors refer to the axes of the tensor, charts to "
+        "principal axes, q_FB = [" +
         detail::number_text(q.w) + ", " + detail::number_text(q.x) + ", " +
         detail::number_text(q.y) + ", " + detail::number_text(q.z) + "]");
+  for (const AnyPerturbation& term : scenario.terms)
+    result.notes.push_back("perturbation: " + term.name());
+  result.notes.push_back("method: " + propagation_text(scenario));
   for (std::string& note : branch_notes(scenario)) result.notes.push_back(std::move(note));
   for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
   return result;
 }
 
-void run(const Scenario& scenario, const RowLayout& layout,
-         std::span<const std::unique_ptr<Sink>> sinks) {
+RunReport run(const Scenario& scenario, const RowLayout& layout,
+              std::span<const std::unique_ptr<Sink>> sinks) {
   if (!scenario.time) throw DomainError(scenario.name + ": time: got nothing; expected [time]");
-  const FreeRotation motion = free_rotation(scenario);
-  const SaveAt& times = *scenario.time;
-  std::vector<double> rows, numbers;
-  for (std::int64_t first = 0; first < times.size(); first += rows_per_block) {
-    const std::int64_t last = std::min(times.size(), first + rows_per_block);
-    rows.clear();
-    for (std::int64_t k = first; k < last; ++k) rows.push_back(times[k]);
-    numbers.resize(rows.size() * layout.width());
-    layout.write_rows(motion, rows, numbers);
-    for (const std::unique_ptr<Sink>& sink : sinks) sink->push(numbers);
+  RowWriter writer(layout, sinks);
+  RunReport report;
+  if (is_free(scenario)) {
+    run_free(scenario, writer);
+    report.outcome.t = (*scenario.time)[scenario.time->size() - 1];
+  } else {
+    report = run_integrated(scenario, writer);
   }
-  for (const std::unique_ptr<Sink>& sink : sinks) sink->finish();
+  report.rows = writer.rows();
+  if (report.outcome.ok()) writer.finish();
+  return report;
 }
 
 }  // namespace v0

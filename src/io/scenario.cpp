@@ -13,7 +13,8 @@
 
 #include "io/detail/number_text.hpp"
 #include "io/detail/sadov_region.hpp"
-#include "io/detail/values.hpp"
+#include "io/detail/scenario_parts.hpp"
+#include "io/detail/value_access.hpp"
 #include "polhode/io/schema.hpp"
 #include "polhode/rotor/attitude.hpp"
 
@@ -21,74 +22,20 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::built;
 using detail::Diagnostics;
-using detail::Value;
+using detail::given;
+using detail::number;
+using detail::sign;
+using detail::there;
+using detail::value_at;
 using detail::Values;
+using detail::vector;
+using detail::word;
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 constexpr double arcsecond = std::numbers::pi / 648000.0;
 constexpr double obliquity_J2000 = 84381.448 * arcsecond;  // the ecliptic of J2000 (IAU 1976)
-
-// A path that the schema has and the reader has let pass.
-const Value& value_at(const Values& values, std::string_view path) {
-  const auto found = values.find(path);
-  if (found == values.end()) throw std::logic_error("no value of " + std::string(path));
-  return found->second;
-}
-double number(const Values& values, std::string_view path) {
-  return value_at(values, path).numbers.at(0);
-}
-bool given(const Values& values, std::string_view path) {
-  const auto found = values.find(path);
-  return found != values.end() && found->second.given;
-}
-bool there(const Values& values, std::string_view path) { return values.contains(path); }
-
-Vec3 vector(const Values& values, std::string_view path) {
-  const std::vector<double>& n = value_at(values, path).numbers;
-  return {n.at(0), n.at(1), n.at(2)};
-}
-const std::string& word(const Values& values, std::string_view path) {
-  return value_at(values, path).words.at(0);
-}
-int sign(const Values& values, std::string_view path) {
-  return static_cast<int>(value_at(values, path).whole);
-}
-
-// The key of a table that a message of the library names first: "L = 1.5 must be ...", or the
-// table.
-std::string blamed(const Values& values, std::string_view path, std::string_view message) {
-  std::string place(path);
-  if (value_at(values, path).key->type != KeyType::table) return place;
-  if (message.find("P_psi/P_phi") != std::string_view::npos) return place + ".rotation_period";
-  std::size_t first = message.size();
-  for (const auto& [own, value] : values) {
-    const std::size_t found = message.find(" " + std::string(key_name(own)) + " = ");
-    if (key_table(own) != path || found >= first) continue;
-    first = found;
-    place = own;
-  }
-  return place;
-}
-
-// What a constructor of the library refuses becomes a message at the place of `path`, or at that of
-// the key in it that the message names.
-template <class Build>
-auto built(const Values& values, std::string_view path, const std::string& name,
-           const Build& build) {
-  try {
-    return build();
-  } catch (const DomainError& error) {
-    const std::string place = blamed(values, path, error.what());
-    const Value& value = value_at(values, place);
-    Diagnostics diagnostics(name);
-    const bool table = value.key->type == KeyType::table;
-    diagnostics.add(value.where, place,
-                    (table ? std::string() : "got " + value.shown + "; ") + error.what());
-    diagnostics.raise();
-    throw;  // not reached: there was one
-  }
-}
 
 Body body_of(const Values& values, const std::string& name) {
   if (there(values, "body.moments"))
@@ -293,11 +240,16 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
                     .state = state_of(values, chart, body, name),
                     .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
                     .axes = word(values, "state.axes"),
+                    .orbits = detail::orbits_of(values, name),
+                    .method = detail::method_of(values, name),
+                    .events = detail::events_of(values, units, name),
                     .time = times_of(values, name),
                     .columns = value_at(values, "output.columns").words};
+  detail::add_motion(scenario, values, name);
   if (const TumblerState* tumbler = std::get_if<TumblerState>(&scenario.state))
     require_psi(values, body, *tumbler, units, name);
   built(values, "state." + chart, name, [&] { return free_rotation(scenario); });
+  detail::check_motion(scenario, values, name);
   return scenario;
 }
 

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/schema.hpp"
 
+#include <algorithm>
+
+#include "io/detail/word_list.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace {
-
-std::string one_of(std::string_view allowed, std::string_view quote) {
-  std::string words;
-  const std::vector<std::string_view> list = separated(allowed, '|');
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i > 0) words += i + 1 == list.size() ? " or " : ", ";
-    words += quote;
-    words += list[i];
-    words += quote;
-  }
-  return words;
-}
 
 std::string quantity(const Key& key, const Units& units) {
   if (key.dimension == Dimension::number) return "a number";
@@ -51,6 +43,11 @@ std::vector<const Key*> keys_of(const Schema& schema, std::string_view table) {
   return result;
 }
 
+bool belongs(const Key& key, std::string_view kind) {
+  const std::vector<std::string_view> kinds = separated(key.kinds, '|');
+  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 std::vector<std::string_view> separated(std::string_view joined, char separator) {
   std::vector<std::string_view> parts;
   if (joined.empty()) return parts;
@@ -68,7 +65,7 @@ std::string expectation(const Key& key, const Units& units) {
       return key.path.ends_with("[]") ? "tables [[" + std::string(key_name(key.path)) + "]]"
                                       : "a table";
     case KeyType::integer:
-      return key.allowed.empty() ? "a whole number" : one_of(key.allowed, "");
+      return key.allowed.empty() ? "a whole number" : detail::one_of(separated(key.allowed, '|'));
     case KeyType::number:
       return quantity(key, units);
     case KeyType::numbers: {
@@ -77,15 +74,22 @@ std::string expectation(const Key& key, const Units& units) {
     }
     case KeyType::matrix:
       return "an array of 3 arrays of 3 numbers" + each(key, units);
+    case KeyType::linear_map:
+      return "an array of 3 numbers (a diagonal) or of 3 arrays of 3 numbers" + each(key, units);
+    case KeyType::boolean:
+      return "true or false";
     case KeyType::text:
       return "text in quotes";
+    case KeyType::name:
+      return "a name of letters, digits, - and _ in quotes";
     case KeyType::unit:
       return std::string("a unit in quotes") + (key.example.empty() ? "" : " such as ") +
              std::string(key.example);
     case KeyType::choice:
-      return one_of(key.allowed, "\"");
+      return detail::one_of(separated(key.allowed, '|'), "\"");
     case KeyType::choices:
-      return "an array of different words out of " + one_of(key.allowed, "\"");
+      return "an array of different words out of " +
+             detail::one_of(separated(key.allowed, '|'), "\"");
     case KeyType::epoch:
       return "a date with its scale (UTC, TAI, TT, TDB or UT1) such as "
              "\"2013-01-05T00:00:00 UTC\" or \"JD 2456297.5 TDB\"";

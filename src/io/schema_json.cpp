@@ -15,7 +15,10 @@ using detail::JsonWriter;
 
 constexpr Dimension dimensions[] = {Dimension::number, Dimension::time,   Dimension::angle,
                                     Dimension::rate,   Dimension::moment, Dimension::momentum,
-                                    Dimension::energy};
+                                    Dimension::energy, Dimension::length, Dimension::gm,
+                                    Dimension::torque, Dimension::damping};
+
+constexpr std::string_view name_pattern = "^[A-Za-z0-9_-]{1,60}$";
 
 std::string definition_name(Dimension dimension) {
   std::string name(dimension_name(dimension));
@@ -84,6 +87,14 @@ void write_numbers(JsonWriter& json, const Key& key) {
   json.key("additionalProperties").value(false).end_object().end_array();
 }
 
+void write_matrix(JsonWriter& json, const Key& key) {
+  write_array(json, 3, [&] {
+    json.begin_object();
+    write_array(json, 3, [&] { write_reference(json, key.dimension); });
+    json.end_object();
+  });
+}
+
 void write_value(JsonWriter& json, const Key& key) {
   switch (key.type) {
     case KeyType::table:
@@ -98,11 +109,20 @@ void write_value(JsonWriter& json, const Key& key) {
       write_numbers(json, key);
       break;
     case KeyType::matrix:
-      write_array(json, 3, [&] {
-        json.begin_object();
-        write_array(json, 3, [&] { write_reference(json, key.dimension); });
-        json.end_object();
-      });
+      write_matrix(json, key);
+      break;
+    case KeyType::linear_map:
+      json.key("anyOf").begin_array().begin_object();
+      write_numbers(json, key);
+      json.end_object().begin_object();
+      write_matrix(json, key);
+      json.end_object().end_array();
+      break;
+    case KeyType::boolean:
+      json.key("type").value("boolean");
+      break;
+    case KeyType::name:
+      json.key("type").value("string").key("pattern").value(name_pattern);
       break;
     case KeyType::text:
     case KeyType::unit:
@@ -139,18 +159,41 @@ void write_alternative(JsonWriter& json, std::string_view sets, std::string_view
   json.end_array().end_object().end_object();
 }
 
-void write_alternatives(JsonWriter& json, const Schema& schema, std::string_view table) {
-  bool any = false;
+// Beside one word of `kind`: what is required, and no key of another kind.
+void write_kind(JsonWriter& json, const std::vector<const Key*>& keys, std::string_view kind) {
+  json.begin_object().key("if").begin_object().key("properties").begin_object();
+  json.key("kind").begin_object().key("const").value(kind).end_object().end_object().end_object();
+  json.key("then").begin_object().key("required").begin_array();
+  for (const Key* key : keys)
+    if (!key->kinds.empty() && key->presence == Presence::required && belongs(*key, kind))
+      json.value(key_name(key->path));
+  json.end_array().key("properties").begin_object();
+  for (const Key* key : keys)
+    if (!belongs(*key, kind)) json.key(key_name(key->path)).value(false);
+  json.end_object().end_object().end_object();
+}
+
+void write_conditions(JsonWriter& json, const Schema& schema, std::string_view table) {
+  const std::vector<const Key*> keys = keys_of(schema, table);
+  const auto kind = std::find_if(keys.begin(), keys.end(),
+                                 [](const Key* key) { return key_name(key->path) == "kind"; });
+  const bool by_kind =
+      std::any_of(keys.begin(), keys.end(), [](const Key* key) { return !key->kinds.empty(); });
+  const bool by_choice = std::any_of(schema.alternatives.begin(), schema.alternatives.end(),
+                                     [&](const Alternatives& row) { return row.table == table; });
+  if (!by_kind && !by_choice) return;
+  json.key("allOf").begin_array();
   for (const Alternatives& row : schema.alternatives) {
     if (row.table != table) continue;
-    if (!any) json.key("allOf").begin_array();
-    any = true;
     json.begin_object().key("oneOf").begin_array();
     for (const std::string_view set : separated(row.sets, '|'))
       write_alternative(json, row.sets, set);
     json.end_array().end_object();
   }
-  if (any) json.end_array();
+  if (by_kind && kind != keys.end())
+    for (const std::string_view word : separated((*kind)->allowed, '|'))
+      write_kind(json, keys, word);
+  json.end_array();
 }
 
 void write_table(JsonWriter& json, const Schema& schema, std::string_view table);
@@ -183,15 +226,18 @@ void write_table(JsonWriter& json, const Schema& schema, std::string_view table)
     write_key(json, schema, *key);
   }
   json.end_object().key("additionalProperties");
-  if (named == nullptr)
+  if (named == nullptr) {
     json.value(false);
-  else
+  } else {
     write_key(json, schema, *named);
+    json.key("propertyNames").begin_object();
+    json.key("pattern").value(name_pattern).end_object();
+  }
   json.key("required").begin_array();
   for (const Key* key : keys)
-    if (key->presence == Presence::required) json.value(key_name(key->path));
+    if (key->presence == Presence::required && key->kinds.empty()) json.value(key_name(key->path));
   json.end_array();
-  write_alternatives(json, schema, table);
+  write_conditions(json, schema, table);
 }
 
 }  // namespace

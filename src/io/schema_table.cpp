@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The table of scenario keys. Order here is the order in documents and templates.
+// The table of scenario keys: the body, its state, and the rows. Order here is the order in
+// documents and templates; what moves the body (schema_motion.cpp) stands between state and rows.
+#include <vector>
+
+#include "io/detail/schema_parts.hpp"
 #include "polhode/io/schema.hpp"
 
 namespace polhode {
@@ -9,7 +13,7 @@ namespace {
 using enum KeyType;
 using enum Presence;
 
-constexpr Key keys[] = {
+constexpr Key body_keys[] = {
     {.path = "schema",
      .type = integer,
      .presence = required,
@@ -50,6 +54,12 @@ constexpr Key keys[] = {
      .example = "\"1\"",
      .help = "Unit of moments of inertia: 1 (scale-free, only ratios matter) or one like kg m2. "
              "Momenta are in moment/time, energies in moment/time^2."},
+    {.path = "units.length",
+     .type = unit,
+     .dimension = Dimension::length,
+     .fallback = "\"1\"",
+     .example = "\"km\"",
+     .help = "Unit of lengths: 1 (scale-free) or one like km. GM is in length^3/time^2."},
 
     {.path = "body", .presence = required, .help = "The rigid body."},
     {.path = "body.moments",
@@ -380,7 +390,9 @@ constexpr Key keys[] = {
      .fallback = "1",
      .example = "1",
      .help = "In LAM the sign of the momentum along the long axis; in SAM I_l carries the sign."},
+};
 
+constexpr Key row_keys[] = {
     {.path = "time", .help = "When to write rows; needed by `polhode run`."},
     {.path = "time.start",
      .type = number,
@@ -415,7 +427,8 @@ constexpr Key keys[] = {
     {.path = "output", .fallback = "{}", .help = "What the rows hold."},
     {.path = "output.columns",
      .type = choices,
-     .allowed = "q|omega|omega_inertial|g|euler|andoyer|sadov|serret",
+     .allowed = "q|omega|omega_inertial|g|euler|andoyer|sadov|serret|q_inertial|omega_rel|"
+                "convective|andoyer_osc|euler_osc|axes|axes_rel|energy",
      .fallback = "[\"q\", \"omega\"]",
      .example = "[\"q\", \"omega\", \"andoyer\"]",
      .help = "Groups of columns after t. A column that two groups share is written once."},
@@ -430,10 +443,22 @@ constexpr Alternatives alternatives[] = {
     {"time", "stop+step|stop+count|at"},
 };
 
+// The parts of the table in one piece.
+template <class Row>
+std::vector<Row> concatenated(std::initializer_list<std::span<const Row>> parts) {
+  std::vector<Row> all;
+  for (const std::span<const Row> part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 }  // namespace
 
 const Schema& scenario_schema() {
-  static constexpr Schema schema{keys, alternatives};
+  static const std::vector<Key> keys =
+      concatenated<Key>({body_keys, detail::motion_keys(), row_keys});
+  static const std::vector<Alternatives> choices =
+      concatenated<Alternatives>({alternatives, detail::motion_alternatives()});
+  static const Schema schema{keys, choices};
   return schema;
 }
 

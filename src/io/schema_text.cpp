@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/detail/nearest.hpp"
+#include "io/detail/word_list.hpp"
 #include "polhode/error.hpp"
 #include "polhode/io/schema.hpp"
 
@@ -31,8 +32,14 @@ std::string value_in_words(const Key& key) {
              what.substr(what.find(' ') + 1);
     case KeyType::matrix:
       return "3 x 3 x " + what.substr(what.find(' ') + 1);
+    case KeyType::linear_map:
+      return "3 x " + what.substr(what.find(' ') + 1) + ", or 3 x 3";
+    case KeyType::boolean:
+      return "`true`, `false`";
     case KeyType::text:
       return "text";
+    case KeyType::name:
+      return "name";
     case KeyType::unit:
       return "unit";
     case KeyType::choice:
@@ -84,6 +91,12 @@ std::string set_in_words(std::string_view sets) {
   return words;
 }
 
+// "With kind `a` or `b`: ".
+std::string kinds_in_words(const Key& key) {
+  if (key.kinds.empty()) return "";
+  return "With kind " + detail::one_of(separated(key.kinds, '|'), "`") + ": ";
+}
+
 std::string heading(const Key* table) {
   if (table == nullptr) return "## Top of the file\n\n";
   std::string path;
@@ -102,7 +115,8 @@ void append_section(std::string& page, const Schema& schema, const Key* table) {
   page += "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const Key* key : keys_of(schema, path))
     page += "| `" + std::string(key_name(key->path)) + "` | " + value_cell(*key) + " | " +
-            default_cell(schema, *key) + " | " + std::string(key->help) + " |\n";
+            default_cell(schema, *key) + " | " + kinds_in_words(*key) + std::string(key->help) +
+            " |\n";
   page += "\n";
 }
 
@@ -142,23 +156,82 @@ std::string example_value(const Schema& schema, const Key& key) {
   return inline_table + " }";
 }
 
-bool is_section(const Key& key) {
-  const bool chart = key_table(key.path) == state_table;
-  return key.type == KeyType::table && (key_table(key.path).empty() || chart);
+// What a template is made for: a chart, or a kind of perturbation.
+struct Subject {
+  std::string_view chart;
+  std::string_view perturbation;  // empty: free rotation
+};
+
+constexpr std::string_view perturbation_table = "perturbation[]";
+constexpr std::string_view orbit_table = "orbit.*";
+constexpr std::string_view motion_tables[] = {"frame", "orbit", "perturbation[]", "method",
+                                              "event[]"};
+
+bool is_motion(std::string_view table) {
+  const std::string_view first = table.substr(0, table.find('.'));
+  return std::find(std::begin(motion_tables), std::end(motion_tables), first) !=
+         std::end(motion_tables);
 }
 
-void append_example(std::string& page, const Schema& schema, const Key* table) {
+std::vector<std::string_view> perturbation_kinds() {
+  for (const Key* key : keys_of(scenario_schema(), perturbation_table))
+    if (key_name(key->path) == "kind") return separated(key->allowed, '|');
+  return {};
+}
+
+std::string_view without_quotes(std::string_view text) { return text.substr(1, text.size() - 2); }
+
+// The name that the examples give to an orbit.
+std::string_view example_orbit(const Schema& schema) {
+  for (const Key* key : keys_of(schema, perturbation_table))
+    if (key_name(key->path) == "orbit") return without_quotes(key->example);
+  return {};
+}
+
+bool needs_orbit(const Schema& schema, std::string_view kind) {
+  for (const Key* key : keys_of(schema, perturbation_table))
+    if (key_name(key->path) == "orbit") return belongs(*key, kind);
+  return false;
+}
+
+// Whether a table has lines of its own in the template of this subject.
+bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
+  if (key.type != KeyType::table) return false;
+  if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
+  if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
+  if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame")
+    return false;
+  return !is_motion(key.path) || !subject.perturbation.empty();
+}
+
+std::string section_name(const Schema& schema, std::string_view path) {
+  if (path == orbit_table) return "[orbit." + std::string(example_orbit(schema)) + "]";
+  if (path.ends_with("[]")) return "[[" + std::string(key_name(path)) + "]]";
+  return "[" + std::string(path) + "]";
+}
+
+void append_example(std::string& page, const Schema& schema, const Key* table,
+                    const Subject& subject) {
   const std::string_view path = table == nullptr ? std::string_view() : table->path;
   if (table != nullptr) {
     page += "\n";
     append_comment(page, table->help);
-    page += "[" + std::string(path) + "]\n";
+    page += section_name(schema, path) + "\n";
   }
+  std::string_view kind;
   for (const Key* key : keys_of(schema, path)) {
-    if (is_section(*key)) continue;
+    const bool table_line =
+        key->type == KeyType::table && (table == nullptr || is_motion(path) || path == state_table);
+    if (table_line || !belongs(*key, kind)) continue;
+    std::string value = example_value(schema, *key);
+    if (is_motion(path) && key_name(key->path) == "kind") {
+      kind = path == perturbation_table ? subject.perturbation : without_quotes(key->example);
+      value = '"' + std::string(kind) + '"';
+    }
     append_comment(page, key->help);
-    page += (stands(schema, *key) ? "" : "# ") + std::string(key_name(key->path)) + " = " +
-            example_value(schema, *key) + "\n";
+    const bool stands_here =
+        stands(schema, *key) && !(is_motion(path) && key->presence == Presence::optional);
+    page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
   }
 }
 
@@ -193,23 +266,27 @@ std::vector<std::string_view> state_charts() {
   return charts;
 }
 
-std::string scenario_template(std::string_view chart) {
+std::vector<std::string_view> scenario_templates() {
+  std::vector<std::string_view> names = state_charts();
+  for (const std::string_view kind : perturbation_kinds()) names.push_back(kind);
+  return names;
+}
+
+std::string scenario_template(std::string_view name) {
   const Schema& schema = scenario_schema();
-  const std::vector<std::string_view> charts = state_charts();
-  if (std::find(charts.begin(), charts.end(), chart) == charts.end()) {
-    std::string message = "chart: got \"" + std::string(chart) + "\"; expected ";
-    for (std::size_t i = 0; i < charts.size(); ++i)
-      message += (i == 0 ? "" : i + 1 == charts.size() ? " or " : ", ") + std::string(charts[i]);
-    const std::string_view near = detail::nearest(chart, charts);
-    throw DomainError(message + (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
+  const std::vector<std::string_view> names = scenario_templates(), charts = state_charts();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const std::string_view near = detail::nearest(name, names);
+    throw DomainError("chart: got \"" + std::string(name) + "\"; expected " +
+                      detail::one_of(names) +
+                      (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
   }
+  const bool free = std::find(charts.begin(), charts.end(), name) != charts.end();
+  const Subject subject = free ? Subject{name, {}} : Subject{"attitude-rate", name};
   std::string page = "# A scenario for polhode. Every key: docs/reference/scenario.md\n";
-  append_example(page, schema, nullptr);
-  for (const Key& key : schema.keys) {
-    if (!is_section(key)) continue;
-    const bool other = key_table(key.path) == state_table && key_name(key.path) != chart;
-    if (!other) append_example(page, schema, &key);
-  }
+  append_example(page, schema, nullptr, subject);
+  for (const Key& key : schema.keys)
+    if (is_section(schema, key, subject)) append_example(page, schema, &key, subject);
   return page;
 }
 

@@ -13,6 +13,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+constexpr std::size_t most_events = 20;  // that a summary lists
+
 std::string mode(Regime regime) {
   switch (regime) {
     case Regime::rest:
@@ -33,16 +35,17 @@ class Lines {
  public:
   explicit Lines(const Units& units) : units_(units) {}
 
-  void text(const char* key, const char* label, const std::string& value) {
-    if (!value.empty()) lines_.push_back({key, label, {}, value, {}});
-  }
-  void number(const char* key, const char* label, double core, Dimension dimension) {
+  void number(const std::string& key, const std::string& label, double core, Dimension dimension) {
     if (std::isfinite(core)) numbers(key, label, {core}, dimension);
   }
-  void numbers(const char* key, const char* label, std::vector<double> core, Dimension dimension) {
+  void numbers(const std::string& key, const std::string& label, std::vector<double> core,
+               Dimension dimension) {
     for (double& x : core) x = units_.from_core(x, dimension);
     const std::string unit = units_.label(dimension);
     lines_.push_back({key, label, std::move(core), {}, unit == "1" ? "" : unit});
+  }
+  void text(const std::string& key, const std::string& label, const std::string& value) {
+    if (!value.empty()) lines_.push_back({key, label, {}, value, {}});
   }
   std::vector<SummaryLine> take() { return std::move(lines_); }
 
@@ -52,6 +55,49 @@ class Lines {
 };
 
 double largest(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
+
+std::string crossing_text(Crossing crossing) {
+  if (crossing == Crossing::both) return "";
+  return crossing == Crossing::rising ? ", rising" : ", falling";
+}
+
+// What moves the body, beside itself.
+void add_motion(Lines& lines, const Scenario& scenario) {
+  if (!scenario.frame.is_inertial()) lines.text("frame", "reference frame", scenario.frame_text);
+  for (const ScenarioOrbit& orbit : scenario.orbits) {
+    const std::string key = "orbit_" + orbit.name, label = "orbit " + orbit.name;
+    if (orbit.elements.eccentricity < 1.0)
+      lines.number(key, label + ": period", 2.0 * std::numbers::pi / mean_motion(orbit.elements),
+                   Dimension::time);
+    else
+      lines.text(key, label, "hyperbola");
+  }
+  for (std::size_t i = 0; i < scenario.terms.size(); ++i)
+    lines.text("perturbation_" + std::to_string(i + 1), "perturbation", scenario.terms[i].name());
+  lines.text("method", "method", propagation_text(scenario));
+  for (std::size_t i = 0; i < scenario.events.size(); ++i) {
+    const ScenarioEvent& event = scenario.events[i];
+    const Dimension dimension = column_dimension(event.column);
+    const std::string unit = scenario.units.label(dimension);
+    lines.text("event_" + std::to_string(i + 1), "event " + event.name,
+               event.column + " = " +
+                   fmt::format("{:.10g}", scenario.units.from_core(event.value, dimension)) +
+                   (unit == "1" ? "" : " " + unit) + crossing_text(event.crossing) +
+                   (event.stops ? ", stops the run" : ""));
+  }
+}
+
+std::string outcome_text(const Outcome& outcome) {
+  switch (outcome.status) {
+    case Outcome::Status::completed:
+      return "completed";
+    case Outcome::Status::stopped_by_event:
+      return "stopped by an event";
+    case Outcome::Status::failed:
+      return "failed: " + outcome.advice;
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -63,7 +109,8 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   const bool tumbles =
       motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
   lines.text("title", "title", scenario.title);
-  lines.text("mode", "mode", mode(motion.regime()));
+  lines.text("mode", scenario.terms.empty() ? "mode" : "mode (if free from t = 0 on)",
+             mode(motion.regime()));
   lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
   lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},
                 Dimension::number);
@@ -86,6 +133,33 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   if (!(q == Quaternion{}))
     lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
                   {q.w, q.x, q.y, q.z}, Dimension::number);
+  add_motion(lines, scenario);
+  return lines.take();
+}
+
+std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report) {
+  Lines lines(scenario.units);
+  if (!propagation_method(scenario)) return lines.take();
+  lines.text("outcome", "outcome", outcome_text(report.outcome));
+  lines.number("end", "the run ended at t", report.outcome.t, Dimension::time);
+  lines.number("steps", "steps", static_cast<double>(report.statistics.steps), Dimension::number);
+  lines.number("rejected", "steps repeated", static_cast<double>(report.statistics.rejected),
+               Dimension::number);
+  lines.number("evaluations", "evaluations of the perturbations",
+               static_cast<double>(report.statistics.evaluations), Dimension::number);
+  if (report.energy_change)
+    lines.number("energy_change", "change of energy E - E(0)", *report.energy_change,
+                 Dimension::energy);
+  const std::size_t shown = std::min(report.events.size(), most_events);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const EventRecord& event = report.events[i];
+    lines.number("event_time_" + std::to_string(i + 1),
+                 event.name + (event.direction > 0 ? ", rising, at t" : ", falling, at t"), event.t,
+                 Dimension::time);
+  }
+  if (shown < report.events.size())
+    lines.text("more_events", "and",
+               std::to_string(report.events.size() - shown) + " events more: --events PATH.csv");
   return lines.take();
 }
 

@@ -22,6 +22,7 @@ struct TomlAssertion {};
 
 #include "io/detail/nearest.hpp"
 #include "io/detail/number_text.hpp"
+#include "io/detail/word_list.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -81,6 +82,9 @@ class Reader {
  private:
   void read_units(const toml::table& file);
   void read_table(const toml::table& table, std::string_view pattern, const std::string& path);
+  void read_named(const toml::table& table, const Key& key, const std::string& path);
+  std::string_view kind_of(const std::string& path) const;
+  bool is_foreign(const Key& key, const toml::table& table, const std::string& path);
   std::vector<std::string_view> unknown_keys(const toml::table& table,
                                              const std::vector<const Key*>& known,
                                              const std::string& path);
@@ -91,10 +95,12 @@ class Reader {
   void read_tables(const Key& key, const toml::array& array, const std::string& path);
   void read_fallback(const Key& key, const std::string& path, Position where);
   bool read_leaf(const Key& key, const toml::node& node, Value& value);
+  bool read_text(const Key& key, const toml::node& node, Value& value);
   bool read_words(const Key& key, const toml::node& node, Value& value);
   bool read_word(const Key& key, const toml::node& node, Value& value);
   bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value);
   bool read_matrix(const Key& key, const toml::node& node, Value& value);
+  bool read_map(const Key& key, const toml::node& node, Value& value);
   std::optional<double> number(const Key& key, const toml::node& node);
   std::optional<double> with_unit(const Key& key, const toml::node& node,
                                   std::optional<double> value, std::string_view unit);
@@ -195,6 +201,12 @@ bool Reader::read_matrix(const Key& key, const toml::node& node, Value& value) {
   return true;
 }
 
+bool Reader::read_map(const Key& key, const toml::node& node, Value& value) {
+  const toml::array* array = node.as_array();
+  const bool rows = array != nullptr && !array->empty() && array->front().is_array();
+  return rows ? read_matrix(key, node, value) : read_numbers(key, node, 3, value);
+}
+
 bool Reader::read_word(const Key& key, const toml::node& node, Value& value) {
   const std::vector<std::string_view> allowed = separated(key.allowed, '|');
   const auto word = node.value<std::string_view>();
@@ -238,17 +250,29 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
       return read_numbers(key, node, static_cast<std::size_t>(key.length), value);
     case KeyType::matrix:
       return read_matrix(key, node, value);
+    case KeyType::linear_map:
+      return read_map(key, node, value);
+    case KeyType::boolean:
+      if (!node.is_boolean()) return wrong(node);
+      value.whole = *node.value<bool>() ? 1 : 0;
+      return true;
     case KeyType::choice:
       return read_word(key, node, value);
     case KeyType::choices:
       return read_words(key, node, value);
     case KeyType::text:
+    case KeyType::name:
     case KeyType::unit:
     case KeyType::epoch:
       break;
   }
+  return read_text(key, node, value);
+}
+
+bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
   if (!node.is_string()) return wrong(node);
   value.words.push_back(*node.value<std::string>());
+  if (key.type == KeyType::name && !is_name(value.words[0])) return wrong(node);
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::any_of(value.words[0].begin(), value.words[0].end(), control))
     return wrong(node, "it must be one line without control characters");
@@ -309,9 +333,7 @@ std::vector<std::string_view> Reader::unknown_keys(const toml::table& table,
     if (diagnostics_.full()) break;
     const std::string_view near = nearest(name.str(), names);
     if (!near.empty()) meant.push_back(near);
-    std::string text = "unknown key; expected ";
-    for (std::size_t i = 0; i < names.size(); ++i)
-      text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
+    std::string text = "unknown key; expected " + one_of(names);
     if (!near.empty()) text += "; did you mean " + std::string(near) + "?";
     diagnostics_.add(position(name.source()), joined(path, printable(name.str())), text);
   }
@@ -326,19 +348,6 @@ std::vector<std::string_view> present_keys(const toml::table& table, std::string
       if (table.contains(name) && std::find(present.begin(), present.end(), name) == present.end())
         present.push_back(name);
   return present;
-}
-
-std::string sets_in_words(std::string_view sets) {
-  std::string words;
-  for (const char c : sets) {
-    if (c == '|')
-      words += ", ";
-    else if (c == '+')
-      words += " with ";
-    else
-      words += c;
-  }
-  return words;
 }
 
 // `misspelt`: some key of the table is unknown, so a missing one may be that.
@@ -365,6 +374,43 @@ void Reader::check_alternatives(const toml::table& table, std::string_view patte
   }
 }
 
+// Tables whose names the file chooses.
+void Reader::read_named(const toml::table& table, const Key& key, const std::string& path) {
+  for (const auto& [own, node] : table) {
+    if (diagnostics_.full()) return;
+    if (is_name(own.str()))
+      read_key(key, node, joined(path, own.str()), position(own.source()), true);
+    else
+      diagnostics_.add(position(own.source()), joined(path, printable(own.str())),
+                       "a name; expected up to 60 letters, digits, - and _");
+  }
+}
+
+// The word of a table's own key `kind`, when it is a good one.
+std::string_view Reader::kind_of(const std::string& path) const {
+  const auto found = values_.find(joined(path, "kind"));
+  return found == values_.end() || found->second.words.empty()
+             ? std::string_view()
+             : std::string_view(found->second.words[0]);
+}
+
+// Keys of another kind are refused, and not missed.
+bool Reader::is_foreign(const Key& key, const toml::table& table, const std::string& path) {
+  if (key.kinds.empty()) return false;
+  const std::string_view kind = kind_of(path);
+  if (belongs(key, kind)) return false;
+  const std::string_view name = key_name(key.path);
+  if (kind.empty() || !table.contains(name)) return true;
+  std::vector<std::string_view> own;
+  for (const Key* other : keys_of(schema_, key_table(key.path)))
+    if (belongs(*other, kind)) own.push_back(key_name(other->path));
+  diagnostics_.add(position(table.find(name)->first.source()), joined(path, name),
+                   "a key of kind " + one_of(separated(key.kinds, '|'), "\"") +
+                       "; expected beside kind = \"" + std::string(kind) + "\" only " +
+                       one_of(own));
+  return true;
+}
+
 void Reader::read_table(const toml::table& table, std::string_view pattern,
                         const std::string& path) {
   const std::vector<const Key*> known = keys_of(schema_, pattern);
@@ -373,13 +419,12 @@ void Reader::read_table(const toml::table& table, std::string_view pattern,
     if (diagnostics_.full()) return;
     const std::string_view name = key_name(key->path);
     if (name == "*") {
-      for (const auto& [own, node] : table)
-        if (!diagnostics_.full())
-          read_key(*key, node, joined(path, own.str()), position(node.source()), true);
+      read_named(table, *key, path);
       continue;
     }
     const std::string at = joined(path, name);
     if (values_.contains(at)) continue;  // [units], read first
+    if (is_foreign(*key, table, path)) continue;
     if (const toml::node* node = table.get(name)) {
       read_key(*key, *node, at, position(node->source()), true);
     } else if (!key->fallback.empty()) {
@@ -399,22 +444,22 @@ void Reader::read_units(const toml::table& file) {
   if (const toml::node* node = file.get("units"); node != nullptr && !node->is_table()) return;
   const toml::table none;
   const toml::table* table = file["units"].as_table();
-  std::string unit[] = {"s", "rad", "1"};
-  const std::string_view names[] = {"time", "angle", "moment"};
-  for (std::size_t i = 0; i < 3; ++i) {
+  std::string unit[] = {"s", "rad", "1", "1"};
+  const std::string_view names[] = {"time", "angle", "moment", "length"};
+  for (std::size_t i = 0; i < 4; ++i) {
     const toml::node* node = (table != nullptr ? *table : none).get(names[i]);
     if (node == nullptr || !node->is_string()) continue;
-    std::string trial[] = {unit[0], unit[1], unit[2]};
+    std::string trial[] = {unit[0], unit[1], unit[2], unit[3]};
     trial[i] = *node->value<std::string>();
     try {
-      const Units units(trial[0], trial[1], trial[2]);
+      const Units units(trial[0], trial[1], trial[2], trial[3]);
       unit[i] = trial[i];
     } catch (const DomainError& error) {
       diagnostics_.add(position(node->source()), "units." + std::string(names[i]),
                        "got " + shown(*node) + "; expected a unit; " + error.what());
     }
   }
-  units_ = Units(unit[0], unit[1], unit[2]);
+  units_ = Units(unit[0], unit[1], unit[2], unit[3]);
 }
 
 ReadFile Reader::read(const toml::table& file) {

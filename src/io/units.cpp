@@ -174,6 +174,8 @@ double converted(double value, const ut_unit* from, const ut_unit* to) {
   const bool linear = cv_convert_double(there.get(), 0.0) == 0.0 &&
                       cv_convert_double(there.get(), 2.0) == 2.0 * factor;
   if (!linear || !(factor > 0.0) || !std::isfinite(factor)) return unknown;
+  // the same unit, up to the rounding of its factors: no two units of the table are so near
+  if (std::fabs(factor - 1.0) <= 8.0 * std::numeric_limits<double>::epsilon()) return value;
   if (inverse > 1.0 && inverse == std::floor(inverse)) return value / inverse;  // 30 min: 30/60 h
   return value * factor;
 }
@@ -196,7 +198,14 @@ std::string core_unit(const Units& units, Dimension dimension, bool radians) {
     case Dimension::momentum:
       return moment + rad + "/" + time;
     case Dimension::energy:
+    case Dimension::torque:
       return moment + (radians ? " rad2" : "") + "/(" + time + time + ")";
+    case Dimension::length:
+      return units.length();
+    case Dimension::gm:
+      return "(" + units.length() + ")^3/(" + time + time + ")";
+    case Dimension::damping:
+      return moment + (radians ? "/rad" : "") + "/" + time;
   }
   return "1";
 }
@@ -229,12 +238,21 @@ std::string_view dimension_name(Dimension dimension) {
       return "an angular momentum";
     case Dimension::energy:
       return "an energy";
+    case Dimension::length:
+      return "a length";
+    case Dimension::gm:
+      return "a gravitational parameter";
+    case Dimension::torque:
+      return "a torque";
+    case Dimension::damping:
+      return "a damping coefficient";
   }
   return "";
 }
 
-Units::Units(std::string_view time, std::string_view angle, std::string_view moment)
-    : time_(time), angle_(angle), moment_(moment) {
+Units::Units(std::string_view time, std::string_view angle, std::string_view moment,
+             std::string_view length)
+    : time_(time), angle_(angle), moment_(moment), length_(length) {
   require_name("time", time, "s, h or d");
   require_name("angle", angle, "rad or deg");
   const UnitPointer second = parsed_unit("s"), radian = parsed_unit("rad");
@@ -250,6 +268,11 @@ Units::Units(std::string_view time, std::string_view angle, std::string_view mom
   if (std::isnan(converted(1.0, moment_unit.get(), scale_free.get())) &&
       std::isnan(converted(1.0, moment_unit.get(), physical.get())))
     throw DomainError("moment: \"" + moment_ + "\" is not 1 (scale-free) or a unit like kg m2");
+  if (length_ == "1") return;
+  require_name("length", length, "km, m or au");
+  const UnitPointer length_unit = parsed_unit(length);
+  if (std::isnan(converted(1.0, length_unit.get(), parsed_unit("m").get())))
+    throw DomainError("length: \"" + length_ + "\" is not 1 (scale-free) or a unit like km");
 }
 
 double Units::to_core(double value, Dimension dimension) const {
@@ -290,9 +313,15 @@ std::string Units::label(Dimension dimension) const {
     case Dimension::moment:
       return moment_;
     case Dimension::momentum:
+    case Dimension::damping:
       return moment + "/" + time_;
     case Dimension::energy:
+    case Dimension::torque:
       return moment + "/" + time_ + "2";
+    case Dimension::length:
+      return length_;
+    case Dimension::gm:
+      return length_ == "1" ? "1/" + time_ + "2" : length_ + "3/" + time_ + "2";
   }
   return "1";
 }

@@ -2,8 +2,10 @@
 """The examples, and what is known of their bodies."""
 
 import json
+import math
 import pathlib
 
+import numpy
 import pytest
 
 EXAMPLES = sorted((pathlib.Path(__file__).resolve().parents[2] / "examples").glob("*.toml"))
@@ -63,3 +65,80 @@ def test_the_satellite_spins_evenly(run, root, table):
     g1 = [row[names.index("g1")] for row in rows]
     assert max(g1) - min(g1) <= 1e-15 * g1[0]
     assert g1[0] == pytest.approx(0.04415 * 750 * 2 * 3.141592653589793 / 60, rel=1e-14)
+
+
+def columns(run, table, path):
+    result = run("run", path)
+    assert result.returncode == 0, result.stderr
+    names, rows = table(result.stdout)
+    return dict(zip(names, numpy.array(rows).T, strict=True))
+
+
+# Final state of W1 by an 80-bit Taylor integration of order 30.
+W1_Q = [-0.945141005522282568, 0.146971342460127602, -0.006995745106435133, -0.291648699167684123]
+W1_OMEGA = [5.695139354984758640, -1.488713522467818403, 7.907221117809389845]
+
+
+def test_w1_ends_where_it_must(run, root, table):
+    c = columns(run, table, root / "examples/gravity-gradient-w1.toml")
+    assert c["t"][-1] == 6283.185307179586
+    q = numpy.array([c[name][-1] for name in ("qw", "qx", "qy", "qz")])
+    chord = min(numpy.linalg.norm(q - W1_Q), numpy.linalg.norm(q + W1_Q))
+    assert 4 * math.asin(chord / 2) < 1e-10  # rad, after 1000 orbits
+    for name, value in zip(("w1", "w2", "w3"), W1_OMEGA, strict=True):
+        assert abs(c[name][-1] - value) < 1e-9
+
+
+def test_unperturbed_formula_gives_the_inertial_rate(run, root, table, tmp_path):
+    """The theorem: Andoyer variables of a precessing frame give omega of the inertial frame, the
+    osculating ones the relative rate."""
+    path = root / "examples/precessing-frame.toml"
+    text = path.read_text(encoding="utf-8")
+    moving = columns(run, table, path)
+    start, stop = text.index("[frame.precessing]"), text.index("[state.attitude-rate]")
+    inertial = tmp_path / "inertial.toml"
+    inertial.write_text(text[:start] + text[stop:], encoding="utf-8")
+    fixed = columns(run, table, inertial)
+    for name in ("w1", "w2", "w3", "L", "G"):
+        numpy.testing.assert_allclose(moving[name], fixed[name], rtol=0, atol=1e-14)
+    moments = numpy.array([1, 2, 2.5])
+
+    def rate(suffix):
+        length, axial, angle = (moving[name + suffix] for name in ("G", "L", "l"))
+        across = numpy.sqrt(length**2 - axial**2)
+        g = numpy.array([across * numpy.sin(angle), across * numpy.cos(angle), axial])
+        return g / moments[:, None]
+
+    inertial_rate = numpy.array([moving[f"w{i}"] for i in (1, 2, 3)])
+    relative_rate = numpy.array([moving[f"w{i}_rel"] for i in (1, 2, 3)])
+    convective = numpy.array([moving[f"v{i}"] for i in (1, 2, 3)])
+    numpy.testing.assert_allclose(rate(""), inertial_rate, rtol=0, atol=1e-14)
+    numpy.testing.assert_allclose(rate("_osc"), relative_rate, rtol=0, atol=1e-14)
+    numpy.testing.assert_allclose(inertial_rate + convective, relative_rate, rtol=0, atol=1e-15)
+    numpy.testing.assert_allclose(numpy.linalg.norm(convective, axis=0), 0.3, rtol=1e-14)
+    assert abs(moving["L"] - moving["L_osc"]).max() > 0.1  # they do differ
+    assert abs(moving["h"] - fixed["h"]).max() > 0.1       # and so do the frames
+    numpy.testing.assert_allclose(moving["dE"], 0, rtol=0, atol=1e-14)
+
+
+def test_the_satellite_librates_about_the_vertical(run, root, table):
+    """Pitch is a pendulum: sin amplitude = sin 3 deg, rate n sqrt(3 (I2 - I1)/I3) agm(1, cos 3 deg)."""
+    c = columns(run, table, root / "examples/gravity-gradient-satellite.toml")
+    n = math.sqrt(398600.4418 / 7178.137**3)
+    turn = 2 * numpy.arctan2(c["qz"], c["qw"]) - n * c["t"]
+    pitch = numpy.remainder(turn + numpy.pi, 2 * numpy.pi) - numpy.pi
+    amplitude = math.radians(3)
+    assert abs(pitch).max() < amplitude * (1 + 1e-6)
+    assert abs(pitch).max() > amplitude * (1 - 1e-6)
+    assert abs(c["qx"]).max() == 0 and abs(c["qy"]).max() == 0  # it stays in the plane
+    zeros = [t - p * (c["t"][k + 1] - t) / (pitch[k + 1] - p)
+             for k, (t, p) in enumerate(zip(c["t"][:-1], pitch[:-1], strict=True))
+             if p * pitch[k + 1] < 0]
+    assert len(zeros) > 400
+    a, b = 1.0, math.cos(amplitude)
+    for _ in range(6):
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    rate = math.pi * (len(zeros) - 1) / (zeros[-1] - zeros[0])
+    linear = n * math.sqrt(3 * (98 - 10) / 100)
+    assert rate == pytest.approx(linear * a, rel=1e-6)
+    assert rate == pytest.approx(linear, rel=1e-3)

@@ -40,7 +40,11 @@ def test_every_key_has_a_place_in_the_json_schema(schema, run):
     tables = [line.strip("# `[]") for line in keys.splitlines() if line.startswith("## `[")]
     assert "state.tumbler.pole" in tables
     for table in tables:
-        node = schema
+        node, holder = schema, None
         for name in table.split("."):
-            node = node["properties"][name]
-        assert node["additionalProperties"] is False and node["description"]
+            holder = node
+            node = node["additionalProperties"] if name == "*" else node["properties"][name]
+        assert node["description"] or holder
+        items = node.get("items", node)
+        named = isinstance(items["additionalProperties"], dict)  # [orbit.NAME]
+        assert named or items["additionalProperties"] is False

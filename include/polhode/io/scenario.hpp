@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A scenario: a real body, its state at an epoch, and what to write, read from a TOML file and
-// checked completely. The keys are in polhode/io/schema.hpp.
+// A scenario: a real body, its state at an epoch, what acts on it, and what to write, read from a
+// TOML file and checked completely. The keys are in polhode/io/schema.hpp.
 //
 // Equations   none of its own; each chart is converted by its header in rotor/ and free/.
 // Units       numbers are in core units (polhode/io/units.hpp): the unit of time of the file,
 //             radians, its unit of moment.
 // Domain      files of at most 16 MB, UTF-8. A full tensor gives principal axes; the body axes of
-//             the file (attitude-rate, columns q, omega, g) stay those of the tensor.
+//             the file (attitude-rate, torques, columns of body components) stay those of the
+//             tensor. The state is that in the reference frame S at t = 0.
 // Accuracy    numbers are read to the nearest double; a unit costs at most two roundings.
 // Errors      ScenarioError: one line per mistake, FILE:LINE:COLUMN: KEY: got VALUE; expected ...,
 //             sorted by place, at most twenty. What a chart or body refuses is reported there too.
@@ -19,16 +20,21 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/dynamics/event.hpp"
+#include "polhode/dynamics/method.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
-#include "polhode/trajectory/save_at.hpp"
 #include "polhode/io/units.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
+#include "polhode/system/system.hpp"
+#include "polhode/trajectory/save_at.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -49,6 +55,22 @@ struct AttitudeRate {
 using InitialState =
     std::variant<TumblerState, AttitudeRate, EulerState, AndoyerState, SerretState, SadovState>;
 
+// [orbit.NAME]
+struct ScenarioOrbit {
+  std::string name;
+  KeplerElements elements;
+  SecularRates rates;
+};
+
+// [[event]]
+struct ScenarioEvent {
+  std::string name;
+  std::string column;
+  double value;  // core units
+  Crossing crossing;
+  bool stops;
+};
+
 struct Scenario {
   std::string name;   // of the file, without its folder: "apophis.toml"
   std::string text;   // the file itself
@@ -57,8 +79,15 @@ struct Scenario {
   Body body;
   std::string chart;  // "tumbler", ...: what `state` holds
   InitialState state;
-  std::string epoch;                 // "2013-01-05T00:00:00 UTC", or empty
-  std::string axes;                  // "inertial", "ecliptic-J2000", "equator-J2000"
+  std::string epoch;  // "2013-01-05T00:00:00 UTC", or empty
+  std::string axes;   // "inertial", "ecliptic-J2000", "equator-J2000"
+  Frame frame = Frame::inertial();
+  std::string frame_text = "inertial";  // or "precessing", "plane of orbit moon"
+  std::vector<ScenarioOrbit> orbits = {};
+  std::vector<AnyPerturbation> terms = {};
+  std::vector<std::string> kinds = {};          // of the terms: "gravity-gradient"
+  std::optional<Method> method = std::nullopt;  // left out: see propagation_method
+  std::vector<ScenarioEvent> events = {};
   std::optional<SaveAt> time;        // left out: nothing to run
   std::vector<std::string> columns;  // names of column groups
 };
@@ -68,9 +97,15 @@ Scenario scenario_from_text(std::string_view text, const std::string& name);
 // "-" is standard input. DomainError when there is no such file, or it is a folder.
 Scenario read_scenario(const std::string& path);
 
-// The hub state at t = 0 and the motion through it.
+// Body, frame and terms.
+System rotor_system(const Scenario& scenario);
+// The hub state (q_SB, g_B) at t = 0, and the free motion through it in the axes of S.
 RotorState initial_state(const Scenario& scenario);
 FreeRotation free_rotation(const Scenario& scenario);
+
+// The method of the file. Left out: none where nothing acts and no event is asked for, which means
+// exact free rotation; otherwise Adaptive.
+std::optional<Method> propagation_method(const Scenario& scenario);
 
 }  // namespace v0
 }  // namespace polhode

@@ -6,8 +6,9 @@
 // Units       a key with a dimension takes a bare number (in the units of the file), "27.38 h", or
 //             { value = 27.38, unit = "h" }.
 // Domain      schema 1. Rows may be added, never changed: a file of schema 1 stays valid. In a
-//             path, "*" stands for a name that the file chooses (orbit.*) and "[]" after a name for
-//             each table of an array (perturbation[]).
+//             path, "*" stands for a name that the file chooses (orbit.*; letters, digits, - and _)
+//             and "[]" after a name for each table of an array (perturbation[]). In a table with a
+//             key `kind` a key may belong to some kinds alone.
 // Accuracy    none.
 // Errors      none.
 // Cost        the table is constant data.
@@ -24,16 +25,19 @@ namespace polhode {
 inline namespace v0 {
 
 enum class KeyType {
-  table,    // [body]
-  integer,  // 1
-  number,   // 27.38, "27.38 h" or { value = 27.38, unit = "h" }
-  numbers,  // an array of them; { value = [..], unit = ".." } gives them one unit
-  matrix,   // three rows of three
-  text,     // "any text"
-  unit,     // "h", "kg m2"
-  choice,   // one word of a list
-  choices,  // an array of words of a list, none twice
-  epoch,    // "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB"
+  table,       // [body]
+  integer,     // 1
+  number,      // 27.38, "27.38 h" or { value = 27.38, unit = "h" }
+  numbers,     // an array of them; { value = [..], unit = ".." } gives them one unit
+  matrix,      // three rows of three
+  linear_map,  // a matrix, or three numbers, its diagonal
+  boolean,     // true or false
+  text,        // "any text"
+  name,        // "moon": letters, digits, - and _
+  unit,        // "h", "kg m2"
+  choice,      // one word of a list
+  choices,     // an array of words of a list, none twice
+  epoch,       // "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB"
 };
 
 enum class Presence {
@@ -52,6 +56,7 @@ struct Key {
   std::string_view fallback = {};  // as TOML; "{}" of a table: read as if it were there, empty
   std::string_view example = {};   // as TOML, what `polhode init` writes
   std::string_view help = {};      // one sentence
+  std::string_view kinds = {};     // words of `kind` in its table that it belongs to; empty: all
 };
 
 // Exactly one of several sets of keys of a table: "quaternion|euler", "stop+step|stop+count|at".
@@ -71,6 +76,8 @@ std::string_view key_name(std::string_view path);
 std::string_view key_table(std::string_view path);
 // The keys directly inside a table, in the order of the schema.
 std::vector<const Key*> keys_of(const Schema& schema, std::string_view table);
+// Whether a key of a table stands beside kind = "..." there.
+bool belongs(const Key& key, std::string_view kind);
 // "a|b" as {a, b}.
 std::vector<std::string_view> separated(std::string_view joined, char separator);
 // What a value of this key must be, in words that continue "expected ".
@@ -84,9 +91,11 @@ std::string markdown_reference(const Schema& schema);
 std::string markdown_units();
 // The charts that [state.CHART] knows.
 std::vector<std::string_view> state_charts();
-// A commented scenario to start from, with the given chart in [state.CHART]. DomainError when
-// there is no such chart.
-std::string scenario_template(std::string_view chart);
+// What scenario_template knows: the charts, for free rotation, and the kinds of [[perturbation]].
+std::vector<std::string_view> scenario_templates();
+// A commented scenario to start from, with the given chart in [state.CHART] or the given kind of
+// perturbation. DomainError when there is none of this name.
+std::string scenario_template(std::string_view name);
 
 }  // namespace v0
 }  // namespace polhode

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a body does, in a few lines: mode, periods, momentum, energy, modulus.
+// What a body does, in a few lines: mode, periods, momentum, energy, modulus of its free motion;
+// what acts on it, how it is propagated, and how a run went.
 //
 // Equations   those of FreeRotation and of the tumbler.
 // Units       those of the scenario; each line names its own.
 // Domain      any scenario. What does not exist is left out: psi_max outside short-axis mode,
-//             periods of a motion that has none.
+//             periods of a motion that has none. Where something acts, mode to modulus are those of
+//             the free motion through the state at t = 0.
 // Accuracy    that of FreeRotation.
 // Errors      none.
 // Cost        negligible.
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/io/run.hpp"
 #include "polhode/io/scenario.hpp"
 
 namespace polhode {
@@ -28,6 +31,10 @@ struct SummaryLine {
 };
 
 std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion);
+
+// How a run went: where it ended, what it cost, the change of energy, events. Nothing for a free
+// motion, which is exact.
+std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report);
 
 // For people: one aligned line each, ten digits.
 std::string summary_table(const std::vector<SummaryLine>& lines);

@@ -4,15 +4,15 @@
 //
 // Equations   none.
 // Units       core units: time in the scenario's unit of time, angles in radians, moments in the
-//             scenario's unit of moment; so rates are rad per unit of time, momenta moment/time and
-//             energies moment/time^2. The unit of angle touches angles and angular rates, never
-//             momenta.
+//             scenario's unit of moment, lengths in its unit of length; so rates are rad per unit
+//             of time, momenta moment/time, energies and torques moment/time^2, GM length^3/time^2.
+//             The unit of angle touches angles and angular rates, never momenta.
 // Domain      a closed list (known_units) and its products and powers; nothing is read from disk or
 //             from the environment.
 // Accuracy    a unit that equals the core unit leaves a number bit for bit; a whole ratio either
 //             way is rounded once; any other once in the factor and once in the product.
 // Errors      DomainError in one line: unknown unit (with the nearest known one), wrong dimension.
-// Cost        building parses three texts; a bare number costs one multiplication. Not thread-safe.
+// Cost        building parses four texts; a bare number costs one multiplication. Not thread-safe.
 #pragma once
 
 #include <array>
@@ -23,7 +23,19 @@
 namespace polhode {
 inline namespace v0 {
 
-enum class Dimension { number, time, angle, rate, moment, momentum, energy };
+enum class Dimension {
+  number,
+  time,
+  angle,
+  rate,
+  moment,
+  momentum,
+  energy,
+  length,
+  gm,      // a gravitational parameter
+  torque,  // like an energy
+  damping  // a torque per angular rate: like a momentum
+};
 
 // "a time", "an angular rate", ...: for messages and documents.
 std::string_view dimension_name(Dimension dimension);
@@ -39,11 +51,12 @@ std::span<const KnownUnit> known_units();
 class Units {
  public:
   explicit Units(std::string_view time = "s", std::string_view angle = "rad",
-                 std::string_view moment = "1");
+                 std::string_view moment = "1", std::string_view length = "1");
 
   const std::string& time() const { return time_; }
   const std::string& angle() const { return angle_; }
   const std::string& moment() const { return moment_; }
+  const std::string& length() const { return length_; }
 
   // A number without a unit, as a file of these units means it, in core units.
   double to_core(double value, Dimension dimension) const;
@@ -58,6 +71,7 @@ class Units {
   std::string time_;
   std::string angle_;
   std::string moment_;
+  std::string length_;
   double angle_in_rad_ = 1.0;
   double rad_in_angle_ = 1.0;
 };

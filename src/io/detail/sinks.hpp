@@ -12,6 +12,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// The lines of a CSV file before its rows.
+std::string csv_head(const std::vector<ColumnGroup>& groups, const Provenance& provenance);
 std::unique_ptr<Sink> csv_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
                                const Provenance& provenance);
 std::unique_ptr<Sink> hdf5_sink(const std::string& path, const std::vector<ColumnGroup>& groups,

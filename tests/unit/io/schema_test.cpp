@@ -83,6 +83,68 @@ TEST(Schema, TemplatesAreScenarios) {
   EXPECT_THROW(scenario_template("tumbelr"), DomainError);
 }
 
+TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
+  EXPECT_THAT(scenario_templates(),
+              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
+                          "gravity-gradient", "constant-torque", "damping"));
+  for (const char* kind : {"gravity-gradient", "constant-torque", "damping"}) {
+    const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
+    EXPECT_THAT(scenario.kinds, ElementsAre(kind));
+    EXPECT_EQ(scenario.terms.size(), 1U);
+    EXPECT_EQ(scenario.orbits.size(), kind == std::string("gravity-gradient") ? 1U : 0U);
+    EXPECT_TRUE(scenario.method.has_value());
+    EXPECT_EQ(scenario.events.size(), 1U);
+  }
+}
+
+// Keys of one kind: refused beside another, required beside their own.
+constexpr Key kinded_keys[] = {
+    {.path = "term[]", .help = "Terms."},
+    {.path = "term[].kind",
+     .type = KeyType::choice,
+     .presence = Presence::required,
+     .allowed = "a|b",
+     .help = "Its kind."},
+    {.path = "term[].x",
+     .type = KeyType::number,
+     .presence = Presence::required,
+     .help = "Of a.",
+     .kinds = "a"},
+    {.path = "term[].y", .type = KeyType::number, .fallback = "3", .help = "Of b.", .kinds = "b"},
+};
+
+TEST(Schema, KeysMayBelongToAKind) {
+  constexpr Schema kinded{kinded_keys, {}};
+  const auto read = [&](const char* text) {
+    detail::Diagnostics diagnostics("f");
+    const detail::ReadFile file = detail::read_values(text, kinded, diagnostics);
+    diagnostics.raise();
+    return file.values;
+  };
+  const detail::Values values = read("[[term]]\nkind = \"a\"\nx = 1\n[[term]]\nkind = \"b\"\n");
+  EXPECT_EQ(values.at("term[0].x").numbers.at(0), 1.0);
+  EXPECT_FALSE(values.contains("term[0].y"));
+  EXPECT_EQ(values.at("term[1].y").numbers.at(0), 3.0);
+  const auto error = [&](const char* text) -> std::string {
+    try {
+      read(text);
+    } catch (const ScenarioError& e) {
+      return e.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error("[[term]]\nkind = \"b\"\nx = 1\n"),
+            "f:3:1: term[0].x: a key of kind \"a\"; expected beside kind = \"b\" only kind or y");
+  EXPECT_EQ(error("[[term]]\nkind = \"a\"\n"), "f:1:1: term[0].x: got nothing; expected a number");
+  EXPECT_THAT(json_schema(kinded), HasSubstr("\"const\": \"a\""));
+}
+
+TEST(Schema, NamesThatTheFileChoosesArePlain) {
+  detail::Diagnostics diagnostics("f");
+  detail::read_values("[orbit.\"a.b\"]\nperiod = 3\n", growing, diagnostics);
+  EXPECT_THROW(diagnostics.raise(), ScenarioError);
+}
+
 TEST(Schema, ReadsNamesThatTheFileChooses) {
   detail::Diagnostics diagnostics("f");
   const detail::ReadFile file = detail::read_values(

@@ -139,6 +139,38 @@ TEST_F(SinkTest, EqualRunsGiveEqualFiles) {
   EXPECT_GT(text("a.h5").size(), 3U * 5007U * 8U);
 }
 
+TEST(RowLayout, NoTwoColumnsShareAName) {
+  std::vector<std::string> all;
+  for (const std::string_view group : column_group_names()) all.emplace_back(group);
+  std::vector<std::string> names;
+  const RowLayout layout(all, Units(), Branch::in_columns);
+  for (const ColumnGroup& group : layout.groups())
+    for (const Column& column : group.columns) names.push_back(column.name);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+  EXPECT_EQ(names.size(), column_names().size() + 1);  // t
+  EXPECT_EQ(column_dimension("I_g"), Dimension::momentum);
+  EXPECT_EQ(column_dimension("I_m"), Dimension::angle);
+}
+
+// Every group of a free motion in inertial axes: canonical is osculating, relative is inertial.
+TEST(RowLayout, NothingMovesWithoutAFrameOrATerm) {
+  const Body body(1.0, 2.0, 2.5);
+  const RotorState s{{0.5, 0.5, 0.5, 0.5}, {0.1, 0.4, 2.0}};
+  const System system(body);
+  const auto value = [&](const char* name) {
+    return scalar_column(name, system, 0.25).value(0.3, s);
+  };
+  for (const auto& [canonical, osculating] :
+       {std::pair{"l", "l_osc"}, std::pair{"H", "H_osc"}, std::pair{"Theta", "Theta_osc"},
+        std::pair{"w2", "w2_rel"}, std::pair{"qx", "Qx"}, std::pair{"I_r", "I_r_rel"}})
+    EXPECT_EQ(value(canonical), value(osculating)) << canonical;
+  EXPECT_EQ(value("v1"), 0.0);
+  EXPECT_DOUBLE_EQ(value("w2"), 0.2);
+  EXPECT_DOUBLE_EQ(value("dE"), 0.005 + 0.04 + 0.8 - 0.25);
+  EXPECT_THROW(scalar_column("t", system, 0.0), DomainError);
+}
+
 TEST(RowLayout, NamesAreUniqueInTheOrderAskedFor) {
   const std::vector<std::string> all{"serret", "q",     "omega",   "omega_inertial",
                                      "g",      "euler", "andoyer", "sadov"};

@@ -61,6 +61,24 @@ TEST(Units, ProductsPowersAndQuotients) {
   EXPECT_DOUBLE_EQ(Units("h").to_core(1.0, "1/s", Dimension::momentum), 3600.0);
 }
 
+TEST(Units, GravityTorqueAndDamping) {
+  const Units km("s", "deg", "kg m2", "km");
+  EXPECT_EQ(km.to_core(398600.4418, Dimension::gm), 398600.4418);
+  EXPECT_EQ(km.to_core(398600.4418, "km3/s2", Dimension::gm), 398600.4418);
+  EXPECT_DOUBLE_EQ(km.to_core(398600.4418e9, "m3/s2", Dimension::gm), 398600.4418);
+  EXPECT_DOUBLE_EQ(Units("h", "rad", "1", "m").to_core(1.0, "km3/s2", Dimension::gm),
+                   1e9 * 3600.0 * 3600.0);
+  EXPECT_DOUBLE_EQ(Units("h").to_core(1.0, "1/s2", Dimension::gm), 3600.0 * 3600.0);
+  EXPECT_DOUBLE_EQ(km.to_core(1.0, "R_e", Dimension::length), 6378.1366);
+  EXPECT_DOUBLE_EQ(km.to_core(2.0, "N m", Dimension::torque), 2.0);
+  EXPECT_DOUBLE_EQ(km.to_core(2.0, "N m s", Dimension::damping), 2.0);
+  EXPECT_DOUBLE_EQ(km.to_core(2.0, "N m s/rad", Dimension::damping), 2.0);
+  EXPECT_EQ(error_of([&] { km.to_core(1.0, "km2/s2", Dimension::gm); }),
+            "\"km2/s2\" is not a unit of gravitational parameter here; expected one like km3/s2");
+  EXPECT_EQ(error_of([&] { Units().to_core(1.0, "km", Dimension::length); }),
+            "\"km\" is not a unit of length here; expected one like 1");
+}
+
 TEST(Units, ReciprocalsAndOtherDimensionsAreRefused) {
   const Units units("h", "deg", "kg m2");
   EXPECT_EQ(error_of([&] { units.to_core(1.0, "1/s", Dimension::time); }),
@@ -98,12 +116,18 @@ TEST(Units, FilesNameSingleUnitsOfTimeAndAngle) {
   EXPECT_EQ(error_of([] { Units("s", "h"); }), "angle: \"h\" is not a unit of angle");
   EXPECT_EQ(error_of([] { Units("s", "rad", "kg m"); }),
             "moment: \"kg m\" is not 1 (scale-free) or a unit like kg m2");
+  EXPECT_EQ(error_of([] { Units("s", "rad", "1", "km2"); }),
+            "length: \"km2\" is not a single unit such as km, m or au");
+  EXPECT_EQ(error_of([] { Units("s", "rad", "1", "kg"); }),
+            "length: \"kg\" is not 1 (scale-free) or a unit like km");
 }
 
 TEST(Units, LabelsAreUnitsThemselves) {
-  for (const Units& units : {Units("h", "deg", "kg m2"), Units("d", "rev", "1"), Units()})
+  for (const Units& units :
+       {Units("h", "deg", "kg m2", "km"), Units("d", "rev", "1", "au"), Units()})
     for (const Dimension d : {Dimension::time, Dimension::angle, Dimension::rate, Dimension::moment,
-                              Dimension::momentum, Dimension::energy})
+                              Dimension::momentum, Dimension::energy, Dimension::length,
+                              Dimension::gm, Dimension::torque, Dimension::damping})
       EXPECT_EQ(units.to_core(1.0, units.label(d), d), units.to_core(1.0, d)) << units.label(d);
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From the values of a file to what moves the body: frame, orbits, terms, method, events.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/detail/values.hpp"
+#include "polhode/io/scenario.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Each throws a ScenarioError at the place of what is wrong. `name` stands for the file.
+std::vector<ScenarioOrbit> orbits_of(const Values& values, const std::string& name);
+std::optional<Method> method_of(const Values& values, const std::string& name);
+std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
+                                     const std::string& name);
+// Fills in frame, terms and kinds; body and orbits are there.
+void add_motion(Scenario& scenario, const Values& values, const std::string& name);
+// What method, events, rows and columns ask of the system.
+void check_motion(const Scenario& scenario, const Values& values, const std::string& name);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
