@@ -8,7 +8,7 @@
 // Units       gm and the orbit in the same units of length and time; I in those of the body.
 // Domain      gm > 0. The orbit gives the position of the point mass from the body or of the body
 //             from the point mass, in inertial or in reference-frame axes. Several point masses are
-//             several terms. Distances whose cube is in the range of the number type.
+//             several terms. Distances whose fifth power is in the range of the number type.
 // Accuracy    a few roundings of the torque; a sphere has none, exactly. The length of q_SB does
 //             not matter, so neither does its rounding within a step.
 // Errors      DomainError for a gm that is not positive.
@@ -86,12 +86,15 @@ class GravityGradient {
   template <Real T>
   Direction<T> direction(const BasicSetting<T>& at) const {
     using std::sqrt;
-    const BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
-    const T inverse = T(1.0) / sqrt(dot(x, x));
-    BasicVec3<T> n = inverse * x;
-    if (axes_ == SpaceAxes::inertial) n = detail::turned_back_longer(at.q_IS, n);
-    n = detail::turned_back_longer(at.s.q, n);
-    return {n, T(gm_) * inverse * inverse * inverse / dot(n, n)};
+    BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
+    const BasicQuaternion<T>& q = at.s.q;
+    const T r2 = dot(x, x), q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    // one root and one division, beside the turn of x and not after it: an integrator waits for
+    // them
+    const T strength = T(gm_) / ((r2 * sqrt(r2)) * (r2 * (q2 * q2)));
+    const bool is_turned = !(at.q_IS == BasicQuaternion<T>{});
+    if (axes_ == SpaceAxes::inertial && is_turned) x = detail::turned_back(at.q_IS, x);
+    return {detail::turned_back_longer(q, x), strength};
   }
 
   double gm_;
