@@ -51,7 +51,8 @@ std::string failure_text(const Scenario& scenario, const RunReport& report,
   std::string parts;
   for (const std::string& path : out)
     if (path != "-") parts += (parts.empty() ? "" : ", ") + path + ".part";
-  return parts.empty() ? text : text + "; " + std::to_string(report.rows) + " rows are in " + parts;
+  return parts.empty() ? text
+                       : text + "; rows so far: " + std::to_string(report.rows) + ", in " + parts;
 }
 
 void run_scenario(const RunOptions& options) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -12,6 +13,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
+
+constexpr double largest_momentum = 1e140;  // its square has room to spare
 
 bool finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -78,6 +81,12 @@ std::string SplittingMap::term_not_finite(const SplittingState& s) const {
 }
 
 void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const noexcept {
+  // |g|^2 would be no number, and a modulus made of it an exception: the state says it instead
+  const Vec3& g = s.g.hi;
+  if (!(std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)}) < largest_momentum)) {
+    s.g.hi.x = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   const ShortFlow::Arc arc = free_.after(s.g, time.hi, time.lo);
   const Quaternion q = s.q_IB * arc.turn;
   const double f = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
@@ -149,9 +158,11 @@ Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
   const BasicVec3<Tangent> g{Tangent(at.s.g.x), Tangent(at.s.g.y), Tangent(at.s.g.z)};
   Matrix6 M = Matrix6::identity();
   for (const AnyPerturbation& term : kicks_) {
-    const BasicEffect<Tangent> e = term.effect(BasicSetting<Tangent>{
-        system_.body(), Tangent(at.t), {constant(at.s.q) * turn, g}, constant(q_IS),
-        Tangent(at.t_rest)});
+    const BasicEffect<Tangent> e = term.effect(BasicSetting<Tangent>{system_.body(),
+                                                                     Tangent(at.t),
+                                                                     {constant(at.s.q) * turn, g},
+                                                                     constant(q_IS),
+                                                                     Tangent(at.t_rest)});
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) M(3 + i, j) += h * e.u[i].derivative[static_cast<std::size_t>(j)];
   }

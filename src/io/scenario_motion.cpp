@@ -19,6 +19,8 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
+constexpr double most_steps = 1e15;
+
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
   const std::string_view near = nearest(word, known);
   return near.empty() ? "" : "; did you mean " + std::string(near) + "?";
@@ -161,6 +163,16 @@ Crossing crossing_of(const std::string& word) {
   return word == "rising" ? Crossing::rising : Crossing::falling;
 }
 
+// A run of more steps than a double can count would not end.
+void check_step(const Scenario& scenario, const Values& values, const std::string& name) {
+  const auto* splitting = scenario.method ? std::get_if<Splitting>(&*scenario.method) : nullptr;
+  if (splitting == nullptr || !scenario.time) return;
+  const SaveAt& rows = *scenario.time;
+  const double farthest = std::max(std::fabs(rows[0]), std::fabs(rows[rows.size() - 1]));
+  if (farthest > most_steps * splitting->step)
+    refuse(values, "method.step", name, "expected a step of which 1e15 at most make the run");
+}
+
 bool is_energy_there(const Scenario& scenario) { return rotor_system(scenario).is_hamiltonian(); }
 
 std::string without_energy(const Scenario& scenario) {
@@ -262,6 +274,7 @@ void add_motion(Scenario& scenario, const Values& values, const std::string& nam
 
 void check_motion(const Scenario& scenario, const Values& values, const std::string& name) {
   check_times(scenario, values, name);
+  check_step(scenario, values, name);
   if (scenario.method && std::holds_alternative<Splitting>(*scenario.method))
     for (const AnyPerturbation& term : scenario.terms)
       if (!term.supports_flow())

@@ -17,6 +17,13 @@ GROUPS = {
     "euler": ["phi", "theta", "psi", "Phi", "Theta", "Psi"], "andoyer": ["l", "g", "h", "L", "G", "H"],
     "sadov": ["phi_l", "phi_g", "phi_h", "I_l", "I_g", "I_h"],
     "serret": ["g0", "t0", "T", "h", "G", "H"],
+    "q_inertial": ["Qw", "Qx", "Qy", "Qz"], "omega_rel": ["w1_rel", "w2_rel", "w3_rel"],
+    "convective": ["v1", "v2", "v3"],
+    "andoyer_osc": ["l_osc", "g_osc", "h_osc", "L_osc", "G_osc", "H_osc"],
+    "euler_osc": ["phi_osc", "theta_osc", "psi_osc", "Phi_osc", "Theta_osc", "Psi_osc"],
+    "axes": ["I_f", "h_f", "I_m", "h_m", "I_r", "h_r"],
+    "axes_rel": ["I_f_rel", "h_f_rel", "I_m_rel", "h_m_rel", "I_r_rel", "h_r_rel"],
+    "energy": ["E", "dE"],
 }
 
 
@@ -201,6 +208,12 @@ def test_every_template_runs(run, table):
         assert f"[state.{chart}]" in template
         names, rows = table(run("run", "-", stdin=template).stdout)
         assert len(rows) == 1441 and "l" in names
+    for kind in ("gravity-gradient", "constant-torque", "damping"):
+        assert kind in from_help
+        template = run("init", kind).stdout
+        assert f"kind = \"{kind}\"" in template
+        names, rows = table(run("run", "-", stdin=template).stdout)
+        assert len(rows) == 1441
 
 
 def test_cite_follows_the_scenario(run, scenario):

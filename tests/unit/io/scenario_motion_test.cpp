@@ -209,6 +209,8 @@ TEST(ScenarioMotion, MethodsOutOfRangeSayTheRange) {
   EXPECT_THAT(
       error("kind = \"splitting\"\nstep = -0.1\n"),
       StartsWith("f.toml:9:8: method.step: got -0.1; Splitting: step -0.1 must be positive"));
+  EXPECT_THAT(error("kind = \"splitting\"\nstep = 1e-300\n[time]\nstop = 1\nstep = 1\n"),
+              StartsWith("f.toml:9:8: method.step: got 1e-300; expected a step of which 1e15"));
   EXPECT_THAT(error("kind = \"splitting\"\n"), HasSubstr("method.step: got nothing; expected"));
   EXPECT_THAT(error("kind = \"splitting\"\nstep = 1\ntolerance = 1e-9\n"),
               StartsWith("f.toml:10:1: method.tolerance: a key of kind \"adaptive\" or "

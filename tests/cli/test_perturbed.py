@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: MIT
+"""Runs with perturbations, frames, methods and events, against what physics says of them."""
+
+import json
+import math
+
+import h5py
+import numpy
+import pytest
+
+SPHERE = "schema = 1\n[body]\nmoments = [2, 2, 2]\n"
+BODY = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n"
+STATE = "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n"
+ORBIT = "[orbit.moon]\ngm = 1\nsemi_major_axis = 1\neccentricity = 0.1\n"
+GRAVITY = "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
+# A point mass that passes almost through the body at t = 1: no step is short enough.
+COLLISION = ("[orbit.moon]\ngm = 1\npericentre = 1e-13\neccentricity = 1.0000000000000002\n"
+             "epoch = 1\n" + GRAVITY)
+
+
+@pytest.fixture
+def write(tmp_path):
+    def path_of(text, name="run.toml"):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return path_of
+
+
+@pytest.fixture
+def columns(run, table):
+    def read(path, *extra):
+        result = run("run", path, *extra)
+        assert result.returncode == 0, result.stderr
+        names, rows = table(result.stdout)
+        return dict(zip(names, numpy.array(rows).T, strict=True))
+
+    return read
+
+
+def rows_of(path, table):
+    names, rows = [], []
+    lines = [x for x in path.read_text(encoding="utf-8").splitlines() if not x.startswith("#")]
+    names = lines[0].split(",")
+    for line in lines[1:]:
+        rows.append(dict(zip(names, line.split(","), strict=True)))
+    return rows
+
+
+METHODS = {
+    "chosen": "",
+    "adaptive": "[method]\nkind = \"adaptive\"\ntolerance = 1e-14\n",
+    "double-double": "[method]\nkind = \"adaptive\"\nprecision = \"double-double\"\ntolerance = 1e-18\n",
+    "variation": "[method]\nkind = \"variation-of-constants\"\ntolerance = 1e-13\n",
+    "order8": "[method]\nkind = \"splitting\"\nscheme = \"order8\"\nstep = 0.02\n",
+    "ABA1064": "[method]\nkind = \"splitting\"\nscheme = \"ABA1064\"\nstep = 0.01\n",
+}
+
+
+def test_every_method_goes_the_same_way(write, columns):
+    time = "[time]\nstop = 20\nstep = 0.5\n[output]\ncolumns = [\"q\", \"omega\"]\n"
+    runs = {name: columns(write(BODY + STATE + ORBIT + GRAVITY + method + time))
+            for name, method in METHODS.items()}
+    for name, c in runs.items():
+        for column in ("qw", "qx", "qy", "qz", "w1", "w2", "w3"):
+            numpy.testing.assert_allclose(c[column], runs["double-double"][column], rtol=0, atol=2e-10,
+                                          err_msg=name)
+
+
+def test_damping_is_exponential(write, columns):
+    text = SPHERE + STATE + ("[[perturbation]]\nkind = \"damping\"\ncoefficients = [0.5, 0.5, 0.5]\n"
+                             "[time]\nstop = 10\nstep = 1\n[output]\ncolumns = [\"omega_inertial\"]\n")
+    c = columns(write(text))
+    for name, start in (("W1", 0.1), ("W2", 0.2), ("W3", 1.0)):
+        numpy.testing.assert_allclose(c[name], start * numpy.exp(-0.25 * c["t"]), rtol=1e-10)
+
+
+@pytest.mark.parametrize("axes", ["body", "inertial"])
+def test_a_constant_torque_spins_up(write, columns, axes):
+    text = BODY + ("[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 1]\n"
+                   "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0, 0, 0.5]\n"
+                   f"axes = \"{axes}\"\n[time]\nstop = 10\nstep = 1\n")
+    c = columns(write(text))
+    numpy.testing.assert_allclose(c["w3"], 1 + 0.2 * c["t"], rtol=1e-13)
+    angle = c["t"] + 0.1 * c["t"]**2
+    numpy.testing.assert_allclose(c["qw"] * numpy.sign(c["qw"][0]), numpy.cos(angle / 2), atol=1e-11)
+
+
+SPIN_UP = BODY + ("[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0, 0, -1]\n"
+                  "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0, 0, 0.5]\n"
+                  "[time]\nstop = 20\nstep = 3\n[output]\ncolumns = [\"omega\"]\n")
+
+
+def test_events_are_found_and_written(run, write, table, tmp_path):
+    text = SPIN_UP + ("[[event]]\nname = \"turns\"\ncolumn = \"w3\"\n"
+                      "[[event]]\ncolumn = \"w3\"\nvalue = 2\ncrossing = \"falling\"\n")
+    out = tmp_path / "events.csv"
+    result = run("run", write(text), "--events", out)
+    assert result.returncode == 0
+    assert "turns, rising, at t" in result.stdout and "completed" in result.stdout
+    found = rows_of(out, table)
+    assert [event["name"] for event in found] == ["turns"]  # the other one rises, and does not count
+    assert float(found[0]["t"]) == pytest.approx(5, abs=1e-11)
+    assert found[0]["direction"] == "1"
+    assert abs(float(found[0]["w3"])) < 1e-12
+    assert not list(tmp_path.glob("*.part"))
+    assert out.read_text(encoding="utf-8").startswith("# polhode ")
+
+
+def test_an_event_may_stop_the_run(run, write, columns):
+    text = SPIN_UP + "[[event]]\ncolumn = \"w3\"\nvalue = 1\nstops = true\n"
+    c = columns(write(text))
+    assert list(c["t"][:4]) == [0, 3, 6, 9] and len(c["t"]) == 5
+    assert c["t"][-1] == pytest.approx(10, abs=1e-11)
+    assert c["w3"][-1] == pytest.approx(1, abs=1e-12)
+
+
+def test_the_jump_of_an_angle_is_no_event(run, write, table, tmp_path):
+    """A body that spins with 1 rad/s about inertial axis 3: psi rises through 0 once per turn, and
+    jumps from pi to -pi once per turn."""
+    state = ("[state.attitude-rate]\neuler = { phi = 0, theta = 1, psi = 1 }\n"
+             "omega_inertial = [0, 0, 1]\n")
+    for crossing, value, times in (("both", 0.5, 3), ("rising", 0.5, 3), ("falling", 0.5, 0),
+                                   ("both", 0.5 - 4 * math.pi, 3)):
+        text = SPHERE + state + (f"[[event]]\ncolumn = \"phi\"\nvalue = {value}\n"
+                                 f"crossing = \"{crossing}\"\n[time]\nstop = 20\nstep = 1\n")
+        out = tmp_path / "events.csv"
+        assert run("run", write(text), "--events", out).returncode == 0
+        found = [float(event["t"]) for event in rows_of(out, table)]
+        assert len(found) == (4 if times else 0)
+        for k, t in enumerate(found):
+            assert t == pytest.approx(0.5 + 2 * math.pi * k, abs=1e-10)
+
+
+def test_events_need_a_table_and_a_csv(run, write, tmp_path):
+    path = write(BODY + STATE + "[time]\nstop = 1\nstep = 1\n")
+    result = run("run", path, "--events", tmp_path / "e.csv")
+    assert result.returncode == 2 and "[[event]]" in result.stderr
+    path = write(SPIN_UP + "[[event]]\ncolumn = \"w3\"\n")
+    for name, message in (("e.h5", "expected PATH.csv"), ("none/e.csv", "folder does not exist")):
+        result = run("run", path, "--events", tmp_path / name)
+        assert result.returncode == 2 and message in result.stderr
+        assert len(result.stderr.splitlines()) == 1
+    same = tmp_path / "same.csv"
+    result = run("run", path, "--events", same, "--out", same)
+    assert result.returncode == 2 and "twice" in result.stderr and not same.exists()
+
+
+def test_rows_may_begin_anywhere_and_run_backwards(write, columns):
+    rest = "[output]\ncolumns = [\"q\", \"omega\"]\n"
+    head = BODY + STATE + ORBIT + GRAVITY
+    whole = columns(write(head + "[time]\nstop = 10\nstep = 1\n" + rest))
+    for time, rows in (("start = 4\nstop = 10\nstep = 1\n", range(4, 11)),
+                       ("start = 10\nstop = 0\nstep = -1\n", range(10, -1, -1)),
+                       ("at = [7, 7, 8]\n", [7, 7, 8])):
+        part = columns(write(head + "[time]\n" + time + rest))
+        for name, values in part.items():
+            numpy.testing.assert_allclose(values, whole[name][list(rows)], rtol=0, atol=1e-10)
+    back = columns(write(head + "[time]\nstart = -3\nstop = 3\nstep = 3\n" + rest))
+    assert list(back["t"]) == [-3, 0, 3]
+    assert [back[name][1] for name in ("w1", "w2", "w3")] == pytest.approx([0.1, 0.2, 1], abs=1e-10)
+
+
+def test_hdf5_holds_what_csv_holds(run, write, table, tmp_path):
+    groups = ("q_inertial omega_rel convective andoyer_osc euler_osc axes axes_rel energy sadov "
+              "serret").split()
+    text = BODY + STATE + ORBIT + GRAVITY + (
+        "[frame.precessing]\naxis = [0, 1, 1]\nrate = 0.2\n[time]\nstop = 5\nstep = 0.1\n"
+        f"[output]\ncolumns = {json.dumps(groups)}\n")
+    result = run("run", write(text), "--out", tmp_path / "a.csv", "--out", tmp_path / "a.h5")
+    assert result.returncode == 0
+    names, rows = table((tmp_path / "a.csv").read_text(encoding="utf-8"))
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert set(file) == {"t", *groups}
+        assert any("precessing" in note for note in file.attrs["notes"])
+        assert any("method: adaptive" in note for note in file.attrs["notes"])
+        stack = numpy.column_stack([file[group] for group in ["t", *groups]])
+        listed = [name for group in ["t", *groups] for name in file[group].attrs["columns"]]
+    assert names == listed and len(set(names)) == len(names)
+    assert {"lobe", "sign_g1", "sign_g3"} <= set(names)
+    assert numpy.array_equal(stack, numpy.array(rows))
+    assert not numpy.isnan(stack).any()
+
+
+def test_convert_reads_the_branch_of_a_perturbed_run(run, write, table):
+    text = BODY + STATE + ORBIT + GRAVITY + (
+        "[time]\nstop = 5\nstep = 0.5\n[output]\ncolumns = [\"q\", \"g\", \"sadov\"]\n")
+    rows = run("run", write(text)).stdout
+    names, before = table(rows)
+    kept = [i for i, name in enumerate(names) if name not in ("qw", "qx", "qy", "qz", "g1", "g2", "g3")]
+    sadov = "\n".join([",".join(names[i] for i in kept)] +
+                      [",".join(repr(row[i]) for i in kept) for row in before]) + "\n"
+    result = run("convert", "--from", "sadov", "--to", "rotor", "--moments", "1,2,2.5", stdin=sadov)
+    assert result.returncode == 0, result.stderr
+    now, after = table(result.stdout)
+    for a, b in zip(before, after, strict=True):
+        for name in ("g1", "g2", "g3"):
+            assert b[now.index(name)] == pytest.approx(a[names.index(name)], abs=1e-12)
+
+
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_a_run_that_fails_midway_keeps_its_rows(run, write, table, tmp_path, extension):
+    path = write(BODY + STATE + COLLISION + "[time]\nstop = 2\nstep = 0.001\n")
+    out = tmp_path / f"a.{extension}"
+    result = run("run", path, "--out", out)
+    assert result.returncode == 1 and result.stdout == ""
+    assert len(result.stderr.splitlines()) == 1
+    assert result.stderr.startswith("run.toml: the run failed at t = 0.99999")
+    assert "try" in result.stderr and "rows so far: 1000" in result.stderr
+    assert not out.exists()
+    part = tmp_path / f"a.{extension}.part"
+    if extension == "csv":
+        _, rows = table(part.read_text(encoding="utf-8"))
+        assert len(rows) == 1000 and rows[-1][0] == 0.999
+    else:
+        with h5py.File(part) as file:
+            assert len(file["t"]) == len(file["q"]) == 1000 and file["t"][-1] == 0.999
+
+
+@pytest.mark.parametrize("method", [
+    "kind = \"adaptive\"", "kind = \"splitting\"\nstep = 0.1",
+    "kind = \"splitting\"\nstep = 0.1\nscheme = \"order2\"", "kind = \"variation-of-constants\""])
+def test_what_cannot_go_on_says_so(run, write, method):
+    """A torque beyond all numbers: one line, status 1, no crash."""
+    path = write(BODY + STATE + "[[perturbation]]\nkind = \"constant-torque\"\n"
+                 f"torque = [1e307, 1e307, 1e307]\n[method]\n{method}\n[time]\nat = [1, 2]\n")
+    result = run("run", path)
+    assert result.returncode == 1
+    assert len(result.stderr.splitlines()) == 1
+    assert result.stderr.startswith("run.toml: the run failed at t = ")
+
+
+def test_an_event_that_is_no_number_ends_the_run(run, write, tmp_path):
+    text = SPHERE + ("[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 0]\n"
+                     "[[event]]\ncolumn = \"I_r\"\nvalue = 1\n[time]\nstop = 1\nstep = 1\n")
+    result = run("run", write(text), "--events", tmp_path / "e.csv")
+    assert result.returncode == 1 and "event \"I_r\" is NaN" in result.stderr
+    assert not (tmp_path / "e.csv").exists() and (tmp_path / "e.csv.part").exists()
+
+
+def test_info_and_outputs_say_what_moves_the_body(run, write):
+    path = write(BODY + STATE + ORBIT + GRAVITY + "[frame.orbit-plane]\norbit = \"moon\"\n"
+                 "[[event]]\ncolumn = \"theta\"\nvalue = 1\n[time]\nstop = 1\nstep = 1\n")
+    table = json.loads(run("info", path, "--json").stdout)
+    assert table["orbit_moon"]["value"] == pytest.approx(2 * math.pi, rel=1e-15)
+    assert table["perturbation_1"] == "gravity gradient, orbit moon"
+    assert table["frame"] == "plane of orbit moon"
+    assert table["event_1"] == "theta = 1 rad"
+    chosen = "adaptive, tolerance 1e-12 (chosen: the file names no method)"
+    assert table["method"] == chosen
+    assert f"# method: {chosen}" in run("run", path).stdout.splitlines()
+    cited = run("cite", path).stdout
+    assert "verner2010" in cited and "markley1995" in cited and "efroimsky2007" in cited
+    free = write(BODY + STATE + "[frame.precessing]\naxis = [0, 0, 1]\nrate = 1\n")
+    assert json.loads(run("info", free, "--json").stdout)["method"] == \
+        "exact free rotation, seen from the moving frame"
+
+
+def test_papers_of_every_method_are_in_the_bibliography(run, write, root):
+    known = (root / "docs/references.bib").read_text(encoding="utf-8")
+    for method in METHODS.values():
+        cited = run("cite", write(BODY + STATE + ORBIT + GRAVITY + method)).stdout
+        for line in cited.splitlines():
+            if line.startswith("["):
+                assert "{" + line[1:].split("]")[0] + "," in known
+
+
+def test_an_exact_run_in_a_moving_frame_is_the_integrated_one(write, columns):
+    text = BODY + STATE + ("[frame.precessing]\naxis = [1, 0, 2]\nrate = 0.7\nepoch = 2\n"
+                           "[time]\nstop = 20\nstep = 1\n[output]\n"
+                           "columns = [\"q\", \"q_inertial\", \"omega\", \"omega_rel\", \"serret\"]\n")
+    exact = columns(write(text))
+    integrated = columns(write(text + "[method]\nkind = \"adaptive\"\ntolerance = 1e-14\n"))
+    for name, values in exact.items():
+        if name != "t0":  # counts periods on its own
+            numpy.testing.assert_allclose(integrated[name], values, rtol=0, atol=2e-12, err_msg=name)
