@@ -264,6 +264,8 @@ inline constexpr double rotor_ode_edge = 1e-9;
 inline constexpr double transition_free = 1e-11;
 inline constexpr double transition_difference = 1e-9;
 inline constexpr double transition_symplectic = 1e-13;
+// Of a splitting of order 8 with steps of 0.1 rad, and of the others, against Adaptive.
+inline constexpr double transition_method = 1e-11;
 
 // --- the Runge-Kutta pair and its control (tests/unit/ode) ---
 // Published coefficients against the conditions, and double ones settled on the first of them.

@@ -6,6 +6,7 @@
 
 #include "dynamics/detail/adaptive_failure.hpp"
 #include "dynamics/detail/adaptive_field.hpp"
+#include "dynamics/detail/splitting_map.hpp"
 #include "free/detail/hub_tangent.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/dynamics/integrate.hpp"
@@ -16,18 +17,6 @@ inline namespace v0 {
 namespace {
 
 using detail::number_text;
-
-Adaptive checked_method(const Problem& problem) {
-  const auto* method = std::get_if<Adaptive>(&problem.method);
-  if (method == nullptr)
-    throw DomainError("state_transitions: " + method_text(problem.method) +
-                      " has no variational equations: use Adaptive");
-  require_valid(problem.method);
-  if (method->tolerance < 1e-15)
-    throw DomainError("state_transitions: tolerance " + number_text(method->tolerance) +
-                      " must be from 1e-15: derivatives are carried in double");
-  return *method;
-}
 
 void require_terms(const Problem& problem) {
   for (const AnyPerturbation& term : problem.system.terms())
@@ -56,42 +45,95 @@ TransitionSample sample_at(double t, const detail::RotorValues<Tangent>& y) {
           detail::hub_tangent(s)};
 }
 
-}  // namespace
-
-std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples) {
-  const Adaptive method = checked_method(problem);
-  require_terms(problem);
+void require_start(const Problem& problem) {
   const double size = norm(Vec3{std::hypot(problem.initial.q.w, problem.initial.q.x),
                                 problem.initial.q.y, problem.initial.q.z});
   if (!(size > 0.0) || !std::isfinite(size) || !detail::is_finite(problem.initial.g) ||
       !std::isfinite(problem.start) || !std::isfinite(problem.stop))
     throw DomainError("state_transitions: state, start and stop must be finite, q not zero");
-  AdaptiveRungeKutta<Verner98, Tangent, 7, detail::RotorField<Tangent>, detail::RotorErrorSize>
-      solver(detail::RotorField<Tangent>(problem.system), {}, problem.start,
-             seeded(problem.initial), {method.tolerance, method.first_step, method.largest_step});
+}
+
+// The times of the span, which must run from start to stop.
+std::vector<double> times_due(const Problem& problem, const SaveAt& samples) {
   const double sign = problem.start <= problem.stop ? 1.0 : -1.0;
   // SaveAt keeps a row that rounding puts beyond stop.
   const double slack =
       8.0 * epsilon<double>() * std::max(std::abs(problem.start), std::abs(problem.stop));
-  std::vector<TransitionSample> rows;
-  double last = problem.start;
+  std::vector<double> times;
   for (std::int64_t k = 0; k < samples.size(); ++k) {
     const double t = samples[k];
     if (!(sign * (t - problem.start) >= 0.0 && sign * (problem.stop - t) >= -slack)) continue;
-    if (sign * (t - last) < 0.0)
+    if (!times.empty() && sign * (t - times.back()) < 0.0)
       throw DomainError("state_transitions: sample times must run from start to stop: " +
-                        number_text(t) + " comes after " + number_text(last));
-    last = t;
-    while (solver.time() != DoubleDouble(t)) {
-      const StepOutcome outcome = solver.advance(t);
-      if (outcome != StepOutcome::made)
-        throw DomainError("state_transitions: " +
-                          detail::failure_text(solver.field(), solver.time(), solver.state().y,
-                                               solver.trial(), outcome));
-    }
-    rows.push_back(sample_at(t, solver.state().y));
+                        number_text(t) + " comes after " + number_text(times.back()));
+    times.push_back(t);
   }
-  return rows;
+  return times;
+}
+
+// By the variational equations, which are those of a dual state.
+struct Transitions {
+  const Problem& problem;
+  const std::vector<double>& times;
+
+  std::vector<TransitionSample> operator()(const Adaptive& method) const {
+    if (method.tolerance < 1e-15)
+      throw DomainError("state_transitions: tolerance " + number_text(method.tolerance) +
+                        " must be from 1e-15: derivatives are carried in double");
+    AdaptiveRungeKutta<Verner98, Tangent, 7, detail::RotorField<Tangent>, detail::RotorErrorSize>
+        solver(detail::RotorField<Tangent>(problem.system), {}, problem.start,
+               seeded(problem.initial), {method.tolerance, method.first_step, method.largest_step});
+    std::vector<TransitionSample> rows;
+    for (const double t : times) {
+      while (solver.time() != DoubleDouble(t)) {
+        const StepOutcome outcome = solver.advance(t);
+        if (outcome != StepOutcome::made)
+          throw DomainError("state_transitions: " +
+                            detail::failure_text(solver.field(), solver.time(), solver.state().y,
+                                                 solver.trial(), outcome));
+      }
+      rows.push_back(sample_at(t, solver.state().y));
+    }
+    return rows;
+  }
+
+  // The derivative of what the splitting does, step by step: symplectic as the method is.
+  std::vector<TransitionSample> operator()(const Splitting& method) const {
+    const detail::SplittingMap map(problem.system, method.scheme);
+    detail::SplittingState now =
+        map.start(problem.start, {normalized(problem.initial.q), problem.initial.g});
+    const double step = std::copysign(method.step, problem.stop - problem.start);
+    Matrix6 transition = Matrix6::identity();
+    std::vector<TransitionSample> rows;
+    for (const double t : times) {
+      const auto rest = [&] { return (t - now.t.hi) - now.t.lo; };
+      while (std::abs(rest()) > std::abs(step)) {  // what is left is a part of a step, not kept
+        if (now.t.hi + step == now.t.hi)
+          throw DomainError("state_transitions: step " + number_text(method.step) +
+                            " is below the rounding of t = " + number_text(now.t.hi));
+        transition = map.step_transition(now, step) * transition;
+        now = map.stepped(now, step);
+      }
+      rows.push_back(
+          {t, map.state(map.stepped(now, rest())), map.step_transition(now, rest()) * transition});
+    }
+    return rows;
+  }
+
+  // The motion is the same to the tolerance; its variational equations need no constants.
+  std::vector<TransitionSample> operator()(const VariationOfConstants& method) const {
+    return (*this)(Adaptive{.tolerance = method.tolerance, .largest_step = method.largest_step});
+  }
+};
+
+}  // namespace
+
+std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples) {
+  require_valid(problem.method);
+  require_terms(problem);
+  require_start(problem);
+  const std::vector<double> times = times_due(problem, samples);
+  return std::visit(Transitions{problem, times}, problem.method);
 }
 
 }  // namespace v0

@@ -56,8 +56,10 @@ struct TransitionSample {
   Matrix6 transition;
 };
 
-// The state transition matrix along a run, by the variational equations (dual numbers). Every term
-// must be a template on the number type.
+// The state transition matrix along a run. Adaptive: by the variational equations (dual numbers);
+// VariationOfConstants: by those of Adaptive at its tolerance; Splitting: the derivative of the
+// splitting's own steps, symplectic as they are (terms that are kicks). Every term must be a
+// template on the number type. A run that cannot go on is a DomainError here.
 std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples);
 
 }  // namespace v0

@@ -12,6 +12,8 @@ namespace polhode::test {
 
 // gm = a = n = 1, pericentre on x at t = 0, inertial axes.
 struct W1Torque {
+  static constexpr bool kick = true;
+
   template <Real T>
   static BasicVec3<T> position(const T& t, const T& rest) {
     using std::cos;

@@ -118,10 +118,46 @@ TEST(StateTransitions, InAPrecessingFrameBackwards) {
             budget::transition_free);
 }
 
+TEST(StateTransitions, OfEveryMethodAreThoseOfTheMotion) {
+  const Frame frame = Frame::precessing({0.0, 0.6, 0.8}, 0.4);
+  // within steps, at their ends, and several in one
+  const SaveAt times = SaveAt::times({0.0, 0.013, 0.015, 0.5, 1.0, 1.2345});
+  for (const double stop : {1.5, -1.5}) {
+    const SaveAt due = stop > 0.0 ? times : SaveAt::times({0.0, -0.013, -1.0, -1.2345});
+    const auto exact = state_transitions(w1(tight, 0.0, stop, w1_state, frame), due);
+    for (const Method& method :
+         {Method{Splitting{0.01, SplittingScheme::order8}}, Method{VariationOfConstants{1e-13}}}) {
+      const auto rows = state_transitions(w1(method, 0.0, stop, w1_state, frame), due);
+      ASSERT_EQ(rows.size(), exact.size());
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        EXPECT_EQ(rows[k].t, exact[k].t);
+        EXPECT_LE(difference(rows[k].transition, exact[k].transition), budget::transition_method);
+        EXPECT_LE(distance(rows[k].s, exact[k].s), budget::transition_method);
+      }
+    }
+  }
+}
+
+TEST(StateTransitions, OfASplittingAreSymplecticWhateverTheStep) {
+  const auto rows = state_transitions(w1(Splitting{0.1, SplittingScheme::order2}, 0.0, 20.0),
+                                      SaveAt::count(0.0, 20.0, 6));
+  for (const TransitionSample& row : rows) {
+    const Matrix6& M = row.transition;
+    const Matrix6 carried = M * poisson(w1_state.g) * transpose(M);
+    const double scale = largest(M) * largest(M) * largest(poisson(w1_state.g));
+    EXPECT_LE(largest(poisson(row.s.g)) * difference(carried, poisson(row.s.g)),
+              budget::transition_symplectic * scale);
+  }
+}
+
 TEST(StateTransitions, RefuseWhatTheyCannotDo) {
   const SaveAt end = SaveAt::times({1.0});
-  EXPECT_THAT([&] { state_transitions(w1(Splitting{0.01}, 0.0, 1.0), end); },
-              testing::ThrowsMessage<DomainError>(HasSubstr("use Adaptive")));
+  const auto dragged = [](const auto&, const auto& s) { return s.g.x * s.q.w * s.q.w; };
+  const Problem no_flow{
+      System(w1_body, Frame::inertial(), {AnyPerturbation("drag", HamiltonianTerm(dragged))}),
+      w1_state, 0.0, 1.0, Splitting{0.01}};
+  EXPECT_THAT([&] { state_transitions(no_flow, end); },
+              testing::ThrowsMessage<DomainError>(HasSubstr("Adaptive")));
   const auto on_double = [](double, const RotorState&) { return Vec3{}; };
   const Problem p{
       System(w1_body, Frame::inertial(), {AnyPerturbation("thruster", TorqueTerm(on_double))}),
