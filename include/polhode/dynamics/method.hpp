@@ -34,8 +34,8 @@ struct Adaptive {
 };
 
 // Symmetric compositions of drift (free rotation) and kick (terms). The near-integrable families
-// ABA864 and ABA1064 (Blanes et al. 2013) have an error of order eps h^8 + eps^2 h^6 + eps^3 h^4 and
-// eps h^10 + eps^2 h^6 + eps^3 h^4 when the terms are eps times the free motion.
+// ABA864 and ABA1064 (Blanes et al. 2013) have an error of order eps h^8 + eps^2 h^6 + eps^3 h^4
+// and eps h^10 + eps^2 h^6 + eps^3 h^4 when the terms are eps times the free motion.
 enum class SplittingScheme { order2, order4, order6, order8, ABA864, ABA1064 };
 
 struct Splitting {

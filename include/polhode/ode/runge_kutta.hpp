@@ -56,19 +56,21 @@ struct RoundedTableau {
       c[i] = Tableau::c[i].hi;
       e[i] = Tableau::e[i].hi;
       for (std::size_t j = 0; j < i; ++j) a[i][j] = Tableau::a[i][j].hi;
-      if (i > 0) settle(a[i], i, nullptr, c[i]);
+      if (i > 0)
+        settle(
+            a[i], i, [](std::size_t) { return 1.0; }, c[i]);
     }
-    settle(b, stages, c, 0.5);
+    settle(
+        b, stages, [this](std::size_t j) { return c[j]; }, 0.5);
     DoubleDouble rest(1.0);
     for (std::size_t i = 1; i < stages; ++i) rest -= DoubleDouble(b[i]);
     b[0] = rest.hi;
   }
 
  private:
-  // The smallest weight that is not 0 becomes what makes sum_j weight_j factor_j = value.
-  static constexpr void settle(double* weights, std::size_t n, const double* factors,
-                               double value) {
-    const auto factor = [&](std::size_t j) { return factors == nullptr ? 1.0 : factors[j]; };
+  // The smallest weight that is not 0 becomes what makes sum_j weight_j factor(j) = value.
+  template <class Factor>
+  static constexpr void settle(double* weights, std::size_t n, const Factor& factor, double value) {
     const auto size = [&](std::size_t j) { return weights[j] < 0.0 ? -weights[j] : weights[j]; };
     std::size_t least = n;
     for (std::size_t j = 0; j < n; ++j)

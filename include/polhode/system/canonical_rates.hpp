@@ -13,8 +13,8 @@
 //             and Theta then refer to the node that to_euler chooses); of l and g at J = 0, pi; of
 //             g and h at I = 0, pi; at G = 0 of all of Andoyer's set but L and H. All others are
 //             right there. A Poincare-type set has all six at its poles, and none at G = 0.
-// Accuracy    budget paper_perturbed in tests/budgets.hpp; angles lose 1/sin of theta, J, I near the
-//             poles, as their definition does.
+// Accuracy    budget paper_perturbed in tests/budgets.hpp; angles lose 1/sin of theta, J, I near
+//             the poles, as their definition does.
 // Errors      what a term throws passes through; a zero quaternion: NaN.
 // Cost        the terms and a few microseconds for B.
 #pragma once
