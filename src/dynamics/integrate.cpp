@@ -81,8 +81,7 @@ class Run {
     const bool crossed = watch_.crossed(end.t, end.s);
     if (refused(parts_.outcome.t)) return false;
     std::shared_ptr<const DenseStep> dense;
-    if (keep_dense_ || crossed || samples_.wants_inside(end.t))
-      dense = stepper_->dense(keep_dense_);
+    if (keep_dense_ || crossed || samples_.wants_dense(end.t)) dense = stepper_->dense(keep_dense_);
     if (keep_dense_) parts_.dense.push_back(dense);
     bool stopped = false;
     if (crossed) {

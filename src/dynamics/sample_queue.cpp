@@ -2,6 +2,8 @@
 #include "dynamics/detail/sample_queue.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "math/detail/number_text.hpp"
@@ -13,12 +15,19 @@ namespace detail {
 namespace {
 
 constexpr std::size_t samples_per_block = 1024;
+// More than that of SaveAt::steps.
+constexpr double slack = 8.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
 SampleQueue::SampleQueue(double start, double stop, std::optional<SaveAt> times,
                          const SampleSink& sink)
-    : forward_(start <= stop), times_(std::move(times)), sink_(sink) {
+    : forward_(start <= stop),
+      stop_(stop),
+      reach_of_stop_(stop + (forward_ ? 1.0 : -1.0) * slack *
+                                std::fmax(std::fabs(start), std::fabs(stop))),
+      times_(std::move(times)),
+      sink_(sink) {
   block_.reserve(samples_per_block);
   if (!times_) return;
   while (!is_done() && is_before(due(), start)) ++next_;
@@ -39,8 +48,11 @@ void SampleQueue::push(const Sample& sample) {
 }
 
 void SampleQueue::flush() {
-  if (!block_.empty()) sink_(block_);
-  block_.clear();
+  if (block_.empty()) return;
+  // emptied first: a sink that throws must not get the same samples again
+  const std::vector<Sample> full = std::exchange(block_, {});
+  block_.reserve(samples_per_block);
+  sink_(full);
 }
 
 void SampleQueue::begin(const Sample& initial) {
@@ -48,20 +60,20 @@ void SampleQueue::begin(const Sample& initial) {
   for (; !is_done() && due() == initial.t; ++next_) push(initial);
 }
 
-bool SampleQueue::wants_inside(double t) const {
-  return times_ && !is_done() && is_before(due(), t);
+bool SampleQueue::wants_dense(double t) const {
+  return times_ && !is_done() && (t == stop_ || is_before(due(), t));
 }
 
 void SampleQueue::step(const DenseStep* dense, const Sample& end) {
   if (!times_) return push(end);
-  for (; !is_done() && !is_before(end.t, due()); ++next_) {
+  for (; !is_done() && !is_before(reach(end.t), due()); ++next_) {
     const double t = due();
     push(t == end.t ? end : Sample{t, dense->at(t)});
   }
 }
 
 void SampleQueue::last(const Sample& end) {
-  if (latest_ != end.t) push(end);
+  if (!latest_ || is_before(*latest_, end.t)) push(end);
 }
 
 }  // namespace detail

@@ -4,8 +4,9 @@
 // Equations   those of System; of the method.
 // Units       those of the system.
 // Domain      any state with a non-zero quaternion, from `start` to `stop` in either direction.
-//             Samples outside the span are left out. A sample at `stop` is the end of the last
-//             step; others come from the dense output.
+//             Samples outside the span are left out, but for a last one that rounding alone puts
+//             beyond `stop`. A sample at `stop` is the end of the last step; others come from the
+//             dense output.
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for a problem that is none (NaN, a method out of range, a splitting of a
 //             term without a flow). A run that cannot go on (NaN, a step too small) ends with

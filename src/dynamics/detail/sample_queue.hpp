@@ -21,9 +21,9 @@ class SampleQueue {
 
   // A sample at the start, if one is due.
   void begin(const Sample& initial);
-  // Whether a sample is due before t, the end of the step.
-  bool wants_inside(double t) const;
-  // Samples due up to `end`; those before it come from the step.
+  // Whether a sample may be due elsewhere than at t, the end of the step.
+  bool wants_dense(double t) const;
+  // Samples due up to `end`; those not at it come from the step.
   void step(const DenseStep* dense, const Sample& end);
   // One more sample where an event has stopped the run, unless it is there.
   void last(const Sample& end);
@@ -31,11 +31,15 @@ class SampleQueue {
 
  private:
   bool is_before(double a, double b) const { return forward_ ? a < b : a > b; }
+  // Up to where samples are due in a step that ends at t.
+  double reach(double t) const { return t == stop_ ? reach_of_stop_ : t; }
   double due() const { return (*times_)[next_]; }
   bool is_done() const { return next_ == times_->size(); }
   void push(const Sample& sample);
 
   bool forward_;
+  double stop_;
+  double reach_of_stop_;  // beyond it: SaveAt keeps a row that rounding puts there
   std::optional<SaveAt> times_;
   const SampleSink& sink_;
   std::int64_t next_ = 0;

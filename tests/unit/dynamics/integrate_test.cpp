@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -103,6 +104,32 @@ TEST(Integrate, SamplesOutsideTheSpanAreLeftOut) {
         integrate(problem(Adaptive{}), {SaveAt::times({5.0, 3.0})});
       },
       testing::ThrowsMessage<DomainError>(HasSubstr("3 comes after 5")));
+}
+
+// 3 * 0.1 is beyond 0.3 by one unit in the last place.
+TEST(Integrate, ARowThatRoundingPutsBeyondTheEndIsThere) {
+  const FreeRotation exact(wing_nut, tumbling, 0.0);
+  for (const Method& method : {Method(Adaptive{}), Method(Splitting{0.07})}) {
+    for (const double sign : {1.0, -1.0}) {
+      const SaveAt rows = SaveAt::steps(0.0, 0.3 * sign, 0.1 * sign);
+      const Trajectory run = integrate(free_problem(method, 0.0, 0.3 * sign), {rows, false});
+      ASSERT_EQ(run.samples().size(), 4U);
+      EXPECT_GT(std::fabs(run.samples().back().t), 0.3);
+      EXPECT_LT(distance(run.samples().back().s, exact.at(0.3 * sign)), budget::adaptive_short_run);
+    }
+  }
+}
+
+TEST(Integrate, ASinkThatThrowsDoesNotGetTheSameSamplesAgain) {
+  std::vector<double> seen;
+  const SampleSink full = [&seen](std::span<const Sample> block) {
+    for (const Sample& sample : block) seen.push_back(sample.t);
+    if (seen.size() > 1024) throw std::runtime_error("disk full");
+  };
+  EXPECT_THAT([&] { integrate(problem(Adaptive{}), SaveAt::count(0.0, 10.0, 4000), full); },
+              testing::ThrowsMessage<std::runtime_error>("disk full"));
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end());
 }
 
 TEST(Integrate, EventsAreTheCrossingsOfTheExactMotion) {
