@@ -54,6 +54,17 @@ void precessing_position(benchmark::State& state) {
   positions(state, PrecessingKeplerOrbit(elements(state), {0.01, 0.02, 0.003}));
 }
 
+// Each time waits for the last position, as in an integrator: two more operations in the chain.
+void kepler_position_latency(benchmark::State& state) {
+  const KeplerOrbit orbit(elements(state));
+  double t = 0.1, next = t + step;
+  for (auto _ : state) {
+    t = next + 1e-300 * orbit.position(t).x;
+    next = t + step;
+  }
+  benchmark::DoNotOptimize(t);
+}
+
 void kepler_velocity(benchmark::State& state) {
   const KeplerOrbit orbit(elements(state));
   double t = 0.1;
@@ -90,6 +101,7 @@ void gravity_gradient(benchmark::State& state) {
 }
 
 BENCHMARK(kepler_position)->Arg(0)->Arg(10)->Arg(50)->Arg(70)->Arg(99)->Arg(150);
+BENCHMARK(kepler_position_latency)->Arg(0)->Arg(10)->Arg(50)->Arg(70);
 BENCHMARK(kepler_velocity)->Arg(10)->Arg(70)->Arg(150);
 BENCHMARK(kepler_double_double)->Arg(10)->Arg(150);
 BENCHMARK(kepler_constructor)->Arg(10)->Arg(70);

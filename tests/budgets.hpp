@@ -192,6 +192,9 @@ inline constexpr double kepler_sine_eps = 2.0;
 inline constexpr double kepler_versine_eps = 5.0;
 // Position and velocity of an orbit, relative to their lengths, after any number of orbits.
 inline constexpr double kepler_position_eps = 4.0;
+// The same for e <= 0.5, from a table; and before it is turned into the axes of the elements.
+inline constexpr double kepler_tabulated_eps = 1.5;
+inline constexpr double kepler_tabulated_plane_eps = 0.6;
 inline constexpr double kepler_velocity_eps = 10.0;
 inline constexpr double kepler_wide_eps = 16.0;
 // Elements of a state where they are well conditioned.

@@ -6,6 +6,7 @@
 
 #include "math/detail/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/planar_position.hpp"
 #include "orbit/detail/plane_axes.hpp"
 #include "orbit/detail/sine_excess.hpp"
 #include "polhode/error.hpp"
@@ -180,7 +181,7 @@ KeplerOrbit KeplerOrbit::from_state(const Vec3& position, const Vec3& velocity, 
 }
 
 Vec3 KeplerOrbit::position(double t, double rest) const {
-  const BasicPlanarPoint<double> at = plane_.position(t, rest);
+  const BasicPlanarPoint<double> at = plane_.point(t, rest);
   return at.x * to_pericentre_ + at.y * along_motion_;
 }
 

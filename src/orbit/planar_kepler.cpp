@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/orbit/planar_kepler.hpp"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
+
+#include "orbit/detail/planar_position.hpp"
+#include "orbit/detail/tabulated_ellipse.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
-
-// Above, 64 intervals are too few for the one corrected step from a node.
-constexpr double nodes_end = 0.5;
-// Adding 1.5 2^52 rounds to an integer and leaves it in the low bits.
-constexpr double integer_bits = 0x1.8p52;
-constexpr double two_pi = 2.0 * RealTraits<double>::pi();
-// Turns below which that works with room for the fraction.
-constexpr double most_turns = 0x1p50;
 
 // The fraction of a phase in turns, in [-1/2, 1/2].
 DoubleDouble fraction(const DoubleDouble& turns) {
@@ -33,27 +26,8 @@ PlanarKepler::PlanarKepler(const Shape& shape)
       a_(shape.pericentre / shape.eccentricity.complement),
       b_(a_ * sqrt(shape.eccentricity.complement * (shape.eccentricity.e + 1.0))),
       frequency_(shape.mean_motion / DoubleDouble::two_pi()) {
-  if (shape.eccentricity.e.hi <= nodes_end) nodes_ = prepared_nodes(shape.eccentricity);
-}
-
-std::shared_ptr<const PlanarKepler::Nodes> PlanarKepler::prepared_nodes(
-    const BasicEccentricity<DoubleDouble>& e) {
-  auto nodes = std::make_shared<Nodes>();
-  for (int j = 0; j <= intervals; ++j) {
-    const auto at = eccentric_anomaly(DoubleDouble::pi() * (double(j) / intervals), e);
-    const DoubleDouble slope = e.complement + e.e * at.versine, cosine = 1.0 - at.versine;
-    const DoubleDouble es = e.e * at.sine, ec = e.e * cosine;
-    const DoubleDouble p = 0.5 * es / slope, r = ec / slope / 6.0;
-    (*nodes)[static_cast<std::size_t>(j)] = {.sine = at.sine.hi,
-                                             .versine = at.versine.hi,
-                                             .rate = (DoubleDouble::two_pi() / slope).hi,
-                                             .second = p.hi,
-                                             .third = (2.0 * p * p - r).hi,
-                                             .e_sine = es.hi,
-                                             .e_cosine = ec.hi,
-                                             .slope = slope.hi};
-  }
-  return nodes;
+  if (detail::TabulatedEllipse::serves(shape))
+    table_ = std::make_shared<const detail::TabulatedEllipse>(shape);
 }
 
 DoubleDouble PlanarKepler::mean_anomaly(const DoubleDouble& t) const {
@@ -62,8 +36,9 @@ DoubleDouble PlanarKepler::mean_anomaly(const DoubleDouble& t) const {
   return DoubleDouble::two_pi() * fraction(frequency_ * elapsed);
 }
 
-PlanarKepler::Direction PlanarKepler::far_direction(const DoubleDouble& t) const {
-  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly(t).hi, rounded_);
+PlanarKepler::Direction PlanarKepler::direction(double t, double rest) const {
+  const double M = mean_anomaly(DoubleDouble::sum(t, rest)).hi;
+  const KeplerAnomaly at = eccentric_anomaly(M, rounded_);
   return {at.sine, at.versine};
 }
 
@@ -71,54 +46,13 @@ BasicKeplerAnomaly<DoubleDouble> PlanarKepler::anomaly(const DoubleDouble& t) co
   return eccentric_anomaly(mean_anomaly(t), shape_.eccentricity);
 }
 
-inline PlanarKepler::Direction PlanarKepler::direction(double t, double rest_of_t) const {
-  const TwoTerms<double> elapsed = two_sum(t, -shape_.pericentre_time.hi);
-  const TwoTerms<double> turns = two_prod(elapsed.hi, frequency_.hi);
-  if (hyperbola_ || !(std::abs(turns.hi) < most_turns))
-    return far_direction(DoubleDouble::sum(t, rest_of_t));
-  const double whole = (turns.hi + integer_bits) - integer_bits;
-  const double rest = turns.hi - whole;
-  const double tail =
-      turns.lo + (elapsed.hi * frequency_.lo +
-                  ((elapsed.lo - shape_.pericentre_time.lo) + rest_of_t) * frequency_.hi);
-  if (!nodes_) {
-    const KeplerAnomaly at = eccentric_anomaly(two_pi * (rest + tail), rounded_);
-    return {at.sine, at.versine};
-  }
-  // The ellipse is symmetric: the half y >= 0. The point is chosen without waiting for the tail.
-  const double half = std::abs(rest);
-  const double shifted = half * (2.0 * intervals) + integer_bits;
-  const double j = shifted - integer_bits;
-  const Node& node = (*nodes_)[std::bit_cast<std::uint64_t>(shifted) & (2 * intervals - 1)];
-  const double phase = (half - j * (0.5 / intervals)) + std::copysign(1.0, rest) * tail;
-  // M - M_j = d - e (sin(E_j + d) - sin E_j), reverted to third order.
-  const double u = phase * node.rate;
-  const double d = u - u * u * (node.second - u * node.third);
-  // |d| < 0.06: sines to rounding in four terms
-  const double z = d * d;
-  const double cubic = d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880))));
-  const double sine = d - cubic;
-  const double versed = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320))));
-  // Chebyshev's step of third order
-  const double residual =
-      (d * node.slope - phase * two_pi) + (node.e_cosine * cubic + node.e_sine * versed);
-  const double slope = node.slope + (node.e_sine * sine + node.e_cosine * versed);
-  const double bend = node.e_sine * (1.0 - versed) + node.e_cosine * sine;
-  const double inverse_slope = 1.0 / slope;
-  const double step = residual * inverse_slope;
-  const double h = -step * (1.0 + 0.5 * step * bend * inverse_slope);
-  // sin and 1 - cos of d + h, |h| < 1e-5
-  const double hh = 0.5 * h * h;
-  const double s = sine + (h * (1.0 - versed) - hh * sine);
-  const double v = versed + (h * sine + hh * (1.0 - versed));
-  const double cosine = 1.0 - node.versine;
-  return {std::copysign(1.0, rest) * (node.sine + (cosine * s - node.sine * v)),
-          node.versine + (node.sine * s + cosine * v)};
+BasicPlanarPoint<double> PlanarKepler::solved_point(double t, double rest) const {
+  const Direction at = direction(t, rest);
+  return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
 }
 
 BasicPlanarPoint<double> PlanarKepler::position(double t, double rest) const {
-  const Direction at = direction(t, rest);
-  return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
+  return point(t, rest);
 }
 
 BasicPlanarPoint<DoubleDouble> PlanarKepler::position(const DoubleDouble& t) const {
@@ -142,6 +76,15 @@ BasicPlanarMotion<T> planar_motion(const T& sine, const T& versine, const T& q, 
 }  // namespace
 
 BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
+  if (table_ && table_->holds(t, 0.0)) {
+    const BasicPlanarPoint<double> at = table_->at(t, 0.0);
+    const double sine = at.y / b_.hi, versine = (shape_.pericentre.hi - at.x) / a_.hi;
+    BasicPlanarMotion<double> motion =
+        planar_motion<double>(sine, versine, shape_.pericentre.hi, a_.hi, b_.hi,
+                              shape_.mean_motion.hi, rounded_, hyperbola_);
+    motion.position = at;
+    return motion;
+  }
   const Direction at = direction(t, 0.0);
   return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
                                shape_.mean_motion.hi, rounded_, hyperbola_);

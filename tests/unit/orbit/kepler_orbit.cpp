@@ -111,18 +111,40 @@ TEST(KeplerOrbit, ManyOrbits) {
 // Also next to every boundary of the prepared intervals.
 TEST(KeplerOrbit, PreparedPointsAndTheirMiddles) {
   double worst = 0.0;
-  for (const double e : {0.0, 0.1, 0.3, 0.5}) {
+  for (const double e : {0.0, 0.1, 0.1999, 0.2, 0.36, 0.37, 0.5}) {
     const KeplerElements k{1.0, 1.0 - e, e};
     const KeplerOrbit orbit(k);
-    for (int j = -260; j <= 260; ++j) {
+    for (int j = -260; j <= 520; ++j) {
       for (const double shift : {-1e-13, 0.0, 1e-13}) {
-        const double t = 2.0 * pi_ * (j / 256.0 + shift);
+        const double t = 2.0 * pi_ * (j / 512.0 + shift);
         const WideVec3 x = conic(k).position(t);
         worst = std::max(worst, distance(orbit.position(t), x) / (eps * length(x)));
       }
     }
   }
+  EXPECT_LE(worst, budget::kepler_tabulated_plane_eps);
+}
+
+// The table serves from 2^-24 to 2^40 turns of either sign, from an epoch that is far itself, where
+// a rest is one; beyond, Kepler's equation.
+TEST(KeplerOrbit, RestsOfTimes) {
+  double worst = 0.0, worst_tabulated = 0.0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    oracle::Draw draw(416, i);
+    KeplerElements k = drawn(draw);
+    k.eccentricity = draw.uniform(0.0, 0.5);
+    k.epoch = draw.sign() * draw.power_of_ten(-3.0, 9.0);
+    const double turn = 2.0 * pi_ / mean_motion(k), turns = draw.power_of_ten(-9.0, 12.5);
+    const double t = draw.sign() * turn * turns;
+    const bool is_rest = draw.chance(0.7);
+    const double rest = (is_rest ? 0.5 * eps * std::abs(t) : turn) * draw.uniform(-1.0, 1.0);
+    const WideVec3 x = conic(k).position(Wide(t) + Wide(rest));
+    const double error = distance(KeplerOrbit(k).position(t, rest), x) / (eps * length(x));
+    const bool tabulated = is_rest && turns > 0x1p-23 && turns < 0x1p39;
+    (tabulated ? worst_tabulated : worst) = std::max(tabulated ? worst_tabulated : worst, error);
+  }
   EXPECT_LE(worst, budget::kepler_position_eps);
+  EXPECT_LE(worst_tabulated, budget::kepler_tabulated_eps);
 }
 
 TEST(KeplerOrbit, FromStateReturnsTheState) {
