@@ -6,11 +6,11 @@
 //             + e for 1 - e. n may differ from sqrt(gm / a^3) (secular rates).
 // Units       lengths of `pericentre`, times of 1 / `mean_motion`.
 // Domain      0 <= e < 1 and e > 1.
-// Accuracy    budget kepler_*. The phase is formed and reduced in double-double: after any number
-//             of orbits the error is that of a rounding of t.
+// Accuracy    budget kepler_*. The phase is formed in double-double, or as an integer modulo one
+//             turn: after any number of orbits the error is that of a rounding of t.
 // Errors      none; the orbits that hold one check.
-// Cost        in double, for e <= 0.5, polynomials of the phase: 7 ns, some 15 ns as one link of a
-//             chain, velocities 13 ns; 150 ns above and within 2^-24 turns of t = 0, 300 ns for
+// Cost        in double, for e <= 0.5, polynomials of the phase: 7 ns, 17 ns as one link of a
+//             chain, velocities 12 ns; 150 ns above and within 2^-24 turns of t = 0, 300 ns for
 //             hyperbolas. The constructor takes 60 us for e < 0.2, 220 us for 0.5; copies share.
 #pragma once
 
