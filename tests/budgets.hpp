@@ -258,7 +258,7 @@ inline constexpr double rotor_ode_back_100 = 1e-10;
 inline constexpr double rotor_ode_w1_tight = 1e-12;
 inline constexpr double rotor_ode_w1_per_tolerance = 1e4;
 inline constexpr double rotor_ode_dense = 1e-11;
-inline constexpr double rotor_ode_frame_10 = 1e-12;
+inline constexpr double rotor_ode_frame_10 = 2e-14;
 inline constexpr double rotor_ode_frame_1e4 = 1e-10;
 inline constexpr double rotor_ode_edge = 1e-9;
 
