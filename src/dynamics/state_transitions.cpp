@@ -45,6 +45,13 @@ TransitionSample sample_at(double t, const detail::RotorValues<Tangent>& y) {
           detail::hub_tangent(s)};
 }
 
+void require_finite(const TransitionSample& row) {
+  if (detail::is_finite(row.s.g) && std::isfinite(row.s.q.w + row.s.q.x + row.s.q.y + row.s.q.z))
+    return;
+  throw DomainError("state_transitions: the state is not finite at t = " + number_text(row.t) +
+                    ": take a smaller step, or see whether a term is finite there");
+}
+
 void require_start(const Problem& problem) {
   const double size = norm(Vec3{std::hypot(problem.initial.q.w, problem.initial.q.x),
                                 problem.initial.q.y, problem.initial.q.z});
@@ -116,6 +123,7 @@ struct Transitions {
       }
       rows.push_back(
           {t, map.state(map.stepped(now, rest())), map.step_transition(now, rest()) * transition});
+      require_finite(rows.back());
     }
     return rows;
   }

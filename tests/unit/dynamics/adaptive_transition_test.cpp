@@ -150,6 +150,15 @@ TEST(StateTransitions, OfASplittingAreSymplecticWhateverTheStep) {
   }
 }
 
+struct BreaksAt {
+  static constexpr bool kick = true;
+  double t;
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    return {{}, {T(at.t > T(t) ? std::nan("") : 0.0), T(0.0), T(0.0)}};
+  }
+};
+
 TEST(StateTransitions, RefuseWhatTheyCannotDo) {
   const SaveAt end = SaveAt::times({1.0});
   const auto dragged = [](const auto&, const auto& s) { return s.g.x * s.q.w * s.q.w; };
@@ -164,6 +173,15 @@ TEST(StateTransitions, RefuseWhatTheyCannotDo) {
       w1_state, 0.0, 1.0};
   EXPECT_THAT([&] { state_transitions(p, end); },
               testing::ThrowsMessage<DomainError>(HasSubstr("\"thruster\" works on double alone")));
+  const Problem broken{
+      System(w1_body, Frame::inertial(), {AnyPerturbation("broken", BreaksAt{0.5})}), w1_state, 0.0,
+      1.0};
+  for (const Method& method : {Method(tight), Method(Splitting{0.01})}) {
+    Problem run = broken;
+    run.method = method;
+    EXPECT_THAT([&] { state_transitions(run, end); },
+                testing::ThrowsMessage<DomainError>(HasSubstr("finite")));
+  }
   EXPECT_THROW(state_transitions(w1(tight, 0.0, 1.0), SaveAt::times({0.5, 0.2})), DomainError);
   EXPECT_THROW(state_transitions(w1(Adaptive{0.0}, 0.0, 1.0), end), DomainError);
 }
