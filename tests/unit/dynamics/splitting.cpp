@@ -74,6 +74,22 @@ TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
   }
 }
 
+TEST(Splitting, AndVariationOfConstantsTakeRatesOfAnyUnitOfTime) {
+  const System system(splitting_test::workload_body());
+  for (const double unit : {1e-30, 1e30}) {
+    RotorState s = splitting_test::workload_state();
+    s.g = unit * s.g;
+    const double time = 3.0 / unit;
+    const RotorState exact = FreeRotation(system.body(), s).at(time);
+    EXPECT_LE(splitting_test::distance(
+                  splitting_test::end_of(system, s, 0.0, time, Splitting{0.01 * time}), exact),
+              budget::splitting_free);
+    EXPECT_LE(splitting_test::distance(
+                  splitting_test::end_of(system, s, 0.0, time, VariationOfConstants{}), exact),
+              budget::splitting_free);
+  }
+}
+
 TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
   const System system(splitting_test::workload_body());
   const RotorState exact = FreeRotation(system.body(), splitting_test::workload_state()).at(10.0);
