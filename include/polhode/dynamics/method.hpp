@@ -7,7 +7,7 @@
 //             (103)], here the state at a reference epoch, which is regular everywhere.
 // Units       steps in the unit of time of the system; tolerance is relative to |q| = 1 and to |g|.
 // Domain      tolerance from 1e-15 to 1e-2 (DoubleDouble: from 1e-30); a step that is positive.
-//             Splitting and VariationOfConstants: rates |g|/I from 1e-30 to 1e30 per unit of time.
+//             Splitting and VariationOfConstants: rates |g|/I from 1e-28 to 1e28 per unit of time.
 // Accuracy    docs/guide/which-propagator.md: measured work and precision of each.
 // Errors      DomainError from the functions that make a method with a value out of range;
 //             integrate checks again.

@@ -76,7 +76,7 @@ TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
 
 TEST(Splitting, AndVariationOfConstantsTakeRatesOfAnyUnitOfTime) {
   const System system(splitting_test::workload_body());
-  for (const double unit : {1e-30, 1e30}) {
+  for (const double unit : {1e-28, 1e27}) {
     RotorState s = splitting_test::workload_state();
     s.g = unit * s.g;
     const double time = 3.0 / unit;
