@@ -85,7 +85,7 @@ KeplerElements elements_of(const Values& values, const std::string& path, const 
 
 AnyPerturbation gravity_gradient_of(const Scenario& scenario, const Values& values,
                                     const std::string& path, const std::string& name) {
-  const ScenarioOrbit& orbit = orbit_named(scenario.orbits, values, path + ".orbit", name);
+  const ScenarioOrbit orbit = orbit_named(scenario.orbits, values, path + ".orbit", name);
   const bool own = there(values, path + ".gm");
   const double gm = own ? number(values, path + ".gm") : orbit.elements.gm;
   if (!(gm > 0.0))
@@ -137,7 +137,7 @@ void add_frame(Scenario& scenario, const Values& values, const std::string& name
     });
     scenario.frame_text = "precessing";
   } else if (there(values, "frame.orbit-plane")) {
-    const ScenarioOrbit& orbit =
+    const ScenarioOrbit orbit =
         orbit_named(scenario.orbits, values, "frame.orbit-plane.orbit", name);
     scenario.frame_text = "plane of orbit " + orbit.name;
     const KeplerElements& k = orbit.elements;
