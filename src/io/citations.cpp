@@ -69,7 +69,10 @@ constexpr Paper papers[] = {
     {"verner2010",
      "Verner, J. H. (2010). Numerically optimal Runge-Kutta pairs with interpolants. Numerical "
      "Algorithms 53, 383-396.",
-     "the integration", "adaptive|variation of constants"},
+     "the integration", "adaptive"},
+    {"butcher1964",
+     "Butcher, J. C. (1964). Implicit Runge-Kutta processes. Mathematics of Computation 18, 50-64.",
+     "collocation at Gauss' nodes", "variation of constants"},
     {"celledoni2008",
      "Celledoni, E., Fasso, F., Saefstroem, N., Zanna, A. (2008). The exact computation of the "
      "free "
