@@ -69,29 +69,35 @@ void write_array(JsonWriter& json, int length, const auto& items) {
   if (length > 0) json.key("maxItems").value(std::int64_t{length});
 }
 
-void write_numbers(JsonWriter& json, const Key& key) {
-  const auto array = [&] {
-    write_array(json, key.length, [&] { write_reference(json, key.dimension); });
-  };
+// `array` writes an array of a dimension; here also as { value = .., unit = ".." } of bare numbers.
+void write_quantities(JsonWriter& json, const Key& key, const auto& array) {
   if (key.dimension == Dimension::number) {
-    array();
+    array(key.dimension);
     return;
   }
   json.key("anyOf").begin_array().begin_object();
-  array();
+  array(key.dimension);
   json.end_object().begin_object().key("type").value("object").key("properties").begin_object();
   json.key("value").begin_object();
-  write_array(json, key.length, [&] { write_reference(json, Dimension::number); });
+  array(Dimension::number);
   json.end_object().key("unit").begin_object().key("type").value("string").end_object();
   json.end_object().key("required").begin_array().value("value").value("unit").end_array();
   json.key("additionalProperties").value(false).end_object().end_array();
 }
 
+void write_numbers(JsonWriter& json, const Key& key) {
+  write_quantities(json, key, [&](Dimension dimension) {
+    write_array(json, key.length, [&] { write_reference(json, dimension); });
+  });
+}
+
 void write_matrix(JsonWriter& json, const Key& key) {
-  write_array(json, 3, [&] {
-    json.begin_object();
-    write_array(json, 3, [&] { write_reference(json, key.dimension); });
-    json.end_object();
+  write_quantities(json, key, [&](Dimension dimension) {
+    write_array(json, 3, [&] {
+      json.begin_object();
+      write_array(json, 3, [&] { write_reference(json, dimension); });
+      json.end_object();
+    });
   });
 }
 

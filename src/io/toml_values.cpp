@@ -63,9 +63,8 @@ std::string shown(const toml::node& node) {
     default:
       return "a date without quotes";
   }
-  const toml::array& array = *node.as_array();
   std::string text = "[";
-  for (const toml::node& item : array) {
+  for (const toml::node& item : *node.as_array()) {
     if (text.size() > 40) return text + ", ...]";
     text += (text.size() > 1 ? ", " : "") + (item.is_array() ? "[...]" : shown(item));
   }
@@ -98,7 +97,8 @@ class Reader {
   bool read_text(const Key& key, const toml::node& node, Value& value);
   bool read_words(const Key& key, const toml::node& node, Value& value);
   bool read_word(const Key& key, const toml::node& node, Value& value);
-  bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value);
+  bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value,
+                    std::optional<std::string_view> unit = std::nullopt);
   bool read_matrix(const Key& key, const toml::node& node, Value& value);
   bool read_map(const Key& key, const toml::node& node, Value& value);
   std::optional<double> number(const Key& key, const toml::node& node);
@@ -175,17 +175,19 @@ std::optional<double> Reader::number(const Key& key, const toml::node& node) {
   }
 }
 
-bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t length,
-                          Value& value) {
-  const toml::table* table = node.as_table();  // { value = [..], unit = ".." }
-  const toml::array* array = table == nullptr ? node.as_array() : (*table)["value"].as_array();
-  const std::optional<std::string_view> unit = table == nullptr ? std::nullopt : own_unit(*table);
-  const bool sized =
-      array != nullptr && !array->empty() && (length == 0 || array->size() == length);
-  if (!sized || (table != nullptr && !unit)) return wrong(node);
+const toml::array* items(const toml::node& node) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return node.as_array();
+  return own_unit(*table) ? (*table)["value"].as_array() : nullptr;
+}
+
+bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value,
+                          std::optional<std::string_view> unit) {
+  const toml::array* array = items(node);
+  if (!array || array->empty() || (length > 0 && array->size() != length)) return wrong(node);
+  if (node.is_table()) unit = own_unit(*node.as_table());
   for (const toml::node& item : *array) {
-    const std::optional<double> found =
-        unit ? with_unit(key, item, real(&item), *unit) : number(key, item);
+    const auto found = unit ? with_unit(key, item, real(&item), *unit) : number(key, item);
     if (!found) return false;
     value.numbers.push_back(*found);
   }
@@ -193,17 +195,18 @@ bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t le
 }
 
 bool Reader::read_matrix(const Key& key, const toml::node& node, Value& value) {
-  const toml::array* rows = node.as_array();
+  const toml::array* rows = items(node);
   if (rows == nullptr || rows->size() != 3) return wrong(node);
+  const auto unit = node.is_table() ? own_unit(*node.as_table()) : std::nullopt;
   for (const toml::node& row : *rows)
-    if (!row.is_array() || !read_numbers(key, row, 3, value))
+    if (!row.is_array() || !read_numbers(key, row, 3, value, unit))
       return row.is_array() ? false : wrong(node);
   return true;
 }
 
 bool Reader::read_map(const Key& key, const toml::node& node, Value& value) {
-  const toml::array* array = node.as_array();
-  const bool rows = array != nullptr && !array->empty() && array->front().is_array();
+  const toml::array* array = items(node);
+  const bool rows = array != nullptr && array->get_as<toml::array>(0) != nullptr;
   return rows ? read_matrix(key, node, value) : read_numbers(key, node, 3, value);
 }
 

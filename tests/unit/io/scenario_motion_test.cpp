@@ -188,6 +188,31 @@ TEST(ScenarioMotion, KeysOfAnotherKindAreRefused) {
   EXPECT_THAT(error_of("[frame]\n"), HasSubstr("expected exactly one of precessing, orbit-plane"));
 }
 
+TEST(ScenarioMotion, MatricesTakeOneUnitForAll) {
+  const auto scenario = [](const std::string& tensor, const std::string& damping) {
+    return scenario_from_text(
+        "schema = 1\n[units]\nmoment = \"kg m2\"\n[body]\ntensor = " + tensor +
+            "\n[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [1, 2, 3]\n"
+            "[[perturbation]]\nkind = \"damping\"\ncoefficients = " +
+            damping + "\n",
+        "f.toml");
+  };
+  const auto torque = [](const Scenario& s) {
+    return effect(rotor_system(s), 0.0, initial_state(s)).u;
+  };
+  const std::string rows = "[[2, 0.5, 0], [0.5, 2, 0], [0, 0, 1]]";
+  const Scenario bare = scenario(rows, rows);
+  const Scenario united = scenario("{ value = " + rows + ", unit = \"kg m2\" }",
+                                   "{ value = " + rows + ", unit = \"N m s\" }");
+  EXPECT_EQ(united.body.moments(), bare.body.moments());
+  EXPECT_EQ(torque(united), torque(bare));
+  const Scenario grams = scenario(rows, "{ value = " + rows + ", unit = \"g m2/s\" }");
+  EXPECT_NEAR(norm(1000.0 * torque(grams) - torque(bare)), 0.0, 6.0 * budget::io_state);
+  EXPECT_THAT(error_of("[[perturbation]]\nkind = \"damping\"\ncoefficients = { value = " + rows +
+                       ", unit = \"kg m2\" }\n"),
+              HasSubstr("\"kg m2\" is no"));
+}
+
 TEST(ScenarioMotion, TermsThatCannotBeSayWhy) {
   EXPECT_THAT(
       error_of("[[perturbation]]\nkind = \"damping\"\ncoefficients = [1, -1, 1]\n"),
