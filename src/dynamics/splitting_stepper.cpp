@@ -26,9 +26,9 @@ bool finite(const SplittingState& s) {
 // A shorter step of the same scheme from the same start.
 class SplittingDense final : public DenseStep {
  public:
-  SplittingDense(std::shared_ptr<const SplittingMap> map, SplittingState start,
+  SplittingDense(std::shared_ptr<const SplittingMap> map, const SplittingState& start,
                  const SplittingState& end)
-      : DenseStep(start.t.hi, end.t.hi), map_(std::move(map)), start_(std::move(start)) {}
+      : DenseStep(start.t.hi, end.t.hi), map_(std::move(map)), start_(start) {}
   RotorState at(double t) const override {
     return map_->state(map_->stepped(start_, (t - start_.t.hi) - start_.t.lo));
   }
@@ -62,8 +62,8 @@ class SplittingStepper final : public Stepper {
     SplittingState next = map_->stepped(now_, h);
     if (!finite(next)) return not_finite(next);
     if (last) next.t = {stop, 0.0};
-    before_ = std::move(now_);
-    now_ = std::move(next);
+    before_ = now_;
+    now_ = next;
     ++steps_;
     return "";
   }
@@ -84,7 +84,7 @@ class SplittingStepper final : public Stepper {
     for (int i = 0; name.empty() && i < 16; ++i) {  // 16 trips
       SplittingState tried = map_->stepped(s, piece);
       if (finite(tried)) {
-        s = std::move(tried);
+        s = tried;
         name = map_->term_not_finite(s);
       } else {
         s.t.hi += piece;
