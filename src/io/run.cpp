@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -172,6 +173,22 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer) {
   return report;
 }
 
+// Which angular velocity the written columns are.
+std::vector<std::string> rate_notes(const Scenario& scenario) {
+  constexpr std::pair<std::string_view, std::string_view> rates[] = {
+      {"omega", "w1, w2, w3: angular velocity relative to inertial axes, body components"},
+      {"omega_inertial",
+       "W1, W2, W3: angular velocity relative to inertial axes, inertial components"},
+      {"omega_rel",
+       "w1_rel, w2_rel, w3_rel: angular velocity relative to the reference frame, body "
+       "components"}};
+  std::vector<std::string> notes;
+  for (const auto& [group, note] : rates)
+    if (std::ranges::find(scenario.columns, group) != scenario.columns.end())
+      notes.emplace_back(note);
+  return notes;
+}
+
 }  // namespace
 
 RowLayout row_layout(const Scenario& scenario) {
@@ -196,9 +213,9 @@ Provenance provenance(const Scenario& scenario) {
   const std::string since = scenario.epoch.empty() ? "the epoch" : scenario.epoch;
   result.notes.push_back("t counts from " + since + "; axes: " + scenario.axes);
   if (!scenario.frame.is_inertial())
-    result.notes.push_back(
-        "attitudes and elements refer to the moving frame: " + scenario.frame_text +
-        "; omega, omega_inertial, q_inertial and axes to inertial axes");
+    result.notes.push_back("attitudes and elements refer to the moving frame: " +
+                           scenario.frame_text + "; q_inertial and axes to inertial axes");
+  for (std::string& note : rate_notes(scenario)) result.notes.push_back(std::move(note));
   const Quaternion& q = scenario.body.q_FB();
   if (!(q == Quaternion{}))
     result.notes.push_back(

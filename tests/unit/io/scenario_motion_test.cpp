@@ -14,7 +14,9 @@
 namespace polhode {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::string head =
@@ -186,6 +188,20 @@ TEST(ScenarioMotion, KeysOfAnotherKindAreRefused) {
   EXPECT_THAT(error_of("[[perturbation]]\nkind = \"dampening\"\ncoefficients = [1, 1, 1]\n"),
               HasSubstr("did you mean \"damping\"?"));
   EXPECT_THAT(error_of("[frame]\n"), HasSubstr("expected exactly one of precessing, orbit-plane"));
+}
+
+TEST(ScenarioMotion, NotesSayOfEveryAngularVelocityWhichOneItIs) {
+  const auto notes = [](const std::string& columns) {
+    return provenance(read("[output]\ncolumns = [" + columns + "]\n")).notes;
+  };
+  const std::string inertial =
+      "w1, w2, w3: angular velocity relative to inertial axes, body components";
+  EXPECT_THAT(notes("\"q\", \"omega\""), Contains(inertial));
+  EXPECT_THAT(notes("\"omega_rel\""), Not(Contains(inertial)));
+  EXPECT_THAT(
+      notes("\"omega_rel\""),
+      Contains(StartsWith("w1_rel, w2_rel, w3_rel: angular velocity relative to the reference")));
+  EXPECT_THAT(notes("\"omega_inertial\""), Contains(StartsWith("W1, W2, W3: ")));
 }
 
 TEST(ScenarioMotion, MatricesTakeOneUnitForAll) {
