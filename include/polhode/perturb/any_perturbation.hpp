@@ -74,8 +74,11 @@ class HeldTerm final : public ErasedTerm {
   T energy_on(const BasicSetting<T>& at) const {
     if constexpr (Hamiltonian<P, T>) {
       return term_.energy(at);
+    } else if constexpr (Hamiltonian<P>) {
+      term_cannot(name_,
+                  "has an energy on double alone: write it as a template on the number type");
     } else {
-      term_cannot(name_, "has no energy on this number type");
+      term_cannot(name_, "has no energy");
     }
   }
 

@@ -52,7 +52,7 @@ TEST(ConstantTorque, IsAKickWithoutEnergy) {
   EXPECT_TRUE(term.supports_any_real());
   EXPECT_FALSE(term.supports_energy());
   EXPECT_EQ(refusal([&] { (void)term.energy(drawn_case(522, 0).on<double>()); }),
-            "AnyPerturbation: term \"jet\" has no energy on this number type");
+            "AnyPerturbation: term \"jet\" has no energy");
 }
 
 TEST(ConstantTorque, RefusesWhatIsNotFinite) {
