@@ -236,6 +236,8 @@ inline constexpr double damping_flow_eps = 4.0;
 // Attitude and momentum after some turns at tolerance 1e-12, and between the steps.
 inline constexpr double adaptive_short_run = 1e-11;
 inline constexpr double adaptive_dense = 1e-10;
+// What leaving out one of two bodies must change.
+inline constexpr double two_bodies_differ = 1e-3;
 // Frequencies of libration at 1e-3 rad (linear theory) and of pitch at 0.5 rad (pendulum),
 // relative.
 inline constexpr double libration_frequency = 1e-6;

@@ -2,6 +2,7 @@
 #include "polhode/dynamics/integrate.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "dynamics/detail/event_watch.hpp"
@@ -20,6 +21,11 @@ using detail::tuple_text;
 bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
+
+// A run that has settled at steps so short that this many would be needed does not end: 1e12 steps
+// of a microsecond are twelve days.
+constexpr double most_steps = 1e12;
+constexpr std::int64_t settled = 1000;  // steps: the first ones may be short
 
 // The problem with a unit quaternion, or DomainError.
 Problem checked(Problem problem) {
@@ -95,8 +101,19 @@ class Run {
       samples_.last(end);
       parts_.outcome.status = Outcome::Status::stopped_by_event;
     }
+    const double made = std::abs(end.t - parts_.outcome.t);
     parts_.outcome.t = end.t;
-    return !stopped;
+    return !stopped && !endless(made);
+  }
+
+  bool endless(double made) {
+    const double left = std::abs(problem_.stop - parts_.outcome.t);
+    if (stepper_->statistics().steps < settled || !(left > most_steps * made)) return false;
+    fail("at t = " + number_text(parts_.outcome.t) + " a step is " + number_text(made) +
+         ", so that the end would take " +
+         number_text(std::pow(10.0, std::floor(std::log10(left / made)))) +
+         " of them and more: is the rotation, an orbit or a torque that fast? Try a shorter run");
+    return true;
   }
 
   bool refused(double t) {

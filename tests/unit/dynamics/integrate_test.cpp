@@ -12,6 +12,9 @@
 #include "budgets.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/perturb/constant_torque.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/user_terms.hpp"
 
 namespace {
@@ -208,6 +211,67 @@ TEST(Integrate, WhatATermThrowsPassesThroughAfterTheSamples) {
   EXPECT_THAT([&] { integrate(p, SaveAt::steps(0.0, 10.0, 0.5), sink); },
               testing::ThrowsMessage<std::runtime_error>("out of fuel"));
   EXPECT_GE(seen, 4U);
+}
+
+TEST(Integrate, WhatAHamiltonianThrowsPassesThrough) {
+  const auto throws = [](const auto& t, const auto& s) {
+    if (to_double(t) > 4.0) throw std::runtime_error("no potential here");
+    return s.q.w * s.q.w;
+  };
+  const Problem p{
+      System(wing_nut, Frame::inertial(), {AnyPerturbation("V", HamiltonianTerm(throws))}),
+      tumbling, 0.0, 10.0, Adaptive{}};
+  EXPECT_THAT([&] { integrate(p); },
+              testing::ThrowsMessage<std::runtime_error>("no potential here"));
+}
+
+// The frame's attitude jumps by a right angle, so a torque that is constant in space jumps in the
+// body: the run gets over it, or says where it stands and what may be the matter.
+TEST(Integrate, AFrameThatJumpsIsNoHang) {
+  const Frame jumps = Frame::from_attitude([](const auto& t) {
+    using T = std::decay_t<decltype(t)>;
+    return rotation_z(T(to_double(t) < 4.0 ? 0.0 : 1.5707963267948966));
+  });
+  const System system(
+      wing_nut, jumps,
+      {AnyPerturbation("push", ConstantTorque::in_space({0.1, 0.0, 0.0}, SpaceAxes::inertial))});
+  const Trajectory run = integrate({system, tumbling, 0.0, 10.0, Adaptive{}}, {.dense = false});
+  if (run.outcome().ok()) {
+    EXPECT_EQ(run.stop(), 10.0);
+    EXPECT_GT(run.statistics().rejected, 5);
+  } else {
+    EXPECT_NEAR(run.stop(), 4.0, budget::adaptive_dense);
+    EXPECT_THAT(run.outcome().advice, HasSubstr("frame discontinuous"));
+  }
+}
+
+// Two bodies at once: the sum of their torques.
+TEST(Integrate, TwoGravityGradientsAtOnceAreOneOfTheSum) {
+  const KeplerOrbit moon({.gm = 1.0, .pericentre = 0.9, .eccentricity = 0.1});
+  const auto run = [&](std::vector<AnyPerturbation> terms) {
+    return integrate({System(wing_nut, Frame::inertial(), std::move(terms)), tumbling, 0.0, 10.0,
+                      Adaptive{}})
+        .samples()
+        .back()
+        .s;
+  };
+  const RotorState both = run({AnyPerturbation("one", GravityGradient(0.3, moon)),
+                               AnyPerturbation("two", GravityGradient(0.7, moon))});
+  EXPECT_LT(distance(both, run({AnyPerturbation("sum", GravityGradient(1.0, moon))})),
+            budget::adaptive_short_run);
+  EXPECT_GT(distance(both, run({AnyPerturbation("one", GravityGradient(0.3, moon))})),
+            budget::two_bodies_differ);
+}
+
+TEST(Integrate, ARunThatWouldNeverEndSaysSo) {
+  const Trajectory slow = integrate(free_problem(Splitting{1e-9}, 0.0, 1e9), {.dense = false});
+  EXPECT_EQ(slow.outcome().status, Outcome::Status::failed);
+  EXPECT_THAT(slow.outcome().advice, HasSubstr("so that the end would take 1e+17 of them"));
+  Problem fast = free_problem(Adaptive{}, 0.0, 3600.0);
+  fast.initial.g = {1e20, 2e20, 3e20};
+  const Trajectory run = integrate(fast, {.dense = false});
+  EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
+  EXPECT_THAT(run.outcome().advice, HasSubstr("so that the end would take"));
 }
 
 TEST(Integrate, ARunOfNoLengthIsItsStart) {
