@@ -30,9 +30,8 @@ two tolerances that agree to 6e-14 rad) from the same doubles: the momentum 1.1 
 which alone turns the end by 1e-11 rad.
 
 Boost.Odeint and heyoka integrate eleven numbers (q, omega, position and velocity of the orbit):
-their orbit costs a square root and a division, where polhode solves Kepler's equation, but their
-torque is written into the equations; polhode's is any term of a list. CPU seconds are those of one
-run of one thread.
+their torque is written into the equations; polhode's is any term of a list, and asks the orbit for
+a position at any time. CPU seconds are those of one run of one thread.
 """
 
 FLOOR = """
