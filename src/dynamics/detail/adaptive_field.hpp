@@ -47,10 +47,10 @@ class RotorField {
   [[gnu::always_inline]] RotorValues<T> operator()(const DoubleDouble& t,
                                                    const RotorValues<T>& y) const {
     BasicSetting<T> at = setting(t, y);
-    if (system_.frame().is_inertial()) return rates(at, sum_of_terms(at));
+    if (system_.frame().is_inertial()) return values(rates(at, sum_of_terms(at)));
     const BasicFrameMotion<T> frame = frame_motion(t);
     at.q_IS = frame.q_IS;
-    return in_frame(rates(at, sum_of_terms(at)), at.s.q, frame.mu_S);
+    return values(relative_rates(rates(at, sum_of_terms(at)), at.s.q, frame.mu_S));
   }
 
   // Where the terms are asked; for a moving frame without its attitude.
@@ -100,37 +100,15 @@ class RotorField {
     return sum;
   }
 
-  [[gnu::always_inline]] RotorValues<T> rates(const BasicSetting<T>& at,
-                                              const BasicEffect<T>& e) const {
-    const BasicQuaternion<T>& q = at.s.q;
+  [[gnu::always_inline]] BasicRotorRates<T> rates(const BasicSetting<T>& at,
+                                                  const BasicEffect<T>& e) const {
     const BasicVec3<T>& g = at.s.g;
     const BasicVec3<T> w{times(g.x, inverse_[0]) + e.v.x, times(g.y, inverse_[1]) + e.v.y,
                          times(g.z, inverse_[2]) + e.v.z};
-    // written out: a call of cross costs a tenth of the rest
-    const BasicVec3<T> g_rate{(g.y * w.z - g.z * w.y) + e.u.x, (g.z * w.x - g.x * w.z) + e.u.y,
-                              (g.x * w.y - g.y * w.x) + e.u.z};
-    const T half(0.5);
-    const BasicVec3<T> h = half * w;
-    RotorValues<T> rate{-(q.x * h.x) - q.y * h.y - q.z * h.z,
-                        q.w * h.x + q.y * h.z - q.z * h.y,
-                        q.w * h.y - q.x * h.z + q.z * h.x,
-                        q.w * h.z + q.x * h.y - q.y * h.x,
-                        g_rate.x,
-                        g_rate.y,
-                        g_rate.z};
-    return rate;
+    return inertial_rates(at.s, w, e.u);
   }
-
-  // dq/dt relative to the frame: less by the frame's own turn.
-  static RotorValues<T> in_frame(RotorValues<T> rate, const BasicQuaternion<T>& q,
-                                 const BasicVec3<T>& mu_S) {
-    const BasicVec3<T> m = T(0.5) * mu_S;
-    const BasicQuaternion<T> lag = BasicQuaternion<T>{T(0.0), m.x, m.y, m.z} * q;
-    rate[0] = rate[0] - lag.w;
-    rate[1] = rate[1] - lag.x;
-    rate[2] = rate[2] - lag.y;
-    rate[3] = rate[3] - lag.z;
-    return rate;
+  [[gnu::always_inline]] static RotorValues<T> values(const BasicRotorRates<T>& r) {
+    return {r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z};
   }
 
   System system_;
