@@ -208,6 +208,8 @@ inline constexpr double splitting_consistency = 1.2e-16;
 // Against FreeRotation, forward and back, and against another frame, over ten turns: rad and
 // |dg|/G.
 inline constexpr double splitting_free = 2e-13;
+// A hundred turns there and back, splittings and variation of constants.
+inline constexpr double hundred_turns_back = 3e-13;
 // |g|^2 and 2 T of a free body after 1e5 steps, relative: one rounding of a double is 1e-16.
 inline constexpr double splitting_invariant = 4e-17;
 // Slopes of the error, in orders.

@@ -215,6 +215,11 @@ TEST(Splitting, RunsBackToWhereItStarted) {
     EXPECT_LE(
         splitting_test::distance(splitting_test::end_of(system, there, turns_10, 0.0, method), s),
         budget::splitting_free);
+    const double far = 10.0 * turns_10;
+    const RotorState farther = splitting_test::end_of(system, s, 0.0, far, method);
+    EXPECT_LE(
+        splitting_test::distance(splitting_test::end_of(system, farther, far, 0.0, method), s),
+        budget::hundred_turns_back);
   }
 }
 

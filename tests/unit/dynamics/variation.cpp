@@ -151,6 +151,10 @@ TEST(VariationOfConstants, RunsBackToWhereItStartedAndIsTheSameInAMovingFrame) {
   EXPECT_LE(
       splitting_test::distance(splitting_test::end_of(moving, there, turns_10, 0.0, sharp), s),
       budget::variation_free);
+  const double far = 10.0 * turns_10;
+  const RotorState farther = splitting_test::end_of(moving, s, 0.0, far, sharp);
+  EXPECT_LE(splitting_test::distance(splitting_test::end_of(moving, farther, far, 0.0, sharp), s),
+            budget::hundred_turns_back);
   const RotorState same = splitting_test::end_of(inertial, s, 0.0, turns_10, sharp);
   EXPECT_LE(splitting_test::distance(inertial_state(moving, turns_10, there), same),
             budget::variation_free);
