@@ -117,9 +117,11 @@ std::vector<Row> rows() {
   return list;
 }
 
-// Odeint copies arrays before they are filled.
+// Odeint copies arrays before they are filled; clang does not mind, and does not know the name.
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 const bool registered = [] {
   const auto once = [](benchmark::internal::Benchmark* b) {
