@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "dynamics/detail/checked_problem.hpp"
 #include "dynamics/detail/event_watch.hpp"
 #include "dynamics/detail/sample_queue.hpp"
 #include "dynamics/detail/stepper.hpp"
@@ -16,35 +17,18 @@ inline namespace v0 {
 namespace {
 
 using detail::number_text;
-using detail::tuple_text;
-
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // A run that has settled at steps so short that this many would be needed does not end: 1e12 steps
 // of a microsecond are twelve days.
 constexpr double most_steps = 1e12;
 constexpr std::int64_t settled = 1000;  // steps: the first ones may be short
 
-// The problem with a unit quaternion, or DomainError.
-Problem checked(Problem problem) {
-  const auto& [q, g] = problem.initial;
-  const double size = norm(Vec3{std::hypot(q.w, q.x), q.y, q.z});
-  if (!(size > 0.0) || !std::isfinite(size))
-    throw DomainError("integrate: quaternion " + tuple_text({q.w, q.x, q.y, q.z}) +
-                      " must be finite and not zero");
-  if (!is_finite(g))
-    throw DomainError("integrate: momentum " + tuple_text({g.x, g.y, g.z}) + " must be finite");
-  if (!std::isfinite(problem.start) || !std::isfinite(problem.stop))
-    throw DomainError("integrate: start " + number_text(problem.start) + " and stop " +
-                      number_text(problem.stop) + " must be finite");
-  require_valid(problem.method);
-  for (const Event& event : problem.events)
+Problem checked(const Problem& problem) {
+  Problem result = detail::checked_problem("integrate", problem);
+  for (const Event& event : result.events)
     if (!event.function)
       throw DomainError("integrate: event \"" + event.name + "\" must have a function");
-  problem.initial.q = normalized(q);
-  return problem;
+  return result;
 }
 
 // One run: steps, and what they leave behind.

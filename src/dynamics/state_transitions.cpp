@@ -6,6 +6,8 @@
 
 #include "dynamics/detail/adaptive_failure.hpp"
 #include "dynamics/detail/adaptive_field.hpp"
+#include "dynamics/detail/checked_problem.hpp"
+#include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/splitting_map.hpp"
 #include "free/detail/hub_tangent.hpp"
 #include "math/detail/number_text.hpp"
@@ -25,9 +27,9 @@ void require_terms(const Problem& problem) {
                         "\" works on double alone: write it as a template on the number type");
 }
 
-// The initial state with the six variables of its tangent: q exp(dtheta_B / 2), g + dg.
+// A state of unit q with the six variables of its tangent: q exp(dtheta_B / 2), g + dg.
 detail::RotorValues<Tangent> seeded(const RotorState& s) {
-  const Quaternion q = normalized(s.q);
+  const Quaternion& q = s.q;
   const BasicQuaternion<Tangent> turn{Tangent(1.0), 0.5 * Tangent::variable(0.0, 0),
                                       0.5 * Tangent::variable(0.0, 1),
                                       0.5 * Tangent::variable(0.0, 2)};
@@ -50,14 +52,6 @@ void require_finite(const TransitionSample& row) {
     return;
   throw DomainError("state_transitions: the state is not finite at t = " + number_text(row.t) +
                     ": take a smaller step, or see whether a term is finite there");
-}
-
-void require_start(const Problem& problem) {
-  const double size = norm(Vec3{std::hypot(problem.initial.q.w, problem.initial.q.x),
-                                problem.initial.q.y, problem.initial.q.z});
-  if (!(size > 0.0) || !std::isfinite(size) || !detail::is_finite(problem.initial.g) ||
-      !std::isfinite(problem.start) || !std::isfinite(problem.stop))
-    throw DomainError("state_transitions: state, start and stop must be finite, q not zero");
 }
 
 // The times of the span, which must run from start to stop.
@@ -107,8 +101,7 @@ struct Transitions {
   // The derivative of what the splitting does, step by step: symplectic as the method is.
   std::vector<TransitionSample> operator()(const Splitting& method) const {
     const detail::SplittingMap map(problem.system, method.scheme);
-    detail::SplittingState now =
-        map.start(problem.start, {normalized(problem.initial.q), problem.initial.g});
+    detail::SplittingState now = map.start(problem.start, problem.initial);
     const double step = std::copysign(method.step, problem.stop - problem.start);
     Matrix6 transition = Matrix6::identity();
     std::vector<TransitionSample> rows;
@@ -137,11 +130,10 @@ struct Transitions {
 }  // namespace
 
 std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples) {
-  require_valid(problem.method);
   require_terms(problem);
-  require_start(problem);
-  const std::vector<double> times = times_due(problem, samples);
-  return std::visit(Transitions{problem, times}, problem.method);
+  const Problem checked = detail::checked_problem("state_transitions", problem);
+  const std::vector<double> times = times_due(checked, samples);
+  return std::visit(Transitions{checked, times}, checked.method);
 }
 
 }  // namespace v0

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/stepper.hpp"
 #include "dynamics/detail/variation_collocation.hpp"
 #include "dynamics/detail/variation_field.hpp"
@@ -152,9 +153,6 @@ class VariationStepper final : public Stepper {
     }
     return "a term or the frame is not finite" + where +
            ": give it a value there, or stop before; try Adaptive where the momentum is near zero";
-  }
-  static bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   }
 
   std::shared_ptr<const System> system_;

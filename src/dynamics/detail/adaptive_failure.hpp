@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dynamics/detail/adaptive_field.hpp"
+#include "dynamics/detail/finite.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
@@ -12,12 +13,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-template <Real T>
-bool is_finite(const BasicVec3<T>& v) {
-  using std::isfinite;
-  return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
 
 // The first term, or the frame, that is not finite in the step tried; empty when all are.
 template <Real T>
