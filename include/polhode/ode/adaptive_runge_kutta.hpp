@@ -39,6 +39,22 @@ enum class StepOutcome {
   too_small,   // the step that the tolerance asks for is below the rounding of t
 };
 
+namespace detail {
+
+// The whole rest, half of it, or the step h that control asks for: no crumbs at the end.
+inline double step_towards(double rest, double wanted, const StepControl& control) {
+  const double h = std::min(wanted, control.largest_step);
+  if (h * (1.0 + 1e-9) >= rest) return rest;
+  return h > 0.5 * rest ? 0.5 * rest : h;
+}
+
+// Below it a step is lost in the rounding of t.
+inline double smallest_step(const DoubleDouble& t) {
+  return std::max(8.0 * epsilon<double>() * std::abs(t.hi), std::numeric_limits<double>::min());
+}
+
+}  // namespace detail
+
 template <class Tableau, Real T, std::size_t N, class F, class Size>
 class AdaptiveRungeKutta {
  public:
@@ -62,8 +78,8 @@ class AdaptiveRungeKutta {
     if (!(h_ > 0.0)) h_ = first_step(rest.hi);
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
-      const double length = step_towards(std::abs(rest.hi));
-      if (length < smallest_step() && length < std::abs(rest.hi)) return why;
+      const double length = detail::step_towards(std::abs(rest.hi), h_, control_);
+      if (length < detail::smallest_step(t_) && length < std::abs(rest.hi)) return why;
       trial_ = std::copysign(length, rest.hi);
       const auto step = runge_kutta_step<Tableau>(f_, t_, state_.y, rate_, trial_);
       evaluations_ += Tableau::stages - 1;
@@ -107,17 +123,6 @@ class AdaptiveRungeKutta {
   Values called(const DoubleDouble& t, const Values& y) {
     ++evaluations_;
     return f_(t, y);
-  }
-
-  // The whole rest, half of it, or the step that control asks for: no crumbs at the end.
-  double step_towards(double rest) const {
-    const double h = std::min(h_, control_.largest_step);
-    if (h * (1.0 + 1e-9) >= rest) return rest;
-    return h > 0.5 * rest ? 0.5 * rest : h;
-  }
-
-  double smallest_step() const {
-    return std::max(8.0 * epsilon<double>() * std::abs(t_.hi), std::numeric_limits<double>::min());
   }
 
   double first_step(double rest) {

@@ -114,8 +114,8 @@ class AdaptiveCollocation {
     if (!(h_ > 0.0)) h_ = std::abs(rest.hi);
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
-      const double length = step_towards(std::abs(rest.hi));
-      if (repeated && length < smallest_step()) return why;
+      const double length = step_towards(std::abs(rest.hi), h_, control_);
+      if (repeated && length < smallest_step(t_)) return why;
       trial_ = std::copysign(length, rest.hi);
       const auto step =
           collocation_step<N>(f_, size_, t_, state_.y, trial_, enough(control_.tolerance));
@@ -143,7 +143,8 @@ class AdaptiveCollocation {
   // The step that advance would try first, with its sign.
   double next_step(double stop) const {
     const double rest = (DoubleDouble(stop) - t_).hi;
-    return std::copysign(h_ > 0.0 ? step_towards(std::abs(rest)) : std::abs(rest), rest);
+    return std::copysign(h_ > 0.0 ? step_towards(std::abs(rest), h_, control_) : std::abs(rest),
+                         rest);
   }
   static double enough(double tolerance) { return 0.01 * tolerance; }
   const DoubleDouble& time() const { return t_; }
@@ -165,15 +166,6 @@ class AdaptiveCollocation {
   double wanted(double error) const {
     const double ratio = std::max(error / control_.tolerance, 1e-30);
     return std::clamp(0.9 * std::pow(ratio, -1.0 / (2.0 * gauss_nodes)), 0.3, 3.0);
-  }
-  // The whole rest, half of it, or the step that control asks for: no crumbs at the end.
-  double step_towards(double rest) const {
-    const double h = std::min(h_, control_.largest_step);
-    if (h * (1.0 + 1e-9) >= rest) return rest;
-    return h > 0.5 * rest ? 0.5 * rest : h;
-  }
-  double smallest_step() const {
-    return std::max(8.0 * epsilon<double>() * std::abs(t_.hi), std::numeric_limits<double>::min());
   }
 
   F f_;
