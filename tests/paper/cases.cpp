@@ -177,4 +177,17 @@ Vec momentum_at(const Polhode& p, const Mp& xi) {
   return {A[0] * c(xi), p.sign * A[1] * sx, p.sign * A[2] * Delta};
 }
 
+Mp tilt_integral(const Polhode& p, const Mp& from, const Mp& to) {
+  return integral(
+      [&](const Mp& xi) {
+        const Vec g = momentum_at(p, xi);
+        const Vec& A = p.amplitude;
+        const Mp sx = s(xi), cx = c(xi), fall = p.k * p.k * sx * cx;
+        const Mp d1 = p.long_axis ? -A[0] * A[0] * fall / g[0] : -A[0] * sx;
+        const Mp d2 = p.sign * A[1] * cx;
+        return g[2] / p.G * (d1 * g[1] - g[0] * d2) / (g[0] * g[0] + g[1] * g[1]);
+      },
+      from, to);
+}
+
 }  // namespace polhode::paper

@@ -15,25 +15,11 @@
 namespace polhode::paper {
 namespace {
 
-// int cosJ dl from u = 0, along the polhode.
-Mp tilt_integral(const Polhode& p) {
-  return integral(
-      [&](const Mp& xi) {
-        const Vec g = momentum_at(p, xi);
-        const Vec& A = p.amplitude;
-        const Mp sx = s(xi), cx = c(xi), fall = p.k * p.k * sx * cx;
-        const Mp d1 = p.long_axis ? -A[0] * A[0] * fall / g[0] : -A[0] * sx;
-        const Mp d2 = p.sign * A[1] * cx;
-        return g[2] / p.G * (d1 * g[1] - g[0] * d2) / (g[0] * g[0] + g[1] * g[1]);
-      },
-      Mp(0), p.xi);
-}
-
 // S of (51) as it stands.
 Mp defined(const Vec& moments, const Phase& euler, const Mp& t) {
   const Phase a = andoyer_of_euler(euler);
   const Polhode p = polhode(moments, a);
-  return -t * p.T + p.G * (a[5] / p.G) * a[2] + p.G * a[1] + p.G * tilt_integral(p);
+  return -t * p.T + p.G * (a[5] / p.G) * a[2] + p.G * a[1] + p.G * tilt_integral(p, Mp(0), p.xi);
 }
 
 // [SA (51), (55)] its value, on the branch t - t0 = u/n and g0 in (-pi, pi]
@@ -86,7 +72,8 @@ TEST(PaperSerret, LibraryGeneratingFunctionDerivatives) {
       // g0 and h modulo 2 pi, on the branch of the definition
       const Phase a = andoyer_of_euler(x);
       const Polhode p = polhode(e.I, a);
-      const Mp node = a[1] + tilt_integral(p) - 2 * p.T / p.G * (ellint_F(p.xi, p.k) / p.n);
+      const Mp node =
+          a[1] + tilt_integral(p, Mp(0), p.xi) - 2 * p.T / p.G * (ellint_F(p.xi, p.k) / p.n);
       const Mp g0 = node + turned(Mp(f.g0) - node);
       gap.add(dS, by_q + g0 * dG + Mp(f.h) * d[3] + Mp(f.minus_t0) * dT + Mp(f.minus_T) * dt);
     }

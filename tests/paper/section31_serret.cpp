@@ -22,20 +22,6 @@ using budget::paper_quadrature;
 // u/n: the time since xi = 0, that is since l = pi/2 (short axis) or l = sign pi/2 (long axis).
 Mp elapsed(const Polhode& p) { return ellint_F(p.xi, p.k) / p.n; }
 
-// int cosJ dl from xi = 0, along the polhode and without any elliptic formula.
-Mp tilt_integral(const Polhode& p, const Mp& from, const Mp& to) {
-  return integral(
-      [&](const Mp& xi) {
-        const Vec g = momentum_at(p, xi);
-        const Vec& A = p.amplitude;
-        const Mp sx = s(xi), cx = c(xi), fall = p.k * p.k * sx * cx;
-        const Mp d1 = p.long_axis ? -A[0] * A[0] * fall / g[0] : -A[0] * sx;
-        const Mp d2 = p.sign * A[1] * cx;
-        return g[2] / p.G * (d1 * g[1] - g[0] * d2) / (g[0] * g[0] + g[1] * g[1]);
-      },
-      from, to);
-}
-
 // (g_o, h, -t_o; G, H, T) at time t
 Phase serret(const Vec& moments, const Phase& a, const Mp& t) {
   const Polhode p = polhode(moments, a);

@@ -162,5 +162,7 @@ struct Polhode {
 };
 Polhode polhode(const Vec& moments, const Phase& andoyer);
 Vec momentum_at(const Polhode& p, const Mp& xi);
+// int cosJ dl along it, without any elliptic formula.
+Mp tilt_integral(const Polhode& p, const Mp& from, const Mp& to);
 
 }  // namespace polhode::paper
