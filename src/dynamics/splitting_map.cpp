@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "dynamics/detail/finite.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 
@@ -15,10 +16,6 @@ namespace detail {
 namespace {
 
 constexpr double largest_momentum = 1e140;  // its square has room to spare
-
-bool finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
 TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g + (now - g.hi); }
@@ -75,7 +72,7 @@ std::string SplittingMap::term_not_finite(const SplittingState& s) const {
   const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
   for (const AnyPerturbation& term : system_.terms()) {
     const Effect e = term.effect(setting(s, q_IS));
-    if (!finite(e.u) || !finite(e.v)) return term.name();
+    if (!is_finite(e.u) || !is_finite(e.v)) return term.name();
   }
   return "";
 }
@@ -147,22 +144,10 @@ SplittingState SplittingMap::stepped(SplittingState s, double h) const {
 
 // q -> q exp(dtheta_B / 2) moves the torque, and nothing else does.
 Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
-  const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
-  const Setting at = setting(s, q_IS);
-  const auto constant = [](const Quaternion& q) {
-    return BasicQuaternion<Tangent>{Tangent(q.w), Tangent(q.x), Tangent(q.y), Tangent(q.z)};
-  };
-  const BasicQuaternion<Tangent> turn{Tangent(1.0), 0.5 * Tangent::variable(0.0, 0),
-                                      0.5 * Tangent::variable(0.0, 1),
-                                      0.5 * Tangent::variable(0.0, 2)};
-  const BasicVec3<Tangent> g{Tangent(at.s.g.x), Tangent(at.s.g.y), Tangent(at.s.g.z)};
+  const BasicSetting<Tangent> at = with_variables(setting(s, system_.frame().at(s.t.hi).q_IS));
   Matrix6 M = Matrix6::identity();
   for (const AnyPerturbation& term : kicks_) {
-    const BasicEffect<Tangent> e = term.effect(BasicSetting<Tangent>{system_.body(),
-                                                                     Tangent(at.t),
-                                                                     {constant(at.s.q) * turn, g},
-                                                                     constant(q_IS),
-                                                                     Tangent(at.t_rest)});
+    const BasicEffect<Tangent> e = term.effect(at);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) M(3 + i, j) += h * e.u[i].derivative[static_cast<std::size_t>(j)];
   }

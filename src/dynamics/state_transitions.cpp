@@ -27,17 +27,6 @@ void require_terms(const Problem& problem) {
                         "\" works on double alone: write it as a template on the number type");
 }
 
-// A state of unit q with the six variables of its tangent: q exp(dtheta_B / 2), g + dg.
-detail::RotorValues<Tangent> seeded(const RotorState& s) {
-  const Quaternion& q = s.q;
-  const BasicQuaternion<Tangent> turn{Tangent(1.0), 0.5 * Tangent::variable(0.0, 0),
-                                      0.5 * Tangent::variable(0.0, 1),
-                                      0.5 * Tangent::variable(0.0, 2)};
-  return detail::rotor_values<Tangent>(
-      {BasicQuaternion<Tangent>{Tangent(q.w), Tangent(q.x), Tangent(q.y), Tangent(q.z)} * turn,
-       {Tangent::variable(s.g.x, 3), Tangent::variable(s.g.y, 4), Tangent::variable(s.g.z, 5)}});
-}
-
 TransitionSample sample_at(double t, const detail::RotorValues<Tangent>& y) {
   BasicRotorState<Tangent> s = detail::rotor_state<Tangent>(y);
   s.q = normalized(s.q);
@@ -83,7 +72,8 @@ struct Transitions {
                         " must be from 1e-15: derivatives are carried in double");
     AdaptiveRungeKutta<Verner98, Tangent, 7, detail::RotorField<Tangent>, detail::RotorErrorSize>
         solver(detail::RotorField<Tangent>(problem.system), {}, problem.start,
-               seeded(problem.initial), {method.tolerance, method.first_step, method.largest_step});
+               detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
+               {method.tolerance, method.first_step, method.largest_step});
     std::vector<TransitionSample> rows;
     for (const double t : times) {
       while (solver.time() != DoubleDouble(t)) {

@@ -21,10 +21,7 @@ DualVec constant(const Vec3& v) { return {D(v.x), D(v.y), D(v.z)}; }
 
 // v of the terms with its derivatives by g in the places 3, 4, 5.
 DualVec terms_rate(const System& system, const Setting& at) {
-  const BasicQuaternion<D> q{D(at.s.q.w), D(at.s.q.x), D(at.s.q.y), D(at.s.q.z)};
-  const BasicQuaternion<D> q_IS{D(at.q_IS.w), D(at.q_IS.x), D(at.q_IS.y), D(at.q_IS.z)};
-  const DualVec g{D::variable(at.s.g.x, 3), D::variable(at.s.g.y, 4), D::variable(at.s.g.z, 5)};
-  const BasicSetting<D> dual_at{at.body, D(at.t), {q, g}, q_IS};
+  const BasicSetting<D> dual_at = detail::with_variables(at);
   DualVec v;
   for (const AnyPerturbation& term : system.terms())
     v = v + (term.supports_any_real() ? term.effect(dual_at).v : constant(term.effect(at).v));

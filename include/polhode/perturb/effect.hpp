@@ -56,6 +56,27 @@ using Setting = BasicSetting<double>;
 
 namespace detail {
 
+template <Real T, int N>
+BasicQuaternion<Dual<T, N>> constant(const BasicQuaternion<T>& q) {
+  using D = Dual<T, N>;
+  return {D(q.w), D(q.x), D(q.y), D(q.z)};
+}
+
+// A state with the six variables of its tangent: q exp(dtheta_B / 2), to first order, and g + dg.
+template <Real T>
+BasicRotorState<Dual<T, 6>> with_variables(const BasicRotorState<T>& s) {
+  using D = Dual<T, 6>;
+  const T zero(0.0), half(0.5);
+  const BasicQuaternion<D> turn{D(T(1.0)), half * D::variable(zero, 0), half * D::variable(zero, 1),
+                                half * D::variable(zero, 2)};
+  return {constant<T, 6>(s.q) * turn,
+          {D::variable(s.g.x, 3), D::variable(s.g.y, 4), D::variable(s.g.z, 5)}};
+}
+inline BasicSetting<Tangent> with_variables(const Setting& at) {
+  return {at.body, Tangent(at.t), with_variables(at.s), constant<double, 6>(at.q_IS),
+          Tangent(at.t_rest)};
+}
+
 // q* x q, |q|^2 times the vector turned back: the form that is homogeneous in q. Inside a step |q|
 // = 1 holds to 1e-13 or so, and x + 2 w (u x x) + ..., the form for |q| = 1, would turn by as much
 // too far.

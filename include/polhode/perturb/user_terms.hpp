@@ -35,14 +35,7 @@ class HamiltonianTerm {
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     using D = Dual<T, 6>;
-    const T zero(0.0), half(0.5);
-    const BasicQuaternion<D> turn{D(T(1.0)), half * D::variable(zero, 0),
-                                  half * D::variable(zero, 1), half * D::variable(zero, 2)};
-    const BasicQuaternion<T>& q = at.s.q;
-    const BasicRotorState<D> s{
-        BasicQuaternion<D>{D(q.w), D(q.x), D(q.y), D(q.z)} * turn,
-        {D::variable(at.s.g.x, 3), D::variable(at.s.g.y, 4), D::variable(at.s.g.z, 5)}};
-    const D H = H_(D(at.t), s);
+    const D H = H_(D(at.t), detail::with_variables(at.s));
     return {{H.derivative[3], H.derivative[4], H.derivative[5]},
             {-H.derivative[0], -H.derivative[1], -H.derivative[2]}};
   }
