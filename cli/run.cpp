@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,6 +17,7 @@
 #include "commands.hpp"
 #include "polhode/error.hpp"
 #include "polhode/io/summary.hpp"
+#include "progress.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -34,9 +36,12 @@ void require_different(std::vector<std::string> paths) {
 
 // The input was right: whatever goes wrong from here on is a run that failed.
 RunReport report_of(const Scenario& scenario, const RowLayout& layout,
-                    std::span<const std::unique_ptr<Sink>> sinks) {
+                    std::span<const std::unique_ptr<Sink>> sinks, bool rows_on_terminal) {
+  const SaveAt& rows = *scenario.time;
+  ProgressLine progress(0.0, rows[rows.size() - 1], scenario.units.time());
   try {
-    return run(scenario, layout, sinks);
+    return run(scenario, layout, sinks,
+               rows_on_terminal ? Progress() : Progress(std::ref(progress)));
   } catch (const DomainError& error) {
     throw std::runtime_error(scenario.name + ": the run failed: " + error.what());
   }
@@ -78,10 +83,12 @@ void run_scenario(const RunOptions& options) {
   std::optional<EventTable> events;
   if (!options.events.empty()) events.emplace(options.events, scenario);
   RunReport report;
-  if (!table_only) report = report_of(scenario, layout, sinks);
+  const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
+  const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
+  if (!table_only) report = report_of(scenario, layout, sinks, rows_on_terminal);
   if (events) events->write(report);
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
-  if (std::find(out.begin(), out.end(), "-") != out.end()) return;
+  if (to_standard_output) return;
   std::vector<SummaryLine> lines = summary(scenario, free_rotation(scenario));
   if (!table_only)
     for (SummaryLine& line : report_lines(scenario, report)) lines.push_back(std::move(line));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the long axis of Apophis points, from the published periods (Pravec et al. 2014): ecliptic
-// longitude and latitude every six hours. Phases are set to 0 at the epoch.
+// longitude and latitude every six hours. Phases are set to 0 at the epoch. The period of the long
+// axis is their P_1; their P_phi = 27.38 h is of the short axis.
 #include <cmath>
 #include <cstdio>
 
@@ -14,7 +15,7 @@ int main() {
   const double longitude = 250 * deg, latitude = -75 * deg;
   const Vec3 pole{std::cos(latitude) * std::cos(longitude),
                   std::cos(latitude) * std::sin(longitude), std::sin(latitude)};
-  const TumblerState published{27.38, 263.0, pole, Regime::short_axis, 0.0, 0.0};
+  const TumblerState published{30.56, 263.0, pole, Regime::short_axis, 0.0, 0.0};
   const FreeRotation motion(apophis, to_rotor(apophis, published));
 
   std::printf("hours  longitude  latitude\n");
@@ -28,12 +29,12 @@ int main() {
 
 // Prints:
 //   hours  longitude  latitude
-//       0    163.203   -11.777
-//       6     83.586   -26.572
-//      12      1.114   -17.108
-//      18    -74.093     1.932
-//      24   -151.307     2.329
-//      30    131.940   -14.930
-//      36     48.999   -20.223
-//      42    -30.038    -2.293
-//      48   -108.622    11.481
+//       0    162.903   -10.704
+//       6     91.992   -24.908
+//      12     17.194   -19.803
+//      18    -51.007    -1.940
+//      24   -119.949     6.255
+//      30    171.008    -4.676
+//      36    100.319   -19.195
+//      42     25.769   -15.810
+//      48    -43.645     2.419

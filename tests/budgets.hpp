@@ -130,9 +130,10 @@ inline constexpr double tumbler_round_trip = 1e-13;
 // this over J, and at most the second.
 inline constexpr double tumbler_spin_eps = 4.0;
 inline constexpr double tumbler_spin = 2e-7;
-// Numbers published for real bodies: the last digit of a period, the error of an energy, "about".
+// Numbers published for real bodies: the last digit of a period, "about"; of the energy, what the
+// last digits of the ratios 0.61 and 0.965 leave.
 inline constexpr double apophis_period_h = 0.005;
-inline constexpr double apophis_energy = 0.013;
+inline constexpr double apophis_energy = 0.0013;
 inline constexpr double toutatis_inclination_deg = 3.0;
 // The largest of 4000 samples of psi against its limit, quadratic in the step.
 inline constexpr double psi_max_by_sampling = 1e-5;
@@ -302,5 +303,41 @@ inline constexpr double variation_dense = 3e-15;
 inline constexpr double variation_per_tolerance = 10.0;
 // How near to a discontinuity the last step ends.
 inline constexpr double variation_last_time = 1e-9;
+
+// --- the command line and documents (tests/cli, tests/install, tests/docs), of order one ---
+// Numbers of one row or table against each other and against formulas.
+inline constexpr double cli_rounding = 1e-15;
+// The same along a run of some turns, through a chart and back, or after cancellation.
+inline constexpr double cli_carried = 4e-14;
+// Every method against double-double, at the steps of that test.
+inline constexpr double cli_methods = 2e-11;
+// rad, and relative rates, after a thousand orbits at the tolerance of the example.
+inline constexpr double cli_thousand_orbits = 1e-10;
+// Numbers of documents against what their programs print.
+inline constexpr double documents = 1e-9;
+// Errors of another program that a page calls rounding; those it names are larger.
+inline constexpr double documents_rounding = 1e-9;
+
+// --- formulas written in NumPy (python/tests), on numbers of order one ---
+// The same few operations, in another order or none.
+inline constexpr double numpy_rounding = 1e-15;
+inline constexpr double numpy_formula = 2e-14;
+// of states drawn at random, some next to a pole of a chart
+inline constexpr double numpy_random = 5e-12;
+// central differences of sixth order, step 2^-10
+inline constexpr double numpy_differences = 5e-12;
+
+// --- figures (python/tests/test_figures_*.py) ---
+// The extremes of a curve that is drawn by samples, over its size.
+inline constexpr double figure_sampled = 2e-5;
+// Products of lengths in pixels, small beside where they are.
+inline constexpr double numpy_pixels = 4e-13;
+
+// --- instantaneous ellipses (python/tests/test_figures_ellipses.py), in the orbit's own units ---
+// Against other equations of motion, after a revolution.
+inline constexpr double figure_orbit = 1e-13;
+inline constexpr double figure_differences = 1e-9;
+// Slope of the distance between orbit and ellipse against the time from the contact.
+inline constexpr double figure_contact = 0.01;
 
 }  // namespace polhode::budget

@@ -66,6 +66,7 @@
 #include "polhode/system/modified_andoyer.hpp"
 #include "polhode/system/osculation.hpp"
 #include "polhode/system/system.hpp"
+#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/save_at.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 #include "polhode/version.hpp"

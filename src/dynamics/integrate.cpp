@@ -34,10 +34,12 @@ Problem checked(const Problem& problem) {
 // One run: steps, and what they leave behind.
 class Run {
  public:
-  Run(const Problem& problem, bool keep_dense, detail::SampleQueue& samples)
+  Run(const Problem& problem, bool keep_dense, detail::SampleQueue& samples,
+      const Progress& progress)
       : problem_(checked(problem)),
         keep_dense_(keep_dense),
         samples_(samples),
+        progress_(progress),
         watch_(problem_.events),
         stepper_(std::visit([&](const auto& m) { return detail::make_stepper(problem_, m); },
                             problem_.method)) {}
@@ -80,13 +82,14 @@ class Run {
       stopped = found.stops;
       if (stopped) end = {found.records.back().t, found.records.back().s};
     }
-    samples_.step(dense.get(), end);
+    samples_.step(dense.get(), end, progress_);
     if (stopped) {
       samples_.last(end);
       parts_.outcome.status = Outcome::Status::stopped_by_event;
     }
     const double made = std::abs(end.t - parts_.outcome.t);
     parts_.outcome.t = end.t;
+    if (progress_) progress_(end.t);
     return !stopped && !endless(made);
   }
 
@@ -121,6 +124,7 @@ class Run {
   Problem problem_;
   bool keep_dense_;
   detail::SampleQueue& samples_;
+  const Progress& progress_;
   detail::EventWatch watch_;
   std::unique_ptr<detail::Stepper> stepper_;
   Trajectory::Parts parts_{};
@@ -128,20 +132,21 @@ class Run {
 
 }  // namespace
 
-Trajectory integrate(const Problem& problem, const Keep& keep) {
+Trajectory integrate(const Problem& problem, const Keep& keep, const Progress& progress) {
   std::vector<Sample> kept;
   const SampleSink into_memory = [&kept](std::span<const Sample> block) {
     kept.insert(kept.end(), block.begin(), block.end());
   };
   detail::SampleQueue samples(problem.start, problem.stop, keep.samples, into_memory);
-  Trajectory::Parts parts = Run(problem, keep.dense, samples).result();
+  Trajectory::Parts parts = Run(problem, keep.dense, samples, progress).result();
   parts.samples = std::move(kept);
   return Trajectory(std::move(parts));
 }
 
-Trajectory integrate(const Problem& problem, const SaveAt& times, const SampleSink& sink) {
+Trajectory integrate(const Problem& problem, const SaveAt& times, const SampleSink& sink,
+                     const Progress& progress) {
   detail::SampleQueue samples(problem.start, problem.stop, times, sink);
-  return Trajectory(Run(problem, false, samples).result());
+  return Trajectory(Run(problem, false, samples, progress).result());
 }
 
 }  // namespace v0

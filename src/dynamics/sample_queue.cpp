@@ -64,11 +64,13 @@ bool SampleQueue::wants_dense(double t) const {
   return times_ && !is_done() && (t == stop_ || is_before(due(), t));
 }
 
-void SampleQueue::step(const DenseStep* dense, const Sample& end) {
+void SampleQueue::step(const DenseStep* dense, const Sample& end, const Progress& progress) {
   if (!times_) return push(end);
-  for (; !is_done() && !is_before(reach(end.t), due()); ++next_) {
+  while (!is_done() && !is_before(reach(end.t), due())) {
     const double t = due();
     push(t == end.t ? end : Sample{t, dense->at(t)});
+    ++next_;
+    if (progress && is_before(t, end.t)) progress(t);
   }
 }
 

@@ -65,6 +65,11 @@ std::vector<double> times_due(const Problem& problem, const SaveAt& samples) {
 struct Transitions {
   const Problem& problem;
   const std::vector<double>& times;
+  const Progress& progress;
+
+  void tell(double t) const {
+    if (progress) progress(t);
+  }
 
   std::vector<TransitionSample> operator()(const Adaptive& method) const {
     if (method.tolerance < 1e-15)
@@ -82,6 +87,7 @@ struct Transitions {
           throw DomainError("state_transitions: " +
                             detail::failure_text(solver.field(), solver.time(), solver.state().y,
                                                  solver.trial(), outcome));
+        tell(solver.time().hi);
       }
       rows.push_back(sample_at(t, solver.state().y));
     }
@@ -103,10 +109,12 @@ struct Transitions {
                             " is below the rounding of t = " + number_text(now.t.hi));
         transition = map.step_transition(now, step) * transition;
         now = map.stepped(now, step);
+        tell(now.t.hi);
       }
       rows.push_back(
           {t, map.state(map.stepped(now, rest())), map.step_transition(now, rest()) * transition});
       require_finite(rows.back());
+      tell(t);
     }
     return rows;
   }
@@ -119,11 +127,12 @@ struct Transitions {
 
 }  // namespace
 
-std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples) {
+std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples,
+                                                const Progress& progress) {
   require_terms(problem);
   const Problem checked = detail::checked_problem("state_transitions", problem);
   const std::vector<double> times = times_due(checked, samples);
-  return std::visit(Transitions{checked, times}, checked.method);
+  return std::visit(Transitions{checked, times, progress}, checked.method);
 }
 
 }  // namespace v0

@@ -87,7 +87,7 @@ class RowWriter {
 };
 
 // In inertial axes; a moving frame is applied to each state afterwards.
-void run_free(const Scenario& scenario, RowWriter& writer) {
+void run_free(const Scenario& scenario, RowWriter& writer, const Progress& progress) {
   const System system = rotor_system(scenario);
   const RotorState start = initial_state(scenario);
   const bool moving = !scenario.frame.is_inertial();
@@ -103,12 +103,13 @@ void run_free(const Scenario& scenario, RowWriter& writer) {
     samples.clear();
     const std::int64_t last = std::min(rows.size(), first + rows_per_block);
     for (std::int64_t k = first; k < last; ++k) times.push_back(rows[k]);
-    if (!moving) {
+    if (moving) {
+      for (const double t : times) samples.push_back({t, reference_state(system, t, motion.at(t))});
+      writer.push(origin, samples);
+    } else {
       writer.push(motion, times);
-      continue;
     }
-    for (const double t : times) samples.push_back({t, reference_state(system, t, motion.at(t))});
-    writer.push(origin, samples);
+    if (progress) progress(times.back());
   }
 }
 
@@ -136,18 +137,18 @@ void add(Statistics& sum, const Statistics& more) {
 }
 
 // The state at the first row, from that at t = 0.
-RotorState at_first_row(const Problem& from_zero, RunReport& report) {
+RotorState at_first_row(const Problem& from_zero, RunReport& report, const Progress& progress) {
   if (from_zero.start == from_zero.stop) return from_zero.initial;
   RotorState there = from_zero.initial;
-  const Trajectory way =
-      integrate(from_zero, SaveAt::times({from_zero.stop}),
-                [&](std::span<const Sample> samples) { there = samples.back().s; });
+  const Trajectory way = integrate(
+      from_zero, SaveAt::times({from_zero.stop}),
+      [&](std::span<const Sample> samples) { there = samples.back().s; }, progress);
   report.outcome = way.outcome();
   add(report.statistics, way.statistics());
   return there;
 }
 
-RunReport run_integrated(const Scenario& scenario, RowWriter& writer) {
+RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const Progress& progress) {
   RunReport report;
   const System system = rotor_system(scenario);
   const RotorState initial = initial_state(scenario);
@@ -155,17 +156,19 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer) {
   const SaveAt& rows = *scenario.time;
   const double first = rows[0], last = rows[rows.size() - 1];
   const Method method = *propagation_method(scenario);
-  const RotorState start = at_first_row({system, initial, 0.0, first, method, {}}, report);
+  const RotorState start =
+      at_first_row({system, initial, 0.0, first, method, {}}, report, progress);
   if (!report.outcome.ok()) return report;
 
   const RowOrigin origin{system, energy_0};
   Sample latest{first, start};
-  const Trajectory trajectory =
-      integrate({system, start, first, last, method, events_of(scenario, system, energy_0)}, rows,
-                [&](std::span<const Sample> samples) {
-                  latest = samples.back();
-                  writer.push(origin, samples);
-                });
+  const Trajectory trajectory = integrate(
+      {system, start, first, last, method, events_of(scenario, system, energy_0)}, rows,
+      [&](std::span<const Sample> samples) {
+        latest = samples.back();
+        writer.push(origin, samples);
+      },
+      progress);
   report.outcome = trajectory.outcome();
   report.events = trajectory.events();
   add(report.statistics, trajectory.statistics());
@@ -232,15 +235,15 @@ Provenance provenance(const Scenario& scenario) {
 }
 
 RunReport run(const Scenario& scenario, const RowLayout& layout,
-              std::span<const std::unique_ptr<Sink>> sinks) {
+              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress) {
   if (!scenario.time) throw DomainError(scenario.name + ": time: got nothing; expected [time]");
   RowWriter writer(layout, sinks);
   RunReport report;
   if (is_free(scenario)) {
-    run_free(scenario, writer);
+    run_free(scenario, writer, progress);
     report.outcome.t = (*scenario.time)[scenario.time->size() - 1];
   } else {
-    report = run_integrated(scenario, writer);
+    report = run_integrated(scenario, writer, progress);
   }
   report.rows = writer.rows();
   if (report.outcome.ok()) writer.finish();

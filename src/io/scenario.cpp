@@ -121,9 +121,12 @@ AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
       return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3));
     });
   };
-  const bool body = there(values, path + "omega_body");
-  return {attitude_of(), vector(values, path + (body ? "omega_body" : "omega_inertial")),
-          body ? AttitudeRate::Axes::body : AttitudeRate::Axes::inertial};
+  using enum AttitudeRate::Given;
+  if (there(values, path + "omega_body"))
+    return {attitude_of(), vector(values, path + "omega_body"), omega_body};
+  if (there(values, path + "omega_inertial"))
+    return {attitude_of(), vector(values, path + "omega_inertial"), omega_inertial};
+  return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
 }
 
 SadovState sadov_of(const Values& values, const Body& body) {

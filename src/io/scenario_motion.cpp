@@ -130,11 +130,12 @@ AnyPerturbation damping_of(const Scenario& scenario, const Values& values, const
 void add_frame(Scenario& scenario, const Values& values, const std::string& name) {
   scenario.frame_text = "inertial";
   if (there(values, "frame.precessing")) {
-    scenario.frame = built(values, "frame.precessing.axis", name, [&] {
-      return Frame::precessing(vector(values, "frame.precessing.axis"),
-                               number(values, "frame.precessing.rate"),
-                               number(values, "frame.precessing.epoch"));
-    });
+    const Precession p{vector(values, "frame.precessing.axis"),
+                       number(values, "frame.precessing.rate"),
+                       number(values, "frame.precessing.epoch")};
+    scenario.frame = built(values, "frame.precessing.axis", name,
+                           [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });
+    scenario.precession = p;
     scenario.frame_text = "precessing";
   } else if (there(values, "frame.orbit-plane")) {
     const ScenarioOrbit orbit =

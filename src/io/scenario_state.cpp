@@ -15,18 +15,24 @@ struct ToMotion {
   FreeRotation operator()(const TumblerState& s) const {
     return FreeRotation(body, to_rotor(body, s));
   }
-  FreeRotation operator()(const AttitudeRate& s) const {
-    const Quaternion& q_FB = body.q_FB();
-    const Quaternion q = s.q * q_FB;
-    return FreeRotation(body, s.omega_axes == AttitudeRate::Axes::body
-                                  ? rotor_state(body, q, rotate(conj(q_FB), s.omega))
-                                  : rotor_state_inertial(body, q, rotate(conj(q_IS), s.omega)));
-  }
+  FreeRotation operator()(const AttitudeRate& s) const { return FreeRotation(body, hub_state(s)); }
   FreeRotation operator()(const EulerState& s) const { return FreeRotation(body, to_rotor(s)); }
   FreeRotation operator()(const AndoyerState& s) const { return FreeRotation(body, to_rotor(s)); }
   FreeRotation operator()(const SerretState& s) const { return free_rotation(body, s); }
   FreeRotation operator()(const SadovState& s) const {
     return FreeRotation(body, to_rotor(body, s));
+  }
+
+  RotorState hub_state(const AttitudeRate& s) const {
+    // without a tensor the numbers of the file, bit for bit
+    const Quaternion& q_FB = body.q_FB();
+    const bool principal = q_FB == Quaternion{};
+    const Quaternion q = principal ? s.q : s.q * q_FB;
+    const Vec3 along_B = principal ? s.vector : rotate(conj(q_FB), s.vector);
+    if (s.given == AttitudeRate::Given::omega_inertial)
+      return rotor_state_inertial(body, q, rotate(conj(q_IS), s.vector));
+    if (s.given == AttitudeRate::Given::omega_body) return rotor_state(body, q, along_B);
+    return {unit_quaternion(q.w, q.x, q.y, q.z), along_B};
   }
 };
 

@@ -99,7 +99,7 @@ constexpr Key body_keys[] = {
      .type = number,
      .presence = required,
      .dimension = Dimension::time,
-     .example = "27.38",
+     .example = "30.56",
      .help = "P_phi: mean period of the long axis about the angular momentum."},
     {.path = "state.tumbler.rotation_period",
      .type = number,
@@ -169,7 +169,7 @@ constexpr Key body_keys[] = {
 
     {.path = "state.attitude-rate",
      .presence = alternative,
-     .help = "An attitude and an angular velocity."},
+     .help = "An attitude and an angular velocity, or momentum."},
     {.path = "state.attitude-rate.quaternion",
      .type = numbers,
      .presence = alternative,
@@ -211,6 +211,13 @@ constexpr Key body_keys[] = {
      .length = 3,
      .example = "[1.0, 20.0, 5.0]",
      .help = "Angular velocity, components along the inertial axes."},
+    {.path = "state.attitude-rate.momentum_body",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::momentum,
+     .length = 3,
+     .example = "[0.1, 2.0, 0.5]",
+     .help = "Angular momentum instead, components along the body axes: exact where omega is not."},
 
     {.path = "state.euler",
      .presence = alternative,
@@ -439,7 +446,7 @@ constexpr Alternatives alternatives[] = {
     {"state", "tumbler|attitude-rate|euler|andoyer|serret|sadov"},
     {"state.tumbler.pole", "longitude+latitude|ra+dec"},
     {"state.attitude-rate", "quaternion|euler"},
-    {"state.attitude-rate", "omega_body|omega_inertial"},
+    {"state.attitude-rate", "omega_body|omega_inertial|momentum_body"},
     {"time", "stop+step|stop+count|at"},
 };
 

@@ -134,6 +134,11 @@ Body Body::from_tensor(const Mat3& t) {
   return Body(axes.moments, attitude(transpose(axes.columns)));
 }
 
+Body Body::with_axes(const Vec3& moments, const Quaternion& q_FB) {
+  require_moments("Body::with_axes", moments);
+  return Body(moments, unit_quaternion(q_FB.w, q_FB.x, q_FB.y, q_FB.z));
+}
+
 Vec3 angular_velocity(const Body& body, const RotorState& s) {
   const Vec3& I = body.moments();
   return {s.g.x / I.x, s.g.y / I.y, s.g.z / I.z};

@@ -65,7 +65,8 @@ SaveAt SaveAt::count(double start, double stop, std::int64_t rows) {
 
 SaveAt SaveAt::times(std::vector<double> at) {
   for (const double t : at)
-    if (!std::isfinite(t)) throw DomainError("SaveAt: times must be finite");
+    if (!std::isfinite(t))
+      throw DomainError("SaveAt: time " + detail::number_text(t) + " must be finite");
   SaveAt result;
   result.size_ = static_cast<std::int64_t>(at.size());
   result.at_ = std::move(at);

@@ -16,7 +16,9 @@ RotorState Trajectory::at(double t) const {
                       detail::number_text(low) + " to " + detail::number_text(high));
   if (t == start()) return parts_.initial.s;
   if (parts_.dense.empty())
-    throw DomainError("Trajectory::at: this run kept no dense output (integrate with Keep::dense)");
+    throw DomainError(
+        "Trajectory::at: no dense output: the run was not asked for it (dense), or its samples "
+        "alone were saved");
   const bool forward = start() <= stop();
   // the first step that ends at t or beyond it
   const auto step = std::partition_point(

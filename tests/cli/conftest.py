@@ -12,7 +12,7 @@ SECONDS = 120
 
 @pytest.fixture(scope="session")
 def run(polhode):
-    """run("info", path, stdin="...") -> CompletedProcess with text; never raises on an exit code."""
+    """run("info", path, stdin="...") -> CompletedProcess with text, whatever its exit code."""
 
     def call(*arguments, stdin="", **options):
         return subprocess.run([polhode, *map(str, arguments)], input=stdin, text=True,

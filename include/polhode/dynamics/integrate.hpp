@@ -10,8 +10,8 @@
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for a problem that is none (NaN, a method out of range, a splitting of a
 //             term without a flow). A run that cannot go on (NaN, a step too small) ends with
-//             Outcome::failed and a sentence; samples so far are kept. What a user's callable
-//             throws passes through after the samples so far have been pushed.
+//             Outcome::failed and a sentence; samples so far are kept. What a user's callable or
+//             `progress` throws passes through after the samples so far have been pushed.
 // Cost        docs/guide/which-propagator.md.
 #pragma once
 
@@ -23,6 +23,7 @@
 #include "polhode/dynamics/method.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/system/system.hpp"
+#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/save_at.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
@@ -44,11 +45,12 @@ struct Keep {
   bool dense = true;
 };
 
-Trajectory integrate(const Problem& problem, const Keep& keep = {});
+Trajectory integrate(const Problem& problem, const Keep& keep = {}, const Progress& progress = {});
 
 // The same with samples pushed block by block into a sink: constant memory. The trajectory returned
 // has no samples and no dense output.
-Trajectory integrate(const Problem& problem, const SaveAt& samples, const SampleSink& sink);
+Trajectory integrate(const Problem& problem, const SaveAt& samples, const SampleSink& sink,
+                     const Progress& progress = {});
 
 // A state with the derivative of its hub tangent (dtheta_B, dg_B) by that of the initial state.
 struct TransitionSample {
@@ -61,7 +63,8 @@ struct TransitionSample {
 // VariationOfConstants: by those of Adaptive at its tolerance; Splitting: the derivative of the
 // splitting's own steps, symplectic as they are (terms that are kicks). Every term must be a
 // template on the number type. A run that cannot go on is a DomainError here.
-std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples);
+std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples,
+                                                const Progress& progress = {});
 
 }  // namespace v0
 }  // namespace polhode

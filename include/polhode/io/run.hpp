@@ -10,7 +10,8 @@
 //             (SaveAt).
 // Errors      DomainError without [time]; OutputError from the sinks. A run that cannot go on
 //             returns an outcome that says why: its rows so far are in the sinks, which are not
-//             finished.
+//             finished. What `progress` throws passes through; the rows so far are in the sinks,
+//             not finished either.
 // Cost        one preparation, then rows in blocks: memory does not grow with their number.
 #pragma once
 
@@ -23,6 +24,7 @@
 #include "polhode/io/columns.hpp"
 #include "polhode/io/scenario.hpp"
 #include "polhode/io/sink.hpp"
+#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
@@ -43,9 +45,10 @@ struct RunReport {
   std::optional<double> energy_change;  // E at the last row - E(0), when every term has an energy
 };
 
-// Writes every row in order to each sink, then finishes them unless the run failed.
+// Writes every row in order to each sink, then finishes them unless the run failed. Times of
+// `progress` are in the core unit; of exact free rotation, one per block of rows.
 RunReport run(const Scenario& scenario, const RowLayout& layout,
-              std::span<const std::unique_ptr<Sink>> sinks);
+              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress = {});
 
 // The events of a run as CSV: name, t, direction (1 rising, -1 falling) and the columns of the
 // layout. Opened before the run, so that a path that cannot be written is found out at once.

@@ -48,8 +48,8 @@ class ScenarioError : public DomainError {
 // [state.attitude-rate], in the body axes of the file.
 struct AttitudeRate {
   Quaternion q;  // body axes of the file to inertial
-  Vec3 omega;    // in the axes that omega_axes names
-  enum class Axes { body, inertial } omega_axes = Axes::body;
+  Vec3 vector;   // what `given` names
+  enum class Given { omega_body, omega_inertial, momentum_body } given = Given::omega_body;
 };
 
 using InitialState =
@@ -60,6 +60,13 @@ struct ScenarioOrbit {
   std::string name;
   KeplerElements elements;
   SecularRates rates;
+};
+
+// [frame.precessing]
+struct Precession {
+  Vec3 axis;
+  double rate;
+  double epoch;
 };
 
 // [[event]]
@@ -82,7 +89,8 @@ struct Scenario {
   std::string epoch;  // "2013-01-05T00:00:00 UTC", or empty
   std::string axes;   // "inertial", "ecliptic-J2000", "equator-J2000"
   Frame frame = Frame::inertial();
-  std::string frame_text = "inertial";  // or "precessing", "plane of orbit moon"
+  std::string frame_text = "inertial";                  // or "precessing", "plane of orbit moon"
+  std::optional<Precession> precession = std::nullopt;  // of a precessing frame
   std::vector<ScenarioOrbit> orbits = {};
   std::vector<AnyPerturbation> terms = {};
   std::vector<std::string> kinds = {};          // of the terms: "gravity-gradient"

@@ -42,6 +42,8 @@ class HeldTerm final : public ErasedTerm {
  public:
   HeldTerm(std::string name, P term) : name_(std::move(name)), term_(std::move(term)) {}
 
+  const P& term() const { return term_; }
+
   Effect effect(const Setting& at) const override { return term_.effect(at); }
   BasicEffect<DoubleDouble> effect(const BasicSetting<DoubleDouble>& at) const override {
     return effect_on(at);
@@ -101,6 +103,12 @@ class AnyPerturbation {
         term_(std::make_shared<const detail::HeldTerm<P>>(name, std::move(term))) {}
 
   const std::string& name() const { return name_; }
+  // The term itself where it is a P, else nullptr.
+  template <Perturbation P>
+  const P* target() const {
+    const auto* held = dynamic_cast<const detail::HeldTerm<P>*>(term_.get());
+    return held == nullptr ? nullptr : &held->term();
+  }
   bool supports_energy() const { return energy_; }
   bool supports_flow() const { return flow_; }
   // v = 0, and u depends on time and attitude alone.

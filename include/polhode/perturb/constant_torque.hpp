@@ -24,6 +24,10 @@ class ConstantTorque {
   static ConstantTorque in_body(const Vec3& u_B);
   static ConstantTorque in_space(const Vec3& u, SpaceAxes axes = SpaceAxes::inertial);
 
+  // Its components, along axes that are none where they are those of the body.
+  const Vec3& torque() const { return u_; }
+  const std::optional<SpaceAxes>& space_axes() const { return axes_; }
+
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     const BasicVec3<T> u{T(u_.x), T(u_.y), T(u_.z)};

@@ -9,7 +9,7 @@
 //             ordinary input. A full tensor must be symmetric to 8 eps of its largest entry.
 // Accuracy    moments are stored bit for bit; those of a tensor are exact to the rounding of a
 //             symmetric eigen-solver.
-// Errors      DomainError naming the moments and the inequality they break.
+// Errors      DomainError naming the moments and the inequality they break; a zero quaternion.
 // Cost        a few comparisons; from_tensor diagonalises one 3x3 matrix.
 #pragma once
 
@@ -28,6 +28,9 @@ class Body {
   // Full inertia tensor in some body-fixed axes F; finds the principal axes B and keeps the
   // rotation between them.
   static Body from_tensor(const Mat3& tensor_F);
+
+  // Principal moments with a rotation to body-fixed axes F that is known already.
+  static Body with_axes(const Vec3& moments, const Quaternion& q_FB);
 
   // Moments about b1, b2, b3, as given.
   const Vec3& moments() const { return moments_; }

@@ -27,6 +27,10 @@ class SaveAt {
   double operator[](std::int64_t k) const;
   // Whether the times are a list, in whatever order; steps and counts run one way.
   bool is_list() const { return !at_.empty(); }
+  // What made steps and counts; a step of 0 is a count.
+  double start() const { return start_; }
+  double stop() const { return stop_; }
+  double step() const { return step_; }
 
  private:
   SaveAt() = default;

@@ -16,6 +16,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "polhode/rotor/rotor_state.hpp"
@@ -84,13 +85,16 @@ class Trajectory {
   };
   explicit Trajectory(Parts parts) : parts_(std::move(parts)) {}
 
-  const std::vector<Sample>& samples() const { return parts_.samples; }
+  const std::vector<Sample>& samples() const& { return parts_.samples; }
+  std::vector<Sample> samples() && { return std::move(parts_.samples); }
   const std::vector<EventRecord>& events() const { return parts_.events; }
   const Outcome& outcome() const { return parts_.outcome; }
   const Statistics& statistics() const { return parts_.statistics; }
   const std::string& method() const { return parts_.method; }
   double start() const { return parts_.initial.t; }
   double stop() const { return parts_.outcome.t; }
+  // Whether at(t) has an answer between the samples.
+  bool has_dense() const { return !parts_.dense.empty(); }
 
   RotorState at(double t) const;
 

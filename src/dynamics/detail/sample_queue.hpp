@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/save_at.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
@@ -23,8 +24,8 @@ class SampleQueue {
   void begin(const Sample& initial);
   // Whether a sample may be due elsewhere than at t, the end of the step.
   bool wants_dense(double t) const;
-  // Samples due up to `end`; those not at it come from the step.
-  void step(const DenseStep* dense, const Sample& end);
+  // Samples due up to `end`; those not at it come from the step, each a step itself.
+  void step(const DenseStep* dense, const Sample& end, const Progress& progress);
   // One more sample where an event has stopped the run, unless it is there.
   void last(const Sample& end);
   void flush();

@@ -77,6 +77,7 @@ TEST(Integrate, DenseOutputMeetsTheSamplesAndTheExactMotion) {
     EXPECT_LT(distance(run.at(sample.t), sample.s), budget::adaptive_dense);
   for (double t = 0.0; t <= 10.0; t += 0.0371)
     EXPECT_LT(distance(run.at(t), exact.at(t)), budget::adaptive_dense);
+  EXPECT_TRUE(run.has_dense());
   EXPECT_THROW(run.at(10.0001), DomainError);
   EXPECT_THROW(run.at(std::nan("")), DomainError);
 }
@@ -93,6 +94,7 @@ TEST(Integrate, ASinkGetsTheSameSamplesInBlocks) {
   EXPECT_EQ(seen, integrate(problem(Adaptive{}), {times}).samples());
   EXPECT_EQ(blocks, 3);
   EXPECT_TRUE(streamed.samples().empty());
+  EXPECT_FALSE(streamed.has_dense());
   EXPECT_THROW(streamed.at(5.0), DomainError);
 }
 

@@ -28,9 +28,9 @@ const Body& apophis() {
   static const Body body(0.61, 0.965, 1.0);
   return body;
 }
-// Pravec et al. (2014)
+// Pravec et al. (2014). The long axis precesses in their P_1; their P_phi is the short axis'.
 TumblerState apophis_state() {
-  return {27.38, 263.0, pole_of(250 * degree, -75 * degree), Regime::short_axis, 0.0, 0.0};
+  return {30.56, 263.0, pole_of(250 * degree, -75 * degree), Regime::short_axis, 0.0, 0.0};
 }
 // Hudson & Ostro (1995): about the long axis in 5.41 d, which precesses in 7.35 d
 const Body& toutatis() {
@@ -52,19 +52,17 @@ void expect_equal(const TumblerState& a, const TumblerState& b) {
   EXPECT_EQ(a.sense, b.sense);
 }
 
+// Neither was put in: P_phi (27.38 h, of the short axis) and the energy over the least with this
+// momentum. Were 27.38 h of the long axis, they would be 24.80 h and 1.0285.
 TEST(Tumbler, ApophisHasThePeriodsAndEnergyPublished) {
   const TumblerState s = apophis_state();
   const FreeRotation motion(apophis(), to_rotor(apophis(), s));
   EXPECT_EQ(motion.regime(), Regime::short_axis);
   expect_equal(to_tumbler(motion, 0.0), s);
-  // the light curve's strongest period, 30.56 h, and the energy over the least with this momentum
-  const double P1 = 1.0 / (1.0 / s.precession_period - 1.0 / s.rotation_period);
-  EXPECT_NEAR(P1, 30.56, budget::apophis_period_h);
+  EXPECT_NEAR(2.0 * pi / motion.precession_rate_short(), 27.38, budget::apophis_period_h);
+  EXPECT_NEAR(2.0 * pi / motion.precession_rate_long(), 30.56, budget::apophis_period_h);
   const double G = motion.momentum();
   EXPECT_NEAR(2.0 * motion.energy() * 1.0 / (G * G), 1.024, budget::apophis_energy);
-  // the light curve's: long axis forward, roll backward
-  const double rate = motion.precession_rate_long() - 2.0 * pi / motion.polhode_period();
-  EXPECT_NEAR(2.0 * pi / rate, 30.56, budget::apophis_period_h);
 }
 
 TEST(Tumbler, ToutatisIsInLongAxisMode) {
@@ -175,9 +173,12 @@ TEST(Tumbler, PsiSwingsToPsiMax) {
   const FreeRotation motion(apophis(), to_rotor(apophis(), apophis_state()));
   const double limit = psi_max(motion);
   double largest = 0.0;
-  for (int i = 0; i < 4000; ++i)
-    largest = std::max(largest, std::abs(to_tumbler(motion, 263.0 * i / 4000).psi0));
-  EXPECT_LE(largest, limit);
+  for (int i = 0; i < 4000; ++i) {
+    const TumblerState now = to_tumbler(motion, 263.0 * i / 4000);
+    largest = std::max(largest, std::abs(now.psi0));
+    EXPECT_NO_THROW(to_rotor(apophis(), now)) << i;  // where psi0 rounds beyond its limit, too
+  }
+  EXPECT_LE(largest, limit * (1.0 + budget::free_constants_eps * eps));
   EXPECT_NEAR(largest, limit, budget::psi_max_by_sampling);
   EXPECT_TRUE(
       std::isnan(psi_max(FreeRotation(toutatis(), to_rotor(toutatis(), toutatis_state())))));
@@ -194,7 +195,7 @@ TEST(Tumbler, PsiBeyondItsLimitIsAnErrorThatSaysSo) {
     s.psi0 = psi0;
     EXPECT_THAT(message_of([&] { to_rotor(apophis(), s); }),
                 AllOf(HasSubstr("TumblerState: psi0 = "),
-                      HasSubstr("rad is beyond psi_max = 1.0911723"), HasSubstr("of this SAM")));
+                      HasSubstr("rad is beyond psi_max = 0.9396202"), HasSubstr("of this SAM")));
   }
 }
 
@@ -287,7 +288,7 @@ TEST(Tumbler, RefusesWhatCannotBe) {
     return message_of([&] { to_rotor(body, s); });
   };
   EXPECT_EQ(message(apophis(), [](TumblerState& s) { s.rotation_period = 20.0; }),
-            "TumblerState: P_psi/P_phi = 0.7304601899196494 is impossible in SAM for these "
+            "TumblerState: P_psi/P_phi = 0.6544502617801048 is impossible in SAM for these "
             "moments; it must be at least 6.56692790614775");
   EXPECT_EQ(message(apophis(), [](TumblerState& s) { s.rotation_period = -20.0; }),
             "TumblerState: period -20 must be positive and finite");

@@ -55,6 +55,16 @@ TEST(ConstantTorque, IsAKickWithoutEnergy) {
             "AnyPerturbation: term \"jet\" has no energy");
 }
 
+TEST(AnyPerturbation, GivesBackTheTermThatItHolds) {
+  const AnyPerturbation jet("jet", ConstantTorque::in_space({1.0, 2.0, 3.0}));
+  const AnyPerturbation thruster("thruster", ConstantTorque::in_body({1.0, 2.0, 3.0}));
+  ASSERT_NE(jet.target<ConstantTorque>(), nullptr);
+  EXPECT_EQ(jet.target<ConstantTorque>()->torque(), (Vec3{1.0, 2.0, 3.0}));
+  EXPECT_EQ(jet.target<ConstantTorque>()->space_axes(), SpaceAxes::inertial);
+  EXPECT_FALSE(thruster.target<ConstantTorque>()->space_axes().has_value());
+  EXPECT_EQ(jet.target<LinearDamping>(), nullptr);
+}
+
 TEST(ConstantTorque, RefusesWhatIsNotFinite) {
   EXPECT_EQ(refusal([] {
               ConstantTorque::in_body({0.0, not_a_number, 1.0});

@@ -60,6 +60,18 @@ TEST(Body, KeepsMomentsInAnyOrderBitForBit) {
   }
 }
 
+TEST(Body, WithAxesIsWhatATensorGave) {
+  const Body first = Body::from_tensor(tensor_of({1, 2, 2.5}, {0.9, 0.1, -0.3, 0.2}));
+  const Body again = Body::with_axes(first.moments(), first.q_FB());
+  EXPECT_EQ(again.moments(), first.moments());
+  EXPECT_EQ(again.q_FB(), first.q_FB());
+  EXPECT_EQ(message_of([] {
+              Body::with_axes({1, 1, 3}, {1, 0, 0, 0});
+            }),
+            "Body::with_axes: moments (1, 1, 3) break I3 <= I1 + I2");
+  EXPECT_THROW(Body::with_axes({1, 1, 1}, {0, 0, 0, 0}), DomainError);
+}
+
 TEST(Body, FlatBodiesHaveFourEpsOfRoom) {
   EXPECT_NO_THROW(Body(1, 1, 2 * (1 + 3 * eps)));
   EXPECT_NO_THROW(Body(2 * (1 + 3 * eps), 1, 1));

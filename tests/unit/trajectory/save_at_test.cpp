@@ -52,6 +52,16 @@ TEST(SaveAt, AListIsTakenAsItIs) {
   EXPECT_EQ(times[1], -1.0);
 }
 
+TEST(SaveAt, TellsWhatMadeIt) {
+  const SaveAt steps = SaveAt::steps(0.1, 7.3, 0.7), count = SaveAt::count(0.1, 0.7, 7);
+  EXPECT_EQ(steps.start(), 0.1);
+  EXPECT_EQ(steps.stop(), 7.3);
+  EXPECT_EQ(steps.step(), 0.7);
+  EXPECT_EQ(count.stop(), 0.7);
+  EXPECT_EQ(count.step(), 0.0);
+  EXPECT_TRUE(SaveAt::times({1.0}).is_list());
+}
+
 TEST(SaveAt, RefusesWhatLeadsNowhere) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// How far a long run has come, on standard error: a line that is written over on a terminal, a
+// plain line now and then elsewhere. Silent for the first seconds, so that short runs stay clean.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace polhode::cli {
+
+class ProgressLine {
+ public:
+  // From start to stop, in the unit of time `unit` names.
+  ProgressLine(double start, double stop, std::string unit);
+  // Leaves a terminal clean.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  // The run has reached time t.
+  void operator()(double t);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void look(double t);
+  void show(double t, double seconds);
+
+  double start_;
+  double stop_;
+  std::string unit_;
+  bool terminal_;
+  bool shown_ = false;
+  std::int64_t steps_ = 0;
+  Clock::time_point begun_ = Clock::now();
+  Clock::time_point next_;
+};
+
+}  // namespace polhode::cli

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""What a long run says while it goes on: on standard error, and only when it takes seconds."""
+
+import os
+import pty
+import re
+import select
+import subprocess
+
+import pytest
+
+SECONDS = 30
+LINE = re.compile(r" *\d+ %, t = \S+ s, \S+ s per second, \S+ (s|min|h|d) left")
+
+
+@pytest.fixture
+def endless(scenario):
+    """Years of a satellite whose torque makes every turn cost something."""
+    text = scenario(columns='"q"').read_text().split("[time]")[0] + """
+[[perturbation]]
+kind = "damping"
+coefficients = [1e-12, 1e-12, 1e-12]
+
+[time]
+stop = 1e9
+count = 10
+
+[output]
+columns = ["q"]
+"""
+    path = scenario(columns='"q"').with_name("endless.toml")
+    path.write_text(text)
+    return path
+
+
+def test_elsewhere_it_is_a_plain_line(polhode, endless, tmp_path):
+    process = subprocess.Popen([polhode, "run", endless, "--out", tmp_path / "rows.csv"],
+                               stderr=subprocess.PIPE, text=True)
+    try:
+        line = process.stderr.readline()
+    finally:
+        process.kill()
+        process.communicate()
+    assert LINE.fullmatch(line.rstrip("\n")), line
+
+
+def test_on_a_terminal_it_is_written_over(polhode, endless, tmp_path):
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen([polhode, "run", endless, "--out", tmp_path / "rows.csv"],
+                               stderr=theirs)
+    os.close(theirs)
+    try:
+        shown = ""
+        while shown.count("left") < 3 and select.select([ours], [], [], SECONDS)[0]:
+            shown += os.read(ours, 1000).decode()
+    finally:
+        process.kill()
+        process.wait()
+        os.close(ours)
+    assert "\n" not in shown
+    lines = [line.removesuffix("\x1b[K") for line in shown.split("\r") if line]
+    assert all(LINE.fullmatch(line) for line in lines[:2]), lines
+
+
+def test_a_short_run_says_nothing(run, scenario, tmp_path):
+    done = run("run", scenario(columns='"q"'), "--out", tmp_path / "rows.csv")
+    assert (done.returncode, done.stderr) == (0, "")
