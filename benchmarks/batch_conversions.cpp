@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// A million states at once, each call allocating what it returns: what Python's conversions are
+// measured against (benchmarks/python_conversions.py). The error is that of the round trip to the
+// hub, in eps (|g| = 1): the conversions are those of charts.cpp.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/poincare.hpp"
+
+namespace {
+
+using namespace polhode;
+
+constexpr std::size_t count = 1'000'000;
+
+struct Free {
+  void operator()(void* p) const { std::free(p); }
+};
+template <class T>
+using Room = std::unique_ptr<T[], Free>;
+template <class T>
+Room<T> room() {
+  return Room<T>(static_cast<T*>(std::malloc(count * sizeof(T))));
+}
+
+template <class From, class F>
+auto mapped(const From* in, F f) {
+  using To = decltype(f(*in));
+  Room<To> out = room<To>();
+  for (std::size_t k = 0; k < count; ++k) out[k] = f(in[k]);
+  return out;
+}
+
+const FreeRotation& motion() {
+  static const FreeRotation m(Body(1.0, 1.7, 2.1), {{0.9, 0.1, -0.3, 0.2}, {0.2, 0.4, 0.89}});
+  return m;
+}
+const double* times() {
+  static const Room<double> t = [] {
+    Room<double> all = room<double>();
+    for (std::size_t k = 0; k < count; ++k) all[k] = 1e4 * static_cast<double>(k) / (count - 1.0);
+    return all;
+  }();
+  return t.get();
+}
+const RotorState* states() {
+  static const Room<RotorState> s = mapped(times(), [](double t) { return motion().at(t); });
+  return s.get();
+}
+
+double distance(const RotorState& a, const RotorState& b) {
+  const Vec3 d{a.g.x - b.g.x, a.g.y - b.g.y, a.g.z - b.g.z};
+  return norm(d) / std::numeric_limits<double>::epsilon();
+}
+
+template <class From, class F>
+void timed(benchmark::State& run, const From* in, F f) {
+  for (auto _ : run) benchmark::DoNotOptimize(mapped(in, f).get());
+  run.counters["rows"] = count;
+}
+
+void at(benchmark::State& run) {
+  timed(run, times(), [](double t) { return motion().at(t); });
+}
+void kinetic(benchmark::State& run) {
+  timed(run, states(), [](const RotorState& s) { return kinetic_energy(motion().body(), s); });
+}
+
+template <auto To>
+void chart(benchmark::State& run) {
+  timed(run, states(), To);
+  double worst = 0.0;
+  for (std::size_t k = 0; k < count; k += 997)
+    worst = std::max(worst, distance(to_rotor(To(states()[k])), states()[k]));
+  run.counters["error_eps"] = worst;
+}
+
+template <auto To>
+void hub(benchmark::State& run) {
+  const auto from = mapped(states(), To);
+  timed(run, from.get(), [](const auto& s) { return to_rotor(s); });
+}
+
+constexpr auto andoyer = [](const RotorState& s) { return to_andoyer(s); };
+constexpr auto euler = [](const RotorState& s) { return to_euler(s); };
+constexpr auto poincare = [](const RotorState& s) { return nearest_poincare(s); };
+
+BENCHMARK(at)->Name("FreeRotation.at")->Unit(benchmark::kMillisecond);
+BENCHMARK(chart<andoyer>)->Name("to_andoyer")->Unit(benchmark::kMillisecond);
+BENCHMARK(hub<andoyer>)->Name("to_rotor(AndoyerState)")->Unit(benchmark::kMillisecond);
+BENCHMARK(chart<euler>)->Name("to_euler")->Unit(benchmark::kMillisecond);
+BENCHMARK(hub<euler>)->Name("to_rotor(EulerState)")->Unit(benchmark::kMillisecond);
+BENCHMARK(chart<poincare>)->Name("nearest_poincare")->Unit(benchmark::kMillisecond);
+BENCHMARK(kinetic)->Name("kinetic_energy")->Unit(benchmark::kMillisecond);
+
+}  // namespace

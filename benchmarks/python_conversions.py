@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""What Python adds to the C++ of a call: a million rows against build/release/benchmarks/
+bench_batch_conversions, one row, and the import. Prints docs/accuracy/python.md.
+
+Run as: PYTHONPATH=build/release/python .venv/bin/python benchmarks/python_conversions.py > PAGE
+"""
+
+from __future__ import annotations
+
+import json
+import platform
+import subprocess
+import sys
+import time
+import timeit
+from pathlib import Path
+
+import numpy as np
+import polhode
+
+ROOT = Path(__file__).resolve().parents[1]
+BENCH = ROOT / "build/release/benchmarks/bench_batch_conversions"
+ROWS = 1_000_000
+ROUNDS = 5
+
+
+def cpp_times() -> dict[str, float]:
+    """Least time of each call in milliseconds, as the C++ program measures it now."""
+    done = subprocess.run(
+        [BENCH, "--benchmark_format=json", "--benchmark_min_time=0.5"],
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
+    return {b["name"]: b["real_time"] for b in json.loads(done.stdout)["benchmarks"]}
+
+
+def million_calls() -> dict:
+    body = polhode.Body(1.0, 1.7, 2.1)
+    motion = polhode.FreeRotation(
+        body, polhode.RotorState([0.9, 0.1, -0.3, 0.2], [0.2, 0.4, 0.89]))
+    t = np.linspace(0.0, 1e4, ROWS)
+    s = motion.at(t)
+    andoyer, euler = polhode.to_andoyer(s), polhode.to_euler(s)
+    return {
+        "FreeRotation.at": lambda: motion.at(t),
+        "to_andoyer": lambda: polhode.to_andoyer(s),
+        "to_rotor(AndoyerState)": lambda: polhode.to_rotor(andoyer),
+        "to_euler": lambda: polhode.to_euler(s),
+        "to_rotor(EulerState)": lambda: polhode.to_rotor(euler),
+        "nearest_poincare": lambda: polhode.nearest_poincare(s),
+        "kinetic_energy": lambda: polhode.kinetic_energy(body, s),
+    }
+
+
+def milliseconds(call) -> float:
+    start = time.perf_counter()
+    call()
+    return 1e3 * (time.perf_counter() - start)
+
+
+def scalar_times() -> dict[str, float]:
+    """Microseconds of one call for one state."""
+    body = polhode.Body(1.0, 1.7, 2.1)
+    s = polhode.RotorState([1.0, 0.0, 0.0, 0.0], [0.2, 0.4, 0.89])
+    motion = polhode.FreeRotation(body, s)
+    a, q, g = polhode.to_andoyer(s), np.array([1.0, 0, 0, 0]), np.array([0.2, 0.4, 0.89])
+    calls = {
+        "to_andoyer(s)": lambda: polhode.to_andoyer(s),
+        "to_rotor(a)": lambda: polhode.to_rotor(a),
+        "motion.at(1.0)": lambda: motion.at(1.0),
+        "a.G": lambda: a.G,
+        "s.q": lambda: s.q,
+        "RotorState(q, g)": lambda: polhode.RotorState(q, g),
+        "AndoyerState(0.1, 0.2, 0.3, 0.5, 1.0, 0.2)":
+            lambda: polhode.AndoyerState(0.1, 0.2, 0.3, 0.5, 1.0, 0.2),
+        "kinetic_energy(body, s)": lambda: polhode.kinetic_energy(body, s),
+        "angular_velocity(body, s)": lambda: polhode.angular_velocity(body, s),
+    }
+    return {name: min(timeit.repeat(call, number=20_000, repeat=5)) / 20_000 * 1e6
+            for name, call in calls.items()}
+
+
+def import_seconds(statement: str) -> float:
+    """Least wall time of a fresh interpreter that runs the statement."""
+    def once() -> float:
+        start = time.perf_counter()
+        subprocess.run([sys.executable, "-c", statement], check=True)
+        return time.perf_counter() - start
+
+    return min(once() for _ in range(10))
+
+
+def compared(calls: dict) -> dict[str, tuple[float, float]]:
+    """Milliseconds of C++ and of Python, taken in turns: both see the machine in the same mood."""
+    cpp = {name: float("inf") for name in calls}
+    python = dict(cpp)
+    for _ in range(ROUNDS):
+        for name, value in cpp_times().items():
+            cpp[name] = min(cpp[name], value)
+        for name, call in calls.items():
+            python[name] = min(python[name], *(milliseconds(call) for _ in range(5)))
+    return {name: (cpp[name], python[name]) for name in calls}
+
+
+PAGE = """# Speed of the Python package
+
+`benchmarks/python_conversions.py` measured this and wrote the page: least times on a virtual
+machine with two cores, Python {python}, NumPy {numpy}. Both columns allocate what they return;
+the C++ is `benchmarks/batch_conversions.cpp`, compiled alike.
+
+| a million rows | C++ | Python | more |
+|---|---|---|---|
+{million}
+
+| one state | Python |
+|---|---|
+{scalar}
+
+`import polhode` takes {more:.2f} s more than `import numpy` ({numpy_import:.2f} s); beside
+NumPy it imports tomlkit alone. What is behind the numbers is in
+[the design of the package](../design/0006-python.md).
+"""
+
+
+def main() -> None:
+    million = [f"| `{name}` | {c:.1f} ms | {p:.1f} ms | {100 * (p / c - 1):+.0f} % |"
+               for name, (c, p) in compared(million_calls()).items()]
+    scalar = [f"| `{name}` | {value:.2f} us |" for name, value in scalar_times().items()]
+    numpy_import = import_seconds("import numpy")
+    print(PAGE.format(
+        python=platform.python_version(), numpy=np.__version__, million="\n".join(million),
+        scalar="\n".join(scalar), numpy_import=numpy_import,
+        more=max(0.0, import_seconds("import numpy, polhode") - numpy_import)), end="")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Methods, events, problems, and the functions that integrate them. A problem is made of Python
+// objects, which become one of C++ for the time of a run.
+
+#include <optional>
+
+#include "batch.hpp"
+#include "choice.hpp"
+#include "dynamics_values.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/error.hpp"
+#include "samples.hpp"
+#include "signals.hpp"
+#include "states.hpp"
+#include "system_value.hpp"
+#include "trajectory_value.hpp"
+#include "value.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+
+// A condition has no zero: as a number it would jump from 0 to 1, and never be an event.
+void require_no_truth(nb::handle value, const std::string& label) {
+  const std::string kind = class_name(value);
+  if (kind != "bool" && kind != "bool_") return;  // NumPy 1 writes the latter
+  throw nb::type_error(
+      (label + ": the function returned a bool; expected a number that is zero at the event")
+          .c_str());
+}
+
+// The objects outlive the run, which copies the function without the GIL: hence a bare pointer.
+Event event_of(const PythonEvent& event) {
+  const auto function = [f = event.function.ptr(), label = "event \"" + event.name + "\""](
+                            double t, const RotorState& s) {
+    const WithGil acquired;
+    const nb::object value = staying_put([&] { return nb::handle(f)(t, Rotors::one(s)); });
+    if (!PyFloat_Check(value.ptr())) require_no_truth(value, label);
+    return number(value, label.c_str());
+  };
+  return {event.name, function, event.crossing, event.stops, event.period};
+}
+
+Problem problem_of(const PythonProblem& p) {
+  const System& system = nb::cast<const PythonSystem&>(p.system);
+  Problem problem{
+      system, nb::cast<const Rotors&>(p.initial)[0], p.start, p.stop, method_of(p.method), {}};
+  for (const nb::handle event : p.events)
+    problem.events.push_back(event_of(nb::cast<const PythonEvent&>(event)));
+  return problem;
+}
+
+// A failed run is a result, with its samples so far; but nobody should plot it unawares.
+void warn_of(const Outcome& outcome) {
+  if (outcome.ok()) return;
+  const std::string t = number_text(outcome.t);
+  const std::string text = "integrate: the run failed at t = " + t + ": " + outcome.advice;
+  if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw nb::python_error();
+}
+
+PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samples, bool dense) {
+  const Problem problem = problem_of(python_problem);
+  Keep keep{.dense = dense};
+  if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
+  const Progress look = signal_check();
+  Trajectory trajectory = [&] {
+    const WithoutGil released;
+    return integrate(problem, keep, look);
+  }();
+  warn_of(trajectory.outcome());
+  return PythonTrajectory(std::move(trajectory), dense ? python_problem.system : nb::object());
+}
+
+// Rows lie one after the other, as C++ returns them.
+struct TransitionRows {
+  std::vector<TransitionSample> rows;
+};
+using RowsSelf = nb::handle_t<TransitionRows>;
+
+const std::vector<TransitionSample>& rows_of(RowsSelf self) {
+  return nb::cast<const TransitionRows&>(self).rows;
+}
+nb::object times_of(RowsSelf self) {
+  const auto& rows = rows_of(self);
+  const double* first = rows.empty() ? nullptr : &rows.front().t;
+  return view_of(first, rows.size(), sizeof(TransitionSample), {}, self);
+}
+Rotors states_of(RowsSelf self) {
+  const auto& rows = rows_of(self);
+  if (rows.empty()) return Rotors::filled({0}, [](RotorState*) {});
+  return Rotors({rows.size()}, kept_alive(nb::borrow(self)), &rows.front().s,
+                sizeof(TransitionSample));
+}
+nb::object transitions_of(RowsSelf self) {
+  const auto& rows = rows_of(self);
+  const double* first = rows.empty() ? nullptr : &rows.front().transition.a[0][0];
+  return view_of(first, rows.size(), sizeof(TransitionSample), {6, 6}, self);
+}
+
+TransitionRows transition_rows(const PythonProblem& python_problem, nb::handle samples) {
+  const Problem problem = problem_of(python_problem);
+  const SaveAt times = save_at_of(samples, "samples");
+  const Progress look = signal_check();
+  const WithoutGil released;
+  return {state_transitions(problem, times, look)};
+}
+
+void restore(TransitionRows& self, const std::tuple<nb::object, Rotors, nb::object>& state) {
+  const auto& [times, states, matrices] = state;
+  const Numbers t(times, "t"), transitions(matrices, "transition", {6, 6});
+  if (t.shape() != states.shape() || t.shape() != transitions.shape() || t.shape().size() != 1)
+    throw nb::value_error("TransitionSamples: a pickle whose rows do not fit");
+  new (&self) TransitionRows;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    TransitionSample row{t[k], states[k], {}};
+    std::copy_n(transitions.at(k), 36, &row.transition.a[0][0]);
+    self.rows.push_back(row);
+  }
+}
+
+void bind_transitions(nb::module_& m) {
+  nb::class_<TransitionRows>(m, "TransitionSamples",
+                             R"(States along a run, with their derivatives by the first one.
+
+.t (N,), .states (RotorState, shape (N,)), .transition (N, 6, 6): read-only views without a copy.
+Rows and columns of a matrix are (dtheta_B, dg_B): a small rotation of the body about its axes
+(rad), and the change of the momentum along them.)")
+      .def_prop_ro("t", times_of,
+                   nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
+                   "(N,): the times.")
+      .def_prop_ro("states", states_of, nb::for_getter(nb::sig("def states(self) -> RotorState")),
+                   "The states, of shape (N,).")
+      .def_prop_ro(
+          "transition", transitions_of,
+          nb::for_getter(nb::sig("def transition(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N, 6, 6): the state transition matrices.")
+      .def("__len__", [](const TransitionRows& r) { return r.rows.size(); })
+      .def("__repr__",
+           [](const TransitionRows& r) {
+             return "<TransitionSamples: " + std::to_string(r.rows.size()) + " samples>";
+           })
+      .def("__copy__", [](RowsSelf self) { return self; })  // immutable
+      .def(
+          "__deepcopy__", [](RowsSelf self, nb::handle) { return self; }, nb::arg("memo"))
+      .def("__getstate__",
+           [](RowsSelf self) {
+             return nb::make_tuple(times_of(self).attr("copy")(), states_of(self),
+                                   transitions_of(self).attr("copy")());
+           })
+      .def("__setstate__", restore);
+  m.def("state_transitions", transition_rows, nb::arg("problem"), nb::arg("samples"),
+        nb::sig("def state_transitions(problem: Problem, samples: SaveAt | "
+                "numpy.typing.ArrayLike) -> TransitionSamples"),
+        R"(The state transition matrix along a run.
+
+Parameters
+----------
+problem : its events are not looked for.
+samples : SaveAt, or times (N,) from start towards stop.
+
+Adaptive and VariationOfConstants: by the variational equations. Splitting: the derivative of its
+own steps, symplectic as they are; its terms must be kicks. ValueError for a run that cannot go on,
+and for a term in Python on floats alone (TorqueTerm). Ctrl-C raises KeyboardInterrupt.)");
+}
+
+}  // namespace
+
+void bind_dynamics(nb::module_& m) {
+  bind_dynamics_values(m);
+  m.def("integrate", integrated, nb::arg("problem"), nb::arg("samples") = nb::none(),
+        nb::arg("dense") = true,
+        nb::sig("def integrate(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike | None "
+                "= None, dense: bool = True) -> Trajectory"),
+        R"(Integrates the equations of motion of a problem, by its method.
+
+Parameters
+----------
+problem : what to integrate.
+samples : SaveAt, or times (N,) in the order of the run; None: the end of every step. Times
+    outside the span are left out.
+dense : whether trajectory.at(t) shall answer for any t; some hundred bytes a step.
+
+Returns
+-------
+Trajectory
+    Also of a run that could not go on (NaN, a step too small): with its samples so far, an
+    outcome that says what to try, and a RuntimeWarning.
+
+Raises
+------
+ValueError
+    For what is no problem (NaN, a splitting of a term without a flow), or samples out of order.
+
+Releases the GIL; Ctrl-C raises KeyboardInterrupt. What an event or a term in Python raises passes
+through. [SA (24), (118), (124)])");
+  bind_transitions(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The Python module, layer by layer. Layers are bound in this order: a signature can only name
+// types that are bound already.
+#pragma once
+
+#include <nanobind/nanobind.h>
+// Casters are included here, once for all: a source without one would compile another cast of the
+// same name, and the linker takes either.
+#include <nanobind/stl/function.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/variant.h>
+#include <nanobind/stl/vector.h>
+
+namespace polhode::python {
+
+namespace nb = nanobind;
+
+void bind_math(nb::module_& m);
+void bind_rotor(nb::module_& m);
+void bind_free(nb::module_& m);
+void bind_orbit(nb::module_& m);
+void bind_frame(nb::module_& m);
+void bind_perturb(nb::module_& m);
+void bind_system(nb::module_& m);
+void bind_trajectory(nb::module_& m);
+void bind_dynamics(nb::module_& m);
+void bind_io(nb::module_& m);
+
+}  // namespace polhode::python

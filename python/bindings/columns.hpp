@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Columns of a table by their names: those of scenario files, for states from anywhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "batch.hpp"
+#include "polhode/system/system.hpp"
+
+namespace polhode::python {
+
+// Name -> array of the shape of `t`. `names` are groups ("andoyer") or columns ("theta"); a column
+// that two groups share comes once. Core units; components along principal axes. ValueError for an
+// unknown name, with the nearest known one.
+nb::dict columns_of(const System& system, const Numbers& t, const Batch<RotorState>& states,
+                    const std::vector<std::string>& names, double initial_energy);
+
+// None, one name, or a sequence of names.
+std::vector<std::string> names_of(nb::handle names);
+
+// Whether one of the names is an energy, which not every system has.
+bool any_needs_energy(const std::vector<std::string>& names);
+
+}  // namespace polhode::python

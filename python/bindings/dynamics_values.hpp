@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What a run is made of, as Python holds it: methods, events, problems.
+#pragma once
+
+#include <string>
+
+#include "bindings.hpp"
+#include "polhode/dynamics/event.hpp"
+#include "polhode/dynamics/method.hpp"
+
+namespace polhode::python {
+
+struct PythonEvent {
+  std::string name;
+  nb::object function;
+  Crossing crossing;
+  bool stops;
+  double period;
+};
+
+// The very objects that the caller gave.
+struct PythonProblem {
+  nb::object system;
+  nb::object initial;
+  double start;
+  double stop;
+  nb::object method;
+  nb::tuple events;  // of PythonEvent
+};
+
+// TypeError for what is none.
+Method method_of(nb::handle method);
+
+void bind_dynamics_values(nb::module_& m);
+
+}  // namespace polhode::python

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The parts of bind_io, a file each.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings.hpp"
+#include "polhode/io/scenario.hpp"
+#include "polhode/io/summary.hpp"
+
+namespace polhode::python {
+
+// Units, Dimension, known_units.
+void bind_units(nb::module_& m);
+// GoldenCase, golden_cases, write_golden, regime_name.
+void bind_golden(nb::module_& m);
+
+// Methods run, write and states_of of _Scenario, and what run returns.
+void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
+
+// Properties frame, system and orbits of _Scenario.
+void bind_objects(nb::class_<Scenario>& scenario);
+
+// (key, label, numbers, text, unit) of each line.
+nb::list lines_of(const std::vector<SummaryLine>& lines);
+
+}  // namespace polhode::python

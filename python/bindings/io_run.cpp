@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// A run of a scenario: rows into memory, where columns are views, and into files at the same time.
+#include <optional>
+#include <span>
+
+#include "batch.hpp"
+#include "io_parts.hpp"
+#include "polhode/error.hpp"
+#include "polhode/io/run.hpp"
+#include "samples.hpp"
+#include "signals.hpp"
+#include "states.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+constexpr std::size_t rows_per_block = 1024;
+
+// What a run leaves in memory.
+struct Run {
+  std::vector<double> rows;  // one after the other
+  std::size_t width;
+  RunReport report;
+};
+
+class TableSink : public Sink {
+ public:
+  explicit TableSink(std::vector<double>& rows) : rows_(rows) {}
+  void push(std::span<const double> rows) override {
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+  }
+  void finish() override {}
+
+ private:
+  std::vector<double>& rows_;
+};
+
+std::string path_text(nb::handle path) {
+  const nb::bytes bytes = nb::bytes(nb::object(nb::module_::import_("os").attr("fsencode")(path)));
+  return {bytes.c_str(), bytes.size()};
+}
+
+// No page of it is touched before its rows come.
+void reserve(Run& run, std::int64_t rows) {
+  const double bytes =
+      static_cast<double>(rows) * static_cast<double>(run.width) * double{sizeof(double)};
+  try {
+    if (bytes > static_cast<double>(run.rows.max_size())) throw std::bad_alloc();
+    run.rows.reserve(static_cast<std::size_t>(rows) * run.width);
+  } catch (const std::bad_alloc&) {
+    PyErr_Format(PyExc_MemoryError,
+                 "run: %lld rows of %zu numbers do not fit into memory; expected keep=False, with "
+                 "outputs that are files",
+                 static_cast<long long>(rows), run.width);
+    throw nb::python_error();
+  }
+}
+
+// The GIL is not held while rows are computed and written.
+Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep) {
+  if (!scenario.time)
+    throw DomainError(
+        scenario.name +
+        ": time: got nothing; expected a table [time], stop with step or count, or at");
+  if (!events.is_none() && scenario.events.empty())
+    throw DomainError(scenario.name + ": event: got nothing; expected tables [[event]] for events");
+  const RowLayout layout = row_layout(scenario);
+  Run result{{}, layout.width(), {}};
+  if (keep) reserve(result, scenario.time->size());
+  std::vector<std::unique_ptr<Sink>> sinks;
+  for (const nb::handle path : outputs)
+    sinks.push_back(open_sink(path_text(path), layout.groups(), provenance(scenario)));
+  std::optional<EventTable> table;
+  if (!events.is_none()) table.emplace(path_text(events), scenario);
+  if (keep) sinks.push_back(std::make_unique<TableSink>(result.rows));
+  const Progress look = signal_check();
+  const WithoutGil released;
+  result.report = run(scenario, layout, sinks, look);
+  if (table) table->write(result.report);
+  return result;
+}
+
+nb::object kept_table(nb::handle_t<Run> self) {
+  const Run& r = nb::cast<const Run&>(self);
+  return view_of(r.rows.data(), r.rows.size() / r.width, r.width * sizeof(double), {r.width}, self);
+}
+
+// Rows from memory, as a run would have written them.
+void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
+  const RowLayout layout = row_layout(scenario);
+  const Numbers rows(table, "table", {layout.width()});
+  const std::size_t n = size_of(rows.shape());
+  const std::unique_ptr<Sink> sink =
+      open_sink(path_text(path), layout.groups(), provenance(scenario));
+  for (std::size_t k = 0; k < n; k += rows_per_block) {
+    const std::size_t more = std::min(rows_per_block, n - k);
+    {
+      const WithoutGil released;
+      sink->push({rows.at(0) + k * layout.width(), more * layout.width()});
+    }
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  }
+  sink->finish();
+}
+
+// The hub states in rows that have q and g, from column numbers `q` and `g` on. Files hold body
+// components along the axes of the tensor, states along principal axes.
+Batch<RotorState> states_in(const Scenario& scenario, nb::handle table, std::size_t q,
+                            std::size_t g) {
+  const std::size_t width = row_layout(scenario).width();
+  const Numbers rows(table, "table", {width});
+  const std::size_t n = size_of(rows.shape());
+  const Quaternion& q_FB = scenario.body.q_FB();
+  return Batch<RotorState>::filled({n}, [&](RotorState* out) {
+    for_each(n, [&](std::size_t k) {
+      const double* const row = rows.at(0) + k * width;
+      const Quaternion q_SF{row[q], row[q + 1], row[q + 2], row[q + 3]};
+      const Vec3 g_F{row[g], row[g + 1], row[g + 2]};
+      out[k] = q_FB == Quaternion{} ? RotorState{q_SF, g_F}
+                                    : RotorState{q_SF * q_FB, rotate(conj(q_FB), g_F)};
+    });
+  });
+}
+
+}  // namespace
+
+void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
+  nb::class_<Run>(m, "_Run")
+      .def_prop_ro("table", kept_table)
+      .def_prop_ro("outcome", [](const Run& r) { return r.report.outcome; })
+      .def_prop_ro("statistics", [](const Run& r) { return r.report.statistics; })
+      .def_prop_ro("events", [](const Run& r) { return r.report.events; })
+      .def_prop_ro("energy_change", [](const Run& r) { return r.report.energy_change; })
+      .def_prop_ro("rows", [](const Run& r) { return r.report.rows; });
+  scenario.def("run", run_scenario, nb::arg("outputs"), nb::arg("events").none(), nb::arg("keep"))
+      .def("write", write_rows)
+      .def("states_in", states_in)
+      .def("report_lines",
+           [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
+              const std::vector<EventRecord>& events, std::optional<double> energy_change) {
+             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change}));
+           });
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C in long runs: a look at Python's signals some fifty times a second, from code that runs
+// without the GIL.
+#pragma once
+
+#include <chrono>
+
+#include "bindings.hpp"
+#include "polhode/trajectory/progress.hpp"
+
+namespace polhode::python {
+
+// Called after every step of a run, in whatever time a step takes: it reads a clock every so many
+// calls, and asks Python every 20 ms. Throws what the handler of a signal raised.
+class SignalCheck {
+ public:
+  void operator()() {
+    if (--calls_left_ == 0) read_clock();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void read_clock();
+
+  int stride_ = 1;  // calls between two readings
+  int calls_left_ = 1;
+  Clock::time_point read_ = Clock::now();
+  Clock::time_point asked_ = read_;
+};
+
+// A listener that raises KeyboardInterrupt. Empty outside the main thread, which alone handles
+// signals: runs in other threads never wait for the GIL. With the GIL.
+Progress signal_check();
+
+}  // namespace polhode::python

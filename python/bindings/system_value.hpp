@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// System, as Python holds it.
+#pragma once
+
+#include "bindings.hpp"
+#include "polhode/system/system.hpp"
+
+namespace polhode::python {
+
+// Python's class System: nb::cast<const PythonSystem&>(object) is a System, and
+// nb::cast(PythonSystem(system)) makes an object of one that C++ made. (Not nb::cast(system).)
+struct PythonSystem : System {
+  PythonSystem(System system, nb::object frame, nb::tuple terms)
+      : System(std::move(system)), python_frame(std::move(frame)), python_terms(std::move(terms)) {}
+  explicit PythonSystem(const System& system);
+
+  nb::object python_frame;
+  nb::tuple python_terms;  // the very objects that were given
+};
+
+// Of a Python object that must be a System. TypeError else: `where` starts the message.
+const PythonSystem& system_of(nb::handle object, const char* where);
+
+}  // namespace polhode::python

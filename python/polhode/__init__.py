@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+"""Rotation of rigid bodies, exact, in Serret-Andoyer and every related variable set.
+
+Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matplotlib).
+"""
+
+from polhode import _core
+from polhode._core import *  # noqa: F403
+from polhode._core import __version__  # noqa: F401
+from polhode._summary import Summary
+from polhode.interchange import to_scipy
+from polhode.results import Results
+from polhode.scenarios import Citation, Scenario, load
+
+__all__ = [
+    "Citation",
+    "Results",
+    "Scenario",
+    "Summary",
+    "load",
+    "to_scipy",
+    *(name for name in dir(_core) if not name.startswith("_")),
+]
+
+# Users, pickles and the reference know these things by where they are imported from.
+for _name in __all__:
+    _thing = globals()[_name]
+    if isinstance(_thing, type):
+        _thing.__module__ = __name__
+del _name, _thing

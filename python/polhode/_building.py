@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: MIT
+"""From the objects of a run to the nested dict of a scenario file. Numbers keep their bits: angles
+and rates are written in radians, whatever unit outputs have."""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy
+
+from polhode import _core
+
+_CHARTS = {"EulerState": "euler", "AndoyerState": "andoyer", "SerretState": "serret"}
+_TO_HUB = ("EulerRates", "SadovState", "TumblerState")  # what needs the body
+
+
+def data_of(
+    system: Any,
+    state: Any,
+    time: Any,
+    method: Any,
+    columns: Sequence[str],
+    *,
+    title: str,
+    units: Any,
+    events: Sequence[Mapping[str, Any]],
+    epoch: str,
+    axes: str,
+) -> dict[str, Any]:
+    """ValueError for what has no place in a scenario file, naming it."""
+    if isinstance(system, _core.Body):
+        system = _core.System(system)
+    if not isinstance(system, _core.System):
+        raise TypeError(f"build: system: got {system!r}; expected a System or a Body")
+    write = _Writer(units)
+    data: dict[str, Any] = {"schema": 1}
+    if title:
+        data["title"] = title
+    data["units"] = {
+        "time": units.time, "angle": units.angle, "moment": units.moment, "length": units.length
+    }
+    data["body"] = {"moments": system.body.moments.tolist()}
+    dated = {"epoch": epoch} if epoch else {}
+    data["state"] = {**dated, "axes": axes, **write.state(state, system.body, axes)}
+    data.update(write.frame(system.frame))
+    data.update(write.terms(system))
+    if method is not None:
+        data["method"] = _method(method)
+    for event in events:
+        if not isinstance(event, Mapping):
+            raise TypeError(
+                f"build: events: got {event!r}; expected dicts like {{\"column\": \"theta\"}}"
+            )
+    if events:
+        data["event"] = [dict(event) for event in events]
+    if time is not None:
+        data["time"] = _time(time)
+    data["output"] = {"columns": list(columns)}
+    return data
+
+
+class _Writer:
+    """What depends on the units of the file."""
+
+    def __init__(self, units: Any) -> None:
+        self._angle = "" if units.angle == "rad" else "rad"
+        self._rate = f"rad/{units.time}" if self._angle else ""
+
+    def angle(self, value: Any) -> Any:
+        return {"value": value, "unit": self._angle} if self._angle else value
+
+    def rate(self, value: Any) -> Any:
+        return {"value": value, "unit": self._rate} if self._rate else value
+
+    def state(self, state: Any, body: Any, axes: str) -> dict[str, Any]:
+        if isinstance(state, _core.FreeRotation):
+            state = state.initial_state if state.epoch == 0.0 else state.at(0.0)
+        kind = type(state).__name__
+        if getattr(state, "shape", None) != () or not hasattr(_core, kind):
+            raise TypeError(f"build: state: got {state!r}; expected one state of any chart")
+        if kind in _CHARTS:
+            return {_CHARTS[kind]: self._fields(state, kind)}
+        if kind == "SadovState":
+            short = state.region == _core.SadovRegion.short_axis
+            return {"sadov": {**self._fields(state, kind), "region": "SAM" if short else "LAM"}}
+        if kind == "TumblerState":
+            return {"tumbler": self._tumbler(state, axes)}
+        hub = state if kind == "RotorState" else _to_hub(state, body, kind)
+        return {
+            "attitude-rate": {"quaternion": hub.q.tolist(), "momentum_body": hub.g.tolist()}
+        }
+
+    def _fields(self, state: Any, kind: str) -> dict[str, Any]:
+        names = {
+            "EulerState": "phi theta psi Phi Theta Psi",
+            "AndoyerState": "l g h L G H",
+            "SerretState": "g0 h t0 G H T sign_g1 sign_g3",
+            "SadovState": "phi_l phi_g phi_h I_l I_g I_h lobe",
+        }
+        angles = {"phi", "theta", "psi", "l", "g", "h", "g0", "phi_l", "phi_g", "phi_h"}
+        fields = {name: getattr(state, name) for name in names[kind].split()}
+        return {name: self.angle(x) if name in angles else x for name, x in fields.items()}
+
+    def _tumbler(self, state: Any, axes: str) -> dict[str, Any]:
+        x, y, z = state.pole.tolist()
+        longitude = self.angle(math.atan2(y, x))
+        latitude = self.angle(math.atan2(z, math.hypot(x, y)))
+        # longitude is ecliptic wherever axes say what they are
+        names = ("ra", "dec") if axes == "equator-J2000" else ("longitude", "latitude")
+        return {
+            "precession_period": state.precession_period,
+            "rotation_period": state.rotation_period,
+            "pole": dict(zip(names, (longitude, latitude))),
+            "mode": "SAM" if state.mode == _core.Regime.short_axis else "LAM",
+            "phi0": self.angle(state.phi0),
+            "psi0": self.angle(state.psi0),
+            "branch": state.branch,
+            "sense": state.sense,
+        }
+
+    def frame(self, frame: Any) -> dict[str, Any]:
+        if frame.is_inertial:
+            return {}
+        if frame.kind != "precessing":
+            raise ValueError(
+                f"build: frame {frame!r} has no place in a scenario; expected Frame.inertial() or "
+                "Frame.precessing"
+            )
+        given = frame.arguments
+        return {"frame": {"precessing": {
+            "axis": list(given["axis"]),
+            "rate": self.rate(given["rate"]),
+            "epoch": given["epoch"],
+        }}}
+
+    def terms(self, system: Any) -> dict[str, Any]:
+        orbits: dict[str, Any] = {}
+        tables = [self._term(term, system, orbits) for term in system.terms]
+        data: dict[str, Any] = {}
+        if orbits:
+            data["orbit"] = {name: self._orbit(orbit) for name, orbit in orbits.items()}
+        if tables:
+            data["perturbation"] = tables
+        return data
+
+    def _term(self, term: Any, system: Any, orbits: dict[str, Any]) -> dict[str, Any]:
+        if isinstance(term, _core.GravityGradient):
+            _require_inertial(term, system)
+            orbit = _orbit_name(term, orbits)
+            own = {} if term.gm == orbits[orbit].gm else {"gm": term.gm}
+            return {"kind": "gravity-gradient", "orbit": orbit, **own}
+        if isinstance(term, _core.ConstantTorque):
+            if term.axes is None:
+                return {"kind": "constant-torque", "torque": term.u.tolist(), "axes": "body"}
+            _require_inertial(term, system)
+            return {"kind": "constant-torque", "torque": term.u.tolist(), "axes": "inertial"}
+        if isinstance(term, _core.LinearDamping):
+            D = term.matrix
+            diagonal = numpy.array_equal(D, numpy.diag(numpy.diag(D)))
+            return {
+                "kind": "damping",
+                "coefficients": (numpy.diag(D) if diagonal else D).tolist(),
+            }
+        raise ValueError(
+            f"build: term \"{term.name}\" ({type(term).__name__}) has no place in a scenario; "
+            "expected GravityGradient, ConstantTorque or LinearDamping"
+        )
+
+    def _orbit(self, orbit: Any) -> dict[str, Any]:
+        e = orbit.elements
+        data = {
+            "gm": e.gm,
+            "pericentre": e.pericentre,
+            "eccentricity": e.eccentricity,
+            "inclination": self.angle(e.inclination),
+            "node": self.angle(e.node),
+            "pericentre_argument": self.angle(e.argument),
+            "mean_anomaly": self.angle(e.mean_anomaly),
+            "epoch": e.epoch,
+        }
+        if isinstance(orbit, _core.PrecessingKeplerOrbit):
+            data["node_rate"] = self.rate(orbit.rates.node)
+            data["pericentre_rate"] = self.rate(orbit.rates.argument)
+            data["mean_anomaly_rate"] = self.rate(orbit.rates.mean_anomaly)
+        return data
+
+
+def _to_hub(state: Any, body: Any, kind: str) -> Any:
+    return _core.to_rotor(body, state) if kind in _TO_HUB else _core.to_rotor(state)
+
+
+def _require_inertial(term: Any, system: Any) -> None:
+    if term.axes != _core.SpaceAxes.inertial and not system.frame.is_inertial:
+        raise ValueError(
+            f"build: term \"{term.name}\": its axes are those of the moving frame, which a "
+            "scenario cannot say; expected SpaceAxes.inertial"
+        )
+
+
+def _orbit_name(term: Any, orbits: dict[str, Any]) -> str:
+    """Equal orbits are one table; one that a scenario has named keeps its name."""
+    orbit = term.orbit
+    if not isinstance(orbit, (_core.KeplerOrbit, _core.PrecessingKeplerOrbit)):
+        raise ValueError(
+            f"build: term \"{term.name}\": its orbit {orbit!r} has no place in a scenario; "
+            "expected a KeplerOrbit or PrecessingKeplerOrbit"
+        )
+    for name, other in orbits.items():
+        if type(orbit) is type(other) and orbit == other:
+            return name
+    named = re.fullmatch(r"gravity gradient, orbit ([A-Za-z0-9_-]{1,60})", term.name)
+    name = named[1] if named and named[1] not in orbits else f"orbit-{len(orbits) + 1}"
+    orbits[name] = orbit
+    return name
+
+
+def _method(method: Any) -> dict[str, Any]:
+    if isinstance(method, _core.Splitting):
+        return {"kind": "splitting", "step": method.step, "scheme": method.scheme.name}
+    longest = getattr(method, "largest_step", math.inf)
+    data = {} if math.isinf(longest) else {"largest_step": longest}
+    if isinstance(method, _core.VariationOfConstants):
+        return {"kind": "variation-of-constants", "tolerance": method.tolerance, **data}
+    if not isinstance(method, _core.Adaptive):
+        raise TypeError(
+            f"build: method: got {method!r}; expected Adaptive, Splitting, VariationOfConstants or "
+            "None"
+        )
+    if method.first_step != 0.0:
+        raise ValueError(
+            f"build: method: first_step {method.first_step!r} has no place in a scenario; expected "
+            "0, which means chosen"
+        )
+    precision = method.precision.name.replace("_", "-")
+    return {"kind": "adaptive", "tolerance": method.tolerance, "precision": precision, **data}
+
+
+def _time(time: Any) -> dict[str, Any]:
+    if isinstance(time, tuple) and len(time) == 3:
+        if not all(isinstance(x, numbers.Real) for x in time):
+            raise TypeError(f"build: time: got {time!r}; expected numbers (start, stop, step)")
+        start, stop, step = (float(x) for x in time)
+        return {"start": start, "stop": stop, "step": step}
+    if not isinstance(time, _core.SaveAt):
+        time = _core.SaveAt.times(time)
+    parts = _core._save_at_parts(time)
+    if parts is None:
+        return {"at": [time[k] for k in range(len(time))]}
+    start, stop, step = parts
+    if step is None:
+        return {"start": start, "stop": stop, "count": len(time)}
+    return {"start": start, "stop": stop, "step": step}

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""Columns as tables of pandas and xarray, which are imported here alone and only when asked for."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Mapping
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy.typing
+    import pandas
+    import xarray
+
+    Columns = Mapping[str, numpy.typing.NDArray[Any]]
+
+
+def _imported(package: str) -> ModuleType:
+    try:
+        return importlib.import_module(package)
+    except ModuleNotFoundError as error:
+        # a package that is there but lacks one of its own is another story
+        if error.name != package:
+            raise
+        raise ImportError(f"to_{package} needs {package}: pip install {package}") from None
+
+
+def to_pandas(
+    columns: Columns, notes: Mapping[str, str], units: Mapping[str, str] | None = None
+) -> pandas.DataFrame:
+    """A DataFrame with index t and the other columns in their order; notes, and units if any, in
+    `.attrs`."""
+    pandas = _imported("pandas")
+    index = pandas.Index(columns["t"], name="t", copy=True)
+    frame = pandas.DataFrame({name: x for name, x in columns.items() if name != "t"}, index=index)
+    frame.attrs.update(notes)
+    if units is not None:
+        frame.attrs["units"] = dict(units)
+    return frame
+
+
+def to_xarray(
+    columns: Columns, notes: Mapping[str, str], units: Mapping[str, str] | None = None
+) -> xarray.Dataset:
+    """A Dataset along the coordinate t; units, if any, are attributes of each variable."""
+    attributes = {
+        name: {"units": units[name]} if units is not None and name in units else {}
+        for name in columns
+    }
+    return _imported("xarray").Dataset(
+        {name: ("t", x, attributes[name]) for name, x in columns.items() if name != "t"},
+        coords={"t": ("t", columns["t"], attributes["t"])},
+        attrs=dict(notes),
+    )

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: MIT
+"""What a run of a scenario leaves: columns by name, as views onto one table, with their units."""
+
+from __future__ import annotations
+
+import difflib
+import html
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from polhode import _core, _tables
+from polhode._summary import Summary, html_table
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
+    import pandas
+    import xarray
+
+    from polhode import EventRecord, Outcome, RotorState, Statistics
+    from polhode.scenarios import Scenario
+
+    Array = numpy.typing.NDArray[numpy.float64]
+
+
+class Results(Mapping[str, "Array"]):
+    """The rows of a scenario: `results["theta"]` is a column, a read-only view without a copy.
+
+    Columns are named and have the units as in the files of `polhode run`, t first; `results.groups`
+    has those that belong together as one array. Made by `Scenario.run`.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        table: Array,
+        outcome: Outcome,
+        statistics: Statistics,
+        events: Sequence[EventRecord],
+        energy_change: float | None,
+        kept: bool = True,
+    ) -> None:
+        self._scenario = scenario
+        self._table = table
+        self._outcome = outcome
+        self._statistics = statistics
+        self._events = list(events)
+        self._energy_change = energy_change
+        self._kept = kept
+        self._where: dict[str, int] = {}
+        self._units: dict[str, str] = {}
+        self._spans: dict[str, slice] = {}
+        for group, columns in scenario._file.groups:
+            first = len(self._where)
+            for name, unit in columns:
+                self._where[name] = len(self._where)
+                self._units[name] = unit
+            self._spans[group] = slice(first, len(self._where))
+
+    def __getitem__(self, name: str) -> Array:
+        try:
+            return self._table[:, self._where[name]]
+        except (KeyError, TypeError):
+            raise _MissingColumn(self._missing(name)) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._where)
+
+    def __len__(self) -> int:
+        return len(self._where)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._where)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Results):
+            return NotImplemented
+        return self._units == other._units and _same_bits(self._table, other._table)
+
+    @property
+    def t(self) -> Array:
+        """(N,): the times of the rows."""
+        return self["t"]
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of all columns, t first."""
+        return tuple(self._where)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each column; "1" for pure numbers."""
+        return dict(self._units)
+
+    @property
+    def groups(self) -> dict[str, Array]:
+        """Columns that belong together, as views: "q" is (N, 4), "omega" (N, 3), "t" (N,)."""
+        return {
+            group: self.t if group == "t" else self._table[:, span]
+            for group, span in self._spans.items()
+        }
+
+    @property
+    def states(self) -> RotorState:
+        """The rows as a RotorState of shape (N,), along principal axes; needs groups q and g."""
+        if "q" not in self._spans or "g" not in self._spans:
+            raise AttributeError(
+                "results.states needs the column groups q and g; the scenario has "
+                + ", ".join(self._scenario.columns)
+                + ": with_columns([\"q\", \"g\"]) makes one that has them"
+            )
+        q, g = self._spans["q"].start, self._spans["g"].start
+        return self._scenario._file.states_in(self._table, q, g)
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was run."""
+        return self._scenario
+
+    @property
+    def outcome(self) -> Outcome:
+        """How the run ended."""
+        return self._outcome
+
+    @property
+    def statistics(self) -> Statistics:
+        """What the run cost; all 0 for exact free rotation."""
+        return self._statistics
+
+    @property
+    def events(self) -> list[EventRecord]:
+        """The events met, in the order of the run; their states in core units."""
+        return list(self._events)
+
+    @property
+    def energy_change(self) -> float | None:
+        """E at the last row less that at t = 0, where every perturbation has an energy; of a free
+        motion, which is exact, None."""
+        return self._energy_change
+
+    @property
+    def summary(self) -> Summary:
+        """What the body does and how the run went: what `polhode run` prints."""
+        file = self._scenario._file
+        lines = file.report_lines(
+            self._outcome, self._statistics, self._events, self._energy_change
+        )
+        return Summary([*file.summary, *lines])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The columns as a pandas.DataFrame with index t; title, method, units, ... in .attrs."""
+        return _tables.to_pandas(dict(self), self._notes(), self._units)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The columns as an xarray.Dataset along t; units are attributes of the variables."""
+        return _tables.to_xarray(dict(self), self._notes(), self._units)
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes PATH.csv or PATH.h5: the file that the run would have written, byte for byte.
+
+        A file of that name is replaced when the new one is complete (until then it is PATH.part);
+        Scenario.save, which may meet a file written by hand, refuses to.
+        ValueError for a path that cannot be an output, and where run(keep=False) left no rows;
+        OutputError when writing fails.
+        """
+        if not self._kept:
+            raise ValueError("write: these results have no rows, by keep=False")
+        self._scenario._file.write(path, self._table)
+
+    def _notes(self) -> dict[str, str]:
+        scenario = self._scenario
+        notes = {"title": scenario.title, "scenario": scenario.name, "method": scenario.propagation}
+        return {**notes, "outcome": _text_of(self._outcome, scenario)}
+
+    def _missing(self, name: object) -> str:
+        has = f"these results have {', '.join(self._where)}"
+        if not isinstance(name, str):
+            return f"got {name!r}; expected the name of a column: {has}"
+        if name in self._spans:
+            names = ", ".join(list(self._where)[self._spans[name]])
+            return f"\"{name}\" is a group of columns: results.groups[\"{name}\"], or {names}"
+        known = [*_core._column_names(), *_core._column_group_names()]
+        if name in known:
+            return f"no column \"{name}\": [output] columns must name it; {has}"
+        near = difflib.get_close_matches(name, known, n=3)
+        mean = f"did you mean {' or '.join(near)}? " if near else ""
+        return f"no column \"{name}\"; {mean}[output] columns must name it; {has}"
+
+    def _head(self) -> tuple[str, str, str]:
+        title = self._scenario.title or self._scenario.name
+        n = len(self._table)
+        unit = self._units["t"]
+        span = f"t = {self.t[0]:.10g} to {self.t[-1]:.10g} {unit}" if n else "none"
+        end = f"{self._scenario.propagation}; {_text_of(self._outcome, self._scenario)}"
+        return title, f"{n} rows, {span}" if self._kept else "rows in files alone", end
+
+    def _group_texts(self) -> list[tuple[str, str]]:
+        """Each group with its columns, those of one unit together."""
+        names = list(self._where)
+        texts = []
+        for group, span in self._spans.items():
+            if group == "t":
+                continue
+            by_unit: dict[str, list[str]] = {}
+            for name in names[span]:
+                by_unit.setdefault(self._units[name], []).append(name)
+            texts.append((
+                group,
+                ", ".join(
+                    " ".join(of) + ("" if unit == "1" else f" [{unit}]")
+                    for unit, of in by_unit.items()
+                ),
+            ))
+        return texts
+
+    def __repr__(self) -> str:
+        title, rows, end = self._head()
+        groups = self._group_texts()
+        width = max((len(group) for group, _ in groups), default=0)
+        lines = [f"  {group:<{width}}  {text}" for group, text in groups]
+        return "\n".join([f"<Results: {title}", f"  {rows}", *lines, f"  {end}>"])
+
+    def _repr_html_(self) -> str:
+        title, rows, end = (html.escape(text) for text in self._head())
+        return f"<p><b>{title}</b><br>{rows}<br>{end}</p>{html_table(self._group_texts())}"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restored, (
+            self._scenario, self._table.copy(), self._outcome, self._statistics, self._events,
+            self._energy_change, self._kept,
+        )
+
+
+class _MissingColumn(KeyError):
+    """KeyError shows the repr of its message; this one is a sentence."""
+
+    def __str__(self) -> str:
+        return self.args[0]
+
+
+def _same_bits(a: Array, b: Array) -> bool:
+    return a.shape == b.shape and a.tobytes() == b.tobytes()
+
+
+def _restored(scenario: Scenario, table: Any, *others: Any) -> Results:
+    table.flags.writeable = False
+    return Results(scenario, table, *others)
+
+
+def _text_of(outcome: Outcome, scenario: Scenario) -> str:
+    if outcome.status == _core.Outcome.Status.completed:
+        return "completed"
+    where = f"at t = {outcome.t!r} {scenario.units.time}"
+    return f"stopped by an event {where}" if outcome.ok else f"failed {where}: {outcome.advice}"

@@ -1,0 +1,351 @@
+# SPDX-License-Identifier: MIT
+"""Scenarios: files that say what body rotates, how it starts, what acts on it and what to write."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
+
+from polhode import _building, _core, _toml
+from polhode._summary import Summary
+from polhode.results import Results
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from polhode import (
+        Adaptive,
+        Body,
+        Frame,
+        FreeRotation,
+        KeplerOrbit,
+        PrecessingKeplerOrbit,
+        RotorState,
+        SaveAt,
+        Splitting,
+        System,
+        Units,
+        VariationOfConstants,
+    )
+
+    Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
+
+_LARGEST_FILE = 16 << 20
+
+
+class Citation(NamedTuple):
+    """A paper that a scenario rests on."""
+
+    key: str
+    text: str
+    reason: str
+
+
+def load(path: Path) -> Scenario:
+    """The scenario in a TOML file.
+
+    ScenarioError (a ValueError) with one line per mistake, `FILE:LINE:COLUMN: KEY: got ...;
+    expected ...`; OSError for a file that cannot be read.
+    """
+    with open(os.fspath(path), "rb") as file:
+        text = file.read(_LARGEST_FILE + 1)
+    return Scenario.from_text(text, os.fsdecode(path))
+
+
+class Scenario:
+    """A body, its state at an epoch, what acts on it, and what to write. Immutable.
+
+    Made by `load`, `from_text`, `from_dict` or `build`; the reference of scenario files lists the
+    keys. Objects (body, state, system, ...) are in core units: radians, and the units of time,
+    moment and length of the scenario. Results are in its units.
+    """
+
+    __slots__ = ("_file",)
+    _file: Any
+
+    def __init__(self) -> None:
+        raise TypeError("Scenario: made by polhode.load, from_text, from_dict or build")
+
+    @classmethod
+    def _of(cls, file: Any) -> Scenario:
+        scenario = object.__new__(cls)
+        scenario._file = file
+        return scenario
+
+    @classmethod
+    def from_text(cls, text: str | bytes, name: str = "scenario.toml") -> Scenario:
+        """The scenario in a text; `name` stands for the file in messages and outputs."""
+        if not isinstance(text, (str, bytes)):
+            raise TypeError(f"from_text: got {text!r}; expected a str or bytes")
+        data = text.encode("utf-8") if isinstance(text, str) else text
+        shown = os.fsdecode(name).encode("utf-8", "backslashreplace").decode("utf-8")
+        return cls._of(_core._Scenario.from_text(data, shown))
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any], name: str = "scenario.toml") -> Scenario:
+        """The scenario in a nested dict, as TOML has it: {"body": {"moments": [1, 2, 2.5]}, ...}.
+
+        Numbers keep their bits; NumPy arrays and numbers will do.
+        """
+        if not isinstance(data, Mapping):
+            raise TypeError(f"from_dict: got {data!r}; expected a dict")
+        return cls.from_text(_toml.text_from(data), name)
+
+    @classmethod
+    def build(
+        cls,
+        system: System | Body,
+        state: Any,
+        time: SaveAt | tuple[float, float, float] | ArrayLike | None = None,
+        method: Adaptive | Splitting | VariationOfConstants | None = None,
+        *,
+        columns: str | Sequence[str] = ("q", "omega"),
+        title: str = "",
+        units: Units | Mapping[str, str] | None = None,
+        events: Sequence[Mapping[str, Any]] = (),
+        epoch: str = "",
+        axes: str = "inertial",
+        name: str = "scenario.toml",
+    ) -> Scenario:
+        """The scenario of Python objects: a file that anyone runs without Python.
+
+        Parameters
+        ----------
+        system : System, or a Body that moves freely. Its terms are GravityGradient of Kepler
+            orbits, ConstantTorque or LinearDamping, its frame inertial or precessing.
+        state : at t = 0, in any chart, or a FreeRotation. A chart that files do not know becomes a
+            quaternion and a momentum.
+        time : SaveAt, (start, stop, step), or times (N,).
+        method : None: exact where nothing acts, otherwise Adaptive().
+        columns : groups of columns.
+        units : of the outputs; a Units, or a dict for it. The numbers of the objects are in its
+            units of time, moment and length, and in radians.
+        events : tables [[event]]: {"column": "theta", "value": 90, "stops": True}, in these units.
+        epoch, axes : of [state].
+
+        Numbers keep their bits, but for the pole of a TumblerState, which becomes two angles. The
+        body axes of the file are the principal axes. ValueError for what has no place in a file,
+        such as a function in Python, naming it.
+        """
+        data = _building.data_of(
+            system, state, time, method, [columns] if isinstance(columns, str) else columns,
+            title=title, units=_units_of(units), events=events, epoch=epoch, axes=axes,
+        )
+        return cls.from_dict(data, name)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The file as a nested dict of plain Python values: from_dict takes it, changed or not."""
+        return _toml.data_from(self.text)
+
+    def with_columns(self, columns: str | Sequence[str]) -> Scenario:
+        """The same scenario with these groups of columns; its text too, where comments stay."""
+        names = [columns] if isinstance(columns, str) else list(columns)
+        return Scenario.from_text(_toml.with_columns(self.text, names), self.name)
+
+    def save(self, path: Path, *, overwrite: bool = False) -> None:
+        """Writes the text to a file, as PATH.part until it is complete.
+
+        FileExistsError for a file that is there, unless `overwrite`: it may be written by hand.
+        (Results.write and run replace the files that they write.)
+        """
+        path = os.fsdecode(path)
+        if not overwrite and os.path.lexists(path):
+            raise FileExistsError(f"{path} is there; overwrite=True replaces it")
+        part = f"{path}.part"
+        with open(part, "wb") as file:
+            file.write(self.text.encode("utf-8"))
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(part, path)
+
+    def run(
+        self,
+        outputs: Path | Iterable[Path] = (),
+        events: Path | None = None,
+        *,
+        keep: bool = True,
+    ) -> Results:
+        """Every row of the scenario, into memory and into files.
+
+        Parameters
+        ----------
+        outputs : PATH.csv or PATH.h5, one or several: the files that `polhode run` writes, byte for
+            byte. A file is written as PATH.part, and renamed when it is complete: it replaces one
+            of that name (save refuses to).
+        events : PATH.csv for the events of the scenario; replaces one of that name.
+        keep : False: no rows in memory, for runs that only a file can hold.
+
+        Returns
+        -------
+        Results
+            Also of a run that could not go on: with its rows so far, an outcome that says what to
+            try, and a RuntimeWarning.
+
+        ValueError without [time] and for a path that cannot be an output; OutputError (a
+        RuntimeError) when writing fails. Ctrl-C raises KeyboardInterrupt and leaves PATH.part.
+        Releases the GIL.
+        """
+        one = isinstance(outputs, (str, bytes, os.PathLike))
+        if not one and not isinstance(outputs, Iterable):
+            raise TypeError(f"run: outputs: got {outputs!r}; expected a path or several")
+        paths = [outputs] if one else list(outputs)
+        _require_files(paths if events is None else [*paths, events])
+        done = self._file.run(paths, events, keep)
+        results = Results(
+            self, done.table, done.outcome, done.statistics, done.events, done.energy_change, keep
+        )
+        if not done.outcome.ok:
+            warnings.warn(_failure(self, done, paths), RuntimeWarning, stacklevel=2)
+        return results
+
+    @property
+    def text(self) -> str:
+        """The file itself."""
+        return self._file.text
+
+    @property
+    def name(self) -> str:
+        """Of the file, without its folder."""
+        return self._file.name
+
+    @property
+    def title(self) -> str:
+        """One line that outputs carry along; may be empty."""
+        return self._file.title
+
+    @property
+    def units(self) -> Units:
+        """What bare numbers of the file and of its results mean."""
+        return self._file.units
+
+    @property
+    def body(self) -> Body:
+        """The rigid body."""
+        return self._file.body
+
+    @property
+    def chart(self) -> str:
+        """The chart of [state]: "tumbler", "attitude-rate", "euler", "andoyer", "serret", ..."""
+        return self._file.chart
+
+    @property
+    def state(self) -> Any:
+        """The state as the file gives it, one of the charts; of attitude-rate the RotorState."""
+        return self._file.state
+
+    @property
+    def epoch(self) -> str:
+        """The date of t = 0 with its scale, or nothing."""
+        return self._file.epoch
+
+    @property
+    def axes(self) -> str:
+        """The inertial axes: "inertial", "ecliptic-J2000" or "equator-J2000"."""
+        return self._file.axes
+
+    @property
+    def frame(self) -> Frame:
+        """The reference frame."""
+        return self._file.frame
+
+    @property
+    def orbits(self) -> dict[str, KeplerOrbit | PrecessingKeplerOrbit]:
+        """The orbits by name."""
+        return self._file.orbits
+
+    @property
+    def system(self) -> System:
+        """Body, frame and terms."""
+        return self._file.system
+
+    @property
+    def initial_state(self) -> RotorState:
+        """The state at t = 0 in the reference frame, along principal axes."""
+        return self._file.initial_state
+
+    @property
+    def free_rotation(self) -> FreeRotation:
+        """The exact motion through the state at t = 0, were nothing acting on it."""
+        return self._file.free_rotation
+
+    @property
+    def method(self) -> Adaptive | Splitting | VariationOfConstants | None:
+        """Adaptive, Splitting or VariationOfConstants; None: exact free rotation."""
+        return self._file.method
+
+    @property
+    def propagation(self) -> str:
+        """How a run goes, in words."""
+        return self._file.propagation
+
+    @property
+    def time(self) -> SaveAt | None:
+        """When rows are written; None: nothing to run."""
+        return self._file.time
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The groups of columns that results hold, t apart."""
+        return tuple(self._file.columns)
+
+    @property
+    def summary(self) -> Summary:
+        """What the body does: mode, periods, momentum, energy, ...; the lines of `polhode info`."""
+        return Summary(self._file.summary)
+
+    @property
+    def citations(self) -> list[Citation]:
+        """The papers that this scenario rests on, in the order of their weight."""
+        return [Citation(*fields) for fields in self._file.citations]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scenario):
+            return NotImplemented
+        return self.text == other.text and self.name == other.name
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.name))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Scenario.from_text, (self.text, self.name)
+
+    def __repr__(self) -> str:
+        time = self.time
+        rows = "" if time is None else f"; {len(time)} rows of {', '.join(('t', *self.columns))}"
+        title = f" \"{self.title}\"" if self.title else ""
+        return f"<Scenario {self.name}{title}: state.{self.chart}; {self.propagation}{rows}>"
+
+    def _repr_html_(self) -> str:
+        return self.summary._repr_html_()
+
+
+def _units_of(units: Units | Mapping[str, str] | None) -> Units:
+    if isinstance(units, _core.Units):
+        return units
+    kinds = ("time", "angle", "moment", "length")
+    given = {} if units is None else units
+    if not isinstance(given, Mapping) or not set(given) <= set(kinds):
+        raise TypeError(f"build: units: got {units!r}; expected Units or a dict of {kinds}")
+    return _core.Units(**given)
+
+
+def _require_files(paths: Sequence[Path]) -> None:
+    seen = set()
+    for path in paths:
+        name = os.fsdecode(path)
+        if name == "-":
+            raise ValueError("run: got \"-\"; expected files, PATH.csv or PATH.h5")
+        if name in seen:
+            raise ValueError(f"run: {name} is there twice")
+        seen.add(name)
+
+
+def _failure(scenario: Scenario, done: Any, paths: Sequence[Path]) -> str:
+    outcome = done.outcome
+    parts = ", ".join(f"{os.fsdecode(path)}.part" for path in paths)
+    return (
+        f"{scenario.name}: the run failed at t = {outcome.t!r} {scenario.units.time}: "
+        f"{outcome.advice}; rows so far: {done.rows}" + (f", in {parts}" if parts else "")
+    )

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""The package as a whole: what importing it costs and shows."""
+
+import pathlib
+import subprocess
+import sys
+
+import polhode
+
+
+def imported(statement):
+    """The modules that a fresh interpreter holds after a statement."""
+    code = f"import sys; {statement}; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
+                          check=True)
+    return set(done.stdout.split())
+
+
+def test_importing_it_needs_numpy_and_nothing_optional():
+    modules = imported("import polhode")
+    assert not modules & {"matplotlib", "scipy", "pandas", "xarray", "h5py"}
+
+
+def test_every_public_name_has_a_docstring():
+    def has_doc(thing):
+        return bool((getattr(thing, "__doc__", None) or "").strip())
+
+    things = {name: getattr(polhode, name) for name in polhode.__all__}
+    assert not [name for name, thing in things.items()
+                if (isinstance(thing, type) or callable(thing)) and not has_doc(thing)]
+
+
+def test_classes_say_that_they_are_of_polhode():
+    classes = [thing for name in polhode.__all__
+               if isinstance(thing := getattr(polhode, name), type)]
+    assert {thing.__module__ for thing in classes} == {"polhode"}
+
+
+def test_the_stub_names_what_there_is():
+    stub = (pathlib.Path(polhode.__file__).parent / "_core.pyi").read_text()
+    compile(stub, "_core.pyi", "exec")
+    core = polhode._core
+    missing = [name for name in dir(core) if not name.startswith("_")
+               and f"def {name}(" not in stub and f"class {name}" not in stub]
+    assert not missing
+
+
+def test_the_version_is_that_of_the_headers():
+    header = pathlib.Path(__file__).resolve().parents[2] / "include/polhode/version.hpp"
+    numbers = [line.split()[-1] for line in header.read_text().splitlines()
+               if line.startswith("#define POLHODE_VERSION_")]
+    assert polhode.__version__ == ".".join(numbers)
+
+
+def test_importing_it_again_gives_the_same_things():
+    code = """
+import sys, polhode
+body = polhode.Body
+for name in [name for name in sys.modules if name.startswith("polhode")]:
+    del sys.modules[name]
+import polhode
+assert polhode.Body is body
+print(polhode.Body(1, 1, 1))
+"""
+    done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    assert (done.returncode, done.stdout) == (0, "Body(1.0, 1.0, 1.0)\n")
