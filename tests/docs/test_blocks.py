@@ -2,21 +2,23 @@
 """Runs every code block of README.md and docs/, and compares its output with what is printed there.
 
 The convention is in CONTRIBUTING.md. The blocks of one document run in order in one scratch
-directory that looks like the checkout, so that a block can read what an earlier one wrote."""
+directory that looks like the checkout, so that a block can read what an earlier one wrote; its
+Python blocks run in one interpreter, so that a block sees the names of those before it."""
 
 import os
 import re
 import shlex
 import subprocess
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import budgets
 import pytest
+from python_session import PythonSession
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
-RELATIVE = 1e-9
+RELATIVE = budgets.documents
 SECONDS = 300
 
 FENCE = re.compile(r"^(`{3,}|~{3,})\s*([\w+-]*)\s*$")
@@ -34,7 +36,9 @@ class Block:
 
 
 def blocks(markdown):
-    """The fenced blocks of a document; each `text` block is the output of the block before it."""
+    """The fenced blocks of a document; each `text` block is the output of the block before it.
+
+    A block may be indented, as in a list or a tab: its lines lose the indent of its fence."""
     found, directives, fence = [], {}, None
     for number, line in enumerate(markdown.splitlines(), 1):
         match = FENCE.match(line.strip())
@@ -43,7 +47,8 @@ def blocks(markdown):
             if comment:
                 directives[comment[1]] = comment[2]
             elif match:
-                fence, block = match[1], Block(match[2], number, "", directives)
+                fence, indent = match[1], len(line) - len(line.lstrip())
+                block = Block(match[2], number, "", directives)
                 directives = {}
             elif line.strip():
                 directives = {}
@@ -56,7 +61,8 @@ def blocks(markdown):
             else:
                 found.append(block)
         else:
-            block.text += line + "\n"
+            assert not line[:indent].strip(), f"line {number}: less indented than its fence"
+            block.text += line[indent:] + "\n"
     assert fence is None, "a fence is not closed"
     return found
 
@@ -103,7 +109,7 @@ def difference(printed, expected):
 
 
 def program(text):
-    """A C++ block as a program: one without main() is put into one, its #include lines before it."""
+    """A C++ block as a program: one without main() is put into one, behind its #include lines."""
     if re.search(r"\bint main\(", text):
         return text
     lines = text.splitlines()
@@ -135,8 +141,6 @@ def command(block, scratch, build, polhode):
         path = scratch / (name or "block.toml")
         path.write_text(block.text, encoding="utf-8")
         return [[polhode, "info", path]]
-    if block.language == "python":
-        return [[sys.executable, "-c", block.text]]
     if block.language == "cpp" and not name:
         source = scratch / "block.cpp"
         source.write_text(program(block.text), encoding="utf-8")
@@ -144,29 +148,55 @@ def command(block, scratch, build, polhode):
     return []
 
 
-def run(block, scratch, build, polhode):
-    """Runs a block; returns what is wrong, or None."""
-    if "skip" in block.directives:
-        assert block.directives["skip"], "skip: needs a reason"
-        return None
-    environment = dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", COLUMNS="100")
-    expected_exit = int(block.directives.get("exit", "0"))
-    commands = command(block, scratch, build, polhode)
-    printed = ""
-    for position, arguments in enumerate(commands):
-        last = position == len(commands) - 1
-        done = subprocess.run(arguments, cwd=scratch, env=environment, text=True, timeout=SECONDS,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT)
-        printed = done.stdout
-        if done.returncode != (expected_exit if last else 0):
+def environment_of(build):
+    path = os.environ.get("PYTHONPATH")
+    return dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", COLUMNS="100", MPLBACKEND="agg",
+                PYTHONPATH=f"{build / 'python'}" + (f":{path}" if path else ""))
+
+
+class Page:
+    """Where the blocks of one document run: a scratch directory, and a Python interpreter when the
+    first block asks for it."""
+
+    def __init__(self, scratch, build, polhode):
+        self.scratch, self.build, self.polhode = scratch, build, polhode
+        self.environment = environment_of(build)
+        self.python = None
+
+    def close(self):
+        if self.python:
+            self.python.close()
+
+    def printed(self, block):
+        """(what ran, exit code, what it printed) of the last command that a block needs."""
+        done = (block.language, 0, "")
+        if block.language == "python":
+            command(block, self.scratch, self.build, self.polhode)  # writes its file, if it has one
+            if self.python is None:
+                self.python = PythonSession(self.scratch, self.environment, SECONDS)
+            return "python", *self.python.run(block.text)
+        for arguments in command(block, self.scratch, self.build, self.polhode):
+            if done[1]:
+                break
+            ran = subprocess.run(arguments, cwd=self.scratch, env=self.environment, text=True,
+                                 timeout=SECONDS, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT)
             shown = " ".join(shlex.quote(str(a)) for a in arguments)
-            return f"{shown}\nexit code {done.returncode}\n{printed}"
-    if block.output is not None:
-        missing = difference(printed, block.output)
+            done = (shown, ran.returncode, ran.stdout)
+        return done
+
+    def run(self, block):
+        """Runs a block; returns what is wrong, or None."""
+        if "skip" in block.directives:
+            assert block.directives["skip"], "skip: needs a reason"
+            return None
+        shown, code, printed = self.printed(block)
+        if code != int(block.directives.get("exit", "0")):
+            return f"{shown}\nexit code {code}\n{printed}"
+        missing = None if block.output is None else difference(printed, block.output)
         if missing is not None:
             return f"it printed\n{printed}\nbut the page says\n{block.output}\nfirst at: {missing}"
-    return None
+        return None
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda p: str(p.relative_to(ROOT)))
@@ -175,9 +205,14 @@ def test_every_block_does_what_the_page_says(document, tmp_path, build):
     for entry in ROOT.iterdir():
         if not entry.name.startswith("."):
             (tmp_path / entry.name).symlink_to(entry)
-    for block in found:
-        wrong = run(block, tmp_path, build, build / "polhode")
-        assert wrong is None, f"{document.relative_to(ROOT)}:{block.line} ({block.language}): {wrong}"
+    page = Page(tmp_path, build, build / "polhode")
+    try:
+        for block in found:
+            wrong = page.run(block)
+            place = f"{document.relative_to(ROOT)}:{block.line} ({block.language})"
+            assert wrong is None, f"{place}: {wrong}"
+    finally:
+        page.close()
 
 
 def test_a_wrong_number_is_seen():
@@ -187,3 +222,17 @@ def test_a_wrong_number_is_seen():
     assert difference("a\nb", "a\n...\nc") == "c"
     assert difference("a\nb", "a") == "(nothing more)"
     assert difference("took 3.1 s", "took <any> s") is None
+
+
+def test_python_blocks_share_their_names_and_keep_their_errors(tmp_path, build):
+    page = Page(tmp_path, build, build / "polhode")
+    text = "```python\nx = 2\n```\n\n=== \"Tab\"\n\n    ```python\n    print(x + 1)\n    ```\n\n"
+    text += "    ```text\n    3\n    ```\n\n<!-- exit: 1 -->\n```python\n1 / 0\n```\n"
+    text += "```text\n...\nZeroDivisionError: division by zero\n```\n"
+    try:
+        assert [page.run(block) for block in blocks(text)] == [None, None, None]
+        wrong = page.run(Block("python", 1, "print(x)", output="3"))
+        assert wrong and "first at: 3" in wrong
+        assert "exit code 1" in page.run(Block("python", 1, "raise ValueError('no')"))
+    finally:
+        page.close()

@@ -4,7 +4,7 @@
 
     tools/figures/satellite_stability.py PROGRAM [CELLS ORBITS]
 
-PROGRAM is examples/satellite_stability.cpp, compiled. Needs matplotlib (.venv)."""
+PROGRAM is examples/satellite_stability.cpp, compiled. Needs the Python package (PYTHONPATH)."""
 
 import pathlib
 import subprocess
@@ -14,7 +14,7 @@ import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from polhode import figures  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 def borders(axes):
     """The borders of the linear theory, where they are borders of a stable region."""
     line = np.linspace(0, 1, 2)
-    style = {"color": "black", "linewidth": 1.2}
+    style = {"color": "black", "linestyle": "-", "linewidth": 1.2}
     axes.plot(line, line, **style)  # I1 = I2: pitch
     axes.plot([0, 1], [0, 0], **style)  # k_yaw = 0
     axes.plot([1, 1], [0, 1], **style)
@@ -43,25 +43,29 @@ def borders(axes):
 def main():
     program, *grid = sys.argv[1:]
     cells, orbits = grid or ("120", "60")
-    text = subprocess.run([program, cells, orbits], check=True, capture_output=True, text=True).stdout
-    rows = np.array([line.split(",") for line in text.splitlines()[1:]], dtype=float)
+    ran = subprocess.run([program, cells, orbits], check=True, stdout=subprocess.PIPE, text=True)
+    rows = np.array([line.split(",") for line in ran.stdout.splitlines()[1:]], dtype=float)
     n = int(cells)
     tilt = rows[:, 2].reshape(n, n).T  # rows of k_yaw, columns of k_roll
-    figure, axes = plt.subplots(figsize=(5.8, 4.4), layout="constrained")
-    image = axes.imshow(
-        np.log10(tilt), origin="lower", extent=(-1, 1, -1, 1), cmap="cividis", vmin=-3, vmax=np.log10(0.5)
-    )
+    with figures.style.style():
+        axes = drawn(tilt, orbits)
+    figures.save(axes, ROOT / "docs/figures/satellite-stability.png")
+
+
+def drawn(tilt, orbits):
+    axes = figures.style.axes_or_new(None, 0.75 * figures.DOUBLE_COLUMN, 3.8)
+    limits = {"vmin": -3, "vmax": np.log10(0.5)}
+    image = axes.imshow(np.log10(tilt), origin="lower", extent=(-1, 1, -1, 1), **limits)
     borders(axes)
     axes.set_xlabel(r"$k_\mathrm{roll} = (I_3 - I_1)/I_2$")
     axes.set_ylabel(r"$k_\mathrm{yaw} = (I_3 - I_2)/I_1$")
     axes.text(0.62, 0.25, "Lagrange", ha="center", color="white")
-    axes.annotate(
-        "DeBra & Delp", (-0.03, -0.6), (-0.75, -0.75), arrowprops={"arrowstyle": "->"}, color="black"
-    )
-    bar = figure.colorbar(image, ax=axes, shrink=0.8, aspect=15)
+    arrow = {"arrowstyle": "->"}
+    axes.annotate("DeBra & Delp", (-0.03, -0.6), (-0.75, -0.75), arrowprops=arrow)
+    bar = axes.figure.colorbar(image, ax=axes, shrink=0.8, aspect=15)
     bar.set_ticks(np.log10([1e-3, 1e-2, 1e-1, 0.5]), labels=["0.001", "0.01", "0.1", "0.5 or more"])
     bar.set_label(f"largest tilt within {orbits} orbits (rad)")
-    figure.savefig(ROOT / "docs/figures/satellite-stability.png", dpi=150, metadata={"Software": None})
+    return axes
 
 
 if __name__ == "__main__":

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws docs/figures/work-precision.png from the table in docs/accuracy/perturbed-rotation.md."""
+"""Draws docs/figures/work-precision.png from the table in docs/accuracy/perturbed-rotation.md.
+
+Needs the Python package (PYTHONPATH)."""
 
 import pathlib
 
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from polhode import figures  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Series in the picture: name in the table, label, colour (Okabe and Ito), marker, line.
@@ -37,20 +39,26 @@ def rows():
 
 def main():
     table = list(rows())
-    figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
-    for name, label, colour, marker, line in SERIES:
-        points = [(s, e) for method, _, s, e in table if method == name or method.startswith(name + " ") and name == "heyoka"]
-        if not points:
-            raise SystemExit(f"work_precision.py: no rows of {name}")
-        seconds, errors = zip(*points)
-        axes.loglog(seconds, errors, line, color=colour, marker=marker, markersize=5, linewidth=1.2, label=label)
-    axes.set_xlabel("CPU time of one thread (s)")
-    axes.set_ylabel("final attitude error (rad)")
-    axes.set_ylim(1e-13, 10)
-    axes.grid(True, which="major", linewidth=0.3)
-    axes.legend(fontsize=7.5, loc="upper right")
-    axes.set_title("W1: 1000 orbits, 62 000 rad of rotation", fontsize=10)
-    figure.savefig(ROOT / "docs/figures/work-precision.png", dpi=150, metadata={"Software": None})
+    with figures.style.style():
+        axes = figures.style.axes_or_new(None, 0.8 * figures.DOUBLE_COLUMN, 3.7)
+        for name, label, colour, marker, line in SERIES:
+            points = [row[2:] for row in table if named(row[0], name)]
+            if not points:
+                raise SystemExit(f"work_precision.py: no rows of {name}")
+            look = {"color": colour, "marker": marker, "markersize": 4, "label": label}
+            axes.loglog(*zip(*points), line, **look)
+        axes.set_xlabel("CPU time of one thread (s)")
+        axes.set_ylabel("final attitude error (rad)")
+        axes.set_ylim(1e-13, 10)
+        axes.grid(True, which="major")
+        axes.legend(loc="upper right", frameon=True, edgecolor="none")
+        axes.set_title("W1: 1000 orbits, 62 000 rad of rotation")
+    figures.save(axes, ROOT / "docs/figures/work-precision.png")
+
+
+def named(method, name):
+    """heyoka's rows also say how it was compiled."""
+    return method == name or (name == "heyoka" and method.startswith("heyoka "))
 
 
 if __name__ == "__main__":

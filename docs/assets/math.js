@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Typesets what pymdownx.arithmatex marked, with the KaTeX that the site carries.
+document.addEventListener("DOMContentLoaded", () => {
+  for (const element of document.querySelectorAll(".arithmatex")) {
+    const source = element.textContent.trim();
+    katex.render(source.slice(2, -2), element, {
+      displayMode: source.startsWith("\\["),
+      throwOnError: false,
+    });
+  }
+});
