@@ -5,12 +5,14 @@
 .SUFFIXES:
 POLHODE := build/release/polhode
 PYTHON  := .venv/bin/python
+# The package as it lies in the build tree, for our tests and pages; users take pip install.
+PACKAGE := PYTHONPATH=build/release/python
 CORES   := $(shell nproc 2>/dev/null || echo 2)
 # Seconds per fuzz target: in `make test` and in `make fuzz`.
 FUZZ_SAMPLE := 20
 FUZZ        := 600
 
-.PHONY: help deps build demo test test-full check tidy format docs-tables bench fuzz clean
+.PHONY: help deps build demo test test-full check tidy format docs docs-tables figures bench fuzz wheel clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -21,19 +23,21 @@ deps: ## Install what is missing (Debian 12, Ubuntu 24.04); does nothing when al
 build/%/build.ninja: CMakePresets.json | deps
 	cmake --preset $*
 
-build: build/release/build.ninja ## Build the libraries and build/release/polhode
-	cmake --build build/release --target polhode
+build: build/release/build.ninja ## Build the libraries, build/release/polhode and the Python package
+	cmake --build build/release --target polhode polhode_python polhode_stub
 
-demo: build ## Apophis from ten lines of TOML: its exact rotation in CSV and HDF5, and a table
+demo: build ## Apophis from ten lines of TOML: its exact rotation in CSV and HDF5, a table, a picture
 	@mkdir -p build/demo
 	$(POLHODE) run examples/apophis.toml --out build/demo/apophis.csv --out build/demo/apophis.h5
+	$(PACKAGE) $(PYTHON) examples/apophis.py build/demo/apophis.png
 
 test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzzing included (minutes)
 	cmake --build build/release
 	cmake --build build/fuzz
 	tools/fuzz $(FUZZ_SAMPLE)
 	ctest --preset release -j $(CORES) --progress
-	$(PYTHON) -m pytest tests
+	$(PACKAGE) $(PYTHON) -m pytest tests
+	$(PACKAGE) $(PYTHON) -m pytest python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
 test-full: build build/clang/build.ninja build/asan/build.ninja build/fuzz/build.ninja ## Big sweeps, clang, sanitizers, long fuzzing (hours)
 	cmake --build build/release
@@ -44,7 +48,8 @@ test-full: build build/clang/build.ninja build/asan/build.ninja build/fuzz/build
 	ctest --preset clang -j $(CORES) --progress
 	ctest --preset asan -j $(CORES) --progress
 	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES) --progress
-	POLHODE_TEST_FULL=1 $(PYTHON) -m pytest tests
+	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTHON) -m pytest tests
+	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTHON) -m pytest python/tests
 
 check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests
 	tools/check
@@ -56,9 +61,15 @@ format: ## Format every C++ file; list the public headers in polhode.hpp
 	tools/headers.py --fix
 	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs clang-format-16 -i
 
+docs: build ## Build the documentation as a site: build/site/index.html (no network)
+	NO_MKDOCS_2_WARNING=1 $(PYTHON) -m mkdocs build --strict
+
 docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper map)
 	tools/reference_docs.py
 	tools/paper_map.py
+
+figures: build ## Redraw every figure of docs/ and the gallery's page
+	$(PYTHON) tools/figures/gallery.py
 
 bench: build ## Run the benchmarks: time and error, beside Boost and GSL
 	cmake --build build/release
@@ -67,6 +78,11 @@ bench: build ## Run the benchmarks: time and error, beside Boost and GSL
 fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
 	cmake --build build/fuzz
 	tools/fuzz $(FUZZ)
+
+wheel: deps ## Build a wheel and a source distribution of the Python package into build/dist
+	$(PYTHON) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir build/dist .
+	$(PYTHON) -c "from scikit_build_core.build import build_sdist; build_sdist('build/dist')"
+	@ls -l build/dist
 
 clean: ## Remove build/ (keeps .venv)
 	rm -rf build

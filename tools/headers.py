@@ -25,13 +25,14 @@ def label_errors(path):
         if not line.startswith("//"):
             break
         comment.append(line)
-    pattern = re.compile(r"^// (%s)(?= {2,}|$)" % "|".join(LABELS))
+    pattern = re.compile(rf"^// ({'|'.join(LABELS)})(?= {{2,}}|$)")
     found = [m.group(1) for m in map(pattern.match, comment) if m]
     missing = [label for label in LABELS if label not in found and label not in OPTIONAL]
     if missing:
         return [f"include/{name}: no label {', '.join(missing)} at the start of a line"]
     if found != [label for label in LABELS if label in found]:
-        return [f"include/{name}: labels in the order {', '.join(found)}; expected {', '.join(LABELS)}"]
+        return [f"include/{name}: labels in the order {', '.join(found)}; "
+                f"expected {', '.join(LABELS)}"]
     return []
 
 
@@ -47,7 +48,8 @@ def main():
         UMBRELLA.write_text(umbrella_text(), encoding="utf-8")
     errors = [e for path in sorted(INCLUDE.rglob("*.hpp")) for e in label_errors(path)]
     if UMBRELLA.read_text(encoding="utf-8") != umbrella_text():
-        errors.append("include/polhode/polhode.hpp is not the list of public headers: tools/headers.py --fix")
+        errors.append("include/polhode/polhode.hpp is not the list of public headers: "
+                      "tools/headers.py --fix")
     print("\n".join(errors), end="\n" if errors else "")
     return 1 if errors else 0
 

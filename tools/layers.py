@@ -107,7 +107,8 @@ def resolved(name):
 
 def main():
     allowed, errors, graph = allowed_layers(), [], {}
-    files = [p for base in ("include", "src", "cli") for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
+    files = [p for base in ("include", "src", "cli")
+             for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
     for path in files:
         where, layer = path.relative_to(ROOT), layer_of(path)
         text = path.read_text(encoding="utf-8", errors="replace")

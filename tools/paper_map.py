@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes docs/theory/paper_map.md: equation of the paper -> code that cites it -> test that checks it.
+"""Writes docs/theory/paper_map.md: equation of the paper -> code that cites it -> test of it.
 
-The page is made of the tags [SA (84)], [SA (2)-(31)], [SA "kinetic"], [SA section 3.2] in the comments
-of include/, src/ and tests/paper/. With --check nothing is written: exit status 1 if the page is not
-what the sources say, if a tag names no equation of the paper, or if docs/theory/errata.md and the
-tests of the suite PaperErrata do not name each other.
+The page is made of the tags [SA (84)], [SA (2)-(31)], [SA "kinetic"], [SA section 3.2] in the
+comments of include/, src/ and tests/paper/. With --check nothing is written: exit status 1 if the
+page is not what the sources say, if a tag names no equation of the paper, or if
+docs/theory/errata.md and the tests of the suite PaperErrata do not name each other.
 """
 
 import pathlib
@@ -57,8 +57,8 @@ def paper_labels():
         known["section " + section] = (section, len(known))
         for word in words.split():
             ends = word.split("-")
-            run = span(*ends) if len(ends) == 2 and split_number(ends[0]) else [word.replace("~", " ")]
-            for label in run:
+            is_span = len(ends) == 2 and split_number(ends[0])
+            for label in span(*ends) if is_span else [word.replace("~", " ")]:
                 known[label] = (section, len(known))
     return known
 
@@ -98,7 +98,9 @@ def enclosing(lines, i):
         line = lines[k]
         if line.startswith("}"):
             return None
-        if not is_code(line) or line[0] in " #" or re.match(r"(inline )?namespace|template|using", line):
+        if not is_code(line) or line[0] in " #":
+            continue
+        if re.match(r"(inline )?namespace|template|using", line):
             continue
         head = line
         for follow in lines[k + 1:i]:
@@ -110,7 +112,7 @@ def enclosing(lines, i):
 
 
 def symbol(lines, i):
-    """What the tag on line i belongs to: the declaration that follows or holds it; None: the file."""
+    """What the tag on line i belongs to: the declaration after or around it; None: the file."""
     if not any(map(is_code, lines[:i + 1])):
         return None
     j = i
@@ -132,7 +134,8 @@ def symbol(lines, i):
 def citations(known):
     """{label: (set of code places, set of tests)} and a list of tags that name nothing."""
     found, unknown = {}, []
-    files = [p for d in ("include", "src", "tests/paper") for p in sorted((ROOT / d).rglob("*.[hc]pp"))]
+    files = [p for d in ("include", "src", "tests/paper")
+             for p in sorted((ROOT / d).rglob("*.[hc]pp"))]
     for path in files:
         text, name = path.read_text(encoding="utf-8"), path.relative_to(ROOT).as_posix()
         lines = text.splitlines()
@@ -140,7 +143,8 @@ def citations(known):
             what = symbol(lines, text.count("\n", 0, match.end()))
             for label in labels_of(match[1], known):
                 if label not in known:
-                    unknown.append(f"{name}: [SA {match[1]}] names no equation of the paper: {label}")
+                    unknown.append(f"{name}: [SA {match[1]}] names no equation of the paper: "
+                                   f"{label}")
                     continue
                 code, tests = found.setdefault(label, (set(), set()))
                 if name.startswith("tests/"):
@@ -180,18 +184,20 @@ def page(known, found):
         "",
         "Written by `tools/paper_map.py` from the `[SA ...]` tags in the sources; do not edit.",
         "",
-        "SA is Gurfil, Elipe, Tangren and Efroimsky, *The Serret-Andoyer formalism in rigid-body dynamics:",
-        "I*. Numbers are those of its source; a word stands for an equation that has none. A file without",
-        "a symbol cites the equation for all that it declares. Tests are in `tests/paper`; those named",
-        "`PaperErrata` show a misprint, listed in [errata.md](errata.md).",
+        "SA is Gurfil, Elipe, Tangren and Efroimsky, *The Serret-Andoyer formalism in rigid-body",
+        "dynamics: I*. Numbers are those of its source; a word stands for an equation that has",
+        "none. A file without a symbol cites the equation for all that it declares. Tests are in",
+        "`tests/paper`; those named `PaperErrata` show a misprint, listed in the",
+        "[errata](errata.md).",
     ]
     for section, title, _ in PAPER:
         rows = sorted((rank, label) for label, (of, rank) in known.items()
                       if of == section and label in found)
         if not rows:
             continue
-        lines += ["", f"## Section {section}: {title}" if section[0] != "A" else
-                  f"## Appendix {section}: {title}", "", "| equation | code | tests |", "|---|---|---|"]
+        part = "Appendix" if section[0] == "A" else "Section"
+        lines += ["", f"## {part} {section}: {title}", ""]
+        lines += ["| equation | code | tests |", "|---|---|---|"]
         lines += table(rows, found)
     return "\n".join(lines) + "\n"
 
@@ -200,7 +206,8 @@ def errata_errors():
     named = set(re.findall(r"`(PaperErrata\.\w+)`", ERRATA.read_text(encoding="utf-8")))
     tests = set()
     for path in sorted((ROOT / "tests/paper").glob("*.cpp")):
-        for name in re.findall(r"^TEST\(PaperErrata, (\w+)\)", path.read_text(encoding="utf-8"), re.M):
+        text = path.read_text(encoding="utf-8")
+        for name in re.findall(r"^TEST\(PaperErrata, (\w+)\)", text, re.M):
             tests.add("PaperErrata." + name)
     yield from (f"docs/theory/errata.md: no test {name}" for name in sorted(named - tests))
     yield from (f"docs/theory/errata.md: does not name {name}" for name in sorted(tests - named))

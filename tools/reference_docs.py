@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the generated parts of docs/reference from the table of scenario keys: the JSON Schema, and
-the lists of keys and units in scenario.md. tests/cli/test_reference.py fails when they are stale.
+"""Writes the generated parts of docs/reference from the table of scenario keys: the JSON Schema,
+and the lists of keys and units in scenario.md. tests/cli/test_reference.py fails when they are
+stale.
 
 Usage: tools/reference_docs.py [--check]   (after make build)"""
 

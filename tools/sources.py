@@ -18,6 +18,7 @@ FORBIDDEN_IN_LIBRARY = re.compile(
     r"|[^\w.:]exit\s*\(|\bfprintf\s*\(\s*std(out|err)\b|\b(catch\s*\(\.\.\.\)\s*\{\s*\})"
 )
 # A tolerance is a name in tests/budgets.hpp, never a number in a test.
+TYPED = "tolerance typed in a test; name it in budgets.hpp"
 TYPED_TOLERANCE = re.compile(
     r"(?:EXPECT|ASSERT)_(?:NEAR|LT|LE)\s*\((?:(?!;\s*$).)*?,\s*"
     r"(?:\d*\.?\d+e-\d+|0?\.0+[1-9]\d*)\s*\)\s*(?:;|<<)",
@@ -27,6 +28,14 @@ NEAR_LITERAL = re.compile(
     r"(?:EXPECT|ASSERT)_NEAR\s*\((?:(?!;\s*$).)*?,\s*[\d.]+(?:e[-+]?\d+)?\s*\)\s*(?:;|<<)",
     re.MULTILINE | re.DOTALL,
 )
+PYTHON_TOLERANCE = re.compile(
+    r"(?:assert_allclose|approx)\s*\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*?"
+    r"\b(?:atol|rtol|abs|rel)=(?:\d[\d.]*e-\d+|0?\.\d+|\d+ \* )"
+    r"|\bassert [^\n]*<=? *\d[\d.]*e-\d+\s*(?:#|$)",
+    re.MULTILINE,
+)
+# NumPy's own adds 1e-7 of the expected value to every atol.
+LOOSE_COMPARISON = re.compile(r"testing(?:\.| import [^\n]*\b)assert_allclose")
 COMMENT = re.compile(r"//[^\n]*")
 
 
@@ -50,16 +59,22 @@ def errors_of(name, text):
     if path.parts[0] in ("include", "src"):
         for match in FORBIDDEN_IN_LIBRARY.finditer(code):
             yield f"{name}:{line_of(code, match)}: the library does not {match.group(0).strip()!r}"
+    if "tests" in path.parts and path.match("test_*.py"):
+        for match in PYTHON_TOLERANCE.finditer(text):
+            yield f"{name}:{line_of(text, match)}: {TYPED}"
+        for match in LOOSE_COMPARISON.finditer(text):
+            yield f"{name}:{line_of(text, match)}: compare by closeness.assert_allclose"
     if path.parts[0] == "tests" and path.suffix == ".cpp":
         for pattern in (TYPED_TOLERANCE, NEAR_LITERAL):
             for match in pattern.finditer(code):
-                yield f"{name}:{line_of(code, match)}: tolerance typed in a test; name it in budgets.hpp"
+                yield f"{name}:{line_of(code, match)}: {TYPED}"
 
 
 def version_errors():
     text = (ROOT / "include/polhode/version.hpp").read_text()
     version = ".".join(re.findall(r"#define POLHODE_VERSION_\w+ (\d+)", text))
-    for name, pattern in (("CITATION.cff", r"^version: (\S+)"), ("CHANGELOG.md", r"^## \[?([\d.]+)")):
+    homes = (("CITATION.cff", r"^version: (\S+)"), ("CHANGELOG.md", r"^## \[?([\d.]+)"))
+    for name, pattern in homes:
         found = re.search(pattern, (ROOT / name).read_text(), re.MULTILINE)
         if not found or found.group(1) != version:
             yield f"{name}: version is not {version} (include/polhode/version.hpp)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""clang-tidy on the sources of the library and the command line that differ from HEAD (--all: on all)."""
+"""clang-tidy on what differs from HEAD in library, command line and bindings (--all: on all)."""
 
 import concurrent.futures
 import os
@@ -13,7 +13,8 @@ BUILD = "build/release"
 
 
 def git(*arguments):
-    out = subprocess.run(["git", *arguments], cwd=ROOT, text=True, check=True, stdout=subprocess.PIPE)
+    out = subprocess.run(["git", *arguments], cwd=ROOT, text=True, check=True,
+                         stdout=subprocess.PIPE)
     return [name for name in out.stdout.split("\n") if name]
 
 
@@ -22,14 +23,13 @@ def sources(everything):
         names = git("ls-files", "-co", "--exclude-standard")
     else:
         names = git("diff", "--name-only", "HEAD") + git("ls-files", "-o", "--exclude-standard")
-    return sorted({n for n in names if n.startswith(("src/", "cli/")) and n.endswith(".cpp")
-                   and (ROOT / n).exists()})
+    return sorted({n for n in names if n.startswith(("src/", "cli/", "python/"))
+                   and n.endswith(".cpp") and (ROOT / n).exists()})
 
 
 def tidy(name):
     command = ["clang-tidy-16", "-p", BUILD, "--quiet", name]
-    run = subprocess.run(command, cwd=ROOT, text=True, stdout=subprocess.PIPE,
-                         stderr=subprocess.PIPE)
+    run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
     return "" if run.returncode == 0 else run.stdout or run.stderr
 
 

@@ -42,21 +42,21 @@ DISTANCES = ("1.0e-02", "1.0e-04", "1.0e-06", "1.0e-08", "1.0e-10", "1.0e-12")
 HEAD = """\
 # Accuracy of the charts
 
-This page is written by `tools/accuracy/charts.py`, which runs `tests/property/chart_accuracy.cpp` at
-its full counts; `make test` runs a seeded sample. What to do about a loss is said in
+This page is written by `tools/accuracy/charts.py`, which runs `tests/property/chart_accuracy.cpp`
+at its full counts; `make test` runs a seeded sample. What to do about a loss is said in
 [singularities](../guide/singularities.md).
 
 **Loss**: a state of |g| = 1 goes from the hub into a set and back; the loss is the rotation angle
-between the two attitudes (rad) or |change of g|, whichever is larger. Each set is only as good as what
-its six doubles can hold, so most of a loss near a singularity is the rounding of the set's own
+between the two attitudes (rad) or |change of g|, whichever is larger. Each set is only as good as
+what its six doubles can hold, so most of a loss near a singularity is the rounding of the set's own
 numbers, not of the formulas.
 
-**Defect**: the largest entry of |B Jc B^T - Pi|, each in units of eps = 2.2e-16 times the same product
-of absolute values. 1 is one rounding of B. For Euler, Andoyer and the Poincare-type sets B is taken
-at the hub state, for Serret and Sadov at their own numbers.
+**Defect**: the largest entry of |B Jc B^T - Pi|, each in units of eps = 2.2e-16 times the same
+product of absolute values. 1 is one rounding of B. For Euler, Andoyer and the Poincare-type sets B
+is taken at the hub state, for Serret and Sadov at their own numbers.
 
-Bodies are random, triaxial (no two moments within 5 %), with axes in any order. Serret and Sadov are
-taken at time 0, tumblers where |psi| is at most 0.9 psi_max.
+Bodies are random, triaxial (no two moments within 5 %), with axes in any order. Serret and Sadov
+are taken at time 0, tumblers where |psi| is at most 0.9 psi_max.
 
 ## Generic states
 
@@ -88,8 +88,9 @@ DEFECT_HEAD = """
 """
 
 DEFECT_NOTE = """
-"-": the own numbers of the set are at the pole, where B has infinite or dependent columns. The other
-sets are not canonical. Every loss and defect is tested against a budget of `tests/budgets.hpp`.
+"-": the own numbers of the set are at the pole, where B has infinite or dependent columns. The
+other sets are not canonical. Every loss and defect is tested against a budget of
+`tests/budgets.hpp`.
 """
 
 

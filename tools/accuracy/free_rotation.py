@@ -53,14 +53,15 @@ integration of the quaternion, the axisymmetric solution, typed digits of mpmath
 other orders (tests/unit/oracle): its own ways agree to 1e-56.
 
 Moments come in any order of the axes. A turn is 2 pi / |omega| at the start; times are uniform
-between minus and plus the number of turns (all of it in the last two rows). The angle is that of the
-rotation between the two attitudes.
+between minus and plus the number of turns (all of it in the last two rows). The angle is that of
+the rotation between the two attitudes.
 """
 
 STATE_HEAD = """
 ## States
 
-| cases | up to turns | count | angle, median (rad) | angle, max (rad) | error of g / G, median | error of g / G, max |
+| cases | up to turns | count | angle, median (rad) | angle, max (rad) | \
+error of g / G, median | error of g / G, max |
 |---|---|---|---|---|---|---|
 """
 
@@ -74,9 +75,9 @@ the state is computed for the numbers given, not how well those numbers are know
 MATRIX_HEAD = """
 ## State transition matrices
 
-Up to ten turns either way, against 76-digit variational equations (tests/oracle/free_transition.hpp).
-The error is the largest over the four 3x3 blocks of |block - exact| / |exact|, and is tested to be
-at most {free_transition:g}.
+Up to ten turns either way, against 76-digit variational equations
+(tests/oracle/free_transition.hpp). The error is the largest over the four 3x3 blocks of
+|block - exact| / |exact|, and is tested to be at most {free_transition:g}.
 
 | cases | count | median | max |
 |---|---|---|---|
