@@ -70,9 +70,8 @@ nb::object system_object(const Scenario& scenario) {
 nb::dict orbits_of(const Scenario& scenario) {
   nb::dict orbits;
   for (const ScenarioOrbit& orbit : scenario.orbits)
-    orbits[orbit.name.c_str()] = orbit.rates == SecularRates{}
-                                     ? nb::cast(KeplerOrbit(orbit.elements))
-                                     : nb::cast(PrecessingKeplerOrbit(orbit.elements, orbit.rates));
+    std::visit([&](const auto& motion) { orbits[orbit.name.c_str()] = nb::cast(motion); },
+               orbit.motion);
   return orbits;
 }
 

@@ -55,7 +55,17 @@ void bind_dimension(nb::module_& m) {
       .value("length", Dimension::length)
       .value("gm", Dimension::gm)
       .value("torque", Dimension::torque)
-      .value("damping", Dimension::damping);
+      .value("damping", Dimension::damping)
+      .value("mass", Dimension::mass)
+      .value("area", Dimension::area)
+      .value("speed", Dimension::speed)
+      .value("density", Dimension::density)
+      .value("pressure", Dimension::pressure)
+      .value("magnetic_field", Dimension::magnetic_field)
+      .value("magnetic_moment", Dimension::magnetic_moment)
+      .value("magnetic_tensor", Dimension::magnetic_tensor)
+      .value("moment3", Dimension::moment3)
+      .value("moment4", Dimension::moment4);
 }
 
 nb::tuple names_of_units(const Units& u) {

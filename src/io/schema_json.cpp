@@ -2,6 +2,7 @@
 // The JSON Schema of scenario files, for editors that check and complete TOML as it is typed.
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "io/detail/json.hpp"
@@ -13,10 +14,12 @@ namespace {
 
 using detail::JsonWriter;
 
-constexpr Dimension dimensions[] = {Dimension::number, Dimension::time,   Dimension::angle,
-                                    Dimension::rate,   Dimension::moment, Dimension::momentum,
-                                    Dimension::energy, Dimension::length, Dimension::gm,
-                                    Dimension::torque, Dimension::damping};
+// Those of the keys, in the order of their kind.
+std::set<Dimension> dimensions_of(const Schema& schema) {
+  std::set<Dimension> dimensions = {Dimension::number};
+  for (const Key& key : schema.keys) dimensions.insert(key.dimension);
+  return dimensions;
+}
 
 constexpr std::string_view name_pattern = "^[A-Za-z0-9_-]{1,60}$";
 
@@ -255,7 +258,7 @@ std::string json_schema(const Schema& schema) {
   json.key("title").value("polhode scenario, schema 1");
   write_table(json, schema, "");
   json.key("$defs").begin_object();
-  for (const Dimension dimension : dimensions) write_definition(json, dimension);
+  for (const Dimension dimension : dimensions_of(schema)) write_definition(json, dimension);
   json.end_object().end_object();
   return json.text();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of scenario keys: the body, its state, and the rows. Order here is the order in
-// documents and templates; what moves the body (schema_motion.cpp) stands between state and rows.
+// documents and templates; what moves the body (schema_parts.hpp) stands between state and rows.
 #include <vector>
 
 #include "io/detail/schema_parts.hpp"
@@ -462,9 +462,11 @@ std::vector<Row> concatenated(std::initializer_list<std::span<const Row>> parts)
 
 const Schema& scenario_schema() {
   static const std::vector<Key> keys =
-      concatenated<Key>({body_keys, detail::motion_keys(), row_keys});
-  static const std::vector<Alternatives> choices =
-      concatenated<Alternatives>({alternatives, detail::motion_alternatives()});
+      concatenated<Key>({body_keys, detail::frame_keys().keys, detail::orbit_keys().keys,
+                         detail::perturbation_keys().keys, detail::method_keys().keys, row_keys});
+  static const std::vector<Alternatives> choices = concatenated<Alternatives>(
+      {alternatives, detail::frame_keys().alternatives, detail::orbit_keys().alternatives,
+       detail::perturbation_keys().alternatives, detail::method_keys().alternatives});
   static const Schema schema{keys, choices};
   return schema;
 }

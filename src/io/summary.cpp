@@ -66,8 +66,11 @@ void add_motion(Lines& lines, const Scenario& scenario) {
   if (!scenario.frame.is_inertial()) lines.text("frame", "reference frame", scenario.frame_text);
   for (const ScenarioOrbit& orbit : scenario.orbits) {
     const std::string key = "orbit_" + orbit.name, label = "orbit " + orbit.name;
-    if (orbit.elements.eccentricity < 1.0)
-      lines.number(key, label + ": period", 2.0 * std::numbers::pi / mean_motion(orbit.elements),
+    const KeplerElements* elements = kepler_elements(orbit);
+    if (elements == nullptr)
+      lines.text(key, label, any_orbit(orbit).name());
+    else if (elements->eccentricity < 1.0)
+      lines.number(key, label + ": period", 2.0 * std::numbers::pi / mean_motion(*elements),
                    Dimension::time);
     else
       lines.text(key, label, "hyperbola");

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -180,34 +181,110 @@ double converted(double value, const ut_unit* from, const ut_unit* to) {
   return value * factor;
 }
 
-// The core unit of a dimension, as text; `radians` says how often rad may stand in it.
+// What a dimension is made of: powers of the core units of moment, length, time and current. The
+// radians may stand in a unit of it, or not.
+struct DimensionSpec {
+  Dimension dimension;
+  std::string_view name;
+  int moment = 0;
+  int length = 0;
+  int time = 0;
+  int current = 0;
+  int radians = 0;
+};
+
+constexpr DimensionSpec dimensions_table[] = {
+    {Dimension::number, "a pure number"},
+    {.dimension = Dimension::time, .name = "a time", .time = 1},
+    {.dimension = Dimension::angle, .name = "an angle", .radians = 1},
+    {.dimension = Dimension::rate, .name = "an angular rate", .time = -1, .radians = 1},
+    {.dimension = Dimension::moment, .name = "a moment of inertia", .moment = 1},
+    {.dimension = Dimension::momentum,
+     .name = "an angular momentum",
+     .moment = 1,
+     .time = -1,
+     .radians = 1},
+    {.dimension = Dimension::energy, .name = "an energy", .moment = 1, .time = -2, .radians = 2},
+    {.dimension = Dimension::length, .name = "a length", .length = 1},
+    {.dimension = Dimension::gm, .name = "a gravitational parameter", .length = 3, .time = -2},
+    {.dimension = Dimension::torque, .name = "a torque", .moment = 1, .time = -2, .radians = 2},
+    {.dimension = Dimension::damping,
+     .name = "a damping coefficient",
+     .moment = 1,
+     .time = -1,
+     .radians = -1},
+    {.dimension = Dimension::mass, .name = "a mass", .moment = 1, .length = -2},
+    {.dimension = Dimension::area, .name = "an area", .length = 2},
+    {.dimension = Dimension::speed, .name = "a speed", .length = 1, .time = -1},
+    {.dimension = Dimension::density, .name = "a density", .moment = 1, .length = -5},
+    {.dimension = Dimension::pressure, .name = "a pressure", .moment = 1, .length = -3, .time = -2},
+    {.dimension = Dimension::magnetic_field,
+     .name = "a magnetic field",
+     .moment = 1,
+     .length = -2,
+     .time = -2,
+     .current = -1},
+    {.dimension = Dimension::magnetic_moment,
+     .name = "a magnetic moment",
+     .length = 2,
+     .current = 1},
+    {.dimension = Dimension::magnetic_tensor,
+     .name = "a magnetic tensor",
+     .moment = -1,
+     .length = 4,
+     .time = 3,
+     .current = 2},
+    {.dimension = Dimension::moment3,
+     .name = "a third-degree moment of mass",
+     .moment = 1,
+     .length = 1},
+    {.dimension = Dimension::moment4,
+     .name = "a fourth-degree moment of mass",
+     .moment = 1,
+     .length = 2},
+};
+
+const DimensionSpec& spec_of(Dimension dimension) {
+  for (const DimensionSpec& spec : dimensions_table)
+    if (spec.dimension == dimension) return spec;
+  throw std::logic_error("units: a dimension without a row");
+}
+
+// The core unit of a dimension, as text; `radians` says whether rad stands in it where it may.
 std::string core_unit(const Units& units, Dimension dimension, bool radians) {
-  const std::string time = "(" + units.time() + ")", moment = "(" + units.moment() + ")";
-  const std::string rad = radians ? " rad" : "";
-  switch (dimension) {
-    case Dimension::number:
-      return "1";
-    case Dimension::time:
-      return units.time();
-    case Dimension::angle:
-      return "rad";
-    case Dimension::rate:
-      return "rad/" + time;
-    case Dimension::moment:
-      return units.moment();
-    case Dimension::momentum:
-      return moment + rad + "/" + time;
-    case Dimension::energy:
-    case Dimension::torque:
-      return moment + (radians ? " rad2" : "") + "/(" + time + time + ")";
-    case Dimension::length:
-      return units.length();
-    case Dimension::gm:
-      return "(" + units.length() + ")^3/(" + time + time + ")";
-    case Dimension::damping:
-      return moment + (radians ? "/rad" : "") + "/" + time;
-  }
-  return "1";
+  if (dimension == Dimension::angle) return "rad";
+  const DimensionSpec& spec = spec_of(dimension);
+  std::string text;
+  const auto add = [&text](const std::string& unit, int power) {
+    if (power != 0) text += (text.empty() ? "(" : " (") + unit + ")^" + std::to_string(power);
+  };
+  add(units.moment(), spec.moment);
+  add(units.length(), spec.length);
+  add(units.time(), spec.time);
+  add("A", spec.current);
+  if (radians || dimension == Dimension::rate) add("rad", spec.radians);
+  return text.empty() ? "1" : text;
+}
+
+// "kg m2/s2": what stands above the line, then what stands below.
+std::string label_of(const Units& units, const DimensionSpec& spec) {
+  std::string above, below;
+  const auto add = [&](const std::string& unit, int power) {
+    if (power == 0 || unit == "1") return;
+    const bool composed = unit.find_first_of("/ ") != std::string::npos;
+    const int size = std::abs(power);
+    const bool wrapped = unit.find('/') != std::string::npos || (composed && size > 1);
+    std::string& side = power > 0 ? above : below;
+    side += (side.empty() ? "" : " ") + (wrapped ? "(" + unit + ")" : unit) +
+            (size == 1 ? "" : (wrapped ? "^" : "") + std::to_string(size));
+  };
+  add(units.moment(), spec.moment);
+  add("A", spec.current);
+  add(units.length(), spec.length);
+  add(units.time(), spec.time);
+  if (below.empty()) return above.empty() ? "1" : above;
+  const bool several = below.find(' ') != std::string::npos;
+  return (above.empty() ? "1" : above) + "/" + (several ? "(" + below + ")" : below);
 }
 
 void require_name(std::string_view what, std::string_view unit, std::string_view like) {
@@ -222,33 +299,7 @@ void require_name(std::string_view what, std::string_view unit, std::string_view
 
 std::span<const KnownUnit> known_units() { return units_table; }
 
-std::string_view dimension_name(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::number:
-      return "a pure number";
-    case Dimension::time:
-      return "a time";
-    case Dimension::angle:
-      return "an angle";
-    case Dimension::rate:
-      return "an angular rate";
-    case Dimension::moment:
-      return "a moment of inertia";
-    case Dimension::momentum:
-      return "an angular momentum";
-    case Dimension::energy:
-      return "an energy";
-    case Dimension::length:
-      return "a length";
-    case Dimension::gm:
-      return "a gravitational parameter";
-    case Dimension::torque:
-      return "a torque";
-    case Dimension::damping:
-      return "a damping coefficient";
-  }
-  return "";
-}
+std::string_view dimension_name(Dimension dimension) { return spec_of(dimension).name; }
 
 Units::Units(std::string_view time, std::string_view angle, std::string_view moment,
              std::string_view length)
@@ -300,30 +351,9 @@ double Units::from_core(double value, Dimension dimension) const {
 }
 
 std::string Units::label(Dimension dimension) const {
-  const std::string moment = moment_.find('/') == std::string::npos ? moment_ : "(" + moment_ + ")";
-  switch (dimension) {
-    case Dimension::number:
-      return "1";
-    case Dimension::time:
-      return time_;
-    case Dimension::angle:
-      return angle_;
-    case Dimension::rate:
-      return angle_ + "/" + time_;
-    case Dimension::moment:
-      return moment_;
-    case Dimension::momentum:
-    case Dimension::damping:
-      return moment + "/" + time_;
-    case Dimension::energy:
-    case Dimension::torque:
-      return moment + "/" + time_ + "2";
-    case Dimension::length:
-      return length_;
-    case Dimension::gm:
-      return length_ == "1" ? "1/" + time_ + "2" : length_ + "3/" + time_ + "2";
-  }
-  return "1";
+  if (dimension == Dimension::angle) return angle_;
+  if (dimension == Dimension::rate) return angle_ + "/" + time_;
+  return label_of(*this, spec_of(dimension));
 }
 
 Quantity quantity_from_text(std::string_view text) {

@@ -58,9 +58,12 @@ using InitialState =
 // [orbit.NAME]
 struct ScenarioOrbit {
   std::string name;
-  KeplerElements elements;
-  SecularRates rates;
+  std::variant<KeplerOrbit, PrecessingKeplerOrbit, AnyOrbit> motion;
+  std::optional<double> gm;  // of what attracts, where the orbit tells
 };
+// The elements of an orbit that has them.
+const KeplerElements* kepler_elements(const ScenarioOrbit& orbit);
+AnyOrbit any_orbit(const ScenarioOrbit& orbit);
 
 // [frame.precessing]
 struct Precession {

@@ -5,8 +5,9 @@
 // Equations   none.
 // Units       core units: time in the scenario's unit of time, angles in radians, moments in the
 //             scenario's unit of moment, lengths in its unit of length; so rates are rad per unit
-//             of time, momenta moment/time, energies and torques moment/time^2, GM length^3/time^2.
-//             The unit of angle touches angles and angular rates, never momenta.
+//             of time, momenta moment/time, energies and torques moment/time^2, GM length^3/time^2,
+//             a mass moment/length^2; currents in A. The unit of angle touches angles and angular
+//             rates, never momenta.
 // Domain      a closed list (known_units) and its products and powers; nothing is read from disk or
 //             from the environment.
 // Accuracy    a unit that equals the core unit leaves a number bit for bit; a whole ratio either
@@ -32,9 +33,19 @@ enum class Dimension {
   momentum,
   energy,
   length,
-  gm,      // a gravitational parameter
-  torque,  // like an energy
-  damping  // a torque per angular rate: like a momentum
+  gm,       // a gravitational parameter
+  torque,   // like an energy
+  damping,  // a torque per angular rate: like a momentum
+  mass,     // a moment over a length squared, as all that follows is made of core units
+  area,
+  speed,
+  density,
+  pressure,
+  magnetic_field,
+  magnetic_moment,  // of a dipole: current times area
+  magnetic_tensor,  // a torque per angular rate and field squared
+  moment3,          // a mass times a length cubed
+  moment4           // a mass times the fourth power of a length
 };
 
 // "a time", "an angular rate", ...: for messages and documents.

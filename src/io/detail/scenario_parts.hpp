@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,14 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// "; did you mean moon?", or nothing.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
+
 // Each throws a ScenarioError at the place of what is wrong. `name` stands for the file.
 std::vector<ScenarioOrbit> orbits_of(const Values& values, const std::string& name);
+// The orbit whose name the value at `path` is.
+const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
+                                 const std::string& path, const std::string& name);
 std::optional<Method> method_of(const Values& values, const std::string& name);
 std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of the table of scenario keys that says what moves the body and how it is integrated.
+// The parts of the table of scenario keys that say what moves the body and how it is integrated.
 #pragma once
 
 #include <span>
@@ -10,8 +10,14 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-std::span<const Key> motion_keys();
-std::span<const Alternatives> motion_alternatives();
+struct SchemaPart {
+  std::span<const Key> keys;
+  std::span<const Alternatives> alternatives;
+};
+SchemaPart frame_keys();
+SchemaPart orbit_keys();
+SchemaPart perturbation_keys();
+SchemaPart method_keys();
 
 }  // namespace detail
 }  // namespace v0

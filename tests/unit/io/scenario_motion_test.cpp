@@ -45,10 +45,12 @@ TEST(ScenarioMotion, OrbitsKeepTheirElements) {
   ASSERT_EQ(s.orbits.size(), 1U);
   const ScenarioOrbit& leo = s.orbits[0];
   EXPECT_EQ(leo.name, "leo");
-  EXPECT_DOUBLE_EQ(leo.elements.gm, 398600.4418);
-  EXPECT_EQ(leo.elements.pericentre, 6678.0);
-  EXPECT_EQ(leo.elements.inclination, std::numbers::pi);
-  EXPECT_DOUBLE_EQ(leo.rates.node, -2.0 * std::numbers::pi / 86400.0);
+  const auto& motion = std::get<PrecessingKeplerOrbit>(leo.motion);
+  EXPECT_DOUBLE_EQ(motion.gm(), 398600.4418);
+  EXPECT_EQ(leo.gm, motion.gm());
+  EXPECT_EQ(motion.elements().pericentre, 6678.0);
+  EXPECT_EQ(motion.elements().inclination, std::numbers::pi);
+  EXPECT_DOUBLE_EQ(motion.rates().node, -2.0 * std::numbers::pi / 86400.0);
 }
 
 TEST(ScenarioMotion, TermsStandInTheOrderOfTheFile) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The kinds of [[perturbation]]: for each a function that makes the term from the values of a file.
+// Their keys are in schema_perturbations.cpp. A kind is one function here and one row of the table.
+#pragma once
+
+#include <string>
+
+#include "io/detail/values.hpp"
+#include "polhode/io/scenario.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Where a term is made: everything of the scenario that stands before it, and its own table.
+struct TermPlace {
+  const Scenario& scenario;  // body, frame and orbits are there
+  const Values& values;
+  const std::string& path;  // "perturbation[0]"
+  const std::string& name;  // of the file, for messages
+
+  std::string key(const char* own) const { return path + "." + own; }
+};
+
+// Throws a ScenarioError at the place of what is wrong.
+AnyPerturbation perturbation_of(const std::string& kind, const TermPlace& at);
+
+// The orbit that the table names, and the gm of what attracts: its own key, else the orbit's.
+const ScenarioOrbit& orbit_at(const TermPlace& at);
+double gm_at(const TermPlace& at);
+// Components along the body axes of the file, which are those of its tensor, as principal ones.
+Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
+
+AnyPerturbation gravity_gradient_term(const TermPlace& at);
+AnyPerturbation constant_torque_term(const TermPlace& at);
+AnyPerturbation damping_term(const TermPlace& at);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// From the values of a file to its orbits.
+#include <optional>
+#include <utility>
+
+#include "io/detail/nearest.hpp"
+#include "io/detail/scenario_parts.hpp"
+#include "io/detail/value_access.hpp"
+#include "io/detail/word_list.hpp"
+#include "polhode/io/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+const KeplerElements* kepler_elements(const ScenarioOrbit& orbit) {
+  if (const auto* fixed = std::get_if<KeplerOrbit>(&orbit.motion)) return &fixed->elements();
+  if (const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion))
+    return &moving->elements();
+  return nullptr;
+}
+
+AnyOrbit any_orbit(const ScenarioOrbit& orbit) {
+  return std::visit(
+      [&](const auto& motion) -> AnyOrbit {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(motion)>, AnyOrbit>) {
+          return motion;
+        } else {
+          return {orbit.name, motion};
+        }
+      },
+      orbit.motion);
+}
+
+namespace detail {
+namespace {
+
+// "orbit.moon" for each table [orbit.NAME].
+std::vector<std::string> orbit_paths(const Values& values) {
+  std::vector<std::string> paths;
+  for (const auto& [path, value] : values)
+    if (value.key->path == "orbit.*") paths.push_back(path);
+  return paths;
+}
+
+KeplerElements elements_of(const Values& values, const std::string& path, const std::string& name) {
+  const auto key = [&](const char* own) { return path + "." + own; };
+  const double gm = number(values, key("gm")), e = number(values, key("eccentricity"));
+  if (!(gm > 0.0)) refuse(values, key("gm"), name, "expected a positive gravitational parameter");
+  if (!(e >= 0.0) || e == 1.0)
+    refuse(values, key("eccentricity"), name,
+           "expected 0 <= e < 1 (an ellipse) or e > 1 (a hyperbola); at e = 1 use a number next to "
+           "it, with the same pericentre");
+  const bool by_axis = there(values, key("semi_major_axis"));
+  const std::string size_key = key(by_axis ? "semi_major_axis" : "pericentre");
+  const double size = number(values, size_key);
+  if (!(size > 0.0)) refuse(values, size_key, name, "expected a positive length");
+  if (by_axis && e > 1.0)
+    refuse(values, size_key, name, "expected pericentre instead, since e > 1 is a hyperbola");
+  return {.gm = gm,
+          .pericentre = by_axis ? pericentre_distance(size, e) : size,
+          .eccentricity = e,
+          .inclination = number(values, key("inclination")),
+          .node = number(values, key("node")),
+          .argument = number(values, key("pericentre_argument")),
+          .mean_anomaly = number(values, key("mean_anomaly")),
+          .epoch = number(values, key("epoch"))};
+}
+
+ScenarioOrbit kepler_orbit(const Values& values, const std::string& path, const std::string& name) {
+  const KeplerElements elements = elements_of(values, path, name);
+  const SecularRates rates{.node = number(values, path + ".node_rate"),
+                           .argument = number(values, path + ".pericentre_rate"),
+                           .mean_anomaly = number(values, path + ".mean_anomaly_rate")};
+  const PrecessingKeplerOrbit moving =
+      built(values, path, name, [&] { return PrecessingKeplerOrbit(elements, rates); });
+  const std::string own(key_name(path));
+  if (rates == SecularRates{}) return {own, KeplerOrbit(elements), elements.gm};
+  return {own, moving, elements.gm};
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
+  const std::string_view near = nearest(word, known);
+  return near.empty() ? "" : "; did you mean " + std::string(near) + "?";
+}
+
+const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
+                                 const std::string& path, const std::string& name) {
+  const std::string& wanted = word(values, path);
+  std::vector<std::string_view> known;
+  for (const ScenarioOrbit& orbit : orbits) {
+    if (orbit.name == wanted) return orbit;
+    known.push_back(orbit.name);
+  }
+  if (known.empty()) refuse(values, path, name, "expected a table [orbit." + wanted + "]");
+  refuse(
+      values, path, name,
+      "expected the name of an orbit of this file: " + one_of(known) + did_you_mean(wanted, known));
+}
+
+std::vector<ScenarioOrbit> orbits_of(const Values& values, const std::string& name) {
+  std::vector<ScenarioOrbit> orbits;
+  for (const std::string& path : orbit_paths(values))
+    orbits.push_back(kepler_orbit(values, path, name));
+  return orbits;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
