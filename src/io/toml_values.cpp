@@ -6,22 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "io/detail/values.hpp"
-
-namespace {
-struct TomlAssertion {};
-[[noreturn]] void toml_assertion_failed() { throw TomlAssertion(); }
-}  // namespace
-
-// toml++ 3.3 meets its own assertions on some noise; without them it would go on undefined.
-#undef NDEBUG
-#define TOML_ASSERT(truth) ((truth) ? static_cast<void>(0) : toml_assertion_failed())
-#define TOML_MAX_NESTED_VALUES 16
-#define TOML_HEADER_ONLY 1
-#include <toml++/toml.h>
-
 #include "io/detail/nearest.hpp"
 #include "io/detail/number_text.hpp"
+#include "io/detail/toml.hpp"
+#include "io/detail/values.hpp"
 #include "io/detail/word_list.hpp"
 #include "polhode/error.hpp"
 
