@@ -340,4 +340,8 @@ inline constexpr double figure_differences = 1e-9;
 // Slope of the distance between orbit and ellipse against the time from the contact.
 inline constexpr double figure_contact = 0.01;
 
+// --- inertia integrals of degree 3 and 4 (tests/unit/shape/mass_moments.cpp), on sums of order 100
+// ---
+inline constexpr double mass_moments_rotated = 2e-12;
+
 }  // namespace polhode::budget

@@ -60,6 +60,7 @@
 #include "polhode/rotor/polar_factor.hpp"
 #include "polhode/rotor/rate_jacobian.hpp"
 #include "polhode/rotor/rotor_state.hpp"
+#include "polhode/shape/mass_moments.hpp"
 #include "polhode/system/andoyer_method.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/canonical_rates.hpp"
