@@ -50,10 +50,11 @@ namespace {
 class CsvSink : public Sink {
  public:
   CsvSink(const std::string& path, const std::vector<ColumnGroup>& groups,
-          const Provenance& provenance)
-      : file_(path) {
+          const Provenance& provenance, const std::optional<SinkPosition>& from)
+      : file_(path, from ? std::optional(from->bytes) : std::nullopt),
+        rows_(from ? from->rows : 0) {
     for (const ColumnGroup& group : groups) width_ += group.columns.size();
-    file_.write(csv_head(groups, provenance));
+    if (!from) file_.write(csv_head(groups, provenance));
   }
 
   void push(std::span<const double> rows) override {
@@ -64,12 +65,19 @@ class CsvSink : public Sink {
       *end++ = (i + 1) % width_ == 0 ? '\n' : ',';
     }
     file_.write({text_.data(), static_cast<std::size_t>(end - text_.data())});
+    rows_ += static_cast<std::int64_t>(rows.size() / width_);
+  }
+
+  std::optional<SinkPosition> position() override {
+    const std::optional<std::int64_t> bytes = file_.synced_bytes();
+    return bytes ? std::optional(SinkPosition{*bytes, rows_}) : std::nullopt;
   }
 
   void finish() override { file_.commit(); }
 
  private:
   PartFile file_;
+  std::int64_t rows_;
   std::size_t width_ = 0;
   std::string text_;
 };
@@ -77,8 +85,9 @@ class CsvSink : public Sink {
 }  // namespace
 
 std::unique_ptr<Sink> csv_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                               const Provenance& provenance) {
-  return std::make_unique<CsvSink>(path, groups, provenance);
+                               const Provenance& provenance,
+                               const std::optional<SinkPosition>& from) {
+  return std::make_unique<CsvSink>(path, groups, provenance, from);
 }
 
 }  // namespace detail

@@ -268,7 +268,9 @@ void Hdf5Sink::finish() {
 }  // namespace
 
 std::unique_ptr<Sink> hdf5_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                                const Provenance& provenance) {
+                                const Provenance& provenance,
+                                const std::optional<SinkPosition>& from) {
+  if (from) throw DomainError(printable(path, path.size()) + ": cannot be continued");
   return std::make_unique<Hdf5Sink>(path, groups, provenance);
 }
 

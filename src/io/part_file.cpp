@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/detail/part_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -41,9 +43,35 @@ void rename_part(const std::string& part, const std::string& path) {
   if (std::rename(part.c_str(), path.c_str()) != 0) throw OutputError(write_failure(path, errno));
 }
 
-PartFile::PartFile(const std::string& path)
+int reopened_part(const std::string& part, std::int64_t bytes) {
+  const int descriptor = ::open(part.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0)
+    throw DomainError(printable(part, longest_path) +
+                      ": cannot be continued: " + std::strerror(errno));
+  struct stat status {};
+  std::string why;
+  if (::fstat(descriptor, &status) != 0 || ::lseek(descriptor, bytes, SEEK_SET) < 0) {
+    why = std::strerror(errno);
+  } else if (!S_ISREG(status.st_mode) || status.st_size < bytes) {
+    why = "it has " + std::to_string(status.st_size) + " bytes; expected " + std::to_string(bytes) +
+          " and more";
+  } else if (::ftruncate(descriptor, bytes) != 0) {
+    why = std::strerror(errno);
+  }
+  if (why.empty()) return descriptor;
+  ::close(descriptor);
+  throw DomainError(printable(part, longest_path) + ": cannot be continued: " + why);
+}
+
+PartFile::PartFile(const std::string& path, std::optional<std::int64_t> from)
     : path_(path), part_(path == "-" ? path : part_path(path)), file_(stdout) {
   if (path == "-") return;
+  if (from) {
+    file_ = ::fdopen(reopened_part(part_, *from), "r+b");
+    bytes_ = *from;
+    if (file_ == nullptr) throw DomainError(write_failure(part_, errno));
+    return;
+  }
   file_ = std::fopen(part_.c_str(), "wb");
   if (file_ == nullptr && errno == ENOENT)
     throw DomainError(printable(path, longest_path) + ": its folder does not exist");
@@ -61,7 +89,14 @@ void PartFile::write(std::string_view bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) throw OutputError(write_failure(part_, written == 0 ? ENOSPC : errno));
     bytes.remove_prefix(static_cast<std::size_t>(written));
+    bytes_ += written;
   }
+}
+
+std::optional<std::int64_t> PartFile::synced_bytes() {
+  if (part_ == path_) return std::nullopt;
+  if (::fsync(::fileno(file_)) != 0) throw OutputError(write_failure(part_, errno));
+  return bytes_;
 }
 
 void PartFile::commit() {

@@ -6,13 +6,17 @@
 // Units       those that the columns name.
 // Domain      open_sink: "-" (CSV to standard output), PATH.csv or PATH.h5. A file is written as
 //             PATH.part, flushed after each block, and renamed by finish(); a run that fails or is
-//             killed leaves PATH.part, readable up to its last block, and PATH as it was.
+//             killed leaves PATH.part, readable up to its last block, and PATH as it was. With a
+//             position, open_sink cuts PATH.part back to it and goes on from there.
 // Accuracy    CSV numbers are the shortest that read back to the same double; HDF5 holds doubles.
-// Errors      DomainError for a path that cannot be an output; OutputError when writing fails.
+// Errors      DomainError for a path that cannot be an output, and for a PATH.part that is not what
+//             a position belongs to; OutputError when writing fails.
 // Cost        CSV about 60 ns per number. No time stamps: equal runs give equal files.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -39,17 +43,31 @@ struct Provenance {
   std::vector<std::string> citations;  // one line each
 };
 
+// How far an output has been written.
+struct SinkPosition {
+  std::int64_t bytes = 0;
+  std::int64_t rows = 0;
+
+  constexpr bool operator==(const SinkPosition&) const = default;
+};
+
 class Sink {
  public:
   virtual ~Sink() = default;
   // Whole rows, one after the other.
   virtual void push(std::span<const double> rows) = 0;
+  // What a checkpoint keeps of this output. All that has been pushed is on the disk then, whatever
+  // becomes of the process or the machine. None: the output cannot be continued (a pipe).
+  virtual std::optional<SinkPosition> position() { return std::nullopt; }
+  // The position told last is in a checkpoint: none before it will be asked for.
+  virtual void kept() {}
   // The output is complete: gives it its name. Without this PATH.part stays.
   virtual void finish() = 0;
 };
 
 std::unique_ptr<Sink> open_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                                const Provenance& provenance);
+                                const Provenance& provenance,
+                                const std::optional<SinkPosition>& from = std::nullopt);
 
 }  // namespace v0
 }  // namespace polhode

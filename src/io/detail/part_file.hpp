@@ -2,7 +2,9 @@
 // A file that has its name only when it is complete: written as PATH.part, renamed by commit().
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,13 +17,17 @@ namespace detail {
 std::string part_path(const std::string& path);
 // Gives a finished part its name. Throws OutputError.
 void rename_part(const std::string& part, const std::string& path);
+// Opens a part that is there, for reading and writing, and cuts it back to its first `bytes`; the
+// descriptor. Throws DomainError when it is not there or shorter.
+int reopened_part(const std::string& part, std::int64_t bytes);
 // "PATH: cannot be written: No space left on device"
 std::string write_failure(const std::string& path, int error_number);
 
 class PartFile {
  public:
-  // "-" is standard output. Throws DomainError when it cannot be opened.
-  explicit PartFile(const std::string& path);
+  // "-" is standard output. From a number of bytes on, the part that is there goes on behind them.
+  // Throws DomainError when it cannot be opened.
+  explicit PartFile(const std::string& path, std::optional<std::int64_t> from = std::nullopt);
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
@@ -29,11 +35,14 @@ class PartFile {
   // Throws OutputError when not all of it could be written.
   void write(std::string_view bytes);
   void commit();
+  // How long the part is, all of it on the disk; none for standard output, devices and pipes.
+  std::optional<std::int64_t> synced_bytes();
 
  private:
   std::string path_;
   std::string part_;
   std::FILE* file_;
+  std::int64_t bytes_ = 0;
 };
 
 }  // namespace detail
