@@ -327,6 +327,9 @@ inline constexpr double numpy_random = 5e-12;
 // central differences of sixth order, step 2^-10
 inline constexpr double numpy_differences = 5e-12;
 
+// --- terms fitted to a series (python/tests/test_harmonics.py), over the largest number in it ---
+inline constexpr double harmonic_terms = 1e-13;
+
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.
 inline constexpr double figure_sampled = 2e-5;
@@ -343,5 +346,4 @@ inline constexpr double figure_contact = 0.01;
 // --- inertia integrals of degree 3 and 4 (tests/unit/shape/mass_moments.cpp), on sums of order 100
 // ---
 inline constexpr double mass_moments_rotated = 2e-12;
-
 }  // namespace polhode::budget

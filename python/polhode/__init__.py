@@ -8,15 +8,18 @@ from polhode import _core
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
 from polhode._summary import Summary
+from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
 from polhode.results import Results
 from polhode.scenarios import Citation, Scenario, load
 
 __all__ = [
     "Citation",
+    "HarmonicFit",
     "Results",
     "Scenario",
     "Summary",
+    "harmonic_fit",
     "load",
     "to_scipy",
     *(name for name in dir(_core) if not name.startswith("_")),

@@ -124,6 +124,7 @@ names of the [columns](../files.md).
 """, {
         "Scenario": "load Scenario Summary Citation",
         "Results": "Results",
+        "Terms of a run": "HarmonicFit harmonic_fit",
         "Units": "Units Dimension known_units",
     }),
     Page("figures", "Figures", """\

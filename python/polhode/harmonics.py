@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: MIT
+"""A drift and terms of given periods, fitted to columns of a run by least squares."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.polynomial import Polynomial, legendre
+from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+_MOST_CORRECTIONS = 50
+# Smaller corrections of a period, as a part of the turns in the span, change nothing.
+_CONVERGED = 1e-12
+# Singular values below this part of the largest belong to terms that the rows do not tell apart.
+_INDISTINCT = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class HarmonicFit:
+    """y = sum_k polynomial[k] t^k + sum_j (cosine[j] cos(2 pi t/P_j) + sine[j] sin(2 pi t/P_j)).
+
+    Made by `harmonic_fit`. `polynomial[1]` is the rate at t = 0; `periods` are as given, or as
+    adjusted; `rms` is the root mean square of what is left. Fitted to K series, polynomial
+    (degree + 1, K), cosine and sine (J, K) and rms (K,) have one more axis, that of the series.
+    """
+
+    polynomial: Array
+    periods: Array
+    cosine: Array
+    sine: Array
+    rms: Any
+
+    @property
+    def amplitude(self) -> Array:
+        """(J,) or (J, K): of each term, not negative."""
+        return np.hypot(self.cosine, self.sine)
+
+    @property
+    def phase(self) -> Array:
+        """(J,) or (J, K): rad; the term is amplitude cos(2 pi t/P - phase)."""
+        return np.arctan2(self.sine, self.cosine)
+
+    def at(self, t: ArrayLike) -> Array:
+        """The fitted curve at times (N,): (N,) or (N, K)."""
+        times = np.asarray(t, dtype=float)[..., None]
+        angle = 2 * np.pi * times / self.periods
+        drift = times ** np.arange(len(self.polynomial)) @ self.polynomial
+        return drift + np.cos(angle) @ self.cosine + np.sin(angle) @ self.sine
+
+
+def harmonic_fit(
+    t: ArrayLike,
+    y: ArrayLike,
+    periods: ArrayLike,
+    degree: int = 1,
+    *,
+    adjust: bool | Sequence[bool] = False,
+) -> HarmonicFit:
+    """Least squares of a polynomial of t and a cosine and a sine of each period.
+
+    Parameters
+    ----------
+    t : (N,), times in any order, evenly spaced or not.
+    y : (N,) or (N, K): one series, or several at the same times. Angles must be unwrapped:
+        `numpy.unwrap`.
+    periods : (J,), in the unit of t.
+    degree : of the polynomial: 0 is a mean, 1 a mean and a rate.
+    adjust : whether the periods are corrected, too: True, or one bool per period. The given ones
+        must be good enough to count the turns: right within half a turn over the span. All series
+        share them.
+
+    ValueError for shapes that do not fit, too few rows, numbers that are not finite, terms that
+    the rows do not tell apart (two periods need a span of their beat), and corrections of periods
+    that do not come to an end.
+    """
+    times, series = _series(t, y)
+    P = _periods(periods)
+    free = _adjusted(adjust, P)
+    if degree < 0:
+        raise ValueError(f"harmonic_fit: got degree {degree}; expected 0, 1, 2, ...")
+    if len(times) < degree + 1 + 2 * len(P) + np.count_nonzero(free):
+        raise ValueError(f"harmonic_fit: {len(times)} rows are fewer than the unknowns")
+
+    # In x = (t - middle)/half, from -1 to 1, Legendre's polynomials stay apart.
+    low, high = times.min(), times.max()
+    middle, half = (low + high) / 2, (high - low) / 2 or 1.0
+    x, rates = (times - middle) / half, 2 * np.pi * half / P
+    for _ in range(_MOST_CORRECTIONS):
+        columns = _columns(x, rates, degree)
+        linear = _solved(columns, series, P)
+        if not free.any():
+            break
+        change = _correction(x, rates, free, columns, series, linear)
+        if np.abs(change).max() <= _CONVERGED * rates.max():
+            break
+        rates[free] += change
+        if not np.all(rates > 0):
+            raise _endless(P)
+    else:
+        raise _endless(P)
+    rms = np.sqrt(np.mean((series - columns @ linear) ** 2, axis=0))
+    fit = _in_time(linear, rates, middle, half, rms)
+    return fit if np.ndim(y) == 2 else _only(fit)
+
+
+def _series(t: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
+    times, series = np.asarray(t, dtype=float), np.asarray(y, dtype=float)
+    if times.ndim != 1 or series.ndim not in (1, 2) or len(series) != len(times):
+        raise ValueError(f"harmonic_fit: got t of shape {times.shape} and y of {series.shape}; "
+                         "expected (N,) and (N,) or (N, K)")  # fmt: skip
+    if not np.all(np.isfinite(times)) or not np.all(np.isfinite(series)):
+        raise ValueError("harmonic_fit: t and y must be finite")
+    return times, series.reshape(len(times), -1 if series.size else 1)
+
+
+def _periods(periods: ArrayLike) -> Array:
+    P = np.asarray(periods, dtype=float)
+    if P.ndim != 1 or not np.all((P > 0) & np.isfinite(P)):
+        raise ValueError(f"harmonic_fit: got periods {periods}; expected positive numbers (J,)")
+    return P
+
+
+def _adjusted(adjust: bool | Sequence[bool], P: Array) -> NDArray[np.bool_]:
+    free = np.asarray(adjust, dtype=bool)
+    if free.shape not in ((), P.shape):
+        raise ValueError(f"harmonic_fit: got adjust {adjust}; expected a bool, or one per period")
+    return np.broadcast_to(free, P.shape)
+
+
+def _columns(x: Array, rates: Array, degree: int) -> Array:
+    angle = x[:, None] * rates
+    return np.hstack([legendre.legvander(x, degree), np.cos(angle), np.sin(angle)])
+
+
+def _solved(columns: Array, series: Array, P: Array) -> Array:
+    linear, _, rank, _ = np.linalg.lstsq(columns, series, rcond=_INDISTINCT)
+    if rank < columns.shape[1]:
+        raise ValueError(f"harmonic_fit: the rows do not tell apart the periods {P.tolist()} and "
+                         "the polynomial; a longer span or fewer terms do")  # fmt: skip
+    return linear
+
+
+def _correction(
+    x: Array, rates: Array, free: Array, columns: Array, series: Array, linear: Array
+) -> Array:
+    """A Gauss-Newton step of the free rates, what the linear unknowns take up projected out."""
+    J = len(rates)
+    a, b = linear[-2 * J : -J][free], linear[-J:][free]
+    angle = x[:, None] * rates[free]
+    sines, cosines = x[:, None] * np.sin(angle), x[:, None] * np.cos(angle)
+    q, _ = np.linalg.qr(columns)
+    slopes = np.vstack([b[:, k] * cosines - a[:, k] * sines for k in range(series.shape[1])])
+    slopes = np.vstack([s - q @ (q.T @ s) for s in np.split(slopes, series.shape[1])])
+    left = (series - columns @ linear).T.ravel()
+    return np.linalg.lstsq(slopes, left, rcond=None)[0]
+
+
+def _endless(P: Array) -> ValueError:
+    return ValueError(f"harmonic_fit: the corrections of the periods {P.tolist()} do not come to "
+                      "an end; start nearer to them")  # fmt: skip
+
+
+def _in_time(linear: Array, rates: Array, middle: float, half: float, rms: Array) -> HarmonicFit:
+    """From polynomials and angles of x to powers and angles of t."""
+    J = len(rates)
+    degree = len(linear) - 2 * J - 1
+    x = Polynomial([-middle / half, 1 / half])
+    power = np.zeros((degree + 1, linear.shape[1]))
+    for k, coefficients in enumerate(linear[: degree + 1].T):
+        in_t = Polynomial(legendre.leg2poly(coefficients))(x).coef
+        power[: len(in_t), k] = in_t
+    a, b = linear[degree + 1 : degree + 1 + J], linear[degree + 1 + J :]
+    turn = (rates * middle / half)[:, None]
+    cosine, sine = a * np.cos(turn) - b * np.sin(turn), a * np.sin(turn) + b * np.cos(turn)
+    return HarmonicFit(power, 2 * np.pi * half / rates, cosine, sine, rms)
+
+
+def _only(fit: HarmonicFit) -> HarmonicFit:
+    return HarmonicFit(fit.polynomial[:, 0], fit.periods, fit.cosine[:, 0], fit.sine[:, 0],
+                       float(fit.rms[0]))  # fmt: skip
