@@ -27,6 +27,10 @@ inline constexpr double elliptic_legendre_derivative = 6.0;
 inline constexpr double elliptic_jacobi = 3.0;
 inline constexpr double elliptic_jacobi_derivative = 20.0;
 
+// --- facet shapes (tests/unit/shape), in eps of mass x size^degree; extrapolated ellipsoid ---
+inline constexpr double shape_mass = 8.0;
+inline constexpr double shape_limit = 1e-6;
+
 // --- the paper's equations, at 50 digits (tests/paper) ---
 // Identities without a derivative or an integral.
 inline constexpr double paper_exact = 1e-45;
