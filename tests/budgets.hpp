@@ -279,6 +279,21 @@ inline constexpr double transition_symplectic = 1e-13;
 // Of a splitting of order 8 with steps of 0.1 rad, and of the others, against Adaptive.
 inline constexpr double transition_method = 1e-11;
 
+// --- chaos (tests/unit/analysis) ---
+// |mean MEGNO - 2| after some hundred turns of a regular motion, and the growth ln t of one.
+inline constexpr double chaos_megno_regular = 0.05;
+inline constexpr double chaos_ln_growth = 0.01;
+inline constexpr double chaos_growth = 1e-10;
+inline constexpr double chaos_planar = 1e-8;
+inline constexpr double chaos_unstable_axis = 1e-7;
+// L after eight steps of the standard map (e^15 roundings), and its exponent against ln(K/2).
+inline constexpr double chaos_map = 1e-8;
+inline constexpr double chaos_chirikov = 0.02;
+// A second motion at 1e-8; trapezoids of 256 steps an orbit; a splitting of two terms.
+inline constexpr double chaos_neighbour = 1e-6;
+inline constexpr double chaos_trapezoid = 1e-3;
+inline constexpr double chaos_damped = 1e-6;
+
 // --- the Runge-Kutta pair and its control (tests/unit/ode) ---
 // Published coefficients against the conditions, and double ones settled on the first of them.
 inline constexpr double ode_condition = 1e-30;

@@ -9,6 +9,7 @@
 // Cost        compile time; include the headers you use instead where that matters.
 #pragma once
 
+#include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/method.hpp"

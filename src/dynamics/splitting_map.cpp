@@ -154,10 +154,14 @@ Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
   return M;
 }
 
-Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
+void SplittingMap::require_kicks() const {
   if (!flows_.empty())
     throw DomainError("Splitting: the flow of term \"" + flows_[0].name() +
                       "\" has no derivative: use Adaptive for state transitions");
+}
+
+Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
+  require_kicks();
   Matrix6 M = Matrix6::identity();
   const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -172,6 +176,51 @@ Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
     }
   }
   return M;
+}
+
+// A turn of the start turns the whole arc; what a change of the momentum does is ShortFlow's.
+void SplittingMap::deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const {
+  const Quaternion arc = free_.plain(s.g.hi, h).turn;
+  const FlowTangent<double> change = free_.tangent(s.g.hi, dg, h, arc);
+  turn = rotate(conj(arc), turn) + change.attitude;
+  dg = change.momentum;
+}
+
+void SplittingMap::deviate_by_kick(const SplittingState& s, double h, const Vec3& turn,
+                                   Vec3& dg) const {
+  const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
+  const Quaternion dq = at.s.q * Quaternion{0.0, 0.5 * turn.x, 0.5 * turn.y, 0.5 * turn.z};
+  const auto moving = [](double x, double dx) { return Tangent(x, {dx}); };
+  const BasicQuaternion<Tangent> q{moving(at.s.q.w, dq.w), moving(at.s.q.x, dq.x),
+                                   moving(at.s.q.y, dq.y), moving(at.s.q.z, dq.z)};
+  const BasicSetting<Tangent> setting{at.body,
+                                      Tangent(at.t),
+                                      {q, {at.s.g.x, at.s.g.y, at.s.g.z}},
+                                      constant<double, 6>(at.q_IS),
+                                      Tangent(at.t_rest)};
+  for (const AnyPerturbation& term : kicks_) {
+    const BasicEffect<Tangent> e = term.effect(setting);
+    dg = dg + h * Vec3{e.u.x.derivative[0], e.u.y.derivative[0], e.u.z.derivative[0]};
+  }
+}
+
+std::array<double, 6> SplittingMap::step_deviation(SplittingState s, std::array<double, 6> x,
+                                                   double h) const {
+  require_kicks();
+  Vec3 turn{x[0], x[1], x[2]}, dg{x[3], x[4], x[5]};
+  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((i % 2 == 0) == coefficients_.drift_first) {
+      const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
+      deviate_by_drift(s, time.hi, turn, dg);
+      drift(s, time);
+    } else {
+      const double fraction = coefficients_.kicks[i / 2] * h;
+      deviate_by_kick(s, fraction, turn, dg);
+      kick(s, fraction);
+    }
+  }
+  return {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z};
 }
 
 }  // namespace detail

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "dynamics/detail/adaptive_field.hpp"
 #include "dynamics/detail/checked_problem.hpp"
 #include "dynamics/detail/finite.hpp"
+#include "dynamics/detail/sample_times.hpp"
 #include "dynamics/detail/splitting_map.hpp"
 #include "free/detail/hub_tangent.hpp"
 #include "math/detail/number_text.hpp"
@@ -41,24 +41,6 @@ void require_finite(const TransitionSample& row) {
     return;
   throw DomainError("state_transitions: the state is not finite at t = " + number_text(row.t) +
                     ": take a smaller step, or see whether a term is finite there");
-}
-
-// The times of the span, which must run from start to stop.
-std::vector<double> times_due(const Problem& problem, const SaveAt& samples) {
-  const double sign = problem.start <= problem.stop ? 1.0 : -1.0;
-  // SaveAt keeps a row that rounding puts beyond stop.
-  const double slack =
-      8.0 * epsilon<double>() * std::max(std::abs(problem.start), std::abs(problem.stop));
-  std::vector<double> times;
-  for (std::int64_t k = 0; k < samples.size(); ++k) {
-    const double t = samples[k];
-    if (!(sign * (t - problem.start) >= 0.0 && sign * (problem.stop - t) >= -slack)) continue;
-    if (!times.empty() && sign * (t - times.back()) < 0.0)
-      throw DomainError("state_transitions: sample times must run from start to stop: " +
-                        number_text(t) + " comes after " + number_text(times.back()));
-    times.push_back(t);
-  }
-  return times;
 }
 
 // By the variational equations, which are those of a dual state.
@@ -131,7 +113,7 @@ std::vector<TransitionSample> state_transitions(const Problem& problem, const Sa
                                                 const Progress& progress) {
   require_terms(problem);
   const Problem checked = detail::checked_problem("state_transitions", problem);
-  const std::vector<double> times = times_due(checked, samples);
+  const std::vector<double> times = detail::sample_times("state_transitions", checked, samples);
   return std::visit(Transitions{checked, times, progress}, checked.method);
 }
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <utility>
+
+#include "analysis/detail/deviation_field.hpp"
+#include "analysis/detail/deviation_run.hpp"
+#include "dynamics/detail/adaptive_failure.hpp"
+#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/ode/verner98.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// A linear deviation is scaled down before it leaves the range of a double, and long before.
+constexpr double longest = 0x1p200, shortest = 0x1p-200;
+
+// |q| = 1 again, as integrate does it.
+void restore_norm(CompensatedState<double, 16>& s, std::size_t first) {
+  double excess = -1.0;
+  for (std::size_t i = first; i < first + 4; ++i) excess += s.y[i] * s.y[i];
+  std::array<double, 16> change{};
+  for (std::size_t i = first; i < first + 4; ++i) change[i] = -0.5 * excess * s.y[i];
+  s.add(change);
+}
+
+template <class Field>
+class AdaptiveDeviation final : public DeviationRun {
+ public:
+  AdaptiveDeviation(const Problem& problem, const Adaptive& method, const ChaosOptions& options)
+      : clock_(clock_of(problem, options)),
+        target_(is_linear ? 1.0 : options.distance),
+        solver_(Field(problem.system, clock_, problem.stop < problem.start ? -1.0 : 1.0), {},
+                problem.start, start_values(problem, options),
+                {method.tolerance, method.first_step, method.largest_step}) {
+    // as it is after rounding, of a neighbour
+    clock_.initial_length = length(now());
+  }
+  AdaptiveDeviation(const AdaptiveDeviation&) = delete;
+  AdaptiveDeviation& operator=(const AdaptiveDeviation&) = delete;
+
+  std::string advance(double t) override {
+    const DoubleDouble begin = solver_.time();
+    const RotorValues<double> y = first_rotor(solver_.state().y);
+    const StepOutcome outcome = solver_.advance(t);
+    if (outcome != StepOutcome::made)
+      return failure_text(solver_.field().rotor(), begin, y, solver_.trial(), outcome);
+    restore_norm(solver_.state(), 0);
+    if constexpr (!is_linear) restore_norm(solver_.state(), 8);
+    bring_back();
+    return {};
+  }
+  double time() const override { return solver_.time().hi; }
+  ChaosSample sample() const override {
+    const DeviatedValues& y = solver_.state().y;
+    return sample_of(time(), clock_.elapsed(solver_.time()), clock_.growth(now()),
+                     y[growth_integral], y[megno_integral]);
+  }
+  Statistics statistics() const override {
+    return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
+  }
+
+ private:
+  static constexpr bool is_linear = std::is_same_v<Field, VariationalField>;
+
+  static GrowthClock clock_of(const Problem& problem, const ChaosOptions& options) {
+    return {problem.start, options.momentum_scale, 1.0, 0.0};
+  }
+  DeviatedValues start_values(const Problem& problem, const ChaosOptions& options) const {
+    DeviatedValues y{};
+    const RotorValues<double> first = rotor_values(problem.initial);
+    std::copy_n(first.begin(), 7, y.begin());
+    Field::put(y, scaled(options.deviation, target_ / length(options.deviation)),
+               options.momentum_scale);
+    return y;
+  }
+  Deviation now() const { return Field::deviation_of(solver_.state().y, clock_.momentum_scale); }
+
+  void bring_back() {
+    const Deviation d = now();
+    const double size = length(d);
+    if (is_linear && shortest < size && size < longest) return;
+    if (!(size > 0.0) || !std::isfinite(size)) return;  // sample() says it
+    auto& [y, carry] = solver_.state();
+    Field::put(y, scaled(d, target_ / size), clock_.momentum_scale);
+    clock_.behind += std::log(size / length(now()));
+    for (std::size_t i = 8; i < 15; ++i) carry[i] = 0.0;
+  }
+
+  GrowthClock clock_;
+  double target_;
+  AdaptiveRungeKutta<Verner98, double, 16, Field, DeviatedErrorSize<Field>> solver_;
+};
+
+}  // namespace
+
+std::unique_ptr<DeviationRun> deviation_run(const Problem& problem, const Adaptive& method,
+                                            const ChaosOptions& options, DeviationBy by) {
+  if (by == DeviationBy::variational)
+    return std::make_unique<AdaptiveDeviation<VariationalField>>(problem, method, options);
+  return std::make_unique<AdaptiveDeviation<NeighbourField>>(problem, method, options);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

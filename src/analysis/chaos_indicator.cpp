@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/analysis/chaos_indicator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/detail/deviation_run.hpp"
+#include "dynamics/detail/checked_problem.hpp"
+#include "dynamics/detail/finite.hpp"
+#include "dynamics/detail/sample_times.hpp"
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::number_text;
+
+const char* const function_name = "chaos_indicator";
+
+Method without_constants(const Method& method) {
+  if (const auto* variation = std::get_if<VariationOfConstants>(&method))
+    return Adaptive{.tolerance = variation->tolerance, .largest_step = variation->largest_step};
+  if (const auto* adaptive = std::get_if<Adaptive>(&method)) {
+    Adaptive in_double = *adaptive;
+    in_double.precision = Precision::compensated;
+    return in_double;
+  }
+  return method;
+}
+
+void require_tolerance(const Method& method) {
+  const auto* adaptive = std::get_if<Adaptive>(&method);
+  if (adaptive != nullptr && adaptive->tolerance < 1e-15)
+    throw DomainError("chaos_indicator: tolerance " + number_text(adaptive->tolerance) +
+                      " must be from 1e-15: deviations are carried in double");
+}
+
+DeviationBy kind_of(const Problem& problem, bool neighbour) {
+  const std::vector<AnyPerturbation>& terms = problem.system.terms();
+  const bool splitting = std::holds_alternative<Splitting>(problem.method);
+  const bool derivable = std::all_of(terms.begin(), terms.end(), [&](const AnyPerturbation& term) {
+    return term.supports_any_real() && (!splitting || term.is_kick());
+  });
+  return derivable && !neighbour ? DeviationBy::variational : DeviationBy::neighbour;
+}
+
+// |g|; at rest what a quarter of a swing under the torque makes of it.
+double natural_scale(const Problem& problem) {
+  const double g = norm(problem.initial.g);
+  if (g > 0.0) return g;
+  const double u = norm(effect(problem.system, problem.start, problem.initial).u);
+  return std::sqrt(u * problem.system.body().moments().z);
+}
+
+ChaosOptions checked(const Problem& problem, ChaosOptions options) {
+  const double size = detail::length(options.deviation);
+  if (!(size > 0.0) || !std::isfinite(size) || !detail::is_finite(options.deviation.turn) ||
+      !detail::is_finite(options.deviation.momentum))
+    throw DomainError("chaos_indicator: deviation must be finite and not zero");
+  if (options.momentum_scale == 0.0) options.momentum_scale = natural_scale(problem);
+  if (!(options.momentum_scale > 0.0) || !std::isfinite(options.momentum_scale))
+    throw DomainError("chaos_indicator: momentum_scale " + number_text(options.momentum_scale) +
+                      " must be positive: a body at rest without a torque has none of its own");
+  if (!(options.distance > 0.0 && options.distance <= 1e-2))
+    throw DomainError("chaos_indicator: distance " + number_text(options.distance) +
+                      " must be positive and at most 0.01");
+  return options;
+}
+
+double last_of(const ChaosIndicator& indicator, double ChaosSample::*field) {
+  return indicator.samples.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                   : indicator.samples.back().*field;
+}
+
+}  // namespace
+
+double ChaosIndicator::lyapunov() const { return last_of(*this, &ChaosSample::lyapunov); }
+double ChaosIndicator::mean_megno() const { return last_of(*this, &ChaosSample::mean_megno); }
+double ChaosIndicator::lyapunov_time() const { return 1.0 / lyapunov(); }
+
+ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
+                               const ChaosOptions& given_options, const Progress& progress) {
+  Problem problem = detail::checked_problem(function_name, given);
+  require_tolerance(problem.method);
+  const ChaosOptions options = checked(problem, given_options);
+  ChaosIndicator result;
+  result.by = kind_of(problem, options.neighbour);
+  result.momentum_scale = options.momentum_scale;
+  problem.method = without_constants(problem.method);
+  result.method =
+      method_text(problem.method) + (result.by == DeviationBy::variational
+                                         ? ", variational equations"
+                                         : ", a second motion at " + number_text(options.distance));
+  result.outcome.t = problem.start;
+  const std::vector<double> times = detail::sample_times(function_name, problem, samples);
+  const std::unique_ptr<detail::DeviationRun> run = std::visit(
+      [&](const auto& method) -> std::unique_ptr<detail::DeviationRun> {
+        if constexpr (std::is_same_v<std::decay_t<decltype(method)>, VariationOfConstants>) {
+          return nullptr;  // it is Adaptive by now
+        } else {
+          return detail::deviation_run(problem, method, options, result.by);
+        }
+      },
+      problem.method);
+  for (const double t : times) {
+    while (run->time() != t && result.outcome.ok()) {
+      result.outcome.advice = run->advance(t);
+      result.outcome.t = run->time();
+      if (!result.outcome.advice.empty()) result.outcome.status = Outcome::Status::failed;
+      if (progress) progress(run->time());
+    }
+    if (!result.outcome.ok()) break;
+    result.samples.push_back(run->sample());
+  }
+  result.statistics = run->statistics();
+  return result;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A motion with its deviation, carried from one time to the next by a method.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "analysis/detail/growth.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class DeviationRun {
+ public:
+  virtual ~DeviationRun() = default;
+  // One step towards t, ending there or before; empty, or why there is none.
+  virtual std::string advance(double t) = 0;
+  virtual double time() const = 0;
+  virtual ChaosSample sample() const = 0;  // at time()
+  virtual Statistics statistics() const = 0;
+};
+
+// `options` have a scale of momentum, and a deviation that is not zero.
+std::unique_ptr<DeviationRun> deviation_run(const Problem& problem, const Adaptive& method,
+                                            const ChaosOptions& options, DeviationBy by);
+std::unique_ptr<DeviationRun> deviation_run(const Problem& problem, const Splitting& method,
+                                            const ChaosOptions& options, DeviationBy by);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

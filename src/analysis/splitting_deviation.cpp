@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "analysis/detail/deviation_run.hpp"
+#include "dynamics/detail/finite.hpp"
+#include "dynamics/detail/splitting_map.hpp"
+#include "math/detail/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr double largest_arc = 0x1p20;  // radians a step: as for the motion itself
+constexpr double stretch = 1e-9;        // the last step to a sample may be longer by this
+
+// Where a run is: the motion, its deviation of length one (or a neighbour), and what has grown.
+struct Place {
+  SplittingState motion;
+  Deviation deviation;       // of the length aimed at
+  double growth = 0.0;       // L
+  double integral = 0.0;     // of L
+  double megno_total = 0.0;  // integral of Y
+};
+
+class SplittingDeviation final : public DeviationRun {
+ public:
+  SplittingDeviation(const Problem& problem, const Splitting& method, const ChaosOptions& options,
+                     DeviationBy by)
+      : map_(problem.system, method.scheme),
+        by_(by),
+        scale_(options.momentum_scale),
+        target_(by == DeviationBy::variational ? 1.0 : options.distance),
+        step_(method.step),
+        start_(problem.start),
+        grid_{map_.start(problem.start, problem.initial),
+              scaled(options.deviation, target_ / length(options.deviation))},
+        now_(grid_) {}
+
+  // Samples between two steps are parts of a step, which the run does not keep.
+  std::string advance(double t) override {
+    const double rest = (t - grid_.motion.t.hi) - grid_.motion.t.lo;
+    const bool last = !(std::abs(rest) > step_ * (1.0 + stretch));
+    const double h = last ? rest : std::copysign(step_, rest);
+    if (!last && grid_.motion.t.hi + h == grid_.motion.t.hi)
+      return "step " + number_text(step_) +
+             " is below the rounding of t = " + number_text(grid_.motion.t.hi) +
+             ": take a larger step";
+    if (map_.rate(grid_.motion) * std::abs(h) > largest_arc)
+      return "a step is more than 1e6 radians of rotation at t = " +
+             number_text(grid_.motion.t.hi) + ": take a step of less than a turn";
+    Place next = stepped(grid_, h);
+    const RotorState s = map_.state(next.motion);
+    if (!is_finite(s.g) || !std::isfinite(s.q.w + s.q.x + s.q.y + s.q.z) ||
+        !std::isfinite(next.growth))
+      return "the state or its deviation is not finite near t = " + number_text(t) +
+             ": take a smaller step, or see whether a term is finite there";
+    ++steps_;
+    if (last) next.motion.t = {t, 0.0};
+    now_ = next;
+    if (!last || std::abs(std::abs(h) - step_) <= stretch * step_) grid_ = now_;
+    return {};
+  }
+  double time() const override { return now_.motion.t.hi; }
+  ChaosSample sample() const override {
+    return sample_of(time(), elapsed(now_), now_.growth, now_.integral, now_.megno_total);
+  }
+  Statistics statistics() const override { return {steps_, 0, now_.motion.evaluations}; }
+
+ private:
+  double elapsed(const Place& place) const {
+    return std::abs((place.motion.t.hi - start_) + place.motion.t.lo);
+  }
+
+  Place stepped(const Place& from, double h) const {
+    Place to = from;
+    to.motion = map_.stepped(from.motion, h);
+    Deviation d;
+    if (by_ == DeviationBy::variational) {
+      const Vec3 dg = scale_ * from.deviation.momentum;
+      const Vec3& turn = from.deviation.turn;
+      const std::array<double, 6> x =
+          map_.step_deviation(from.motion, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
+      d = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
+    } else {
+      d = difference(to.motion, map_.stepped(neighbour(from), h));
+    }
+    const double size = length(d);
+    to.deviation = scaled(d, target_ / size);
+    to.growth = from.growth + std::log(size / target_);
+    // trapezoids: of a function without a trend over equal steps they converge as fast as the
+    // function is smooth
+    const double half = 0.5 * std::abs(h);
+    to.integral = from.integral + half * (from.growth + to.growth);
+    to.megno_total =
+        from.megno_total + half * (megno(from.growth, from.integral, elapsed(from)) +
+                                   megno(to.growth, to.integral, elapsed(from) + std::abs(h)));
+    return to;
+  }
+
+  SplittingState neighbour(const Place& place) const {
+    const RotorState s = moved_by({place.motion.q_IB, place.motion.g.hi}, place.deviation, scale_);
+    SplittingState other = place.motion;
+    other.q_IB = s.q;
+    other.g = {s.g, place.motion.g.lo};
+    other.torque.reset();
+    return other;
+  }
+  Deviation difference(const SplittingState& a, const SplittingState& b) const {
+    return deviation({a.q_IB, a.g.hi}, {b.q_IB, b.g.hi}, scale_);
+  }
+
+  SplittingMap map_;
+  DeviationBy by_;
+  double scale_;
+  double target_;
+  double step_;
+  double start_;
+  Place grid_;  // after whole steps
+  Place now_;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<DeviationRun> deviation_run(const Problem& problem, const Splitting& method,
+                                            const ChaosOptions& options, DeviationBy by) {
+  return std::make_unique<SplittingDeviation>(problem, method, options, by);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
