@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "math/detail/number_text.hpp"
@@ -33,18 +34,29 @@ Facet facet_of(const std::vector<Vec3>& vertices, const Triangle& t, std::size_t
                         std::to_string(vertices.size()));
   }
   const Vec3 &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
-  const Vec3 ab = b - a, ac = c - a, bc = c - b;
-  const Vec3 n = cross(ab, ac);
-  const double twice = norm(n);
-  // three corners on one line up to the rounding of their coordinates
-  const double longest = std::max({norm(ab), norm(ac), norm(bc)});
-  const double size = std::max({norm(a), norm(b), norm(c)});
-  if (!(twice > 4.0 * 0x1p-52 * longest * size))
+  const Facet made = facet(a, b, c);
+  if (!(made.area > 0.0))
     throw DomainError(name + ", corners " + text(a) + ", " + text(b) + ", " + text(c) +
                       ", has no area");
-  if (!std::isfinite(twice)) throw DomainError(name + " is beyond the range of double");
-  const Vec3 centre = a + (1.0 / 3.0) * (ab + ac);
-  return {centre, (1.0 / twice) * n, 0.5 * twice};
+  if (!std::isfinite(made.area)) throw DomainError(name + " is beyond the range of double");
+  return made;
+}
+
+// For each vertex the first one in the same place.
+std::vector<std::uint32_t> first_in_place(std::span<const Vec3> vertices) {
+  std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto key = [&](std::uint32_t i) {
+    return std::tie(vertices[i].x, vertices[i].y, vertices[i].z);
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return key(i) != key(j) ? key(i) < key(j) : i < j;
+  });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool same = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
+    first[order[k]] = same ? first[order[k - 1]] : order[k];
+  }
+  return first;
 }
 
 // An edge from its lower to its higher vertex, and which way its facet runs through it.
@@ -54,12 +66,15 @@ struct Edge {
   bool is_forward;
 };
 
-std::vector<Edge> sorted_edges(std::span<const Triangle> triangles) {
+std::vector<Edge> sorted_edges(std::span<const Vec3> vertices,
+                               std::span<const Triangle> triangles) {
+  const std::vector<std::uint32_t> place = first_in_place(vertices);
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = triangles[f][k], to = triangles[f][(k + 1) % 3];
+      const std::uint32_t from = place[triangles[f][k]];
+      const std::uint32_t to = place[triangles[f][(k + 1) % 3]];
       edges.push_back(
           {std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(f), from < to});
     }
@@ -91,6 +106,16 @@ std::string complaint(std::span<const Edge> facets) {
 
 }  // namespace
 
+Facet facet(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, bc = c - b;
+  const Vec3 n = cross(ab, ac);
+  const double twice = norm(n);
+  const double longest = std::max({norm(ab), norm(ac), norm(bc)});
+  const double size = std::max({norm(a), norm(b), norm(c)});
+  const bool is_line = twice <= 4.0 * 0x1p-52 * longest * size;
+  return {a + (1.0 / 3.0) * (ab + ac), (1.0 / twice) * n, is_line ? 0.0 : 0.5 * twice};
+}
+
 FacetShape::FacetShape(std::vector<Vec3> vertices, std::vector<Triangle> triangles) {
   require_vertices(vertices);
   if (triangles.empty()) throw DomainError("FacetShape: got no facets; expected at least one");
@@ -106,7 +131,7 @@ FacetShape::FacetShape(std::vector<Vec3> vertices, std::vector<Triangle> triangl
 }
 
 std::string FacetShape::open_edge() const {
-  const std::vector<Edge> edges = sorted_edges(triangles());
+  const std::vector<Edge> edges = sorted_edges(vertices(), triangles());
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin;
     while (end < edges.size() && edges[end].low == edges[begin].low &&

@@ -34,6 +34,10 @@ struct Facet {
   constexpr bool operator==(const Facet&) const = default;
 };
 
+// Of three corners. Where they are on one line, to the rounding of their coordinates, the area is
+// 0.
+Facet facet(const Vec3& a, const Vec3& b, const Vec3& c);
+
 class FacetShape {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  // places in the list of vertices
@@ -47,8 +51,8 @@ class FacetShape {
   double area() const { return mesh_->area; }
 
   // Every edge is run through as often one way as the other: the surface has no border, and its
-  // facets agree about the side that is outside. The first edge that breaks this, in words, or
-  // nothing.
+  // facets agree about the side that is outside; vertices in one place are one. The first edge that
+  // breaks this, in words, or nothing.
   std::string open_edge() const;
   bool is_closed() const { return open_edge().empty(); }
 

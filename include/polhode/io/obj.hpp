@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Facet shapes from Wavefront OBJ files.
+//
+// Equations   none.
+// Units       those of the file: OBJ has none.
+// Domain      text of at most 256 MB. `v x y z` and `f i j k ...` are read: indices from 1, or
+//             negative, counted back from the last vertex; i, i/t, i//n and i/t/n; a polygon
+//             becomes a fan of triangles about its first corner. What else OBJ knows (normals,
+//             textures, groups, materials, curves) is skipped. Comments, CRLF, lines continued
+//             by a backslash.
+// Accuracy    the nearest double.
+// Errors      DomainError in one line, "FILE:LINE: ...": a number that is none or not finite, an
+//             index 0 or of no vertex, a facet with fewer than three corners or with no area, a
+//             word that OBJ does not know; "FILE: ..." for a file that cannot be read, is too
+//             large, or has no facets. A mesh with holes is read: FacetShape::open_edge tells.
+// Cost        some 100 ns per line.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "polhode/shape/facet_shape.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+FacetShape read_obj(const std::string& path);
+// `name` stands for the file in messages.
+FacetShape shape_from_obj(std::string_view text, const std::string& name);
+
+}  // namespace v0
+}  // namespace polhode

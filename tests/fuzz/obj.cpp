@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Any bytes are a facet shape or one DomainError of one printable line: never a crash. What is a
+// shape has facets with areas, and where it is closed, a volume or a reason.
+#include "polhode/io/obj.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "polhode/error.hpp"
+#include "polhode/shape/mass_properties.hpp"
+
+namespace {
+
+void require(bool good) {
+  if (!good) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace polhode;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const FacetShape shape = shape_from_obj(text, "fuzz");
+    for (const Facet& facet : shape.facets()) require(facet.area > 0.0);
+    if (shape.is_closed() && shape.area() > 1e-30 && shape.area() < 1e30) {
+      try {
+        require(mass_properties(shape, 1.0).volume > 0.0);
+      } catch (const DomainError& error) {
+        require(std::string_view(error.what()).find("volume") != std::string_view::npos);
+      }
+    }
+  } catch (const DomainError& error) {
+    const std::string_view message = error.what();
+    require(message.starts_with("fuzz:") || message.starts_with("FacetShape:"));
+    for (const char c : message) require(c >= 0x20 && c < 0x7f);
+  }
+  return 0;
+}
