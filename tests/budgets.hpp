@@ -283,6 +283,7 @@ inline constexpr double transition_method = 1e-11;
 // |mean MEGNO - 2| after some hundred turns of a regular motion, and the growth ln t of one.
 inline constexpr double chaos_megno_regular = 0.05;
 inline constexpr double chaos_ln_growth = 0.01;
+// L against the exact transition matrix, and against the planar equation of another program.
 inline constexpr double chaos_growth = 1e-10;
 inline constexpr double chaos_planar = 1e-8;
 inline constexpr double chaos_unstable_axis = 1e-7;
@@ -293,6 +294,8 @@ inline constexpr double chaos_chirikov = 0.02;
 inline constexpr double chaos_neighbour = 1e-6;
 inline constexpr double chaos_trapezoid = 1e-3;
 inline constexpr double chaos_damped = 1e-6;
+// Rows of an indicator against its definition by trapezoids over them.
+inline constexpr double chaos_quadrature = 2e-3;
 
 // --- the Runge-Kutta pair and its control (tests/unit/ode) ---
 // Published coefficients against the conditions, and double ones settled on the first of them.

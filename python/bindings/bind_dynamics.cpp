@@ -43,6 +43,8 @@ Event event_of(const PythonEvent& event) {
   return {event.name, function, event.crossing, event.stops, event.period};
 }
 
+}  // namespace
+
 Problem problem_of(const PythonProblem& p) {
   const System& system = nb::cast<const PythonSystem&>(p.system);
   Problem problem{
@@ -52,13 +54,15 @@ Problem problem_of(const PythonProblem& p) {
   return problem;
 }
 
-// A failed run is a result, with its samples so far; but nobody should plot it unawares.
-void warn_of(const Outcome& outcome) {
+void warn_of(const Outcome& outcome, const char* function) {
   if (outcome.ok()) return;
   const std::string t = number_text(outcome.t);
-  const std::string text = "integrate: the run failed at t = " + t + ": " + outcome.advice;
+  const std::string text =
+      std::string(function) + ": the run failed at t = " + t + ": " + outcome.advice;
   if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw nb::python_error();
 }
+
+namespace {
 
 PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samples, bool dense) {
   const Problem problem = problem_of(python_problem);
@@ -69,7 +73,7 @@ PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samp
     const WithoutGil released;
     return integrate(problem, keep, look);
   }();
-  warn_of(trajectory.outcome());
+  warn_of(trajectory.outcome(), "integrate");
   return PythonTrajectory(std::move(trajectory), dense ? python_problem.system : nb::object());
 }
 

@@ -26,6 +26,7 @@ void bind_perturb(nb::module_& m);
 void bind_system(nb::module_& m);
 void bind_trajectory(nb::module_& m);
 void bind_dynamics(nb::module_& m);
+void bind_analysis(nb::module_& m);
 void bind_io(nb::module_& m);
 
 }  // namespace polhode::python

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "polhode/dynamics/event.hpp"
-#include "polhode/dynamics/method.hpp"
+#include "polhode/dynamics/integrate.hpp"
 
 namespace polhode::python {
 
@@ -30,6 +29,10 @@ struct PythonProblem {
 
 // TypeError for what is none.
 Method method_of(nb::handle method);
+// For the time of a run: the Python objects outlive it.
+Problem problem_of(const PythonProblem& problem);
+// A failed run is a result, with its samples so far; but nobody should plot it unawares.
+void warn_of(const Outcome& outcome, const char* function);
 
 void bind_dynamics_values(nb::module_& m);
 

@@ -23,6 +23,7 @@ void bind_everything(nb::module_& m) {
   bind_system(m);
   bind_trajectory(m);
   bind_dynamics(m);
+  bind_analysis(m);
   bind_io(m);
 }
 

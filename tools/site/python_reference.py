@@ -117,6 +117,7 @@ propagator?](../../guide/which-propagator.md) helps to choose a method.
         "Methods": "Adaptive Precision Splitting SplittingScheme VariationOfConstants",
         "When": "SaveAt Event Crossing",
         "What a run leaves": "Trajectory EventRecord Outcome Statistics TransitionSamples",
+        "Chaos": "chaos_indicator ChaosIndicator DeviationBy",
     }),
     Page("scenarios-and-results", "Scenarios and results", """\
 [Scenario files](../scenario.md) from Python, and back: the rows of a run as arrays under the
