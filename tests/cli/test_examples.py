@@ -4,6 +4,7 @@
 import json
 import math
 import pathlib
+import re
 
 import budgets
 import numpy
@@ -22,7 +23,9 @@ def info(run, root, name):
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)
 def test_every_example_runs_and_names_its_source(run, table, path):
     result = run("run", path)
-    assert result.returncode == 0 and result.stderr == ""
+    assert result.returncode == 0
+    told = re.sub(r"^ *\d+ %, .*\n", "", result.stderr, flags=re.MULTILINE)  # how far it has come
+    assert told == ""
     names, rows = table(result.stdout)
     assert len(rows) > 100 and all(len(row) == len(names) for row in rows)
     text = path.read_text(encoding="utf-8")

@@ -158,6 +158,7 @@ def draw_others() -> None:
 
     run("work_precision.py")
     run("tutorials.py")
+    run("examples.py")
     with tempfile.TemporaryDirectory() as scratch:
         program = str(pathlib.Path(scratch) / "satellite_stability")
         compiler = [os.environ.get("CXX", "g++"), "-std=c++20", "-O2", "-ffp-contract=off"]

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""Libration of Phobos, beside the direction to Mars."""
+
+import pathlib
+
+import matplotlib.pyplot as plt
+import numpy as np
+import polhode
+from polhode import figures
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+
+run = polhode.load(EXAMPLES / "phobos.toml").run()
+a, e = 9376.0, 0.0151
+elements = polhode.KeplerElements(gm=42828.37 * 3600**2, pericentre=a * (1 - e), eccentricity=e)
+orbit = polhode.KeplerOrbit(elements)
+first = run.t <= 24
+t = run.t[first]
+libration = (run["phi"] + run["psi"] + 180)[first] % 360 - 180
+x, y, _ = orbit.position(t).T
+even = orbit.mean_motion * t
+mars = np.degrees(np.angle((x + 1j * y) * np.exp(-1j * even)))
+
+with figures.style.style():
+    size = (figures.SINGLE_COLUMN, 2.4)
+    figure, ax = plt.subplots(figsize=size, layout="constrained")
+    ax.plot(t, libration, label="long axis", **figures.series(0).line)
+    ax.plot(t, mars, label="Mars", **figures.series(1).line)
+    ax.set_xlabel("time (h)")
+    ax.set_ylabel("ahead of the even turn (deg)")
+    ax.margins(x=0)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
+figures.save(figure, "phobos.png")
