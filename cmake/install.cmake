@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cmake --install, and the package that find_package(polhode [COMPONENTS io]) finds.
+# cmake --install, and the package that find_package(polhode [COMPONENTS ephemeris io]) finds.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -10,6 +10,14 @@ install(TARGETS polhode_core EXPORT polhode-core
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT polhode-core NAMESPACE polhode:: DESTINATION ${package_dir})
 
+if(TARGET polhode_ephemeris)
+  install(TARGETS polhode_ephemeris EXPORT polhode-ephemeris
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT polhode-ephemeris NAMESPACE polhode:: DESTINATION ${package_dir})
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/ephemeris-dependencies.cmake
+    DESTINATION ${package_dir})
+endif()
 if(TARGET polhode_io)
   install(TARGETS polhode_io EXPORT polhode-io
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -5,5 +5,6 @@
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
 find_dependency(fmt)
+find_dependency(ZLIB)
 pkg_check_modules(POLHODE_HDF5 REQUIRED IMPORTED_TARGET GLOBAL hdf5-serial)
 pkg_search_module(POLHODE_UDUNITS REQUIRED IMPORTED_TARGET GLOBAL udunits udunits2)

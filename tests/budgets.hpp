@@ -310,6 +310,27 @@ inline constexpr double ode_double_double = 1e-28;
 inline constexpr double ode_clock = 2e-15;
 inline constexpr double ode_edge = 1e-9;
 
+// --- tabulated orbits (tests/unit/orbit/table_orbit.cpp), on numbers of order one ---
+inline constexpr double table_orbit_polynomial = 6e-15;
+inline constexpr double table_orbit_slope = 1e-13;
+inline constexpr double table_orbit_order = 0.4;
+inline constexpr double table_orbit_kepler = 1e-12;
+inline constexpr double table_orbit_kepler_velocity = 1e-9;
+inline constexpr double table_orbit_file = 1e-11;  // a circle by 20 rows per radian
+inline constexpr double table_orbit_continuous = 6e-14;
+
+// --- dates and positions of the planets (tests/unit/ephemeris) ---
+inline constexpr double date_second = 2e-10;
+inline constexpr double date_tdb = 5e-5;           // s: what two terms leave out
+inline constexpr double ephemeris_stated = 1e-13;  // au, ERFA's own tests
+inline constexpr double ephemeris_sun_deg = 0.012;
+inline constexpr double ephemeris_sun_distance = 1e-4;
+inline constexpr double ephemeris_moon_deg = 0.35;
+inline constexpr double ephemeris_moon_distance = 3e-3;
+inline constexpr double ephemeris_rounding_km = 1e-6;
+inline constexpr double ephemeris_gm = 1e-4;
+inline constexpr double ephemeris_table = 5e-12;  // of the distance
+
 // --- variation of constants (tests/unit/dynamics/variation.cpp) ---
 inline constexpr double collocation_tableau = 3e-16;
 inline constexpr double collocation_legendre = 2e-14;

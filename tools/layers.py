@@ -37,7 +37,8 @@ TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 THIRD_PARTY = {
     "rotor": r"Eigen/",
     "perturb": r"Eigen/",
-    "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|(unistd|fcntl)\.h|sys/",
+    "ephemeris": r"erfa\.h",
+    "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|zlib\.h|(unistd|fcntl)\.h|sys/",
     "cli": r"CLI/|fmt/|(unistd|fcntl)\.h|sys/",
 }
 # The library neither prints nor starts threads; io reads and writes files.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "io/detail/number_text.hpp"
+#include "io/detail/reference_axes.hpp"
 #include "io/detail/sadov_region.hpp"
 #include "io/detail/scenario_parts.hpp"
 #include "io/detail/value_access.hpp"
@@ -34,8 +35,6 @@ using detail::vector;
 using detail::word;
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
-constexpr double arcsecond = std::numbers::pi / 648000.0;
-constexpr double obliquity_J2000 = 84381.448 * arcsecond;  // the ecliptic of J2000 (IAU 1976)
 
 Body body_of(const Values& values, const std::string& name) {
   if (there(values, "body.moments"))
@@ -71,9 +70,7 @@ Vec3 pole_of(const Values& values, const std::string& name) {
   });
   const Vec3 p = direction(number(values, path + (equatorial ? "ra" : "longitude")), latitude);
   if (axes == "inertial" || equatorial == (axes == "equator-J2000")) return p;
-  const double c = std::cos(obliquity_J2000);
-  const double s = equatorial ? std::sin(obliquity_J2000) : -std::sin(obliquity_J2000);
-  return {p.x, c * p.y + s * p.z, c * p.z - s * p.y};
+  return equatorial ? detail::ecliptic_from_equator(p) : detail::equator_from_ecliptic(p);
 }
 
 TumblerState tumbler_of(const Values& values, const std::string& name) {
@@ -234,7 +231,9 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
   diagnostics.raise();
   const std::string chart = chart_of(values);
   const Body body = body_of(values, name);
+  const std::optional<SaveAt> time = times_of(values, name);
   Scenario scenario{.name = std::filesystem::path(name).filename().string(),
+                    .folder = std::filesystem::path(name).parent_path().string(),
                     .text = std::string(text),
                     .title = there(values, "title") ? word(values, "title") : "",
                     .units = units,
@@ -243,10 +242,10 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
                     .state = state_of(values, chart, body, name),
                     .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
                     .axes = word(values, "state.axes"),
-                    .orbits = detail::orbits_of(values, name),
+                    .orbits = detail::orbits_of({values, units, time, name}),
                     .method = detail::method_of(values, name),
                     .events = detail::events_of(values, units, name),
-                    .time = times_of(values, name),
+                    .time = time,
                     .columns = value_at(values, "output.columns").words};
   detail::add_motion(scenario, values, name);
   if (const TumblerState* tumbler = std::get_if<TumblerState>(&scenario.state))

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // From the values of a file to its orbits.
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "io/detail/nearest.hpp"
+#include "io/detail/orbit_kinds.hpp"
 #include "io/detail/scenario_parts.hpp"
 #include "io/detail/value_access.hpp"
 #include "io/detail/word_list.hpp"
@@ -66,7 +68,32 @@ KeplerElements elements_of(const Values& values, const std::string& path, const 
           .epoch = number(values, key("epoch"))};
 }
 
-ScenarioOrbit kepler_orbit(const Values& values, const std::string& path, const std::string& name) {
+}  // namespace
+
+std::optional<double> own_gm(const OrbitPlace& at) {
+  const std::string key = at.key("gm");
+  if (!there(at.values(), key)) return std::nullopt;
+  const double gm = number(at.values(), key);
+  if (!(gm > 0.0))
+    refuse(at.values(), key, at.name(), "expected a positive gravitational parameter");
+  return gm;
+}
+
+std::optional<TimeSpan> run_span(const OrbitsPlace& file) {
+  if (!file.time) return std::nullopt;
+  TimeSpan span;
+  const SaveAt& rows = *file.time;
+  const bool listed = there(file.values, "time.at");  // in any order
+  for (std::int64_t k = 0; k < rows.size(); k = listed ? k + 1 : k + rows.size() - 1) {
+    span = {std::min(span.first, rows[k]), std::max(span.last, rows[k])};
+    if (rows.size() == 1) break;
+  }
+  return span;
+}
+
+ScenarioOrbit kepler_orbit(const OrbitPlace& at) {
+  const Values& values = at.values();
+  const std::string &path = at.path, &name = at.name();
   const KeplerElements elements = elements_of(values, path, name);
   const SecularRates rates{.node = number(values, path + ".node_rate"),
                            .argument = number(values, path + ".pericentre_rate"),
@@ -77,8 +104,6 @@ ScenarioOrbit kepler_orbit(const Values& values, const std::string& path, const 
   if (rates == SecularRates{}) return {own, KeplerOrbit(elements), elements.gm};
   return {own, moving, elements.gm};
 }
-
-}  // namespace
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
   const std::string_view near = nearest(word, known);
@@ -99,10 +124,15 @@ const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const
       "expected the name of an orbit of this file: " + one_of(known) + did_you_mean(wanted, known));
 }
 
-std::vector<ScenarioOrbit> orbits_of(const Values& values, const std::string& name) {
+std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at) {
   std::vector<ScenarioOrbit> orbits;
-  for (const std::string& path : orbit_paths(values))
-    orbits.push_back(kepler_orbit(values, path, name));
+  for (const std::string& path : orbit_paths(at.values)) {
+    const std::string& kind = word(at.values, path + ".kind");
+    const OrbitPlace place{at, path};
+    orbits.push_back(kind == "kepler"  ? kepler_orbit(place)
+                     : kind == "state" ? state_orbit(place)
+                                       : table_orbit(place));
+  }
   return orbits;
 }
 

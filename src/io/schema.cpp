@@ -18,6 +18,11 @@ std::string quantity(const Key& key, const Units& units) {
          unit + "\" }";
 }
 
+bool is_word_of(std::string_view word, std::string_view joined) {
+  const std::vector<std::string_view> words = separated(joined, '|');
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 std::string each(const Key& key, const Units& units) {
   return key.dimension == Dimension::number ? "" : ", each " + quantity(key, units);
 }
@@ -44,8 +49,14 @@ std::vector<const Key*> keys_of(const Schema& schema, std::string_view table) {
 }
 
 bool belongs(const Key& key, std::string_view kind) {
-  const std::vector<std::string_view> kinds = separated(key.kinds, '|');
-  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  return key.kinds.empty() || is_word_of(kind, key.kinds);
+}
+bool belongs(const Alternatives& row, std::string_view kind) {
+  return row.kinds.empty() || is_word_of(kind, row.kinds);
+}
+bool is_required(const Key& key, std::string_view kind) {
+  if (key.presence == Presence::required) return belongs(key, kind);
+  return is_word_of(kind, key.needed_by);
 }
 
 std::vector<std::string_view> separated(std::string_view joined, char separator) {
@@ -90,6 +101,8 @@ std::string expectation(const Key& key, const Units& units) {
     case KeyType::choices:
       return "an array of different words out of " +
              detail::one_of(separated(key.allowed, '|'), "\"");
+    case KeyType::columns:
+      return "an array of names of columns of the file, or of their numbers from 1";
     case KeyType::epoch:
       return "a date with its scale (UTC, TAI, TT, TDB or UT1) such as "
              "\"2013-01-05T00:00:00 UTC\" or \"JD 2456297.5 TDB\"";

@@ -133,6 +133,11 @@ void write_value(JsonWriter& json, const Key& key) {
     case KeyType::name:
       json.key("type").value("string").key("pattern").value(name_pattern);
       break;
+    case KeyType::columns:
+      json.key("type").value("array").key("items").begin_object().key("type").begin_array();
+      json.value("string").value("integer").end_array().end_object();
+      json.key("minItems").value(std::int64_t{1});
+      break;
     case KeyType::text:
     case KeyType::unit:
     case KeyType::epoch:
@@ -168,18 +173,38 @@ void write_alternative(JsonWriter& json, std::string_view sets, std::string_view
   json.end_array().end_object().end_object();
 }
 
-// Beside one word of `kind`: what is required, and no key of another kind.
-void write_kind(JsonWriter& json, const std::vector<const Key*>& keys, std::string_view kind) {
+void write_alternatives(JsonWriter& json, const Alternatives& row) {
+  json.key("oneOf").begin_array();
+  for (const std::string_view set : separated(row.sets, '|'))
+    write_alternative(json, row.sets, set);
+  json.end_array();
+}
+
+bool always_required(const Key& key) {
+  return key.kinds.empty() && key.presence == Presence::required;
+}
+
+// Beside one word of `kind`: what is required, and no key of another kind. `fallback` is the word
+// that a missing key stands for.
+void write_kind(JsonWriter& json, const Schema& schema, std::string_view table,
+                std::string_view kind, std::string_view fallback) {
+  const std::vector<const Key*> keys = keys_of(schema, table);
   json.begin_object().key("if").begin_object().key("properties").begin_object();
-  json.key("kind").begin_object().key("const").value(kind).end_object().end_object().end_object();
+  json.key("kind").begin_object().key("const").value(kind).end_object().end_object();
+  if (!fallback.empty() && kind != fallback)
+    json.key("required").begin_array().value("kind").end_array();
+  json.end_object();
   json.key("then").begin_object().key("required").begin_array();
   for (const Key* key : keys)
-    if (!key->kinds.empty() && key->presence == Presence::required && belongs(*key, kind))
-      json.value(key_name(key->path));
+    if (!always_required(*key) && is_required(*key, kind)) json.value(key_name(key->path));
   json.end_array().key("properties").begin_object();
   for (const Key* key : keys)
     if (!belongs(*key, kind)) json.key(key_name(key->path)).value(false);
-  json.end_object().end_object().end_object();
+  json.end_object();
+  for (const Alternatives& row : schema.alternatives)
+    if (row.table == table && !row.kinds.empty() && belongs(row, kind))
+      write_alternatives(json, row);
+  json.end_object().end_object();
 }
 
 void write_conditions(JsonWriter& json, const Schema& schema, std::string_view table) {
@@ -188,20 +213,23 @@ void write_conditions(JsonWriter& json, const Schema& schema, std::string_view t
                                  [](const Key* key) { return key_name(key->path) == "kind"; });
   const bool by_kind =
       std::any_of(keys.begin(), keys.end(), [](const Key* key) { return !key->kinds.empty(); });
-  const bool by_choice = std::any_of(schema.alternatives.begin(), schema.alternatives.end(),
-                                     [&](const Alternatives& row) { return row.table == table; });
+  const bool by_choice =
+      std::any_of(schema.alternatives.begin(), schema.alternatives.end(),
+                  [&](const Alternatives& row) { return row.table == table && row.kinds.empty(); });
   if (!by_kind && !by_choice) return;
   json.key("allOf").begin_array();
   for (const Alternatives& row : schema.alternatives) {
-    if (row.table != table) continue;
-    json.begin_object().key("oneOf").begin_array();
-    for (const std::string_view set : separated(row.sets, '|'))
-      write_alternative(json, row.sets, set);
-    json.end_array().end_object();
+    if (row.table != table || !row.kinds.empty()) continue;
+    json.begin_object();
+    write_alternatives(json, row);
+    json.end_object();
   }
-  if (by_kind && kind != keys.end())
+  if (by_kind && kind != keys.end()) {
+    std::string_view fallback = (*kind)->fallback;  // in quotes
+    if (!fallback.empty()) fallback = fallback.substr(1, fallback.size() - 2);
     for (const std::string_view word : separated((*kind)->allowed, '|'))
-      write_kind(json, keys, word);
+      write_kind(json, schema, table, word, fallback);
+  }
   json.end_array();
 }
 
@@ -244,7 +272,7 @@ void write_table(JsonWriter& json, const Schema& schema, std::string_view table)
   }
   json.key("required").begin_array();
   for (const Key* key : keys)
-    if (key->presence == Presence::required && key->kinds.empty()) json.value(key_name(key->path));
+    if (always_required(*key)) json.value(key_name(key->path));
   json.end_array();
   write_conditions(json, schema, table);
 }

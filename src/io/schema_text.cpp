@@ -46,6 +46,8 @@ std::string value_in_words(const Key& key) {
       return "";
     case KeyType::choices:
       return "array of ";
+    case KeyType::columns:
+      return "array of names or numbers of columns";
     case KeyType::epoch:
       return "date and scale";
   }
@@ -66,6 +68,8 @@ std::string value_cell(const Key& key) {
 
 std::string default_cell(const Schema& schema, const Key& key) {
   if (key.presence == Presence::required) return "required";
+  if (!key.needed_by.empty())
+    return "required with " + detail::one_of(separated(key.needed_by, '|'), "`");
   if (key.presence == Presence::optional)
     return key.fallback.empty() || key.fallback == "{}" ? ""
                                                         : "`" + std::string(key.fallback) + "`";
@@ -111,7 +115,11 @@ void append_section(std::string& page, const Schema& schema, const Key* table) {
   const std::string_view path = table == nullptr ? std::string_view() : table->path;
   page += heading(table);
   for (const Alternatives& row : schema.alternatives)
-    if (row.table == path) page += "Exactly one of: " + set_in_words(row.sets) + ".\n\n";
+    if (row.table == path)
+      page += (row.kinds.empty()
+                   ? "Exactly"
+                   : "With kind " + detail::one_of(separated(row.kinds, '|'), "`") + " exactly") +
+              std::string(" one of: ") + set_in_words(row.sets) + ".\n\n";
   page += "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const Key* key : keys_of(schema, path))
     page += "| `" + std::string(key_name(key->path)) + "` | " + value_cell(*key) + " | " +
@@ -230,7 +238,8 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     }
     append_comment(page, key->help);
     const bool stands_here =
-        stands(schema, *key) && !(is_motion(path) && key->presence == Presence::optional);
+        stands(schema, *key) &&
+        !(is_motion(path) && key->presence == Presence::optional && !is_required(*key, kind));
     page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
   }
 }

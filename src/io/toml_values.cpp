@@ -85,6 +85,7 @@ class Reader {
   bool read_text(const Key& key, const toml::node& node, Value& value);
   bool read_words(const Key& key, const toml::node& node, Value& value);
   bool read_word(const Key& key, const toml::node& node, Value& value);
+  bool read_columns(const toml::node& node, Value& value);
   bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value,
                     std::optional<std::string_view> unit = std::nullopt);
   bool read_matrix(const Key& key, const toml::node& node, Value& value);
@@ -219,6 +220,19 @@ bool Reader::read_words(const Key& key, const toml::node& node, Value& value) {
                      [&](const toml::node& item) { return read_word(key, item, value); });
 }
 
+// A number of a column as its digits.
+bool Reader::read_columns(const toml::node& node, Value& value) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) return wrong(node);
+  for (const toml::node& item : *array) {
+    const std::int64_t number = item.is_integer() ? *item.value<std::int64_t>() : 0;
+    const std::string word = number > 0 ? std::to_string(number) : item.value_or(std::string());
+    if (word.empty()) return wrong(node);
+    value.words.push_back(word);
+  }
+  return true;
+}
+
 bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
   switch (key.type) {
     case KeyType::table:
@@ -251,13 +265,11 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
       return read_word(key, node, value);
     case KeyType::choices:
       return read_words(key, node, value);
-    case KeyType::text:
-    case KeyType::name:
-    case KeyType::unit:
-    case KeyType::epoch:
-      break;
+    case KeyType::columns:
+      return read_columns(node, value);
+    default:
+      return read_text(key, node, value);
   }
-  return read_text(key, node, value);
 }
 
 bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
@@ -345,7 +357,7 @@ std::vector<std::string_view> present_keys(const toml::table& table, std::string
 void Reader::check_alternatives(const toml::table& table, std::string_view pattern,
                                 const std::string& path, bool misspelt) {
   for (const Alternatives& row : schema_.alternatives) {
-    if (row.table != pattern || misspelt) continue;
+    if (row.table != pattern || misspelt || !belongs(row, kind_of(path))) continue;
     const std::vector<std::string_view> present = present_keys(table, row.sets);
     const auto matches = [&](std::string_view set) {
       const std::vector<std::string_view> names = separated(set, '+');
@@ -420,7 +432,7 @@ void Reader::read_table(const toml::table& table, std::string_view pattern,
       read_key(*key, *node, at, position(node->source()), true);
     } else if (!key->fallback.empty()) {
       read_fallback(*key, at, position(table.source()));
-    } else if (key->presence == Presence::required &&
+    } else if (is_required(*key, kind_of(path)) &&
                std::find(meant.begin(), meant.end(), name) == meant.end()) {
       diagnostics_.add(position(table.source()), at,
                        "got nothing; expected " + expectation(*key, units_));

@@ -9,6 +9,7 @@
 //             the file (attitude-rate, torques, columns of body components) stay those of the
 //             tensor. The state is that in the reference frame S at t = 0.
 // Accuracy    numbers are read to the nearest double; a unit costs at most two roundings.
+//             Paths of further files are relative to the folder of the scenario.
 // Errors      ScenarioError: one line per mistake, FILE:LINE:COLUMN: KEY: got VALUE; expected ...,
 //             sorted by place, at most twenty. What a chart or body refuses is reported there too.
 // Cost        milliseconds, of which one preparation of the motion.
@@ -30,6 +31,7 @@
 #include "polhode/io/units.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/table_orbit.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -58,7 +60,7 @@ using InitialState =
 // [orbit.NAME]
 struct ScenarioOrbit {
   std::string name;
-  std::variant<KeplerOrbit, PrecessingKeplerOrbit, AnyOrbit> motion;
+  std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, AnyOrbit> motion;
   std::optional<double> gm;  // of what attracts, where the orbit tells
 };
 // The elements of an orbit that has them.
@@ -82,9 +84,10 @@ struct ScenarioEvent {
 };
 
 struct Scenario {
-  std::string name;   // of the file, without its folder: "apophis.toml"
-  std::string text;   // the file itself
-  std::string title;  // may be empty
+  std::string name;    // of the file, without its folder: "apophis.toml"
+  std::string folder;  // of the file: paths in it start there; empty is the working folder
+  std::string text;    // the file itself
+  std::string title;   // may be empty
   Units units;
   Body body;
   std::string chart;  // "tumbler", ...: what `state` holds

@@ -38,6 +38,7 @@ enum class KeyType {
   choice,      // one word of a list
   choices,     // an array of words of a list, none twice
   epoch,       // "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB"
+  columns,     // an array of column names of a data file, or of their numbers
 };
 
 enum class Presence {
@@ -51,18 +52,20 @@ struct Key {
   KeyType type = KeyType::table;
   Presence presence = Presence::optional;
   Dimension dimension = Dimension::number;
-  int length = 0;                  // of numbers; 0: any, but not none
-  std::string_view allowed = {};   // words (or integers) joined by "|"
-  std::string_view fallback = {};  // as TOML; "{}" of a table: read as if it were there, empty
-  std::string_view example = {};   // as TOML, what `polhode init` writes
-  std::string_view help = {};      // one sentence
-  std::string_view kinds = {};     // words of `kind` in its table that it belongs to; empty: all
+  int length = 0;                   // of numbers; 0: any, but not none
+  std::string_view allowed = {};    // words (or integers) joined by "|"
+  std::string_view fallback = {};   // as TOML; "{}" of a table: read as if it were there, empty
+  std::string_view example = {};    // as TOML, what `polhode init` writes
+  std::string_view help = {};       // one sentence
+  std::string_view kinds = {};      // words of `kind` in its table that it belongs to; empty: all
+  std::string_view needed_by = {};  // those that an optional key must stand beside
 };
 
 // Exactly one of several sets of keys of a table: "quaternion|euler", "stop+step|stop+count|at".
 struct Alternatives {
   std::string_view table;
   std::string_view sets;
+  std::string_view kinds = {};  // words of `kind` in the table that it belongs to; empty: all
 };
 
 struct Schema {
@@ -78,6 +81,9 @@ std::string_view key_table(std::string_view path);
 std::vector<const Key*> keys_of(const Schema& schema, std::string_view table);
 // Whether a key of a table stands beside kind = "..." there.
 bool belongs(const Key& key, std::string_view kind);
+bool belongs(const Alternatives& row, std::string_view kind);
+// Whether it must stand there.
+bool is_required(const Key& key, std::string_view kind);
 // "a|b" as {a, b}.
 std::vector<std::string_view> separated(std::string_view joined, char separator);
 // What a value of this key must be, in words that continue "expected ".

@@ -18,7 +18,13 @@ namespace detail {
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 // Each throws a ScenarioError at the place of what is wrong. `name` stands for the file.
-std::vector<ScenarioOrbit> orbits_of(const Values& values, const std::string& name);
+struct OrbitsPlace {
+  const Values& values;
+  const Units& units;
+  const std::optional<SaveAt>& time;
+  const std::string& name;
+};
+std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at);
 // The orbit whose name the value at `path` is.
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);

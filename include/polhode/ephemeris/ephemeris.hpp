@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Where the Sun, the Moon and the planets are, and tables of it for orbits.
+//
+// Equations   Earth about the Sun: VSOP2000, abridged (eraEpv00). Moon about the Earth: Meeus
+//             (1998), a truncation of ELP2000-82 (eraMoon98). Planets about the Sun: Simon et al.
+//             (1994) (eraPlan94); from Mars on they are the barycentres of planet and moons.
+// Units       km and s.
+// Domain      any body seen from any other, geometric: light time is not applied. Axes of the
+//             ICRS, to 0.03 arcsec those of equator and equinox of J2000. The Earth and all that is
+//             seen from or with it 1900 to 2100; planets seen from the Sun or each other 1000 to
+//             3000.
+// Accuracy    as the sources of ERFA say: Earth 11 km at most; Moon 6 km and 2.9 arcsec rms, 32 km
+//             and 18 arcsec at most (1950 to 2100); planets 7 (Mercury, Venus), 26 (Mars), 78 to 87
+//             (Jupiter to Uranus), 11 arcsec (Neptune) at most (1800 to 2100).
+// Errors      DomainError for dates outside, a body seen from itself, a span that is not finite.
+// Cost        a position takes 5 (Moon, planets) to 50 us (Earth): a run tabulates it once.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "polhode/ephemeris/date.hpp"
+#include "polhode/orbit/table_orbit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+enum class Planetary { sun, mercury, venus, earth, moon, mars, jupiter, saturn, uranus, neptune };
+std::string_view name(Planetary body);
+// All names, joined by "|".
+std::string_view planetary_names();
+std::optional<Planetary> planetary(std::string_view name);
+
+// Gravitational parameter in km^3/s^2, DE440 (Park et al. 2021); from Mars on of the system.
+double gm(Planetary body);
+
+// Position of `target` from `centre`, km.
+Vec3 position(Planetary target, Planetary centre, const Date& date);
+
+// Such positions at even steps, s from an epoch; a TableOrbit of order `order` through them differs
+// from the positions between by `error` km at most, as far as it was measured.
+struct EphemerisTable {
+  PositionTable rows;
+  double error;
+  int order;
+};
+// From `first` to `last`, s of TT after `epoch`; to `tolerance` of the distance.
+EphemerisTable tabulated(Planetary target, Planetary centre, const Date& epoch, double first,
+                         double last, double tolerance = 1e-12);
+
+}  // namespace v0
+}  // namespace polhode

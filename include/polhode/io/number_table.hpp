@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A table of numbers in a text file: CSV or separated by blanks, plain or compressed (.gz).
+//
+// Equations   none.
+// Units       those of the file; what a column means is the caller's to say.
+// Domain      one row per line; fields are separated by commas, or by blanks where the first row
+//             has no comma; a comma at the end of a row is dropped. What follows # is a comment,
+//             blank lines are skipped. The first line that holds no numbers names the columns;
+//             without one, a comment right above the first row does, where it has as many words
+//             ("# t x y z"). Numbers as in C or Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
+// Accuracy    the nearest double.
+// Errors      DomainError "FILE:LINE: ..." for the first thing wrong: a missing column or field,
+//             text that is no finite number, a damaged .gz; "FILE: ..." for what cannot be read.
+// Cost        some 0.2 us per field that is asked for; the columns asked for are held.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+inline namespace v0 {
+
+struct NumberTable {
+  std::string file;                          // as messages show it
+  std::vector<std::vector<double>> columns;  // in the order in which they were asked for
+  std::vector<std::uint32_t> lines;          // of the file, from 1: where each row stands
+
+  std::size_t rows() const { return lines.size(); }
+};
+
+// A field as a number. Throws DomainError with the reason alone: "is not a number".
+using FieldReader = std::function<double(std::string_view)>;
+// The usual one: a finite number.
+double number_from_field(std::string_view field);
+
+// The names of the columns of a file, or where it has none, their numbers from 1 as text. Empty
+// for a file without rows.
+std::vector<std::string> table_columns(const std::string& path);
+
+// `columns` names each by the header of the file or by its number from 1 ("3"). `first` reads the
+// first of them: times may be dates.
+NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
+                              const FieldReader& first = number_from_field);
+
+// Throws unless a column rises from row to row: "FILE:LINE: time 5 comes twice; ...". `what` is
+// what the column holds.
+void require_rising(const NumberTable& table, std::size_t column, std::string_view what);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// [orbit.NAME] from a table in a file.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "io/detail/number_text.hpp"
+#include "io/detail/orbit_kinds.hpp"
+#include "io/detail/reference_axes.hpp"
+#include "io/detail/value_access.hpp"
+#include "polhode/io/number_table.hpp"
+#include "polhode/io/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::array<const char*, 7> usual_names = {"t", "x", "y", "z", "vx", "vy", "vz"};
+
+// The columns that a file has where a scenario names none.
+std::vector<std::string> usual_columns(const std::string& path) {
+  const std::vector<std::string> own = table_columns(path);
+  const auto has = [&](const char* name) {
+    return std::find(own.begin(), own.end(), name) != own.end();
+  };
+  if (own.empty()) throw DomainError(path + ": holds no row");
+  if (own.front() == "1")
+    return {own.begin(), own.begin() + (own.size() == 7 ? 7 : std::min<long>(4, std::ssize(own)))};
+  const bool slopes = std::all_of(usual_names.begin() + 4, usual_names.end(), has);
+  return {usual_names.begin(), usual_names.begin() + (slopes ? 7 : 4)};
+}
+
+std::vector<std::string> columns_of(const OrbitPlace& at, const std::string& path) {
+  const std::string key = at.key("columns");
+  if (!there(at.values(), key)) {
+    const std::vector<std::string> usual = usual_columns(path);
+    if (usual.size() < 4)
+      throw DomainError(path + ": has " + std::to_string(usual.size()) +
+                        " columns; expected time, x, y, z");
+    return usual;
+  }
+  const std::vector<std::string>& columns = value_at(at.values(), key).words;
+  if (columns.size() != 4 && columns.size() != 7)
+    refuse(at.values(), key, at.name(), "expected 4 columns (t, x, y, z) or 7 (with vx, vy, vz)");
+  return columns;
+}
+
+// What one unit of a column is in core units.
+double unit_of(const OrbitPlace& at, const char* key, Dimension dimension, double otherwise) {
+  if (!there(at.values(), at.key(key))) return otherwise;
+  return built(at.values(), at.key(key), at.name(), [&] {
+    return at.file.units.to_core(1.0, word(at.values(), at.key(key)), dimension);
+  });
+}
+
+PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
+  const double time = unit_of(at, "time_unit", Dimension::time, 1.0);
+  const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
+  const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
+  const std::string& axes = orbit_axes(at);
+  const std::string& of_state = word(at.values(), "state.axes");
+  const auto rows = [&](std::size_t first, double unit) {
+    std::vector<Vec3> vectors;
+    vectors.reserve(file.rows());
+    const auto& c = file.columns;
+    for (std::size_t k = 0; k < file.rows(); ++k)
+      vectors.push_back(in_other_axes(
+          {unit * c[first][k], unit * c[first + 1][k], unit * c[first + 2][k]}, axes, of_state));
+    return vectors;
+  };
+  PositionTable table{file.columns[0], rows(1, length), {}};
+  for (double& t : table.times) t *= time;
+  if (file.columns.size() == 7) table.velocities = rows(4, speed);
+  return table;
+}
+
+}  // namespace
+
+void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit) {
+  const std::optional<TimeSpan> span = run_span(at.file);
+  if (!span || orbit.covers(span->first, span->last)) return;
+  const auto text = [&](double t) {
+    return number_text(at.file.units.from_core(t, Dimension::time));
+  };
+  refuse(at.values(), at.key(key), at.name(),
+         "it covers the times " + text(orbit.first_time()) + " to " + text(orbit.last_time()) +
+             " " + at.file.units.time() + "; expected all of the run, " + text(span->first) +
+             " to " + text(span->last) + " (t = 0 is part of it)");
+}
+
+ScenarioOrbit table_orbit(const OrbitPlace& at) {
+  const std::string key = at.key("file");
+  const std::string path =
+      (std::filesystem::path(at.name()).parent_path() / word(at.values(), key)).string();
+  const int order = there(at.values(), at.key("order"))
+                        ? static_cast<int>(std::clamp<std::int64_t>(
+                              value_at(at.values(), at.key("order")).whole, 1, 99))
+                        : 0;
+  const TableOrbit orbit = built(at.values(), key, at.name(), [&] {
+    const NumberTable file = read_number_table(path, columns_of(at, path));
+    require_rising(file, 0, "time");
+    return TableOrbit(positions_of(at, file), order);
+  });
+  require_cover(at, "file", orbit);
+  return {std::string(key_name(at.path)), orbit, own_gm(at)};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

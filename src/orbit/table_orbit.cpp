@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/orbit/table_orbit.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr std::size_t usual_nodes = 10;
+constexpr std::size_t usual_nodes_with_velocities = 6;
+
+[[noreturn]] void fail(const std::string& what) { throw DomainError("TableOrbit: " + what); }
+
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void require_rows(const PositionTable& table) {
+  const std::vector<double>& t = table.times;
+  if (table.positions.size() != t.size() ||
+      (!table.velocities.empty() && table.velocities.size() != t.size()))
+    fail("times, positions and velocities must be as many of each");
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const std::string at = "row " + std::to_string(k) + ": ";
+    if (!std::isfinite(t[k])) fail(at + "time " + detail::number_text(t[k]) + " must be finite");
+    if (k > 0 && !(t[k] > t[k - 1]))
+      fail(at + "time " + detail::number_text(t[k]) + " must be after " +
+           detail::number_text(t[k - 1]));
+    if (!is_finite(table.positions[k]) ||
+        (!table.velocities.empty() && !is_finite(table.velocities[k])))
+      fail(at + "position and velocity must be finite");
+  }
+}
+
+// How many rows a polynomial goes through.
+std::size_t nodes_of(const PositionTable& table, int order, std::size_t most) {
+  const bool slopes = !table.velocities.empty();
+  const int per_node = slopes ? 2 : 1;
+  const std::size_t rows = table.times.size();
+  if (order == 0) {
+    const std::size_t least = slopes ? 2 : 4;
+    if (rows < least)
+      fail(std::to_string(rows) + " rows must be " + std::to_string(least) + " at least");
+    const std::size_t usual = slopes ? usual_nodes_with_velocities : usual_nodes;
+    return std::min(usual, rows - rows % 2);
+  }
+  const int largest = static_cast<int>(most) * per_node;
+  if (order < 2 * per_node || order > largest || order % (2 * per_node) != 0)
+    fail("order " + std::to_string(order) + " must be a multiple of " +
+         std::to_string(2 * per_node) + " from " + std::to_string(2 * per_node) + " to " +
+         std::to_string(largest));
+  const auto nodes = static_cast<std::size_t>(order / per_node);
+  if (rows < nodes)
+    fail(std::to_string(rows) + " rows must be " + std::to_string(nodes) + " at least for order " +
+         std::to_string(order));
+  return nodes;
+}
+
+// Whether each time is where equal steps put it, to two roundings of the largest.
+bool evenly_spaced(const std::vector<double>& t) {
+  const double largest = std::max(std::fabs(t.front()), std::fabs(t.back()));
+  const double rounding = 2.0 * largest * epsilon<double>();
+  const double step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  for (std::size_t k = 0; k < t.size(); ++k)
+    if (std::fabs(t[k] - (t.front() + static_cast<double>(k) * step)) > rounding) return false;
+  return rounding < 1e-3 * step;
+}
+
+}  // namespace
+
+TableOrbit::TableOrbit(PositionTable table, int order) {
+  require_rows(table);
+  const std::size_t nodes = nodes_of(table, order, most_nodes);
+  const std::vector<double>& t = table.times;
+  const double spacing = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  const bool even = evenly_spaced(t);
+  const double first = t.front(), rate = 1.0 / spacing;
+  if (!(rate > 0.0) || !std::isfinite(rate) || !std::isfinite(spacing))
+    fail("times from " + detail::number_text(first) + " to " + detail::number_text(t.back()) +
+         " must have a spacing that a double can hold");
+  std::vector<double> places;
+  const std::size_t windows = even ? 1 : t.size() - nodes + 1;
+  for (std::size_t k = 0; k < (even ? nodes : t.size()); ++k)
+    places.push_back(even ? static_cast<double>(k) : (t[k] - first) * rate);
+  data_ = std::make_shared<Data>(Data{
+      std::move(table), nodes, even, spacing, rate, {}, std::vector<Weights>(windows * nodes)});
+  for (std::size_t window = 0; window < windows; ++window) weigh(window, places);
+  if (!even) data_->places = std::move(places);
+}
+
+void TableOrbit::weigh(std::size_t window, std::span<const double> places) {
+  const std::size_t n = data_->nodes;
+  for (std::size_t k = 0; k < n; ++k) {
+    double product = 1.0, sum = 0.0;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (j == k) continue;
+      const double apart = places[window + k] - places[window + j];
+      product *= apart;
+      sum += 1.0 / apart;
+    }
+    const double weight = 1.0 / product;
+    if (!std::isfinite(weight) || weight == 0.0)
+      fail("time " + detail::number_text(data_->table.times[window + k]) +
+           " must not be that much nearer to its neighbours than others are");
+    data_->weights[n * window + k] = {weight, has_velocities() ? -2.0 * sum : 0.0};
+  }
+}
+
+std::size_t TableOrbit::row_before(double u) const {
+  const std::size_t last = data_->table.times.size() - 2;
+  if (data_->even) return u > 0.0 ? std::min(static_cast<std::size_t>(u), last) : 0;
+  const std::vector<double>& places = data_->places;
+  const auto after = std::upper_bound(places.begin(), places.end(), u);
+  const auto row =
+      after == places.begin() ? 0 : static_cast<std::size_t>(after - places.begin()) - 1;
+  return std::min(row, last);
+}
+
+}  // namespace v0
+}  // namespace polhode

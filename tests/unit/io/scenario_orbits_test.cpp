@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// [orbit.NAME] of every kind: what is made of it, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include "budgets.hpp"
+#include "polhode/io/scenario.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ScenarioOrbits : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("polhode-orbits-") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& file, const std::string& text) const {
+    std::FILE* out = std::fopen((folder_ / file).string().c_str(), "wb");
+    std::fwrite(text.data(), 1, text.size(), out);
+    std::fclose(out);
+  }
+  Scenario read(const std::string& orbit, const std::string& more = "") const {
+    return scenario_from_text("schema = 1\n" + units_ + "[body]\nmoments = [1, 2, 2.5]\n[state]\n" +
+                                  state_ +
+                                  "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
+                                  "omega_body = [0.1, 0.2, 1]\n[orbit.moon]\n" +
+                                  orbit + more,
+                              (folder_ / "f.toml").string());
+  }
+  std::string error_of(const std::string& orbit, const std::string& more = "") const {
+    try {
+      read(orbit, more);
+    } catch (const ScenarioError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  static Vec3 at(const Scenario& s, double t) { return any_orbit(s.orbits.at(0)).position(t); }
+
+  std::filesystem::path folder_;
+  std::string units_ = "[units]\ntime = \"s\"\nangle = \"deg\"\nlength = \"km\"\n";
+  std::string state_ = "axes = \"equator-J2000\"\n";
+};
+
+const std::string leo =
+    "kind = \"state\"\ngm = 398600.4418\nposition = [7000, 100, 300]\n"
+    "velocity = [-0.5, 5, 5.6]\n";
+
+TEST_F(ScenarioOrbits, AStateIsTheKeplerOrbitThroughIt) {
+  const Scenario s = read(leo + "epoch = 100\n");
+  EXPECT_EQ(s.orbits[0].gm, 398600.4418);
+  EXPECT_LT(norm(at(s, 100.0) - Vec3{7000.0, 100.0, 300.0}), budget::table_orbit_kepler * 7000.0);
+  EXPECT_LT(norm(any_orbit(s.orbits[0]).velocity(100.0) - Vec3{-0.5, 5.0, 5.6}),
+            budget::table_orbit_kepler * 10.0);
+}
+
+// The node of a polar-like orbit falls back at the rate that j2_rates gives.
+TEST_F(ScenarioOrbits, AnOblatePrimaryTurnsIt) {
+  const Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
+  const auto& motion = std::get<PrecessingKeplerOrbit>(s.orbits[0].motion);
+  EXPECT_EQ(motion.rates(), j2_rates(motion.elements(), 1.0826e-3, 6378.137));
+  EXPECT_LT(motion.rates().node, 0.0);
+  // the same orbit, given and asked for along other axes
+  state_ = "axes = \"ecliptic-J2000\"\n";
+  const Scenario turned =
+      read(leo + "axes = \"equator-J2000\"\nJ2 = 1.0826e-3\nradius = 6378.137\n");
+  const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
+  for (const double t : {0.0, 1e5}) {
+    const Vec3 x = at(s, t), y = at(turned, t);
+    EXPECT_LT(norm(y - Vec3{x.x, std::cos(e) * x.y + std::sin(e) * x.z,
+                            std::cos(e) * x.z - std::sin(e) * x.y}),
+              budget::table_orbit_kepler * 7000.0);
+  }
+  EXPECT_TRUE(any_orbit(turned.orbits[0]).supports_velocity());
+}
+
+TEST_F(ScenarioOrbits, StatesThatCannotBeSayWhy) {
+  EXPECT_THAT(error_of(leo + "J2 = 1e-3\n"), HasSubstr("expected a key radius beside it"));
+  EXPECT_THAT(error_of(leo + "J2 = 1e-3\nradius = -1\n"), HasSubstr("expected a positive length"));
+  EXPECT_THAT(error_of("kind = \"state\"\ngm = 1\nposition = [1, 0, 0]\nvelocity = [1, 0, 0]\n"),
+              HasSubstr("the motion not along one line"));
+  EXPECT_THAT(error_of(leo + "eccentricity = 0.1\n"), HasSubstr("a key of kind \"kepler\""));
+  EXPECT_THAT(error_of("kind = \"state\"\nposition = [1, 0, 0]\nvelocity = [0, 1, 0]\n"),
+              HasSubstr("orbit.moon.gm: got nothing"));
+  EXPECT_THAT(error_of("gm = 1\n"), HasSubstr("exactly one of semi_major_axis, pericentre"));
+  state_ = "";
+  EXPECT_THAT(error_of(leo + "axes = \"equator-J2000\"\n"),
+              HasSubstr("axes that have a known place in those of the state"));
+}
+
+// x = 1000 cos t, y = 1000 sin t, z = t / 10, in km and min
+std::string circle(int rows, const char* header, bool velocities) {
+  std::string text = header;
+  char line[200];
+  for (int k = 0; k < rows; ++k) {
+    const double t = -0.5 + 0.05 * k, c = 1000.0 * std::cos(t), s = 1000.0 * std::sin(t);
+    if (velocities)
+      std::snprintf(line, sizeof line, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t, c, s,
+                    0.1 * t, -s, c, 0.1);
+    else
+      std::snprintf(line, sizeof line, "%.17g,%.17g,%.17g,%.17g\n", t, c, s, 0.1 * t);
+    text += line;
+  }
+  return text;
+}
+
+TEST_F(ScenarioOrbits, ATableIsReadBesideItsScenario) {
+  const std::string table = "kind = \"table\"\nfile = \"moon.csv\"\n";
+  const std::string minutes = "time_unit = \"min\"\n";
+  const Vec3 truth{1000.0 * std::cos(2.0), 1000.0 * std::sin(2.0), 0.2};
+  write("moon.csv", circle(100, "t,x,y,z\n", false));
+  EXPECT_LT(norm(at(read(table + minutes), 120.0) - truth), budget::table_orbit_file * 1000.0);
+  EXPECT_LT(norm(at(read(table), 2.0) - truth), budget::table_orbit_file * 1000.0);
+  EXPECT_EQ(read(table).orbits[0].gm, std::nullopt);
+  EXPECT_EQ(read(table + "gm = 5\n").orbits[0].gm, 5.0);
+  // metres in the file, velocities, and columns by number
+  write("moon.csv", circle(100, "", true));
+  const Scenario s = read(table + minutes + "length_unit = \"m\"\norder = 8\n");
+  EXPECT_LT(norm(at(s, 120.0) - 1e-3 * truth), budget::table_orbit_file);
+  EXPECT_TRUE(std::get<TableOrbit>(s.orbits[0].motion).has_velocities());
+  EXPECT_EQ(std::get<TableOrbit>(s.orbits[0].motion).order(), 8);
+  EXPECT_LT(
+      norm(any_orbit(s.orbits[0]).velocity(120.0) - (1e-3 / 60.0) * Vec3{-truth.y, truth.x, 0.1}),
+      budget::table_orbit_file);
+  const Scenario swapped = read(table + minutes + "columns = [1, 3, 2, 4]\n");
+  EXPECT_LT(norm(at(swapped, 120.0) - Vec3{truth.y, truth.x, truth.z}),
+            budget::table_orbit_file * 1000.0);
+  // ecliptic columns, equatorial state
+  const Vec3 x = at(read(table + "columns = [1, 2, 3, 4]\naxes = \"ecliptic-J2000\"\n"), 2.0);
+  const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
+  EXPECT_NEAR(x.z, std::sin(e) * truth.y + std::cos(e) * truth.z,
+              budget::table_orbit_file * 1000.0);
+}
+
+TEST_F(ScenarioOrbits, TablesThatCannotServeSayWhy) {
+  const std::string table = "kind = \"table\"\nfile = \"moon.csv\"\n";
+  EXPECT_THAT(error_of(table), HasSubstr("moon.csv: cannot be read: No such file"));
+  write("moon.csv", "t,x,y,z\n0,1,2,3\n1,1,2,3\n1,1,2,3\n2,1,2,3\n");
+  EXPECT_THAT(error_of(table), HasSubstr("moon.csv:4: time 1 stands twice, here and in line 3"));
+  write("moon.csv", "t,x,y,z\n0,1,2,3\n2,1,2,3\n1,1,2,3\n3,1,2,3\n");
+  EXPECT_THAT(error_of(table), HasSubstr("moon.csv:4: time 1 comes after 2 of line 3"));
+  write("moon.csv", "t,x,y,z\n0,1,2,3\n1,1,nan,3\n");
+  EXPECT_THAT(error_of(table), HasSubstr("moon.csv:3: column y: \"nan\" is not a finite number"));
+  write("moon.csv", "t,x,y,z\n0,1,2,3\n1,1,2,3\n");
+  EXPECT_THAT(error_of(table), HasSubstr("2 rows must be 4 at least"));
+  write("moon.csv", "time,x,y,z\n0,1,2,3\n");
+  EXPECT_THAT(error_of(table), HasSubstr("there is no column t; expected one of time, x, y or z"));
+  EXPECT_THAT(error_of(table + "columns = [\"time\", \"x\"]\n"), HasSubstr("expected 4 columns"));
+  write("moon.csv", "");
+  EXPECT_THAT(error_of(table), HasSubstr("holds no row"));
+  write("moon.csv", "1 2\n");
+  EXPECT_THAT(error_of(table), HasSubstr("has 2 columns; expected time, x, y, z"));
+  write("moon.csv", circle(100, "t,x,y,z\n", false));
+  EXPECT_THAT(error_of(table, "[time]\nstop = 20\ncount = 3\n"),
+              HasSubstr("it covers the times -0.5 to 4.45 s; expected all of the run, 0 to 20"));
+  EXPECT_THAT(error_of(table, "[time]\nat = [1, 2, 5, 3]\n"), HasSubstr("0 to 5"));
+  EXPECT_EQ(error_of(table, "[time]\nstop = 4\ncount = 3\n"), "no error");
+  EXPECT_THAT(error_of(table + "order = 7\n"), HasSubstr("order 7 must be a multiple of 2"));
+  EXPECT_THAT(error_of(table + "time_unit = \"km\"\n"), HasSubstr("orbit.moon.time_unit"));
+  EXPECT_THAT(error_of("kind = \"table\"\n"), HasSubstr("orbit.moon.file: got nothing"));
+  EXPECT_THAT(error_of(table, "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"),
+              HasSubstr("expected a key gm beside it"));
+}
+
+}  // namespace
+}  // namespace polhode
