@@ -186,3 +186,12 @@ def test_hyperion_is_chaotic_and_fast_spin_is_not():
     assert angle[-1] > 0.1
     t, angle = parted(text.replace("[0, 0, 22.0]", "[0, 0, 60.0]"))
     assert angle.max() < 1e-8 and angle[-1] > 10 * angle[0]
+
+
+@pytest.mark.parametrize(("omega", "low", "high"), [(22.0, 20, 100), (60.0, 500, np.inf)])
+def test_hyperion_has_a_lyapunov_time_of_tens_of_days(omega, low, high):
+    tumbling = scenario("hyperion")
+    text = tumbling.text.replace("[0, 0, 22.0]", f"[0, 0, {omega}]")
+    start = polhode.Scenario.from_text(text).initial_state
+    problem = polhode.Problem(tumbling.system, start, 0.0, 1e4, polhode.Adaptive(1e-10))
+    assert low < polhode.chaos_indicator(problem).lyapunov_time < high
