@@ -101,6 +101,8 @@ int command_line(int argc, const char* const* argv) {
     return 0;
   } catch (const CLI::ParseError& error) {
     return parse_outcome(app, error, argc, argv);
+  } catch (const Interrupted& error) {
+    return failure(128 + error.signal, error.what());
   } catch (const DomainError& error) {
     return failure(bad_input, error.what());
   } catch (const std::bad_alloc&) {

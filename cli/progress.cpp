@@ -2,6 +2,7 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,11 +28,30 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} d", seconds / 86400.0);
 }
 
+int columns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+// "[#####.......] text": the text, or as much of it as the line has place for, and a bar where
+// there is place for that too.
+std::string on_line(const std::string& text, double done, int columns) {
+  constexpr int shortest = 8, longest = 40;
+  const int left = columns - 1 - static_cast<int>(text.size());  // a full line would wrap
+  if (left < shortest + 3)
+    return text.substr(0, static_cast<std::size_t>(std::max(columns - 1, 0)));
+  const int length = std::min(left - 3, longest);
+  const auto filled = static_cast<std::size_t>(std::floor(done * length));
+  return "[" + std::string(filled, '#') +
+         std::string(static_cast<std::size_t>(length) - filled, '.') + "] " + text;
+}
+
 }  // namespace
 
-ProgressLine::ProgressLine(double start, double stop, std::string unit)
+ProgressLine::ProgressLine(double start, double stop, std::string unit, double from)
     : start_(start),
       stop_(stop),
+      from_(from),
       unit_(std::move(unit)),
       terminal_(isatty(STDERR_FILENO) == 1),
       next_(begun_ + quiet) {}
@@ -52,11 +72,14 @@ void ProgressLine::look(double t) {
 }
 
 void ProgressLine::show(double t, double seconds) {
-  const double done = stop_ == start_ ? 0.0 : std::clamp((t - start_) / (stop_ - start_), 0.0, 1.0);
-  const double rate = std::abs(t - start_) / seconds;
+  const double span = stop_ - start_;
+  const auto part = [&](double x) { return span == 0.0 ? 0.0 : std::clamp(x / span, 0.0, 1.0); };
+  const double done = part(t - start_), made = part(t - from_);
+  const double rate = std::abs(t - from_) / seconds;
   std::string text = fmt::format("{:3.0f} %, t = {:.6g} {}, {:.3g} {} per second",
                                  std::floor(100.0 * done), t, unit_, rate, unit_);
-  if (done > 0.0) text += ", " + duration_text(seconds / done - seconds) + " left";
+  if (made > 0.0) text += ", " + duration_text((1.0 - done) * seconds / made) + " left";
+  if (terminal_) text = on_line(text, done, columns());
   shown_ = true;
   const std::string line = terminal_ ? "\r" + text + "\033[K" : text + "\n";
   std::fputs(line.c_str(), stderr);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How far a long run has come, on standard error: a line that is written over on a terminal, a
-// plain line now and then elsewhere. Silent for the first seconds, so that short runs stay clean.
+// How far a long run has come, on standard error: a bar that is written over on a terminal, as wide
+// as that is; a plain line now and then elsewhere. Silent for the first seconds, so that short runs
+// stay clean.
 #pragma once
 
 #include <chrono>
@@ -11,8 +12,8 @@ namespace polhode::cli {
 
 class ProgressLine {
  public:
-  // From start to stop, in the unit of time `unit` names.
-  ProgressLine(double start, double stop, std::string unit);
+  // From start to stop, in the unit of time `unit` names; a run that is continued begins at `from`.
+  ProgressLine(double start, double stop, std::string unit, double from);
   // Leaves a terminal clean.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -28,6 +29,7 @@ class ProgressLine {
 
   double start_;
   double stop_;
+  double from_;
   std::string unit_;
   bool terminal_;
   bool shown_ = false;

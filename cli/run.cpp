@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/run.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <functional>
+#include <cctype>
+#include <cstdio>
+#include <cstring>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,16 +15,24 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
+#include "polhode/io/scenario_run.hpp"
 #include "polhode/io/summary.hpp"
 #include "progress.hpp"
+#include "stop_signals.hpp"
 
 namespace polhode::cli {
 namespace {
 
-struct RunOptions {
+// All files are complete.
+struct NothingToDo {};
+
+struct CommandOptions {
   std::string scenario;
   std::vector<std::string> out;
   std::string events;
+  bool resume = false;
+  bool restart = false;
+  double checkpoint = 5.0;
 };
 
 void require_different(std::vector<std::string> paths) {
@@ -35,16 +42,31 @@ void require_different(std::vector<std::string> paths) {
 }
 
 // The input was right: whatever goes wrong from here on is a run that failed.
-RunReport report_of(const Scenario& scenario, const RowLayout& layout,
-                    std::span<const std::unique_ptr<Sink>> sinks, bool rows_on_terminal) {
-  const SaveAt& rows = *scenario.time;
-  ProgressLine progress(0.0, rows[rows.size() - 1], scenario.units.time());
+RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
   try {
-    return run(scenario, layout, sinks,
-               rows_on_terminal ? Progress() : Progress(std::ref(progress)));
+    return run.run();
   } catch (const DomainError& error) {
     throw std::runtime_error(scenario.name + ": the run failed: " + error.what());
   }
+}
+
+// A word as a shell reads it.
+std::string quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::strchr("_-./+=:,@%", c) != nullptr;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string resume_command(const CommandOptions& options) {
+  std::string text = "polhode run " + quoted(options.scenario);
+  for (const std::string& path : options.out) text += " --out " + quoted(path);
+  if (!options.events.empty()) text += " --events " + quoted(options.events);
+  return text + " --resume";
 }
 
 // One line: where it ended, why and what to try, and what is left of its rows.
@@ -60,7 +82,46 @@ std::string failure_text(const Scenario& scenario, const RunReport& report,
                        : text + "; rows so far: " + std::to_string(report.rows) + ", in " + parts;
 }
 
-void run_scenario(const RunOptions& options) {
+// What a run with --resume has found, on standard error.
+void announce(const CommandOptions& options, const Scenario& scenario, const ScenarioRun& run) {
+  if (!options.resume || run.is_complete()) return;
+  const std::string text =
+      run.continues() ? fmt::format("{}: continues at t = {} {}, after {} rows\n", scenario.name,
+                                    scenario.units.from_core(run.t(), Dimension::time),
+                                    scenario.units.time(), run.rows())
+                      : scenario.name + ": no checkpoint to continue from, starts anew\n";
+  std::fputs(text.c_str(), stderr);
+}
+
+RunReport run_into_files(const CommandOptions& options, const Scenario& scenario,
+                         const std::vector<std::string>& out, bool rows_on_terminal) {
+  const SaveAt& rows = *scenario.time;
+  const StopSignals signals;
+  std::optional<ProgressLine> progress;
+  RunOptions how;
+  how.begin = options.resume    ? RunBegin::resume
+              : options.restart ? RunBegin::restart
+                                : RunBegin::anew;
+  how.checkpoint_seconds = options.checkpoint;
+  how.stop = [] { return StopSignals::came() != 0; };
+  if (!rows_on_terminal) how.progress = [&progress](double t) { (*progress)(t); };
+  ScenarioRun run(scenario, {out, options.events}, std::move(how));
+  if (run.is_complete()) throw NothingToDo();
+  announce(options, scenario, run);
+  progress.emplace(0.0, rows[rows.size() - 1], scenario.units.time(), run.t());
+  try {
+    return report_of(scenario, run);
+  } catch (const RunInterrupted& stopped) {
+    progress.reset();
+    throw Interrupted(
+        StopSignals::came(),
+        std::string(stopped.what()) + (stopped.can_resume
+                                           ? "; continue with: " + resume_command(options)
+                                           : "; outputs that are not files cannot be continued"));
+  }
+}
+
+void run_scenario(const CommandOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
   if (!scenario.time)
     throw DomainError(
@@ -76,17 +137,19 @@ void run_scenario(const RunOptions& options) {
   if (!options.events.empty()) paths.push_back(options.events);
   require_different(paths);
 
-  const RowLayout layout = row_layout(scenario);
-  std::vector<std::unique_ptr<Sink>> sinks;
-  for (const std::string& path : out)
-    sinks.push_back(open_sink(path, layout.groups(), provenance(scenario)));
-  std::optional<EventTable> events;
-  if (!options.events.empty()) events.emplace(options.events, scenario);
   RunReport report;
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
   const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
-  if (!table_only) report = report_of(scenario, layout, sinks, rows_on_terminal);
-  if (events) events->write(report);
+  if (!table_only) {
+    try {
+      report = run_into_files(options, scenario, out, rows_on_terminal);
+    } catch (const NothingToDo&) {
+      std::string names;
+      for (const std::string& path : paths) names += (names.empty() ? "" : ", ") + path;
+      print(scenario.name + ": nothing to do: complete in " + names + "\n");
+      return;
+    }
+  }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
   if (to_standard_output) return;
   std::vector<SummaryLine> lines = summary(scenario, free_rotation(scenario));
@@ -100,7 +163,7 @@ void run_scenario(const RunOptions& options) {
 
 void add_run(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
-  const auto options = std::make_shared<RunOptions>();
+  const auto options = std::make_shared<CommandOptions>();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command
@@ -112,7 +175,21 @@ void add_run(CLI::App& app) {
       ->add_option("--events", options->events,
                    "PATH.csv for the events of the scenario: name, t, direction, and the columns")
       ->type_name("PATH");
+  CLI::Option* resume = command->add_flag(
+      "--resume", options->resume,
+      "Continue a run that was stopped: its files become those of a run that never was");
+  command
+      ->add_flag("--restart", options->restart,
+                 "Run anew where an unfinished run is, and lose its rows")
+      ->excludes(resume);
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
   command->footer(
+      "\nCtrl-C stops a run after its step; --resume continues it.\n"
       "\nExample:\n  polhode run examples/apophis.toml --out apophis.csv --out apophis.h5");
   command->callback([options] { run_scenario(*options); });
 }

@@ -404,4 +404,8 @@ inline constexpr double figure_contact = 0.01;
 // --- inertia integrals of degree 3 and 4 (tests/unit/shape/mass_moments.cpp), on sums of order 100
 // ---
 inline constexpr double mass_moments_rotated = 2e-12;
+
+// --- long runs (tests/cli/test_resume.py) ---
+// Peak memory with twenty times the events, over that before.
+inline constexpr double run_memory = 1.2;
 }  // namespace polhode::budget

@@ -39,7 +39,7 @@ THIRD_PARTY = {
     "perturb": r"Eigen/",
     "ephemeris": r"erfa\.h",
     "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|zlib\.h|(unistd|fcntl)\.h|sys/",
-    "cli": r"CLI/|fmt/|(unistd|fcntl)\.h|sys/",
+    "cli": r"CLI/|fmt/|(unistd|fcntl|signal)\.h|sys/",
 }
 # The library neither prints nor starts threads; io reads and writes files.
 NOT_IN_CORE = {"iostream", "fstream", "filesystem", "thread", "mutex", "future"}

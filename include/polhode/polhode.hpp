@@ -13,6 +13,7 @@
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/method.hpp"
+#include "polhode/dynamics/resume.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/carlson_rf_rd.hpp"

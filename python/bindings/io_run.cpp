@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A run of a scenario: rows into memory, where columns are views, and into files at the same time.
+#include <exception>
 #include <optional>
 #include <span>
 
 #include "batch.hpp"
 #include "io_parts.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/run.hpp"
+#include "polhode/io/scenario_run.hpp"
 #include "samples.hpp"
 #include "signals.hpp"
 #include "states.hpp"
@@ -22,6 +23,8 @@ struct Run {
   std::vector<double> rows;  // one after the other
   std::size_t width;
   RunReport report;
+  std::int64_t rows_before = 0;  // of an earlier part of the run: in its files only
+  bool complete = false;         // nothing was left to do
 };
 
 class TableSink : public Sink {
@@ -57,27 +60,62 @@ void reserve(Run& run, std::int64_t rows) {
   }
 }
 
+// Asks Python's signals, and keeps what a handler raised until the run has ended in order.
+class Stop {
+ public:
+  explicit Stop(std::exception_ptr& raised) : raised_(raised), look_(signal_check()) {}
+  bool operator()() {
+    if (!look_) return false;
+    try {
+      look_(0.0);
+    } catch (...) {
+      raised_ = std::current_exception();
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  std::exception_ptr& raised_;
+  Progress look_;
+};
+
+RunBegin begin_of(bool resume, bool restart) {
+  if (resume && restart)
+    throw nb::value_error("run: got resume=True and restart=True; expected one of them");
+  return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
+}
+
 // The GIL is not held while rows are computed and written.
-Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep) {
+Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
+                 bool resume, bool restart, nb::handle progress) {
   if (!scenario.time)
     throw DomainError(
         scenario.name +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
   if (!events.is_none() && scenario.events.empty())
     throw DomainError(scenario.name + ": event: got nothing; expected tables [[event]] for events");
-  const RowLayout layout = row_layout(scenario);
-  Run result{{}, layout.width(), {}};
-  if (keep) reserve(result, scenario.time->size());
-  std::vector<std::unique_ptr<Sink>> sinks;
-  for (const nb::handle path : outputs)
-    sinks.push_back(open_sink(path_text(path), layout.groups(), provenance(scenario)));
-  std::optional<EventTable> table;
-  if (!events.is_none()) table.emplace(path_text(events), scenario);
-  if (keep) sinks.push_back(std::make_unique<TableSink>(result.rows));
-  const Progress look = signal_check();
-  const WithoutGil released;
-  result.report = run(scenario, layout, sinks, look);
-  if (table) table->write(result.report);
+  Run result{{}, row_layout(scenario).width(), {}};
+  RunFiles files;
+  for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
+  if (!events.is_none()) files.events = path_text(events);
+  RunOptions options;
+  options.begin = begin_of(resume, restart);
+  options.keep_events = keep;
+  options.progress = told_to(progress);
+  std::exception_ptr raised;
+  options.stop = Stop(raised);
+  if (keep) options.also = std::make_unique<TableSink>(result.rows);
+  ScenarioRun run(scenario, std::move(files), std::move(options));
+  if (keep) reserve(result, scenario.time->size() - run.rows());
+  result.rows_before = run.is_complete() ? scenario.time->size() : run.rows();
+  result.complete = run.is_complete();
+  try {
+    const WithoutGil released;
+    result.report = run.run();
+  } catch (const RunInterrupted&) {
+    std::rethrow_exception(raised);
+  }
   return result;
 }
 
@@ -132,14 +170,18 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("statistics", [](const Run& r) { return r.report.statistics; })
       .def_prop_ro("events", [](const Run& r) { return r.report.events; })
       .def_prop_ro("energy_change", [](const Run& r) { return r.report.energy_change; })
-      .def_prop_ro("rows", [](const Run& r) { return r.report.rows; });
-  scenario.def("run", run_scenario, nb::arg("outputs"), nb::arg("events").none(), nb::arg("keep"))
+      .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
+      .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
+      .def_prop_ro("complete", [](const Run& r) { return r.complete; });
+  scenario
+      .def("run", run_scenario, nb::arg("outputs"), nb::arg("events").none(), nb::arg("keep"),
+           nb::arg("resume"), nb::arg("restart"), nb::arg("progress").none())
       .def("write", write_rows)
       .def("states_in", states_in)
       .def("report_lines",
            [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
               const std::vector<EventRecord>& events, std::optional<double> energy_change) {
-             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change}));
+             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change, 0}));
            });
 }
 

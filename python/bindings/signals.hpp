@@ -32,4 +32,8 @@ class SignalCheck {
 // signals: runs in other threads never wait for the GIL. With the GIL.
 Progress signal_check();
 
+// A listener that calls a function of Python with the time, some ten times a second; empty for
+// None. The function outlives the run.
+Progress told_to(nb::handle function);
+
 }  // namespace polhode::python

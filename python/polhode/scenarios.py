@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from polhode import _building, _core, _toml
@@ -166,6 +166,9 @@ class Scenario:
         events: Path | None = None,
         *,
         keep: bool = True,
+        resume: bool = False,
+        restart: bool = False,
+        progress: Callable[[float], object] | None = None,
     ) -> Results:
         """Every row of the scenario, into memory and into files.
 
@@ -176,6 +179,12 @@ class Scenario:
             of that name (save refuses to).
         events : PATH.csv for the events of the scenario; replaces one of that name.
         keep : False: no rows in memory, for runs that only a file can hold.
+        resume : continues a run that was stopped or killed, from its PATH.checkpoint: its files
+            become those of the run that never was, byte for byte (HDF5: in contents). Without a
+            checkpoint it begins anew; where all files are complete nothing is done.
+        restart : begins anew where an unfinished run is, which is an error otherwise.
+        progress : called with the time reached, some ten times a second; what it raises ends the
+            run.
 
         Returns
         -------
@@ -184,7 +193,8 @@ class Scenario:
             try, and a RuntimeWarning.
 
         ValueError without [time] and for a path that cannot be an output; OutputError (a
-        RuntimeError) when writing fails. Ctrl-C raises KeyboardInterrupt and leaves PATH.part.
+        RuntimeError) when writing fails. Ctrl-C raises KeyboardInterrupt, and leaves
+        PATH.part and a checkpoint.
         Releases the GIL.
         """
         one = isinstance(outputs, (str, bytes, os.PathLike))
@@ -192,9 +202,14 @@ class Scenario:
             raise TypeError(f"run: outputs: got {outputs!r}; expected a path or several")
         paths = [outputs] if one else list(outputs)
         _require_files(paths if events is None else [*paths, events])
-        done = self._file.run(paths, events, keep)
+        if resume and keep and paths:
+            _require_readable(paths)
+        done = self._file.run(paths, events, keep, resume, restart, progress)
+        table = done.table
+        if keep and done.rows_before:
+            table = _stacked(_rows_in(paths, done.rows_before, self), table)
         results = Results(
-            self, done.table, done.outcome, done.statistics, done.events, done.energy_change, keep
+            self, table, done.outcome, done.statistics, done.events, done.energy_change, keep
         )
         if not done.outcome.ok:
             warnings.warn(_failure(self, done, paths), RuntimeWarning, stacklevel=2)
@@ -340,6 +355,44 @@ def _require_files(paths: Sequence[Path]) -> None:
         if name in seen:
             raise ValueError(f"run: {name} is there twice")
         seen.add(name)
+
+
+def _readable(paths: Sequence[Path]) -> list[str]:
+    return [name for name in map(os.fsdecode, paths) if name.endswith((".csv", ".h5"))]
+
+
+def _require_readable(paths: Sequence[Path]) -> None:
+    if not _readable(paths):
+        raise ValueError("run: resume=True with keep=True reads the rows so far from PATH.csv or "
+                         "PATH.h5; expected one of them, or keep=False")
+
+
+def _rows_in(paths: Sequence[Path], count: int, scenario: Scenario) -> Any:
+    """The first rows of a file of this run."""
+    import numpy
+
+    name = _readable(paths)[0]
+    if not os.path.exists(name):  # the rest of the run failed
+        name += ".part"
+    if ".csv" in name[-9:]:
+        with open(name, encoding="utf-8") as file:
+            line = next(file)
+            while line.startswith("#"):
+                line = next(file)
+            return numpy.loadtxt(file, delimiter=",", ndmin=2, max_rows=count)
+    import h5py
+
+    with h5py.File(name, "r") as file:
+        groups = [file[group][:count] for group, columns in scenario._file.groups if columns]
+    return numpy.column_stack(groups)
+
+
+def _stacked(before: Any, after: Any) -> Any:
+    import numpy
+
+    table = numpy.concatenate([before, after])
+    table.flags.writeable = False
+    return table
 
 
 def _failure(scenario: Scenario, done: Any, paths: Sequence[Path]) -> str:

@@ -86,6 +86,10 @@ class AdaptiveStepper final : public Stepper {
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
+  void transfer(StateBytes& bytes) override {
+    solver_.transfer(bytes);
+    bytes.all(begin_, start_.y, start_.carry);
+  }
 
  private:
   static BasicRotorState<T> widened(const RotorState& s) {

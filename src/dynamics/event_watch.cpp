@@ -25,6 +25,11 @@ void EventWatch::begin(double t, const RotorState& s) {
   }
 }
 
+void EventWatch::transfer(StateBytes& bytes) {
+  sides_.resize(events_.size());
+  for (Side& side : sides_) bytes.all(side.before, side.value, side.old_sign, side.sign);
+}
+
 bool EventWatch::wanted(std::size_t i) const {
   const Side& side = sides_[i];
   if (side.old_sign * side.sign != -1) return false;

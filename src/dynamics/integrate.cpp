@@ -3,13 +3,17 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "dynamics/detail/checked_problem.hpp"
 #include "dynamics/detail/event_watch.hpp"
 #include "dynamics/detail/sample_queue.hpp"
 #include "dynamics/detail/stepper.hpp"
 #include "math/detail/number_text.hpp"
+#include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -31,6 +35,39 @@ Problem checked(const Problem& problem) {
   return result;
 }
 
+constexpr std::string_view mark = "polhode checkpoint 1";
+
+// What a checkpoint says of its problem, in front of the state: two that differ are told apart.
+std::vector<std::pair<std::string, std::string>> features(const Problem& problem,
+                                                          const SaveAt& times) {
+  const auto text = [](auto... x) {
+    detail::StateBytes bytes;
+    bytes.all(x...);
+    return bytes.bytes();
+  };
+  const auto steps = std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { m.first_step; }) return text(m.first_step, m.largest_step);
+        if constexpr (requires { m.largest_step; }) return text(m.largest_step);
+        return std::string();
+      },
+      problem.method);
+  std::string events;
+  for (const Event& e : problem.events)
+    events += text(e.name, static_cast<int>(e.crossing), e.stops, e.period);
+  const std::int64_t n = times.size();
+  std::string terms;
+  for (const AnyPerturbation& term : problem.system.terms()) terms += text(term.name());
+  return {{"start", text(problem.start)},
+          {"stop", text(problem.stop)},
+          {"state", text(problem.initial)},
+          {"body", text(problem.system.body().moments())},
+          {"terms", terms},
+          {"method", method_text(problem.method) + steps},
+          {"events", events},
+          {"sample times", n == 0 ? text(n) : text(n, times[0], times[n / 2], times[n - 1])}};
+}
+
 // One run: steps, and what they leave behind.
 class Run {
  public:
@@ -40,18 +77,52 @@ class Run {
         keep_dense_(keep_dense),
         samples_(samples),
         progress_(progress),
+        told_(progress),
         watch_(problem_.events),
         stepper_(std::visit([&](const auto& m) { return detail::make_stepper(problem_, m); },
                             problem_.method)) {}
 
+  // What it gives out beside samples, and the times that it was asked for.
+  void connect(const Streams& streams, const SaveAt& times) {
+    streams_ = &streams;
+    times_ = &times;
+    if (!streams.checkpoint_due) return;
+    told_ = [this](double t) {
+      offer_checkpoint(t);
+      if (progress_) progress_(t);
+    };
+  }
+
+  // Goes on where a checkpoint was made.
+  void restore(const Checkpoint& from) {
+    detail::StateBytes bytes(from.bytes());
+    std::string head;
+    std::uint64_t hash = 0;
+    double t = 0.0;
+    bytes.all(head, hash, t);
+    for (const auto& [name, value] : features(problem_, *times_)) {
+      std::string kept;
+      bytes(kept);
+      if (kept != value)
+        throw DomainError("resume: the checkpoint is of another problem: " + name + " differs");
+    }
+    transfer(bytes);
+    continued_ = true;
+  }
+
   Trajectory::Parts result() {
     parts_.initial = {problem_.start, problem_.initial};
     parts_.method = method_text(problem_.method);
-    parts_.outcome.t = problem_.start;
+    if (!continued_) parts_.outcome.t = problem_.start;
     try {
-      samples_.begin(parts_.initial);
-      watch_.begin(problem_.start, problem_.initial);
-      if (refused(problem_.start)) return finished();
+      if (!continued_) {
+        samples_.begin(parts_.initial);
+        watch_.begin(problem_.start, problem_.initial);
+        if (refused(problem_.start)) return finished();
+      }
+      const std::shared_ptr<const DenseStep> dense =
+          inside_step_ ? stepper_->dense(false) : nullptr;
+      if (inside_step_ && !samples_of_step(dense.get())) return finished();
       while (stepper_->time() != problem_.stop && step()) {
       }
     } catch (...) {
@@ -75,22 +146,59 @@ class Run {
     std::shared_ptr<const DenseStep> dense;
     if (keep_dense_ || crossed || samples_.wants_dense(end.t)) dense = stepper_->dense(keep_dense_);
     if (keep_dense_) parts_.dense.push_back(dense);
-    bool stopped = false;
+    stopped_ = false;
     if (crossed) {
       const detail::EventWatch::Found found = watch_.found(*dense, end.s);
-      parts_.events.insert(parts_.events.end(), found.records.begin(), found.records.end());
-      stopped = found.stops;
-      if (stopped) end = {found.records.back().t, found.records.back().s};
+      keep(found.records);
+      stopped_ = found.stops;
+      if (stopped_) end = {found.records.back().t, found.records.back().s};
     }
-    samples_.step(dense.get(), end, progress_);
-    if (stopped) {
-      samples_.last(end);
+    end_ = end;
+    return samples_of_step(dense.get());
+  }
+
+  // A step may hold many samples: a checkpoint may be made among them. Whether the run goes on.
+  bool samples_of_step(const DenseStep* dense) {
+    inside_step_ = true;
+    samples_.step(dense, end_, told_);
+    inside_step_ = false;
+    if (stopped_) {
+      samples_.last(end_);
       parts_.outcome.status = Outcome::Status::stopped_by_event;
     }
-    const double made = std::abs(end.t - parts_.outcome.t);
-    parts_.outcome.t = end.t;
-    if (progress_) progress_(end.t);
-    return !stopped && !endless(made);
+    const double made = std::abs(end_.t - parts_.outcome.t);
+    parts_.outcome.t = end_.t;
+    const bool goes_on = !stopped_ && !endless(made);
+    if (goes_on && end_.t != problem_.stop) offer_checkpoint(end_.t);
+    if (progress_) progress_(end_.t);
+    return goes_on;
+  }
+
+  void keep(const std::vector<EventRecord>& found) {
+    if (streams_ != nullptr && streams_->events) {
+      for (const EventRecord& event : found) streams_->events(event);
+    } else {
+      parts_.events.insert(parts_.events.end(), found.begin(), found.end());
+    }
+  }
+
+  void transfer(detail::StateBytes& bytes) {
+    bytes.all(parts_.outcome.t, parts_.events, inside_step_, stopped_, end_);
+    stepper_->transfer(bytes);
+    watch_.transfer(bytes);
+    samples_.transfer(bytes);
+  }
+
+  void offer_checkpoint(double t) {
+    if (streams_ == nullptr || !streams_->checkpoint_due || !streams_->checkpoint_due(t)) return;
+    detail::StateBytes state;
+    for (auto& [name, value] : features(problem_, *times_)) state(value);
+    transfer(state);
+    detail::StateBytes head;
+    std::string text(mark);
+    std::uint64_t hash = detail::fingerprint(state.bytes());
+    head.all(text, hash, t);
+    if (streams_->checkpoint) streams_->checkpoint(Checkpoint(head.bytes() + state.bytes()));
   }
 
   bool endless(double made) {
@@ -125,10 +233,29 @@ class Run {
   bool keep_dense_;
   detail::SampleQueue& samples_;
   const Progress& progress_;
+  Progress told_;  // of samples inside a step
   detail::EventWatch watch_;
   std::unique_ptr<detail::Stepper> stepper_;
   Trajectory::Parts parts_{};
+  const Streams* streams_ = nullptr;
+  const SaveAt* times_ = nullptr;
+  bool continued_ = false;
+  // The step made last, while its samples are pushed.
+  bool inside_step_ = false;
+  bool stopped_ = false;  // by an event, at
+  Sample end_{};
 };
+
+Trajectory streamed(const Problem& problem, const SaveAt& times, const Checkpoint* from,
+                    const Streams& streams, const Progress& progress) {
+  const SampleSink nowhere = [](std::span<const Sample>) {};
+  detail::SampleQueue samples(problem.start, problem.stop, times,
+                              streams.samples ? streams.samples : nowhere);
+  Run run(problem, false, samples, progress);
+  run.connect(streams, times);
+  if (from != nullptr) run.restore(*from);
+  return Trajectory(run.result());
+}
 
 }  // namespace
 
@@ -147,6 +274,27 @@ Trajectory integrate(const Problem& problem, const SaveAt& times, const SampleSi
                      const Progress& progress) {
   detail::SampleQueue samples(problem.start, problem.stop, times, sink);
   return Trajectory(Run(problem, false, samples, progress).result());
+}
+
+Checkpoint::Checkpoint(std::string bytes) : bytes_(std::move(bytes)) {
+  detail::StateBytes reader(bytes_);
+  std::string head;
+  std::uint64_t hash = 0;
+  reader.all(head, hash, t_);
+  if (head != mark) throw DomainError("Checkpoint: bytes that are no checkpoint of this version");
+  const std::size_t length = 8 + head.size() + 8 + 8;
+  if (detail::fingerprint(std::string_view(bytes_).substr(length)) != hash)
+    throw DomainError("Checkpoint: its bytes were damaged");
+}
+
+Trajectory integrate(const Problem& problem, const SaveAt& samples, const Streams& streams,
+                     const Progress& progress) {
+  return streamed(problem, samples, nullptr, streams, progress);
+}
+
+Trajectory resume(const Problem& problem, const SaveAt& samples, const Checkpoint& from,
+                  const Streams& streams, const Progress& progress) {
+  return streamed(problem, samples, &from, streams, progress);
 }
 
 }  // namespace v0

@@ -74,6 +74,11 @@ class SplittingStepper final : public Stepper {
     return std::make_shared<SplittingDense>(map_, before_, now_);
   }
   Statistics statistics() const override { return {steps_, 0, now_.evaluations}; }
+  void transfer(StateBytes& bytes) override {
+    for (SplittingState* s : {&now_, &before_})
+      bytes.all(s->t, s->q_IB, s->g.hi, s->g.lo, s->torque, s->evaluations);
+    bytes(steps_);
+  }
 
  private:
   // The step that failed is gone through again in small pieces: which term was it?

@@ -107,6 +107,13 @@ class VariationStepper final : public Stepper {
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
+  void transfer(StateBytes& bytes) override {
+    solver_.transfer(bytes);
+    DoubleDouble epoch = field_->epoch(), epoch_before = before_.epoch();
+    bytes.all(epoch, epoch_before, begin_, start_.y, start_.carry);
+    *field_ = field_->from(epoch);
+    before_ = field_->from(epoch_before);
+  }
 
  private:
   // q_IB, g at the start, which is the first epoch.

@@ -51,7 +51,8 @@ class CsvSink : public Sink {
  public:
   CsvSink(const std::string& path, const std::vector<ColumnGroup>& groups,
           const Provenance& provenance, const std::optional<SinkPosition>& from)
-      : file_(path, from ? std::optional(from->bytes) : std::nullopt),
+      : file_(path, from ? std::optional(PartState{from->bytes, csv_head(groups, provenance)})
+                         : std::nullopt),
         rows_(from ? from->rows : 0) {
     for (const ColumnGroup& group : groups) width_ += group.columns.size();
     if (!from) file_.write(csv_head(groups, provenance));

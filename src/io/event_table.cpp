@@ -29,8 +29,14 @@ void append_number(std::string& text, double number) {
 }  // namespace
 
 struct EventTable::Parts {
-  Parts(const std::string& path, const Scenario& from)
-      : scenario(from), layout(row_layout(from)), file(csv_path(path)) {}
+  Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
+      : scenario(of),
+        layout(row_layout(of)),
+        system(rotor_system(of)),
+        energy_0(system.is_hamiltonian() ? energy(system, 0.0, initial_state(of)) : 0.0),
+        file(csv_path(path),
+             from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
+        rows(from ? from->rows : 0) {}
 
   // The columns of a row, t and direction in front.
   std::string header() const {
@@ -40,10 +46,10 @@ struct EventTable::Parts {
     return detail::csv_head(groups, provenance(scenario));
   }
 
-  std::string line(const RowOrigin& origin, const EventRecord& event) const {
+  std::string line(const EventRecord& event) const {
     std::vector<double> row(layout.width());
     const Sample sample{event.t, event.s};
-    layout.write_rows(origin, {&sample, 1}, row);
+    layout.write_rows(RowOrigin{system, energy_0}, {&sample, 1}, row);
     std::string text = event.name;
     append_number(text, row[0]);
     append_number(text, event.direction);
@@ -53,24 +59,31 @@ struct EventTable::Parts {
 
   const Scenario& scenario;
   RowLayout layout;
+  System system;
+  double energy_0;
   detail::PartFile file;
+  std::int64_t rows;
 };
 
-EventTable::EventTable(const std::string& path, const Scenario& scenario)
-    : parts_(std::make_unique<Parts>(path, scenario)) {
-  parts_->file.write(parts_->header());
+EventTable::EventTable(const std::string& path, const Scenario& scenario,
+                       const std::optional<SinkPosition>& from)
+    : parts_(std::make_unique<Parts>(path, scenario, from)) {
+  if (!from) parts_->file.write(parts_->header());
 }
 
 EventTable::~EventTable() = default;
 
-void EventTable::write(const RunReport& report) {
-  const System system = rotor_system(parts_->scenario);
-  const double energy_0 =
-      system.is_hamiltonian() ? energy(system, 0.0, initial_state(parts_->scenario)) : 0.0;
-  for (const EventRecord& event : report.events)
-    parts_->file.write(parts_->line({system, energy_0}, event));
-  if (report.outcome.ok()) parts_->file.commit();
+void EventTable::push(const EventRecord& event) {
+  parts_->file.write(parts_->line(event));
+  ++parts_->rows;
 }
+
+std::optional<SinkPosition> EventTable::position() {
+  const std::optional<std::int64_t> bytes = parts_->file.synced_bytes();
+  return bytes ? std::optional(SinkPosition{*bytes, parts_->rows}) : std::nullopt;
+}
+
+void EventTable::finish() { parts_->file.commit(); }
 
 }  // namespace v0
 }  // namespace polhode

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // HDF5: one dataset per column group, units and provenance as attributes, flushed block by block.
-#include <fcntl.h>
-#include <hdf5.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <utility>
+#include <cstring>
 
+#include "io/detail/hdf5_handle.hpp"
 #include "io/detail/part_file.hpp"
 #include "io/detail/sinks.hpp"
 #include "io/detail/values.hpp"
@@ -18,93 +17,14 @@ namespace detail {
 namespace {
 
 constexpr hsize_t rows_per_chunk = 1024;
-// More than the headers, attributes and index nodes that one dataset can grow by in one block.
-constexpr std::size_t metadata_bytes = std::size_t{64} << 10;
-
-// HDF5 prints its errors unless told otherwise; the caller's choice is put back.
-class QuietScope {
- public:
-  QuietScope() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~QuietScope() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  QuietScope(const QuietScope&) = delete;
-  QuietScope& operator=(const QuietScope&) = delete;
-
- private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
-
-// An HDF5 identifier with the function that closes it.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*closer)(hid_t)) : id_(id), close_(closer) {}
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Handle& operator=(Handle&&) = delete;
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() { close(); }
-
-  hid_t id() const { return id_; }
-  bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-// HDF5 1.10 crashes when its own writes fail, and leaves a file that it cannot read. So the disk
-// space of a block is reserved before HDF5 sees the block, and that of the head before it makes the
-// file.
-class Reserve {
- public:
-  Reserve(const std::string& part, std::size_t head)
-      : part_(part),
-        descriptor_(::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-    if (descriptor_ < 0) throw DomainError(write_failure(part, errno));
-    try {
-      extend(0, head);
-    } catch (...) {
-      ::close(descriptor_);
-      throw;
-    }
-  }
-  ~Reserve() { ::close(descriptor_); }
-  Reserve(const Reserve&) = delete;
-  Reserve& operator=(const Reserve&) = delete;
-
-  void extend(hsize_t used, std::size_t more) const {
-    const int error_number =
-        ::posix_fallocate(descriptor_, static_cast<off_t>(used), static_cast<off_t>(more));
-    if (error_number == 0) return;
-    cut(used);  // where it is emulated, it has filled the disk
-    throw OutputError(write_failure(part_, error_number));
-  }
-  bool cut(hsize_t used) const {
-    return ::ftruncate(descriptor_, static_cast<off_t>(used)) == 0 && ::fsync(descriptor_) == 0;
-  }
-
- private:
-  std::string part_;
-  int descriptor_;
-};
-
-// What the file needs before its first row.
-std::size_t head_bytes(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
-  std::size_t text = provenance.scenario_text.size() + provenance.title.size();
-  for (const auto* list : {&provenance.notes, &provenance.citations})
-    for (const std::string& line : *list) text += line.size();
-  return 2 * text + (groups.size() + 1) * metadata_bytes;
-}
-
 class Hdf5Sink : public Sink {
  public:
   Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-           const Provenance& provenance);
+           const Provenance& provenance, const std::optional<SinkPosition>& from);
   ~Hdf5Sink() override;
   void push(std::span<const double> rows) override;
+  std::optional<SinkPosition> position() override;
+  void kept() override;
   void finish() override;
 
  private:
@@ -115,15 +35,19 @@ class Hdf5Sink : public Sink {
   };
   void require(bool good) const;
   Handle checked(hid_t id, herr_t (*close)(hid_t)) const;
-  Handle created_file() const;
+  Handle opened_file(bool exists);
+  Handle opened_dataset(const ColumnGroup& group) const;
   Handle created_dataset(const ColumnGroup& group) const;
   void attach(hid_t object, const char* name, const std::vector<std::string>& texts, bool scalar);
   void append(const Group& group, std::span<const double> rows, std::size_t count);
-  hsize_t size() const;
+  void describe(const std::vector<ColumnGroup>& groups, const Provenance& provenance);
+  void require_same_scenario(const Provenance& provenance) const;
+  // The state that HDF5 has flushed becomes the file.
+  void commit();
 
   std::string path_;
   std::string part_;
-  Reserve reserve_;
+  MarkedFile bytes_;
   Handle file_;
   std::vector<Group> groups_;
   std::size_t width_ = 0;
@@ -147,14 +71,31 @@ Handle Hdf5Sink::checked(hid_t id, herr_t (*close)(hid_t)) const {
   return {id, close};
 }
 
-Handle Hdf5Sink::created_file() const {
+Handle Hdf5Sink::opened_file(bool exists) {
   const QuietScope quiet;
   errno = 0;
+  const Handle access = checked(access_to(bytes_), H5Pclose);
+  if (exists) {
+    const hid_t id = H5Fopen(part_.c_str(), H5F_ACC_RDWR, access.id());
+    if (id < 0) throw DomainError(printable(part_, part_.size()) + ": HDF5 cannot read it");
+    return {id, H5Fclose};
+  }
   const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   require(H5Pset_obj_track_times(creation.id(), false) >= 0);
-  const hid_t id = H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT);
-  if (id < 0) throw DomainError(write_failure(part_, errno == 0 ? EIO : errno));
-  return {id, H5Fclose};
+  return checked(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+}
+
+// With as many rows as have been written.
+Handle Hdf5Sink::opened_dataset(const ColumnGroup& group) const {
+  Handle dataset = checked(H5Dopen2(file_.id(), group.name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space = checked(H5Dget_space(dataset.id()), H5Sclose);
+  hsize_t size[2] = {0, 1};
+  require(H5Sget_simple_extent_ndims(space.id()) <= 2 &&
+          H5Sget_simple_extent_dims(space.id(), size, nullptr) >= 0);
+  if (size[0] != written_)
+    throw DomainError(printable(part_, part_.size()) + ": has " + std::to_string(size[0]) +
+                      " rows; expected " + std::to_string(written_));
+  return dataset;
 }
 
 Handle Hdf5Sink::created_dataset(const ColumnGroup& group) const {
@@ -188,24 +129,37 @@ void Hdf5Sink::attach(hid_t object, const char* name, const std::vector<std::str
 }
 
 Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                   const Provenance& provenance)
+                   const Provenance& provenance, const std::optional<SinkPosition>& from)
     : path_(path),
       part_(regular_part_path(path)),
-      reserve_(part_, head_bytes(groups, provenance)),
-      file_(created_file()) {
+      bytes_(from ? MarkedFile(part_, {from->bytes, from->rows}) : MarkedFile(part_)),
+      file_(opened_file(from.has_value())),
+      written_(from ? static_cast<hsize_t>(from->rows) : 0) {
   const QuietScope quiet;
-  reserve_.extend(size(), head_bytes(groups, provenance));
+  if (from) require_same_scenario(provenance);
   for (const ColumnGroup& group : groups) {
     if (group.columns.empty()) continue;
-    groups_.push_back({created_dataset(group), width_, group.columns.size()});
+    groups_.push_back(
+        {from ? opened_dataset(group) : created_dataset(group), width_, group.columns.size()});
     width_ += group.columns.size();
+  }
+  if (from) return;
+  describe(groups, provenance);
+  commit();
+}
+
+void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
+  auto dataset = groups_.begin();
+  for (const ColumnGroup& group : groups) {
+    if (group.columns.empty()) continue;
     std::vector<std::string> names, units;
     for (const Column& column : group.columns) {
       names.push_back(column.name);
       units.push_back(column.unit);
     }
-    attach(groups_.back().dataset.id(), "columns", names, false);
-    attach(groups_.back().dataset.id(), "units", units, false);
+    attach(dataset->dataset.id(), "columns", names, false);
+    attach(dataset->dataset.id(), "units", units, false);
+    ++dataset;
   }
   attach(file_.id(), "polhode", {provenance.version}, true);
   attach(file_.id(), "title", {provenance.title}, true);
@@ -213,19 +167,46 @@ Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& grou
   attach(file_.id(), "scenario", {provenance.scenario_text}, true);
   attach(file_.id(), "notes", provenance.notes, false);
   attach(file_.id(), "citations", provenance.citations, false);
-  require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
 }
 
+void Hdf5Sink::require_same_scenario(const Provenance& provenance) const {
+  const Handle attribute = checked(H5Aopen(file_.id(), "scenario", H5P_DEFAULT), H5Aclose);
+  const Handle type = checked(H5Aget_type(attribute.id()), H5Tclose);
+  const Handle space = checked(H5Aget_space(attribute.id()), H5Sclose);
+  char* text = nullptr;
+  require(H5Tis_variable_str(type.id()) > 0 && H5Aread(attribute.id(), type.id(), &text) >= 0);
+  const bool same = text != nullptr && provenance.scenario_text == text;
+  require(H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, &text) >= 0);
+  if (!same)
+    throw DomainError(printable(part_, part_.size()) +
+                      ": cannot be continued: it is the output of another scenario");
+}
+
+// Without finish(): what HDF5 writes when it closes is not committed.
 Hdf5Sink::~Hdf5Sink() {
   const QuietScope quiet;
   groups_.clear();
   file_.close();
 }
 
-hsize_t Hdf5Sink::size() const {
+void Hdf5Sink::commit() {
+  require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
   hsize_t bytes = 0;
   require(H5Fget_filesize(file_.id(), &bytes) >= 0);
-  return bytes;
+  bytes_.commit(static_cast<std::int64_t>(bytes));
+}
+
+std::optional<SinkPosition> Hdf5Sink::position() {
+  bytes_.sync();
+  return SinkPosition{bytes_.bytes(), static_cast<std::int64_t>(written_)};
+}
+
+void Hdf5Sink::kept() {
+  if (groups_.empty()) {  // finished
+    bytes_.forget_marks();
+  } else {
+    bytes_.mark(static_cast<std::int64_t>(written_));
+  }
 }
 
 void Hdf5Sink::append(const Group& group, std::span<const double> rows, std::size_t count) {
@@ -248,20 +229,21 @@ void Hdf5Sink::push(std::span<const double> rows) {
   const QuietScope quiet;
   errno = 0;
   const std::size_t count = rows.size() / width_;
-  reserve_.extend(
-      size(), (count + rows_per_chunk) * width_ * sizeof(double) + groups_.size() * metadata_bytes);
   for (const Group& group : groups_) append(group, rows, count);
   written_ += count;
-  require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
+  commit();
 }
 
 void Hdf5Sink::finish() {
   const QuietScope quiet;
   errno = 0;
   for (Group& group : groups_) require(group.dataset.close());
+  groups_.clear();
   require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
-  const hsize_t used = size();
-  require(file_.close() && reserve_.cut(used));
+  hsize_t bytes = 0;
+  require(H5Fget_filesize(file_.id(), &bytes) >= 0 && file_.close());
+  bytes_.commit(static_cast<std::int64_t>(bytes));
+  bytes_.sync();
   rename_part(part_, path_);
 }
 
@@ -270,8 +252,7 @@ void Hdf5Sink::finish() {
 std::unique_ptr<Sink> hdf5_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
                                 const Provenance& provenance,
                                 const std::optional<SinkPosition>& from) {
-  if (from) throw DomainError(printable(path, path.size()) + ": cannot be continued");
-  return std::make_unique<Hdf5Sink>(path, groups, provenance);
+  return std::make_unique<Hdf5Sink>(path, groups, provenance, from);
 }
 
 }  // namespace detail

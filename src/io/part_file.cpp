@@ -43,39 +43,77 @@ void rename_part(const std::string& part, const std::string& path) {
   if (std::rename(part.c_str(), path.c_str()) != 0) throw OutputError(write_failure(path, errno));
 }
 
-int reopened_part(const std::string& part, std::int64_t bytes) {
-  const int descriptor = ::open(part.c_str(), O_RDWR | O_CLOEXEC);
+namespace {
+
+// Locks of an open file: they keep other runs out, and no reader. Not every file system has them.
+void require_alone(int descriptor, const std::string& part) {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
+  ::close(descriptor);
+  throw DomainError(printable(part, longest_path) + ": another run is writing it");
+}
+
+std::string difference(int descriptor, const PartState& state) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) return std::strerror(errno);
+  if (!S_ISREG(status.st_mode) || status.st_size < state.bytes)
+    return "it has " + std::to_string(status.st_size) + " bytes; expected " +
+           std::to_string(state.bytes) + " and more";
+  std::string head(state.head.size(), '\0');
+  if (::pread(descriptor, head.data(), head.size(), 0) != static_cast<ssize_t>(head.size()) ||
+      head != state.head)
+    return "it is the output of another scenario";
+  return {};
+}
+
+}  // namespace
+
+int new_part(const std::string& part) {
+  const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0 && errno == ENOENT)
+    throw DomainError(printable(part, longest_path) + ": its folder does not exist");
+  if (descriptor < 0) throw DomainError(write_failure(part, errno));
+  require_alone(descriptor, part);
+  if (::ftruncate(descriptor, 0) == 0) return descriptor;
+  const int error_number = errno;
+  ::close(descriptor);
+  throw DomainError(write_failure(part, error_number));
+}
+
+int reopened_part(const std::string& part, const PartState& state) {
+  const std::string name = part.substr(0, part.size() - std::string_view(".part").size());
+  std::string there = part;
+  int descriptor = ::open(part.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0 && errno == ENOENT && state.may_be_named) {
+    there = name;
+    descriptor = ::open(name.c_str(), O_RDWR | O_CLOEXEC);
+  }
   if (descriptor < 0)
     throw DomainError(printable(part, longest_path) +
                       ": cannot be continued: " + std::strerror(errno));
-  struct stat status {};
-  std::string why;
-  if (::fstat(descriptor, &status) != 0 || ::lseek(descriptor, bytes, SEEK_SET) < 0) {
+  require_alone(descriptor, part);
+  std::string why = difference(descriptor, state);
+  if (why.empty() && (::ftruncate(descriptor, state.bytes) != 0 ||
+                      ::lseek(descriptor, state.bytes, SEEK_SET) < 0 ||
+                      (there != part && std::rename(there.c_str(), part.c_str()) != 0)))
     why = std::strerror(errno);
-  } else if (!S_ISREG(status.st_mode) || status.st_size < bytes) {
-    why = "it has " + std::to_string(status.st_size) + " bytes; expected " + std::to_string(bytes) +
-          " and more";
-  } else if (::ftruncate(descriptor, bytes) != 0) {
-    why = std::strerror(errno);
-  }
   if (why.empty()) return descriptor;
   ::close(descriptor);
   throw DomainError(printable(part, longest_path) + ": cannot be continued: " + why);
 }
 
-PartFile::PartFile(const std::string& path, std::optional<std::int64_t> from)
+PartFile::PartFile(const std::string& path, const std::optional<PartState>& from)
     : path_(path), part_(path == "-" ? path : part_path(path)), file_(stdout) {
   if (path == "-") return;
-  if (from) {
-    file_ = ::fdopen(reopened_part(part_, *from), "r+b");
-    bytes_ = *from;
-    if (file_ == nullptr) throw DomainError(write_failure(part_, errno));
-    return;
+  if (part_ == path_) {  // a device or a pipe
+    file_ = std::fopen(part_.c_str(), "wb");
+  } else {
+    file_ = ::fdopen(from ? reopened_part(part_, *from) : new_part(part_), "r+b");
   }
-  file_ = std::fopen(part_.c_str(), "wb");
-  if (file_ == nullptr && errno == ENOENT)
-    throw DomainError(printable(path, longest_path) + ": its folder does not exist");
   if (file_ == nullptr) throw DomainError(write_failure(part_, errno));
+  if (from) bytes_ = from->bytes;
 }
 
 PartFile::~PartFile() {
@@ -83,14 +121,22 @@ PartFile::~PartFile() {
 }
 
 // Past the buffer of FILE: what has been written is in the file, even if the process is killed.
+// Where not all of it has space, none of it stays: a file ends with a whole row.
 void PartFile::write(std::string_view bytes) {
+  const auto all = static_cast<std::int64_t>(bytes.size());
   while (!bytes.empty()) {
     const ssize_t written = ::write(::fileno(file_), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) throw OutputError(write_failure(part_, written == 0 ? ENOSPC : errno));
+    if (written <= 0) {
+      const int error_number = written == 0 ? ENOSPC : errno;
+      const bool cut = part_ != path_ && ::ftruncate(::fileno(file_), bytes_) == 0 &&
+                       ::lseek(::fileno(file_), bytes_, SEEK_SET) == bytes_;
+      static_cast<void>(cut);
+      throw OutputError(write_failure(part_, error_number));
+    }
     bytes.remove_prefix(static_cast<std::size_t>(written));
-    bytes_ += written;
   }
+  bytes_ += all;
 }
 
 std::optional<std::int64_t> PartFile::synced_bytes() {

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "io/detail/number_text.hpp"
-#include "polhode/dynamics/integrate.hpp"
+#include "io/detail/run_state.hpp"
+#include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
@@ -20,6 +21,9 @@
 namespace polhode {
 inline namespace v0 {
 namespace {
+
+using detail::RunControl;
+using detail::RunState;
 
 constexpr std::int64_t rows_per_block = 1024;
 
@@ -56,8 +60,9 @@ double initial_energy(const System& system, const RotorState& s) {
 // Rows, as they come, to every sink.
 class RowWriter {
  public:
-  RowWriter(const RowLayout& layout, std::span<const std::unique_ptr<Sink>> sinks)
-      : layout_(layout), sinks_(sinks) {}
+  RowWriter(const RowLayout& layout, std::span<const std::unique_ptr<Sink>> sinks,
+            std::int64_t rows)
+      : layout_(layout), sinks_(sinks), rows_(rows) {}
 
   void push(const FreeRotation& motion, std::span<const double> times) {
     numbers_.resize(times.size() * layout_.width());
@@ -83,11 +88,11 @@ class RowWriter {
   const RowLayout& layout_;
   std::span<const std::unique_ptr<Sink>> sinks_;
   std::vector<double> numbers_;
-  std::int64_t rows_ = 0;
+  std::int64_t rows_;
 };
 
 // In inertial axes; a moving frame is applied to each state afterwards.
-void run_free(const Scenario& scenario, RowWriter& writer, const Progress& progress) {
+void run_free(const Scenario& scenario, RowWriter& writer, const RunControl& control) {
   const System system = rotor_system(scenario);
   const RotorState start = initial_state(scenario);
   const bool moving = !scenario.frame.is_inertial();
@@ -98,7 +103,7 @@ void run_free(const Scenario& scenario, RowWriter& writer, const Progress& progr
   const SaveAt& rows = *scenario.time;
   std::vector<double> times;
   std::vector<Sample> samples;
-  for (std::int64_t first = 0; first < rows.size(); first += rows_per_block) {
+  for (std::int64_t first = writer.rows(); first < rows.size(); first = writer.rows()) {
     times.clear();
     samples.clear();
     const std::int64_t last = std::min(rows.size(), first + rows_per_block);
@@ -109,7 +114,14 @@ void run_free(const Scenario& scenario, RowWriter& writer, const Progress& progr
     } else {
       writer.push(motion, times);
     }
-    if (progress) progress(times.back());
+    if (last < rows.size() && control.due && control.due(times.back())) {
+      RunState state;
+      state.stage = RunState::free;
+      state.t = times.back();
+      state.pushed = writer.rows();
+      control.keep(state);
+    }
+    if (control.progress) control.progress(times.back());
   }
 }
 
@@ -136,19 +148,41 @@ void add(Statistics& sum, const Statistics& more) {
   sum.evaluations += more.evaluations;
 }
 
+// What integrate gives out of a stage of the run; `state` becomes that of each checkpoint.
+Streams streams_of(const RunControl& control, RunState& state, const RowWriter& writer,
+                   SampleSink samples) {
+  Streams streams{std::move(samples), control.event, control.due, {}};
+  streams.checkpoint = [&](const Checkpoint& now) {
+    state.t = now.t();
+    state.pushed = writer.rows();
+    state.integration = now.bytes();
+    control.keep(state);
+  };
+  return streams;
+}
+
+Trajectory integrated(const Problem& problem, const SaveAt& times, const RunState* from,
+                      const Streams& streams, const Progress& progress) {
+  return from == nullptr ? integrate(problem, times, streams, progress)
+                         : resume(problem, times, Checkpoint(from->integration), streams, progress);
+}
+
 // The state at the first row, from that at t = 0.
-RotorState at_first_row(const Problem& from_zero, RunReport& report, const Progress& progress) {
+RotorState at_first_row(const Problem& from_zero, RunReport& report, const RowWriter& writer,
+                        const RunControl& control) {
   if (from_zero.start == from_zero.stop) return from_zero.initial;
   RotorState there = from_zero.initial;
-  const Trajectory way = integrate(
-      from_zero, SaveAt::times({from_zero.stop}),
-      [&](std::span<const Sample> samples) { there = samples.back().s; }, progress);
+  RunState state;
+  const Streams streams = streams_of(
+      control, state, writer, [&](std::span<const Sample> samples) { there = samples.back().s; });
+  const Trajectory way = integrated(from_zero, SaveAt::times({from_zero.stop}), control.from,
+                                    streams, control.progress);
   report.outcome = way.outcome();
   add(report.statistics, way.statistics());
   return there;
 }
 
-RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const Progress& progress) {
+RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const RunControl& control) {
   RunReport report;
   const System system = rotor_system(scenario);
   const RotorState initial = initial_state(scenario);
@@ -156,23 +190,33 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const Prog
   const SaveAt& rows = *scenario.time;
   const double first = rows[0], last = rows[rows.size() - 1];
   const Method method = *propagation_method(scenario);
-  const RotorState start =
-      at_first_row({system, initial, 0.0, first, method, {}}, report, progress);
-  if (!report.outcome.ok()) return report;
+  const bool among_rows = control.from != nullptr && control.from->stage == RunState::rows;
+  RunState state;
+  if (among_rows) {
+    state = *control.from;
+    report.statistics = state.before;
+  } else {
+    const RotorState start =
+        at_first_row({system, initial, 0.0, first, method, {}}, report, writer, control);
+    if (!report.outcome.ok()) return report;
+    state.first = state.latest = {first, start};
+  }
+  state.stage = RunState::rows;
+  state.before = report.statistics;
 
   const RowOrigin origin{system, energy_0};
-  Sample latest{first, start};
-  const Trajectory trajectory = integrate(
-      {system, start, first, last, method, events_of(scenario, system, energy_0)}, rows,
-      [&](std::span<const Sample> samples) {
-        latest = samples.back();
-        writer.push(origin, samples);
-      },
-      progress);
+  const Streams streams = streams_of(control, state, writer, [&](std::span<const Sample> samples) {
+    writer.push(origin, samples);
+    state.latest = samples.back();
+  });
+  const Trajectory trajectory = integrated(
+      {system, state.first.s, first, last, method, events_of(scenario, system, energy_0)}, rows,
+      among_rows ? control.from : nullptr, streams, control.progress);
   report.outcome = trajectory.outcome();
   report.events = trajectory.events();
   add(report.statistics, trajectory.statistics());
-  if (system.is_hamiltonian()) report.energy_change = energy(system, latest.t, latest.s) - energy_0;
+  if (system.is_hamiltonian())
+    report.energy_change = energy(system, state.latest.t, state.latest.s) - energy_0;
   return report;
 }
 
@@ -234,20 +278,27 @@ Provenance provenance(const Scenario& scenario) {
   return result;
 }
 
-RunReport run(const Scenario& scenario, const RowLayout& layout,
-              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress) {
+RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
+                           std::span<const std::unique_ptr<Sink>> sinks,
+                           const RunControl& control) {
   if (!scenario.time) throw DomainError(scenario.name + ": time: got nothing; expected [time]");
-  RowWriter writer(layout, sinks);
+  RowWriter writer(layout, sinks, control.from == nullptr ? 0 : control.from->pushed);
   RunReport report;
   if (is_free(scenario)) {
-    run_free(scenario, writer, progress);
+    run_free(scenario, writer, control);
     report.outcome.t = (*scenario.time)[scenario.time->size() - 1];
   } else {
-    report = run_integrated(scenario, writer, progress);
+    report = run_integrated(scenario, writer, control);
   }
   report.rows = writer.rows();
+  report.events_met = static_cast<std::int64_t>(report.events.size());
   if (report.outcome.ok()) writer.finish();
   return report;
+}
+
+RunReport run(const Scenario& scenario, const RowLayout& layout,
+              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress) {
+  return detail::run_rows(scenario, layout, sinks, {.progress = progress});
 }
 
 }  // namespace v0

@@ -160,9 +160,10 @@ std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport&
                  event.name + (event.direction > 0 ? ", rising, at t" : ", falling, at t"), event.t,
                  Dimension::time);
   }
-  if (shown < report.events.size())
-    lines.text("more_events", "and",
-               std::to_string(report.events.size() - shown) + " events more: --events PATH.csv");
+  const auto more = std::max(report.events_met, static_cast<std::int64_t>(report.events.size())) -
+                    static_cast<std::int64_t>(shown);
+  if (more > 0)
+    lines.text("more_events", "and", std::to_string(more) + " events more: --events PATH.csv");
   return lines.take();
 }
 

@@ -43,6 +43,7 @@ struct RunReport {
   std::vector<EventRecord> events;
   std::int64_t rows = 0;
   std::optional<double> energy_change;  // E at the last row - E(0), when every term has an energy
+  std::int64_t events_met = 0;          // of which `events` may hold the first ones only
 };
 
 // Writes every row in order to each sink, then finishes them unless the run failed. Times of
@@ -51,15 +52,19 @@ RunReport run(const Scenario& scenario, const RowLayout& layout,
               std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress = {});
 
 // The events of a run as CSV: name, t, direction (1 rising, -1 falling) and the columns of the
-// layout. Opened before the run, so that a path that cannot be written is found out at once.
+// layout. Opened before the run, so that a path that cannot be written is found out at once, and
+// written as PATH.part until it is complete. With a position, PATH.part is cut back to it.
 class EventTable {
  public:
-  EventTable(const std::string& path, const Scenario& scenario);
+  EventTable(const std::string& path, const Scenario& scenario,
+             const std::optional<SinkPosition>& from = std::nullopt);
   ~EventTable();
   EventTable(const EventTable&) = delete;
   EventTable& operator=(const EventTable&) = delete;
-  // Writes the events; gives the file its name when the run did not fail.
-  void write(const RunReport& report);
+  void push(const EventRecord& event);
+  // As Sink's.
+  std::optional<SinkPosition> position();
+  void finish();
 
  private:
   struct Parts;

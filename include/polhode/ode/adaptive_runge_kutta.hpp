@@ -117,6 +117,14 @@ class AdaptiveRungeKutta {
   std::int64_t rejected() const { return rejected_; }
   std::int64_t evaluations() const { return evaluations_; }
 
+  // Every number that the steps to come depend on, between two steps, by reference: `visit` keeps
+  // them or puts them back.
+  template <class Visit>
+  void transfer(Visit& visit) {
+    visit.all(h_, t_, state_.y, state_.carry, before_, trial_, steps_, rejected_, evaluations_);
+    rate_known_ = false;  // as after every step
+  }
+
  private:
   static constexpr double exponent = 1.0 / Tableau::error_order;
 

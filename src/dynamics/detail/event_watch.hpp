@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/detail/state_bytes.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
@@ -23,6 +24,7 @@ class EventWatch {
   // value is NaN.
   bool crossed(double t, const RotorState& s);
   const std::string& nan_event() const { return nan_event_; }
+  void transfer(StateBytes& bytes);
   // The crossings asked for in that step, in order of time, up to the first that stops the run.
   struct Found {
     std::vector<EventRecord> records;

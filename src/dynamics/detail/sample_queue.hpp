@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/detail/state_bytes.hpp"
 #include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/save_at.hpp"
 #include "polhode/trajectory/trajectory.hpp"
@@ -29,6 +30,8 @@ class SampleQueue {
   // One more sample where an event has stopped the run, unless it is there.
   void last(const Sample& end);
   void flush();
+  // Which sample is next, and those that wait for their block to fill.
+  void transfer(StateBytes& bytes) { bytes.all(next_, latest_, block_); }
 
  private:
   bool is_before(double a, double b) const { return forward_ ? a < b : a > b; }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "dynamics/detail/state_bytes.hpp"
 #include "polhode/dynamics/integrate.hpp"
 
 namespace polhode {
@@ -23,6 +24,9 @@ class Stepper {
   // The step just made. Valid until the next advance when `keep` is false, for good otherwise.
   virtual std::shared_ptr<const DenseStep> dense(bool keep) = 0;
   virtual Statistics statistics() const = 0;
+  // Every number that the steps to come and the dense output of the last one depend on: kept, or
+  // put back into a stepper of the same problem.
+  virtual void transfer(StateBytes& bytes) = 0;
 };
 
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method);

@@ -155,6 +155,12 @@ class AdaptiveCollocation {
   std::int64_t rejected() const { return rejected_; }
   std::int64_t evaluations() const { return evaluations_; }
 
+  // Every number that the steps to come depend on, by reference.
+  template <class Visit>
+  void transfer(Visit& visit) {
+    visit.all(h_, t_, state_.y, state_.carry, trial_, steps_, rejected_, evaluations_);
+  }
+
  private:
   static constexpr int slow_iterations = 10;
 

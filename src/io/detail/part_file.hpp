@@ -17,17 +17,25 @@ namespace detail {
 std::string part_path(const std::string& path);
 // Gives a finished part its name. Throws OutputError.
 void rename_part(const std::string& part, const std::string& path);
-// Opens a part that is there, for reading and writing, and cuts it back to its first `bytes`; the
-// descriptor. Throws DomainError when it is not there or shorter.
-int reopened_part(const std::string& part, std::int64_t bytes);
+// What a part that goes on must be: as long as this and more, with this in front. One that has
+// got its name already, by a process that was killed then, may lose it again.
+struct PartState {
+  std::int64_t bytes = 0;
+  std::string head = {};
+  bool may_be_named = true;
+};
+// The descriptor of an empty part, and of one that is there, cut back to its state; for reading and
+// writing, and for one process alone. Throw DomainError when they cannot be had.
+int new_part(const std::string& part);
+int reopened_part(const std::string& part, const PartState& state);
 // "PATH: cannot be written: No space left on device"
 std::string write_failure(const std::string& path, int error_number);
 
 class PartFile {
  public:
-  // "-" is standard output. From a number of bytes on, the part that is there goes on behind them.
-  // Throws DomainError when it cannot be opened.
-  explicit PartFile(const std::string& path, std::optional<std::int64_t> from = std::nullopt);
+  // "-" is standard output. With a state, the part that is there goes on behind it. Throws
+  // DomainError when it cannot be opened.
+  explicit PartFile(const std::string& path, const std::optional<PartState>& from = std::nullopt);
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "stop_signals.hpp"
+
+namespace polhode::cli {
+namespace {
+
+volatile sig_atomic_t signal_that_came = 0;
+
+void note(int signal) { signal_that_came = signal; }
+
+// What the caller of the program ignores stays ignored (nohup, a shell's background job).
+void watch(int signal, struct sigaction& old) {
+  struct sigaction ours {};
+  ours.sa_handler = note;
+  ours.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  sigemptyset(&ours.sa_mask);
+  sigaction(signal, nullptr, &old);
+  if (old.sa_handler != SIG_IGN) sigaction(signal, &ours, nullptr);
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  signal_that_came = 0;
+  watch(SIGINT, interrupt_);
+  watch(SIGTERM, terminate_);
+}
+
+StopSignals::~StopSignals() {
+  sigaction(SIGINT, &interrupt_, nullptr);
+  sigaction(SIGTERM, &terminate_, nullptr);
+}
+
+int StopSignals::came() { return signal_that_came; }
+
+}  // namespace polhode::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A file that changes only as a whole and can be taken back: writes wait in memory until commit();
+// what a commit overwrites of the file as it was at the last mark is kept in PATH-undo first. A
+// process that is killed at any moment leaves a file that goes back to its mark, byte for byte.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class MarkedFile {
+ public:
+  // A state to go back to: the length of the file, and a number that no other mark of it has.
+  struct Mark {
+    std::int64_t bytes;
+    std::int64_t number;
+  };
+
+  // An empty file; DomainError when it cannot be made.
+  explicit MarkedFile(std::string path);
+  // The file that is there, taken back to a mark; DomainError when it is not the file of the mark.
+  MarkedFile(std::string path, const Mark& mark);
+  ~MarkedFile();
+  MarkedFile(const MarkedFile&) = delete;
+  MarkedFile& operator=(const MarkedFile&) = delete;
+
+  std::int64_t bytes() const { return bytes_; }
+  // With what waits; zeros beyond the end. False when the file cannot be read.
+  bool read(std::uint64_t offset, std::span<char> out) const;
+  bool write(std::uint64_t offset, std::span<const char> bytes);
+  // Makes what waits the file, `bytes` long. OutputError when the disk is full: the file is as it
+  // was, and all still waits.
+  void commit(std::int64_t bytes);
+  // All of it is on the disk when this returns.
+  void sync() const;
+  // From now on it can be taken back to its state of now, and no further.
+  void mark(std::int64_t number);
+  void forget_marks();
+
+  static std::string undo_path(const std::string& path) { return path + "-undo"; }
+
+ private:
+  static constexpr std::uint64_t page_bytes = 4096;
+  using Page = std::array<char, page_bytes>;
+
+  static bool can_take_back(const std::string& path, const Mark& mark);
+  void take_back(const Mark& mark);
+  void keep_old_pages();
+  bool put_page(std::uint64_t page, const Page& bytes, std::int64_t length) const;
+  [[noreturn]] void fail(int error_number) const;
+
+  std::string path_;
+  int descriptor_;
+  int undo_ = -1;
+  std::int64_t bytes_ = 0;        // of the file
+  Mark mark_{0, 0};               // 0 bytes: none
+  std::set<std::uint64_t> kept_;  // pages in PATH-undo
+  std::map<std::uint64_t, Page> waiting_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

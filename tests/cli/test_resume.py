@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""A run that was stopped, killed or had no disk left goes on, and leaves the files of the straight
+run: CSV byte for byte, HDF5 by h5diff."""
+
+import os
+import signal
+import subprocess
+import time
+
+import budgets
+import killed_runs
+import pytest
+
+KILLS = 8
+SEED = 20260101
+SECONDS = 60
+SHORT = "stop = 3000\nstep = 0.1"
+DAMPED = ('[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n'
+          '[[perturbation]]\nkind = "damping"\ncoefficients = [1e-9, 1e-9, 1e-9]')
+METHODS = {
+    "free": "",
+    "adaptive": '[method]\nkind = "adaptive"\ntolerance = 1e-9\n',
+    "double-double": '[method]\nkind = "adaptive"\nprecision = "double-double"\n',
+    "splitting": '[method]\nkind = "splitting"\nstep = 0.1\nscheme = "order4"\n',
+    "variation": '[method]\nkind = "variation-of-constants"\ntolerance = 1e-10\n',
+}
+
+
+def stopped(polhode, arguments, after, by=signal.SIGINT):
+    """The run, stopped by a signal when a file has appeared."""
+    process = subprocess.Popen([polhode, *map(str, arguments)], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + SECONDS
+    while not after.exists() and process.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.005)
+    process.send_signal(by)
+    out, err = process.communicate(timeout=SECONDS)
+    return process.returncode, out, err
+
+
+@pytest.fixture
+def long(scenario):
+    """A scenario of hours, and the same of seconds."""
+    return scenario(time="stop = 1e9\nstep = 0.1", state=DAMPED)
+
+
+def test_killed_at_random_moments(polhode, tmp_path):
+    scenario = tmp_path / "body.toml"
+    scenario.write_text(killed_runs.SCENARIO.format(stop=9000))
+    straight, killed = tmp_path / "straight", tmp_path / "killed"
+    straight.mkdir()
+    killed.mkdir()
+    seconds = killed_runs.straight_run(polhode, scenario, straight)
+    said = killed_runs.killed_run(polhode, scenario, killed, KILLS, SEED, seconds / 2)
+    assert killed_runs.differences(straight, killed) == []
+    assert sum("continues at" in text for text in said) >= 2, said
+
+
+@pytest.mark.parametrize("by, status", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
+    path = tmp_path / "a.csv"
+    code, out, err = stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part", by)
+    assert code == status and out == ""
+    assert err.splitlines()[-1].endswith(
+        f"; continue with: polhode run {long} --out {path} --resume")
+    assert (tmp_path / "a.csv.checkpoint").exists() and not path.exists()
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_stopped_often_it_leaves_the_straight_run(polhode, run, scenario, tmp_path, method):
+    """The scenario's rows start late, so that the first stop may be on the way to them."""
+    state = DAMPED if method != "free" else DAMPED.split("[[")[0]
+    body = scenario(state=state, time="start = 40\nstop = 5000\nstep = 0.2")
+    text = body.read_text().replace("[output]", METHODS[method] + "[output]")
+    body.write_text(text)
+    assert run("run", body, "--out", tmp_path / "s.csv", "--out", tmp_path / "s.h5").returncode == 0
+    arguments = [polhode, "run", body, "--out", tmp_path / "r.csv", "--out", tmp_path / "r.h5",
+                 "--resume"]
+    code = 130
+    for milliseconds in range(20, 2000, 20):
+        process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(milliseconds / 1000)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=SECONDS)
+        code = process.returncode
+        assert code in (0, 130, -signal.SIGINT)  # the last: before the run has begun
+        if code == 0:
+            break
+    assert code == 0
+    assert (tmp_path / "s.csv").read_bytes() == (tmp_path / "r.csv").read_bytes()
+    assert subprocess.run(["h5diff", tmp_path / "s.h5", tmp_path / "r.h5"]).returncode == 0
+    assert sorted(p.name for p in tmp_path.iterdir()) == sorted(
+        ["body.toml", "s.csv", "s.h5", "r.csv", "r.h5"])
+
+
+def test_an_unfinished_run_is_not_overwritten(polhode, run, long, tmp_path):
+    path, checkpoint = tmp_path / "a.csv", tmp_path / "a.csv.checkpoint"
+    stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part")
+    before = (tmp_path / "a.csv.part").read_bytes()
+    done = run("run", long, "--out", path)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1
+    assert done.stderr.startswith(f"{checkpoint}: an unfinished run is there (body.toml at t = ")
+    assert "resume continues it, restart" in done.stderr
+    assert (tmp_path / "a.csv.part").read_bytes() == before
+    # with --restart it begins anew
+    (tmp_path / "a.csv.part").unlink()
+    code, _, err = stopped(polhode, ["run", long, "--out", path, "--restart"],
+                           tmp_path / "a.csv.part")
+    assert code == 130 and "continues at" not in err
+
+
+@pytest.mark.parametrize("change, named", [
+    (lambda text: text.replace("0.2, 1]", "0.2, 1.1]"), "scenario was"),
+    (lambda text: text.replace('columns = ["q", "omega", "g"]', 'columns = ["q"]'), "columns was"),
+])
+def test_another_run_is_refused_by_name(polhode, run, long, tmp_path, change, named):
+    path = tmp_path / "a.csv"
+    stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part")
+    part = (tmp_path / "a.csv.part").read_bytes()
+    other = run("run", long, "--out", path, "--out", tmp_path / "b.csv", "--resume")
+    assert other.returncode == 2 and "outputs was" in other.stderr
+    changed = change(long.read_text())
+    assert changed != long.read_text()
+    long.write_text(changed)
+    done = run("run", long, "--out", path, "--resume")
+    assert done.returncode == 2 and named in done.stderr and done.stderr.count("\n") == 1
+    assert (tmp_path / "a.csv.part").read_bytes() == part
+
+
+def test_damaged_checkpoints_and_parts_are_refused(polhode, run, long, tmp_path):
+    path, checkpoint = tmp_path / "a.csv", tmp_path / "a.csv.checkpoint"
+    stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part")
+    whole = checkpoint.read_bytes()
+    for damaged in (b"", whole[:-1], whole[:200], whole[:-9] + b"x" + whole[-8:]):
+        checkpoint.write_bytes(damaged)
+        done = run("run", long, "--out", path, "--resume")
+        assert done.returncode == 2 and "is no checkpoint" in done.stderr
+    checkpoint.write_bytes(whole)
+    part = (tmp_path / "a.csv.part").read_bytes()
+    for damaged in (part[:100], b"X" + part[1:]):
+        (tmp_path / "a.csv.part").write_bytes(damaged)
+        done = run("run", long, "--out", path, "--resume")
+        assert done.returncode == 2 and "a.csv.part: cannot be continued" in done.stderr
+
+
+def test_complete_runs_have_nothing_to_do(run, scenario, tmp_path):
+    path = tmp_path / "a.csv"
+    body = scenario()
+    first = run("run", body, "--out", path, "--resume")
+    assert first.returncode == 0 and "no checkpoint to continue from" in first.stderr
+    before = path.stat().st_mtime_ns
+    again = run("run", body, "--out", path, "--resume")
+    assert (again.returncode, again.stdout, again.stderr) == (
+        0, f"body.toml: nothing to do: complete in {path}\n", "")
+    assert path.stat().st_mtime_ns == before
+    body.write_text(body.read_text().replace("0.2, 1]", "0.2, 1.1]"))
+    other = run("run", body, "--out", path, "--resume")
+    assert other.returncode == 2 and "of another scenario" in other.stderr
+    assert run("run", body, "--out", path, "--restart").returncode == 0
+
+
+def test_what_cannot_be_continued(run, scenario):
+    done = run("run", scenario(), "--resume")
+    assert done.returncode == 2 and "resume needs outputs that are files" in done.stderr
+    both = run("run", scenario(), "--resume", "--restart")
+    assert both.returncode == 2
+
+
+def test_one_run_at_a_time(polhode, run, long, tmp_path):
+    path = tmp_path / "a.csv"
+    process = subprocess.Popen([polhode, "run", long, "--out", path], stderr=subprocess.DEVNULL)
+    try:
+        deadline = time.monotonic() + SECONDS
+        while not (tmp_path / "a.csv.part").exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        done = run("run", long, "--out", path, "--restart")
+    finally:
+        process.kill()
+        process.wait()
+    assert done.returncode == 2 and "another run is writing it" in done.stderr
+
+
+# A limit on the size of files stands for a full disk.
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_a_disk_that_fills_up_loses_nothing(polhode, run, scenario, tmp_path, extension):
+    body = scenario(time="stop = 3000\nstep = 0.1", state=DAMPED)
+    straight, path = tmp_path / f"s.{extension}", tmp_path / f"r.{extension}"
+    assert run("run", body, "--out", straight).returncode == 0
+    kilobytes = straight.stat().st_size // 1024
+    starts = 0
+    for share in (0.3, 0.6, 0.9):
+        limit = f"trap '' XFSZ; ulimit -f {int(share * kilobytes)}; exec \"$@\""
+        done = subprocess.run(
+            ["bash", "-c", limit, "bash", polhode, "run", body, "--out", path, "--resume",
+             "--checkpoint", "0"], text=True, capture_output=True, timeout=SECONDS)
+        assert done.returncode == 1
+        assert done.stderr.splitlines()[-1].endswith(
+            f"{path}.part: cannot be written: File too large")
+        starts += "continues at" in done.stderr
+    assert starts == 2
+    assert run("run", body, "--out", path, "--resume").returncode == 0
+    if extension == "csv":
+        assert straight.read_bytes() == path.read_bytes()
+    else:
+        assert subprocess.run(["h5diff", straight, path]).returncode == 0
+
+
+def test_events_do_not_fill_the_memory(polhode, scenario, tmp_path):
+    """Twenty times the events, the same memory."""
+    peaks, stops = [], (2000, 40000)
+    events = "".join(f'[[event]]\nname = "e{i}"\ncolumn = "qw"\nvalue = 0.{i}\n' for i in range(8))
+    for stop in stops:
+        body = scenario(time=f"stop = {stop}\ncount = 2", state=DAMPED, name=f"{stop}.toml")
+        with body.open("a") as file:
+            file.write(events)
+        process = subprocess.Popen([polhode, "run", body, "--out", tmp_path / f"{stop}.csv",
+                                    "--events", tmp_path / f"{stop}.events.csv"],
+                                   stdout=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        assert process.returncode == 0
+        peaks.append(usage.ru_maxrss)
+    lines = [(tmp_path / f"{stop}.events.csv").read_text().count("\n") for stop in stops]
+    assert lines[1] > 10 * lines[0] > 10000
+    assert peaks[1] < budgets.run_memory * peaks[0], peaks

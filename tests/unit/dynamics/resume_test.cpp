@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// A run that goes on from a checkpoint gives the bits of the straight run: every method, forwards
+// and backwards, between steps and inside one, with events and without.
+#include "polhode/dynamics/resume.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/error.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
+
+namespace {
+
+using namespace polhode;
+using testing::HasSubstr;
+
+Problem problem(const Method& method, double stop) {
+  const KeplerOrbit moon({.gm = 1.0, .pericentre = 0.9, .eccentricity = 0.1});
+  const auto height = [](double, const RotorState& s) { return s.g.z - 0.2; };
+  return {System(Body(1.0, 2.0, 2.7), Frame::precessing({0.0, 0.0, 1.0}, 0.1, 0.0),
+                 {AnyPerturbation("moon", GravityGradient(0.3, moon))}),
+          {{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}},
+          0.0,
+          stop,
+          method,
+          {{"height", height, Crossing::both, false, 0.0}}};
+}
+
+// All that a run gives out.
+struct Record {
+  std::vector<Sample> samples;
+  std::vector<EventRecord> events;
+  std::vector<Checkpoint> checkpoints;
+  std::vector<std::pair<std::size_t, std::size_t>> given;  // samples, events before each
+};
+
+Streams into(Record& record, int every) {
+  return {[&record](std::span<const Sample> block) {
+            record.samples.insert(record.samples.end(), block.begin(), block.end());
+          },
+          [&record](const EventRecord& event) { record.events.push_back(event); },
+          [every, calls = 0](double) mutable { return every > 0 && ++calls % every == 0; },
+          [&record](const Checkpoint& now) {
+            record.checkpoints.push_back(now);
+            record.given.emplace_back(record.samples.size(), record.events.size());
+          }};
+}
+
+bool same(const EventRecord& a, const EventRecord& b) {
+  return a.name == b.name && a.t == b.t && a.s == b.s && a.direction == b.direction;
+}
+
+void expect_the_straight_run(const Problem& problem, const SaveAt& times, int every) {
+  Record straight;
+  const Trajectory whole = integrate(problem, times, into(straight, every));
+  ASSERT_GE(straight.checkpoints.size(), 10U);
+  const std::size_t stride = 1 + straight.checkpoints.size() / 8;
+  for (std::size_t k = 0; k < straight.checkpoints.size(); k += stride) {
+    Record rest;
+    // through bytes, as a file would keep them
+    const Checkpoint from(straight.checkpoints[k].bytes());
+    EXPECT_EQ(from.t(), straight.checkpoints[k].t());
+    const Trajectory end = resume(problem, times, from, into(rest, 0));
+    const auto [samples, events] = straight.given[k];
+    ASSERT_EQ(samples + rest.samples.size(), straight.samples.size()) << k;
+    for (std::size_t i = 0; i < rest.samples.size(); ++i)
+      ASSERT_EQ(rest.samples[i], straight.samples[samples + i]) << k << " " << i;
+    ASSERT_EQ(events + rest.events.size(), straight.events.size()) << k;
+    for (std::size_t i = 0; i < rest.events.size(); ++i)
+      ASSERT_TRUE(same(rest.events[i], straight.events[events + i])) << k << " " << i;
+    EXPECT_EQ(end.outcome().t, whole.outcome().t);
+    EXPECT_EQ(end.outcome().status, whole.outcome().status);
+    EXPECT_EQ(end.statistics().steps, whole.statistics().steps);
+    EXPECT_EQ(end.statistics().rejected, whole.statistics().rejected);
+    EXPECT_EQ(end.statistics().evaluations, whole.statistics().evaluations);
+  }
+}
+
+class ResumeOf : public testing::TestWithParam<Method> {};
+
+TEST_P(ResumeOf, BetweenSteps) {
+  for (const double stop : {40.0, -40.0}) {
+    SCOPED_TRACE(stop);
+    expect_the_straight_run(problem(GetParam(), stop), SaveAt::count(0.0, stop, 41), 7);
+  }
+}
+
+// More samples than steps, and more than a block holds: checkpoints are among them.
+TEST_P(ResumeOf, InsideAStep) {
+  expect_the_straight_run(problem(GetParam(), 8.0), SaveAt::count(0.0, 8.0, 1201), 101);
+}
+
+TEST_P(ResumeOf, ARunThatAnEventStops) {
+  Problem p = problem(GetParam(), 400.0);
+  p.events.push_back(
+      {"end", [](double t, const RotorState&) { return t - 33.3; }, Crossing::both, true, 0.0});
+  expect_the_straight_run(p, SaveAt::count(0.0, 400.0, 401), 3);
+}
+
+// What `checkpoint` throws stops the run there: nothing after it is lost to the resumed one.
+TEST_P(ResumeOf, AStreamMayStopTheRun) {
+  const Problem p = problem(GetParam(), 40.0);
+  const SaveAt times = SaveAt::count(0.0, 40.0, 401);
+  Record record;
+  Streams streams = into(record, 30);
+  std::size_t kept = 0;
+  streams.checkpoint = [&](const Checkpoint& now) {
+    record.checkpoints.push_back(now);
+    kept = record.samples.size();
+    throw std::runtime_error("stop");
+  };
+  EXPECT_THROW(integrate(p, times, streams), std::runtime_error);
+  Record straight, rest;
+  integrate(p, times, into(straight, 0));
+  resume(p, times, record.checkpoints.at(0), into(rest, 0));
+  record.samples.resize(kept);
+  record.samples.insert(record.samples.end(), rest.samples.begin(), rest.samples.end());
+  EXPECT_EQ(record.samples, straight.samples);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, ResumeOf,
+    testing::Values(Adaptive{.tolerance = 1e-9},
+                    Adaptive{.tolerance = 1e-18, .precision = Precision::double_double},
+                    Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
+                    Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10}));
+
+TEST(Resume, AnotherProblemIsRefusedByWhatDiffers) {
+  const Problem p = problem(Splitting{.step = 0.1}, 40.0);
+  const SaveAt times = SaveAt::count(0.0, 40.0, 41);
+  Record record;
+  integrate(p, times, into(record, 100));
+  const Checkpoint& from = record.checkpoints.at(0);
+  const auto refusal = [&](const Problem& other, const SaveAt& at) -> std::string {
+    Record rest;
+    try {
+      resume(other, at, from, into(rest, 0));
+    } catch (const DomainError& error) {
+      EXPECT_TRUE(rest.samples.empty());
+      return error.what();
+    }
+    return "";
+  };
+  Problem other = p;
+  other.initial.g.x = 0.81;
+  EXPECT_THAT(refusal(other, times), HasSubstr("state differs"));
+  other = p;
+  other.stop = 41.0;
+  EXPECT_THAT(refusal(other, times), HasSubstr("stop differs"));
+  other = p;
+  other.method = Splitting{.step = 0.2};
+  EXPECT_THAT(refusal(other, times), HasSubstr("method differs"));
+  other = p;
+  other.events.clear();
+  EXPECT_THAT(refusal(other, times), HasSubstr("events differs"));
+  EXPECT_THAT(refusal(p, SaveAt::count(0.0, 40.0, 42)), HasSubstr("sample times differs"));
+}
+
+TEST(Resume, BytesThatAreNoCheckpoint) {
+  Record record;
+  integrate(problem(Splitting{.step = 0.1}, 40.0), SaveAt::count(0.0, 40.0, 41), into(record, 100));
+  std::string bytes = record.checkpoints.at(0).bytes();
+  EXPECT_THROW(Checkpoint(""), DomainError);
+  EXPECT_THROW(Checkpoint("no checkpoint, but long enough to be one of them"), DomainError);
+  EXPECT_THROW(Checkpoint(bytes.substr(0, bytes.size() - 1)), DomainError);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  EXPECT_THROW(Checkpoint{bytes}, DomainError);
+}
+
+}  // namespace
