@@ -14,6 +14,7 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
+#include "polhode/io/aem.hpp"
 #include "polhode/io/sink.hpp"
 
 namespace polhode::cli {
@@ -80,7 +81,15 @@ Body body_of(const std::string& moments) {
   }
 }
 
+// The table of an attitude file is not one of a chart: q alone, or q and the angular velocity.
+void convert_aem(const ConvertOptions& options) {
+  if (options.to != "csv")
+    throw DomainError("convert: --to: got \"" + options.to + "\"; expected csv, of --from aem");
+  print(aem_csv(read_aem(options.in)));
+}
+
 void convert_file(const ConvertOptions& options) {
+  if (options.from == "aem") return convert_aem(options);
   Conversion conversion{options.from, options.to, std::nullopt};
   if (!options.moments.empty()) conversion.body = body_of(options.moments);
   const InputFile in(options.in);
@@ -100,8 +109,9 @@ void add_convert(CLI::App& app) {
     charts += "  " + std::string(chart.name) + ": " + std::string(chart.columns) +
               (chart.options.empty() ? "" : " (" + std::string(chart.options) + ")") +
               (chart.needs_body ? "; --moments" : "") + "\n";
-  command->add_option("--from", options->from, "Chart of the input")->required();
-  command->add_option("--to", options->to, "Chart of the output")->required();
+  charts += "  aem: a CCSDS Attitude Ephemeris Message, --to csv (t, qw, qx, qy, qz, w1, w2, w3)\n";
+  command->add_option("--from", options->from, "Chart of the input, or aem")->required();
+  command->add_option("--to", options->to, "Chart of the output; csv of aem")->required();
   command->add_option("--moments", options->moments, "Principal moments, for charts that need them")
       ->type_name("I1,I2,I3");
   command->add_option("FILE", options->in, "CSV to read; - is standard input")

@@ -156,7 +156,8 @@ void run_scenario(const CommandOptions& options) {
   if (!table_only)
     for (SummaryLine& line : report_lines(scenario, report)) lines.push_back(std::move(line));
   print(summary_table(lines));
-  if (table_only) print("(no rows written: --out PATH.csv, PATH.h5, or - for standard output)\n");
+  if (table_only)
+    print("(no rows written: --out PATH.csv, PATH.h5, PATH.aem, or - for standard output)\n");
 }
 
 }  // namespace
@@ -167,9 +168,10 @@ void add_run(CLI::App& app) {
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command
-      ->add_option("--out,-o", options->out,
-                   "PATH.csv or PATH.h5, any number of them; - is CSV to standard output, also the "
-                   "default unless that is a terminal")
+      ->add_option(
+          "--out,-o", options->out,
+          "PATH.csv, PATH.h5 or PATH.aem, any number of them; - is CSV to standard output, "
+          "also the default unless that is a terminal")
       ->type_name("PATH");
   command
       ->add_option("--events", options->events,

@@ -408,4 +408,8 @@ inline constexpr double mass_moments_rotated = 2e-12;
 // --- long runs (tests/cli/test_resume.py) ---
 // Peak memory with twenty times the events, over that before.
 inline constexpr double run_memory = 1.2;
+
+// --- attitude files (python/tests/test_attitude_files.py) ---
+// Central differences of attitudes against rates: some 0.04 rad between the outer two.
+inline constexpr double aem_difference = 1e-4;
 }  // namespace polhode::budget

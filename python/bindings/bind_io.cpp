@@ -73,6 +73,7 @@ void bind_io(nb::module_& m) {
       "A disk that is full, a folder that is gone: the run failed, its input was right.";
   bind_units(m);
   bind_golden(m);
+  bind_aem(m);
   nb::class_<Scenario> c(m, "_Scenario");
   c.def_static("from_text",
                [](const nb::bytes& text, const std::string& name) {

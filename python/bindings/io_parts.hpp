@@ -16,6 +16,8 @@ namespace polhode::python {
 void bind_units(nb::module_& m);
 // GoldenCase, golden_cases, write_golden, regime_name.
 void bind_golden(nb::module_& m);
+// AttitudeEphemeris, AemSegment, read_aem.
+void bind_aem(nb::module_& m);
 
 // Methods run, write and states_of of _Scenario, and what run returns.
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);

@@ -139,6 +139,12 @@ void PartFile::write(std::string_view bytes) {
   bytes_ += all;
 }
 
+void PartFile::overwrite(std::int64_t offset, std::string_view bytes) {
+  const ssize_t written = ::pwrite(::fileno(file_), bytes.data(), bytes.size(), offset);
+  if (written != static_cast<ssize_t>(bytes.size()))
+    throw OutputError(write_failure(part_, written < 0 ? errno : ENOSPC));
+}
+
 std::optional<std::int64_t> PartFile::synced_bytes() {
   if (part_ == path_) return std::nullopt;
   if (::fsync(::fileno(file_)) != 0) throw OutputError(write_failure(part_, errno));

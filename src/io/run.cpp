@@ -238,6 +238,26 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 
 }  // namespace
 
+AemOutput aem_output(const Scenario& scenario) {
+  AemOutput result{.options = scenario.aem,
+                   .name = scenario.title.empty() ? scenario.name : scenario.title,
+                   .epoch = scenario.epoch,
+                   .axes = scenario.axes,
+                   .moving_frame = !scenario.frame.is_inertial(),
+                   .seconds = Units("s").to_core(1.0, scenario.units.time(), Dimension::time)};
+  if (!scenario.time) return result;
+  const SaveAt& rows = *scenario.time;
+  const auto time = [&](std::int64_t k) {
+    return scenario.units.from_core(rows[k], Dimension::time);
+  };
+  result.first = time(0);
+  result.last = time(rows.size() - 1);
+  result.rising = rows.is_list() || rows.size() < 2 || rows[0] < rows[1];
+  for (std::int64_t k = 1; rows.is_list() && result.rising && k < rows.size(); ++k)
+    result.rising = rows[k - 1] < rows[k];
+  return result;
+}
+
 RowLayout row_layout(const Scenario& scenario) {
   return RowLayout(scenario.columns, scenario.units,
                    has_constants(scenario) ? Branch::in_notes : Branch::in_columns);
@@ -275,6 +295,7 @@ Provenance provenance(const Scenario& scenario) {
   result.notes.push_back("method: " + propagation_text(scenario));
   for (std::string& note : branch_notes(scenario)) result.notes.push_back(std::move(note));
   for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
+  result.aem = aem_output(scenario);
   return result;
 }
 

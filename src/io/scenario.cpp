@@ -246,7 +246,8 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
                     .method = detail::method_of(values, name),
                     .events = detail::events_of(values, units, name),
                     .time = time,
-                    .columns = value_at(values, "output.columns").words};
+                    .columns = value_at(values, "output.columns").words,
+                    .aem = detail::aem_options_of(values, name)};
   detail::add_motion(scenario, values, name);
   if (const TumblerState* tumbler = std::get_if<TumblerState>(&scenario.state))
     require_psi(values, body, *tumbler, units, name);

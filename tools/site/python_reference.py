@@ -125,6 +125,7 @@ names of the [columns](../files.md).
 """, {
         "Scenario": "load Scenario Summary Citation",
         "Results": "Results",
+        "Attitude files": "read_aem AttitudeEphemeris AemSegment",
         "Terms of a run": "HarmonicFit harmonic_fit",
         "Units": "Units Dimension known_units",
     }),

@@ -28,6 +28,7 @@
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
+#include "polhode/io/aem.hpp"
 #include "polhode/io/units.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
@@ -104,6 +105,7 @@ struct Scenario {
   std::vector<ScenarioEvent> events = {};
   std::optional<SaveAt> time;        // left out: nothing to run
   std::vector<std::string> columns;  // names of column groups
+  AemOptions aem = {};               // [output.aem]
 };
 
 // `name` stands for the file in messages and outputs.

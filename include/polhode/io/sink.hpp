@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Sink: where a run puts its rows, block by block, so that any number of rows needs constant
-// memory. CSV and HDF5 files are sinks.
+// memory. CSV, HDF5 and CCSDS AEM files are sinks.
 //
 // Equations   none.
 // Units       those that the columns name.
-// Domain      open_sink: "-" (CSV to standard output), PATH.csv or PATH.h5. A file is written as
-//             PATH.part, flushed after each block, and renamed by finish(); a run that fails or is
+// Domain      open_sink: "-" (CSV to standard output), PATH.csv, PATH.h5 or PATH.aem. A file is
+//             written as PATH.part, flushed after each block, and renamed by finish(); a run that fails or is
 //             killed leaves PATH.part, readable up to its last block, and PATH as it was. With a
 //             position, open_sink cuts PATH.part back to it and goes on from there.
 // Accuracy    CSV numbers are the shortest that read back to the same double; HDF5 holds doubles.
@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/io/aem.hpp"
 #include "polhode/io/columns.hpp"
 
 namespace polhode {
@@ -41,6 +42,7 @@ struct Provenance {
   std::string scenario_text;           // may be empty
   std::vector<std::string> notes;      // one sentence each: epoch, axes
   std::vector<std::string> citations;  // one line each
+  AemOutput aem = {};                  // what only an AEM needs
 };
 
 // How far an output has been written.

@@ -42,6 +42,8 @@ class PartFile {
 
   // Throws OutputError when not all of it could be written.
   void write(std::string_view bytes);
+  // Over bytes that have been written.
+  void overwrite(std::int64_t offset, std::string_view bytes);
   void commit();
   // How long the part is, all of it on the disk; none for standard output, devices and pipes.
   std::optional<std::int64_t> synced_bytes();

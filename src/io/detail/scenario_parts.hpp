@@ -31,6 +31,8 @@ const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const
 std::optional<Method> method_of(const Values& values, const std::string& name);
 std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);
+// [output.aem]
+AemOptions aem_options_of(const Values& values, const std::string& name);
 // Fills in frame, terms and kinds; body and orbits are there.
 void add_motion(Scenario& scenario, const Values& values, const std::string& name);
 // What method, events, rows and columns ask of the system.

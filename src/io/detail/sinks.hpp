@@ -21,6 +21,9 @@ std::unique_ptr<Sink> csv_sink(const std::string& path, const std::vector<Column
 std::unique_ptr<Sink> hdf5_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
                                 const Provenance& provenance,
                                 const std::optional<SinkPosition>& from);
+std::unique_ptr<Sink> aem_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
+                               const Provenance& provenance,
+                               const std::optional<SinkPosition>& from);
 
 }  // namespace detail
 }  // namespace v0

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "io/detail/civil_time.hpp"
+#include "io/detail/kvn_reader.hpp"
+#include "io/detail/number_text.hpp"
+#include "io/detail/values.hpp"
+#include "io/detail/word_list.hpp"
+#include "polhode/error.hpp"
+#include "polhode/io/aem.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::CivilTime;
+using detail::KvnLine;
+using Pairs = std::map<std::string, std::string, std::less<>>;
+
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double length_error = 0.01;  // of a quaternion written with few digits
+constexpr std::string_view time_systems[] = {"UTC", "TAI", "TT", "TDB", "GPS"};
+
+enum class Rates { none, derivative, angular_velocity };
+enum class Angles { quaternion, euler, spin };
+
+struct Layout {
+  std::string_view type;
+  Angles angles;
+  Rates rates;
+  std::string_view fields;
+};
+constexpr Layout layouts[] = {
+    {"QUATERNION", Angles::quaternion, Rates::none, "date and 4 numbers"},
+    {"QUATERNION/DERIVATIVE", Angles::quaternion, Rates::derivative, "date and 8 numbers"},
+    {"QUATERNION/RATE", Angles::quaternion, Rates::angular_velocity, "date and 7 numbers"},
+    {"QUATERNION/ANGVEL", Angles::quaternion, Rates::angular_velocity, "date and 7 numbers"},
+    {"EULER_ANGLE", Angles::euler, Rates::none, "date and 3 numbers"},
+    {"EULER_ANGLE/RATE", Angles::euler, Rates::angular_velocity, "date and 6 numbers"},
+    {"EULER_ANGLE/ANGVEL", Angles::euler, Rates::angular_velocity, "date and 6 numbers"},
+    {"SPIN", Angles::spin, Rates::none, "date and 4 numbers"},
+};
+
+std::size_t width(const Layout& layout) {
+  const std::size_t attitude = layout.angles == Angles::euler ? 3 : 4;
+  return attitude + (layout.rates == Rates::derivative         ? 4
+                     : layout.rates == Rates::angular_velocity ? 3
+                                                               : 0);
+}
+
+// The axis of a digit or letter of EULER_ROT_SEQ, 0 to 2.
+std::optional<int> axis_of(char c) {
+  if (c >= '1' && c <= '3') return c - '1';
+  if (c >= 'X' && c <= 'Z') return c - 'X';
+  return std::nullopt;
+}
+
+Quaternion about(int axis, double angle) {
+  const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+  return {c, axis == 0 ? s : 0.0, axis == 1 ? s : 0.0, axis == 2 ? s : 0.0};
+}
+
+class AemReader {
+ public:
+  AemReader(std::string_view text, std::string name) : lines_(text, std::move(name)) {}
+  AttitudeEphemeris read();
+
+ private:
+  void read_header();
+  void read_meta();
+  void read_rows();
+  void read_row(const KvnLine& line, AemSegment& segment);
+  void choose_layout();
+  void choose_sequence();
+  std::string needed(std::string_view key);
+  std::string optional(std::string_view key) const;
+  void add(const std::array<double, 8>& n, AemSegment& segment);
+  Quaternion quaternion(const std::array<double, 8>& n, std::size_t first) const;
+
+  detail::KvnReader lines_;
+  AttitudeEphemeris result_;
+  Pairs meta_;
+  Layout layout_ = layouts[0];
+  std::array<int, 3> sequence_{2, 0, 2};
+  bool scalar_first_ = false;
+  bool body_to_frame_ = false;
+  bool rate_in_a_ = false;
+  std::optional<CivilTime> origin_;
+  std::optional<CivilTime> before_;
+};
+
+std::string AemReader::needed(std::string_view key) {
+  const auto found = meta_.find(key);
+  if (found == meta_.end()) lines_.fail("the metadata above have no " + std::string(key));
+  return found->second;
+}
+
+std::string AemReader::optional(std::string_view key) const {
+  const auto found = meta_.find(key);
+  return found == meta_.end() ? std::string() : found->second;
+}
+
+AttitudeEphemeris AemReader::read() {
+  read_header();
+  for (;;) {
+    read_rows();
+    std::optional<KvnLine> line = lines_.next();
+    while (line && line->kind == KvnLine::Kind::comment) line = lines_.next();
+    if (!line) return std::move(result_);
+    if (line->key != "META_START")
+      lines_.fail("got \"" + detail::printable(line->key.empty() ? line->value : line->key) +
+                  "\"; expected META_START of another segment, or the end");
+    read_meta();
+  }
+}
+
+// Up to META_STOP of the first segment.
+void AemReader::read_header() {
+  bool first = true;
+  while (const std::optional<KvnLine> line = lines_.next()) {
+    if (std::exchange(first, false)) {
+      if (line->key != "CCSDS_AEM_VERS")
+        lines_.fail("expected CCSDS_AEM_VERS = 1.0 or 2.0 as the first line of an AEM");
+      result_.version = lines_.value_of(*line);
+      if (result_.version != "1.0" && result_.version != "2.0")
+        lines_.fail("CCSDS_AEM_VERS: got \"" + detail::printable(result_.version) +
+                    "\"; expected 1.0 or 2.0");
+    } else if (line->kind == KvnLine::Kind::comment) {
+      result_.comments.emplace_back(line->value);
+    } else if (line->key == "META_START") {
+      read_meta();
+      return;
+    } else if (line->key == "CREATION_DATE") {
+      result_.creation_date = lines_.value_of(*line);
+    } else if (line->key == "ORIGINATOR") {
+      result_.originator = lines_.value_of(*line);
+    } else if (line->key != "MESSAGE_ID" && line->key != "CLASSIFICATION") {
+      lines_.fail("got \"" + detail::printable(line->key.empty() ? line->value : line->key) +
+                  "\" in the header; expected CREATION_DATE, ORIGINATOR or META_START");
+    }
+  }
+  lines_.fail(first ? "expected CCSDS_AEM_VERS = 1.0 or 2.0 as the first line of an AEM"
+                    : "the file ends before META_START");
+}
+
+void AemReader::read_meta() {
+  meta_.clear();
+  for (;;) {
+    const std::optional<KvnLine> line = lines_.next();
+    if (!line) lines_.fail("the file ends before META_STOP");
+    if (line->kind == KvnLine::Kind::comment) continue;
+    if (line->key == "META_STOP") break;
+    if (line->kind != KvnLine::Kind::pair)
+      lines_.fail("got \"" + detail::printable(line->key.empty() ? line->value : line->key) +
+                  "\" in the metadata; expected KEYWORD = value or META_STOP");
+    if (!meta_.emplace(line->key, lines_.value_of(*line)).second)
+      lines_.fail(detail::printable(line->key) + " is there twice");
+  }
+  choose_layout();
+  AemSegment segment{.object_name = needed("OBJECT_NAME"),
+                     .object_id = needed("OBJECT_ID"),
+                     .center = optional("CENTER_NAME"),
+                     .frame_a = needed("REF_FRAME_A"),
+                     .frame_b = needed("REF_FRAME_B"),
+                     .time_system = needed("TIME_SYSTEM"),
+                     .attitude_type = std::string(layout_.type),
+                     .start = needed("START_TIME"),
+                     .stop = needed("STOP_TIME"),
+                     .epochs = {},
+                     .t = {},
+                     .q_AB = {},
+                     .w_AB_B = {}};
+  if (std::find(std::begin(time_systems), std::end(time_systems), segment.time_system) ==
+      std::end(time_systems))
+    lines_.fail("TIME_SYSTEM: got \"" + detail::printable(segment.time_system) + "\"; expected " +
+                detail::one_of(time_systems));
+  if (!result_.segments.empty() && segment.time_system != result_.segments.front().time_system)
+    lines_.fail("TIME_SYSTEM: got " + segment.time_system + "; the first segment has " +
+                result_.segments.front().time_system);
+  result_.segments.push_back(std::move(segment));
+}
+
+void AemReader::choose_layout() {
+  std::string type = needed("ATTITUDE_TYPE");
+  std::replace(type.begin(), type.end(), ' ', '_');  // Orekit writes EULER ANGLE
+  const auto* const found = std::find_if(std::begin(layouts), std::end(layouts),
+                                         [&](const Layout& layout) { return layout.type == type; });
+  if (found == std::end(layouts)) {
+    std::vector<std::string_view> known;
+    for (const Layout& layout : layouts) known.push_back(layout.type);
+    lines_.fail("ATTITUDE_TYPE: got \"" + detail::printable(type) + "\"; read are " +
+                detail::one_of(known));
+  }
+  layout_ = *found;
+  const std::string direction = optional("ATTITUDE_DIR");
+  if (!direction.empty() && direction != "A2B" && direction != "B2A")
+    lines_.fail("ATTITUDE_DIR: got \"" + detail::printable(direction) + "\"; expected A2B or B2A");
+  body_to_frame_ = direction == "B2A";
+  const std::string order = optional("QUATERNION_TYPE");
+  if (!order.empty() && order != "FIRST" && order != "LAST")
+    lines_.fail("QUATERNION_TYPE: got \"" + detail::printable(order) +
+                "\"; expected FIRST or LAST");
+  if (order.empty() && result_.version == "1.0" && layout_.angles == Angles::quaternion)
+    lines_.fail("the metadata above have no QUATERNION_TYPE, FIRST or LAST");
+  scalar_first_ = order == "FIRST";
+  const std::string a = optional("REF_FRAME_A");
+  const std::string frame = optional("RATE_FRAME") + optional("ANGVEL_FRAME");
+  rate_in_a_ = frame == "REF_FRAME_A" || (frame == a && frame != optional("REF_FRAME_B"));
+  const bool told = rate_in_a_ || frame == "REF_FRAME_B" || frame == optional("REF_FRAME_B");
+  if (layout_.rates == Rates::angular_velocity && !told)
+    lines_.fail("the frame of the angular velocity: got \"" + detail::printable(frame) +
+                "\"; expected REF_FRAME_A, REF_FRAME_B or the name of either");
+  if (layout_.rates == Rates::angular_velocity && body_to_frame_)
+    lines_.fail(
+        "ATTITUDE_DIR: got B2A with angular velocities; which of the two frames turns "
+        "relative to the other is then not told: read is A2B");
+  if (layout_.angles == Angles::euler) choose_sequence();
+}
+
+void AemReader::choose_sequence() {
+  const std::string text = needed("EULER_ROT_SEQ");
+  bool good = text.size() == 3;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const std::optional<int> axis = axis_of(text[i]);
+    good = axis.has_value();
+    if (good) sequence_.at(i) = *axis;
+  }
+  if (!good || sequence_[0] == sequence_[1] || sequence_[1] == sequence_[2])
+    lines_.fail("EULER_ROT_SEQ: got \"" + detail::printable(text) +
+                "\"; expected three axes such as 313 or ZXZ");
+}
+
+void AemReader::read_rows() {
+  before_.reset();
+  AemSegment& segment = result_.segments.back();
+  bool started = false;
+  for (;;) {
+    const std::optional<KvnLine> line = lines_.next();
+    if (!line) lines_.fail("the file ends before DATA_STOP");
+    if (line->kind == KvnLine::Kind::comment) continue;
+    if (!started) {
+      if (line->key != "DATA_START") lines_.fail("expected DATA_START behind the metadata");
+      started = true;
+    } else if (line->key == "DATA_STOP") {
+      break;
+    } else if (line->kind == KvnLine::Kind::data) {
+      read_row(*line, segment);
+    } else {
+      lines_.fail("got \"" + detail::printable(line->key) +
+                  "\" among the data; expected a row or DATA_STOP");
+    }
+  }
+  if (segment.t.empty()) lines_.fail("a segment without rows");
+}
+
+void AemReader::read_row(const KvnLine& line, AemSegment& segment) {
+  const std::vector<std::string_view> fields = lines_.fields(line);
+  const std::size_t count = width(layout_);
+  if (fields.size() != count + 1)
+    lines_.fail("got " + std::to_string(fields.size()) + " fields; expected those of " +
+                std::string(layout_.type) + ": " + std::string(layout_.fields));
+  const std::optional<CivilTime> time = detail::civil_time(fields[0], segment.time_system == "UTC");
+  if (!time)
+    lines_.fail("got \"" + detail::printable(fields[0]) +
+                "\"; expected a date such as 2029-04-13T21:46:00.0");
+  if (before_ && !(*time > *before_)) lines_.fail("a date not later than that of the row before");
+  before_ = time;
+  if (!origin_) origin_ = time;
+  std::array<double, 8> numbers{};
+  for (std::size_t i = 0; i < count; ++i)
+    numbers.at(i) = lines_.number(fields[i + 1], layout_.type);
+  segment.epochs.emplace_back(fields[0]);
+  try {
+    segment.t.push_back(detail::seconds_between(segment.time_system, *origin_, *time));
+  } catch (const DomainError& error) {
+    lines_.fail(error.what());
+  }
+  add(numbers, segment);
+}
+
+Quaternion AemReader::quaternion(const std::array<double, 8>& n, std::size_t first) const {
+  const std::size_t i = first;
+  if (scalar_first_) return {n.at(i), n.at(i + 1), n.at(i + 2), n.at(i + 3)};
+  return {n.at(i + 3), n.at(i), n.at(i + 1), n.at(i + 2)};
+}
+
+void AemReader::add(const std::array<double, 8>& n, AemSegment& segment) {
+  Quaternion q{};
+  std::size_t used = 4;
+  if (layout_.angles == Angles::quaternion) {
+    q = quaternion(n, 0);
+    const double length = std::hypot(std::hypot(q.w, q.x), std::hypot(q.y, q.z));
+    if (!(std::fabs(length - 1.0) < length_error))
+      lines_.fail("a quaternion of length " + detail::number_text(length) + "; expected 1");
+  } else if (layout_.angles == Angles::euler) {
+    // three turns of the axes, one after the other, each about an axis already turned
+    q = about(sequence_[0], degree * n[0]) * about(sequence_[1], degree * n[1]) *
+        about(sequence_[2], degree * n[2]);
+    used = 3;
+  } else {
+    q = about(2, degree * (n[0] + 90.0)) * about(0, degree * (90.0 - n[1])) *
+        about(2, degree * n[2]);
+  }
+  const Quaternion q_AB = body_to_frame_ ? conj(q) : q;
+  segment.q_AB.push_back(q_AB);
+  if (layout_.rates == Rates::none) return;
+  if (layout_.rates == Rates::derivative) {
+    const Quaternion dot = quaternion(n, used);
+    const Quaternion w = conj(q_AB) * (body_to_frame_ ? conj(dot) : dot);  // w = 2 q* dq/dt
+    segment.w_AB_B.push_back({2.0 * w.x, 2.0 * w.y, 2.0 * w.z});
+    return;
+  }
+  const Vec3 w{degree * n.at(used), degree * n.at(used + 1), degree * n.at(used + 2)};
+  segment.w_AB_B.push_back(rate_in_a_ ? rotate(conj(normalized(q_AB)), w) : w);
+}
+
+}  // namespace
+
+AttitudeEphemeris aem_from_text(std::string_view text, const std::string& name) {
+  return AemReader(text, detail::printable(name, name.size())).read();
+}
+
+AttitudeEphemeris read_aem(const std::string& path) {
+  return aem_from_text(detail::text_of_file(path, largest_file), path == "-" ? "<stdin>" : path);
+}
+
+std::string aem_csv(const AttitudeEphemeris& ephemeris) {
+  const std::vector<AemSegment>& segments = ephemeris.segments;
+  const bool several = segments.size() > 1;
+  const bool rates = std::all_of(segments.begin(), segments.end(),
+                                 [](const AemSegment& s) { return !s.w_AB_B.empty(); });
+  const AemSegment& head = segments.front();
+  std::string out = "# t counts from " + detail::printable(head.epochs.front()) + " " +
+                    head.time_system + "\n# q: components along " +
+                    detail::printable(head.frame_b) + " to those along " +
+                    detail::printable(head.frame_a) + "\n";
+  out += "# units: t [s]" + std::string(rates ? ", w1 [rad/s], w2 [rad/s], w3 [rad/s]\n" : "\n");
+  out += "t,qw,qx,qy,qz" + std::string(rates ? ",w1,w2,w3" : "") + (several ? ",segment\n" : "\n");
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t k = 0; k < segments[i].t.size(); ++k) {
+      const Quaternion& q = segments[i].q_AB[k];
+      std::vector<double> row{segments[i].t[k], q.w, q.x, q.y, q.z};
+      if (rates) {
+        const Vec3& w = segments[i].w_AB_B[k];
+        row.insert(row.end(), {w.x, w.y, w.z});
+      }
+      if (several) row.push_back(static_cast<double>(i + 1));
+      for (std::size_t c = 0; c < row.size(); ++c)
+        out += (c == 0 ? "" : ",") + detail::number_text(row[c]);
+      out += '\n';
+    }
+  return out;
+}
+
+}  // namespace v0
+}  // namespace polhode

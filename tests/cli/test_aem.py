@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: MIT
+"""CCSDS Attitude Ephemeris Messages: what `polhode run` writes, an independent reader reads."""
+
+import math
+import re
+
+import budgets
+import numpy
+import pytest
+from ccsds_ndm.ndm_io import NdmIo
+from closeness import assert_allclose
+from scipy.spatial.transform import Rotation
+
+HEAD = 'schema = 1\ntitle = "A body"\n[units]\ntime = "min"\nangle = "deg"\n'
+BODY = "[body]\nmoments = [1, 2, 2.5]\n"
+STATE = ('[state]\nepoch = "{epoch}"\naxes = "{axes}"\n[state.attitude-rate]\n'
+         "quaternion = {q}\nomega_body = [3, 20, 100]\n")
+TIME = "[time]\nstart = {start}\nstop = {stop}\nstep = {step}\n"
+GENERIC = "[0.1, 0.7, -0.5, 0.4]"
+
+
+def text(aem="", epoch="2029-04-13T21:46:00 TDB", axes="equator-J2000", q=GENERIC, start=0,
+         stop=3, step=0.25, columns='"q", "omega"', more=""):
+    return (HEAD + BODY + STATE.format(epoch=epoch, axes=axes, q=q)
+            + TIME.format(start=start, stop=stop, step=step)
+            + f"[output]\ncolumns = [{columns}]\n[output.aem]\n{aem}\n{more}")
+
+
+@pytest.fixture
+def files(run, table, tmp_path):
+    """files(scenario text) -> (path of the AEM, columns of the CSV of the same run)"""
+
+    def write(scenario):
+        path = tmp_path / "a.toml"
+        path.write_text(scenario, encoding="utf-8")
+        result = run("run", path, "--out", tmp_path / "a.aem", "--out", tmp_path / "a.csv")
+        assert result.returncode == 0, result.stderr
+        names, rows = table((tmp_path / "a.csv").read_text(encoding="utf-8"))
+        return tmp_path / "a.aem", dict(zip(names, numpy.array(rows).T, strict=True))
+
+    return write
+
+
+def read(path):
+    """The metadata and rows of the only segment, by the package ccsds-ndm."""
+    [segment] = NdmIo().from_path(path).body.segment
+    return segment.metadata, segment.data.attitude_state
+
+
+def scalar_last(states):
+    q = [(s.quaternion_state or s.quaternion_euler_rate).quaternion for s in states]
+    return numpy.array([[x.q1, x.q2, x.q3, x.qc] for x in q])
+
+
+def quaternions(columns):
+    return numpy.array([columns[name] for name in ("qx", "qy", "qz", "qw")]).T
+
+
+@pytest.mark.parametrize("order", ["FIRST", "LAST"])
+@pytest.mark.parametrize("form", ["quaternion", "quaternion-rate"])
+def test_an_independent_reader_reads_the_same_quaternions(files, form, order):
+    path, columns = files(text(f'form = "{form}"\nquaternion_type = "{order}"'))
+    meta, states = read(path)
+    assert meta.quaternion_type.value == order and meta.attitude_dir.value == "A2B"
+    assert meta.ref_frame_a == "EME2000" and meta.ref_frame_b == "SC_BODY_1"
+    assert numpy.array_equal(scalar_last(states), quaternions(columns))  # bit for bit
+    epochs = [(s.quaternion_state or s.quaternion_euler_rate).epoch for s in states]
+    assert epochs[:2] == ["2029-04-13T21:46:00.000000000", "2029-04-13T21:46:15.000000000"]
+    assert meta.start_time == epochs[0] and meta.stop_time == epochs[-1]
+    assert epochs[-1] == "2029-04-13T21:49:00.000000000"
+
+
+def test_a_to_b_carries_the_axes_of_a_into_those_of_b(files):
+    """A body whose axis 1 lies along inertial axis 2: components along A go to those along B by
+    the transpose of the matrix whose columns are the axes of B."""
+    half = math.sqrt(0.5)
+    path, _ = files(text(q=f"[{half!r}, 0, 0, {half!r}]"))
+    first = Rotation.from_quat(scalar_last(read(path)[1])[0])
+    assert_allclose(first.apply([1, 0, 0]), [0, 1, 0], atol=budgets.numpy_rounding)
+    axes = first.as_matrix()  # columns: the axes of B in A
+    assert_allclose(axes.T @ [0, 1, 0], [1, 0, 0], atol=budgets.numpy_rounding)
+
+
+def test_b_to_a_is_the_inverse_rotation(files):
+    path, columns = files(text('direction = "B2A"'))
+    meta, states = read(path)
+    assert meta.attitude_dir.value == "B2A"
+    back = quaternions(columns) * [-1, -1, -1, 1]
+    assert numpy.array_equal(scalar_last(states), back)
+
+
+def test_euler_angles_are_3_1_3_of_the_frame(files):
+    path, columns = files(text('form = "euler"'))
+    meta, states = read(path)
+    assert meta.euler_rot_seq == "313" or meta.euler_rot_seq.value == "313"
+    angles = [[getattr(s.euler_angle.rotation_angles, f"rotation{i}").value for i in (1, 2, 3)]
+              for s in states]
+    turned = Rotation.from_euler("ZXZ", angles, degrees=True).as_matrix()
+    assert_allclose(turned, Rotation.from_quat(quaternions(columns)).as_matrix(),
+                    atol=budgets.numpy_formula)
+
+
+def test_spin_is_the_direction_of_body_axis_3_and_the_turn_about_it(files):
+    path, columns = files(text('form = "spin"'))
+    spins = [s.spin for s in read(path)[1]]
+    matrices = Rotation.from_quat(quaternions(columns)).as_matrix()
+    alpha = numpy.radians([s.spin_alpha.value for s in spins])
+    delta = numpy.radians([s.spin_delta.value for s in spins])
+    axis = numpy.array([numpy.cos(delta) * numpy.cos(alpha), numpy.cos(delta) * numpy.sin(alpha),
+                        numpy.sin(delta)]).T
+    assert_allclose(axis, matrices[:, :, 2], atol=budgets.numpy_formula)
+    # from where axis 1 would be for SPIN_ANGLE = 0: the node of the body equator on that of A
+    node = numpy.array([-numpy.sin(alpha), numpy.cos(alpha), 0 * alpha]).T
+    angle = numpy.radians([s.spin_angle.value for s in spins])
+    first = (numpy.cos(angle)[:, None] * node
+             + numpy.sin(angle)[:, None] * numpy.cross(axis, node))
+    assert_allclose(first, matrices[:, :, 0], atol=budgets.numpy_formula)
+    rates = [s.spin_angle_vel.value for s in spins]  # deg/s
+    assert_allclose(rates, columns["w3"] / 60, rtol=budgets.numpy_formula)
+
+
+def test_the_ecliptic_is_turned_into_eme2000(files):
+    path, columns = files(text(axes="ecliptic-J2000"))
+    meta, states = read(path)
+    assert meta.ref_frame_a == "EME2000"
+    turn = Rotation.from_euler("x", 84381.448 / 3600, degrees=True)
+    expected = turn.as_matrix() @ Rotation.from_quat(quaternions(columns)).as_matrix()
+    assert_allclose(Rotation.from_quat(scalar_last(states)).as_matrix(), expected,
+                    atol=budgets.numpy_formula)
+
+
+def test_another_name_of_the_ecliptic_is_not_turned(files):
+    path, columns = files(text('frame_a = "ECLIPJ2000"', axes="ecliptic-J2000"))
+    meta, states = read(path)
+    assert meta.ref_frame_a == "ECLIPJ2000"
+    assert numpy.array_equal(scalar_last(states), quaternions(columns))
+
+
+@pytest.mark.parametrize("version", [1, 2])
+@pytest.mark.parametrize("form", ["quaternion", "quaternion-rate", "euler", "spin"])
+def test_our_reader_gives_back_what_was_written(run, table, files, form, version):
+    path, columns = files(text(f'form = "{form}"\nversion = {version}'))
+    result = run("convert", "--from", "aem", "--to", "csv", path)
+    assert result.returncode == 0, result.stderr
+    names, rows = table(result.stdout)
+    back = dict(zip(names, numpy.array(rows).T, strict=True))
+    assert_allclose(back["t"], 60 * columns["t"], rtol=budgets.numpy_rounding)
+    ours = Rotation.from_quat(quaternions(columns)).as_matrix()
+    assert_allclose(Rotation.from_quat(quaternions(back)).as_matrix(), ours,
+                    atol=budgets.numpy_formula)
+    assert ("w1" in back) == (form == "quaternion-rate")
+    for name in ("w1", "w2", "w3") if "w1" in back else ():
+        assert_allclose(back[name], numpy.radians(columns[name]) / 60, rtol=budgets.numpy_formula)
+
+
+def test_a_moving_frame_needs_the_inertial_quaternion(run, files, tmp_path):
+    frame = "[frame.precessing]\naxis = [0, 0, 1]\nrate = 5\n"
+    path, columns = files(text(columns='"q", "q_inertial"', more=frame))
+    inertial = numpy.array([columns[name] for name in ("Qx", "Qy", "Qz", "Qw")]).T
+    assert numpy.array_equal(scalar_last(read(path)[1]), inertial)
+    assert not numpy.array_equal(inertial, quaternions(columns))
+    (tmp_path / "b.toml").write_text(text(more=frame), encoding="utf-8")
+    result = run("run", tmp_path / "b.toml", "--out", tmp_path / "b.aem")
+    assert result.returncode == 2 and '"q_inertial" among the columns' in result.stderr
+
+
+def test_an_event_that_stops_the_run_sets_stop_time(files):
+    event = '[[event]]\nname = "half"\ncolumn = "psi"\nvalue = 90\nstops = true\n'
+    path, columns = files(text(more=event, stop=300))
+    content = path.read_text(encoding="ascii")
+    last = content.splitlines()[-2].split()[0]
+    assert re.search(r"\nSTOP_TIME = (.*)\n", content)[1] == last
+    assert columns["t"][-1] < 300
+
+
+def test_utc_has_its_leap_second(run, table, files):
+    """2016-12-31 ended with 23:59:60; rows 0.25 min apart go through it."""
+    path, columns = files(text(epoch="2016-12-31T23:59:15 UTC", stop=1))
+    epochs = [s.quaternion_state.epoch for s in read(path)[1]]
+    assert [e[11:23] for e in epochs] == ["23:59:15.000", "23:59:30.000", "23:59:45.000",
+                                          "23:59:60.000", "00:00:14.000"]
+    names, rows = table(run("convert", "--from", "aem", "--to", "csv", path).stdout)
+    assert [row[0] for row in rows] == [0, 15, 30, 45, 60]
+
+
+def test_equal_runs_give_equal_files_and_the_origin_is_told(files):
+    first, _ = files(text())
+    content = first.read_bytes()
+    assert files(text())[0].read_bytes() == content
+    lines = content.decode("ascii").splitlines()
+    assert lines[0] == "CCSDS_AEM_VERS = 1.0" and lines[-1] == "DATA_STOP"
+    assert "CREATION_DATE = 1970-01-01T00:00:00" in lines
+    assert 'COMMENT | title = "A body"' in lines and "OBJECT_NAME = A body" in lines
+    assert max(map(len, lines)) <= 254
+    dated, _ = files(text('creation_date = "2026-01-31T12:00:00"'))
+    assert "CREATION_DATE = 2026-01-31T12:00:00" in dated.read_text(encoding="ascii")
+
+
+@pytest.mark.parametrize("scenario, message", [
+    (text().replace('epoch = "2029-04-13T21:46:00 TDB"\n', ""), "expected epoch in [state]"),
+    (text(epoch="2029-04-13T21:46:00 UT1"), "UT1, which does not run evenly"),
+    (text(stop=-3, step=-0.25), "the dates of an AEM rise"),
+    (text(columns='"omega"'), 'expected "q" among the columns'),
+    (text('form = "spin"', columns='"q"'), 'expected "omega" among the columns'),
+    (text(stop=1e13, step=1e12), "a date far from our time"),
+])
+def test_what_cannot_be_an_aem(run, tmp_path, scenario, message):
+    (tmp_path / "a.toml").write_text(scenario, encoding="utf-8")
+    result = run("run", tmp_path / "a.toml", "--out", tmp_path / "a.aem")
+    assert result.returncode == 2 and message in result.stderr, result.stderr
+    assert not list(tmp_path.glob("*.aem*"))
+
+
+@pytest.mark.parametrize("key, message", [
+    ('creation_date = "yesterday"', "expected a date such as"),
+    ('quaternion_type = "FIRST"\nversion = 2', 'expected "LAST" in version 2'),
+    ('direction = "B2A"\nform = "euler"', 'expected "A2B"'),
+    ('object_name = "Fl\u00fcgel"', "printable ASCII"),
+    ('form = "matrix"', "quaternion"),
+])
+def test_keys_that_do_not_go_together(run, tmp_path, key, message):
+    (tmp_path / "a.toml").write_text(text(key), encoding="utf-8")
+    result = run("info", tmp_path / "a.toml")
+    assert result.returncode == 2 and message in result.stderr, result.stderr
+
+
+GOOD = """CCSDS_AEM_VERS = 1.0
+CREATION_DATE = 2002-309T17:22:31
+ORIGINATOR = NASA/JPL
+META_START
+OBJECT_NAME = MARS GLOBAL SURVEYOR
+OBJECT_ID = 1996-062A
+REF_FRAME_A = EME2000
+REF_FRAME_B = SC_BODY_1
+ATTITUDE_DIR = A2B
+TIME_SYSTEM = TDB
+START_TIME = 1996-11-28T21:29:07.2555
+STOP_TIME = 1996-12-28T21:28:00.5555
+ATTITUDE_TYPE = QUATERNION
+QUATERNION_TYPE = LAST
+META_STOP
+DATA_START
+1996-11-28T21:29:07.2555 0.5 0.5 0.5 0.5
+1996-333T21:30:07.2555 0 0 0 1
+DATA_STOP
+"""
+
+
+def test_days_of_the_year_are_dates(run, table):
+    names, rows = table(run("convert", "--from", "aem", "--to", "csv", stdin=GOOD).stdout)
+    assert names == ["t", "qw", "qx", "qy", "qz"]
+    assert rows == [[0, 0.5, 0.5, 0.5, 0.5], [60, 1, 0, 0, 0]]
+
+
+@pytest.mark.parametrize("old, new, line, message", [
+    ("CCSDS_AEM_VERS = 1.0", "CCSDS_OEM_VERS = 1.0", 1, "expected CCSDS_AEM_VERS"),
+    ("CCSDS_AEM_VERS = 1.0", "CCSDS_AEM_VERS = 3.0", 1, "expected 1.0 or 2.0"),
+    ("OBJECT_ID = 1996-062A\n", "", 14, "no OBJECT_ID"),
+    ("= QUATERNION\n", "= SPIN/NUTATION\n", 15, "ATTITUDE_TYPE: got"),
+    ("A2B", "AB", 15, "expected A2B or B2A"),
+    ("TIME_SYSTEM = TDB", "TIME_SYSTEM = MET", 15, "TIME_SYSTEM: got"),
+    ("QUATERNION_TYPE = LAST\n", "", 14, "no QUATERNION_TYPE"),
+    ("0 0 0 1", "0 0 0", 18, "expected those of QUATERNION"),
+    ("0 0 0 1", "0 0 0 x", 18, "expected a finite number"),
+    ("0 0 0 1", "0 0 0 nan", 18, "expected a finite number"),
+    ("0 0 0 1", "0 0 0 2", 18, "a quaternion of length 2"),
+    ("1996-333T21:30:07.2555", "1996-333T21:29:07.2555", 18, "not later than"),
+    ("1996-333T21:30:07.2555", "1996-02-30T21:29:07", 18, "expected a date such as"),
+    ("DATA_STOP\n", "", 18, "ends before DATA_STOP"),
+    ("DATA_START\n", "", 16, "expected DATA_START"),
+    ("META_STOP\n", "", 15, "DATA_START"),
+])
+def test_what_is_wrong_in_a_file_is_told_with_its_line(run, old, new, line, message):
+    assert old in GOOD
+    result = run("convert", "--from", "aem", "--to", "csv", stdin=GOOD.replace(old, new, 1))
+    assert result.returncode == 2 and result.stdout == ""
+    assert result.stderr.startswith(f"<stdin>:{line}: ") and message in result.stderr

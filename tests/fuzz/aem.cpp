@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Any bytes are an Attitude Ephemeris Message with finite attitudes at rising times, or one
+// DomainError: never a crash.
+#include "polhode/io/aem.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "polhode/error.hpp"
+
+namespace {
+
+void require(bool good) {
+  if (!good) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace polhode;
+  try {
+    const AttitudeEphemeris read =
+        aem_from_text({reinterpret_cast<const char*>(data), size}, "fuzz");
+    require(!read.segments.empty());
+    for (const AemSegment& s : read.segments) {
+      require(!s.t.empty() && s.q_AB.size() == s.t.size() && s.epochs.size() == s.t.size());
+      require(s.w_AB_B.empty() || s.w_AB_B.size() == s.t.size());
+      for (std::size_t k = 0; k < s.t.size(); ++k) {
+        require(std::isfinite(s.t[k]) && (k == 0 || s.t[k] >= s.t[k - 1]));
+        require(std::fabs(normalized(s.q_AB[k]).w) <= 1.0);
+      }
+    }
+    require(aem_csv(read).ends_with('\n'));
+  } catch (const DomainError& error) {
+    const std::string_view message = error.what();
+    require(message.starts_with("fuzz:") && message.find('\n') == std::string_view::npos);
+  }
+  return 0;
+}
