@@ -412,4 +412,14 @@ inline constexpr double run_memory = 1.2;
 // --- attitude files (python/tests/test_attitude_files.py) ---
 // Central differences of attitudes against rates: some 0.04 rad between the outer two.
 inline constexpr double aem_difference = 1e-4;
+
+// --- Apophis in 2029 (python/tests/test_apophis_2029.py) ---
+// deg: between the plane or pericentre of the example and those of either orbit beside it.
+inline constexpr double apophis_plane = 2.0;
+// Against SciPy's DOP853 after 96 h.
+inline constexpr double apophis_scipy = 1e-9;
+// Tolerance asked of it.
+inline constexpr double apophis_oracle = 1e-12;
+// Relative change of the periods from 48 h to 192 h after the closest approach.
+inline constexpr double apophis_after = 2e-3;
 }  // namespace polhode::budget

@@ -5,9 +5,9 @@
 // Equations   none.
 // Units       those that the columns name.
 // Domain      open_sink: "-" (CSV to standard output), PATH.csv, PATH.h5 or PATH.aem. A file is
-//             written as PATH.part, flushed after each block, and renamed by finish(); a run that fails or is
-//             killed leaves PATH.part, readable up to its last block, and PATH as it was. With a
-//             position, open_sink cuts PATH.part back to it and goes on from there.
+//             written as PATH.part, flushed after each block, and renamed by finish(); a run that
+//             fails or is killed leaves PATH.part, readable up to its last block, and PATH as it
+//             was. With a position, open_sink cuts PATH.part back to it and goes on from there.
 // Accuracy    CSV numbers are the shortest that read back to the same double; HDF5 holds doubles.
 // Errors      DomainError for a path that cannot be an output, and for a PATH.part that is not what
 //             a position belongs to; OutputError when writing fails.

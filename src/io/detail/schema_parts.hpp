@@ -18,6 +18,7 @@ SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart perturbation_keys();
 SchemaPart method_keys();
+SchemaPart output_keys();
 
 }  // namespace detail
 }  // namespace v0
