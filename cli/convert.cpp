@@ -109,7 +109,7 @@ void add_convert(CLI::App& app) {
     charts += "  " + std::string(chart.name) + ": " + std::string(chart.columns) +
               (chart.options.empty() ? "" : " (" + std::string(chart.options) + ")") +
               (chart.needs_body ? "; --moments" : "") + "\n";
-  charts += "  aem: a CCSDS Attitude Ephemeris Message, --to csv (t, qw, qx, qy, qz, w1, w2, w3)\n";
+  charts += "\nA CCSDS Attitude Ephemeris Message becomes a table by --from aem --to csv.\n";
   command->add_option("--from", options->from, "Chart of the input, or aem")->required();
   command->add_option("--to", options->to, "Chart of the output; csv of aem")->required();
   command->add_option("--moments", options->moments, "Principal moments, for charts that need them")
