@@ -149,11 +149,16 @@ AemSink::AemSink(const std::string& path, const std::vector<ColumnGroup>& groups
   } catch (const DomainError& error) {
     throw DomainError(shown + error.what());
   }
-  file_.emplace(path, from ? std::optional(from->bytes) : std::nullopt);
-  if (from)
-    rows_ = from->rows;
-  else
+  if (!from) {
+    file_.emplace(path);
     file_->write(text);
+    return;
+  }
+  // the date behind it may be that of a run that had ended
+  const std::string before_stop = text.substr(0, static_cast<std::size_t>(stop_place_));
+  file_.emplace(path, std::optional(PartState{from->bytes, before_stop}));
+  file_->overwrite(stop_place_, stop_);
+  rows_ = from->rows;
 }
 
 void AemSink::choose_columns(const std::string& shown, const std::vector<ColumnGroup>& groups) {
