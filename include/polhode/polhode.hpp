@@ -24,6 +24,7 @@
 #include "polhode/elliptic/nome.hpp"
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
+#include "polhode/ephemeris/teme_axes.hpp"
 #include "polhode/error.hpp"
 #include "polhode/frame/frame.hpp"
 #include "polhode/free/cayley_klein.hpp"

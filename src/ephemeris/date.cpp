@@ -74,15 +74,15 @@ std::optional<TimeScale> time_scale(std::string_view name) {
   return std::nullopt;
 }
 
-Date date(TimeScale scale, const CalendarTime& t) {
+Date calendar_date(TimeScale scale, const CalendarTime& t) {
   Date result{scale, 0.0, 0.0};
   const std::string of_scale(name(scale));
   const int status = eraDtf2d(of_scale.c_str(), t.year, t.month, t.day, t.hour, t.minute, t.second,
                               &result.day, &result.fraction);
   // 2 and 3: a second beyond the end of the day
   if (status < 0 || status >= 2 || !std::isfinite(t.second))
-    fail("date", "the time " + text(t) + " " + of_scale + " must be one of the calendar" +
-                     (t.second >= 60.0 ? ", and a 60th second a leap second of UTC" : ""));
+    fail("calendar_date", "the time " + text(t) + " " + of_scale + " must be one of the calendar" +
+                              (t.second >= 60.0 ? ", and a 60th second a leap second of UTC" : ""));
   return result;
 }
 
@@ -121,7 +121,7 @@ double seconds_between(const Date& from, const Date& to, std::optional<double> d
   return ((b.day - a.day) + (b.fraction - a.fraction)) * day_in_s;
 }
 
-Date after(const Date& date, double seconds, std::optional<double> dut1) {
+Date date_after(const Date& date, double seconds, std::optional<double> dut1) {
   Date tt = converted(date, TimeScale::TT, dut1);
   const double days = std::floor(seconds / day_in_s);
   tt.day += days;

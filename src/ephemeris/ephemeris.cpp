@@ -45,9 +45,9 @@ const Entry& entry(Planetary body) { return entries[static_cast<std::size_t>(bod
 }
 
 [[noreturn]] void fail_dates(Planetary body, const char* years, const Date& tdb) {
-  fail("position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
-                       " must be in the years " + years + " for the " +
-                       std::string(entry(body).name));
+  fail("planetary_position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
+                                 " must be in the years " + years + " for the " +
+                                 std::string(entry(body).name));
 }
 
 using Posvel = std::array<std::array<double, 3>, 2>;
@@ -77,7 +77,7 @@ Vec3 from_sun(Planetary body, const Date& tdb) {
   Posvel pv{};
   const int status = eraPlan94(tdb.day, tdb.fraction, entry(body).of_plan94, rows(pv));
   if (status == 1) fail_dates(body, "1000 to 3000", tdb);
-  if (status != 0) fail("position", "no position of " + std::string(entry(body).name));
+  if (status != 0) fail("planetary_position", "no position of " + std::string(entry(body).name));
   return km(pv);
 }
 
@@ -108,7 +108,7 @@ struct Span {
 
   // `t` s after the epoch
   Vec3 at(double t) const {
-    return position_at(target, centre, converted(after(epoch, t), TimeScale::TDB));
+    return position_at(target, centre, converted(date_after(epoch, t), TimeScale::TDB));
   }
   PositionTable rows(std::size_t count) const {
     PositionTable table;
@@ -156,21 +156,23 @@ std::optional<Planetary> planetary(std::string_view name) {
   return std::nullopt;
 }
 
-double gm(Planetary body) { return entry(body).gm; }
+double planetary_gm(Planetary body) { return entry(body).gm; }
 
-Vec3 position(Planetary target, Planetary centre, const Date& date) {
+Vec3 planetary_position(Planetary target, Planetary centre, const Date& date) {
   if (target == centre)
-    fail("position", "target and centre must not both be " + std::string(entry(target).name));
+    fail("planetary_position",
+         "target and centre must not both be " + std::string(entry(target).name));
   return position_at(target, centre, converted(date, TimeScale::TDB));
 }
 
 // Half the spacing until the rows are dense enough, or until it no longer helps: then what is left
 // is rounding.
-EphemerisTable tabulated(Planetary target, Planetary centre, const Date& epoch, double first,
-                         double last, double tolerance) {
-  position(target, centre, epoch);  // refuses
+EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& epoch, double first,
+                               double last, double tolerance) {
+  planetary_position(target, centre, epoch);  // refuses
   if (!(first < last) || !std::isfinite(last - first))
-    fail("tabulated", "times " + detail::tuple_text({first, last}) + " must rise and be finite");
+    fail("planetary_table",
+         "times " + detail::tuple_text({first, last}) + " must rise and be finite");
   const Span span{target, centre, converted(epoch, TimeScale::TT), first, last};
   const double length = (last - first) / day_in_s;
   double spacing = std::min(entry(target).first_day, entry(centre).first_day);
@@ -179,8 +181,8 @@ EphemerisTable tabulated(Planetary target, Planetary centre, const Date& epoch, 
   for (;;) {
     const double needed = std::ceil(length / spacing) + 1.0;
     if (needed > static_cast<double>(most_rows))
-      fail("tabulated", "a span of " + detail::number_text(length) + " days must have at most " +
-                            std::to_string(most_rows) + " rows");
+      fail("planetary_table", "a span of " + detail::number_text(length) +
+                                  " days must have at most " + std::to_string(most_rows) + " rows");
     const auto count = std::max(static_cast<std::size_t>(needed), std::size_t{table_order});
     PositionTable rows = span.rows(count);
     const Misfit worst = misfit(span, TableOrbit(rows, table_order));

@@ -103,7 +103,7 @@ std::int64_t leap_nano(std::int64_t day) {
   const std::chrono::year_month_day on = date_of(day);
   if (on.year() < std::chrono::year{1972})
     throw DomainError("UTC has whole leap seconds from 1972 on only; expected TT, TDB or TAI");
-  const Date utc = polhode::date(
+  const Date utc = polhode::calendar_date(
       TimeScale::UTC, {static_cast<int>(on.year()), static_cast<int>(unsigned{on.month()}),
                        static_cast<int>(unsigned{on.day()})});
   const Date tai = converted(utc, TimeScale::TAI);

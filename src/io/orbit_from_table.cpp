@@ -2,8 +2,10 @@
 // [orbit.NAME] from a table in a file.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
+#include "io/detail/epoch.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/orbit_kinds.hpp"
 #include "io/detail/reference_axes.hpp"
@@ -54,8 +56,36 @@ double unit_of(const OrbitPlace& at, const char* key, Dimension dimension, doubl
   });
 }
 
+// How the column of times is read, into core units.
+FieldReader time_reader(const OrbitPlace& at) {
+  const std::string& format = word(at.values(), at.key("time_format"));
+  if (format == "number") {
+    const double unit = unit_of(at, "time_unit", Dimension::time, 1.0);
+    return [unit](std::string_view field) { return unit * number_from_field(field); };
+  }
+  if (there(at.values(), at.key("time_unit")))
+    refuse(at.values(), at.key("time_unit"), at.name(), "expected no unit beside dates");
+  const Clock clock = clock_of(at.values(), at.file.units, at.key("time_format"), at.name());
+  const TimeScale scale = *time_scale(word(at.values(), at.key("time_scale")));
+  if (format == "date")
+    return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };
+  const double zero = format == "MJD" ? 2400000.5 : 0.0;
+  return [=](std::string_view field) { return clock.core_time(julian_date(field, scale, zero)); };
+}
+
+// A last time that only the rounding of its unit keeps from the end of the run is that end.
+void meet_ends(const OrbitPlace& at, std::vector<double>& times) {
+  const std::optional<TimeSpan> span = run_span(at.file);
+  if (!span || times.empty()) return;
+  const auto meet = [](double& t, double end) {
+    if (std::fabs(t - end) <= 8.0 * epsilon<double>() * std::fabs(end)) t = end;
+  };
+  meet(times.front(), span->first);
+  meet(times.back(), span->last);
+}
+
 PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
-  const double time = unit_of(at, "time_unit", Dimension::time, 1.0);
+  const double time = unit_of(at, "time_unit", Dimension::time, 1.0);  // without: core units
   const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
   const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
   const std::string& axes = orbit_axes(at);
@@ -70,7 +100,7 @@ PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
     return vectors;
   };
   PositionTable table{file.columns[0], rows(1, length), {}};
-  for (double& t : table.times) t *= time;
+  meet_ends(at, table.times);
   if (file.columns.size() == 7) table.velocities = rows(4, speed);
   return table;
 }
@@ -98,7 +128,7 @@ ScenarioOrbit table_orbit(const OrbitPlace& at) {
                               value_at(at.values(), at.key("order")).whole, 1, 99))
                         : 0;
   const TableOrbit orbit = built(at.values(), key, at.name(), [&] {
-    const NumberTable file = read_number_table(path, columns_of(at, path));
+    const NumberTable file = read_number_table(path, columns_of(at, path), time_reader(at));
     require_rising(file, 0, "time");
     return TableOrbit(positions_of(at, file), order);
   });

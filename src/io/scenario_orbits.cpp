@@ -131,7 +131,8 @@ std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at) {
     const OrbitPlace place{at, path};
     orbits.push_back(kind == "kepler"  ? kepler_orbit(place)
                      : kind == "state" ? state_orbit(place)
-                                       : table_orbit(place));
+                     : kind == "table" ? table_orbit(place)
+                                       : ephemeris_orbit(place));
   }
   return orbits;
 }

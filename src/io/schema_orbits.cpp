@@ -13,6 +13,9 @@ using enum Presence;
 constexpr std::string_view of_kepler = "kepler";
 constexpr std::string_view of_state = "state";
 constexpr std::string_view of_table = "table";
+constexpr std::string_view of_ephemeris = "ephemeris";
+constexpr std::string_view bodies =
+    "sun|mercury|venus|earth|moon|mars|jupiter|saturn|uranus|neptune";
 
 constexpr Key keys[] = {
     {.path = "orbit", .help = "Orbits, by names that the file chooses."},
@@ -21,17 +24,17 @@ constexpr Key keys[] = {
              "round, in inertial axes."},
     {.path = "orbit.*.kind",
      .type = choice,
-     .allowed = "kepler|state|table",
+     .allowed = "kepler|state|table|ephemeris",
      .fallback = "\"kepler\"",
      .example = "\"kepler\"",
-     .help = "Elements, which may precess; a position and a velocity; or a table in a file "
-             "(docs/guide/orbits.md)."},
+     .help = "Elements, which may precess; a position and a velocity; a table in a file; or Sun, "
+             "Moon and planets as they move (docs/guide/orbits.md)."},
     {.path = "orbit.*.gm",
      .type = number,
      .dimension = Dimension::gm,
      .example = "\"398600.4418 km3/s2\"",
      .help = "Gravitational parameter: it gives the period of a Kepler orbit, and a perturbation "
-             "that names the orbit takes it.",
+             "that names the orbit takes it. With kind ephemeris left out: that of the target.",
      .needed_by = "kepler|state"},
     {.path = "orbit.*.semi_major_axis",
      .type = number,
@@ -163,6 +166,21 @@ constexpr Key keys[] = {
          "that the file gives them or by their numbers from 1. Left out: t, x, y, z and, if "
          "there, vx, vy, vz, or where no line names them, the first four or seven.",
      .kinds = of_table},
+    {.path = "orbit.*.time_format",
+     .type = choice,
+     .allowed = "number|JD|MJD|date",
+     .fallback = "\"number\"",
+     .example = "\"number\"",
+     .help = "What the column of times holds: time from t = 0, Julian dates, modified ones, or "
+             "dates like 2013-01-05T18:30:00. All but the first need `state.epoch`.",
+     .kinds = of_table},
+    {.path = "orbit.*.time_scale",
+     .type = choice,
+     .allowed = "UTC|TAI|TT|TDB",
+     .fallback = "\"TT\"",
+     .example = "\"TDB\"",
+     .help = "Time scale of these dates.",
+     .kinds = of_table},
     {.path = "orbit.*.time_unit",
      .type = unit,
      .example = "\"s\"",
@@ -184,6 +202,22 @@ constexpr Key keys[] = {
      .help = "Order of the interpolation: 2 to 16, even; with velocities 4 to 32, a multiple of "
              "4. Left out: 10, with velocities 12.",
      .kinds = of_table},
+
+    {.path = "orbit.*.target",
+     .type = choice,
+     .presence = required,
+     .allowed = bodies,
+     .example = "\"moon\"",
+     .help = "The body whose positions these are. It needs `state.epoch`, `state.axes` of J2000, a "
+             "unit of length, and [time].",
+     .kinds = of_ephemeris},
+    {.path = "orbit.*.centre",
+     .type = choice,
+     .presence = required,
+     .allowed = bodies,
+     .example = "\"earth\"",
+     .help = "The body it is seen from, without light time.",
+     .kinds = of_ephemeris},
 };
 
 constexpr Alternatives alternatives[] = {{"orbit.*", "semi_major_axis|pericentre", "kepler"}};

@@ -84,7 +84,13 @@ constexpr Key body_keys[] = {
      .type = epoch,
      .example = "\"2013-01-05T00:00:00 UTC\"",
      .help = "The date of t = 0 with its scale (UTC, TAI, TT, TDB or UT1): an ISO date or "
-             "\"JD 2456297.5 TDB\"."},
+             "\"JD 2456297.5 TDB\". From it t counts SI seconds of TT "
+             "(docs/guide/time-scales.md)."},
+    {.path = "state.dut1",
+     .type = number,
+     .dimension = Dimension::time,
+     .example = "\"-0.1 s\"",
+     .help = "UT1 - UTC, observed: needed for an epoch in UT1."},
     {.path = "state.axes",
      .type = choice,
      .allowed = "inertial|ecliptic-J2000|equator-J2000",

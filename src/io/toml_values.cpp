@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "io/detail/epoch.hpp"
 #include "io/detail/nearest.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/toml.hpp"
@@ -220,7 +221,6 @@ bool Reader::read_words(const Key& key, const toml::node& node, Value& value) {
                      [&](const toml::node& item) { return read_word(key, item, value); });
 }
 
-// A number of a column as its digits.
 bool Reader::read_columns(const toml::node& node, Value& value) {
   const toml::array* array = node.as_array();
   if (array == nullptr || array->empty()) return wrong(node);
@@ -280,7 +280,7 @@ bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
   if (std::any_of(value.words[0].begin(), value.words[0].end(), control))
     return wrong(node, "it must be one line without control characters");
   try {
-    if (key.type == KeyType::epoch) require_epoch(value.words[0]);
+    if (key.type == KeyType::epoch) epoch_date(value.words[0]);
   } catch (const DomainError& error) {
     return wrong(node, error.what());
   }

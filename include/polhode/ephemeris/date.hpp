@@ -44,7 +44,7 @@ struct CalendarTime {
   constexpr bool operator==(const CalendarTime&) const = default;
 };
 
-Date date(TimeScale scale, const CalendarTime& time);
+Date calendar_date(TimeScale scale, const CalendarTime& time);
 CalendarTime calendar_time(const Date& date);
 
 // dut1 = UT1 - UTC in s, for UT1 alone.
@@ -52,7 +52,7 @@ Date converted(const Date& date, TimeScale scale, std::optional<double> dut1 = s
 // From `from` to `to`, in TT.
 double seconds_between(const Date& from, const Date& to, std::optional<double> dut1 = std::nullopt);
 // `seconds` of TT after a date, in TT.
-Date after(const Date& date, double seconds, std::optional<double> dut1 = std::nullopt);
+Date date_after(const Date& date, double seconds, std::optional<double> dut1 = std::nullopt);
 
 // Whether the leap seconds of a UTC date are a guess: before 1960, or so long after the list of
 // leap seconds was made that more may have come.

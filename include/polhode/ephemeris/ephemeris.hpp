@@ -32,10 +32,10 @@ std::string_view planetary_names();
 std::optional<Planetary> planetary(std::string_view name);
 
 // Gravitational parameter in km^3/s^2, DE440 (Park et al. 2021); from Mars on of the system.
-double gm(Planetary body);
+double planetary_gm(Planetary body);
 
 // Position of `target` from `centre`, km.
-Vec3 position(Planetary target, Planetary centre, const Date& date);
+Vec3 planetary_position(Planetary target, Planetary centre, const Date& date);
 
 // Such positions at even steps, s from an epoch; a TableOrbit of order `order` through them differs
 // from the positions between by `error` km at most, as far as it was measured.
@@ -45,8 +45,8 @@ struct EphemerisTable {
   int order;
 };
 // From `first` to `last`, s of TT after `epoch`; to `tolerance` of the distance.
-EphemerisTable tabulated(Planetary target, Planetary centre, const Date& epoch, double first,
-                         double last, double tolerance = 1e-12);
+EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& epoch, double first,
+                               double last, double tolerance = 1e-10);
 
 }  // namespace v0
 }  // namespace polhode

@@ -39,6 +39,7 @@ void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbi
 ScenarioOrbit kepler_orbit(const OrbitPlace& at);
 ScenarioOrbit state_orbit(const OrbitPlace& at);
 ScenarioOrbit table_orbit(const OrbitPlace& at);
+ScenarioOrbit ephemeris_orbit(const OrbitPlace& at);
 
 }  // namespace detail
 }  // namespace v0

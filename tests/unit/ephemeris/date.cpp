@@ -20,14 +20,15 @@ using ::testing::HasSubstr;
 double julian(const Date& d) { return d.day + d.fraction; }
 
 TEST(Dates, NoonOfTheFirstDayOf2000IsJ2000) {
-  EXPECT_EQ(julian(date(TT, {2000, 1, 1, 12})), 2451545.0);
-  EXPECT_EQ(julian(date(TDB, {-4712, 1, 1, 12})), 38.0);  // the Gregorian calendar, prolonged
+  EXPECT_EQ(julian(calendar_date(TT, {2000, 1, 1, 12})), 2451545.0);
+  EXPECT_EQ(julian(calendar_date(TDB, {-4712, 1, 1, 12})),
+            38.0);  // the Gregorian calendar, prolonged
 }
 
 // TAI - UTC was 32 s in 2000 and is 37 s from 2017; TT - TAI is 32.184 s.
 TEST(Dates, LeapSecondsStandBetweenUtcAndTt) {
   const auto ahead = [](const CalendarTime& t) {
-    return seconds_between(date(TT, t), date(UTC, t));
+    return seconds_between(calendar_date(TT, t), calendar_date(UTC, t));
   };
   EXPECT_NEAR(ahead({2000, 1, 1}), 64.184, budget::date_second);
   EXPECT_NEAR(ahead({2017, 1, 1}), 69.184, budget::date_second);
@@ -36,13 +37,13 @@ TEST(Dates, LeapSecondsStandBetweenUtcAndTt) {
 }
 
 TEST(Dates, ALeapSecondIsASecond) {
-  const Date before = date(UTC, {2016, 12, 31, 23, 59, 59.0});
-  const Date leap = date(UTC, {2016, 12, 31, 23, 59, 60.0});
-  const Date after_it = date(UTC, {2017, 1, 1});
+  const Date before = calendar_date(UTC, {2016, 12, 31, 23, 59, 59.0});
+  const Date leap = calendar_date(UTC, {2016, 12, 31, 23, 59, 60.0});
+  const Date after_it = calendar_date(UTC, {2017, 1, 1});
   EXPECT_NEAR(seconds_between(before, leap), 1.0, budget::date_second);
   EXPECT_NEAR(seconds_between(leap, after_it), 1.0, budget::date_second);
-  const CalendarTime back =
-      calendar_time(converted(converted(date(UTC, {2016, 12, 31, 23, 59, 60.5}), TT), UTC));
+  const CalendarTime back = calendar_time(
+      converted(converted(calendar_date(UTC, {2016, 12, 31, 23, 59, 60.5}), TT), UTC));
   EXPECT_EQ(back.day, 31);
   EXPECT_EQ(back.minute, 59);
   EXPECT_NEAR(back.second, 60.5, budget::date_second);
@@ -51,7 +52,7 @@ TEST(Dates, ALeapSecondIsASecond) {
 TEST(Dates, WhatIsNoTimeIsRefused) {
   const auto error = [](TimeScale scale, const CalendarTime& t) -> std::string {
     try {
-      date(scale, t);
+      calendar_date(scale, t);
     } catch (const DomainError& refused) {
       return refused.what();
     }
@@ -62,12 +63,12 @@ TEST(Dates, WhatIsNoTimeIsRefused) {
   EXPECT_THAT(error(UTC, {2001, 2, 29}), HasSubstr("2001-02-29 00:00:0"));
   EXPECT_THAT(error(UTC, {2001, 2, 8, 24}), HasSubstr("must be one of the calendar"));
   EXPECT_EQ(error(UTC, {2016, 12, 31, 23, 59, 60.0}), "no error");
-  EXPECT_THROW(converted(date(UT1, {2000, 1, 1}), TT), DomainError);
+  EXPECT_THROW(converted(calendar_date(UT1, {2000, 1, 1}), TT), DomainError);
 }
 
 TEST(Dates, ScalesComeBack) {
   for (const TimeScale scale : {UTC, TAI, TT, TDB, UT1}) {
-    const Date there = date(scale, {2024, 7, 3, 4, 5, 6.25});
+    const Date there = calendar_date(scale, {2024, 7, 3, 4, 5, 6.25});
     for (const TimeScale other : {UTC, TAI, TT, TDB, UT1}) {
       const Date back = converted(converted(there, other, 0.3), scale, 0.3);
       EXPECT_EQ(back.scale, scale);
@@ -75,15 +76,16 @@ TEST(Dates, ScalesComeBack) {
                   budget::date_second / 86400.0);
     }
   }
-  EXPECT_NEAR(seconds_between(date(UTC, {2024, 7, 3}), date(UT1, {2024, 7, 3}), 0.3), -0.3,
-              budget::date_second);
+  EXPECT_NEAR(
+      seconds_between(calendar_date(UTC, {2024, 7, 3}), calendar_date(UT1, {2024, 7, 3}), 0.3),
+      -0.3, budget::date_second);
 }
 
 // Its largest term: 1.657 ms sin g with the mean anomaly of the Earth (Astronomical Almanac); the
 // others make some 40 us.
 TEST(Dates, TdbKeepsItsYear) {
   for (int k = 0; k < 40; ++k) {
-    const Date tt = after(date(TT, {2000, 1, 1, 12}), 86400.0 * 20 * k);
+    const Date tt = date_after(calendar_date(TT, {2000, 1, 1, 12}), 86400.0 * 20 * k);
     const Date tdb = converted(tt, TDB);
     const double d = 20.0 * k, degree = std::numbers::pi / 180.0;
     const double g = (357.53 + 0.98560028 * d) * degree, L = (246.11 + 0.90251792 * d) * degree;
@@ -93,10 +95,10 @@ TEST(Dates, TdbKeepsItsYear) {
 }
 
 TEST(Dates, FarYearsOfUtcAreDubious) {
-  EXPECT_TRUE(is_dubious(date(UTC, {1950, 1, 1})));
-  EXPECT_FALSE(is_dubious(date(UTC, {2010, 1, 1})));
-  EXPECT_TRUE(is_dubious(date(UTC, {2110, 1, 1})));
-  EXPECT_FALSE(is_dubious(date(TT, {2110, 1, 1})));
+  EXPECT_TRUE(is_dubious(calendar_date(UTC, {1950, 1, 1})));
+  EXPECT_FALSE(is_dubious(calendar_date(UTC, {2010, 1, 1})));
+  EXPECT_TRUE(is_dubious(calendar_date(UTC, {2110, 1, 1})));
+  EXPECT_FALSE(is_dubious(calendar_date(TT, {2110, 1, 1})));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "budgets.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/io/scenario.hpp"
 
 namespace polhode {
@@ -173,6 +174,79 @@ TEST_F(ScenarioOrbits, TablesThatCannotServeSayWhy) {
   EXPECT_THAT(error_of("kind = \"table\"\n"), HasSubstr("orbit.moon.file: got nothing"));
   EXPECT_THAT(error_of(table, "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"),
               HasSubstr("expected a key gm beside it"));
+}
+
+const std::string moon = "kind = \"ephemeris\"\ntarget = \"moon\"\ncentre = \"earth\"\n";
+const std::string ten_days = "[time]\nstop = 864000\ncount = 11\n";
+
+TEST_F(ScenarioOrbits, AnEphemerisIsTheBodyWhereItIs) {
+  state_ = "axes = \"equator-J2000\"\nepoch = \"2013-01-05T00:00:00 UTC\"\n";
+  const Date epoch = calendar_date(TimeScale::UTC, {2013, 1, 5});
+  const Scenario s = read(moon, ten_days);
+  for (const double t : {0.0, 1000.0, 123456.7, 864000.0}) {
+    const Vec3 truth = planetary_position(Planetary::moon, Planetary::earth, date_after(epoch, t));
+    EXPECT_LT(norm(at(s, t) - truth), budget::ephemeris_orbit * norm(truth));
+  }
+  EXPECT_EQ(s.orbits[0].gm, planetary_gm(Planetary::moon));
+  EXPECT_EQ(read(moon + "gm = 7\n", ten_days).orbits[0].gm, 7.0);
+  // other axes, other units
+  state_ = "axes = \"ecliptic-J2000\"\nepoch = \"2013-01-05T00:00:00 UTC\"\n";
+  units_ = "[units]\ntime = \"h\"\nlength = \"m\"\n";
+  const Scenario other = read(moon, "[time]\nstop = 240\ncount = 11\n");
+  const Vec3 x = at(s, 7200.0), y = at(other, 2.0);
+  const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
+  EXPECT_LT(norm(1e-3 * y - Vec3{x.x, std::cos(e) * x.y + std::sin(e) * x.z,
+                                 std::cos(e) * x.z - std::sin(e) * x.y}),
+            budget::ephemeris_orbit * norm(x));
+  EXPECT_NEAR(*other.orbits[0].gm / (planetary_gm(Planetary::moon) * 1e9 * 3600.0 * 3600.0), 1.0,
+              budget::table_orbit_file);
+}
+
+TEST_F(ScenarioOrbits, EphemeridesThatCannotBeSayWhy) {
+  EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a key state.epoch"));
+  state_ = "epoch = \"2013-01-05 UTC\"\n";
+  EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected state.axes = \"ecliptic-J2000\""));
+  state_ += "axes = \"equator-J2000\"\n";
+  EXPECT_THAT(error_of(moon), HasSubstr("expected a table [time]"));
+  EXPECT_THAT(error_of("kind = \"ephemeris\"\ntarget = \"sun\"\ncentre = \"sun\"\n", ten_days),
+              HasSubstr("expected another body than the target"));
+  EXPECT_THAT(error_of("kind = \"ephemeris\"\ntarget = \"pluto\"\ncentre = \"sun\"\n", ten_days),
+              HasSubstr("orbit.moon.target: got \"pluto\""));
+  EXPECT_THAT(error_of(moon, "[time]\nstop = \"100 yr\"\ncount = 2\n"),
+              HasSubstr("must be in the years 1900 to 2100"));
+  units_ = "";
+  EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a unit of length"));
+  state_ = "epoch = \"2013-01-05 UT1\"\naxes = \"equator-J2000\"\n";
+  units_ = "[units]\nlength = \"km\"\n";
+  EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a key state.dut1 beside it"));
+  state_ += "dut1 = 0.27\n";
+  EXPECT_EQ(error_of(moon, ten_days), "no error");
+}
+
+// The last seconds of 2016: a row a second by the clock of UTC, 23:59:60 among them.
+TEST_F(ScenarioOrbits, DatesOfTablesKnowLeapSeconds) {
+  state_ = "axes = \"equator-J2000\"\nepoch = \"2016-12-31T23:59:58 UTC\"\n";
+  const std::string table =
+      "kind = \"table\"\nfile = \"moon.csv\"\ntime_format = \"date\"\ntime_scale = \"UTC\"\n";
+  write("moon.csv",
+        "t,x,y,z\n2016-12-31T23:59:58,0,1,2\n2016-12-31T23:59:59,1,1,2\n"
+        "2016-12-31T23:59:60,2,1,2\n2017-01-01T00:00:00.0Z,3,1,2\n2017-01-01 00:00:01,4,1,2\n");
+  EXPECT_NEAR(at(read(table), 3.5).x, 3.5, budget::date_second * 1e3);
+  EXPECT_THAT(error_of(table + "time_unit = \"s\"\n"), HasSubstr("expected no unit beside dates"));
+  // TT is 69.184 s ahead of UTC after that second
+  const std::string julian =
+      "kind = \"table\"\nfile = \"moon.csv\"\ntime_format = \"JD\"\ntime_scale = \"TT\"\n";
+  write("moon.csv", "2457754.5 0 1 2\n2457754.501 1 1 2\n2457754.502 2 1 2\n2457754.503 3 1 2\n");
+  const Scenario s = read(julian);
+  const auto& orbit = std::get<TableOrbit>(s.orbits.at(0).motion);
+  EXPECT_NEAR(orbit.first_time(), 3.0 - 69.184, budget::date_second * 1e3);
+  EXPECT_NEAR(orbit.last_time() - orbit.first_time(), 259.2, budget::date_second * 1e3);
+  write("moon.csv", "t,x,y,z\n2015-12-31T23:59:60,0,1,2\n");
+  EXPECT_THAT(error_of(table), HasSubstr("moon.csv:2: column t: \"2015-12-31T23:59:60\""));
+  write("moon.csv", "t,x,y,z\n2015-13-31T23:59,0,1,2\n");
+  EXPECT_THAT(error_of(table), HasSubstr("there is no such day in the calendar"));
+  state_ = "axes = \"equator-J2000\"\n";
+  EXPECT_THAT(error_of(julian), HasSubstr("expected a key state.epoch"));
 }
 
 }  // namespace

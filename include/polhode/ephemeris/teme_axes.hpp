@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The axes of two-line elements: true equator, mean equinox of date (TEME), which SGP4 answers in.
+//
+// Equations   x_J2000 = P^T N^T Rz(-dpsi cos eps) x_TEME with the precession P of 1976, the
+//             nutation N of 1980 and its dpsi, and the mean obliquity eps of date (Vallado et al.
+//             2006); by ERFA.
+// Units       none: a rotation.
+// Domain      dates of the two theories, some centuries about 2000.
+// Accuracy    the axes are those of 1976 and 1980 without the observed corrections to them: 0.1
+//             arcsec, 3 m in a low orbit, of the axes of the ICRS. SGP4 itself errs by 1 km.
+// Errors      none.
+// Cost        some 10 us.
+#pragma once
+
+#include "polhode/ephemeris/date.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Turns components along TEME of a date into those along equator and equinox of J2000.
+Mat3 j2000_from_teme(const Date& date);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// [orbit.NAME] from the positions of Sun, Moon and planets: tabulated once, over the run.
+#include <algorithm>
+#include <cmath>
+
+#include "io/detail/epoch.hpp"
+#include "io/detail/orbit_kinds.hpp"
+#include "io/detail/reference_axes.hpp"
+#include "io/detail/value_access.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
+#include "polhode/io/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// Beyond the run on either side, s: what rounds a time must not leave the table.
+constexpr double margin = 60.0;
+
+// What one km is in core units; the place of `target` says what is missing.
+double kilometre(const OrbitPlace& at) {
+  const Units& units = at.file.units;
+  if (units.length() == "1")
+    refuse(at.values(), at.key("target"), at.name(),
+           "expected a unit of length such as units.length = \"km\"");
+  return units.to_core(1.0, "km", Dimension::length);
+}
+
+}  // namespace
+
+ScenarioOrbit ephemeris_orbit(const OrbitPlace& at) {
+  const Values& values = at.values();
+  const std::string target_key = at.key("target"), centre_key = at.key("centre");
+  const Planetary target = *planetary(word(values, target_key));
+  const Planetary centre = *planetary(word(values, centre_key));
+  if (target == centre)
+    refuse(values, centre_key, at.name(), "expected another body than the target");
+  const std::string& axes = word(values, "state.axes");
+  if (axes == "inertial")
+    refuse(values, target_key, at.name(),
+           "expected state.axes = \"ecliptic-J2000\" or \"equator-J2000\", since this orbit has a "
+           "place in the sky");
+  const Clock clock = clock_of(values, at.file.units, target_key, at.name());
+  const double km = kilometre(at);
+  const std::optional<TimeSpan> span = run_span(at.file);
+  if (!span)
+    refuse(values, target_key, at.name(),
+           "expected a table [time], since the positions are tabulated over the run");
+  const EphemerisTable table = built(values, target_key, at.name(), [&] {
+    return planetary_table(target, centre, clock.epoch, span->first / clock.second - margin,
+                           span->last / clock.second + margin);
+  });
+  PositionTable rows = table.rows;
+  for (double& t : rows.times) t *= clock.second;
+  for (Vec3& x : rows.positions) x = km * in_other_axes(x, "equator-J2000", axes);
+  const std::optional<double> own = own_gm(at);
+  return {std::string(key_name(at.path)), TableOrbit(std::move(rows), table.order),
+          own ? own : at.file.units.to_core(planetary_gm(target), "km3/s2", Dimension::gm)};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
