@@ -239,7 +239,8 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     append_comment(page, key->help);
     const bool stands_here =
         stands(schema, *key) &&
-        !(is_motion(path) && key->presence == Presence::optional && !is_required(*key, kind));
+        !((is_motion(path) || path == "body") && key->presence == Presence::optional &&
+          !is_required(*key, kind));
     page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
   }
 }
