@@ -19,7 +19,9 @@ void bind_everything(nb::module_& m) {
   bind_free(m);
   bind_orbit(m);
   bind_frame(m);
+  bind_shape(m);
   bind_perturb(m);
+  bind_surface_terms(m);
   bind_system(m);
   bind_trajectory(m);
   bind_dynamics(m);

@@ -22,6 +22,8 @@ constexpr PerturbationKind kinds[] = {
     {"gravity-gradient", gravity_gradient_term},
     {"constant-torque", constant_torque_term},
     {"damping", damping_term},
+    {"solar-pressure", solar_pressure_term},
+    {"drag", drag_term},
 };
 
 }  // namespace

@@ -18,7 +18,8 @@ std::vector<SummaryLine> shape_summary(const FacetShape& shape, const MassProper
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   const auto unit = [&](Dimension dimension) {
     const std::string label = units.label(dimension);
-    return label == "1" ? "" : label;
+    if (label == "1") return std::string();
+    return label == "kg m2/m2" ? std::string("kg") : label;
   };
   const Body principal = body(properties);
   const Vec3& I = principal.moments();
@@ -44,12 +45,12 @@ std::vector<SummaryLine> shape_summary(const FacetShape& shape, const MassProper
        "",
        ""},
       {"third",
-       "integrals xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz dm, principal axes",
+       "third moments xxx ... zzz, principal axes",
        {m.third.begin(), m.third.end()},
        "",
        unit(Dimension::moment3)},
       {"fourth",
-       "integrals xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz yzzz zzzz dm",
+       "fourth moments xxxx ... zzzz",
        {m.fourth.begin(), m.fourth.end()},
        "",
        unit(Dimension::moment4)},

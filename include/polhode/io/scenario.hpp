@@ -37,6 +37,7 @@
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/shape/mass_properties.hpp"
+#include "polhode/shape/surface.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode/trajectory/save_at.hpp"
 
@@ -108,6 +109,7 @@ struct Scenario {
   std::optional<Precession> precession = std::nullopt;  // of a precessing frame
   std::vector<ScenarioOrbit> orbits = {};
   std::optional<ScenarioShape> shape = std::nullopt;  // where the body has one
+  std::optional<Surface> surface = std::nullopt;      // along the principal axes
   std::vector<AnyPerturbation> terms = {};
   std::vector<std::string> kinds = {};          // of the terms: "gravity-gradient"
   std::optional<Method> method = std::nullopt;  // left out: see propagation_method

@@ -3,10 +3,10 @@
 //
 // Equations   facet of area A, normal n, centre r, stream from direction e, c = n . e > 0:
 //             F = -p A c (a e + (m c + s k) n), torque r x F; nothing where c <= 0.
-//             light: a = 1 - specular, m = 2 specular, s = (2/3)(diffuse + emitted absorbed), k = 1
-//             (Wertz 1978, section 17.2).
-//             molecules: a = sigma_t, m = 2 - sigma_n - sigma_t, s = sigma_n, k = exit speed / speed
-//             (Schaaf & Chambre 1961 where molecules are slow against the body; Hughes 1986,
+//             light: a = 1 - specular, m = 2 specular, s = (2/3)(diffuse + emitted absorbed), k =
+//             1 (Wertz 1978, section 17.2).
+//             molecules: a = sigma_t, m = 2 - sigma_n - sigma_t, s = sigma_n, k = exit speed over
+//             speed (Schaaf & Chambre 1961 where molecules are slow against the body; Hughes 1986,
 //             chapter 8).
 // Units       p a pressure (light), or density times speed squared (molecules); the rest as in
 //             Surface.

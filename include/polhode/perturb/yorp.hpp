@@ -3,14 +3,14 @@
 // its rotation and its orbit.
 //
 // Equations   the law of light of FacetStream averaged over rotation (in closed form: each facet is
-//             lit for one arc of a turn) and over the orbit (numerically). On an ellipse the mean of
-//             1 / r^2 is 1 / (a^2 sqrt(1 - e^2)), and the mean over time with that weight is one
-//             over the true anomaly: the eccentricity enters through the mean pressure alone.
+//             lit for one arc of a turn) and over the orbit (numerically). On an ellipse the mean
+//             of 1 / r^2 is 1 / (a^2 sqrt(1 - e^2)), and the mean over time with that weight is
+//             one over the true anomaly: the eccentricity enters through the mean pressure alone.
 //             Torque along the spin axis s; along the direction in which the obliquity grows, (cos
-//             o s - N) / sin o, N the normal of the orbit; along s x N / sin o. Then C dw/dt = spin,
-//             C w do/dt = obliquity, C w sin o dpsi/dt = precession (Vokrouhlicky & Capek 2002).
-//             With diffuse = 1, or emitted = 1, this is Rubincam's (2000) model without thermal
-//             inertia, and the normal emission of Scheeres (2007).
+//             o s - N) / sin o, N the normal of the orbit; along s x N / sin o. Then C dw/dt =
+//             spin, C w do/dt = obliquity, C w sin o dpsi/dt = precession (Vokrouhlicky & Capek
+//             2002). With diffuse = 1, or emitted = 1, this is Rubincam's (2000) model without
+//             thermal inertia, and the normal emission of Scheeres (2007).
 // Units       surface in length; torque per pressure is length^3. Angles in rad.
 // Domain      any surface along any axes, spin about `axis` of it; any obliquity. Facets do not
 //             shade each other: for concave bodies the result is that of a body that is

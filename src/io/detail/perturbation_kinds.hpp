@@ -34,6 +34,8 @@ Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
 AnyPerturbation gravity_gradient_term(const TermPlace& at);
 AnyPerturbation constant_torque_term(const TermPlace& at);
 AnyPerturbation damping_term(const TermPlace& at);
+AnyPerturbation solar_pressure_term(const TermPlace& at);
+AnyPerturbation drag_term(const TermPlace& at);
 
 }  // namespace detail
 }  // namespace v0

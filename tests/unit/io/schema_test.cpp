@@ -84,14 +84,18 @@ TEST(Schema, TemplatesAreScenarios) {
 }
 
 TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
-  EXPECT_THAT(scenario_templates(),
-              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
-                          "gravity-gradient", "constant-torque", "damping"));
-  for (const char* kind : {"gravity-gradient", "constant-torque", "damping"}) {
+  EXPECT_THAT(
+      scenario_templates(),
+      ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
+                  "gravity-gradient", "constant-torque", "damping", "solar-pressure", "drag"));
+  for (const char* kind :
+       {"gravity-gradient", "constant-torque", "damping", "solar-pressure", "drag"}) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
     EXPECT_THAT(scenario.kinds, ElementsAre(kind));
     EXPECT_EQ(scenario.terms.size(), 1U);
-    EXPECT_EQ(scenario.orbits.size(), kind == std::string("gravity-gradient") ? 1U : 0U);
+    const std::string_view own = kind;
+    EXPECT_EQ(scenario.orbits.size(), own == "constant-torque" || own == "damping" ? 0U : 1U);
+    EXPECT_EQ(scenario.surface.has_value(), own == "solar-pressure" || own == "drag");
     EXPECT_TRUE(scenario.method.has_value());
     EXPECT_EQ(scenario.events.size(), 1U);
   }
