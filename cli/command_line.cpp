@@ -96,6 +96,7 @@ int command_line(int argc, const char* const* argv) {
   add_cite(app);
   add_golden(app);
   add_schema(app);
+  add_shape(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -16,6 +16,7 @@ void add_init(CLI::App& app);
 void add_cite(CLI::App& app);
 void add_golden(CLI::App& app);
 void add_schema(CLI::App& app);
+void add_shape(CLI::App& app);
 
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);

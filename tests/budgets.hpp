@@ -31,6 +31,17 @@ inline constexpr double elliptic_jacobi_derivative = 20.0;
 inline constexpr double shape_mass = 8.0;
 inline constexpr double shape_limit = 1e-6;
 
+// --- light and air on facets (tests/unit/perturb/surface.cpp) ---
+inline constexpr double surface_eps = 40.0;
+inline constexpr double surface_ball = 1e-4;
+// Of a ball of 512 facets, across the stream.
+inline constexpr double surface_mesh = 1e-3;
+inline constexpr double surface_slope = 1e-7;
+inline constexpr double shadow_counted = 1e-4;
+// Against 600 x 600 points; error of the library relative to area times size.
+inline constexpr double yorp_brute_force = 1e-3;
+inline constexpr double yorp_quadrature = 1e-12;
+
 // --- the paper's equations, at 50 digits (tests/paper) ---
 // Identities without a derivative or an integral.
 inline constexpr double paper_exact = 1e-45;

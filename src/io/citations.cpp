@@ -62,6 +62,14 @@ constexpr Paper papers[] = {
      "Mechanics and Dynamical Astronomy 98, 251-283.",
      "osculating and canonical elements, and which angular velocity is which",
      "moving frame|convective|omega_rel|andoyer_osc|euler_osc|axes_rel"},
+    {"wertz1978",
+     "Wertz, J. R. (ed.) (1978). Spacecraft Attitude Determination and Control. Reidel, Dordrecht.",
+     "the force of sunlight on a facet", "solar-pressure"},
+    {"montenbruck2000", "Montenbruck, O., Gill, E. (2000). Satellite Orbits. Springer, Berlin.",
+     "umbra and penumbra", "solar-pressure"},
+    {"schaaf1961",
+     "Schaaf, S. A., Chambre, P. L. (1961). Flow of Rarefied Gases. Princeton University Press.",
+     "the force of free molecules on a facet", "drag"},
     {"markley1995",
      "Markley, F. L. (1995). Kepler equation solver. Celestial Mechanics and Dynamical Astronomy "
      "63, 101-111.",
@@ -140,6 +148,7 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
   if (!scenario.frame.is_inertial()) parts.push_back("moving frame");
   if (!scenario.orbits.empty()) parts.push_back("orbit");
+  parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
   if (const std::optional<Method> method = propagation_method(scenario))
     for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
   return parts;

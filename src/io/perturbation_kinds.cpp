@@ -26,6 +26,8 @@ constexpr PerturbationKind kinds[] = {
     {"internal-damping", internal_damping_term},
     {"anelastic-damping", anelastic_damping_term},
     {"torque-table", torque_table_term},
+    {"solar-pressure", solar_pressure_term},
+    {"drag", drag_term},
 };
 
 }  // namespace

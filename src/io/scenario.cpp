@@ -36,7 +36,9 @@ using detail::word;
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 
-Body body_of(const Values& values, const std::string& name) {
+Body body_of(const Values& values, const std::optional<ScenarioShape>& shape,
+             const std::string& name) {
+  if (shape) return built(values, "body.shape", name, [&] { return polhode::body(shape->inside); });
   if (there(values, "body.moments"))
     return built(values, "body.moments", name, [&] {
       const Vec3 I = vector(values, "body.moments");
@@ -230,7 +232,8 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
   const auto [values, units] = detail::read_values(text, scenario_schema(), diagnostics);
   diagnostics.raise();
   const std::string chart = chart_of(values);
-  const Body body = body_of(values, name);
+  std::optional<ScenarioShape> shape = detail::shape_of(values, name);
+  const Body body = body_of(values, shape, name);
   const std::optional<SaveAt> time = times_of(values, name);
   Scenario scenario{.name = std::filesystem::path(name).filename().string(),
                     .folder = std::filesystem::path(name).parent_path().string(),
@@ -243,6 +246,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
                     .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
                     .axes = word(values, "state.axes"),
                     .orbits = detail::orbits_of({values, units, time, name}),
+                    .shape = std::move(shape),
                     .method = detail::method_of(values, name),
                     .events = detail::events_of(values, units, name),
                     .time = time,

@@ -119,7 +119,6 @@ std::optional<Method> method_of(const Values& values, const std::string& name) {
                           .largest_step = largest});
 }
 
-// "perturbation[0]", ...
 std::vector<std::string> array_paths(const Values& values, const std::string& array) {
   std::vector<std::string> paths;
   for (;;) {
@@ -155,6 +154,7 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
 
 void add_motion(Scenario& scenario, const Values& values, const std::string& name) {
   add_frame(scenario, values, name);
+  scenario.surface = surface_of(scenario, values, name);
   for (const std::string& path : array_paths(values, "perturbation")) {
     const std::string& kind = word(values, path + ".kind");
     scenario.kinds.push_back(kind);

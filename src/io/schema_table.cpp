@@ -79,6 +79,24 @@ constexpr Key body_keys[] = {
      .help = "Symmetric inertia tensor in axes fixed in the body. [state.attitude-rate] and the "
              "columns q, omega and g then refer to these axes, all else to the principal axes."},
 
+    {.path = "body.shape",
+     .type = text,
+     .presence = alternative,
+     .example = "\"body.obj\"",
+     .help = "A closed mesh, Wavefront OBJ, filled with constant density: gives the tensor about "
+             "its centre of mass, in the axes of the mesh. Relative to the folder of this file."},
+    {.path = "body.density",
+     .type = number,
+     .presence = alternative,
+     .dimension = Dimension::density,
+     .example = "\"2000 kg/m3\"",
+     .help = "Its density."},
+    {.path = "body.scale",
+     .type = number,
+     .dimension = Dimension::length,
+     .example = "\"1 km\"",
+     .help = "What one unit of the mesh is; left out, the unit of length of this file."},
+
     {.path = "state", .presence = required, .help = "Attitude and spin at t = 0, in one chart."},
     {.path = "state.epoch",
      .type = epoch,
@@ -439,7 +457,7 @@ constexpr Key row_keys[] = {
 };
 
 constexpr Alternatives alternatives[] = {
-    {"body", "moments|tensor"},
+    {"body", "moments|tensor|shape+density"},
     {"state", "tumbler|attitude-rate|euler|andoyer|serret|sadov"},
     {"state.tumbler.pole", "longitude+latitude|ra+dec"},
     {"state.attitude-rate", "quaternion|euler"},
@@ -460,11 +478,12 @@ std::vector<Row> concatenated(std::initializer_list<std::span<const Row>> parts)
 const Schema& scenario_schema() {
   static const std::vector<Key> keys =
       concatenated<Key>({body_keys, detail::frame_keys().keys, detail::orbit_keys().keys,
-                         detail::perturbation_keys().keys, detail::method_keys().keys, row_keys,
-                         detail::output_keys().keys});
+                         detail::perturbation_keys().keys, detail::surface_keys().keys,
+                         detail::method_keys().keys, row_keys, detail::output_keys().keys});
   static const std::vector<Alternatives> choices = concatenated<Alternatives>(
       {alternatives, detail::frame_keys().alternatives, detail::orbit_keys().alternatives,
-       detail::perturbation_keys().alternatives, detail::method_keys().alternatives});
+       detail::perturbation_keys().alternatives, detail::surface_keys().alternatives,
+       detail::method_keys().alternatives});
   static const Schema schema{keys, choices};
   return schema;
 }

@@ -172,8 +172,10 @@ struct Subject {
 
 constexpr std::string_view perturbation_table = "perturbation[]";
 constexpr std::string_view orbit_table = "orbit.*";
-constexpr std::string_view motion_tables[] = {"frame", "orbit", "perturbation[]", "method",
-                                              "event[]"};
+constexpr std::string_view surface_table = "surface[]";
+constexpr std::string_view kinds_on_facets[] = {"solar-pressure", "drag"};
+constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
+                                              "surface[]", "method", "event[]"};
 
 bool is_motion(std::string_view table) {
   const std::string_view first = table.substr(0, table.find('.'));
@@ -206,6 +208,9 @@ bool needs_orbit(const Schema& schema, std::string_view kind) {
 bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
+  if (key.path == surface_table)
+    return std::find(std::begin(kinds_on_facets), std::end(kinds_on_facets),
+                     subject.perturbation) != std::end(kinds_on_facets);
   if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
   if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame")
     return false;
@@ -238,8 +243,8 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     }
     append_comment(page, key->help);
     const bool stands_here =
-        stands(schema, *key) &&
-        !(is_motion(path) && key->presence == Presence::optional && !is_required(*key, kind));
+        stands(schema, *key) && !((is_motion(path) || path == "body") &&
+                                  key->presence == Presence::optional && !is_required(*key, kind));
     page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
   }
 }

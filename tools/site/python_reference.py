@@ -89,6 +89,13 @@ that returns three numbers is an orbit wherever one is expected.
             "semi_major_axis pericentre_distance",
         "Derivatives of your functions": "Dual DualState",
     }),
+    Page("shapes", "Shapes and surfaces", """\
+Meshes, what they weigh, and what light and air do to them ([guide](../../guide/shapes.md)).
+""", {
+        "Shapes": "FacetShape read_obj MassProperties mass_properties",
+        "Surfaces": "Surface SolarPressure AtmosphericDrag",
+        "YORP": "yorp_torque mean_pressure",
+    }),
     Page("perturbations-and-systems", "Perturbations and systems", """\
 A system is a body, a frame and terms. What its two angular velocities are, and which elements
 osculate: [frames and osculation](../../guide/frames-and-osculation.md).

@@ -36,6 +36,8 @@
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
+#include "polhode/shape/mass_properties.hpp"
+#include "polhode/shape/surface.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode/trajectory/save_at.hpp"
 
@@ -57,6 +59,13 @@ struct AttitudeRate {
 
 using InitialState =
     std::variant<TumblerState, AttitudeRate, EulerState, AndoyerState, SerretState, SadovState>;
+
+// [body] shape = "FILE"
+struct ScenarioShape {
+  std::string file;       // as the scenario names it
+  FacetShape mesh;        // in core units of length
+  MassProperties inside;  // at its density
+};
 
 // [orbit.NAME]
 struct ScenarioOrbit {
@@ -99,6 +108,8 @@ struct Scenario {
   std::string frame_text = "inertial";                  // or "precessing", "plane of orbit moon"
   std::optional<Precession> precession = std::nullopt;  // of a precessing frame
   std::vector<ScenarioOrbit> orbits = {};
+  std::optional<ScenarioShape> shape = std::nullopt;  // where the body has one
+  std::optional<Surface> surface = std::nullopt;      // along the principal axes
   std::vector<AnyPerturbation> terms = {};
   std::vector<std::string> kinds = {};          // of the terms: "gravity-gradient"
   std::optional<Method> method = std::nullopt;  // left out: see propagation_method

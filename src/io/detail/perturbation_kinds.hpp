@@ -38,6 +38,8 @@ AnyPerturbation tide_term(const TermPlace& at);
 AnyPerturbation internal_damping_term(const TermPlace& at);
 AnyPerturbation anelastic_damping_term(const TermPlace& at);
 AnyPerturbation torque_table_term(const TermPlace& at);
+AnyPerturbation solar_pressure_term(const TermPlace& at);
+AnyPerturbation drag_term(const TermPlace& at);
 
 }  // namespace detail
 }  // namespace v0

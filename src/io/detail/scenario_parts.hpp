@@ -25,6 +25,14 @@ struct OrbitsPlace {
   const std::string& name;
 };
 std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at);
+// The mesh of [body], and a mesh that the table at `path` names by `shape` and `scale`.
+std::optional<ScenarioShape> shape_of(const Values& values, const std::string& name);
+FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name);
+// "perturbation[0]", ... of the tables of an array.
+std::vector<std::string> array_paths(const Values& values, const std::string& array);
+// All tables [[surface]], along the principal axes; body and shape are there.
+std::optional<Surface> surface_of(const Scenario& scenario, const Values& values,
+                                  const std::string& name);
 // The orbit whose name the value at `path` is.
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);

@@ -17,6 +17,7 @@ struct SchemaPart {
 SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart perturbation_keys();
+SchemaPart surface_keys();
 SchemaPart method_keys();
 SchemaPart output_keys();
 

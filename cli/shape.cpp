@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+#include "polhode/io/obj.hpp"
+#include "polhode/io/shape_report.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct ShapeOptions {
+  std::string file;
+  std::string density;
+  std::string scale = "1 m";
+  bool json = false;
+  bool toml = false;
+};
+
+// "2000", or "2 g/cm3"; positive.
+double quantity(const Units& units, const std::string& option, const std::string& text,
+                Dimension dimension) {
+  const std::string got = "shape: " + option + ": got \"" + text + "\"; ";
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    try {
+      const Quantity q = quantity_from_text(text);
+      value = units.to_core(q.value, q.unit, dimension);
+    } catch (const DomainError& wrong) {
+      throw DomainError(got + wrong.what());
+    }
+  }
+  if (!(value > 0.0) || !std::isfinite(value))
+    throw DomainError(got + "expected a positive number");
+  return value;
+}
+
+MassProperties properties_of(const FacetShape& shape, double density, const std::string& file) {
+  try {
+    return mass_properties(shape, density);
+  } catch (const DomainError& error) {
+    throw DomainError(file + ": " + error.what());
+  }
+}
+
+void report_shape(const ShapeOptions& options) {
+  const Units units("s", "rad", "kg m2", "m");
+  const double density = quantity(units, "--density", options.density, Dimension::density);
+  const double scale = quantity(units, "--scale", options.scale, Dimension::length);
+  const FacetShape file = read_obj(options.file);
+  const FacetShape shape = scale == 1.0 ? file : file.moved({}, scale);
+  const MassProperties properties = properties_of(shape, density, options.file);
+  if (options.toml) return print(body_table(properties, units));
+  const auto lines = shape_summary(shape, properties, units);
+  print(options.json ? summary_json(lines)
+                     : summary_table(lines) + "\n" + body_table(properties, units));
+}
+
+}  // namespace
+
+void add_shape(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("shape", "Mass, moments and axes of a closed mesh of constant density");
+  const auto options = std::make_shared<ShapeOptions>();
+  command->add_option("FILE", options->file, "Mesh (Wavefront .obj)")->required();
+  command->add_option("--density", options->density, "Density, such as 2000 (kg/m3) or \"2 g/cm3\"")
+      ->required();
+  command->add_option("--scale", options->scale, "What one unit of the file is, such as \"1 km\"")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "For programs: every digit");
+  command->add_flag("--toml", options->toml, "Only the [body] table of a scenario");
+  command->footer("Example:\n  polhode shape bennu.obj --density 1190 --scale \"1 km\"");
+  command->callback([options] { report_shape(*options); });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// SolarPressure: the torque of sunlight on the facets of a body, with the shadow of what it orbits.
+//
+// Equations   p = P (d / r)^2, P the pressure at the distance d, r that to the Sun, times what
+//             Shadow leaves of the light; on each facet the law of light of FacetStream (Wertz
+//             1978, section 17.2; Montenbruck & Gill 2000, section 3.4).
+// Units       P in torque per length^3, d and orbits in length; the surface in the same.
+// Domain      `path` is the body as seen from what it orbits; without `sun` that is the Sun itself,
+//             and nothing throws a shadow. Otherwise `sun` is the Sun as seen from what the body
+//             orbits. Both in inertial or in reference-frame axes. The surface is along the
+//             principal axes. Facets do not shade each other. No energy: light is no potential.
+// Accuracy    a few roundings of the sum of the moduli over the facets.
+// Errors      DomainError for a pressure or a distance that is not positive; a shadow without a
+//             sun.
+// Cost        two positions and some 3 ns per facet. For Tangent the orbits are evaluated in
+//             double.
+#pragma once
+
+#include <optional>
+
+#include "polhode/orbit/orbit.hpp"
+#include "polhode/perturb/effect.hpp"
+#include "polhode/perturb/facet_stream.hpp"
+#include "polhode/perturb/shadow.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Sunlight: its pressure on what absorbs it, at one distance from the Sun.
+struct Sunlight {
+  double pressure;
+  double distance;
+
+  constexpr bool operator==(const Sunlight&) const = default;
+};
+
+// An orbit, or its reverse: the centre as seen from the body.
+struct DirectedPath {
+  AnyOrbit orbit;
+  bool reversed = false;
+
+  template <Real T>
+  BasicVec3<T> position(const BasicSetting<T>& at) const {
+    const BasicVec3<T> x = along(at);
+    return reversed ? -x : x;
+  }
+  Vec3 velocity(double t) const {
+    const Vec3 v = orbit.velocity(t);
+    return reversed ? -v : v;
+  }
+
+ private:
+  template <Real T>
+  BasicVec3<T> along(const BasicSetting<T>& at) const {
+    if constexpr (std::same_as<T, Tangent>) {
+      const Vec3 x = orbit.position(at.t.value, at.t_rest.value);  // no variable moves the time
+      return {Tangent(x.x), Tangent(x.y), Tangent(x.z)};
+    } else {
+      return detail::position_at(orbit, at.t, at.t_rest);
+    }
+  }
+};
+
+class SolarPressure {
+ public:
+  static constexpr bool kick = true;
+
+  // The body orbits the Sun.
+  SolarPressure(const Surface& surface_B, const Sunlight& light, DirectedPath path,
+                SpaceAxes axes = SpaceAxes::inertial);
+  SolarPressure(const Surface& surface_B, const Sunlight& light, DirectedPath path,
+                DirectedPath sun, std::optional<Shadow> shadow = std::nullopt,
+                SpaceAxes axes = SpaceAxes::inertial);
+
+  const Surface& surface() const { return stream_.surface(); }
+  const Sunlight& light() const { return light_; }
+  const DirectedPath& path() const { return path_; }
+  const std::optional<DirectedPath>& sun() const { return sun_; }
+  const std::optional<Shadow>& shadow() const { return shadow_; }
+  SpaceAxes axes() const { return axes_; }
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const BasicVec3<T> from_centre = path_.position(at);
+    BasicVec3<T> to_sun = -from_centre;
+    T visible(1.0);
+    if (sun_) {
+      to_sun = sun_->position(at) - from_centre;
+      if (shadow_) visible = shadow_->visible(to_sun, -from_centre);
+    }
+    if (!(T(0.0) < visible)) return {};
+    const T r = norm(to_sun), ratio = T(light_.distance) / r;
+    const BasicVec3<T> e = body_from_space(at, axes_, (T(1.0) / r) * to_sun);
+    return {{}, (visible * (T(light_.pressure) * (ratio * ratio))) * stream_.torque(e)};
+  }
+
+ private:
+  FacetStream stream_;
+  Sunlight light_;
+  DirectedPath path_;
+  std::optional<DirectedPath> sun_;
+  std::optional<Shadow> shadow_;
+  SpaceAxes axes_;
+};
+
+}  // namespace v0
+}  // namespace polhode
