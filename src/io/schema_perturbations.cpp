@@ -18,6 +18,9 @@ constexpr std::string_view tide = "tide";
 constexpr std::string_view internal_damping = "internal-damping";
 constexpr std::string_view anelastic_damping = "anelastic-damping";
 constexpr std::string_view torque_table = "torque-table";
+constexpr std::string_view residual_dipole = "residual-dipole";
+constexpr std::string_view eddy_currents = "eddy-currents";
+constexpr std::string_view magnetic = "residual-dipole|eddy-currents";
 
 constexpr Key keys[] = {
     {.path = "perturbation[]",
@@ -26,16 +29,16 @@ constexpr Key keys[] = {
      .type = choice,
      .presence = required,
      .allowed = "gravity-gradient|constant-torque|damping|tide|internal-damping|anelastic-damping|"
-                "torque-table|solar-pressure|drag",
+                "torque-table|solar-pressure|drag|residual-dipole|eddy-currents",
      .example = "\"gravity-gradient\"",
      .help = "What it is."},
     {.path = "perturbation[].orbit",
      .type = name,
      .presence = required,
      .example = "\"earth\"",
-     .help = "The name of a table [orbit.NAME]: where the attracting point mass is, or what the "
-             "body goes round.",
-     .kinds = "gravity-gradient|tide|solar-pressure|drag"},
+     .help = "The name of a table [orbit.NAME]: where the attracting point mass, or what has the "
+             "magnetic field, is; or what the body goes round.",
+     .kinds = "gravity-gradient|tide|solar-pressure|drag|residual-dipole|eddy-currents"},
     {.path = "perturbation[].gm",
      .type = number,
      .dimension = Dimension::gm,
@@ -72,9 +75,11 @@ constexpr Key keys[] = {
     {.path = "perturbation[].pole",
      .type = numbers,
      .length = 3,
-     .example = "[0, 0, 1]",
-     .help = "Its axis of figure along inertial axes, of any length; left out, axis 3.",
-     .kinds = gravity_gradient},
+     .fallback = "[0.0, 0.0, 1.0]",
+     .example = "[0.0, 0.0, 1.0]",
+     .help = "Pole of the attracting body, that J2 belongs to, or about which its magnetic field "
+             "turns; in inertial axes, of any length.",
+     .kinds = "gravity-gradient|residual-dipole|eddy-currents"},
     {.path = "perturbation[].mass",
      .type = number,
      .dimension = Dimension::mass,
@@ -232,6 +237,66 @@ constexpr Key keys[] = {
      .example = "[0.001, 0.001, 0.001]",
      .help = "D of the torque -D omega in body axes: its diagonal, or three rows.",
      .kinds = damping},
+    {.path = "perturbation[].moment",
+     .type = numbers,
+     .presence = required,
+     .dimension = Dimension::magnetic_moment,
+     .length = 3,
+     .example = "[0.0, 0.0, 1.0]",
+     .help = "Magnetic moment of the body, along its axes.",
+     .kinds = residual_dipole},
+    {.path = "perturbation[].tensor",
+     .type = linear_map,
+     .presence = required,
+     .dimension = Dimension::magnetic_tensor,
+     .example = "[1.0, 1.0, 1.0]",
+     .help = "Magnetic tensor M of the torque (M (omega x B - dB/dt)) x B in body axes: its "
+             "diagonal, or three rows.",
+     .kinds = eddy_currents},
+    {.path = "perturbation[].field_rate",
+     .type = boolean,
+     .fallback = "true",
+     .example = "true",
+     .help = "Whether dB/dt along the orbit counts; false: currents by omega x B alone.",
+     .kinds = eddy_currents},
+    {.path = "perturbation[].gauss",
+     .type = numbers,
+     .presence = required,
+     .dimension = Dimension::magnetic_field,
+     .length = 3,
+     .example = "[-0.029, -0.0015, 0.0048]",
+     .help = "Gauss coefficients g10, g11, h11 of the dipole field, as the IGRF lists them.",
+     .kinds = magnetic},
+    {.path = "perturbation[].reference_radius",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::length,
+     .example = "\"6371.2 km\"",
+     .help = "The radius that belongs to them.",
+     .kinds = magnetic},
+    {.path = "perturbation[].rotation_rate",
+     .type = number,
+     .dimension = Dimension::rate,
+     .fallback = "0",
+     .example = "\"360.98564736629 deg/d\"",
+     .help = "How fast it turns.",
+     .kinds = magnetic},
+    {.path = "perturbation[].meridian",
+     .type = number,
+     .dimension = Dimension::angle,
+     .fallback = "0",
+     .example = "0",
+     .help =
+         "Where the meridian of longitude 0 is at the time `meridian_epoch`: from inertial axis "
+         "1, or, where the pole is not axis 3, from the ascending node of its equator.",
+     .kinds = magnetic},
+    {.path = "perturbation[].meridian_epoch",
+     .type = number,
+     .dimension = Dimension::time,
+     .fallback = "0",
+     .example = "0",
+     .help = "The time t that the meridian belongs to.",
+     .kinds = magnetic},
 };
 
 constexpr Alternatives alternatives[] = {{"perturbation[]", "times|file", torque_table}};

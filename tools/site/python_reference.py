@@ -108,6 +108,7 @@ osculate: [frames and osculation](../../guide/frames-and-osculation.md).
             "HigherGravity OblateGravity TidalTorque MassMoments OrbitOf Oblateness TidalBody",
         "Inside the body": "InternalDamping DampedMaterial wobble_time",
         "Tables": "TorqueTable Between Outside",
+        "Magnetic torques": "DipoleField ResidualDipole EddyCurrents",
         "What a system does to a state":
             "Effect effect AngularVelocities energy RotorRates rotor_rates inertial_state "
             "reference_state",

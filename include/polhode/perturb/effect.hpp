@@ -19,6 +19,7 @@
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
+#include "polhode/perturb/affine_torque.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
@@ -143,6 +144,12 @@ concept Kick = Perturbation<P> && requires { requires P::kick; };
 template <class P>
 concept Piecewise = Perturbation<P> && requires(const P& term) {
   { term.breakpoints() } -> std::convertible_to<std::vector<double>>;
+};
+
+// A term with v = 0 whose u is c - A g, with c and A of time and attitude alone.
+template <class P>
+concept AffineInMomentum = Perturbation<P> && requires(const P& term, const Setting& at) {
+  { term.affine_torque(at) } -> std::same_as<AffineTorque>;
 };
 
 }  // namespace v0

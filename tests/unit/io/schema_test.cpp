@@ -90,15 +90,16 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
               ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
                           "gravity-gradient", "constant-torque", "damping", "tide",
                           "internal-damping", "anelastic-damping", "torque-table",
-                          "solar-pressure", "drag"));
+                          "solar-pressure", "drag", "residual-dipole", "eddy-currents"));
   const std::vector<std::string_view> templates = scenario_templates();
   for (const std::string_view kind : std::span(templates).subspan(state_charts().size())) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
     EXPECT_THAT(scenario.kinds, ElementsAre(std::string(kind)));
     EXPECT_EQ(scenario.terms.size(), 1U);
     const bool on_surface = kind == "solar-pressure" || kind == "drag";
-    EXPECT_EQ(scenario.orbits.size(),
-              kind == "gravity-gradient" || kind == "tide" || on_surface ? 1U : 0U);
+    const bool is_magnetic = kind == "residual-dipole" || kind == "eddy-currents";
+    const bool of_gravity = kind == "gravity-gradient" || kind == "tide";
+    EXPECT_EQ(scenario.orbits.size(), of_gravity || is_magnetic || on_surface ? 1U : 0U);
     EXPECT_EQ(scenario.surface.has_value(), on_surface);
     EXPECT_TRUE(scenario.method.has_value());
     EXPECT_EQ(scenario.events.size(), 1U);
