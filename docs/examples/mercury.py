@@ -9,7 +9,7 @@ import polhode
 from polhode import figures
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
-REVOLUTION = 87.9693502  # d
+REVOLUTION = 87.9693496  # d
 
 run = polhode.load(EXAMPLES / "mercury.toml").run()
 libration = 3600 * np.degrees(np.unwrap(np.radians(run["phi"] + run["psi"])))

@@ -10,10 +10,9 @@ from polhode import figures
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
-run = polhode.load(EXAMPLES / "phobos.toml").run()
-a, e = 9376.0, 0.0151
-elements = polhode.KeplerElements(gm=42828.37 * 3600**2, pericentre=a * (1 - e), eccentricity=e)
-orbit = polhode.KeplerOrbit(elements)
+scenario = polhode.load(EXAMPLES / "phobos.toml")
+run = scenario.run()
+orbit = scenario.orbits["mars"]
 first = run.t <= 24
 t = run.t[first]
 libration = (run["phi"] + run["psi"] + 180)[first] % 360 - 180

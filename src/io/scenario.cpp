@@ -125,6 +125,8 @@ AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
     return {attitude_of(), vector(values, path + "omega_body"), omega_body};
   if (there(values, path + "omega_inertial"))
     return {attitude_of(), vector(values, path + "omega_inertial"), omega_inertial};
+  if (there(values, path + "omega_relative"))
+    return {attitude_of(), vector(values, path + "omega_relative"), omega_relative};
   return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
 }
 

@@ -18,11 +18,30 @@ namespace {
 
 constexpr double most_steps = 1e15;
 
+// Of the mean longitude, which on a plane that stays is that of the direction to the body.
+double mean_rate(const ScenarioOrbit& orbit, const Values& values, const std::string& name) {
+  const std::string key = "frame.precessing.orbit";
+  const KeplerElements* elements = kepler_elements(orbit);
+  if (elements == nullptr || !(elements->eccentricity < 1.0))
+    refuse(values, key, name, "expected an ellipse with elements");
+  const double n = KeplerOrbit(*elements).mean_motion();
+  const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
+  if (moving == nullptr) return n;
+  const SecularRates& rates = moving->rates();
+  return n + rates.mean_anomaly + rates.argument + rates.node;
+}
+
+double precession_rate(const Scenario& scenario, const Values& values, const std::string& name) {
+  if (there(values, "frame.precessing.rate")) return number(values, "frame.precessing.rate");
+  const ScenarioOrbit& orbit = orbit_named(scenario.orbits, values, "frame.precessing.orbit", name);
+  return number(values, "frame.precessing.turns") * mean_rate(orbit, values, name);
+}
+
 void add_frame(Scenario& scenario, const Values& values, const std::string& name) {
   scenario.frame_text = "inertial";
   if (there(values, "frame.precessing")) {
     const Precession p{vector(values, "frame.precessing.axis"),
-                       number(values, "frame.precessing.rate"),
+                       precession_rate(scenario, values, name),
                        number(values, "frame.precessing.epoch")};
     scenario.frame = built(values, "frame.precessing.axis", name,
                            [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });

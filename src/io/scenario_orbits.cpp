@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From the values of a file to its orbits.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -53,13 +55,20 @@ KeplerElements elements_of(const Values& values, const std::string& path, const 
            "expected 0 <= e < 1 (an ellipse) or e > 1 (a hyperbola); at e = 1 use a number next to "
            "it, with the same pericentre");
   const bool by_axis = there(values, key("semi_major_axis"));
-  const std::string size_key = key(by_axis ? "semi_major_axis" : "pericentre");
+  const bool by_period = there(values, key("period"));
+  const std::string size_key = key(by_axis     ? "semi_major_axis"
+                                   : by_period ? "period"
+                                               : "pericentre");
   const double size = number(values, size_key);
-  if (!(size > 0.0)) refuse(values, size_key, name, "expected a positive length");
-  if (by_axis && e > 1.0)
+  if (!(size > 0.0))
+    refuse(values, size_key, name,
+           by_period ? "expected a positive time" : "expected a positive length");
+  if ((by_axis || by_period) && e > 1.0)
     refuse(values, size_key, name, "expected pericentre instead, since e > 1 is a hyperbola");
+  const double turn = size / (2.0 * std::numbers::pi);
+  const double axis = by_period ? std::cbrt(gm * turn * turn) : size;
   return {.gm = gm,
-          .pericentre = by_axis ? pericentre_distance(size, e) : size,
+          .pericentre = by_axis || by_period ? pericentre_distance(axis, e) : size,
           .eccentricity = e,
           .inclination = number(values, key("inclination")),
           .node = number(values, key("node")),

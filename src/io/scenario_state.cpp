@@ -10,7 +10,7 @@ namespace {
 // One overload per chart.
 struct ToMotion {
   const Body& body;
-  Quaternion q_IS;  // at t = 0
+  FrameMotion frame;  // at t = 0
 
   FreeRotation operator()(const TumblerState& s) const {
     return FreeRotation(body, to_rotor(body, s));
@@ -30,8 +30,10 @@ struct ToMotion {
     const Quaternion q = principal ? s.q : s.q * q_FB;
     const Vec3 along_B = principal ? s.vector : rotate(conj(q_FB), s.vector);
     if (s.given == AttitudeRate::Given::omega_inertial)
-      return rotor_state_inertial(body, q, rotate(conj(q_IS), s.vector));
+      return rotor_state_inertial(body, q, rotate(conj(frame.q_IS), s.vector));
     if (s.given == AttitudeRate::Given::omega_body) return rotor_state(body, q, along_B);
+    if (s.given == AttitudeRate::Given::omega_relative)
+      return rotor_state(body, q, along_B + rotate(conj(q), frame.mu_S));
     return {unit_quaternion(q.w, q.x, q.y, q.z), along_B};
   }
 };
@@ -43,7 +45,7 @@ System rotor_system(const Scenario& scenario) {
 }
 
 FreeRotation free_rotation(const Scenario& scenario) {
-  return std::visit(ToMotion{scenario.body, scenario.frame.at(0.0).q_IS}, scenario.state);
+  return std::visit(ToMotion{scenario.body, scenario.frame.at(0.0)}, scenario.state);
 }
 
 // Serret's elements have their own epoch; what others give is the state itself.

@@ -25,10 +25,22 @@ constexpr Key keys[] = {
      .help = "The axis, in inertial axes; its length plays no part."},
     {.path = "frame.precessing.rate",
      .type = number,
-     .presence = required,
+     .presence = alternative,
      .dimension = Dimension::rate,
      .example = "0.5",
      .help = "The rate of turn, right-handed about the axis."},
+    {.path = "frame.precessing.orbit",
+     .type = name,
+     .presence = alternative,
+     .example = "\"earth\"",
+     .help = "The name of a table [orbit.NAME] whose mean motion gives the rate: the mean rate of "
+             "the longitude, node and pericentre included."},
+    {.path = "frame.precessing.turns",
+     .type = number,
+     .presence = alternative,
+     .example = "1.5",
+     .help = "Turns of the frame per revolution on that orbit: 1 for a body that keeps one face to "
+             "the other, 1.5 for the 3:2 resonance."},
     {.path = "frame.precessing.epoch",
      .type = number,
      .dimension = Dimension::time,
@@ -46,7 +58,8 @@ constexpr Key keys[] = {
      .help = "The name of a table [orbit.NAME]."},
 };
 
-constexpr Alternatives alternatives[] = {{"frame", "precessing|orbit-plane"}};
+constexpr Alternatives alternatives[] = {{"frame", "precessing|orbit-plane"},
+                                         {"frame.precessing", "rate|orbit+turns"}};
 
 }  // namespace
 

@@ -50,6 +50,13 @@ constexpr Key keys[] = {
      .example = "\"6930 km\"",
      .help = "Distance at pericentre; a hyperbola needs it.",
      .kinds = of_kepler},
+    {.path = "orbit.*.period",
+     .type = number,
+     .presence = alternative,
+     .dimension = Dimension::time,
+     .example = "\"1.6 h\"",
+     .help = "Period of an ellipse, 2 pi over the mean motion; with gm it gives the size.",
+     .kinds = of_kepler},
     {.path = "orbit.*.eccentricity",
      .type = number,
      .fallback = "0",
@@ -220,7 +227,8 @@ constexpr Key keys[] = {
      .kinds = of_ephemeris},
 };
 
-constexpr Alternatives alternatives[] = {{"orbit.*", "semi_major_axis|pericentre", "kepler"}};
+constexpr Alternatives alternatives[] = {
+    {"orbit.*", "semi_major_axis|pericentre|period", "kepler"}};
 
 }  // namespace
 

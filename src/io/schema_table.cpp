@@ -235,6 +235,14 @@ constexpr Key body_keys[] = {
      .length = 3,
      .example = "[1.0, 20.0, 5.0]",
      .help = "Angular velocity, components along the inertial axes."},
+    {.path = "state.attitude-rate.omega_relative",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::rate,
+     .length = 3,
+     .example = "[0.0, 0.0, 0.1]",
+     .help = "Angular velocity relative to the reference frame, components along the body axes: "
+             "zeros are a body at rest in [frame]."},
     {.path = "state.attitude-rate.momentum_body",
      .type = numbers,
      .presence = alternative,
@@ -461,7 +469,7 @@ constexpr Alternatives alternatives[] = {
     {"state", "tumbler|attitude-rate|euler|andoyer|serret|sadov"},
     {"state.tumbler.pole", "longitude+latitude|ra+dec"},
     {"state.attitude-rate", "quaternion|euler"},
-    {"state.attitude-rate", "omega_body|omega_inertial|momentum_body"},
+    {"state.attitude-rate", "omega_body|omega_inertial|omega_relative|momentum_body"},
     {"time", "stop+step|stop+count|at"},
 };
 

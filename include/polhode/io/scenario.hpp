@@ -54,7 +54,8 @@ class ScenarioError : public DomainError {
 struct AttitudeRate {
   Quaternion q;  // body axes of the file to inertial
   Vec3 vector;   // what `given` names
-  enum class Given { omega_body, omega_inertial, momentum_body } given = Given::omega_body;
+  enum class Given { omega_body, omega_inertial, omega_relative, momentum_body };
+  Given given = Given::omega_body;
 };
 
 using InitialState =

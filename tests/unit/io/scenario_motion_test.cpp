@@ -100,6 +100,50 @@ TEST(ScenarioMotion, TheStateIsThatInTheFrame) {
   EXPECT_NEAR(s.g.y, -2.0 * std::sin(1.5), budget::io_state);
 }
 
+// omega = omega_relative + mu, mu the rate of the frame, here about the third axis of both.
+TEST(ScenarioMotion, ARateMayBeRelativeToTheFrame) {
+  const std::string text =
+      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[frame.precessing]\naxis = [0, 0, 1]\n"
+      "rate = 0.5\nepoch = -3\n[state.attitude-rate]\nomega_relative = [0.1, 0, 0.2]\n";
+  const RotorState s =
+      initial_state(scenario_from_text(text + "quaternion = [1, 0, 0, 0]\n", "f.toml"));
+  EXPECT_NEAR(norm(s.g - Vec3{0.1, 0.0, 2.5 * 0.7}), 0.0, budget::io_state);
+  // a quarter turn about axis 1: axis 3 of the frame is axis 2 of the body
+  const RotorState tilted =
+      initial_state(scenario_from_text(text + "quaternion = [1, 1, 0, 0]\n", "f.toml"));
+  EXPECT_NEAR(norm(tilted.g - Vec3{0.1, 2.0 * 0.5, 2.5 * 0.2}), 0.0, budget::io_state);
+}
+
+TEST(ScenarioMotion, AFrameMayTurnWithAnOrbit) {
+  const auto rate = [](const std::string& keys, const char* turns) {
+    const Scenario s = read("[orbit.moon]\ngm = 2\nsemi_major_axis = 2\n" + keys +
+                            "[frame.precessing]\naxis = [0, 0, 1]\norbit = \"moon\"\nturns = " +
+                            turns + "\n");
+    return s.precession.value().rate;
+  };
+  EXPECT_NEAR(rate("", "1"), 0.5, budget::io_state);
+  EXPECT_NEAR(rate("eccentricity = 0.3\n", "1.5"), 0.75, budget::io_state);
+  EXPECT_NEAR(rate("node_rate = -0.2\npericentre_rate = 0.4\nmean_anomaly_rate = 0.01\n", "-1"),
+              -0.71, budget::io_state);
+  const std::string frame = "[frame.precessing]\naxis = [0, 0, 1]\n";
+  EXPECT_THAT(error_of(orbit + frame + "orbit = \"moon\"\n"),
+              HasSubstr("expected exactly one of rate, orbit with turns"));
+  EXPECT_THAT(error_of(orbit + frame + "rate = 1\nturns = 1\n"),
+              HasSubstr("expected exactly one of rate, orbit with turns"));
+  EXPECT_THAT(error_of("[orbit.moon]\ngm = 1\npericentre = 1\neccentricity = 2\n" + frame +
+                       "orbit = \"moon\"\nturns = 1\n"),
+              HasSubstr("frame.precessing.orbit: got \"moon\"; expected an ellipse with elements"));
+}
+
+TEST(ScenarioMotion, APeriodGivesTheSizeOfAnOrbit) {
+  const Scenario s = read("[orbit.moon]\ngm = 3\nperiod = 5\neccentricity = 0.2\n");
+  const KeplerElements* elements = kepler_elements(s.orbits.at(0));
+  ASSERT_NE(elements, nullptr);
+  const double a = std::cbrt(3.0 * std::pow(5.0 / (2.0 * std::numbers::pi), 2));
+  EXPECT_NEAR(elements->pericentre, 0.8 * a, budget::io_state);
+  EXPECT_NEAR(mean_motion(*elements), 2.0 * std::numbers::pi / 5.0, budget::io_state);
+}
+
 TEST(ScenarioMotion, TheFrameOfAnOrbitTurnsWithItsNode) {
   const Scenario s = read(orbit +
                           "inclination = 0.3\nnode = 0.2\nnode_rate = 0.1\nepoch = 1\n"
@@ -162,6 +206,10 @@ TEST(ScenarioMotion, OrbitsThatCannotBeSayWhy) {
   EXPECT_THAT(error("gm = 1\n"),
               HasSubstr("orbit.moon: got none of them; expected exactly one of semi_major_axis, "
                         "pericentre"));
+  EXPECT_THAT(error("gm = 1\nperiod = 0\n"),
+              StartsWith("f.toml:9:10: orbit.moon.period: got 0; expected a positive time"));
+  EXPECT_THAT(error("gm = 1\nperiod = 2\neccentricity = 1.5\n"),
+              StartsWith("f.toml:9:10: orbit.moon.period: got 2; expected pericentre"));
   EXPECT_THAT(error("gm = 1\npericentre = 2\nsemi_major_axis = 1\n"),
               HasSubstr("orbit.moon: got semi_major_axis, pericentre; expected exactly one of"));
   EXPECT_THAT(error("gm = \"1 km3/s2\"\npericentre = 2\n"),

@@ -89,7 +89,8 @@ TEST(Scenario, AMomentumIsThatOfTheState) {
   EXPECT_NEAR(norm(inertial_momentum(of_tensor) - inertial_momentum(s)), 0.0, budget::io_state);
   EXPECT_THAT(error_of("schema = 1\n[body]\nmoments = [1, 1.9, 2.3]\n" + state +
                        "omega_body = [1, 2, 3]\n"),
-              HasSubstr("exactly one of omega_body, omega_inertial, momentum_body"));
+              HasSubstr("exactly one of omega_body, omega_inertial, omega_relative, "
+                        "momentum_body"));
 }
 
 // Each sign of Serret's elements and each lobe of Sadov's gives another state.
