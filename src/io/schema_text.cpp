@@ -207,7 +207,8 @@ bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
   if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
-  if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame")
+  if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame" ||
+      key.path == "map")
     return false;
   return !is_motion(key.path) || !subject.perturbation.empty();
 }

@@ -19,6 +19,7 @@ SchemaPart orbit_keys();
 SchemaPart perturbation_keys();
 SchemaPart method_keys();
 SchemaPart output_keys();
+SchemaPart map_keys();
 
 }  // namespace detail
 }  // namespace v0
