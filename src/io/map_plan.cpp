@@ -84,7 +84,7 @@ MapPlan map_plan(const Values& values, const Units& units, const Scenario& scena
              "expected another column, since a perturbation has no energy");
   }
   double cells = 1.0;
-  for (std::size_t i = 0; there(values, "map.axis[" + std::to_string(i) + "]"); ++i) {
+  for (std::size_t i = 0; there(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
     MapAxis axis = axis_of(values, units, path, name);
     for (const MapAxis& other : plan.axes)
