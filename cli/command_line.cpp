@@ -90,6 +90,7 @@ int command_line(int argc, const char* const* argv) {
   app.footer(
       "\nExample:\n  polhode init tumbler > body.toml && polhode run body.toml --out body.csv");
   add_run(app);
+  add_map(app);
   add_info(app);
   add_convert(app);
   add_init(app);

@@ -15,6 +15,7 @@ void add_convert(CLI::App& app);
 void add_init(CLI::App& app);
 void add_cite(CLI::App& app);
 void add_golden(CLI::App& app);
+void add_map(CLI::App& app);
 void add_schema(CLI::App& app);
 void add_shape(CLI::App& app);
 

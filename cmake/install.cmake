@@ -25,6 +25,13 @@ if(TARGET polhode_io)
   install(EXPORT polhode-io NAMESPACE polhode:: DESTINATION ${package_dir})
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/io-dependencies.cmake DESTINATION ${package_dir})
 endif()
+if(TARGET polhode_ensemble)
+  install(TARGETS polhode_ensemble EXPORT polhode-ensemble
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT polhode-ensemble NAMESPACE polhode:: DESTINATION ${package_dir})
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/ensemble-dependencies.cmake DESTINATION ${package_dir})
+endif()
 if(TARGET polhode)
   install(TARGETS polhode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -305,6 +305,8 @@ inline constexpr double chaos_chirikov = 0.02;
 inline constexpr double chaos_neighbour = 1e-6;
 inline constexpr double chaos_trapezoid = 1e-3;
 inline constexpr double chaos_damped = 1e-6;
+// Extremes of a column (deg) against the exact free rotation.
+inline constexpr double map_extremes = 1e-9;
 // Rows of an indicator against its definition by trapezoids over them.
 inline constexpr double chaos_quadrature = 2e-3;
 

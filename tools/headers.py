@@ -38,7 +38,7 @@ def label_errors(path):
 
 def umbrella_text():
     names = (p.relative_to(INCLUDE).as_posix() for p in INCLUDE.rglob("*.hpp") if p != UMBRELLA)
-    core = sorted(n for n in names if not n.startswith("polhode/io/"))
+    core = sorted(n for n in names if not n.startswith(("polhode/io/", "polhode/ensemble/")))
     head = UMBRELLA.read_text(encoding="utf-8").split("#pragma once")[0]
     return head + "#pragma once\n\n" + "".join(f'#include "{n}"\n' for n in core)
 

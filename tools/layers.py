@@ -38,6 +38,7 @@ THIRD_PARTY = {
     "rotor": r"Eigen/",
     "perturb": r"Eigen/",
     "ephemeris": r"erfa\.h",
+    "ensemble": r"tbb/",
     "io": r"toml\+\+/|fmt/|hdf5\.h|udunits2\.h|zlib\.h|(unistd|fcntl)\.h|sys/",
     "cli": r"CLI/|fmt/|(unistd|fcntl|signal)\.h|sys/",
 }

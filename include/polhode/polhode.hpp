@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every public header of polhode::polhode. polhode::io has its own (polhode/io/...).
+// Every public header of polhode::polhode. polhode::io and polhode::ensemble have their own.
 //
 // Equations   none.
 // Units       any consistent units: the library is scale-free. Angles in radians.

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/detail/map_plan.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/reference_axes.hpp"
 #include "io/detail/sadov_region.hpp"
@@ -233,6 +234,11 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
   }
   const auto [values, units] = detail::read_values(text, scenario_schema(), diagnostics);
   diagnostics.raise();
+  return detail::scenario_of(values, units, text, name);
+}
+
+Scenario detail::scenario_of(const Values& values, const Units& units, std::string_view text,
+                             const std::string& name) {
   const std::string chart = chart_of(values);
   std::optional<ScenarioShape> shape = detail::shape_of(values, name);
   const Body body = body_of(values, shape, name);
@@ -259,6 +265,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
     require_psi(values, body, *tumbler, units, name);
   built(values, "state." + chart, name, [&] { return free_rotation(scenario); });
   detail::check_motion(scenario, values, name);
+  if (there(values, "map")) scenario.map = detail::map_plan(values, units, scenario, name);
   return scenario;
 }
 

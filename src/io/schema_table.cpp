@@ -487,7 +487,8 @@ const Schema& scenario_schema() {
   static const std::vector<Key> keys =
       concatenated<Key>({body_keys, detail::frame_keys().keys, detail::orbit_keys().keys,
                          detail::perturbation_keys().keys, detail::surface_keys().keys,
-                         detail::method_keys().keys, row_keys, detail::output_keys().keys});
+                         detail::method_keys().keys, row_keys, detail::output_keys().keys,
+                         detail::map_keys().keys});
   static const std::vector<Alternatives> choices = concatenated<Alternatives>(
       {alternatives, detail::frame_keys().alternatives, detail::orbit_keys().alternatives,
        detail::perturbation_keys().alternatives, detail::surface_keys().alternatives,

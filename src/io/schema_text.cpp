@@ -212,7 +212,8 @@ bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
     return std::find(std::begin(kinds_on_facets), std::end(kinds_on_facets),
                      subject.perturbation) != std::end(kinds_on_facets);
   if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
-  if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame")
+  if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame" ||
+      key.path == "map")
     return false;
   return !is_motion(key.path) || !subject.perturbation.empty();
 }

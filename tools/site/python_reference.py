@@ -148,7 +148,7 @@ names of the [columns](../files.md).
         "Figures":
             "momentum_sphere frames_and_angles phase_plane orbit_ellipses polhode_and_herpolhode "
             "polhode_on_ellipsoid herpolhode attitude_of_body animation overview time_series "
-            "poincare_section energy_error",
+            "poincare_section chaos_map chaos_growth energy_error",
         "What they draw, and from where": "RunData OblatePlanet BodyPicture View",
     }, "polhode.figures"),
     Page("spice", "SPICE", """\

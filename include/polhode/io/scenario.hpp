@@ -15,6 +15,7 @@
 // Cost        milliseconds, of which one preparation of the motion.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,6 +95,21 @@ struct ScenarioEvent {
   bool stops;
 };
 
+// [map]
+enum class MapKind { chaos, column };
+struct MapAxis {
+  std::string key;
+  double from;  // in the unit of the file, as `to` is
+  double to;
+  std::int64_t count;
+  std::string unit;
+};
+struct MapPlan {
+  MapKind kind;
+  std::string column;  // of MapKind::column
+  std::vector<MapAxis> axes;
+};
+
 struct Scenario {
   std::string name;    // of the file, without its folder: "apophis.toml"
   std::string folder;  // of the file: paths in it start there; empty is the working folder
@@ -118,6 +134,7 @@ struct Scenario {
   std::optional<SaveAt> time;        // left out: nothing to run
   std::vector<std::string> columns;  // names of column groups
   AemOptions aem = {};               // [output.aem]
+  std::optional<MapPlan> map = std::nullopt;
 };
 
 // `name` stands for the file in messages and outputs.

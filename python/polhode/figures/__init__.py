@@ -8,6 +8,7 @@ print size and resolution; `style` is the module with the colours and looks."""
 from polhode.figures import style
 from polhode.figures.animation import animation
 from polhode.figures.attitude import BodyPicture, attitude_of_body
+from polhode.figures.chaos import chaos_growth, chaos_map
 from polhode.figures.ellipses import orbit_ellipses
 from polhode.figures.energy_error import energy_error
 from polhode.figures.frames import frames_and_angles
@@ -36,6 +37,8 @@ __all__ = [
     "View",
     "animation",
     "attitude_of_body",
+    "chaos_growth",
+    "chaos_map",
     "energy_error",
     "frames_and_angles",
     "herpolhode",

@@ -20,6 +20,7 @@ SchemaPart perturbation_keys();
 SchemaPart surface_keys();
 SchemaPart method_keys();
 SchemaPart output_keys();
+SchemaPart map_keys();
 
 }  // namespace detail
 }  // namespace v0

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+#include "polhode/io/run.hpp"
+#include "progress.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr std::size_t reasons_shown = 3;
+
+struct MapOptions {
+  std::string scenario;
+  std::vector<std::string> out;
+  int threads = 0;
+  bool resume = false;
+};
+
+// How many cells there are, what they hold, and why some hold nothing.
+std::string summary_of(const ScenarioMap& map, const std::vector<MapCell>& cells) {
+  std::string text = fmt::format("cells             {}\n", cells.size());
+  const std::vector<Column> columns = map.groups().back().columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    double least = INFINITY, most = -INFINITY;
+    for (const MapCell& cell : cells) {
+      if (!cell.failure.empty()) continue;
+      least = std::min(least, cell.numbers[i]);
+      most = std::max(most, cell.numbers[i]);
+    }
+    if (least <= most)
+      text += fmt::format("{:<17} {:.10g} to {:.10g} {}\n", columns[i].name, least, most,
+                          columns[i].unit == "1" ? "" : columns[i].unit);
+  }
+  std::size_t failed = 0;
+  std::string reasons;
+  for (const MapCell& cell : cells) {
+    if (cell.failure.empty()) continue;
+    if (++failed <= reasons_shown) reasons += "  " + cell.failure + "\n";
+  }
+  if (failed == 0) return text;
+  text += fmt::format("failed            {}, which hold nan:\n", failed) + reasons;
+  return failed <= reasons_shown ? text : text + "  ...\n";
+}
+
+void make_map(const MapOptions& options) {
+  const Scenario scenario = read_scenario(options.scenario);
+  const ScenarioMap map(scenario.text, options.scenario == "-" ? "<stdin>" : options.scenario);
+  std::vector<std::string> out = options.out;
+  if (out.empty()) out.push_back("-");
+  for (auto path = out.begin(); path != out.end(); ++path)
+    if (std::find(out.begin(), path, *path) != path)
+      throw DomainError("map: " + *path + " is there twice");
+  const auto file = std::find_if(out.begin(), out.end(), [](const auto& p) { return p != "-"; });
+  if (options.resume && file == out.end())
+    throw DomainError("map: got --resume; expected it beside --out PATH.csv or PATH.h5");
+  // a path that cannot be written is found out before the first cell
+  for (const std::string& path : out)
+    if (path != "-") open_sink(path, map.groups(), provenance(scenario));
+  MapRows rows(map, file == out.end() ? "" : *file, options.resume);
+  {
+    ProgressLine progress(0.0, static_cast<double>(map.size()), "cells");
+    const int threads = options.threads > 0 ? options.threads : hardware_threads();
+    run_cells(
+        rows.size(), map.size(), threads,
+        [&](std::int64_t index) -> MapCell { return map.cell(index); },
+        [&](std::int64_t index, const MapCell& cell) {
+          rows.push(cell);
+          progress(static_cast<double>(index + 1));
+        });
+  }
+  rows.finish(out);
+  if (std::find(out.begin(), out.end(), "-") == out.end()) print(summary_of(map, rows.cells()));
+}
+
+}  // namespace
+
+void add_map(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("map", "Run a scenario over the grid of its [map], on all processors");
+  const auto options = std::make_shared<MapOptions>();
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
+      ->required();
+  command
+      ->add_option("--out,-o", options->out,
+                   "PATH.csv or PATH.h5, any number of them; - is CSV to standard output, also the "
+                   "default")
+      ->type_name("PATH");
+  command
+      ->add_option("--threads", options->threads,
+                   "How many cells at a time; left out: one on each processor. The result does "
+                   "not depend on it")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--resume", options->resume,
+                    "Go on from PATH.cells, which a map that was stopped has left");
+  command->footer(
+      "\nExample:\n  polhode map examples/hyperion-map.toml --out hyperion.csv --threads 2");
+  command->callback([options] { make_map(*options); });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// ScenarioMap: a scenario over a grid of its own numbers, one cell at a time; and the rows of a map
+// on their way to a file.
+//
+// Equations   those of chaos_indicator, or the extremes of a column over the rows of [time].
+// Units       those of the scenario: axes and results in the units of the file, the Lyapunov
+//             indicator in 1 over its unit of time.
+// Domain      a scenario with [map] and [time]. Cells are counted with the last axis the fastest.
+//             Any number of the file may be an axis, perturbations and orbits included; of an array
+//             one number: state.attitude-rate.omega_body[2], counted from 0. Every cell starts at
+//             t = 0 and ends at the last row.
+// Accuracy    axes are rounded once; the rest is that of the method.
+// Errors      ScenarioError for what is no map. A cell that cannot be (a chart refuses its numbers)
+//             or cannot go on has NaN, and says why. OutputError from MapRows.
+// Cost        a millisecond to read the scenario anew, one cell at a time, then its run.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/io/columns.hpp"
+#include "polhode/io/scenario.hpp"
+#include "polhode/trajectory/progress.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct MapCell {
+  std::vector<double> numbers;  // of the results; NaN where the cell failed
+  std::string failure;          // empty: it did not
+};
+
+class ScenarioMap {
+ public:
+  // `name` stands for the file in messages and outputs.
+  ScenarioMap(std::string_view text, const std::string& name);
+  ~ScenarioMap();
+  ScenarioMap(const ScenarioMap&) = delete;
+  ScenarioMap& operator=(const ScenarioMap&) = delete;
+
+  const Scenario& scenario() const;
+  const MapPlan& plan() const { return *scenario().map; }
+  std::int64_t size() const;
+  // The axes, one group each, then the results.
+  std::vector<ColumnGroup> groups() const;
+  // The numbers of the axes at a cell.
+  std::vector<double> place(std::int64_t index) const;
+  // From any thread. What `progress` throws passes through.
+  MapCell cell(std::int64_t index, const Progress& progress = {}) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// The cells of a map as they come, kept in PATH.cells: what a killed map goes on from. Lines are
+// whole or they do not count.
+class MapRows {
+ public:
+  // Without a path nothing is kept. `resume`: goes on from PATH.cells, if it is there; DomainError
+  // when it is of another map.
+  MapRows(const ScenarioMap& map, const std::string& path, bool resume);
+  ~MapRows();
+  MapRows(const MapRows&) = delete;
+  MapRows& operator=(const MapRows&) = delete;
+
+  std::int64_t size() const { return static_cast<std::int64_t>(cells_.size()); }
+  const std::vector<MapCell>& cells() const { return cells_; }
+  void push(const MapCell& cell);
+  // All rows to the outputs, which get their names; PATH.cells goes.
+  void finish(std::span<const std::string> outputs);
+
+ private:
+  void read(std::FILE* file);
+
+  const ScenarioMap& map_;
+  std::string path_;
+  std::string head_;
+  std::FILE* file_ = nullptr;
+  std::vector<MapCell> cells_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Cells: every index once, in order, from any number of threads; exceptions pass through.
+#include "polhode/ensemble/cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "polhode/error.hpp"
+
+namespace {
+
+using namespace polhode;
+using CellRow = std::vector<double>;
+
+// Cells of very different cost.
+CellRow work(std::int64_t index) {
+  double x = 0.1 * static_cast<double>(index);
+  const std::int64_t rounds = index % 7 == 0 ? 200000 : 20;
+  for (std::int64_t k = 0; k < rounds; ++k) x = std::sin(x) + 0.3;
+  return {static_cast<double>(index), x};
+}
+
+std::vector<CellRow> rows(std::int64_t first, std::int64_t count, int threads) {
+  std::vector<CellRow> result;
+  run_cells(first, count, threads, work, [&](std::int64_t index, const CellRow& row) {
+    EXPECT_EQ(index, first + static_cast<std::int64_t>(result.size()));
+    result.push_back(row);
+  });
+  return result;
+}
+
+TEST(Cells, AreThoseOfAPlainLoopForAnyNumberOfThreads) {
+  std::vector<CellRow> plain;
+  for (std::int64_t k = 0; k < 200; ++k) plain.push_back(work(k));
+  for (const int threads : {1, 2, 3, 8}) EXPECT_EQ(rows(0, 200, threads), plain) << threads;
+  EXPECT_EQ(rows(150, 200, 2), std::vector<CellRow>(plain.begin() + 150, plain.end()));
+  EXPECT_TRUE(rows(5, 5, 2).empty());
+}
+
+TEST(Cells, RunAtTheSameTime) {
+  if (hardware_threads() < 2) GTEST_SKIP() << "one processor";
+  std::atomic<int> here = 0;
+  std::atomic<bool> met = false;
+  run_cells(
+      0, 64, 2,
+      [&](std::int64_t) -> CellRow {
+        ++here;
+        for (int k = 0; k < 10000000 && !met; ++k)
+          if (here >= 2) met = true;
+        --here;
+        return {};
+      },
+      [](std::int64_t, const CellRow&) {});
+  EXPECT_TRUE(met);
+}
+
+TEST(Cells, WhatIsThrownPassesThroughAfterTheRowsBefore) {
+  std::int64_t last = -1;
+  const auto sink = [&](std::int64_t index, const CellRow&) { last = index; };
+  const auto cell = [](std::int64_t index) -> CellRow {
+    if (index == 20) throw std::runtime_error("twenty");
+    return {};
+  };
+  EXPECT_THROW(run_cells(0, 100, 2, cell, sink), std::runtime_error);
+  EXPECT_LT(last, 20);
+  EXPECT_THROW(run_cells(0, 100, 0, cell, sink), DomainError);
+}
+
+}  // namespace

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Maps: every cell is the scenario that a file with its numbers would be; rows survive a kill.
+#include "polhode/io/map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "budgets.hpp"
+#include "polhode/analysis/chaos_indicator.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string body = R"(schema = 1
+units = { time = "h", angle = "deg" }
+body.moments = [1, 1.7, 2.2]
+state.euler = { phi = 10, theta = 60, psi = 30, Phi = 0.8, Theta = 0.1, Psi = 0.9 }
+time = { stop = 20, step = 0.5 }
+)";
+const std::string two_axes = R"(
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.5
+to = 1.9
+count = 3
+[[map.axis]]
+key = "state.euler.theta"
+from = 60
+to = 90
+count = 2
+)";
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(ScenarioMap, ACellIsTheScenarioWithItsNumbers) {
+  const ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
+  ASSERT_EQ(map.size(), 6);
+  EXPECT_EQ(map.place(0), (std::vector<double>{1.5, 60.0}));
+  EXPECT_EQ(map.place(3), (std::vector<double>{1.7, 90.0}));
+  std::string plain = body;
+  plain.replace(plain.find("theta = 60"), 10, "theta = 90");
+  const Scenario scenario = scenario_from_text(plain, "plain");
+  const Problem problem{rotor_system(scenario), initial_state(scenario), 0.0, 20.0, Adaptive{}, {}};
+  const ChaosIndicator expected = chaos_indicator(problem, SaveAt::times({20.0}));
+  EXPECT_EQ(map.cell(3).numbers, (std::vector<double>{expected.mean_megno(), expected.lyapunov()}));
+  const std::vector<ColumnGroup> groups = map.groups();
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_EQ(groups[1].columns[0].name, "state.euler.theta");
+  EXPECT_EQ(groups[1].columns[0].unit, "deg");
+  EXPECT_EQ(groups[2].columns[1].unit, "1/h");
+}
+
+TEST(ScenarioMap, ExtremesAreThoseOfTheRows) {
+  const ScenarioMap map(body + "[map]\nkind = \"column\"\ncolumn = \"psi\"\n" + two_axes, "m");
+  std::string plain = body;
+  plain.replace(plain.find("1, 1.7"), 6, "1, 1.5");
+  const Scenario scenario = scenario_from_text(plain, "plain");
+  const FreeRotation motion = free_rotation(scenario);
+  double least = INFINITY, most = -INFINITY, last = 0.0;
+  for (std::int64_t k = 0; k <= 40; ++k) {
+    last = to_euler(motion.at(0.5 * static_cast<double>(k))).psi * 180.0 / M_PI;
+    least = std::min(least, last);
+    most = std::max(most, last);
+  }
+  const MapCell cell = map.cell(0);
+  ASSERT_EQ(cell.numbers.size(), 3U);
+  EXPECT_NEAR(cell.numbers[0], least, budget::map_extremes);
+  EXPECT_NEAR(cell.numbers[1], most, budget::map_extremes);
+  EXPECT_NEAR(cell.numbers[2], last, budget::map_extremes);
+}
+
+TEST(ScenarioMap, WhatAChartRefusesIsACellWithItsReason) {
+  const ScenarioMap map(body + R"([map]
+kind = "chaos"
+[[map.axis]]
+key = "body.moments[0]"
+from = 0.1
+to = 1
+count = 2
+)",
+                        "m");
+  const MapCell cell = map.cell(0);
+  EXPECT_TRUE(std::isnan(cell.numbers[0]));
+  EXPECT_THAT(cell.failure, HasSubstr("body.moments"));
+  EXPECT_EQ(map.cell(1).failure, "");
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    const ScenarioMap map(text, "m.toml");
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ScenarioMap, WhatIsNoMap) {
+  const std::string chaos = body + "[map]\nkind = \"chaos\"\n";
+  const auto axis = [](const char* key, const char* count) {
+    return std::string("[[map.axis]]\nkey = \"") + key + "\"\nfrom = 0\nto = 1\ncount = " + count;
+  };
+  EXPECT_THAT(refusal(body), HasSubstr("expected a table [map]"));
+  EXPECT_THAT(refusal(chaos), HasSubstr("map.axis: got nothing"));
+  EXPECT_THAT(refusal(chaos + axis("state.euler.tetha", "2")),
+              HasSubstr("m.toml:9:7: map.axis[0].key: got \"state.euler.tetha\"; expected a key"));
+  EXPECT_THAT(refusal(chaos + axis("state.euler.tetha", "2")),
+              HasSubstr("did you mean state.euler.theta?"));
+  EXPECT_THAT(refusal(chaos + axis("body.moments", "2")), HasSubstr("expected a key"));
+  EXPECT_THAT(refusal(chaos + axis("body.moments[3]", "2")), HasSubstr("expected a key"));
+  EXPECT_THAT(refusal(chaos + axis("state.euler.phi", "0")), HasSubstr("from 1 to 1e9"));
+  EXPECT_THAT(refusal(chaos + axis("state.euler.phi", "2") + "\n" + axis("state.euler.phi", "2")),
+              HasSubstr("another axis has it"));
+  EXPECT_THAT(refusal(body + "[map]\nkind = \"column\"\ncolumn = \"tehta\"\n" +
+                      axis("state.euler.phi", "2")),
+              HasSubstr("did you mean theta?"));
+}
+
+TEST(MapRows, GoOnFromWhatIsWholeOfAnEarlierMap) {
+  const std::string folder = ::testing::TempDir() + "/map_rows";
+  std::filesystem::create_directories(folder);
+  const std::string path = folder + "/m.csv";
+  std::filesystem::remove(path + ".cells");
+  const ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
+  const std::string outputs[] = {path};
+  {
+    MapRows rows(map, path, false);
+    for (std::int64_t k = 0; k < 6; ++k) rows.push(map.cell(k));
+    rows.finish(outputs);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path + ".cells"));
+  const std::string straight = text_of(path);
+  {
+    MapRows rows(map, path, true);  // nothing there: from the start
+    EXPECT_EQ(rows.size(), 0);
+    for (std::int64_t k = 0; k < 4; ++k) rows.push(map.cell(k));
+  }
+  const std::string cells = text_of(path + ".cells");
+  const auto head = static_cast<std::int64_t>(cells.find('\n') + 1);
+  // killed after any number of bytes
+  for (const std::int64_t length :
+       {std::int64_t{0}, head - 5, head, head + 9, static_cast<std::int64_t>(cells.size()) - 1,
+        static_cast<std::int64_t>(cells.size())}) {
+    std::ofstream(path + ".cells", std::ios::binary)
+        << cells.substr(0, static_cast<std::size_t>(length));
+    MapRows rows(map, path, true);
+    for (std::int64_t k = rows.size(); k < 6; ++k) rows.push(map.cell(k));
+    rows.finish(outputs);
+    EXPECT_EQ(text_of(path), straight) << length;
+  }
+  std::ofstream(path + ".cells") << "another file\n";
+  EXPECT_THROW(MapRows(map, path, true), DomainError);
+}
+
+}  // namespace
+}  // namespace polhode
