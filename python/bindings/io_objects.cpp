@@ -60,7 +60,8 @@ nb::object magnetic(const AnyPerturbation& term) {
 }
 
 nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
-  for (const nb::object& made : {magnetic<KeplerOrbit>(term), magnetic<PrecessingKeplerOrbit>(term)})
+  for (const nb::object& made :
+       {magnetic<KeplerOrbit>(term), magnetic<PrecessingKeplerOrbit>(term)})
     if (made.is_valid()) return made;
   if (const auto* fixed = term.target<GravityGradient<KeplerOrbit>>())
     return gravity_gradient(*fixed, term.name());

@@ -14,6 +14,7 @@ struct SchemaPart {
   std::span<const Key> keys;
   std::span<const Alternatives> alternatives;
 };
+SchemaPart state_keys();
 SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart perturbation_keys();
