@@ -436,4 +436,31 @@ inline constexpr double apophis_scipy = 1e-9;
 inline constexpr double apophis_oracle = 1e-12;
 // Relative change of the periods from 48 h to 192 h after the closest approach.
 inline constexpr double apophis_after = 2e-3;
+// --- gravity of degree 3 and 4, and of an oblate body (tests/unit/perturb/{higher,oblate}_gravity)
+// --- The torque and the energy over the sum of those of every point mass, in units of eps.
+inline constexpr double higher_gravity_eps = 16.0;
+// Central differences at 76 digits, relative.
+inline constexpr double higher_gravity_difference = 1e-15;
+// The exponent with which a remainder falls between 1000 and 2000 radii.
+inline constexpr double higher_gravity_slope = 0.02;
+
+// --- tides (tests/unit/perturb/tidal_torque.cpp), relative ---
+// Over the sum of its three parts, in units of eps.
+inline constexpr double tidal_eps = 16.0;
+// A difference over a lag of 1e-4, of its own rounding and of the third order in the lag.
+inline constexpr double tidal_lag = 1e-6;
+inline constexpr double tidal_average = 1e-12;
+
+// --- torque tables and internal damping along a run (tests/unit/dynamics/breakpoints_test.cpp) ---
+// A second of torque in a day of 24 turns at the default tolerance.
+inline constexpr double pulse_momentum = 1e-12;
+inline constexpr double pulse_angle = 1e-8;
+inline constexpr double table_momentum = 1e-12;
+// tan J, the momentum in space, the energy: at tolerance 1e-13.
+inline constexpr double internal_damping_law = 1e-10;
+inline constexpr double internal_damping_momentum = 1e-11;
+inline constexpr double internal_damping_energy = 1e-12;
+// Phase of a wobble that is not circular, over the length of its decay.
+inline constexpr double internal_damping_wobble = 2e-3;
+
 }  // namespace polhode::budget

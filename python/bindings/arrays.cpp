@@ -254,6 +254,11 @@ nb::object array_of(const Vec3& v) { return small_array(v, {3}); }
 nb::object array_of(const Quaternion& q) { return small_array(q, {4}); }
 nb::object array_of(const Mat3& m) { return small_array(m, {3, 3}); }
 nb::object array_of(const Matrix6& m) { return small_array(m, {6, 6}); }
+nb::object array_of(std::span<const double> row) {
+  Result result({row.size()});
+  for (std::size_t k = 0; k < row.size(); ++k) *result.at(k) = row[k];
+  return result.take();
+}
 
 void put(double* out, const Mat3& m) {
   for (int i = 0; i < 3; ++i) put(out + 3 * i, m.row[i]);

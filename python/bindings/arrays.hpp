@@ -97,6 +97,7 @@ nb::object array_of(const Vec3& v);
 nb::object array_of(const Quaternion& q);
 nb::object array_of(const Mat3& m);
 nb::object array_of(const Matrix6& m);
+nb::object array_of(std::span<const double> row);
 
 inline void put(double* out, const Vec3& v) {
   out[0] = v.x;

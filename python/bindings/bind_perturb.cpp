@@ -9,6 +9,7 @@
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "states.hpp"
+#include "term_binding.hpp"
 #include "term_value.hpp"
 
 namespace polhode::python {
@@ -33,23 +34,6 @@ struct PythonTorqueTerm : PythonTerm {
 struct PythonHamiltonianTerm : PythonTerm {
   using PythonTerm::PythonTerm;
 };
-
-// The name given, or that of the function, or of the class.
-std::string name_of(nb::handle name, const char* otherwise, nb::handle function = {}) {
-  if (nb::isinstance<nb::str>(name)) return nb::cast<std::string>(name);
-  if (!name.is_none())
-    throw nb::type_error(
-        (std::string(otherwise) + ": name: got " + class_name(name) + "; expected a str").c_str());
-  if (function.is_valid() && nb::hasattr(function, "__name__"))
-    return nb::cast<std::string>(nb::str(nb::object(function.attr("__name__"))));
-  return otherwise;
-}
-
-std::string labelled(const char* type, const std::string& name) {
-  return std::string(type) + " \"" + name + "\"";
-}
-
-nb::tuple tuple_of(const Vec3& v) { return nb::make_tuple(v.x, v.y, v.z); }
 
 // Python's H(t, state) as the generic callable that HamiltonianTerm differentiates.
 class PythonHamiltonian {
@@ -148,11 +132,6 @@ void make_user_term(C* self, const char* type, nb::handle function, nb::handle n
       recipe_of("", {"function", "name", "kick"}, nb::make_tuple(function, name, kick), {shared}));
 }
 
-template <class C, class Class>
-void def_term(Class& c) {
-  def_recipe<C>(c, [](const C& term) { return "\"" + term.name() + "\""; });
-}
-
 void bind_any(nb::module_& m) {
   nb::enum_<SpaceAxes>(m, "SpaceAxes", "The axes of a vector that is not the body's own.",
                        nb::is_arithmetic())
@@ -162,8 +141,9 @@ void bind_any(nb::module_& m) {
   nb::class_<P> c(m, "AnyPerturbation",
                   R"(A term of a System: what every kind of term can be asked.
 
-Made by GravityGradient, ConstantTorque, LinearDamping, TorqueTerm, HamiltonianTerm. Terms that a
-scenario made are of this class itself.)",
+Made by GravityGradient, HigherGravity, OblateGravity, TidalTorque, ConstantTorque, TorqueTable,
+LinearDamping, InternalDamping, TorqueTerm, HamiltonianTerm. Terms that a scenario made are of this
+class itself.)",
                   nb::type_slots(recipe_slots<P>()));
   c.def_prop_ro(
        "name", [](const P& p) { return p.name(); }, "Stands for the term in messages.")
@@ -178,7 +158,11 @@ scenario made are of this class itself.)",
           "Whether it is a torque of time and attitude alone.")
       .def_prop_ro(
           "supports_any_real", [](const P& p) { return p.supports_any_real(); },
-          "Whether double-double runs and state transitions can use it.");
+          "Whether double-double runs and state transitions can use it.")
+      .def_prop_ro(
+          "breakpoints", [](const P& p) { return array_of(p.breakpoints()); },
+          nb::for_getter(nb::sig("def breakpoints(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(n,): the times at which it is not smooth, where integrate ends a step.");
   def_term<P>(c);
 }
 

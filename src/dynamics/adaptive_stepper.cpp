@@ -5,6 +5,7 @@
 
 #include "dynamics/detail/adaptive_failure.hpp"
 #include "dynamics/detail/adaptive_field.hpp"
+#include "dynamics/detail/breakpoints.hpp"
 #include "dynamics/detail/stepper.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
@@ -23,38 +24,39 @@ RotorState rounded(const RotorValues<T>& y) {
           {to_double(s.g.x), to_double(s.g.y), to_double(s.g.z)}};
 }
 
+// f by a shared pointer: steps that outlive the run share it. On one smooth stretch.
+template <Real T>
+struct SmoothField {
+  std::shared_ptr<const RotorField<T>> field;
+  SmoothStretch stretch;
+  RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
+    return (*field)(stretch.inside(t), y);
+  }
+};
+
 // The state inside a step is that of a shorter step: of the order of the method, and nothing is
 // kept but where the step began.
 template <Real T>
 class ShorterStep final : public DenseStep {
  public:
-  ShorterStep(std::shared_ptr<const RotorField<T>> field, const DoubleDouble& t0,
+  ShorterStep(SmoothField<T> field, const DoubleDouble& t0,
               const CompensatedState<T, rotor_size<T>>& start, double t1, const RotorState& end)
       : DenseStep(t0.hi, t1), field_(std::move(field)), t0_(t0), start_(start), end_(end) {}
 
   RotorState at(double t) const override {
     if (t == t1()) return end_;
     const double h = (DoubleDouble(t) - t0_).hi;
-    const RotorValues<T> rate = (*field_)(t0_, start_.y);
+    const RotorValues<T> rate = field_(t0_, start_.y);
     CompensatedState<T, rotor_size<T>> state = start_;
-    state.add(runge_kutta_step<Verner98>(*field_, t0_, start_.y, rate, h).increment);
+    state.add(runge_kutta_step<Verner98>(field_, t0_, start_.y, rate, h).increment);
     return rounded<T>(state.y);
   }
 
  private:
-  std::shared_ptr<const RotorField<T>> field_;
+  SmoothField<T> field_;
   DoubleDouble t0_;
   CompensatedState<T, rotor_size<T>> start_;
   RotorState end_;
-};
-
-// f by a shared pointer: steps that outlive the run share it.
-template <Real T>
-struct SharedField {
-  std::shared_ptr<const RotorField<T>> field;
-  RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
-    return (*field)(t, y);
-  }
 };
 
 template <Real T>
@@ -62,7 +64,8 @@ class AdaptiveStepper final : public Stepper {
  public:
   AdaptiveStepper(const Problem& problem, const Adaptive& method)
       : field_(std::make_shared<const RotorField<T>>(problem.system)),
-        solver_({field_}, {}, problem.start, rotor_values(widened(problem.initial)),
+        breakpoints_(problem.system),
+        solver_({field_, {}}, {}, problem.start, rotor_values(widened(problem.initial)),
                 {method.tolerance, method.first_step, method.largest_step}),
         begin_(problem.start),
         start_(solver_.state()) {}
@@ -70,7 +73,8 @@ class AdaptiveStepper final : public Stepper {
   std::string advance(double stop) override {
     const DoubleDouble begin = solver_.time();
     const CompensatedState<T, rotor_size<T>> start = solver_.state();
-    const StepOutcome outcome = solver_.advance(stop);
+    solver_.field().stretch = breakpoints_.stretch(begin.hi, stop);
+    const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, stop));
     if (outcome != StepOutcome::made)
       return failure_text(*field_, begin, start.y, solver_.trial(), outcome);
     begin_ = begin;
@@ -81,7 +85,7 @@ class AdaptiveStepper final : public Stepper {
   double time() const override { return solver_.time().hi; }
   RotorState state() const override { return rounded<T>(solver_.state().y); }
   std::shared_ptr<const DenseStep> dense(bool) override {
-    return std::make_shared<const ShorterStep<T>>(field_, begin_, start_, time(), state());
+    return std::make_shared<const ShorterStep<T>>(solver_.field(), begin_, start_, time(), state());
   }
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
@@ -107,7 +111,8 @@ class AdaptiveStepper final : public Stepper {
   }
 
   std::shared_ptr<const RotorField<T>> field_;
-  AdaptiveRungeKutta<Verner98, T, rotor_size<T>, SharedField<T>, RotorErrorSize> solver_;
+  Breakpoints breakpoints_;
+  AdaptiveRungeKutta<Verner98, T, rotor_size<T>, SmoothField<T>, RotorErrorSize> solver_;
   DoubleDouble begin_;  // of the step made last
   CompensatedState<T, rotor_size<T>> start_;
 };

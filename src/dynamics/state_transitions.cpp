@@ -5,6 +5,7 @@
 
 #include "dynamics/detail/adaptive_failure.hpp"
 #include "dynamics/detail/adaptive_field.hpp"
+#include "dynamics/detail/breakpoints.hpp"
 #include "dynamics/detail/checked_problem.hpp"
 #include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/sample_times.hpp"
@@ -43,6 +44,15 @@ void require_finite(const TransitionSample& row) {
                     ": take a smaller step, or see whether a term is finite there");
 }
 
+struct SmoothField {
+  detail::RotorField<Tangent> field;
+  detail::SmoothStretch stretch;
+  detail::RotorValues<Tangent> operator()(const DoubleDouble& t,
+                                          const detail::RotorValues<Tangent>& y) const {
+    return field(stretch.inside(t), y);
+  }
+};
+
 // By the variational equations, which are those of a dual state.
 struct Transitions {
   const Problem& problem;
@@ -57,18 +67,21 @@ struct Transitions {
     if (method.tolerance < 1e-15)
       throw DomainError("state_transitions: tolerance " + number_text(method.tolerance) +
                         " must be from 1e-15: derivatives are carried in double");
-    AdaptiveRungeKutta<Verner98, Tangent, 7, detail::RotorField<Tangent>, detail::RotorErrorSize>
-        solver(detail::RotorField<Tangent>(problem.system), {}, problem.start,
-               detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
-               {method.tolerance, method.first_step, method.largest_step});
+    const detail::Breakpoints breakpoints(problem.system);
+    AdaptiveRungeKutta<Verner98, Tangent, 7, SmoothField, detail::RotorErrorSize> solver(
+        {detail::RotorField<Tangent>(problem.system), {}}, {}, problem.start,
+        detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
+        {method.tolerance, method.first_step, method.largest_step});
     std::vector<TransitionSample> rows;
     for (const double t : times) {
       while (solver.time() != DoubleDouble(t)) {
-        const StepOutcome outcome = solver.advance(t);
+        const double now = solver.time().hi;
+        solver.field().stretch = breakpoints.stretch(now, t);
+        const StepOutcome outcome = solver.advance(breakpoints.end(now, t));
         if (outcome != StepOutcome::made)
           throw DomainError("state_transitions: " +
-                            detail::failure_text(solver.field(), solver.time(), solver.state().y,
-                                                 solver.trial(), outcome));
+                            detail::failure_text(solver.field().field, solver.time(),
+                                                 solver.state().y, solver.trial(), outcome));
         tell(solver.time().hi);
       }
       rows.push_back(sample_at(t, solver.state().y));

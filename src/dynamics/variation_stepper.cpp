@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "dynamics/detail/breakpoints.hpp"
 #include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/stepper.hpp"
 #include "dynamics/detail/variation_collocation.hpp"
@@ -78,6 +79,7 @@ class VariationStepper final : public Stepper {
  public:
   VariationStepper(const Problem& problem, const VariationOfConstants& method)
       : system_(std::make_shared<const System>(problem.system)),
+        breakpoints_(problem.system),
         field_(std::make_shared<VariationField>(system_, problem.start)),
         solver_({field_}, {}, problem.start, start_values(problem),
                 {method.tolerance, first_step(problem, *field_), method.largest_step}),
@@ -85,7 +87,9 @@ class VariationStepper final : public Stepper {
         begin_(problem.start),
         start_(solver_.state()) {}
 
-  std::string advance(double stop) override {
+  // Gauss' nodes are inside a step, so that its ends may be breakpoints.
+  std::string advance(double run_end) override {
+    const double stop = breakpoints_.end(solver_.time().hi, run_end);
     follow(solver_.next_step(stop));
     const DoubleDouble begin = solver_.time();
     const Constants start = solver_.state();
@@ -163,6 +167,7 @@ class VariationStepper final : public Stepper {
   }
 
   std::shared_ptr<const System> system_;
+  Breakpoints breakpoints_;
   std::shared_ptr<VariationField> field_;
   AdaptiveCollocation<rotor_size<double>, MovingField, RotorErrorSize> solver_;
   VariationField before_;  // of the step made last

@@ -92,6 +92,22 @@ constexpr Paper papers[] = {
      "of symplectic splitting methods for numerical integration in dynamical astronomy. Applied "
      "Numerical Mathematics 68, 58-72.",
      "the splitting for near-integrable systems", "near-integrable"},
+    {"mignard1979",
+     "Mignard, F. (1979). The evolution of the lunar orbit revisited. I. The Moon and the Planets "
+     "20, 301-315.",
+     "tides with a constant time lag", "tide"},
+    {"hut1981",
+     "Hut, P. (1981). Tidal evolution in close binary systems. Astronomy and Astrophysics 99, "
+     "126-140.",
+     "tides with a constant time lag", "tide"},
+    {"burns1973",
+     "Burns, J. A., Safronov, V. S. (1973). Asteroid nutation angles. Monthly Notices of the Royal "
+     "Astronomical Society 165, 403-411.",
+     "the time in which a wobble dies", "anelastic-damping"},
+    {"fritsch1984",
+     "Fritsch, F. N., Butland, J. (1984). A method for constructing local monotone piecewise cubic "
+     "interpolants. SIAM Journal on Scientific and Statistical Computing 5, 300-304.",
+     "torque tables by cubics", "torque-table"},
 };
 
 struct MethodParts {
@@ -117,10 +133,11 @@ struct MethodParts {
   }
 };
 
-// Its chart, its groups of columns, its method, and what moves it.
+// Its chart, its groups of columns, the kinds of its terms, its method, and what moves it.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = scenario.columns;
   parts.push_back(scenario.chart);
+  parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
   if (!scenario.frame.is_inertial()) parts.push_back("moving frame");
   if (!scenario.orbits.empty()) parts.push_back("orbit");
   if (const std::optional<Method> method = propagation_method(scenario))

@@ -22,6 +22,10 @@ constexpr PerturbationKind kinds[] = {
     {"gravity-gradient", gravity_gradient_term},
     {"constant-torque", constant_torque_term},
     {"damping", damping_term},
+    {"tide", tide_term},
+    {"internal-damping", internal_damping_term},
+    {"anelastic-damping", anelastic_damping_term},
+    {"torque-table", torque_table_term},
 };
 
 }  // namespace

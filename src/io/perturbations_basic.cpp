@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to a gravity gradient, a constant torque, damping.
+// From the values of a file to a constant torque, damping.
 #include "io/detail/perturbation_kinds.hpp"
 #include "io/detail/value_access.hpp"
 #include "polhode/perturb/constant_torque.hpp"
-#include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/linear_damping.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-AnyPerturbation gravity_gradient_term(const TermPlace& at) {
-  const ScenarioOrbit& orbit = orbit_at(at);
-  const double gm = gm_at(at);
-  const std::string text = "gravity gradient, orbit " + orbit.name;
-  // of the orbit's own type: nothing is called through a pointer in the inner loop
-  return std::visit(
-      [&](const auto& motion) -> AnyPerturbation {
-        return {text, GravityGradient(gm, motion)};
-      },
-      orbit.motion);
-}
 
 AnyPerturbation constant_torque_term(const TermPlace& at) {
   const Vec3 torque = vector(at.values, at.key("torque"));

@@ -97,6 +97,10 @@ osculate: [frames and osculation](../../guide/frames-and-osculation.md).
         "Terms":
             "GravityGradient ConstantTorque LinearDamping TorqueTerm HamiltonianTerm SpaceAxes "
             "AnyPerturbation",
+        "Gravity of higher degree, tides":
+            "HigherGravity OblateGravity TidalTorque MassMoments OrbitOf Oblateness TidalBody",
+        "Inside the body": "InternalDamping DampedMaterial wobble_time",
+        "Tables": "TorqueTable Between Outside",
         "What a system does to a state":
             "Effect effect AngularVelocities energy RotorRates rotor_rates inertial_state "
             "reference_state",

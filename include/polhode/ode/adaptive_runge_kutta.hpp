@@ -110,6 +110,8 @@ class AdaptiveRungeKutta {
   // For invariants that the owner restores between steps.
   CompensatedState<T, N>& state() { return state_; }
   const F& field() const { return f_; }
+  // For what of f its owner changes between steps.
+  F& field() { return f_; }
   // The step tried last, with its sign.
   double trial() const { return trial_; }
 

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "polhode/perturb/effect.hpp"
 
@@ -35,6 +36,7 @@ class ErasedTerm {
   virtual double energy(const Setting& at) const = 0;
   virtual DoubleDouble energy(const BasicSetting<DoubleDouble>& at) const = 0;
   virtual RotorState flow(const Setting& at, double h) const = 0;
+  virtual std::vector<double> breakpoints() const = 0;
 };
 
 template <Perturbation P>
@@ -60,6 +62,13 @@ class HeldTerm final : public ErasedTerm {
       return {at.s.q, at.s.g + h * term_.effect(at).u};
     } else {
       term_cannot(name_, "has no exact flow: use a method that needs none (Adaptive)");
+    }
+  }
+  std::vector<double> breakpoints() const override {
+    if constexpr (Piecewise<P>) {
+      return term_.breakpoints();
+    } else {
+      return {};
     }
   }
 
@@ -127,6 +136,8 @@ class AnyPerturbation {
     return term_->energy(at);
   }
   RotorState flow(const Setting& at, double h) const { return term_->flow(at, h); }
+  // Where the term is not smooth in time, in increasing order; none for most terms.
+  std::vector<double> breakpoints() const { return term_->breakpoints(); }
 
  private:
   std::string name_;

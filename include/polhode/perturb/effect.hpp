@@ -15,6 +15,7 @@
 #pragma once
 
 #include <concepts>
+#include <vector>
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
@@ -136,6 +137,13 @@ concept Splittable = Perturbation<P> && requires(const P& term, const Setting& a
 // true`: its flow is g + h u.
 template <class P>
 concept Kick = Perturbation<P> && requires { requires P::kick; };
+
+// A term that is not smooth in time says where: its breakpoints, in increasing order. A run by
+// Adaptive or VariationOfConstants ends a step at each.
+template <class P>
+concept Piecewise = Perturbation<P> && requires(const P& term) {
+  { term.breakpoints() } -> std::convertible_to<std::vector<double>>;
+};
 
 }  // namespace v0
 }  // namespace polhode

@@ -34,6 +34,10 @@ Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
 AnyPerturbation gravity_gradient_term(const TermPlace& at);
 AnyPerturbation constant_torque_term(const TermPlace& at);
 AnyPerturbation damping_term(const TermPlace& at);
+AnyPerturbation tide_term(const TermPlace& at);
+AnyPerturbation internal_damping_term(const TermPlace& at);
+AnyPerturbation anelastic_damping_term(const TermPlace& at);
+AnyPerturbation torque_table_term(const TermPlace& at);
 
 }  // namespace detail
 }  // namespace v0

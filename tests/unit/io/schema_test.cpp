@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "io/detail/nearest.hpp"
 #include "io/detail/values.hpp"
@@ -86,12 +88,14 @@ TEST(Schema, TemplatesAreScenarios) {
 TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
   EXPECT_THAT(scenario_templates(),
               ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
-                          "gravity-gradient", "constant-torque", "damping"));
-  for (const char* kind : {"gravity-gradient", "constant-torque", "damping"}) {
+                          "gravity-gradient", "constant-torque", "damping", "tide",
+                          "internal-damping", "anelastic-damping", "torque-table"));
+  const std::vector<std::string_view> templates = scenario_templates();
+  for (const std::string_view kind : std::span(templates).subspan(state_charts().size())) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
-    EXPECT_THAT(scenario.kinds, ElementsAre(kind));
+    EXPECT_THAT(scenario.kinds, ElementsAre(std::string(kind)));
     EXPECT_EQ(scenario.terms.size(), 1U);
-    EXPECT_EQ(scenario.orbits.size(), kind == std::string("gravity-gradient") ? 1U : 0U);
+    EXPECT_EQ(scenario.orbits.size(), kind == "gravity-gradient" || kind == "tide" ? 1U : 0U);
     EXPECT_TRUE(scenario.method.has_value());
     EXPECT_EQ(scenario.events.size(), 1U);
   }

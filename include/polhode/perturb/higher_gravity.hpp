@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// HigherGravity: what a point mass does to the third- and fourth-degree inertia integrals of a
+// body. It has nothing of degree 2: that is GravityGradient, which stands beside it.
+//
+// Equations   from H' = -gm integral dm / |r - x|, |r - x|^-1 = sum |x|^k P_k(cos) / r^(k + 1), n =
+//             r / |r| in body axes from the body to the point mass:
+//             H'_3 = -gm / (2 r^4) (5 n_i n_j n_k m_ijk - 3 n_i m_ijj),
+//             H'_4 = -gm / (8 r^5) (35 n_i n_j n_k n_l m_ijkl - 30 n_i n_j m_ijkk + 3 m_iijj),
+//             m_ij.. = integral of x_i x_j .. dm. With H'_k = -gm p_k(n) / r^(k + 1), p_k harmonic,
+//             u = -gm n x grad p_k(n) / r^(k + 1).
+// Units       gm and the orbit in the same units of length and time; the moments of mass in those
+//             of the body and that length.
+// Domain      gm > 0. Moments about the centre of mass along principal axes. Degree 3 changes sign
+//             with r, so it must be said whose path the orbit is. What is left out is of degree 5.
+// Accuracy    a few roundings of the torque.
+// Errors      DomainError for a gm that is not positive, for moments that are not finite.
+// Cost        one position and some 200 flops. For Tangent the orbit is evaluated in double.
+#pragma once
+
+#include <utility>
+
+#include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/shape/mass_moments.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Whose path an orbit is: that of the attracting mass as seen from the body, or that of the body as
+// seen from the attracting mass.
+enum class OrbitOf { attractor, body };
+
+namespace detail {
+
+// A harmonic polynomial of a degree by its gradient: p = x . grad p / degree.
+template <int degree>
+struct HarmonicGradient {
+  BasicMoments<double, degree - 1> by[3];
+};
+// p_3 and p_4 of the header.
+HarmonicGradient<3> potential_gradient(const BasicMoments<double, 3>& m);
+HarmonicGradient<4> potential_gradient(const BasicMoments<double, 4>& m);
+
+void require_higher_gravity(double gm, const MassMoments& moments);
+
+// The ten products of three from the six products of two.
+template <Real T>
+BasicMoments<T, 3> cubes_of(const BasicMoments<T, 2>& s, const BasicVec3<T>& n) {
+  return {s[0] * n.x, s[0] * n.y, s[0] * n.z, s[3] * n.x, s[4] * n.x,
+          s[5] * n.x, s[3] * n.y, s[3] * n.z, s[5] * n.y, s[5] * n.z};
+}
+
+template <int degree, Real T>
+BasicVec3<T> gradient(const HarmonicGradient<degree>& p,
+                      const BasicMoments<T, degree - 1>& monomials) {
+  BasicVec3<T> sum;
+  for (int i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < monomials.size(); ++k)  // 6 or 10
+      sum[i] = sum[i] + monomials[k] * p.by[i][k];
+  return sum;
+}
+
+}  // namespace detail
+
+template <Orbit O>
+class HigherGravity {
+ public:
+  static constexpr bool kick = true;
+
+  HigherGravity(double gm, O orbit, const MassMoments& moments_B, OrbitOf orbit_of,
+                SpaceAxes axes = SpaceAxes::inertial)
+      : gm_(gm), orbit_(std::move(orbit)), moments_(moments_B), orbit_of_(orbit_of), axes_(axes) {
+    detail::require_higher_gravity(gm, moments_B);
+    third_ = detail::potential_gradient(moments_B.third);
+    fourth_ = detail::potential_gradient(moments_B.fourth);
+  }
+
+  double gm() const { return gm_; }
+  const O& orbit() const { return orbit_; }
+  const MassMoments& moments() const { return moments_; }
+  OrbitOf orbit_of() const { return orbit_of_; }
+  SpaceAxes axes() const { return axes_; }
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const Direction<T> d = direction(at);
+    const Slopes<T> p = slopes(d.n);
+    return {{}, cross(d.n, -d.third * p.third - d.fourth * p.fourth)};
+  }
+
+  template <Real T>
+  T energy(const BasicSetting<T>& at) const {
+    const Direction<T> d = direction(at);
+    const Slopes<T> p = slopes(d.n);
+    return -d.third * dot(d.n, p.third) / T(3.0) - d.fourth * dot(d.n, p.fourth) / T(4.0);
+  }
+
+ private:
+  template <Real T>
+  struct Direction {
+    BasicVec3<T> n;  // from the body, body axes
+    T third;         // gm / r^4
+    T fourth;        // gm / r^5
+  };
+  template <Real T>
+  Direction<T> direction(const BasicSetting<T>& at) const {
+    using std::sqrt;
+    const BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T> x_B = body_from_space(at, axes_, x);
+    const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
+    const T third = T(gm_) * (s2 * s2);
+    return {(orbit_of_ == OrbitOf::body ? -s : s) * x_B, third, third * s};
+  }
+
+  template <Real T>
+  struct Slopes {
+    BasicVec3<T> third;
+    BasicVec3<T> fourth;
+  };
+  template <Real T>
+  Slopes<T> slopes(const BasicVec3<T>& n) const {
+    const BasicMoments<T, 2> squares{n.x * n.x, n.x * n.y, n.x * n.z,
+                                     n.y * n.y, n.y * n.z, n.z * n.z};
+    const BasicMoments<T, 3> cubes = detail::cubes_of(squares, n);
+    return {detail::gradient<3>(third_, squares), detail::gradient<4>(fourth_, cubes)};
+  }
+
+  double gm_;
+  O orbit_;
+  MassMoments moments_;
+  OrbitOf orbit_of_;
+  SpaceAxes axes_;
+  detail::HarmonicGradient<3> third_;
+  detail::HarmonicGradient<4> fourth_;
+};
+
+}  // namespace v0
+}  // namespace polhode

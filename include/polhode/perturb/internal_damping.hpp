@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// InternalDamping: friction inside the body. It takes energy and no angular momentum, so that the
+// spin goes over to the axis of the largest moment.
+//
+// Equations   v = k g x w, w = I^-1 g, u = 0: dg/dt = g x (w + v) turns g in the body and keeps it
+//             in space, and dT/dt = -(g x w).k(g x w) <= 0 for T = (1/2) g.I^-1 g. k is a number, a
+//             diagonal in principal axes, or a number times |g|. For I = (A, A, C) and a number k
+//             the angle J from axis 3 to g obeys tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).
+//             A sphere of moment J_d in a cavity with the friction c (torque per rate), where it
+//             can follow, is k = J_d^2 / c I^-2. A material: k in proportion to |g|, so that a
+//             small wobble about the axis of the largest moment falls by e in mu Q / (rho K3^2 R^2
+//             w^3), the time of Burns and Safronov (1973).
+// Units       k in 1 / momentum (v in rad per time).
+// Domain      k >= 0, any state. I^-1 g + v is the angular velocity, as for every term; g is all of
+//             the momentum, what moves inside included.
+// Accuracy    a few roundings.
+// Errors      DomainError for a negative coefficient; for a wobble of a body without an axis of
+//             largest moment.
+// Cost        some 20 flops.
+#pragma once
+
+#include "polhode/perturb/effect.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// A material and its size, in the units of the system: mu / (rho R^2 w^2) is a pure number.
+struct DampedMaterial {
+  double rigidity;        // mu, a pressure
+  double quality_factor;  // Q
+  double density;         // rho
+  double radius;          // R, the mean one
+  double shape_factor =
+      0.1;  // K3^2: about 0.1 for elongated bodies, 0.01 for nearly spherical ones
+};
+
+class InternalDamping {
+ public:
+  // v = k (g x w).
+  explicit InternalDamping(double k);
+  // v_i = k_i (g x w)_i in principal axes.
+  explicit InternalDamping(const Vec3& k_B);
+
+  // A constant k with which a small wobble about the axis of the largest moment falls by e in
+  // `time`, at the momentum `momentum`. For three different moments: the mean over the wobble.
+  static InternalDamping of_wobble(const Body& body, double time, double momentum);
+  static InternalDamping of_material(const Body& body, const DampedMaterial& material);
+
+  const Vec3& coefficients() const { return k_; }
+  // Whether k is to be multiplied by |g|.
+  bool grows_with_momentum() const { return grows_; }
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& g = at.s.g;
+    // not g x w: what is equal in I would cancel
+    const T x = (T(I.y) - T(I.z)) / (T(I.y) * T(I.z)), y = (T(I.z) - T(I.x)) / (T(I.z) * T(I.x)),
+            z = (T(I.x) - T(I.y)) / (T(I.x) * T(I.y));
+    BasicVec3<T> v{T(k_.x) * (x * (g.y * g.z)), T(k_.y) * (y * (g.z * g.x)),
+                   T(k_.z) * (z * (g.x * g.y))};
+    if (grows_) v = norm(g) * v;
+    return {v, {}};
+  }
+
+ private:
+  InternalDamping(const Vec3& k_B, bool grows);
+
+  Vec3 k_;
+  bool grows_;
+};
+
+// mu Q / (rho K3^2 R^2 w^3).
+double wobble_time(const DampedMaterial& material, double rate);
+
+}  // namespace v0
+}  // namespace polhode

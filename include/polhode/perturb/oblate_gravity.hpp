@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// OblateGravity: what the oblateness (J2) of the attracting body adds to the gravity gradient. It
+// has nothing of the point mass: that is GravityGradient, which stands beside it.
+//
+// Equations   the field is U = -gm / r (1 - J2 (R / r)^2 P2(n.k)), n = r / |r|, k the pole; of its
+//             part U' in J2, H' = (1/2) U'_ij integral of x_i x_j dm = -(1/2) U'_ij I_ij, since U'
+//             is harmonic:
+//             H' = -(1/2) s (3 k.Ik - 30 z k.In + (15/2) (7 z^2 - 1) n.In - (3/2) (5 z^2 - 1) tr I),
+//             u = -(1/2) s (6 k x Ik - 30 z (k x In + n x Ik) + 15 (7 z^2 - 1) n x In),
+//             s = gm J2 R^2 / r^5, z = n.k.
+// Units       gm, R and the orbit in the same units of length and time; I in those of the body.
+// Domain      gm > 0, R > 0, any J2 (for a prolate body it is negative), a pole of any length but
+//             0 along the axes of the orbit. The orbit may be that of either body as seen from the
+//             other. Left out are J2 with the body's moments of degree 3 and 4, and J3, J4, ... .
+// Accuracy    a few roundings of the torque; a sphere has none, exactly.
+// Errors      DomainError for a gm or R that is not positive, a J2 that is not finite, no pole.
+// Cost        one position and some 150 flops. For Tangent the orbit is evaluated in double.
+#pragma once
+
+#include <utility>
+
+#include "polhode/perturb/gravity_gradient.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct Oblateness {
+  double J2;
+  double radius;                // the equatorial radius that J2 belongs to
+  Vec3 pole = {0.0, 0.0, 1.0};  // the axis of figure, along the axes of the orbit
+
+  constexpr bool operator==(const Oblateness&) const = default;
+};
+
+namespace detail {
+
+// gm J2 R^2, or a DomainError.
+double checked_strength(double gm, const Oblateness& of);
+
+// The components of a x (I b) + b x (I a), differences of moments first.
+template <Real T>
+BasicVec3<T> turning(const Vec3& I, const BasicVec3<T>& a, const BasicVec3<T>& b) {
+  return {(T(I.z) - T(I.y)) * (a.y * b.z + a.z * b.y), (T(I.x) - T(I.z)) * (a.z * b.x + a.x * b.z),
+          (T(I.y) - T(I.x)) * (a.x * b.y + a.y * b.x)};
+}
+
+}  // namespace detail
+
+template <Orbit O>
+class OblateGravity {
+ public:
+  static constexpr bool kick = true;
+
+  OblateGravity(double gm, O orbit, const Oblateness& of, SpaceAxes axes = SpaceAxes::inertial)
+      : gm_(gm),
+        orbit_(std::move(orbit)),
+        of_(of),
+        axes_(axes),
+        strength_(detail::checked_strength(gm, of)) {}
+
+  double gm() const { return gm_; }
+  const O& orbit() const { return orbit_; }
+  const Oblateness& oblateness() const { return of_; }
+  SpaceAxes axes() const { return axes_; }
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const Directions<T> d = directions(at);
+    const Vec3& I = at.body.moments();
+    const T half(0.5), z = dot(d.n, d.k);
+    const BasicVec3<T> sum = T(3.0) * detail::turning(I, d.k, d.k) +
+                             (T(-30.0) * z) * detail::turning(I, d.k, d.n) +
+                             (T(7.5) * (T(7.0) * z * z - T(1.0))) * detail::turning(I, d.n, d.n);
+    return {{}, (-half * d.strength) * sum};
+  }
+
+  template <Real T>
+  T energy(const BasicSetting<T>& at) const {
+    const Directions<T> d = directions(at);
+    const Vec3& I = at.body.moments();
+    const T z = dot(d.n, d.k);
+    // I less its mean: H' does not see it, and what is equal in I would cancel
+    const auto product = [&](const BasicVec3<T>& a, const BasicVec3<T>& b) {
+      const T x = T(I.x), y = T(I.y), m = T(I.z);
+      return ((x - y) + (x - m)) * (a.x * b.x) + ((y - m) + (y - x)) * (a.y * b.y) +
+             ((m - x) + (m - y)) * (a.z * b.z);
+    };
+    const T sum = T(3.0) * product(d.k, d.k) - T(30.0) * z * product(d.k, d.n) +
+                  T(7.5) * (T(7.0) * z * z - T(1.0)) * product(d.n, d.n);
+    return -d.strength * sum / T(6.0);
+  }
+
+ private:
+  template <Real T>
+  struct Directions {
+    BasicVec3<T> n;  // of the orbit, body axes
+    BasicVec3<T> k;  // of the pole
+    T strength;      // gm J2 R^2 / r^5
+  };
+  template <Real T>
+  Directions<T> directions(const BasicSetting<T>& at) const {
+    using std::sqrt;
+    const BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T> pole{T(of_.pole.x), T(of_.pole.y), T(of_.pole.z)};
+    const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
+    return {s * body_from_space(at, axes_, x),
+            (T(1.0) / norm(pole)) * body_from_space(at, axes_, pole), T(strength_) * (s2 * s2 * s)};
+  }
+
+  double gm_;
+  O orbit_;
+  Oblateness of_;
+  SpaceAxes axes_;
+  double strength_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// TidalTorque: the torque of a point mass on the tidal bulge that it raises, which lags by a
+// constant time.
+//
+// Equations   Mignard (1979), Hut (1981): the bulge is that of the position a time lag ago in the
+//             turning body; to first order in the lag,
+//             u = 3 k2 gm M R^5 lag / r^8 ((r.w) r - r^2 w + r x dr/dt),
+//             r the position and dr/dt the velocity of the point mass, M its mass, w = I^-1 g. For
+//             a circular orbit in the equator: 3 k2 gm M R^5 lag / r^6 (n - w).
+// Units       gm, R and the orbit in the same units of length and time; M in the unit of the
+//             moments over length^2, so that gm M is G M^2; the lag in time.
+// Domain      gm, M, R > 0, k2 and lag >= 0, lag times every rate small. The orbit has a velocity
+//             and is given in inertial axes; it may be that of either body as seen from the other.
+//             The bulge that does not lag has no torque on a sphere: it is not here. g changes u,
+//             so that it is no kick.
+// Accuracy    a few roundings. On DoubleDouble the velocity of an AnyOrbit is that of double.
+// Errors      DomainError for numbers out of the domain, for an AnyOrbit without a velocity.
+// Cost        one position, one velocity and some 80 flops.
+#pragma once
+
+#include <concepts>
+#include <utility>
+
+#include "polhode/perturb/gravity_gradient.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct TidalBody {
+  double k2;      // Love number
+  double lag;     // time
+  double radius;  // that k2 belongs to
+
+  constexpr bool operator==(const TidalBody&) const = default;
+};
+
+namespace detail {
+
+// 3 k2 gm M R^5 lag, or a DomainError.
+double tidal_strength(double gm, double mass, const TidalBody& of);
+void require_velocity(const AnyOrbit& orbit);
+
+template <Real T>
+struct OrbitMotion {
+  BasicVec3<T> x;
+  BasicVec3<T> v;
+};
+
+template <class O, Real T>
+OrbitMotion<T> motion_at(const O& orbit, const T& t, const T& rest) {
+  if constexpr (!std::same_as<O, AnyOrbit> || std::same_as<T, double>) {
+    const BasicVec3<Dual<T, 1>> d = orbit.position(Dual<T, 1>::variable(t, 0));
+    return {position_at(orbit, t, rest), {d.x.derivative[0], d.y.derivative[0], d.z.derivative[0]}};
+  } else {  // its velocity is that of double
+    const double rounded = to_double(t);
+    const BasicVec3<Dual<double, 1>> d = orbit.position(Dual<double, 1>::variable(rounded, 0));
+    return {position_at(orbit, t, rest),
+            {T(d.x.derivative[0]), T(d.y.derivative[0]), T(d.z.derivative[0])}};
+  }
+}
+// No variable moves the time of a state transition.
+template <class O, Real T, int N>
+OrbitMotion<Dual<T, N>> motion_at(const O& orbit, const Dual<T, N>& t, const Dual<T, N>& rest) {
+  const OrbitMotion<T> m = motion_at(orbit, t.value, rest.value);
+  return {{m.x.x, m.x.y, m.x.z}, {m.v.x, m.v.y, m.v.z}};
+}
+
+}  // namespace detail
+
+template <Orbit O>
+  requires OrbitOn<O, Dual<double, 1>>
+class TidalTorque {
+ public:
+  // `mass` is that of the point mass, gm / G.
+  TidalTorque(double gm, double mass, O orbit, const TidalBody& of)
+      : gm_(gm),
+        mass_(mass),
+        orbit_(std::move(orbit)),
+        of_(of),
+        strength_(detail::tidal_strength(gm, mass, of)) {
+    if constexpr (std::same_as<O, AnyOrbit>) detail::require_velocity(orbit_);
+  }
+
+  double gm() const { return gm_; }
+  double mass() const { return mass_; }
+  const O& orbit() const { return orbit_; }
+  const TidalBody& tidal_body() const { return of_; }
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const detail::OrbitMotion<T> orbit = detail::motion_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T> r = body_from_inertial(at, orbit.x);
+    const BasicVec3<T> spin = body_from_inertial(at, cross(orbit.x, orbit.v));
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    const T r2 = dot(r, r), r4 = r2 * r2;
+    return {{}, (T(strength_) / (r4 * r4)) * (dot(r, w) * r - r2 * w + spin)};
+  }
+
+ private:
+  double gm_;
+  double mass_;
+  O orbit_;
+  TidalBody of_;
+  double strength_;
+};
+
+}  // namespace v0
+}  // namespace polhode

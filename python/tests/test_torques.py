@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: MIT
+"""Gravity of higher degree, tides, friction inside and torque tables: against NumPy and SciPy."""
+
+import copy
+import pickle
+
+import budgets
+import numpy as np
+import polhode
+import pytest
+from closeness import assert_allclose
+from polhode import (
+    Body,
+    DampedMaterial,
+    GravityGradient,
+    HigherGravity,
+    InternalDamping,
+    KeplerElements,
+    KeplerOrbit,
+    MassMoments,
+    OblateGravity,
+    Oblateness,
+    OrbitOf,
+    Problem,
+    RotorState,
+    System,
+    TidalBody,
+    TidalTorque,
+    TorqueTable,
+    attitude_matrix,
+    effect,
+    integrate,
+    wobble_time,
+)
+from scipy.interpolate import PchipInterpolator
+
+BODY = Body(1.0, 2.0, 2.5)
+STATE = RotorState([0.5, -0.3, 0.4, 0.7], [0.3, -1.1, 0.8])
+ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=1.5, eccentricity=0.2, inclination=0.4))
+T = 1.7
+RNG = np.random.default_rng(5)
+MASSES = RNG.uniform(0.1, 1.0, 8)
+POINTS = RNG.normal(size=(8, 3))
+MOMENTS = MassMoments.of_points(MASSES, POINTS)
+
+
+def about(term):
+    return effect(System(BODY, None, term), T, STATE)
+
+
+def test_mass_moments_are_sums():
+    x, y, z = POINTS.T
+    assert_allclose(MOMENTS.third[4], MASSES @ (x * y * z), rtol=budgets.numpy_formula)
+    assert_allclose(MOMENTS.fourth[7], MASSES @ (x * y * y * z), rtol=budgets.numpy_formula)
+    R = attitude_matrix(STATE.q)
+    turned = MassMoments.of_points(MASSES, POINTS @ R.T)
+    assert_allclose(MOMENTS.rotated(R).fourth, turned.fourth, rtol=0, atol=budgets.numpy_random)
+    assert pickle.loads(pickle.dumps(MOMENTS)) == MOMENTS
+    with pytest.raises(ValueError, match="third"):
+        MassMoments(np.zeros(9), np.zeros(15))
+
+
+@pytest.mark.parametrize("of", ["attractor", "body"])
+def test_higher_gravity_is_its_series(of):
+    r = attitude_matrix(STATE.q) @ ORBIT.position(T) * (1 if of == "attractor" else -1)
+    size = np.linalg.norm(r)
+    want = np.zeros(3)
+    for m, x in zip(MASSES, POINTS, strict=True):
+        s = np.linalg.norm(x)
+        c = x @ r / (s * size)
+        slope3, slope4 = (15 * c**2 - 3) / 2, (140 * c**3 - 60 * c) / 8
+        pull = s**2 * slope3 / size**5 + s**3 * slope4 / size**6
+        want += 0.7 * m * pull * np.cross(x, r)
+    got = about(HigherGravity(0.7, ORBIT, MOMENTS, of))
+    assert_allclose(got.u, want, rtol=0, atol=budgets.numpy_formula * np.abs(want).max())
+    assert not np.any(got.v)
+
+
+def test_oblate_gravity_is_the_hessian_of_its_field():
+    k, J2, R = np.array([0.2, -0.3, 0.9]), 0.3, 0.8
+    k = k / np.linalg.norm(k)
+    A = attitude_matrix(STATE.q)
+    r, pole = A @ ORBIT.position(T), A @ k
+    d, z = np.linalg.norm(r), r @ pole
+    H = (
+        3 * np.outer(pole, pole) / d**5
+        - 15 * z * (np.outer(pole, r) + np.outer(r, pole)) / d**7
+        + (105 / 2 * z**2 / d**9 - 15 / 2 / d**7) * np.outer(r, r)
+    )
+    I = np.diag(BODY.moments)
+    S = 0.7 * J2 * R**2 * (I @ H)  # u_i = e_ijk S_jk of a quadratic energy -I:H/2
+    want = -np.array([S[2, 1] - S[1, 2], S[0, 2] - S[2, 0], S[1, 0] - S[0, 1]])
+    got = about(OblateGravity(0.7, ORBIT, Oblateness(J2, R, k))).u
+    assert_allclose(got, want, rtol=0, atol=budgets.numpy_formula * np.abs(want).max())
+
+
+def test_tidal_torque_is_mignards():
+    A = attitude_matrix(STATE.q)
+    r, v = A @ ORBIT.position(T), A @ ORBIT.velocity(T)
+    w = STATE.g / BODY.moments
+    d = np.linalg.norm(r)
+    want = 3 * 0.3 * 0.7 * 0.4 * 0.5**5 * 0.01 / d**8
+    want = want * ((r @ w) * r - d**2 * w + np.cross(r, v))
+    got = about(TidalTorque(0.7, 0.4, ORBIT, TidalBody(0.3, 0.01, 0.5))).u
+    assert_allclose(got, want, rtol=0, atol=budgets.numpy_formula * np.abs(want).max())
+    with pytest.raises(TypeError, match="expected an orbit with a velocity"):
+        TidalTorque(0.7, 0.4, lambda t: [1, 0, 0], TidalBody(0.3, 0.01, 0.5))
+
+
+def test_internal_damping():
+    across = np.cross(STATE.g, STATE.g / BODY.moments)
+    got = about(InternalDamping([0.3, 0.7, 1.1]))
+    assert_allclose(got.v, np.array([0.3, 0.7, 1.1]) * across, rtol=budgets.numpy_formula)
+    assert not np.any(got.u)
+    rock = DampedMaterial(3e4, 100.0, 1.0, 10.0)
+    assert_allclose(wobble_time(rock, 2.0), 3e6 / (0.1 * 100 * 8), rtol=budgets.numpy_formula)
+    G = np.linalg.norm(STATE.g)
+    by_time = InternalDamping.of_wobble(BODY, wobble_time(rock, G / 2.5), G)
+    by_rock = about(InternalDamping.of_material(BODY, rock))
+    assert_allclose(about(by_time).v, by_rock.v, rtol=budgets.numpy_formula)
+    with pytest.raises(ValueError, match=">= 0"):
+        InternalDamping(-1.0)
+
+
+def test_torque_table_cubic_is_scipys_pchip():
+    times = np.cumsum(RNG.uniform(0.2, 2.0, 12))
+    torques = RNG.normal(size=(12, 3))
+    table = TorqueTable(times, torques, between="cubic", outside="refuse")
+    system = System(BODY, None, table)
+    pchip = PchipInterpolator(times, torques)
+    for t in RNG.uniform(times[0], times[-1], 50):
+        assert_allclose(
+            effect(system, t, STATE).u, pchip(t), rtol=0, atol=budgets.numpy_formula * 10
+        )
+    with pytest.raises(ValueError, match="before the first row"):
+        effect(system, 0.0, STATE)
+    assert_allclose(table.breakpoints, times, rtol=0, atol=0)
+    with pytest.raises(ValueError, match="later"):
+        TorqueTable([0, 0], np.zeros((2, 3)))
+    with pytest.raises(ValueError, match="shape"):
+        TorqueTable([0, 1], np.zeros((3, 3)))
+
+
+def test_a_second_of_torque_in_a_day():
+    table = TorqueTable([43210.25, 43211.25], [[0, 0, 1e-3], [0, 0, 0]], between="step")
+    start = RotorState([1, 0, 0, 0], [0, 0, 4e-3])
+    run = integrate(Problem(System(Body(1, 1, 2), None, table), start, 0.0, 86400.0))
+    assert_allclose(run.g[-1, 2], 5e-3, rtol=budgets.pulse_momentum)
+
+
+def test_terms_compare_copy_and_pickle():
+    earth, moon = Oblateness(1e-3, 0.5), TidalBody(0.3, 0.01, 0.5)
+    terms = [
+        HigherGravity(0.7, ORBIT, MOMENTS, OrbitOf.body, name="planet"),
+        OblateGravity(0.7, ORBIT, earth),
+        TidalTorque(0.7, 0.4, ORBIT, moon),
+        InternalDamping(0.3),
+        InternalDamping.of_wobble(BODY, 2.0, 1.0),
+        TorqueTable([0, 1], [[0, 0, 1], [0, 1, 0]], axes="inertial"),
+    ]
+    for term in terms:
+        again = pickle.loads(pickle.dumps(term))
+        assert again == term
+        assert copy.copy(term) is term
+        assert type(term).__name__ in repr(term)
+        assert np.array_equal(about(again).u, about(term).u)
+
+
+def test_scenario_has_every_degree_once():
+    text = """
+schema = 1
+[units]
+time = "s"
+moment = "kg m2"
+length = "m"
+[body]
+moments = [1.0, 2.0, 2.5]
+[state.attitude-rate]
+quaternion = [0.5, -0.3, 0.4, 0.7]
+omega_body = [0.3, -0.55, 0.32]
+[orbit.planet]
+gm = 1.0
+semi_major_axis = 10
+[[perturbation]]
+kind = "gravity-gradient"
+orbit = "planet"
+"""
+    extra = f"""
+orbit_of = "body"
+third_moments = {MOMENTS.third.tolist()}
+fourth_moments = {MOMENTS.fourth.tolist()}
+J2 = 0.1
+primary_radius = 3
+pole = [0, 1, 2]
+[[perturbation]]
+kind = "tide"
+orbit = "planet"
+mass = 2.0
+k2 = 0.3
+time_lag = 0.1
+radius = 0.5
+[[perturbation]]
+kind = "internal-damping"
+wobble_time = 5
+rate = 2
+"""
+    scenario = polhode.Scenario.from_text(text + extra)
+    state = scenario.initial_state
+    orbit = scenario.orbits["planet"]
+    body = scenario.body
+    parts = System(
+        body,
+        None,
+        [
+            GravityGradient(1.0, orbit),
+            HigherGravity(1.0, orbit, MOMENTS, "body"),
+            OblateGravity(1.0, orbit, Oblateness(0.1, 3.0, [0, 1, 2])),
+            TidalTorque(1.0, 2.0, orbit, TidalBody(0.3, 0.1, 0.5)),
+            InternalDamping.of_wobble(body, 5.0, 5.0),
+        ],
+    )
+    got, want = effect(scenario.system, 0.3, state), effect(parts, 0.3, state)
+    assert_allclose(got.u, want.u, rtol=budgets.numpy_formula)
+    assert_allclose(got.v, want.v, rtol=budgets.numpy_formula)
+    for gone, message in [
+        ('orbit_of = "body"\n', "expected a key orbit_of beside it"),
+        ("primary_radius = 3\n", "expected a key primary_radius beside it"),
+        ("J2 = 0.1\n", "expected a key J2 beside it"),
+    ]:
+        with pytest.raises(polhode.DomainError, match=message):
+            polhode.Scenario.from_text(text + extra.replace(gone, ""))

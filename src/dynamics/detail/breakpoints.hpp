@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Breakpoints: the times at which a term of a system is not smooth, and the smooth stretch around a
+// step.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "polhode/math/double_double.hpp"
+#include "polhode/system/system.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// The open interval between two breakpoints. At the breakpoints themselves a term has one value,
+// and a step needs that of its own side: times at the ends or beyond are moved inside, by the
+// smallest double.
+struct SmoothStretch {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+
+  DoubleDouble inside(const DoubleDouble& t) const {
+    if (from < t.hi && t.hi < to) return t;
+    return t.hi <= from ? above_from() : below_to();
+  }
+
+ private:
+  DoubleDouble above_from() const;
+  DoubleDouble below_to() const;
+};
+
+class Breakpoints {
+ public:
+  explicit Breakpoints(const System& system);
+
+  // The end of the stretch that a step from t towards `stop` is in, or `stop` where that is nearer.
+  double end(double t, double stop) const;
+  SmoothStretch stretch(double t, double stop) const;
+
+ private:
+  std::vector<double> times_;  // of all terms, increasing
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// From the values of a file to gravity of every degree, tides and friction inside the body.
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "io/detail/perturbation_kinds.hpp"
+#include "io/detail/value_access.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/perturb/higher_gravity.hpp"
+#include "polhode/perturb/internal_damping.hpp"
+#include "polhode/perturb/oblate_gravity.hpp"
+#include "polhode/perturb/tidal_torque.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// What one table of kind gravity-gradient stands for: degree 2 once, and what the table adds.
+template <Orbit O>
+struct TableGravity {
+  static constexpr bool kick = true;
+  GravityGradient<O> second;
+  std::optional<HigherGravity<O>> higher;
+  std::optional<OblateGravity<O>> oblate;
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    BasicEffect<T> sum = second.effect(at);
+    if (higher) sum = sum + higher->effect(at);
+    if (oblate) sum = sum + oblate->effect(at);
+    return sum;
+  }
+  template <Real T>
+  T energy(const BasicSetting<T>& at) const {
+    T sum = second.energy(at);
+    if (higher) sum = sum + higher->energy(at);
+    if (oblate) sum = sum + oblate->energy(at);
+    return sum;
+  }
+};
+
+template <std::size_t count>
+std::array<double, count> array_at(const TermPlace& at, const char* own) {
+  std::array<double, count> out{};
+  if (!there(at.values, at.key(own))) return out;
+  const std::vector<double>& numbers = value_at(at.values, at.key(own)).numbers;
+  for (std::size_t i = 0; i < count; ++i) out[i] = numbers.at(i);
+  return out;
+}
+
+// None where the table has no moments; along principal axes.
+std::optional<MassMoments> moments_at(const TermPlace& at) {
+  if (!there(at.values, at.key("third_moments")) && !there(at.values, at.key("fourth_moments")))
+    return std::nullopt;
+  const MassMoments in_file_axes{array_at<10>(at, "third_moments"),
+                                 array_at<15>(at, "fourth_moments")};
+  const Quaternion& q_FB = at.scenario.body.q_FB();
+  if (q_FB == Quaternion{}) return in_file_axes;
+  return rotated(in_file_axes, rotation_matrix(conj(q_FB)));
+}
+
+OrbitOf orbit_of_at(const TermPlace& at) {
+  const std::string key = at.key("orbit_of");
+  if (!there(at.values, key)) {
+    if (there(at.values, at.key("third_moments")))
+      refuse(at.values, at.key("third_moments"), at.name,
+             "expected a key orbit_of beside it, \"body\" or \"attractor\": whose path the orbit "
+             "is as seen from the other, since gravity of degree 3 changes sign with it");
+    return OrbitOf::attractor;
+  }
+  return word(at.values, key) == "body" ? OrbitOf::body : OrbitOf::attractor;
+}
+
+std::optional<Oblateness> oblateness_at(const TermPlace& at) {
+  const bool any = there(at.values, at.key("J2"));
+  for (const char* own : {"primary_radius", "pole"})
+    if (!any && given(at.values, at.key(own)))
+      refuse(at.values, at.key(own), at.name, "expected a key J2 beside it");
+  if (!any) return std::nullopt;
+  if (!there(at.values, at.key("primary_radius")))
+    refuse(at.values, at.key("J2"), at.name,
+           "expected a key primary_radius beside it, the equatorial radius that J2 belongs to");
+  Oblateness of{number(at.values, at.key("J2")), number(at.values, at.key("primary_radius"))};
+  if (there(at.values, at.key("pole"))) of.pole = vector(at.values, at.key("pole"));
+  return of;
+}
+
+// The mass of what has this gm, in core units.
+double mass_at(const TermPlace& at, double gm) {
+  const std::string key = at.key("mass");
+  if (there(at.values, key)) return number(at.values, key);
+  constexpr double gravitational_constant = 6.67430e-11;  // m3/(kg s2), CODATA 2018
+  try {
+    const Units& units = at.scenario.units;
+    return units.to_core(gm / units.to_core(1.0, "m3/s2", Dimension::gm) / gravitational_constant,
+                         "kg", Dimension::mass);
+  } catch (const DomainError&) {
+    refuse(at.values, at.path, at.name,
+           "expected a key mass, the mass of the perturber: with units that are no kg and m it "
+           "does not follow from gm");
+  }
+}
+
+}  // namespace
+
+AnyPerturbation gravity_gradient_term(const TermPlace& at) {
+  const ScenarioOrbit& orbit = orbit_at(at);
+  const double gm = gm_at(at);
+  const std::optional<MassMoments> moments = moments_at(at);
+  const OrbitOf of = orbit_of_at(at);
+  const std::optional<Oblateness> oblate = oblateness_at(at);
+  const std::string text = "gravity gradient, orbit " + orbit.name;
+  // of the orbit's own type: nothing is called through a pointer in the inner loop
+  return std::visit(
+      [&](const auto& motion) -> AnyPerturbation {
+        const GravityGradient second(gm, motion);
+        if (!moments && !oblate) return {text, second};
+        TableGravity<std::remove_cvref_t<decltype(motion)>> all{second, std::nullopt, std::nullopt};
+        if (moments) all.higher.emplace(gm, motion, *moments, of);
+        if (oblate)
+          all.oblate.emplace(built(at.values, at.key("J2"), at.name,
+                                   [&] { return OblateGravity(gm, motion, *oblate); }));
+        return {text + (moments ? ", degrees 3 and 4" : "") + (oblate ? ", J2" : ""), all};
+      },
+      orbit.motion);
+}
+
+AnyPerturbation tide_term(const TermPlace& at) {
+  const ScenarioOrbit& orbit = orbit_at(at);
+  const double gm = gm_at(at), mass = mass_at(at, gm);
+  const TidalBody of{number(at.values, at.key("k2")), number(at.values, at.key("time_lag")),
+                     number(at.values, at.key("radius"))};
+  return built(at.values, at.path, at.name, [&] {
+    return std::visit(
+        [&](const auto& motion) -> AnyPerturbation {
+          return {"tide, orbit " + orbit.name, TidalTorque(gm, mass, motion, of)};
+        },
+        orbit.motion);
+  });
+}
+
+AnyPerturbation internal_damping_term(const TermPlace& at) {
+  const Vec3& I = at.scenario.body.moments();
+  const double rate = number(at.values, at.key("rate"));
+  return built(at.values, at.path, at.name, [&]() -> AnyPerturbation {
+    return {"internal damping",
+            InternalDamping::of_wobble(at.scenario.body, number(at.values, at.key("wobble_time")),
+                                       rate * std::max({I.x, I.y, I.z}))};
+  });
+}
+
+AnyPerturbation anelastic_damping_term(const TermPlace& at) {
+  const auto value = [&](const char* own) { return number(at.values, at.key(own)); };
+  return built(at.values, at.path, at.name, [&]() -> AnyPerturbation {
+    return {"anelastic damping",
+            InternalDamping::of_material(
+                at.scenario.body, {value("rigidity"), value("quality_factor"),
+                                   value("body_density"), value("radius"), value("shape_factor")})};
+  });
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/perturb/torque_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "budgets.hpp"
+#include "polhode/perturb/any_perturbation.hpp"
+#include "unit/perturb/support.hpp"
+
+namespace perturb_test {
+namespace {
+
+using polhode::AnyPerturbation;
+using polhode::SpaceAxes;
+using polhode::TorqueRow;
+using polhode::TorqueTable;
+using Between = TorqueTable::Between;
+using Outside = TorqueTable::Outside;
+namespace budget = polhode::budget;
+
+const std::vector<TorqueRow> rows = {{1.0, {1.0, 0.0, 2.0}},
+                                     {2.0, {3.0, 0.0, 2.0}},
+                                     {4.0, {7.0, -8.0, 2.0}},
+                                     {5.0, {6.0, -8.0, 2.0}}};
+
+Vec3 value(const TorqueTable& table, double t) {
+  const Case c = drawn_case(1101, 0);
+  return table.effect(Setting{c.body, t, c.s, c.q_IS}).u;
+}
+
+TEST(TorqueTable, StepHoldsTheRowBefore) {
+  const TorqueTable table(rows, {Between::step, Outside::zero, {}});
+  EXPECT_EQ(value(table, 1.0), rows[0].torque);
+  EXPECT_EQ(value(table, 1.999), rows[0].torque);
+  EXPECT_EQ(value(table, 2.0), rows[1].torque);
+  EXPECT_EQ(value(table, 5.0), rows[3].torque);
+  EXPECT_EQ(value(table, 5.001), Vec3{});
+  EXPECT_EQ(value(table, 0.999), Vec3{});
+  EXPECT_EQ(value(TorqueTable(rows, {Between::step, Outside::hold, {}}), -7.0), rows[0].torque);
+  EXPECT_EQ(value(TorqueTable(rows, {Between::step, Outside::hold, {}}), 70.0), rows[3].torque);
+}
+
+TEST(TorqueTable, LinearIsTheStraightLine) {
+  const TorqueTable table(rows, {Between::linear, Outside::zero, {}});
+  EXPECT_EQ(value(table, 1.25), (Vec3{1.5, 0.0, 2.0}));
+  EXPECT_EQ(value(table, 3.0), (Vec3{5.0, -4.0, 2.0}));
+  EXPECT_EQ(value(table, 5.0), rows[3].torque);
+}
+
+// Slopes of Fritsch and Butland by hand: at t = 2, h = 1 and 2, d = 2 and 2: 2; at t = 4 the first
+// component turns: 0. Of the second: at t = 2 one side is flat: 0. In the middle of [2, 4] a cubic
+// has the mean of its ends plus h (m0 - m1) / 8.
+TEST(TorqueTable, CubicKeepsTheShape) {
+  const TorqueTable table(rows, {Between::cubic, Outside::zero, {}});
+  for (const TorqueRow& row : rows)
+    EXPECT_LE(norm(value(table, row.t) - row.torque), budget::perturb_eps * eps * 8.0);
+  const Vec3 middle = value(table, 3.0);
+  EXPECT_NEAR(middle.x, 5.0 + 2.0 * (2.0 - 0.0) / 8.0, budget::perturb_eps * eps * 8.0);
+  EXPECT_NEAR(middle.y, -4.0, budget::perturb_eps * eps * 8.0);
+  EXPECT_EQ(middle.z, 2.0);
+  for (double t = 2.0; t < 3.985; t += 0.01) {
+    EXPECT_GE(value(table, t + 0.01).x, value(table, t).x);
+    EXPECT_LE(value(table, t + 0.01).y, value(table, t).y);
+  }
+}
+
+TEST(TorqueTable, EveryNumberType) {
+  const TorqueTable table(rows, {Between::cubic, Outside::zero, SpaceAxes::inertial});
+  const Case c = drawn_case(1102, 0);
+  Case in_table = c;
+  in_table.t = 2.7;
+  const Effect plain = table.effect(in_table.on<double>());
+  const BasicEffect<DoubleDouble> wider = table.effect(in_table.on<DoubleDouble>());
+  EXPECT_LE(largest(wide(plain.u) - wide(wider.u)), budget::perturb_eps * eps * 8.0);
+  const BasicEffect<Tangent> e = table.effect(in_table.on<Tangent>());
+  EXPECT_EQ(e.u.x.value, plain.u.x);
+  const TorqueTable in_body(rows, {Between::cubic, Outside::zero, {}});
+  const WideQuaternion q = normalized(c.on<Wide>().q_IS) * normalized(c.on<Wide>().s.q);
+  EXPECT_LE(largest(rotate(q, wide(plain.u)) - wide(in_body.effect(in_table.on<double>()).u)),
+            budget::perturb_eps * eps * 16.0);
+}
+
+TEST(TorqueTable, BreaksWhereItIsNotSmooth) {
+  const std::vector<TorqueRow> pulse = {{0.0, {}},  {10.0, {}}, {20.0, {1.0, 0.0, 0.0}},
+                                        {21.0, {}}, {30.0, {}}, {40.0, {}}};
+  EXPECT_EQ(TorqueTable(pulse, {Between::step, Outside::zero, {}}).breakpoints(),
+            (std::vector<double>{20.0, 21.0, 40.0}));
+  EXPECT_EQ(TorqueTable(pulse, {Between::linear, Outside::zero, {}}).breakpoints(),
+            (std::vector<double>{0.0, 10.0, 20.0, 21.0, 40.0}));
+  const AnyPerturbation term("wheel", TorqueTable(pulse, {}));
+  EXPECT_EQ(term.breakpoints().size(), 5U);
+  EXPECT_FALSE(term.supports_flow());
+  EXPECT_FALSE(term.is_kick());
+  EXPECT_TRUE(term.supports_any_real());
+}
+
+TEST(TorqueTable, RefusesRowsOutOfOrderAndTimesOutside) {
+  EXPECT_EQ(refusal([] { TorqueTable({}, {}); }), "TorqueTable: rows must not be empty");
+  EXPECT_EQ(refusal([] {
+              TorqueTable({{1.0, {}}, {1.0, {}}}, {});
+            }),
+            "TorqueTable: time 1 of row 2 must be later than 1 of the row before");
+  EXPECT_EQ(refusal([] {
+              TorqueTable({{1.0, {0.0, HUGE_VAL, 0.0}}}, {});
+            }),
+            "TorqueTable: row 1 (1, 0, inf, 0) must be finite");
+  const TorqueTable strict(rows, {Between::step, Outside::refuse, {}});
+  EXPECT_EQ(value(strict, 5.0), rows[3].torque);
+  EXPECT_EQ(refusal([&] { value(strict, 5.5); }),
+            "TorqueTable: time 5.5 is after the last row, 5: give rows for all of the run, or "
+            "outside = zero or hold");
+}
+
+}  // namespace
+}  // namespace perturb_test
