@@ -462,5 +462,7 @@ inline constexpr double internal_damping_momentum = 1e-11;
 inline constexpr double internal_damping_energy = 1e-12;
 // Phase of a wobble that is not circular, over the length of its decay.
 inline constexpr double internal_damping_wobble = 2e-3;
+// The energy that a sphere in a cavity takes where it follows closely: of first order in J w / c.
+inline constexpr double kane_limit = 2e-3;
 
 }  // namespace polhode::budget

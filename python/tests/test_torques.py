@@ -32,6 +32,7 @@ from polhode import (
     integrate,
     wobble_time,
 )
+from scipy.integrate import solve_ivp
 from scipy.interpolate import PchipInterpolator
 
 BODY = Body(1.0, 2.0, 2.5)
@@ -120,6 +121,35 @@ def test_internal_damping():
     assert_allclose(about(by_time).v, by_rock.v, rtol=budgets.numpy_formula)
     with pytest.raises(ValueError, match=">= 0"):
         InternalDamping(-1.0)
+
+
+def test_internal_damping_is_the_limit_of_a_sphere_in_a_viscous_cavity():
+    # two bodies: total momentum g, momentum h of the sphere along body axes; both in the moments
+    J, c = 0.02, 1.0
+    moments = np.array([1.0, 1.5, 2.0])
+
+    def rates(t, y):
+        g, h = y[:3], y[3:]
+        w = (g - h) / (moments - J)
+        return np.concatenate([np.cross(g, w), np.cross(h, w) - c * (h / J - w)])
+
+    g0 = np.array([0.8, 0.3, 1.0])
+    start = np.concatenate([g0, J * g0 / moments])
+    end = 60.0
+    tolerance = budgets.oracle_tolerance
+    oracle = solve_ivp(rates, (0, end), start, "DOP853", rtol=tolerance, atol=tolerance)
+    G = np.linalg.norm(oracle.y[:3, -1])
+    assert_allclose(G, np.linalg.norm(g0), rtol=budgets.numpy_differences)
+    term = InternalDamping(J**2 / c / moments**2)
+    problem = Problem(System(Body(*moments), None, term), RotorState([1, 0, 0, 0], g0), 0.0, end)
+    run = integrate(problem)
+
+    def left(g):  # of the energy that friction can take
+        return 0.5 * (g**2 / moments).sum() - 0.5 * (g @ g) / moments[2]
+
+    lost = left(g0) - left(oracle.y[:3, -1])
+    assert lost > 0.0
+    assert_allclose(left(g0) - left(run.g[-1]), lost, rtol=budgets.kane_limit)
 
 
 def test_torque_table_cubic_is_scipys_pchip():
@@ -229,3 +259,48 @@ rate = 2
     ]:
         with pytest.raises(polhode.DomainError, match=message):
             polhode.Scenario.from_text(text + extra.replace(gone, ""))
+
+
+TABLE = """
+schema = 1
+[units]
+time = "min"
+moment = "kg m2"
+length = "m"
+[body]
+moments = [1.0, 2.0, 2.5]
+[state.attitude-rate]
+quaternion = [0.5, -0.3, 0.4, 0.7]
+omega_body = [0.3, -0.55, 0.32]
+[[perturbation]]
+kind = "torque-table"
+between = "step"
+"""
+
+
+def test_torque_table_of_a_scenario(tmp_path):
+    inline = TABLE + "times = [1, 2]\ntorque_3 = [0.25, 0]\n"
+    rows = "# thruster\nsecond, x, y, z, w\n60, 0, 0, 0.0009, 1\n120, 0, 0, 0, 2\n"
+    (tmp_path / "thruster.csv").write_text(rows)
+    other = 'file = "thruster.csv"\ntime_unit = "s"\ntorque_unit = "N m"\n'
+    path = tmp_path / "table.toml"
+    path.write_text(TABLE + other)
+    for scenario in (polhode.Scenario.from_text(inline), polhode.load(path)):
+        (term,) = scenario.system.terms
+        assert_allclose(term.breakpoints, [1, 2], rtol=budgets.numpy_rounding)
+        u = effect(scenario.system, 1.5, scenario.initial_state).u
+        assert u[2] > 0
+        assert not np.any(effect(scenario.system, 0.5, scenario.initial_state).u)
+    # 0.0009 N m is 3.24 kg m2/min2
+    assert_allclose(u, [0, 0, 3.24], rtol=budgets.numpy_formula)
+    for text, message in [
+        (inline.replace("[0.25, 0]", "[0.25]"), "expected 2 numbers, as many as times has"),
+        (inline.replace("[1, 2]", "[2, 1]"), "must be later than 2"),
+        (inline + 'time_unit = "s"\n', "expected a key file beside it"),
+        (TABLE, "times or file"),
+    ]:
+        with pytest.raises(polhode.DomainError, match=message):
+            polhode.Scenario.from_text(text)
+    (tmp_path / "thruster.csv").write_text(rows.replace("120,", "60,"))
+    with pytest.raises(polhode.DomainError, match="60 comes twice"):
+        polhode.load(path)

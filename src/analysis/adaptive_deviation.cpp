@@ -5,6 +5,7 @@
 #include "analysis/detail/deviation_field.hpp"
 #include "analysis/detail/deviation_run.hpp"
 #include "dynamics/detail/adaptive_failure.hpp"
+#include "dynamics/detail/breakpoints.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
 
@@ -30,6 +31,7 @@ class AdaptiveDeviation final : public DeviationRun {
  public:
   AdaptiveDeviation(const Problem& problem, const Adaptive& method, const ChaosOptions& options)
       : clock_(clock_of(problem, options)),
+        breakpoints_(problem.system),
         target_(is_linear ? 1.0 : options.distance),
         solver_(Field(problem.system, clock_, problem.stop < problem.start ? -1.0 : 1.0), {},
                 problem.start, start_values(problem, options),
@@ -43,7 +45,8 @@ class AdaptiveDeviation final : public DeviationRun {
   std::string advance(double t) override {
     const DoubleDouble begin = solver_.time();
     const RotorValues<double> y = first_rotor(solver_.state().y);
-    const StepOutcome outcome = solver_.advance(t);
+    // no pulse of a torque is stepped over
+    const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, t));
     if (outcome != StepOutcome::made)
       return failure_text(solver_.field().rotor(), begin, y, solver_.trial(), outcome);
     restore_norm(solver_.state(), 0);
@@ -89,6 +92,7 @@ class AdaptiveDeviation final : public DeviationRun {
   }
 
   GrowthClock clock_;
+  Breakpoints breakpoints_;
   double target_;
   AdaptiveRungeKutta<Verner98, double, 16, Field, DeviatedErrorSize<Field>> solver_;
 };

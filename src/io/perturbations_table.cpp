@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From the values of a file to a torque that is a table of time.
+#include <filesystem>
+
 #include "io/detail/perturbation_kinds.hpp"
 #include "io/detail/value_access.hpp"
+#include "polhode/io/number_table.hpp"
 #include "polhode/perturb/torque_table.hpp"
 
 namespace polhode {
@@ -30,12 +33,55 @@ std::vector<TorqueRow> rows_at(const TermPlace& at) {
   return rows;
 }
 
+// What one unit of a column is in core units.
+double unit_of(const TermPlace& at, const char* own, Dimension dimension) {
+  if (!there(at.values, at.key(own))) return 1.0;
+  return built(at.values, at.key(own), at.name, [&] {
+    return at.scenario.units.to_core(1.0, word(at.values, at.key(own)), dimension);
+  });
+}
+
+std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
+  const std::string key = at.key("file");
+  const std::string path =
+      (std::filesystem::path(at.name).parent_path() / word(at.values, key)).string();
+  std::vector<std::string> columns{"1", "2", "3", "4"};
+  if (there(at.values, at.key("columns"))) columns = value_at(at.values, at.key("columns")).words;
+  if (columns.size() != 4)
+    refuse(at.values, at.key("columns"), at.name, "expected 4 columns: time and three torques");
+  const double time = unit_of(at, "time_unit", Dimension::time);
+  const double torque = unit_of(at, "torque_unit", Dimension::torque);
+  const NumberTable table = built(at.values, key, at.name, [&] {
+    NumberTable read = read_number_table(path, columns);
+    require_rising(read, 0, "time");
+    return read;
+  });
+  std::vector<TorqueRow> rows;
+  rows.reserve(table.rows());
+  const auto& c = table.columns;
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    rows.push_back({time * c[0][k], {torque * c[1][k], torque * c[2][k], torque * c[3][k]}});
+  return rows;
+}
+
+// Keys that belong to the other way of giving rows.
+void require_one_way(const TermPlace& at, bool by_file) {
+  for (const char* own : {"columns", "time_unit", "torque_unit"})
+    if (!by_file && given(at.values, at.key(own)))
+      refuse(at.values, at.key(own), at.name, "expected a key file beside it");
+  for (const char* own : {"torque_1", "torque_2", "torque_3"})
+    if (by_file && given(at.values, at.key(own)))
+      refuse(at.values, at.key(own), at.name, "expected a key times beside it, not file");
+}
+
 }  // namespace
 
 AnyPerturbation torque_table_term(const TermPlace& at) {
   using Between = TorqueTable::Between;
   using Outside = TorqueTable::Outside;
-  std::vector<TorqueRow> rows = rows_at(at);
+  const bool by_file = there(at.values, at.key("file"));
+  require_one_way(at, by_file);
+  std::vector<TorqueRow> rows = by_file ? rows_of_file(at) : rows_at(at);
   const std::string &between = word(at.values, at.key("between")),
                     &outside = word(at.values, at.key("outside"));
   TorqueTable::Rules rules;
@@ -50,7 +96,7 @@ AnyPerturbation torque_table_term(const TermPlace& at) {
   } else {
     for (TorqueRow& row : rows) row.torque = principal_components(at, row.torque);
   }
-  return built(at.values, at.key("times"), at.name, [&]() -> AnyPerturbation {
+  return built(at.values, at.key(by_file ? "file" : "times"), at.name, [&]() -> AnyPerturbation {
     return {"torque table", TorqueTable(rows, rules)};
   });
 }

@@ -148,7 +148,7 @@ constexpr Key keys[] = {
      .kinds = anelastic_damping},
     {.path = "perturbation[].times",
      .type = numbers,
-     .presence = required,
+     .presence = alternative,
      .dimension = Dimension::time,
      .example = "[0, 60, 61]",
      .help = "Times of the rows, increasing.",
@@ -170,6 +170,30 @@ constexpr Key keys[] = {
      .dimension = Dimension::torque,
      .example = "[0, 0.001, 0]",
      .help = "About axis 3.",
+     .kinds = torque_table},
+    {.path = "perturbation[].file",
+     .type = text,
+     .presence = alternative,
+     .example = "\"thruster.csv\"",
+     .help = "A file of such rows, CSV or separated by blanks, .gz or not; the path is from the "
+             "folder of this file.",
+     .kinds = torque_table},
+    {.path = "perturbation[].columns",
+     .type = columns,
+     .example = "[\"t\", \"x\", \"y\", \"z\"]",
+     .help =
+         "Its columns of time and torque about the three axes, by the names that the file gives "
+         "them or by their numbers from 1; left out, the first four.",
+     .kinds = torque_table},
+    {.path = "perturbation[].time_unit",
+     .type = unit,
+     .example = "\"s\"",
+     .help = "Unit of its times, which count from t = 0; left out, `units.time`.",
+     .kinds = torque_table},
+    {.path = "perturbation[].torque_unit",
+     .type = unit,
+     .example = "\"N m\"",
+     .help = "Unit of its torques; left out, that of the file's torques.",
      .kinds = torque_table},
     {.path = "perturbation[].between",
      .type = choice,
@@ -209,9 +233,11 @@ constexpr Key keys[] = {
      .kinds = damping},
 };
 
+constexpr Alternatives alternatives[] = {{"perturbation[]", "times|file", torque_table}};
+
 }  // namespace
 
-SchemaPart perturbation_keys() { return {keys, {}}; }
+SchemaPart perturbation_keys() { return {keys, alternatives}; }
 
 }  // namespace detail
 }  // namespace v0

@@ -5,8 +5,8 @@
 // Equations   the field is U = -gm / r (1 - J2 (R / r)^2 P2(n.k)), n = r / |r|, k the pole; of its
 //             part U' in J2, H' = (1/2) U'_ij integral of x_i x_j dm = -(1/2) U'_ij I_ij, since U'
 //             is harmonic:
-//             H' = -(1/2) s (3 k.Ik - 30 z k.In + (15/2) (7 z^2 - 1) n.In - (3/2) (5 z^2 - 1) tr I),
-//             u = -(1/2) s (6 k x Ik - 30 z (k x In + n x Ik) + 15 (7 z^2 - 1) n x In),
+//             H' = -(s/2) (3 k.Ik - 30 z k.In + (15/2) (7 z^2 - 1) n.In - (3/2) (5 z^2 - 1) tr I),
+//             u = -(s/2) (6 k x Ik - 30 z (k x In + n x Ik) + 15 (7 z^2 - 1) n x In),
 //             s = gm J2 R^2 / r^5, z = n.k.
 // Units       gm, R and the orbit in the same units of length and time; I in those of the body.
 // Domain      gm > 0, R > 0, any J2 (for a prolate body it is negative), a pole of any length but
