@@ -261,40 +261,6 @@ rate = 2
             polhode.Scenario.from_text(text + extra.replace(gone, ""))
 
 
-TIDE = """
-schema = 1
-[units]
-UNITS
-[body]
-moments = [1.0, 2.0, 2.5]
-[state.attitude-rate]
-quaternion = [0.5, -0.3, 0.4, 0.7]
-omega_body = [0.3, -0.55, 0.32]
-[orbit.planet]
-gm = 1.0
-semi_major_axis = 10
-[[perturbation]]
-kind = "tide"
-orbit = "planet"
-k2 = 0.3
-time_lag = 0.1
-radius = 0.5
-"""
-
-
-def test_mass_of_a_perturber_follows_from_its_gm():
-    units = 'time = "h"\nmoment = "kg km2"\nlength = "km"'
-    scenario = polhode.Scenario.from_text(TIDE.replace("UNITS", units))
-    mass = 1e9 / 3600**2 / 6.67430e-11  # km3/h2 over m3/(kg s2)
-    orbit = scenario.orbits["planet"]
-    term = TidalTorque(1.0, mass, orbit, TidalBody(0.3, 0.1, 0.5))
-    want = effect(System(scenario.body, None, term), 0.3, scenario.initial_state).u
-    got = effect(scenario.system, 0.3, scenario.initial_state).u
-    assert_allclose(got, want, rtol=budgets.numpy_formula)
-    with pytest.raises(polhode.DomainError, match="expected a key mass"):
-        polhode.Scenario.from_text(TIDE.replace("UNITS", ""))
-
-
 TABLE = """
 schema = 1
 [units]

@@ -87,22 +87,6 @@ std::optional<Oblateness> oblateness_at(const TermPlace& at) {
   return of;
 }
 
-// The mass of what has this gm, in core units.
-double mass_at(const TermPlace& at, double gm) {
-  const std::string key = at.key("mass");
-  if (there(at.values, key)) return number(at.values, key);
-  constexpr double gravitational_constant = 6.67430e-11;  // m3/(kg s2), CODATA 2018
-  try {
-    const Units& units = at.scenario.units;
-    return units.to_core(gm / units.to_core(1.0, "m3/s2", Dimension::gm) / gravitational_constant,
-                         "kg", Dimension::mass);
-  } catch (const DomainError&) {
-    refuse(at.values, at.path, at.name,
-           "expected a key mass, the mass of the perturber: with units that are no kg and m it "
-           "does not follow from gm");
-  }
-}
-
 }  // namespace
 
 AnyPerturbation gravity_gradient_term(const TermPlace& at) {
@@ -129,10 +113,10 @@ AnyPerturbation gravity_gradient_term(const TermPlace& at) {
 
 AnyPerturbation tide_term(const TermPlace& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
-  const double gm = gm_at(at), mass = mass_at(at, gm);
+  const double gm = gm_at(at), mass = number(at.values, at.key("mass"));
   const TidalBody of{number(at.values, at.key("k2")), number(at.values, at.key("time_lag")),
                      number(at.values, at.key("radius"))};
-  return built(at.values, at.path, at.name, [&] {
+  return built(at.values, at.key("kind"), at.name, [&] {
     return std::visit(
         [&](const auto& motion) -> AnyPerturbation {
           return {"tide, orbit " + orbit.name, TidalTorque(gm, mass, motion, of)};
@@ -144,7 +128,7 @@ AnyPerturbation tide_term(const TermPlace& at) {
 AnyPerturbation internal_damping_term(const TermPlace& at) {
   const Vec3& I = at.scenario.body.moments();
   const double rate = number(at.values, at.key("rate"));
-  return built(at.values, at.path, at.name, [&]() -> AnyPerturbation {
+  return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"internal damping",
             InternalDamping::of_wobble(at.scenario.body, number(at.values, at.key("wobble_time")),
                                        rate * std::max({I.x, I.y, I.z}))};
@@ -153,7 +137,7 @@ AnyPerturbation internal_damping_term(const TermPlace& at) {
 
 AnyPerturbation anelastic_damping_term(const TermPlace& at) {
   const auto value = [&](const char* own) { return number(at.values, at.key(own)); };
-  return built(at.values, at.path, at.name, [&]() -> AnyPerturbation {
+  return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"anelastic damping",
             InternalDamping::of_material(
                 at.scenario.body, {value("rigidity"), value("quality_factor"),
