@@ -436,4 +436,19 @@ inline constexpr double apophis_scipy = 1e-9;
 inline constexpr double apophis_oracle = 1e-12;
 // Relative change of the periods from 48 h to 192 h after the closest approach.
 inline constexpr double apophis_after = 2e-3;
+
+// --- magnetic torques (tests/unit/perturb/magnetic.cpp) ---
+// Of a field and of a torque against differences of the potential at 76 digits.
+inline constexpr double magnetic_field_eps = 16.0;
+// Of g after a flow; beyond |h A| = 1/2 over 1 + h.
+inline constexpr double affine_change_eps = 8.0;
+// A sphere that loses its spin: some ten turns.
+inline constexpr double magnetic_decay = 4e-14;
+inline constexpr double magnetic_secular = 1e-15;
+// Of the mean: second order in a strength of 1e-7.
+inline constexpr double magnetic_average = 1e-5;
+inline constexpr double splitting_affine_order = 0.3;
+inline constexpr double splitting_affine = 1e-10;
+inline constexpr double splitting_affine_composed = 1e-8;
+
 }  // namespace polhode::budget

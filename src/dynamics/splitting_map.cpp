@@ -27,12 +27,18 @@ SplittingMap::SplittingMap(const System& system, SplittingScheme scheme)
   for (const AnyPerturbation& term : system_.terms()) {
     if (term.is_kick()) {
       kicks_.push_back(term);
+    } else if (term.is_affine()) {
+      affine_.push_back(term);
     } else if (term.supports_flow()) {
       flows_.push_back(term);
     } else {
       throw DomainError("Splitting: term \"" + term.name() +
                         "\" has no exact flow: use Adaptive, which needs none");
     }
+  }
+  if (!flows_.empty()) {
+    flows_.insert(flows_.end(), affine_.begin(), affine_.end());
+    affine_.clear();
   }
   const bool exact = flows_.empty() || (kicks_.empty() && flows_.size() == 1);
   coefficients_ = splitting_coefficients(scheme, exact);
@@ -94,12 +100,13 @@ void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const 
   s.torque.reset();
 }
 
-Vec3 SplittingMap::torque(SplittingState& s) const {
+AffineTorque SplittingMap::torque(SplittingState& s) const {
   const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
-  Vec3 u;
-  for (const AnyPerturbation& term : kicks_) u = u + term.effect(at).u;
+  AffineTorque sum;
+  for (const AnyPerturbation& term : affine_) sum = sum + term.affine_torque(at);
+  for (const AnyPerturbation& term : kicks_) sum.constant = sum.constant + term.effect(at).u;
   ++s.evaluations;
-  return u;
+  return sum;
 }
 
 void SplittingMap::kick(SplittingState& s, double h) const {
@@ -107,9 +114,9 @@ void SplittingMap::kick(SplittingState& s, double h) const {
     for (const double fraction : composed_) composed_kick(s, fraction * h);
     return;
   }
-  if (kicks_.empty()) return;
+  if (kicks_.empty() && affine_.empty()) return;
   if (!s.torque) s.torque = torque(s);
-  s.g = s.g + h * *s.torque;
+  s.g = s.g + (affine_.empty() ? h * s.torque->constant : change_of_momentum(*s.torque, s.g.hi, h));
 }
 
 void SplittingMap::composed_kick(SplittingState& s, double h) const {
@@ -118,7 +125,7 @@ void SplittingMap::composed_kick(SplittingState& s, double h) const {
     return;
   }
   for (const AnyPerturbation& term : flows_) flow(s, term, 0.5 * h);
-  if (!kicks_.empty()) s.g = s.g + h * torque(s);
+  if (!kicks_.empty()) s.g = s.g + h * torque(s).constant;
   for (std::size_t i = flows_.size(); i-- > 0;) flow(s, flows_[i], 0.5 * h);
 }
 
@@ -155,8 +162,9 @@ Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
 }
 
 void SplittingMap::require_kicks() const {
-  if (!flows_.empty())
-    throw DomainError("Splitting: the flow of term \"" + flows_[0].name() +
+  const std::vector<AnyPerturbation>& others = flows_.empty() ? affine_ : flows_;
+  if (!others.empty())
+    throw DomainError("Splitting: the flow of term \"" + others[0].name() +
                       "\" has no derivative: use Adaptive for state transitions");
 }
 

@@ -34,17 +34,6 @@ PlanarKepler::Shape shape(const KeplerElements& elements, const SecularRates& ra
   return s;
 }
 
-// start + rate elapsed, in [-pi, pi]
-DoubleDouble advanced(double start, double rate, const DoubleDouble& elapsed) {
-  const DoubleDouble turn = DoubleDouble::two_pi(), angle = start + rate * elapsed;
-  return angle - turn * std::rint(angle.hi / turn.hi);
-}
-
-SinCos<double> rounded_sincos(const DoubleDouble& angle) {
-  const SinCos<double> at = sincos(angle.hi);
-  return {at.sin + angle.lo * at.cos, at.cos - angle.lo * at.sin};
-}
-
 }  // namespace
 
 SecularRates j2_rates(const KeplerElements& k, double J2, double R) {
@@ -67,19 +56,16 @@ PrecessingKeplerOrbit::PrecessingKeplerOrbit(const KeplerElements& elements,
     : elements_(checked(elements, rates)),
       rates_(rates),
       plane_(shape(elements, rates)),
+      node_(elements.node, rates.node, elements.epoch),
+      argument_(elements.argument, rates.argument, elements.epoch),
       inclination_(sincos(DoubleDouble(elements.inclination))) {}
 
 PrecessingKeplerOrbit::Axes<double> PrecessingKeplerOrbit::axes(double t) const {
-  const DoubleDouble elapsed = DoubleDouble::sum(t, -elements_.epoch);
-  return {rounded_sincos(advanced(elements_.node, rates_.node, elapsed)),
-          rounded_sincos(advanced(elements_.argument, rates_.argument, elapsed)),
-          {inclination_.sin.hi, inclination_.cos.hi}};
+  return {node_.at(t), argument_.at(t), {inclination_.sin.hi, inclination_.cos.hi}};
 }
 
 PrecessingKeplerOrbit::Axes<DoubleDouble> PrecessingKeplerOrbit::axes(const DoubleDouble& t) const {
-  const DoubleDouble elapsed = t - elements_.epoch;
-  return {sincos(advanced(elements_.node, rates_.node, elapsed)),
-          sincos(advanced(elements_.argument, rates_.argument, elapsed)), inclination_};
+  return {node_.at(t), argument_.at(t), inclination_};
 }
 
 template <Real T>
@@ -91,13 +77,14 @@ BasicVec3<T> PrecessingKeplerOrbit::placed(const Axes<T>& a, const BasicPlanarPo
 }
 
 template <Real T>
-BasicVec3<T> PrecessingKeplerOrbit::moved(const Axes<T>& a, const BasicPlanarMotion<T>& m) const {
+PrecessingKeplerOrbit::BasicMotion<T> PrecessingKeplerOrbit::moved(
+    const Axes<T>& a, const BasicPlanarMotion<T>& m) const {
   // The argument turns the plane in itself, the node turns it about the third axis.
   const T turn(rates_.argument);
   const BasicVec3<T> x = placed(a, m.position);
   const BasicVec3<T> v =
       placed<T>(a, {m.velocity.x - turn * m.position.y, m.velocity.y + turn * m.position.x});
-  return {v.x - T(rates_.node) * x.y, v.y + T(rates_.node) * x.x, v.z};
+  return {x, {v.x - T(rates_.node) * x.y, v.y + T(rates_.node) * x.x, v.z}};
 }
 
 Vec3 PrecessingKeplerOrbit::position(double t, double rest) const {
@@ -106,9 +93,16 @@ Vec3 PrecessingKeplerOrbit::position(double t, double rest) const {
 BasicVec3<DoubleDouble> PrecessingKeplerOrbit::position(const DoubleDouble& t) const {
   return placed(axes(t), plane_.position(t));
 }
-Vec3 PrecessingKeplerOrbit::velocity(double t) const { return moved(axes(t), plane_.motion(t)); }
-BasicVec3<DoubleDouble> PrecessingKeplerOrbit::velocity(const DoubleDouble& t) const {
+PrecessingKeplerOrbit::BasicMotion<double> PrecessingKeplerOrbit::motion(double t) const {
   return moved(axes(t), plane_.motion(t));
+}
+PrecessingKeplerOrbit::BasicMotion<DoubleDouble> PrecessingKeplerOrbit::motion(
+    const DoubleDouble& t) const {
+  return moved(axes(t), plane_.motion(t));
+}
+Vec3 PrecessingKeplerOrbit::velocity(double t) const { return motion(t).velocity; }
+BasicVec3<DoubleDouble> PrecessingKeplerOrbit::velocity(const DoubleDouble& t) const {
+  return motion(t).velocity;
 }
 
 }  // namespace v0

@@ -4,55 +4,19 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "math/detail/number_text.hpp"
+#include "perturb/detail/friction_matrix.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double symmetry = 8.0 * std::numeric_limits<double>::epsilon();
-
 Mat3 diagonal(const Vec3& d) { return {{{d.x, 0.0, 0.0}, {0.0, d.y, 0.0}, {0.0, 0.0, d.z}}}; }
 
 std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
-
-Eigen::Matrix3d dense(const Mat3& m) {
-  Eigen::Matrix3d out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out(i, j) = m(i, j);
-  }
-  return out;
-}
-
-// The symmetric part of D, or an error.
-Mat3 checked(const Mat3& D) {
-  const std::string name = "LinearDamping: matrix (" + text(D.row[0]) + ", " + text(D.row[1]) +
-                           ", " + text(D.row[2]) + ")";
-  double largest = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!std::isfinite(D(i, j))) throw DomainError(name + " must be finite");
-      largest = std::max(largest, std::abs(D(i, j)));
-    }
-  }
-  Mat3 even;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (std::abs(D(i, j) - D(j, i)) > symmetry * largest)
-        throw DomainError(name + " must be symmetric");
-      even(i, j) = 0.5 * D(i, j) + 0.5 * D(j, i);
-    }
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(dense(even), Eigen::EigenvaluesOnly);
-  if (!(solver.eigenvalues()(0) >= -symmetry * largest))
-    throw DomainError(name + " has the eigenvalue " + detail::number_text(solver.eigenvalues()(0)) +
-                      ": damping must not drive the body, eigenvalues >= 0");
-  return even;
-}
 
 }  // namespace
 
@@ -66,7 +30,8 @@ LinearDamping::LinearDamping(const Vec3& d) : D_(diagonal(d)) {
 }
 
 LinearDamping::LinearDamping(const Mat3& D, const Body& body)
-    : D_(checked(D)), modes_(modes_of(D_, body.moments())) {}
+    : D_(detail::friction_matrix(D, "LinearDamping: matrix")),
+      modes_(modes_of(D_, body.moments())) {}
 
 LinearDamping::Modes LinearDamping::modes_of(const Mat3& D, const Vec3& moments) {
   const Vec3 root{std::sqrt(moments.x), std::sqrt(moments.y), std::sqrt(moments.z)};
@@ -74,7 +39,7 @@ LinearDamping::Modes LinearDamping::modes_of(const Mat3& D, const Vec3& moments)
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) S(i, j) = D(i, j) / (root[i] * root[j]);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(dense(S));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(detail::dense(S));
   Modes m{moments, {}, {}, {}};
   for (int k = 0; k < 3; ++k) {
     m.rate[k] = std::max(0.0, solver.eigenvalues()(k));  // below 0 by rounding alone

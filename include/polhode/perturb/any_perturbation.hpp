@@ -35,6 +35,7 @@ class ErasedTerm {
   virtual double energy(const Setting& at) const = 0;
   virtual DoubleDouble energy(const BasicSetting<DoubleDouble>& at) const = 0;
   virtual RotorState flow(const Setting& at, double h) const = 0;
+  virtual AffineTorque affine_torque(const Setting& at) const = 0;
 };
 
 template <Perturbation P>
@@ -58,8 +59,19 @@ class HeldTerm final : public ErasedTerm {
       return term_.flow(at, h);
     } else if constexpr (Kick<P>) {
       return {at.s.q, at.s.g + h * term_.effect(at).u};
+    } else if constexpr (AffineInMomentum<P>) {
+      return {at.s.q, at.s.g + change_of_momentum(term_.affine_torque(at), at.s.g, h)};
     } else {
       term_cannot(name_, "has no exact flow: use a method that needs none (Adaptive)");
+    }
+  }
+  AffineTorque affine_torque(const Setting& at) const override {
+    if constexpr (AffineInMomentum<P>) {
+      return term_.affine_torque(at);
+    } else if constexpr (Kick<P>) {
+      return {term_.effect(at).u, {}};
+    } else {
+      term_cannot(name_, "is not said to have a torque that is affine in the momentum");
     }
   }
 
@@ -97,8 +109,9 @@ class AnyPerturbation {
   AnyPerturbation(const std::string& name, P term)
       : name_(name),
         energy_(Hamiltonian<P>),
-        flow_(Splittable<P> || Kick<P>),
+        flow_(Splittable<P> || Kick<P> || AffineInMomentum<P>),
         kick_(Kick<P>),
+        affine_(Kick<P> || AffineInMomentum<P>),
         any_real_(PerturbationOn<P, DoubleDouble> && PerturbationOn<P, Tangent>),
         term_(std::make_shared<const detail::HeldTerm<P>>(name, std::move(term))) {}
 
@@ -113,6 +126,8 @@ class AnyPerturbation {
   bool supports_flow() const { return flow_; }
   // v = 0, and u depends on time and attitude alone.
   bool is_kick() const { return kick_; }
+  // v = 0, and u is c - A g with c and A of time and attitude alone; A = 0 for a kick.
+  bool is_affine() const { return affine_; }
   // DoubleDouble and Tangent beside double.
   bool supports_any_real() const { return any_real_; }
 
@@ -127,12 +142,14 @@ class AnyPerturbation {
     return term_->energy(at);
   }
   RotorState flow(const Setting& at, double h) const { return term_->flow(at, h); }
+  AffineTorque affine_torque(const Setting& at) const { return term_->affine_torque(at); }
 
  private:
   std::string name_;
   bool energy_;
   bool flow_;
   bool kick_;
+  bool affine_;
   bool any_real_;
   std::shared_ptr<const detail::ErasedTerm> term_;
 };

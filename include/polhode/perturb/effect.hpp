@@ -18,6 +18,7 @@
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
+#include "polhode/perturb/affine_torque.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
@@ -136,6 +137,12 @@ concept Splittable = Perturbation<P> && requires(const P& term, const Setting& a
 // true`: its flow is g + h u.
 template <class P>
 concept Kick = Perturbation<P> && requires { requires P::kick; };
+
+// A term with v = 0 whose u is c - A g, with c and A of time and attitude alone.
+template <class P>
+concept AffineInMomentum = Perturbation<P> && requires(const P& term, const Setting& at) {
+  { term.affine_torque(at) } -> std::same_as<AffineTorque>;
+};
 
 }  // namespace v0
 }  // namespace polhode

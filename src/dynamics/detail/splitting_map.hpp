@@ -23,7 +23,7 @@ struct SplittingState {
   Quaternion q_IB;
   TwoPartMomentum g;
   // What the kick that ended the last step was; the next step starts with the same one.
-  std::optional<Vec3> torque;
+  std::optional<AffineTorque> torque;
   std::int64_t evaluations = 0;
 };
 
@@ -57,7 +57,7 @@ class SplittingMap {
   void kick(SplittingState& s, double h) const;
   void composed_kick(SplittingState& s, double h) const;
   void flow(SplittingState& s, const AnyPerturbation& term, double h) const;
-  Vec3 torque(SplittingState& s) const;
+  AffineTorque torque(SplittingState& s) const;
   Setting setting(const SplittingState& s, const Quaternion& q_IS) const;
   void require_kicks() const;
   Matrix6 kick_transition(const SplittingState& s, double h) const;
@@ -66,8 +66,9 @@ class SplittingMap {
 
   System system_;
   ShortFlow free_;
-  std::vector<AnyPerturbation> kicks_;  // torques of time and attitude alone, summed
-  std::vector<AnyPerturbation> flows_;  // others
+  std::vector<AnyPerturbation> kicks_;   // torques of time and attitude alone, summed
+  std::vector<AnyPerturbation> affine_;  // friction, in one flow with the kicks
+  std::vector<AnyPerturbation> flows_;   // others
   SplittingCoefficients coefficients_;
   std::vector<double> composed_;  // fractions of the flows within one kick
 };

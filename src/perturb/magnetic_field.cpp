@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/perturb/magnetic_field.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+bool finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
+
+Vec3 unit_pole(const PrimaryRotation& primary) {
+  const double length = norm(primary.pole);
+  if (!(length > 0.0) || !std::isfinite(length))
+    throw DomainError("PrimaryRotation: pole " + text(primary.pole) +
+                      " must be finite and not zero");
+  return (1.0 / length) * primary.pole;
+}
+
+}  // namespace
+
+namespace detail {
+
+void field_without_rate() {
+  throw DomainError(
+      "FieldAlongOrbit: this orbit or this field has no derivative by time: leave out the rate of "
+      "the field");
+}
+
+}  // namespace detail
+
+Quaternion axes_at_epoch(const PrimaryRotation& primary) {
+  const Vec3 pole = unit_pole(primary);
+  if (!std::isfinite(primary.rate) || !std::isfinite(primary.meridian) ||
+      !std::isfinite(primary.epoch))
+    throw DomainError("PrimaryRotation: rate, meridian and epoch " +
+                      detail::tuple_text({primary.rate, primary.meridian, primary.epoch}) +
+                      " must be finite");
+  const double across = std::hypot(pole.x, pole.y);
+  const double node = across > 0.0 ? std::atan2(pole.x, -pole.y) : 0.0;
+  return rotation_z(node) * rotation_x(std::atan2(across, pole.z)) * rotation_z(primary.meridian);
+}
+
+DipoleField::DipoleField(const Vec3& strength, const PrimaryRotation& primary)
+    : strength_(strength), primary_(primary), angle_(0.0, primary.rate, primary.epoch) {
+  if (!finite(strength))
+    throw DomainError("DipoleField: strength " + text(strength) + " must be finite");
+  const Vec3 K = rotate(axes_at_epoch(primary), strength), pole = unit_pole(primary);
+  along_ = dot(pole, K) * pole;
+  across_ = K - along_;
+  side_ = cross(pole, K);
+}
+
+DipoleField DipoleField::from_gauss(const GaussCoefficients& gauss, double reference_radius,
+                                    const PrimaryRotation& primary) {
+  if (!(reference_radius > 0.0) || !std::isfinite(reference_radius))
+    throw DomainError("DipoleField: reference radius " + detail::number_text(reference_radius) +
+                      " must be positive and finite");
+  const double a3 = reference_radius * reference_radius * reference_radius;
+  return DipoleField(a3 * Vec3{gauss.g11, gauss.h11, gauss.g10}, primary);
+}
+
+ConstantField::ConstantField(const Vec3& field) : field_(field) {
+  if (!finite(field)) throw DomainError("ConstantField: field " + text(field) + " must be finite");
+}
+
+}  // namespace v0
+}  // namespace polhode
