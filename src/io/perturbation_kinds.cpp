@@ -22,6 +22,8 @@ constexpr PerturbationKind kinds[] = {
     {"gravity-gradient", gravity_gradient_term},
     {"constant-torque", constant_torque_term},
     {"damping", damping_term},
+    {"residual-dipole", residual_dipole_term},
+    {"eddy-currents", eddy_currents_term},
 };
 
 }  // namespace
@@ -49,6 +51,23 @@ double gm_at(const TermPlace& at) {
 
 Vec3 principal_components(const TermPlace& at, const Vec3& x_F) {
   return rotate(conj(at.scenario.body.q_FB()), x_F);
+}
+
+Mat3 matrix_at(const TermPlace& at, const char* own) {
+  const std::vector<double>& n = value_at(at.values, at.key(own)).numbers;
+  if (n.size() == 3) return {{{n[0], 0.0, 0.0}, {0.0, n[1], 0.0}, {0.0, 0.0, n[2]}}};
+  return {{{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}};
+}
+
+Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F) {
+  const Quaternion& q_FB = at.scenario.body.q_FB();
+  if (q_FB == Quaternion{}) return m_F;
+  const Mat3 R = rotation_matrix(q_FB);  // v_F = R v_B
+  const Mat3 m = transpose(R) * m_F * R;
+  Mat3 even = m;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) even(i, k) = 0.5 * (m(i, k) + m(k, i));
+  return even;
 }
 
 }  // namespace detail

@@ -37,17 +37,9 @@ AnyPerturbation damping_term(const TermPlace& at) {
   return built(at.values, key, at.name, [&]() -> AnyPerturbation {
     if (n.size() == 3 && q_FB == Quaternion{})
       return {"damping", LinearDamping(vector(at.values, key))};
-    const Mat3 D_F = n.size() == 3 ? Mat3{{{n[0], 0.0, 0.0}, {0.0, n[1], 0.0}, {0.0, 0.0, n[2]}}}
-                                   : Mat3{{{n.at(0), n.at(1), n.at(2)},
-                                           {n.at(3), n.at(4), n.at(5)},
-                                           {n.at(6), n.at(7), n.at(8)}}};
-    const LinearDamping in_file_axes(D_F, at.scenario.body);  // refuses what is no damping
-    const Mat3 R = rotation_matrix(q_FB);                     // v_F = R v_B
-    const Mat3 D = transpose(R) * in_file_axes.matrix() * R;
-    Mat3 even = D;
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) even(i, k) = 0.5 * (D(i, k) + D(k, i));
-    return {"damping", LinearDamping(even, at.scenario.body)};
+    const LinearDamping in_file_axes(matrix_at(at, "coefficients"), at.scenario.body);
+    const Mat3 D = principal_matrix(at, in_file_axes.matrix());
+    return {"damping", LinearDamping(D, at.scenario.body)};
   });
 }
 

@@ -51,6 +51,8 @@ constexpr KnownUnit units_table[] = {
     {"W", "watt", 1.0, "J/s"},
     {"A", "ampere", 1.0, ""},
     {"T", "tesla", 1.0, "kg/(A s2)"},
+    {"nT", "nanotesla", 1e-9, "T"},
+    {"S", "siemens", 1.0, "A2 s3/(kg m2)"},
 };
 
 struct FreeUnit {

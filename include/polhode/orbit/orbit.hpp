@@ -98,6 +98,7 @@ class AnyOrbit {
 
   // T = double or DoubleDouble.
   template <Real T>
+    requires(std::same_as<T, double> || std::same_as<T, DoubleDouble>)
   BasicVec3<T> position(const T& t) const {
     if constexpr (std::same_as<T, double>) {
       return orbit_->position(t, 0.0);

@@ -30,10 +30,15 @@ const ScenarioOrbit& orbit_at(const TermPlace& at);
 double gm_at(const TermPlace& at);
 // Components along the body axes of the file, which are those of its tensor, as principal ones.
 Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
+// A matrix of the table, and a symmetric one along those axes as one along principal axes.
+Mat3 matrix_at(const TermPlace& at, const char* own);
+Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F);
 
 AnyPerturbation gravity_gradient_term(const TermPlace& at);
 AnyPerturbation constant_torque_term(const TermPlace& at);
 AnyPerturbation damping_term(const TermPlace& at);
+AnyPerturbation residual_dipole_term(const TermPlace& at);
+AnyPerturbation eddy_currents_term(const TermPlace& at);
 
 }  // namespace detail
 }  // namespace v0
