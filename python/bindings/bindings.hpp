@@ -23,6 +23,7 @@ void bind_free(nb::module_& m);
 void bind_orbit(nb::module_& m);
 void bind_frame(nb::module_& m);
 void bind_perturb(nb::module_& m);
+void bind_magnetic(nb::module_& m);
 void bind_system(nb::module_& m);
 void bind_trajectory(nb::module_& m);
 void bind_dynamics(nb::module_& m);

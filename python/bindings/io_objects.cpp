@@ -7,6 +7,7 @@
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/linear_damping.hpp"
+#include "polhode/perturb/magnetic_torque.hpp"
 #include "polhode/system/system.hpp"
 #include "system_value.hpp"
 #include "term_value.hpp"
@@ -41,7 +42,26 @@ nb::object damping(const LinearDamping& term, const Body& body, const std::strin
   return type(rows, nb::cast(body), nb::arg("name") = name);
 }
 
+// Null where the term is no magnetic torque along an orbit of type O.
+template <class O>
+nb::object magnetic(const AnyPerturbation& term) {
+  using Field = FieldAlongOrbit<O, DipoleField>;
+  if (const auto* magnet = term.target<ResidualDipole<Field>>())
+    return core("ResidualDipole")(tuple_of(magnet->moment()), nb::cast(magnet->field().source()),
+                                  nb::cast(magnet->field().orbit()), term.name());
+  if (const auto* eddy = term.target<EddyCurrents<Field>>()) {
+    const Mat3& M = eddy->tensor();
+    return core("EddyCurrents")(
+        nb::make_tuple(tuple_of(M.row[0]), tuple_of(M.row[1]), tuple_of(M.row[2])),
+        nb::cast(eddy->field().source()), nb::cast(eddy->field().orbit()),
+        eddy->rate() == FieldRate::along_orbit, term.name());
+  }
+  return {};
+}
+
 nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
+  for (const nb::object& made : {magnetic<KeplerOrbit>(term), magnetic<PrecessingKeplerOrbit>(term)})
+    if (made.is_valid()) return made;
   if (const auto* fixed = term.target<GravityGradient<KeplerOrbit>>())
     return gravity_gradient(*fixed, term.name());
   if (const auto* moving = term.target<GravityGradient<PrecessingKeplerOrbit>>())

@@ -20,6 +20,7 @@ void bind_everything(nb::module_& m) {
   bind_orbit(m);
   bind_frame(m);
   bind_perturb(m);
+  bind_magnetic(m);
   bind_system(m);
   bind_trajectory(m);
   bind_dynamics(m);

@@ -66,6 +66,15 @@ constexpr Paper papers[] = {
      "Markley, F. L. (1995). Kepler equation solver. Celestial Mechanics and Dynamical Astronomy "
      "63, 101-111.",
      "orbits", "orbit"},
+    {"praly2012",
+     "Praly, N., Hillion, M., Bonnal, C., Laurent-Varin, J., Petit, N. (2012). Study on the eddy "
+     "current damping of the spin dynamics of space debris from the Ariane launcher upper stages. "
+     "Acta Astronautica 76, 145-153.",
+     "the torque on eddy currents", "eddy-currents"},
+    {"thebault2015",
+     "Thebault, E., et al. (2015). International Geomagnetic Reference Field: the 12th generation. "
+     "Earth, Planets and Space 67, 79.",
+     "the dipole field and its Gauss coefficients", "eddy-currents|residual-dipole"},
     {"verner2010",
      "Verner, J. H. (2010). Numerically optimal Runge-Kutta pairs with interpolants. Numerical "
      "Algorithms 53, 383-396.",
@@ -123,6 +132,7 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   parts.push_back(scenario.chart);
   if (!scenario.frame.is_inertial()) parts.push_back("moving frame");
   if (!scenario.orbits.empty()) parts.push_back("orbit");
+  parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
   if (const std::optional<Method> method = propagation_method(scenario))
     for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
   return parts;

@@ -40,10 +40,8 @@ def splitting(scheme, step):
 
 
 METHODS = [
-    adaptive(1e-14), adaptive(1e-13), adaptive(1e-12),
-    splitting("ABA864", 7.5), splitting("ABA864", 10), splitting("ABA864", 12.5),
-    splitting("ABA864", 15), splitting("ABA1064", 10), splitting("ABA1064", 15),
-    splitting("ABA1064", 20), variation(1e-13),
+    splitting("ABA864", 10), splitting("ABA864", 15), splitting("ABA1064", 15),
+    splitting("ABA1064", 20), adaptive(1e-12), adaptive(1e-13), adaptive(1e-14),
 ]
 
 

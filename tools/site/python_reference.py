@@ -97,6 +97,7 @@ osculate: [frames and osculation](../../guide/frames-and-osculation.md).
         "Terms":
             "GravityGradient ConstantTorque LinearDamping TorqueTerm HamiltonianTerm SpaceAxes "
             "AnyPerturbation",
+        "Magnetic torques": "DipoleField ResidualDipole EddyCurrents",
         "What a system does to a state":
             "Effect effect AngularVelocities energy RotorRates rotor_rates inertial_state "
             "reference_state",

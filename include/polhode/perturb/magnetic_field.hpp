@@ -4,8 +4,8 @@
 //
 // Equations   dipole: B = (3 (K.n) n - K) / r^3, n = x / r, K = mu_0 m / (4 pi). Of the potential
 //             a (a/r)^2 (g10 cos(theta) + (g11 cos(phi) + h11 sin(phi)) sin(theta)) of the IGRF,
-//             K = a^3 (g11, h11, g10) in the axes of the primary (Alken et al. 2021, eq. 1). K
-//             turns with the primary. dB/dt along the orbit is the whole derivative: by the turning
+//             K = a^3 (g11, h11, g10) in the axes of the primary (Thebault et al. 2015). K turns
+//             with the primary. dB/dt along the orbit is the whole derivative: by the turning
 //             of the primary and by the motion of the body.
 // Units       K in field times length^3, lengths those of the orbit, rates in rad per time.
 // Domain      everything is in inertial axes. A dipole field is the same at x and -x: the orbit may
@@ -47,6 +47,11 @@ concept LocalField = std::copyable<F> && requires(const F& local, double t) {
   { local.field(t, t) } -> std::same_as<Vec3>;
   { local.motion(t, t) } -> std::same_as<BasicFieldMotion<double>>;
   { local.has_rate() } -> std::same_as<bool>;
+};
+
+template <class F, class T>
+concept LocalFieldOn = Real<T> && requires(const F& local, const T& t) {
+  { local.field(t, t) } -> std::same_as<BasicVec3<T>>;
 };
 
 // How a primary stands and turns. Its axis 3 is the pole; the meridian is the angle of its axis 1

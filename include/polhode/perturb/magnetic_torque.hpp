@@ -4,9 +4,8 @@
 // Equations   residual dipole: u = m x B, H' = -m.B. Eddy currents: u = (M (w x B - dB/dt)) x B,
 //             M the magnetic tensor, w = I^-1 g the inertial angular velocity, dB/dt the derivative
 //             of the field at the body in inertial axes: dB/dt - w x B is how the body sees its
-//             field change (Sagnieres & Sharf 2018). Without dB/dt it is u = (M (w x B)) x B (Praly
-//             et al. 2012; Ortiz Gomez & Walker 2015): the body comes to rest in space and not in
-//             the field.
+//             field change (Sagnieres 2018, eq. 2.20, as D-SPOSE has it). Without dB/dt it is u =
+//             (M (w x B)) x B: the body comes to rest in space and not in the field.
 // Units       m torque per field, M torque per rate and field squared; SI: A m2 and S m4.
 // Domain      vectors and tensors in principal body axes. M symmetric (to 8 eps of its largest
 //             entry) and non-negative definite (to as much). The field in inertial axes.
@@ -45,10 +44,12 @@ class ResidualDipole {
   const F& field() const { return field_; }
 
   template <Real T>
+    requires LocalFieldOn<F, T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     return {{}, cross(moment_of<T>(), field_B(at))};
   }
   template <Real T>
+    requires LocalFieldOn<F, T>
   T energy(const BasicSetting<T>& at) const {
     return -dot(moment_of<T>(), field_B(at));
   }
@@ -83,6 +84,7 @@ class EddyCurrents {
   FieldRate rate() const { return rate_; }
 
   template <Real T>
+    requires LocalFieldOn<F, T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     const Vec3& I = at.body.moments();
     const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
