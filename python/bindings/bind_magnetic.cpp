@@ -166,8 +166,8 @@ ValueError for numbers that are not finite, and for a pole of no length.)");
 }
 
 constexpr const char* field_parameters =
-    R"(field : DipoleField; 3 numbers, a constant field along inertial axes; or a function, f(t) -> 3
-    numbers, f(t, x) with the position x where an orbit is given.
+    R"(field : DipoleField; 3 numbers, a constant field along inertial axes; or a function,
+    f(t) -> 3 numbers, f(t, x) with the position x where an orbit is given.
 orbit : KeplerOrbit, PrecessingKeplerOrbit, or any function t -> 3 numbers, inertial axes: the
     position of the body or, for a DipoleField, of the primary. None for a field without a place.
 name : stands in messages.

@@ -60,9 +60,9 @@ nb::object magnetic(const AnyPerturbation& term) {
 }
 
 nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
-  for (const nb::object& made :
-       {magnetic<KeplerOrbit>(term), magnetic<PrecessingKeplerOrbit>(term)})
-    if (made.is_valid()) return made;
+  if (const nb::object fixed = magnetic<KeplerOrbit>(term); fixed.is_valid()) return fixed;
+  if (const nb::object moving = magnetic<PrecessingKeplerOrbit>(term); moving.is_valid())
+    return moving;
   if (const auto* fixed = term.target<GravityGradient<KeplerOrbit>>())
     return gravity_gradient(*fixed, term.name());
   if (const auto* moving = term.target<GravityGradient<PrecessingKeplerOrbit>>())

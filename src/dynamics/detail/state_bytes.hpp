@@ -14,6 +14,7 @@
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/error_free.hpp"
+#include "polhode/perturb/affine_torque.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
@@ -70,6 +71,8 @@ class StateBytes {
   void operator()(Vec3& v) { all(v.x, v.y, v.z); }
   void operator()(Quaternion& q) { all(q.w, q.x, q.y, q.z); }
   void operator()(RotorState& s) { all(s.q, s.g); }
+  void operator()(Mat3& m) { all(m.row[0], m.row[1], m.row[2]); }
+  void operator()(AffineTorque& u) { all(u.constant, u.damping); }
   void operator()(Sample& s) { all(s.t, s.s); }
   void operator()(Statistics& s) { all(s.steps, s.rejected, s.evaluations); }
   void operator()(EventRecord& e) { all(e.name, e.t, e.s, e.direction); }
