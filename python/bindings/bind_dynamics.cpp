@@ -2,12 +2,14 @@
 // Methods, events, problems, and the functions that integrate them. A problem is made of Python
 // objects, which become one of C++ for the time of a run.
 
+#include <chrono>
+#include <functional>
 #include <optional>
 
 #include "batch.hpp"
 #include "choice.hpp"
 #include "dynamics_values.hpp"
-#include "polhode/dynamics/integrate.hpp"
+#include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "samples.hpp"
 #include "signals.hpp"
@@ -64,17 +66,159 @@ void warn_of(const Outcome& outcome, const char* function) {
 
 namespace {
 
-PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samples, bool dense) {
+// Signals, then the caller's function.
+Progress listener(nb::handle progress) {
+  Progress look = signal_check(), told = told_to(progress);
+  if (!told) return look;
+  return [look, told](double t) {
+    if (look) look(t);
+    told(t);
+  };
+}
+
+PyObject* function_in(nb::handle value, const char* name) {
+  if (value.is_none()) return nullptr;
+  if (PyCallable_Check(value.ptr()) == 0)
+    throw nb::type_error((std::string(name) + ": expected a function").c_str());
+  return value.ptr();  // the objects outlive the run
+}
+
+// A block of samples as sink(t, states): its own memory.
+void give_block(PyObject* sink, std::span<const Sample> block) {
+  const WithGil acquired;
+  staying_put([&] {
+    Result times({block.size()});
+    for (std::size_t k = 0; k < block.size(); ++k) *times.at(k) = block[k].t;
+    const Rotors states = Rotors::filled({block.size()}, [&](RotorState* out) {
+      for (std::size_t k = 0; k < block.size(); ++k) out[k] = block[k].s;
+    });
+    return nb::handle(sink)(times.take(), states);
+  });
+}
+
+struct StreamArguments {
+  nb::handle samples;
+  nb::handle sink;
+  nb::handle events;
+  nb::handle checkpoint;
+  double checkpoint_seconds;
+};
+
+Streams streams_of(const StreamArguments& arguments) {
+  Streams streams;
+  if (PyObject* const sink = function_in(arguments.sink, "sink"))
+    streams.samples = [sink](std::span<const Sample> block) { give_block(sink, block); };
+  if (PyObject* const events = function_in(arguments.events, "events"))
+    streams.events = [events](const EventRecord& event) {
+      const WithGil acquired;
+      staying_put([&] { return nb::handle(events)(event); });
+    };
+  PyObject* const checkpoint = function_in(arguments.checkpoint, "checkpoint");
+  if (checkpoint == nullptr) return streams;
+  using Clock = std::chrono::steady_clock;
+  const std::chrono::duration<double> pause(arguments.checkpoint_seconds);
+  streams.checkpoint_due = [pause, last = Clock::now(), calls = 0](double) mutable {
+    if (++calls % 16 != 0 || Clock::now() - last < pause) return false;
+    last = Clock::now();
+    return true;
+  };
+  streams.checkpoint = [checkpoint](const Checkpoint& now) {
+    const WithGil acquired;
+    staying_put([&] { return nb::handle(checkpoint)(now); });
+  };
+  return streams;
+}
+
+PythonTrajectory streamed(const PythonProblem& python_problem, const StreamArguments& arguments,
+                          nb::handle progress, const Checkpoint* from) {
+  if (arguments.samples.is_none())
+    throw nb::type_error("integrate: samples: got None; expected a SaveAt or times for a sink");
+  const Problem problem = problem_of(python_problem);
+  const SaveAt times = save_at_of(arguments.samples, "samples");
+  const Streams streams = streams_of(arguments);
+  const Progress look = listener(progress);
+  Trajectory trajectory = [&] {
+    const WithoutGil released;
+    return from == nullptr ? integrate(problem, times, streams, look)
+                           : resume(problem, times, *from, streams, look);
+  }();
+  warn_of(trajectory.outcome(), from == nullptr ? "integrate" : "resume");
+  return PythonTrajectory(std::move(trajectory));
+}
+
+PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samples, bool dense,
+                            nb::handle progress, nb::handle sink, nb::handle events,
+                            nb::handle checkpoint, double checkpoint_seconds) {
+  if (!sink.is_none())
+    return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds},
+                    progress, nullptr);
+  if (!events.is_none() || !checkpoint.is_none())
+    throw nb::type_error("integrate: events and checkpoint go with a sink; got sink None");
   const Problem problem = problem_of(python_problem);
   Keep keep{.dense = dense};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
-  const Progress look = signal_check();
+  const Progress look = listener(progress);
   Trajectory trajectory = [&] {
     const WithoutGil released;
     return integrate(problem, keep, look);
   }();
   warn_of(trajectory.outcome(), "integrate");
   return PythonTrajectory(std::move(trajectory), dense ? python_problem.system : nb::object());
+}
+
+PythonTrajectory resumed(const PythonProblem& python_problem, nb::handle samples,
+                         const Checkpoint& from, nb::handle sink, nb::handle progress,
+                         nb::handle events, nb::handle checkpoint, double checkpoint_seconds) {
+  return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds}, progress,
+                  &from);
+}
+
+void bind_checkpoint(nb::module_& m) {
+  const auto made = [](Checkpoint* self, const nb::bytes& bytes) {
+    new (self) Checkpoint(std::string(bytes.c_str(), bytes.size()));
+  };
+  const auto bytes = [](const Checkpoint& c) {
+    return nb::bytes(c.bytes().data(), c.bytes().size());
+  };
+  nb::class_<Checkpoint>(m, "Checkpoint",
+                         R"(A run between two steps, to the last bit: integrate gives it out.
+
+resume goes on from it. Checkpoint(bytes) takes what .bytes gave, from a file perhaps.
+ValueError for other bytes.)")
+      .def("__init__", made, nb::arg("bytes"))
+      .def_prop_ro("bytes", bytes, "All of it, to keep.")
+      .def_prop_ro("t", &Checkpoint::t, "Where the run stood.")
+      .def("__eq__", [](const Checkpoint& a, const Checkpoint& b) { return a == b; })
+      .def("__eq__", [](const Checkpoint&, nb::handle) { return false; })
+      .def("__hash__", [](const Checkpoint& c) { return std::hash<std::string>()(c.bytes()); })
+      .def("__repr__",
+           [](const Checkpoint& c) { return "<Checkpoint: t = " + number_text(c.t()) + ">"; })
+      .def("__getstate__", bytes)
+      .def("__setstate__", made);
+  m.def("resume", resumed, nb::arg("problem"), nb::arg("samples"), nb::arg("checkpoint"),
+        nb::arg("sink"), nb::kw_only(), nb::arg("progress") = nb::none(),
+        nb::arg("events") = nb::none(), nb::arg("keep_checkpoint") = nb::none(),
+        nb::arg("checkpoint_seconds") = 60.0,
+        nb::sig("def resume(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike, "
+                "checkpoint: Checkpoint, sink: object, *, progress: object = None, "
+                "events: object = None, keep_checkpoint: object = None, "
+                "checkpoint_seconds: float = 60.0) -> Trajectory"),
+        R"(The rest of a run of `integrate` with a sink, from a checkpoint of it.
+
+Parameters
+----------
+problem, samples : those of the run. Functions in Python cannot be compared; the rest is.
+checkpoint : where it goes on.
+sink, progress, events, checkpoint_seconds : as in integrate.
+keep_checkpoint : as `checkpoint` in integrate.
+
+Returns
+-------
+Trajectory
+    Without samples; outcome and statistics are those of the whole run. What the sinks of both
+    parts get, one behind the other, is what that of the straight run gets, to the last bit.
+
+ValueError for a checkpoint of another problem, saying what differs.)");
 }
 
 // Rows lie one after the other, as C++ returns them.
@@ -174,9 +318,13 @@ and for a term in Python on floats alone (TorqueTerm). Ctrl-C raises KeyboardInt
 void bind_dynamics(nb::module_& m) {
   bind_dynamics_values(m);
   m.def("integrate", integrated, nb::arg("problem"), nb::arg("samples") = nb::none(),
-        nb::arg("dense") = true,
+        nb::arg("dense") = true, nb::kw_only(), nb::arg("progress") = nb::none(),
+        nb::arg("sink") = nb::none(), nb::arg("events") = nb::none(),
+        nb::arg("checkpoint") = nb::none(), nb::arg("checkpoint_seconds") = 60.0,
         nb::sig("def integrate(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike | None "
-                "= None, dense: bool = True) -> Trajectory"),
+                "= None, dense: bool = True, *, progress: object = None, sink: object = None, "
+                "events: object = None, checkpoint: object = None, "
+                "checkpoint_seconds: float = 60.0) -> Trajectory"),
         R"(Integrates the equations of motion of a problem, by its method.
 
 Parameters
@@ -185,6 +333,12 @@ problem : what to integrate.
 samples : SaveAt, or times (N,) in the order of the run; None: the end of every step. Times
     outside the span are left out.
 dense : whether trajectory.at(t) shall answer for any t; some hundred bytes a step.
+progress : called as progress(t), some ten times a second.
+sink : called as sink(t, states) with blocks of at most 1024 samples, (N,) and a RotorState of shape
+    (N,). The trajectory then has no samples and no dense output: memory does not grow.
+events : with a sink: called with every EventRecord, which the trajectory then does not keep.
+checkpoint : with a sink: called with a Checkpoint every `checkpoint_seconds`. What it raises ends
+    the run; `resume` goes on from there.
 
 Returns
 -------
@@ -199,6 +353,7 @@ ValueError
 
 Releases the GIL; Ctrl-C raises KeyboardInterrupt. What an event or a term in Python raises passes
 through. [SA (24), (118), (124)])");
+  bind_checkpoint(m);
   bind_transitions(m);
 }
 

@@ -114,3 +114,79 @@ def test_what_progress_raises_passes_through(tmp_path):
 def test_rows_so_far_must_be_readable():
     with pytest.raises(ValueError, match="files"):
         polhode.Scenario.from_text(TEXT.replace("STOP", "1")).run(resume=True)
+
+
+# Below scenarios: integrate with a sink, and resume.
+
+
+class Blocks:
+    """A sink, with what else a run gives out."""
+
+    def __init__(self):
+        self.t, self.q, self.g, self.events, self.checkpoints, self.kept = [], [], [], [], [], []
+
+    def __call__(self, t, states):
+        assert t.shape == states.shape and len(t) <= 1024
+        self.t.append(t)
+        self.q.append(np.asarray(states.q))
+        self.g.append(np.asarray(states.g))
+
+    def keep(self, checkpoint):
+        self.checkpoints.append(checkpoint)
+        self.kept.append((len(self.t), len(self.events)))
+
+    def table(self):
+        return np.column_stack([np.concatenate(x) for x in (self.t, self.q, self.g)])
+
+
+def problem(method):
+    term = polhode.LinearDamping([1e-3, 1e-3, 1e-3])
+    event = polhode.Event("half", lambda t, s: float(s.g[0]) - 0.1)
+    return polhode.Problem(
+        polhode.System(polhode.Body(1, 2, 2.5), polhode.Frame.inertial(), [term]),
+        polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1]), 0.0, 300.0, method, events=[event])
+
+
+@pytest.mark.parametrize("method", [
+    polhode.Adaptive(1e-9), polhode.Splitting(0.1), polhode.VariationOfConstants(1e-9)])
+def test_resume_goes_on_to_the_same_bits(method):
+    p, times = problem(method), np.linspace(0, 300, 6001)
+    straight = Blocks()
+    whole = polhode.integrate(p, times, sink=straight, events=straight.events.append,
+                              checkpoint=straight.keep, checkpoint_seconds=0)
+    kept = polhode.integrate(p, times)
+    assert len(whole.t) == 0
+    assert straight.table()[:, 0].tobytes() == np.asarray(kept.t).tobytes()
+    assert [e.t for e in straight.events] == [e.t for e in kept.events] != []
+    assert len(straight.checkpoints) > 5
+    for k in range(0, len(straight.checkpoints), 1 + len(straight.checkpoints) // 5):
+        rest = Blocks()
+        now = polhode.Checkpoint(straight.checkpoints[k].bytes)
+        assert now == straight.checkpoints[k] and 0 < now.t < 300
+        end = polhode.resume(p, times, now, rest, events=rest.events.append)
+        blocks, events = straight.kept[k]
+        before = sum(len(t) for t in straight.t[:blocks])
+        assert rest.table().tobytes() == straight.table()[before:].tobytes()
+        assert [e.t for e in rest.events] == [e.t for e in straight.events[events:]]
+        assert end.statistics.steps == whole.statistics.steps
+    with pytest.raises(ValueError, match="method differs"):
+        polhode.resume(problem(polhode.Splitting(0.2)), times, now, Blocks())
+    with pytest.raises(ValueError, match="damaged|no checkpoint|too early"):
+        polhode.Checkpoint(now.bytes[:-1])
+
+
+def test_progress_of_integrate():
+    told = []
+    polhode.integrate(problem(polhode.Splitting(0.001)), [300.0], dense=False,
+                      progress=told.append)
+    assert told == sorted(told) and (not told or 0 < told[0] < 300)
+
+    def stop(t):
+        raise Stop(t)
+
+    with pytest.raises(Stop):
+        polhode.integrate(problem(polhode.Splitting(1e-5)), [300.0], dense=False, progress=stop)
+    with pytest.raises(TypeError, match="progress: expected a function"):
+        polhode.integrate(problem(polhode.Splitting(1)), [300.0], progress=3)
+    with pytest.raises(TypeError, match="go with a sink"):
+        polhode.integrate(problem(polhode.Splitting(1)), [300.0], checkpoint=print)

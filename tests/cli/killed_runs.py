@@ -42,9 +42,10 @@ def straight_run(polhode, scenario, folder):
 
 def killed_run(polhode, scenario, folder, kills, seed, seconds):
     """Kills the run at `kills` random moments, each at most `seconds` after its start, continuing
-    it after each; then lets it end. What each start said on standard error."""
+    it after each; then lets it end. What each start said on standard error, and how many of them
+    were really killed, not complete before."""
     draw = random.Random(seed)
-    said = []
+    said, killed = [], 0
     for number in range(kills + 1):
         process = subprocess.Popen(
             command(polhode, scenario, folder, "--resume", "--checkpoint", "0"),
@@ -55,9 +56,10 @@ def killed_run(polhode, scenario, folder, kills, seed, seconds):
             except subprocess.TimeoutExpired:
                 process.send_signal(signal.SIGKILL)
         said.append(process.communicate()[1])
+        killed += process.returncode == -signal.SIGKILL
         if process.returncode not in (0, -signal.SIGKILL):
             raise AssertionError(f"kill {number}: {process.returncode}: {said[-1]}")
-    return said
+    return said, killed
 
 
 def differences(a: pathlib.Path, b: pathlib.Path):

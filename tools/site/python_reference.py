@@ -125,7 +125,7 @@ osculate: [frames and osculation](../../guide/frames-and-osculation.md).
 [`integrate`][polhode.integrate] follows a system from a state; [which
 propagator?](../../guide/which-propagator.md) helps to choose a method.
 """, {
-        "Problem": "Problem integrate state_transitions",
+        "Problem": "Problem integrate resume Checkpoint state_transitions",
         "Methods": "Adaptive Precision Splitting SplittingScheme VariationOfConstants",
         "When": "SaveAt Event Crossing",
         "What a run leaves": "Trajectory EventRecord Outcome Statistics TransitionSamples",
