@@ -440,6 +440,6 @@ inline constexpr double apophis_after = 2e-3;
 // --- orbit files (python/tests/test_oem.py) ---
 // s: times of the package oem, whose dates are doubles.
 inline constexpr double oem_times = 1e-6;
-// Between rows 60 s apart, of a satellite.
-inline constexpr double oem_orbit = 1e-10;
+// Attitude after a revolution along a table of rows 60 s apart, against elements.
+inline constexpr double oem_run = 1e-8;
 }  // namespace polhode::budget

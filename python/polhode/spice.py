@@ -65,9 +65,8 @@ def write_ck(
     for needed in (attitude, "omega"):
         if needed not in groups:
             raise ValueError(f"write_ck: the results have no columns {needed!r}: with_columns")
-    unit = results.units["t"]
-    seconds = polhode.Units("s").to_core(1.0, unit, polhode.Dimension.time)
-    rate = polhode.Units("s").to_core(1.0, results.units["w1"], polhode.Dimension.rate)
+    seconds = polhode.Units("s").to_core(1.0, "time", results.units["t"])
+    rate = polhode.Units("s").to_core(1.0, "rate", results.units["w1"])
     return write_ck_rows(
         ephemeris_time(scenario.epoch, seconds * results.t), groups[attitude],
         rate * groups["omega"], path, structure=structure, frame=frame,
@@ -130,7 +129,7 @@ def write_ck_rows(
     if not (np.diff(times) > 0).all():
         raise ValueError("write_ck: the times of a CK rise from row to row")
     quaternions /= np.linalg.norm(quaternions, axis=1)[:, None]
-    start = np.floor(times[0])
+    start = float(np.floor(times[0]))
     ticks = (times - start) * _TICKS
     # C-matrix of SPICE: components along `reference` to those along the body axes
     matrices = quaternions * [1.0, -1.0, -1.0, -1.0]

@@ -108,25 +108,67 @@ step = 10
     return path
 
 
-def test_the_orbit_of_a_scenario(path, tmp_path):
-    """t = 0 is 40 min after the first row; the second segment holds all of the run."""
-    [term] = polhode.load(scenario(tmp_path)).system.terms
-    for t in (0.0, 12.3, 99.9):
-        assert_allclose(term.orbit.position(t), position(2400.0 + 60.0 * t), rtol=budgets.oem_orbit)
+KEPLER = f"""gm = "{GM} km3/s2"
+pericentre = 7000.0
+eccentricity = 0.1
+inclination = 1.0
+node = 0.3
+pericentre_argument = 2.0
+epoch = -40
+"""
 
 
-def test_the_ecliptic_and_another_time_scale(path, tmp_path):
-    ecliptic = polhode.load(scenario(tmp_path, axes="ecliptic-J2000")).system.terms[0].orbit
-    angle = np.radians(84381.448 / 3600)
-    x, y, z = position(2400.0)
-    turned = [x, np.cos(angle) * y + np.sin(angle) * z, np.cos(angle) * z - np.sin(angle) * y]
-    assert_allclose(ecliptic.position(0.0), turned, rtol=budgets.oem_orbit)
-    # TT = TAI + 32.184 s, exactly; TDB is within 2 ms of TT
-    file = tmp_path / "tai.oem"
-    file.write_text(TWO.replace("= TDB", "= TAI"), encoding="ascii")
-    tt = "2029-04-11T22:26:32.184 TT"
-    orbit = polhode.load(scenario(tmp_path, "tai.oem", epoch=tt)).system.terms[0].orbit
-    assert_allclose(orbit.position(0.0), position(2400.0), rtol=budgets.oem_orbit)
+def last_attitude(path):
+    run = polhode.load(path).run()
+    return run.groups["q"][-1]
+
+
+def same_attitude(q, p):
+    assert_allclose(q * np.sign(q @ p), p, atol=budgets.oem_run)
+
+
+@pytest.fixture
+def by_elements(tmp_path):
+    """The attitude after a run with the orbit as elements; the message begins 40 min before."""
+    path = scenario(tmp_path)
+    text = path.read_text(encoding="utf-8")
+    head, tail = text.split('kind = "table"\n')
+    rest = tail.split("[[perturbation]]")[1]
+    path.write_text(f"{head}{KEPLER}[[perturbation]]{rest}", encoding="utf-8")
+    q = last_attitude(path)
+    path.write_text(path.read_text(encoding="utf-8").replace("epoch = -40", "epoch = -41"),
+                    encoding="utf-8")
+    # a minute along the orbit shows
+    assert np.abs(last_attitude(path) - q).max() > 100 * budgets.oem_run
+    return q
+
+
+def test_the_orbit_of_a_scenario(path, tmp_path, by_elements):
+    same_attitude(last_attitude(scenario(tmp_path)), by_elements)
+
+
+def test_the_ecliptic(path, tmp_path, by_elements):
+    """The same motion in other axes: all of it turned about axis 1."""
+    half = np.radians(84381.448 / 3600) / 2
+    c, s = float(np.cos(half)), float(np.sin(half))
+    file = scenario(tmp_path, axes="ecliptic-J2000")
+    text = file.read_text(encoding="utf-8").replace("[1, 0, 0, 0]", f"[{c!r}, {-s!r}, 0, 0]")
+    file.write_text(text, encoding="utf-8")
+    w, x, y, z = by_elements
+    same_attitude(last_attitude(file), np.array([c * w + s * x, c * x - s * w, c * y + s * z,
+                                                 c * z - s * y]))
+
+
+@pytest.mark.parametrize("system, epoch", [
+    ("TAI", "2029-04-11T22:26:32.184 TT"),  # TT = TAI + 32.184 s
+    ("GPS", "2029-04-11T22:26:51.184 TT"),  # TAI = GPS + 19 s
+    ("UTC", "2029-04-11T22:27:09.184 TT"),  # TAI = UTC + 37 s
+    ("TT", "JD 2462238.434722222222 TT"),
+])
+def test_another_time_scale(path, tmp_path, by_elements, system, epoch):
+    file = tmp_path / "other.oem"
+    file.write_text(TWO.replace("= TDB", f"= {system}"), encoding="ascii")
+    same_attitude(last_attitude(scenario(tmp_path, "other.oem", epoch=epoch)), by_elements)
 
 
 @pytest.mark.parametrize("options, message", [
@@ -147,7 +189,7 @@ def test_what_does_not_fit_the_run(path, tmp_path, options, message):
     ("TIME_SYSTEM = TDB", "TIME_SYSTEM = UT1", 12, "TIME_SYSTEM: got"),
     (date(60), date(0), 15, "not later than"),
     (date(60), "soon", 15, "expected a date such as"),
-    ("COVARIANCE_STOP\n", "", 202, "ends before COVARIANCE_STOP"),
+    ("COVARIANCE_STOP\n", "", 183, "ends before COVARIANCE_STOP"),
 ])
 def test_what_is_wrong_in_a_file_is_told_with_its_line(path, old, new, line, message):
     assert old in TWO
