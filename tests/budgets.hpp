@@ -436,4 +436,10 @@ inline constexpr double apophis_scipy = 1e-9;
 inline constexpr double apophis_oracle = 1e-12;
 // Relative change of the periods from 48 h to 192 h after the closest approach.
 inline constexpr double apophis_after = 2e-3;
+
+// --- orbit files (python/tests/test_oem.py) ---
+// s: times of the package oem, whose dates are doubles.
+inline constexpr double oem_times = 1e-6;
+// Attitude after a revolution along a table of rows 60 s apart, against elements.
+inline constexpr double oem_run = 1e-8;
 }  // namespace polhode::budget

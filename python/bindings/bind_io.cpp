@@ -74,6 +74,7 @@ void bind_io(nb::module_& m) {
   bind_units(m);
   bind_golden(m);
   bind_aem(m);
+  bind_oem(m);
   nb::class_<Scenario> c(m, "_Scenario");
   c.def_static("from_text",
                [](const nb::bytes& text, const std::string& name) {

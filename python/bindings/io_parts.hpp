@@ -18,6 +18,8 @@ void bind_units(nb::module_& m);
 void bind_golden(nb::module_& m);
 // AttitudeEphemeris, AemSegment, read_aem.
 void bind_aem(nb::module_& m);
+// OrbitEphemeris, OemSegment, read_oem.
+void bind_oem(nb::module_& m);
 
 // Methods run, write and states_of of _Scenario, and what run returns.
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);

@@ -298,6 +298,7 @@ void AemSink::finish() {
 }  // namespace
 
 AemOptions aem_options_of(const Values& values, const std::string& name) {
+  if (!there(values, "output.aem")) return {};
   const std::string path = "output.aem.";
   const auto text = [&](const char* key) {
     require_ascii(values, path + key, name);

@@ -131,15 +131,20 @@ CivilTime time_of_epoch(std::string_view epoch) {
   std::string_view text = epoch.substr(0, epoch.rfind(' '));
   const bool utc = scale_of_epoch(epoch) == "UTC";
   if (text.starts_with("JD ")) {
-    double date = 0.0;
     text.remove_prefix(3);
-    std::from_chars(text.data(), text.data() + text.size(), date);
-    const double days = date - julian_date_2000;
-    if (!(std::fabs(days) < furthest_day)) throw DomainError("a date far from our time");
-    const double day = std::floor(days);
-    return normalized_time(static_cast<std::int64_t>(day),
-                           std::llround((days - day) * static_cast<double>(nano_per_day)),
-                           nano_per_day);
+    // days and their fraction apart: together a double would hold them to 40 us
+    const std::size_t point = std::min(text.find('.'), text.size());
+    double whole = 0.0, part = 0.0;
+    std::from_chars(text.data(), text.data() + point, whole);
+    std::from_chars(text.data() + point, text.data() + text.size(), part);
+    if (text.find_first_not_of("0123456789.") != std::string_view::npos)  // -1.5e3
+      std::from_chars(text.data(), text.data() + text.size(), whole), part = 0.0;
+    if (!(std::fabs(whole - julian_date_2000) < furthest_day))
+      throw DomainError("a date far from our time");
+    const double days = std::floor(whole - julian_date_2000);
+    const double rest = (whole - julian_date_2000 - days) + part;
+    return normalized_time(static_cast<std::int64_t>(days),
+                           std::llround(rest * static_cast<double>(nano_per_day)), nano_per_day);
   }
   const std::optional<std::int64_t> day = taken_day(text);
   std::optional<std::int64_t> nano = 0;

@@ -127,6 +127,11 @@ ScenarioOrbit table_orbit(const OrbitPlace& at) {
                         ? static_cast<int>(std::clamp<std::int64_t>(
                               value_at(at.values(), at.key("order")).whole, 1, 99))
                         : 0;
+  if (path.ends_with(".oem")) {
+    const TableOrbit orbit = oem_orbit(at, path, order);
+    require_cover(at, "file", orbit);
+    return {std::string(key_name(at.path)), orbit, own_gm(at)};
+  }
   const TableOrbit orbit = built(at.values(), key, at.name(), [&] {
     const NumberTable file = read_number_table(path, columns_of(at, path), time_reader(at));
     require_rising(file, 0, "time");

@@ -155,8 +155,8 @@ constexpr Key keys[] = {
      .type = text,
      .presence = required,
      .example = "\"moon.csv.gz\"",
-     .help = "A table of positions, CSV or separated by blanks, .gz or not; the path is from the "
-             "folder of this file.",
+     .help = "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit "
+             "Ephemeris Message (.oem); the path is from the folder of this file.",
      .kinds = of_table},
     {.path = "orbit.*.columns",
      .type = columns,

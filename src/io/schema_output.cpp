@@ -20,7 +20,6 @@ constexpr Key keys[] = {
      .example = "[\"q\", \"omega\", \"andoyer\"]",
      .help = "Groups of columns after t. A column that two groups share is written once."},
     {.path = "output.aem",
-     .fallback = "{}",
      .help = "What a CCSDS Attitude Ephemeris Message, --out PATH.aem, says and how. It needs "
              "state.epoch and the columns q (q_inertial where the frame moves)."},
     {.path = "output.aem.form",

@@ -228,8 +228,10 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
   }
   std::string_view kind;
   for (const Key* key : keys_of(schema, path)) {
+    // [output.aem] names an object: what is not the user's own must not slip into their files
     const bool table_line =
-        key->type == KeyType::table && (table == nullptr || is_motion(path) || path == state_table);
+        key->type == KeyType::table &&
+        (table == nullptr || is_motion(path) || path == state_table || path == "output");
     if (table_line || !belongs(*key, kind)) continue;
     std::string value = example_value(schema, *key);
     if (is_motion(path) && key_name(key->path) == "kind") {

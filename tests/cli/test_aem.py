@@ -3,6 +3,7 @@
 
 import math
 import re
+import subprocess
 
 import budgets
 import numpy
@@ -181,6 +182,27 @@ def test_utc_has_its_leap_second(run, table, files):
                                           "23:59:60.000", "00:00:14.000"]
     names, rows = table(run("convert", "--from", "aem", "--to", "csv", path).stdout)
     assert [row[0] for row in rows] == [0, 15, 30, 45, 60]
+
+
+def test_a_run_that_was_killed_leaves_the_file_of_the_straight_one(run, polhode, tmp_path):
+    torque = '[[perturbation]]\nkind = "damping"\ncoefficients = [1e-9, 1e-9, 1e-9]\n'
+    scenario = tmp_path / "a.toml"
+    scenario.write_text(text('form = "quaternion-rate"', stop=6000, step=0.1, more=torque),
+                        encoding="utf-8")
+    assert run("run", scenario, "--out", tmp_path / "s.aem").returncode == 0
+    resumed = ["run", scenario, "--out", tmp_path / "k.aem", "--resume"]
+    kills = 0
+    for seconds in (0.1, 0.4, 1.0):
+        process = subprocess.Popen([polhode, *resumed, "--checkpoint", "0"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            kills += 1
+        process.wait()
+    assert run(*resumed).returncode == 0 and kills >= 1
+    assert (tmp_path / "k.aem").read_bytes() == (tmp_path / "s.aem").read_bytes()
 
 
 def test_equal_runs_give_equal_files_and_the_origin_is_told(files):

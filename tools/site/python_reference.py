@@ -126,6 +126,7 @@ names of the [columns](../files.md).
         "Scenario": "load Scenario Summary Citation",
         "Results": "Results",
         "Attitude files": "read_aem AttitudeEphemeris AemSegment",
+        "Orbit files": "read_oem OrbitEphemeris OemSegment",
         "Terms of a run": "HarmonicFit harmonic_fit",
         "Units": "Units Dimension known_units",
     }),
@@ -138,15 +139,20 @@ names of the [columns](../files.md).
             "poincare_section energy_error",
         "What they draw, and from where": "RunData OblatePlanet BodyPicture View",
     }, "polhode.figures"),
+    Page("spice", "SPICE", """\
+`import polhode.spice`; it needs spiceypy ([attitude files](../../guide/attitude-files.md)).
+""", {
+        "C-kernels": "write_ck write_ck_rows Kernels ephemeris_time",
+    }, "polhode.spice"),
 ]
 
 
 def public_names(root: pathlib.Path) -> dict[str, dict[str, str]]:
-    """Of the package and of its figures: name -> the module that defines it."""
+    """Of the package, its figures and SPICE files: name -> the module that defines it."""
     path = root / os.environ.get("POLHODE_PYTHON", "build/release/python")
     code = ("import importlib, json, inspect\n"
             "found = {}\n"
-            "for name in ('polhode', 'polhode.figures'):\n"
+            "for name in ('polhode', 'polhode.figures', 'polhode.spice'):\n"
             "    module = importlib.import_module(name)\n"
             "    things = {n: getattr(module, n) for n in module.__all__}\n"
             "    found[name] = {n: getattr(thing, '__module__', name)\n"

@@ -40,6 +40,8 @@ ScenarioOrbit kepler_orbit(const OrbitPlace& at);
 ScenarioOrbit state_orbit(const OrbitPlace& at);
 ScenarioOrbit table_orbit(const OrbitPlace& at);
 ScenarioOrbit ephemeris_orbit(const OrbitPlace& at);
+// The table in an Orbit Ephemeris Message, in core units and the axes of the state.
+TableOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order);
 
 }  // namespace detail
 }  // namespace v0

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: MIT
+"""Attitudes of a run as SPICE C-kernels; needs spiceypy (`pip install polhode[spice]`)."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+import polhode
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["Kernels", "ephemeris_time", "write_ck", "write_ck_rows"]
+
+_TICKS = 1_000_000  # of the clock, per second
+_COUNTS = 4_294_967_296  # s until the clock ends: 136 years
+_REFERENCES = {"equator-J2000": "J2000", "ecliptic-J2000": "ECLIPJ2000"}
+_SCALES = {"TT": "TDT", "TAI": "TAI"}
+
+
+class Kernels(NamedTuple):
+    """The files that belong together: furnish all three."""
+
+    ck: str
+    sclk: str
+    fk: str
+
+
+def write_ck(
+    results: polhode.Results,
+    path: str | os.PathLike[str],
+    *,
+    structure: int = -999000,
+    frame: str = "POLHODE_BODY",
+    reference: str | None = None,
+) -> Kernels:
+    """The attitudes and angular velocities of a run as a CK of type 3, with its clock and frame.
+
+    PATH.bc is written as PATH.bc.part and renamed when it is complete; beside it PATH.tsc, a clock
+    of a microsecond per tick that runs with TDB, and PATH.tf, which names the frame. SPICE turns
+    linearly between the rows: take them close enough.
+
+    Parameters
+    ----------
+    results : with the columns q (q_inertial in a moving frame) and omega, and an epoch.
+    path : ends with .bc.
+    structure : the id of the CK, negative; the clock is structure // 1000.
+    frame : the name of the body axes.
+    reference : the SPICE frame of the state's axes; left out, J2000 or ECLIPJ2000.
+
+    An epoch in UTC, TAI or TT needs a leap-second kernel that the caller has furnished; one in TDB
+    needs none. ValueError for what is missing; what SPICE refuses is its own error.
+    """
+    scenario = results.scenario
+    if scenario.axes not in _REFERENCES and reference is None:
+        raise ValueError(
+            f"write_ck: axes are {scenario.axes!r}; expected reference, the SPICE frame they are"
+        )
+    groups = results.groups
+    attitude = "q" if scenario.system.frame.is_inertial else "q_inertial"
+    for needed in (attitude, "omega"):
+        if needed not in groups:
+            raise ValueError(f"write_ck: the results have no columns {needed!r}: with_columns")
+    seconds = polhode.Units("s").to_core(1.0, "time", results.units["t"])
+    rate = polhode.Units("s").to_core(1.0, "rate", results.units["w1"])
+    return write_ck_rows(
+        ephemeris_time(scenario.epoch, seconds * results.t), groups[attitude],
+        rate * groups["omega"], path, structure=structure, frame=frame,
+        reference=reference or _REFERENCES[scenario.axes],
+        comments=[f"polhode {polhode.__version__}", scenario.title,
+                  f"scenario: {scenario.name}", *scenario.text.splitlines()],
+    )
+
+
+def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
+    """Seconds past J2000 (TDB), as SPICE counts time, of `seconds` after an epoch of a scenario."""
+    import spiceypy
+
+    date, _, scale = epoch.rpartition(" ")
+    after = np.asarray(seconds, dtype=float)
+    if scale == "TDB":
+        return _past_J2000(date) + after
+    if scale == "UTC":
+        if date.startswith("JD "):
+            raise ValueError(f"got the epoch {epoch!r}; expected a calendar date for UTC")
+        start = spiceypy.unitim(spiceypy.str2et(date), "ET", "TDT")
+        scale = "TT"
+    elif scale in _SCALES:
+        start = _past_J2000(date)
+    else:
+        raise ValueError(f"got the epoch {epoch!r}; expected one in UTC, TAI, TT or TDB")
+    return np.array([spiceypy.unitim(x, _SCALES[scale], "ET") for x in start + after.ravel()])
+
+
+def write_ck_rows(
+    et: ArrayLike,
+    q: ArrayLike,
+    omega: ArrayLike,
+    path: str | os.PathLike[str],
+    *,
+    structure: int,
+    frame: str,
+    reference: str,
+    comments: list[str] | None = None,
+) -> Kernels:
+    """The same for rows from anywhere.
+
+    Parameters
+    ----------
+    et : (N,), rising; s past J2000 in TDB.
+    q : (N, 4), scalar first: body axes to `reference`.
+    omega : (N, 3), rad/s relative to `reference`, along the body axes.
+    """
+    import spiceypy
+
+    ck = pathlib.Path(os.fspath(path))
+    if ck.suffix != ".bc":
+        raise ValueError(f"write_ck: got {str(ck)!r}; expected a path that ends with .bc")
+    if not structure < -999:
+        raise ValueError(f"write_ck: structure: got {structure}; expected an id below -999")
+    times, quaternions, rates = (np.array(x, dtype=float, order="C") for x in (et, q, omega))
+    n = len(times)
+    if quaternions.shape != (n, 4) or rates.shape != (n, 3) or n == 0:
+        raise ValueError("write_ck: expected et (N,), q (N, 4) and omega (N, 3), N > 0")
+    if not (np.diff(times) > 0).all():
+        raise ValueError("write_ck: the times of a CK rise from row to row")
+    quaternions /= np.linalg.norm(quaternions, axis=1)[:, None]
+    start = float(np.floor(times[0]))
+    ticks = (times - start) * _TICKS
+    # C-matrix of SPICE: components along `reference` to those along the body axes
+    matrices = quaternions * [1.0, -1.0, -1.0, -1.0]
+    rates = _turned(quaternions, rates)
+    clock = structure // 1000 if structure % 1000 == 0 else -(-structure // 1000)
+    kernels = Kernels(str(ck), str(ck.with_suffix(".tsc")), str(ck.with_suffix(".tf")))
+    _write_text(kernels.sclk, _clock_text(-clock, start))
+    _write_text(kernels.fk, _frame_text(frame, structure, clock))
+    part = str(ck) + ".part"
+    pathlib.Path(part).unlink(missing_ok=True)
+    handle = spiceypy.ckopn(part, "polhode", 0)
+    try:
+        spiceypy.ckw03(
+            handle, ticks[0], ticks[-1], structure, reference, True, "polhode", n, ticks,
+            matrices, rates, 1, ticks[:1],
+        )
+        # lines of a comment area have at most 1000 printable ASCII characters
+        lines = [line.encode("ascii", "replace").decode()[:900] for line in comments or []]
+        spiceypy.dafac(handle, [line if line.strip() else " " for line in lines or [" "]])
+    finally:
+        spiceypy.ckcls(handle)
+    os.replace(part, kernels.ck)
+    return kernels
+
+
+def _past_J2000(date: str) -> float:
+    """Seconds from J2000 of a date in a scale with days of 86400 s."""
+    if date.startswith("JD "):
+        return (float(date[3:]) - 2451545.0) * 86400.0
+    whole, _, fraction = date.replace(" ", "T").partition(".")
+    days = np.datetime64(whole, "s") - np.datetime64("2000-01-01T12:00:00", "s")
+    return float(days.astype(np.int64)) + (float("0." + fraction) if fraction else 0.0)
+
+
+def _turned(q: Any, v: Any) -> Any:
+    """q v q* of rows."""
+    w, u = q[:, :1], q[:, 1:]
+    t = 2.0 * np.cross(u, v)
+    return v + w * t + np.cross(u, t)
+
+
+def _write_text(path: str, text: str) -> None:
+    part = path + ".part"
+    pathlib.Path(part).write_text(text, encoding="ascii")
+    os.replace(part, path)
+
+
+def _clock_text(clock: int, start: float) -> str:
+    return f"""KPL/SCLK
+
+The clock of a CK written by polhode: {_TICKS} ticks per second of TDB, from {start!r} s past J2000.
+
+\\begindata
+
+SCLK_KERNEL_ID             = ( @2000-01-01 )
+SCLK_DATA_TYPE_{clock}        = ( 1 )
+SCLK01_TIME_SYSTEM_{clock}    = ( 1 )
+SCLK01_N_FIELDS_{clock}       = ( 2 )
+SCLK01_MODULI_{clock}         = ( {_COUNTS} {_TICKS} )
+SCLK01_OFFSETS_{clock}        = ( 0 0 )
+SCLK01_OUTPUT_DELIM_{clock}   = ( 1 )
+SCLK_PARTITION_START_{clock}  = ( 0.0 )
+SCLK_PARTITION_END_{clock}    = ( {float(_COUNTS * _TICKS)!r} )
+SCLK01_COEFFICIENTS_{clock}   = ( 0.0 {start!r} 1.0 )
+
+\\begintext
+"""
+
+
+def _frame_text(frame: str, structure: int, clock: int) -> str:
+    return f"""KPL/FK
+
+The body axes of a CK written by polhode.
+
+\\begindata
+
+FRAME_{frame} = {structure}
+FRAME_{structure}_NAME = '{frame}'
+FRAME_{structure}_CLASS = 3
+FRAME_{structure}_CLASS_ID = {structure}
+FRAME_{structure}_CENTER = {clock}
+CK_{structure}_SCLK = {clock}
+CK_{structure}_SPK = {clock}
+
+\\begintext
+"""

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""polhode.spice.write_ck: what SPICE reads back, and through it an independent account of the
+direction of the rotation and of the axes of the angular velocity."""
+
+import budgets
+import numpy as np
+import polhode
+import polhode.spice
+import pytest
+import spiceypy
+from closeness import assert_allclose
+from scenario_texts import ROOT
+from scipy.spatial.transform import Rotation
+
+TEXT = (ROOT / "examples/apophis-2029.toml").read_text(encoding="utf-8")
+LSK = """KPL/LSK
+\\begindata
+DELTET/DELTA_T_A = 32.184
+DELTET/K         = 1.657D-3
+DELTET/EB        = 1.671D-2
+DELTET/M         = ( 6.239996D0 1.99096871D-7 )
+DELTET/DELTA_AT  = ( 36, @2015-JUL-1
+                     37, @2017-JAN-1 )
+\\begintext
+"""
+
+
+@pytest.fixture(autouse=True)
+def no_kernels():
+    spiceypy.kclear()
+    yield
+    spiceypy.kclear()
+
+
+@pytest.fixture(scope="module")
+def results():
+    return polhode.Scenario.from_text(TEXT).run()
+
+
+def matrices(results):
+    """Body to inertial."""
+    return Rotation.from_quat(results.groups["q"][:, [1, 2, 3, 0]]).as_matrix()
+
+
+def test_spice_reads_the_attitudes_and_rates(results, tmp_path):
+    kernels = polhode.spice.write_ck(results, tmp_path / "a.bc", structure=-99942000)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.bc", "a.tf", "a.tsc"]
+    spiceypy.furnsh(list(kernels))
+    et = polhode.spice.ephemeris_time(results.scenario.epoch, 3600 * results.t)
+    omega = np.radians(results.groups["omega"]) / 3600  # rad/s along the body axes
+    body_to_inertial = matrices(results)
+    for k in range(0, len(et), 30):
+        ticks = spiceypy.sce2c(-99942, et[k])
+        C, rate, _ = spiceypy.ckgpav(-99942000, ticks, 0.0, "ECLIPJ2000")
+        assert_allclose(C, body_to_inertial[k].T, atol=budgets.numpy_formula)
+        # SPICE has it in the reference frame
+        assert_allclose(rate, body_to_inertial[k] @ omega[k], rtol=budgets.numpy_formula)
+        assert_allclose(spiceypy.pxform("POLHODE_BODY", "ECLIPJ2000", et[k]), body_to_inertial[k],
+                        atol=budgets.numpy_formula)
+
+
+def test_a_vector_of_the_body_goes_where_it_should(results, tmp_path):
+    """Into the equator of J2000 by SPICE's own frames: the pole, (250, -75) deg on the ecliptic."""
+    kernels = polhode.spice.write_ck(
+        polhode.Scenario.from_text(TEXT).with_columns(["q", "omega", "g"]).run(), tmp_path / "a.bc"
+    )
+    spiceypy.furnsh(list(kernels))
+    g = results.scenario.initial_state.g
+    et = polhode.spice.ephemeris_time(results.scenario.epoch, [0.0])[0]
+    towards = spiceypy.pxform("POLHODE_BODY", "J2000", et) @ np.array(g)
+    longitude, latitude = np.radians([250, -75])
+    ecliptic = [np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude),
+                np.sin(latitude)]
+    turn = Rotation.from_euler("x", 84381.448 / 3600, degrees=True)
+    assert_allclose(towards / np.linalg.norm(towards), turn.apply(ecliptic),
+                    atol=budgets.numpy_formula)
+
+
+def test_time_scales_are_those_of_spice(tmp_path):
+    lsk = tmp_path / "lsk.tls"
+    lsk.write_text(LSK, encoding="ascii")
+    spiceypy.furnsh(str(lsk))
+    utc = polhode.spice.ephemeris_time("2029-04-13T21:46:00 UTC", [0.0, 60.0])
+    assert_allclose(utc[0], spiceypy.str2et("2029-04-13T21:46:00"), rtol=budgets.numpy_rounding)
+    tt = polhode.spice.ephemeris_time("2029-04-13T21:47:09.184 TT", [0.0, 60.0])
+    tai = polhode.spice.ephemeris_time("2029-04-13T21:46:37 TAI", [0.0, 60.0])
+    tdb = polhode.spice.ephemeris_time("JD 2451545.0 TDB", [0.0, 60.0])
+    assert_allclose(tt, utc, rtol=budgets.numpy_rounding)
+    assert_allclose(tai, utc, rtol=budgets.numpy_rounding)
+    assert list(tdb) == [0.0, 60.0]
+
+
+def test_an_epoch_in_utc_needs_leap_seconds(tmp_path):
+    scenario = polhode.Scenario.from_text(TEXT.replace("TDB\"", "UTC\""))
+    with pytest.raises(spiceypy.utils.exceptions.SpiceyError):
+        polhode.spice.write_ck(scenario.run(), tmp_path / "a.bc")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_file_of_that_name_stays_until_the_new_one_is_complete(results, tmp_path):
+    path = tmp_path / "a.bc"
+    path.write_bytes(b"before")
+    with pytest.raises(spiceypy.utils.exceptions.SpiceyError):
+        polhode.spice.write_ck(results, path, reference="NOWHERE")
+    assert path.read_bytes() == b"before"
+    polhode.spice.write_ck(results, path)
+    polhode.spice.write_ck(results, path)  # over its own
+    assert path.read_bytes().startswith(b"DAF/CK")
+
+
+@pytest.mark.parametrize("change, message", [
+    ({"path": "a.csv"}, "ends with .bc"),
+    ({"structure": 5}, "below -999"),
+    ({"columns": ["q"]}, "no columns 'omega'"),
+    ({"axes": "inertial"}, "expected reference"),
+])
+def test_what_is_missing_is_told(change, message, tmp_path):
+    text = TEXT.replace('"ecliptic-J2000"', f'"{change.get("axes", "ecliptic-J2000")}"')
+    scenario = polhode.Scenario.from_text(text)
+    scenario = scenario.with_columns(change.get("columns", ["q", "omega"]))
+    with pytest.raises(ValueError, match=message):
+        polhode.spice.write_ck(scenario.run(), tmp_path / change.get("path", "a.bc"),
+                               structure=change.get("structure", -99942000))

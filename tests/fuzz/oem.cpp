@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Any bytes are an Orbit Ephemeris Message with finite states at rising times, or one DomainError:
+// never a crash.
+#include "polhode/io/oem.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "polhode/error.hpp"
+
+namespace {
+
+void require(bool good) {
+  if (!good) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace polhode;
+  try {
+    const OrbitEphemeris read = oem_from_text({reinterpret_cast<const char*>(data), size}, "fuzz");
+    require(!read.segments.empty());
+    for (const OemSegment& s : read.segments) {
+      require(!s.t.empty() && s.position.size() == s.t.size() && s.velocity.size() == s.t.size());
+      for (std::size_t k = 0; k < s.t.size(); ++k)
+        require(std::isfinite(s.t[k]) && std::isfinite(s.position[k].x) &&
+                (k == 0 || s.t[k] >= s.t[k - 1]));
+    }
+  } catch (const DomainError& error) {
+    const std::string_view message = error.what();
+    require(message.starts_with("fuzz:") && message.find('\n') == std::string_view::npos);
+  }
+  return 0;
+}
