@@ -28,7 +28,7 @@ Date date_of(std::string_view scale, const CivilTime& time) {
   const CalendarTime at{
       part(0, 4),  part(5, 2),  part(8, 2),
       part(11, 2), part(14, 2), part(17, 2) + static_cast<double>(time.nano % second) / second};
-  return date(scale == "GPS" ? TimeScale::TAI : *time_scale(scale), at);
+  return calendar_date(scale == "GPS" ? TimeScale::TAI : *time_scale(scale), at);
 }
 
 // Seconds from the state's epoch to the first row.
@@ -49,7 +49,8 @@ bool is_equatorial(const std::string& frame) {
 }
 
 void require_keys(const OrbitPlace& at) {
-  for (const char* own : {"columns", "time_unit", "length_unit", "velocity_unit", "axes"})
+  for (const char* own : {"columns", "time_format", "time_scale", "time_unit", "length_unit",
+                          "velocity_unit", "axes"})
     if (given(at.values(), at.key(own)))
       refuse(at.values(), at.key(own), at.name(), "an OEM says this itself; expected none");
   if (!there(at.values(), "state.epoch"))
