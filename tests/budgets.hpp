@@ -347,13 +347,14 @@ inline constexpr double ephemeris_table = 5e-12;  // of the distance
 
 // --- orbits and the Earth from Python (python/tests/test_ephemeris.py, test_satellites.py) ---
 inline constexpr double python_table = 1e-13;
-inline constexpr double python_table_slope = 2e-11;
+inline constexpr double python_table_slope = 2e-10;
 inline constexpr double published_precession = 1e-3;
 inline constexpr double published_nutation = 2e-3;
 // The averaged torque to first order leaves out evection and variation of the Moon.
 inline constexpr double averaged_precession = 5e-3;
 inline constexpr double sgp4_km = 2e-8;  // its verification run prints 1e-8
 inline constexpr double sgp4_km_s = 2e-9;
+inline constexpr double sgp4_slope = 2e-3;  // km/s
 inline constexpr double teme_km = 5e-3;
 inline constexpr double tle_epoch = 1e-3;  // s, its last digit
 inline constexpr double omm_km = 1e-2;

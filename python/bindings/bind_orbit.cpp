@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kepler orbits, and Python functions that serve as orbits.
+// Kepler orbits, tables, and Python functions that serve as orbits.
 #include "batch.hpp"
 #include "dual_number.hpp"
 #include "orbit_value.hpp"
@@ -115,12 +115,13 @@ nb::object along(const O& orbit, nb::handle t) {
     return std::visit(
         [&](const auto& at) -> nb::object {
           using D = std::decay_t<decltype(at)>;
-          constexpr bool second = std::same_as<O, PrecessingKeplerOrbit> &&
+          constexpr bool second = !std::same_as<O, KeplerOrbit> &&
                                   (std::same_as<Of, Velocity> || is_dual<typename D::Scalar>);
           if constexpr (!second)
             return to_python(Of{}(orbit, at));
           else
-            throw nb::type_error("PrecessingKeplerOrbit: has no second derivative");
+            throw nb::type_error(
+                "this orbit has no second derivative: Dual times of first order alone");
         },
         nb::cast<const PythonDual&>(t).x);
   const Numbers times(t, "t");
@@ -133,7 +134,7 @@ std::string signature(const char* name) {
 }
 
 template <class O>
-void def_motion(nb::class_<O>& c) {
+void def_path(nb::class_<O>& c) {
   c.def(
        "position", [](const O& orbit, nb::handle t) { return along<Position>(orbit, t); },
        nb::arg("t"), nb::sig(signature("position").c_str()),
@@ -146,9 +147,14 @@ void def_motion(nb::class_<O>& c) {
       .def(
           "__call__", [](const O& orbit, nb::handle t) { return along<Position>(orbit, t); },
           nb::arg("t"), nb::sig(signature("__call__").c_str()),
-          "position(t): an orbit serves where a function of time does.")
-      .def_prop_ro(
-          "elements", [](const O& o) { return o.elements(); }, "At their epoch.")
+          "position(t): an orbit serves where a function of time does.");
+}
+
+template <class O>
+void def_motion(nb::class_<O>& c) {
+  def_path(c);
+  c.def_prop_ro(
+       "elements", [](const O& o) { return o.elements(); }, "At their epoch.")
       .def_prop_ro(
           "gm", [](const O& o) { return o.gm(); }, "Gravitational parameter.");
 }
@@ -216,6 +222,118 @@ elements: KeplerElements at their epoch; rates: SecularRates, as j2_rates gives 
   def_motion(c);
 }
 
+// Rows of three numbers.
+std::vector<Vec3> rows_of(nb::handle value, const char* name, std::size_t count) {
+  const Numbers rows(value, name, {3});
+  if (rows.shape() != Shape{count})
+    throw nb::value_error((std::string(name) + ": expected the shape (" + std::to_string(count) +
+                           ", 3), a row for each time")
+                              .c_str());
+  std::vector<Vec3> vectors;
+  for (std::size_t k = 0; k < count; ++k)
+    vectors.push_back({rows.at(k)[0], rows.at(k)[1], rows.at(k)[2]});
+  return vectors;
+}
+
+PositionTable table_of(nb::handle times, nb::handle positions, nb::handle velocities) {
+  const Numbers t(times, "times");
+  if (t.shape().size() != 1) throw nb::value_error("times: expected one dimension");
+  PositionTable table;
+  for (std::size_t k = 0; k < t.shape()[0]; ++k) table.times.push_back(t[k]);
+  table.positions = rows_of(positions, "positions", table.times.size());
+  if (!velocities.is_none())
+    table.velocities = rows_of(velocities, "velocities", table.times.size());
+  return table;
+}
+
+nb::object array_of_rows(const std::vector<Vec3>& rows) {
+  Result result({rows.size()}, {3});
+  for (std::size_t k = 0; k < rows.size(); ++k) put(result.at(k), rows[k]);
+  return result.take();
+}
+
+nb::tuple arguments_of(const TableOrbit& o) {
+  Result times({o.table().times.size()});
+  for (std::size_t k = 0; k < o.table().times.size(); ++k) put(times.at(k), o.table().times[k]);
+  const nb::object velocities =
+      o.has_velocities() ? array_of_rows(o.table().velocities) : nb::none();
+  return nb::make_tuple(times.take(), array_of_rows(o.table().positions), velocities, o.order());
+}
+
+void bind_table(nb::module_& m) {
+  using O = TableOrbit;
+  nb::class_<O> c(m, "TableOrbit", R"(A path through tabulated positions, of high order.
+
+Parameters
+----------
+times : (N,), rising, evenly spaced or not.
+positions : (N, 3).
+velocities : (N, 3), or None: with them the polynomials are Hermite's.
+order : even, up to 16; with velocities a multiple of 4, up to 32. 0 stands for 10 and 12.
+
+position(t) is NaN outside the table. ValueError for times that do not rise, numbers that are not
+finite, too few rows.)");
+  c.def(
+       "__init__",
+       [](O* self, nb::handle times, nb::handle positions, nb::handle velocities, int order) {
+         new (self) O(table_of(times, positions, velocities), order);
+       },
+       nb::arg("times"), nb::arg("positions"), nb::arg("velocities") = nb::none(),
+       nb::arg("order") = 0,
+       nb::sig("def __init__(self, times: numpy.typing.ArrayLike, positions: "
+               "numpy.typing.ArrayLike, velocities: numpy.typing.ArrayLike | None = None, order: "
+               "int = 0) -> None"))
+      .def_prop_ro("order", &O::order, "Of the interpolation: degree plus one.")
+      .def_prop_ro("first_time", &O::first_time, "Where the table begins.")
+      .def_prop_ro("last_time", &O::last_time, "Where it ends.")
+      .def_prop_ro("is_evenly_spaced", &O::is_evenly_spaced, "To the rounding of the times.")
+      .def_prop_ro("has_velocities", &O::has_velocities, "Whether it was made of them, too.")
+      .def_prop_ro(
+          "times", [](const O& o) { return nb::object(arguments_of(o)[0]); },
+          nb::for_getter(nb::sig("def times(self) -> numpy.typing.NDArray[numpy.float64]")), "(N,)")
+      .def_prop_ro(
+          "positions", [](const O& o) { return array_of_rows(o.table().positions); },
+          nb::for_getter(nb::sig("def positions(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N, 3)")
+      .def("__repr__",
+           [](const O& o) {
+             return "TableOrbit(" + std::to_string(o.table().times.size()) + " rows from " +
+                    number_text(o.first_time()) + " to " + number_text(o.last_time()) +
+                    ", order=" + std::to_string(o.order()) + ")";
+           })
+      .def("__copy__", [](const O& o) { return o; })
+      .def("__reduce__", [](nb::handle_t<O> self) {
+        return nb::make_tuple(nb::handle(self.type()), arguments_of(nb::cast<const O&>(self)));
+      });
+  def_path(c);
+}
+
+void bind_any(nb::module_& m) {
+  using O = AnyOrbit;
+  nb::class_<O>(m, "AnyOrbit", "An orbit of a scenario that none of the other classes is.")
+      .def_prop_ro("name", &O::name, "What stands for it in messages.")
+      .def(
+          "position",
+          [](const O& orbit, nb::handle t) {
+            return mapped_numbers(Numbers(t, "t"), {3},
+                                  [&](double at) { return orbit.position(at); });
+          },
+          nb::arg("t"),
+          nb::sig("def position(self, t: numpy.typing.ArrayLike) -> "
+                  "numpy.typing.NDArray[numpy.float64]"),
+          "(..., 3) at times t of any shape.")
+      .def(
+          "velocity",
+          [](const O& orbit, nb::handle t) {
+            return mapped_numbers(Numbers(t, "t"), {3},
+                                  [&](double at) { return orbit.velocity(at); });
+          },
+          nb::arg("t"),
+          nb::sig("def velocity(self, t: numpy.typing.ArrayLike) -> "
+                  "numpy.typing.NDArray[numpy.float64]"),
+          "(..., 3): the derivative of the position.");
+}
+
 }  // namespace
 
 Vec3 FunctionOrbit::position(double t) const {
@@ -233,6 +351,7 @@ AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
   if (nb::isinstance<KeplerOrbit>(orbit)) return nb::cast<const KeplerOrbit&>(orbit);
   if (nb::isinstance<PrecessingKeplerOrbit>(orbit))
     return nb::cast<const PrecessingKeplerOrbit&>(orbit);
+  if (nb::isinstance<TableOrbit>(orbit)) return nb::cast<const TableOrbit&>(orbit);
   functions.push_back(std::make_shared<PythonFunction>(orbit, label));
   return FunctionOrbit(functions.back());
 }
@@ -242,6 +361,9 @@ void bind_orbit(nb::module_& m) {
   bind_rates(m);
   bind_kepler(m);
   bind_precessing(m);
+  bind_table(m);
+  bind_any(m);
+  bind_ephemeris(m);
 }
 
 }  // namespace polhode::python

@@ -176,8 +176,8 @@ H' = gm / (2 r^3) (3 n.I n - tr I), u = (3 gm / r^3) n x I n, n = r / |r| in bod
 Parameters
 ----------
 gm : of the attracting point mass, length^3 / time^2. ValueError unless positive.
-orbit : KeplerOrbit, PrecessingKeplerOrbit, or any function t -> 3 numbers: the position of the mass
-    from the body or of the body from the mass.
+orbit : KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, or any function t -> 3 numbers: the
+    position of the mass from the body or of the body from the mass.
 axes : of those positions: SpaceAxes, or its name.
 name : stands in messages.
 
@@ -201,6 +201,7 @@ function in Python works on float alone: not with Precision.double_double.)",
        nb::arg("gm"), nb::arg("orbit"), nb::arg("axes") = SpaceAxes::inertial,
        nb::arg("name") = nb::none(),
        nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
+               "TableOrbit | "
                "typing.Callable[[float], numpy.typing.ArrayLike], axes: SpaceAxes | str = "
                "'inertial', name: str | None = None) -> None"))
       .def_prop_ro(

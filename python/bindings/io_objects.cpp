@@ -67,6 +67,8 @@ nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
     return gravity_gradient(*fixed, term.name());
   if (const auto* moving = term.target<GravityGradient<PrecessingKeplerOrbit>>())
     return gravity_gradient(*moving, term.name());
+  if (const auto* tabulated = term.target<GravityGradient<TableOrbit>>())
+    return gravity_gradient(*tabulated, term.name());
   if (const auto* constant = term.target<ConstantTorque>()) return torque(*constant, term.name());
   if (const auto* viscous = term.target<LinearDamping>())
     return damping(*viscous, scenario.body, term.name());

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/table_orbit.hpp"
 #include "python_function.hpp"
 
 namespace polhode::python {
@@ -22,10 +23,13 @@ class FunctionOrbit {
   SharedFunction function_;
 };
 
-using AnyPythonOrbit = std::variant<KeplerOrbit, PrecessingKeplerOrbit, FunctionOrbit>;
+using AnyPythonOrbit = std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, FunctionOrbit>;
 
 // `label` names the function in messages; the one that was wrapped is added to `functions`.
 AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
                         std::vector<SharedFunction>& functions);
+
+// Dates and planets, bound beside the orbits.
+void bind_ephemeris(nb::module_& m);
 
 }  // namespace polhode::python

@@ -86,7 +86,10 @@ that returns three numbers is an orbit wherever one is expected.
         "Frames": "Frame FrameMotion",
         "Orbits":
             "KeplerElements KeplerOrbit PrecessingKeplerOrbit SecularRates j2_rates mean_motion "
-            "semi_major_axis pericentre_distance",
+            "semi_major_axis pericentre_distance TableOrbit AnyOrbit",
+        "Dates": "Date TimeScale calendar_date date_after seconds_between",
+        "Sun, Moon and planets":
+            "Planetary planetary_position planetary_orbit planetary_gm j2000_from_teme",
         "Derivatives of your functions": "Dual DualState",
     }),
     Page("shapes", "Shapes and surfaces", """\

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""Dates, tables of positions and planets from Python; the Earth under Sun and Moon."""
+
+import copy
+import pickle
+
+import budgets
+import numpy as np
+import polhode
+import pytest
+from closeness import assert_allclose
+from scenario_texts import ROOT
+
+
+def test_dates_change_their_scale():
+    leap = polhode.calendar_date("UTC", 2016, 12, 31, 23, 59, 60.0)
+    new_year = polhode.calendar_date(polhode.TimeScale.UTC, 2017, 1, 1)
+    assert_allclose(polhode.seconds_between(leap, new_year), 1.0, atol=budgets.date_second)
+    assert leap.to("TT").scale == polhode.TimeScale.TT
+    assert leap.to("TT").to("UTC").calendar[:5] == (2016, 12, 31, 23, 59)
+    assert_allclose(leap.to("TT").to("UTC").calendar[5], 60.0, atol=1e3 * budgets.date_second)
+    later = polhode.date_after(new_year, 69.184)
+    assert_allclose(polhode.seconds_between(new_year, later), 69.184, atol=budgets.date_second)
+    assert pickle.loads(pickle.dumps(leap)) == leap != new_year
+    assert repr(polhode.Date("TT", 2451545)) == "Date('TT', 2451545.0, 0.0)"
+    assert polhode.calendar_date("UTC", 1950, 1, 1).is_dubious and not new_year.is_dubious
+    for wrong in ((2015, 12, 31, 23, 59, 60.0), (2015, 2, 29), (2015, 13, 1)):
+        with pytest.raises(ValueError, match="must be one of the calendar"):
+            polhode.calendar_date("UTC", *wrong)
+    with pytest.raises(ValueError, match="UT1 - UTC must be given"):
+        new_year.to("UT1")
+    with pytest.raises(ValueError, match="expected one of UTC TAI"):
+        polhode.Date("GPS", 2451545)
+
+
+def test_tables_are_orbits():
+    t = np.linspace(0, 10, 101)
+    x = np.column_stack([np.cos(t), np.sin(t), 0.1 * t])
+    v = np.column_stack([-np.sin(t), np.cos(t), np.full_like(t, 0.1)])
+    for orbit in (polhode.TableOrbit(t, x), polhode.TableOrbit(t, x, v, order=8)):
+        s = np.linspace(0, 10, 37)
+        assert_allclose(orbit.position(s)[:, 0], np.cos(s), atol=budgets.python_table)
+        assert_allclose(orbit.velocity(s)[:, 0], -np.sin(s), atol=budgets.python_table_slope)
+        assert orbit.position(5.0).shape == (3,) and np.isnan(orbit.position(10.1)).all()
+        assert np.array_equal(orbit.positions, x) and np.array_equal(orbit.times, t)
+        for same in (pickle.loads(pickle.dumps(orbit)), copy.copy(orbit)):
+            assert np.array_equal(same.position(s), orbit.position(s))
+        term = polhode.GravityGradient(1.0, orbit)
+        assert term.orbit is orbit
+    assert (orbit.order, orbit.has_velocities, orbit.is_evenly_spaced) == (8, True, True)
+    assert repr(orbit) == "TableOrbit(101 rows from 0.0 to 10.0, order=8)"
+    for arguments, what in (
+        ((t[::-1], x), "must be after"),
+        ((t, x[:50]), "positions: expected the shape"),
+        ((t[:3], x[:3]), "3 rows must be 4 at least"),
+        ((t, x, v[:, :2]), "velocities"),
+    ):
+        with pytest.raises(ValueError, match=what):
+            polhode.TableOrbit(*arguments)
+
+
+def test_a_run_that_leaves_its_table_fails_with_a_sentence():
+    t = np.linspace(0, 10, 101)
+    orbit = polhode.TableOrbit(t, np.column_stack([np.cos(t), np.sin(t), 0 * t]))
+    system = polhode.System(polhode.Body(1, 2, 2.7), terms=[polhode.GravityGradient(1.0, orbit)])
+    start = polhode.RotorState([0.5, 0.5, -0.5, 0.5], [0.8, 1.9, 0.3])
+    for method in (polhode.Adaptive(), polhode.Splitting(0.07), polhode.VariationOfConstants()):
+        assert polhode.integrate(polhode.Problem(system, start, 0, 10, method)).outcome.ok
+        with pytest.warns(RuntimeWarning, match='"GravityGradient" is not .*finite.*stop before'):
+            run = polhode.integrate(polhode.Problem(system, start, 0, 12, method))
+        assert not run.outcome.ok and run.t[-1] <= 10
+
+
+def test_planets_are_where_their_tables_put_them():
+    epoch = polhode.calendar_date("UTC", 2020, 2, 3)
+    orbit = polhode.planetary_orbit("moon", "earth", epoch, 0, 10 * 86400)
+    for t in (0.0, 12345.6, 864000.0):
+        truth = polhode.planetary_position("moon", "earth", polhode.date_after(epoch, t))
+        assert_allclose(orbit.position(t), truth, atol=budgets.ephemeris_orbit * 4e5)
+    assert_allclose(polhode.planetary_gm("earth"), 398600.4, rtol=budgets.ephemeris_gm)
+    with pytest.raises(ValueError, match="1900 to 2100"):
+        polhode.planetary_position("moon", "sun", polhode.calendar_date("TT", 1800, 1, 1))
+    with pytest.raises(ValueError, match="must not both be mars"):
+        polhode.planetary_position("mars", "mars", epoch)
+
+
+@pytest.fixture(scope="module")
+def earth():
+    return polhode.load(ROOT / "examples/earth.toml").run()
+
+
+def nutation(run, squared):
+    """Rate and the terms of 18.6, 9.3, 1, 0.5 yr of the figure axis, arcsec: by least squares, with
+    the arguments of Sun and Moon (Simon et al. 1994)."""
+    year = run.t / 365.25
+    T = year / 100
+    psi = 3600 * (180 - np.degrees(np.unwrap(np.radians(run["h_f"]))))
+    node = np.radians(125.04455501 - 1934.1361849 * T)
+    anomaly = np.radians(357.52910918 + 35999.0502909 * T)
+    longitude = np.radians(280.46646 + 36000.76983 * T)
+    columns = [f(x) for x in (node, 2 * node, anomaly, 2 * longitude) for f in (np.cos, np.sin)]
+    columns += [np.ones_like(year), year - year.mean()]
+    columns += [(year - year.mean()) ** 2] if squared else []
+    both = np.column_stack([psi, 3600 * run["I_f"]])
+    return np.linalg.lstsq(np.column_stack(columns), both, rcond=None)[0]
+
+
+@pytest.mark.parametrize("squared", [False, True])
+def test_the_earth_precesses_and_nutates(earth, squared):
+    """REN-2000 (Souchay et al. 1999), with the same (C - A)/C."""
+    assert earth.t[-1] > 37.2 * 365.25
+    of_psi, of_eps = nutation(earth, squared).T
+    assert abs(of_psi[9] - 50.40) < budgets.published_precession * 50.40
+    assert abs(of_psi[1] + 17.2806) < budgets.published_nutation * 17.2806
+    assert abs(of_eps[0] - 9.2279) < budgets.published_nutation * 9.2279
+    # out of phase: nothing in a rigid body
+    assert abs(of_psi[0]) < budgets.published_nutation * 17.2806
+    assert abs(of_eps[1]) < budgets.published_nutation * 9.2279
+
+
+def test_the_precession_is_that_of_the_averaged_torque(earth):
+    """First order, closed form: 3/2 H/omega cos(eps) sum gm/a^3 (1 - e^2)^(-3/2), of the Moon times
+    1 - 3/2 sin^2 i; good to the evection and the variation."""
+    H, spin, eps = 0.0032737548, 7.292115e-5, np.radians(84381.4 / 3600)
+    n_sun, n_moon = 2 * np.pi / (365.256363 * 86400), 2 * np.pi / (27.321662 * 86400)
+    ratio = polhode.planetary_gm("moon") / (
+        polhode.planetary_gm("moon") + polhode.planetary_gm("earth")
+    )
+    strength = n_sun**2 * (1 - 0.0167086**2) ** -1.5 + ratio * n_moon**2 * (
+        1 - 0.0549006**2
+    ) ** -1.5 * (1 - 1.5 * np.sin(np.radians(5.1454)) ** 2)
+    rate = 1.5 * H / spin * np.cos(eps) * strength * 365.25 * 86400
+    of_psi = nutation(earth, False)[:, 0]
+    assert_allclose(of_psi[9], np.degrees(rate) * 3600, rtol=budgets.averaged_precession)
+

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+"""Satellites from two-line elements and OMM: against the verification run of SGP4 itself and the
+published example of its axes."""
+
+import pathlib
+
+import budgets
+import numpy as np
+import polhode
+import pytest
+import sgp4
+from closeness import assert_allclose
+from polhode import satellites
+
+VANGUARD = (
+    "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
+    "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667",
+)
+OMM = {
+    "OBJECT_NAME": "VANGUARD 1",
+    "OBJECT_ID": "1958-002B",
+    "EPOCH": "2000-06-27T18:50:19.733568",
+    "MEAN_MOTION": "10.82419157",
+    "ECCENTRICITY": "0.1859667",
+    "INCLINATION": "34.2682",
+    "RA_OF_ASC_NODE": "348.7242",
+    "ARG_OF_PERICENTER": "331.7664",
+    "MEAN_ANOMALY": "19.3264",
+    "EPHEMERIS_TYPE": "0",
+    "CLASSIFICATION_TYPE": "U",
+    "NORAD_CAT_ID": "5",
+    "ELEMENT_SET_NO": "475",
+    "REV_AT_EPOCH": "41366",
+    "BSTAR": "0.28098E-4",
+    "MEAN_MOTION_DOT": "0.00000023",
+    "MEAN_MOTION_DDOT": "0",
+}
+
+
+def verification(number):
+    """Minutes, km, km/s along TEME, of the verification run that comes with sgp4."""
+    text = (pathlib.Path(sgp4.__file__).parent / "tcppver.out").read_text()
+    rows = text.split(f"{number} xx")[1].split(" xx")[0].splitlines()
+    return np.array([[float(x) for x in row.split()[:7]] for row in rows if len(row.split()) >= 7])
+
+
+def test_positions_are_those_of_the_verification_run():
+    satellite = satellites.satellite_from_tle(*VANGUARD)
+    rows = verification(5)
+    assert len(rows) > 10
+    x, v = satellite.states(satellite.epoch, 60 * rows[:, 0])
+    for k, row in enumerate(rows):
+        turn = polhode.j2000_from_teme(polhode.date_after(satellite.epoch, 60 * row[0]))
+        assert_allclose(turn.T @ x[k], row[1:4], atol=budgets.sgp4_km)
+        assert_allclose(turn.T @ v[k], row[4:7], atol=budgets.sgp4_km_s)
+
+
+def test_axes_are_those_of_the_published_example():
+    """Vallado et al. (2006), example of 2004-04-06: the same position along TEME and the GCRS. The
+    difference are the corrections of the pole that were observed then, 0.05 arcsec."""
+    date = polhode.calendar_date("UTC", 2004, 4, 6, 7, 51, 28.386009)
+    teme = np.array([5094.18016210, 6127.64465950, 6380.34453270])
+    gcrs = np.array([5102.50895790, 6123.01140070, 6378.13692820])
+    there = polhode.j2000_from_teme(date) @ teme
+    assert np.linalg.norm(there - gcrs) < budgets.teme_km
+    assert np.linalg.norm(teme - gcrs) > 1000 * budgets.teme_km
+    turn = polhode.j2000_from_teme(date)
+    assert_allclose(turn @ turn.T, np.eye(3), atol=budgets.numpy_rounding)
+
+
+def test_an_omm_is_its_elements():
+    tle = satellites.satellite_from_tle(*VANGUARD)
+    csv = ",".join(OMM) + "\n" + ",".join(OMM.values()) + "\n"
+    xml = "<ndm><omm>" + "".join(f"<{k}>{v}</{k}>" for k, v in OMM.items()) + "</omm></ndm>"
+    for source in (OMM, csv, xml):
+        omm = satellites.satellite_from_omm(source)
+        assert omm.name == "VANGUARD 1"
+        assert abs(polhode.seconds_between(tle.epoch, omm.epoch)) < budgets.tle_epoch
+        x, _ = omm.states(tle.epoch, [0.0, 86400.0])
+        y, _ = tle.states(tle.epoch, [0.0, 86400.0])
+        assert_allclose(x, y, atol=budgets.omm_km)
+
+
+def test_a_scenario_reads_the_table(tmp_path):
+    satellite = satellites.satellite_from_tle(*VANGUARD)
+    epoch = polhode.calendar_date("UTC", 2000, 6, 28)
+    orbit = satellite.orbit(epoch, 0, 7200)
+    satellite.write(tmp_path / "vanguard.csv.gz", epoch, 0, 7200)
+    scenario = polhode.Scenario.from_text(
+        f"""
+        schema = 1
+        [units]
+        length = "km"
+        [body]
+        moments = [1, 2, 2.5]
+        [state]
+        epoch = "2000-06-28T00:00:00 UTC"
+        axes = "equator-J2000"
+        [state.attitude-rate]
+        quaternion = [1, 0, 0, 0]
+        omega_body = [0, 0.001, 0.01]
+        [orbit.earth]
+        kind = "table"
+        file = "{tmp_path / 'vanguard.csv.gz'}"
+        gm = 398600.4418
+        [[perturbation]]
+        kind = "gravity-gradient"
+        orbit = "earth"
+        [time]
+        stop = 7200
+        count = 13
+        """,
+    )
+    t = np.linspace(0, 7200, 29)
+    assert_allclose(scenario.orbits["earth"].position(t), orbit.position(t), atol=budgets.sgp4_km)
+    # between rows
+    x, v = satellite.states(epoch, t)
+    assert_allclose(orbit.position(t), x, atol=budgets.sgp4_km)
+    # what SGP4 gives is not the derivative of its positions, in a real difference
+    assert_allclose(orbit.velocity(t), v, atol=budgets.sgp4_slope)
+    assert len(scenario.run().t) == 13
+
+
+@pytest.mark.parametrize(
+    ("line1", "line2", "what"),
+    [
+        (VANGUARD[0][:-1] + "4", VANGUARD[1], "line 1: its checksum is 4; its characters give 3"),
+        (VANGUARD[0], VANGUARD[1][:-1] + "0", "line 2: its checksum is 0; its characters give 7"),
+        (VANGUARD[0][:-1], VANGUARD[1], "line 1: has 68 characters; expected 69"),
+        (VANGUARD[1], VANGUARD[0], 'line 1: begins with "2 "'),
+    ],
+)
+def test_lines_that_are_wrong_say_where(line1, line2, what):
+    with pytest.raises(ValueError, match=what):
+        satellites.satellite_from_tle(line1, line2)
+
+
+def test_messages_that_are_wrong_say_where():
+    with pytest.raises(ValueError, match="the field BSTAR is missing"):
+        satellites.satellite_from_omm({k: v for k, v in OMM.items() if k != "BSTAR"})
+    with pytest.raises(ValueError, match="OMM: .*x"):
+        satellites.satellite_from_omm({**OMM, "INCLINATION": "x"})
+    with pytest.raises(ValueError, match="not XML"):
+        satellites.satellite_from_omm("<omm>")
+    with pytest.raises(ValueError, match="0 messages"):
+        satellites.satellite_from_omm("A,B\n")
+
+
+def test_a_satellite_that_has_decayed_says_so():
+    satellite = satellites.satellite_from_omm({**OMM, "BSTAR": "0.9", "MEAN_MOTION": "16.4",
+                                               "ECCENTRICITY": "0.0005"})  # fmt: skip
+    with pytest.raises(ValueError, match="SGP4 has no position"):
+        satellite.states(satellite.epoch, [86400.0 * 100])
