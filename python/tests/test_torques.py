@@ -297,10 +297,10 @@ def test_torque_table_of_a_scenario(tmp_path):
         (inline.replace("[0.25, 0]", "[0.25]"), "expected 2 numbers, as many as times has"),
         (inline.replace("[1, 2]", "[2, 1]"), "must be later than 2"),
         (inline + 'time_unit = "s"\n', "expected a key file beside it"),
-        (TABLE, "times or file"),
+        (TABLE, "expected exactly one of times, file"),
     ]:
         with pytest.raises(polhode.DomainError, match=message):
             polhode.Scenario.from_text(text)
     (tmp_path / "thruster.csv").write_text(rows.replace("120,", "60,"))
-    with pytest.raises(polhode.DomainError, match="60 comes twice"):
+    with pytest.raises(polhode.DomainError, match="time 60 stands twice"):
         polhode.load(path)
