@@ -70,7 +70,8 @@ void make_map(const MapOptions& options) {
     if (path != "-") open_sink(path, map.groups(), provenance(scenario));
   MapRows rows(map, file == out.end() ? "" : *file, options.resume);
   {
-    ProgressLine progress(0.0, static_cast<double>(map.size()), "cells");
+    ProgressLine progress(0.0, static_cast<double>(map.size()), "cells",
+                          static_cast<double>(rows.size()));
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
     run_cells(
         rows.size(), map.size(), threads,

@@ -34,7 +34,8 @@ SECTIONS = {
     "A body that turns": [
         "polhode_herpolhode", "attitude_of_body", "attitude_animation", "overview",
     ],
-    "Runs": ["time_series", "poincare_section", "chaos_map", "chaos_growth", "energy_error", "mujoco_drift"],
+    "Runs": ["time_series", "energy_error", "mujoco_drift"],
+    "Chaos": ["poincare_section", "chaos_map", "chaos_growth"],
 }  # fmt: skip
 # Drawn elsewhere: picture -> (title, the page that explains it, the script).
 OTHERS = {

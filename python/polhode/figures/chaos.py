@@ -131,11 +131,10 @@ def chaos_growth(runs: Any, ax: Any = None, *, unit: str = "", scale: float = 1.
         axes[0].loglog(t[positive], run.lyapunov[positive] / scale, label=name, **look)
         axes[1].plot(t, run.mean_megno, label=name, **look)
     axes[1].axhline(2.0, color="0.6", linewidth=0.6, zorder=0)
-    axes[1].set_yscale("symlog", linthresh=5.0)
     time = "$t$" + (f" ({unit})" if unit else "")
     axes[0].set(xlabel=time, ylabel="Lyapunov indicator" + (f" (1/{unit})" if unit else ""))
     axes[1].set(xlabel=time, ylabel="mean MEGNO", ylim=(0, None))
     axes[1].margins(x=0)
     if any(name is not None for name in named):
-        axes[0].legend(loc="lower left")
+        axes[1].legend(loc="upper left")
     return axes
