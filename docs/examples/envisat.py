@@ -14,7 +14,7 @@ NODE, NODE_RATE, INCLINATION = np.radians(196.5510), np.radians(0.9819795), np.r
 
 def from_normal(run):
     """Angle (deg) of the angular momentum from minus the normal of the orbit."""
-    tilt, longitude = np.radians(run["I"]), np.radians(run["h"])
+    tilt, longitude = np.arccos(run["H"] / run["G"]), np.radians(run["h"])
     node = NODE + NODE_RATE * run.t / 86400
     cosine = np.sin(tilt) * np.sin(INCLINATION) * np.cos(longitude - node)
     return np.degrees(np.arccos(-cosine - np.cos(tilt) * np.cos(INCLINATION)))
