@@ -166,6 +166,10 @@ void bind_mass(nb::module_& m) {
           "(15,): integrals of xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz "
           "yzzz zzzz.")
       .def_prop_ro(
+          "principal_moments", [](const P& p) { return principal_moments(p, body(p)); },
+          nb::for_getter(nb::sig("def principal_moments(self) -> MassMoments")),
+          "MassMoments along the principal axes of `body`, as HigherGravity takes them.")
+      .def_prop_ro(
           "body", [](const P& p) { return body(p); }, "Its Body, with the principal axes.")
       .def("__repr__",
            [](const P& p) { return "<MassProperties: mass " + std::to_string(p.mass) + ">"; });

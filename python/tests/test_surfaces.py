@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: MIT
+"""Shapes, surfaces, sunlight, air and YORP against NumPy."""
+
+import copy
+import pickle
+
+import budgets
+import numpy as np
+import polhode
+import pytest
+from closeness import assert_allclose
+
+TETRAHEDRON = np.array([[1.0, 0.1, -0.4], [-0.7, 0.9, -0.3], [-0.2, -1.1, -0.2], [0.1, 0.1, 0.9]])
+FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+
+
+def outward(vertices, faces):
+    """The faces of a convex body, each counterclockwise from outside."""
+    middle = vertices.mean(0)
+    turned = []
+    for a, b, c in faces:
+        normal = np.cross(vertices[b] - vertices[a], vertices[c] - vertices[a])
+        outside = normal @ (vertices[a] - middle) > 0
+        turned.append((a, b, c) if outside else (a, c, b))
+    return np.array(turned)
+
+
+def shape():
+    return polhode.FacetShape(TETRAHEDRON, outward(TETRAHEDRON, FACES))
+
+
+def facets_of(surface):
+    rows = surface.rows
+    return rows[:, :3], rows[:, 3:6], rows[:, 6], rows[:, 7:]
+
+
+def light_torque(surface, e):
+    """Momentum of light on each facet, as in a textbook."""
+    r, n, area, finish = facets_of(surface)
+    c = np.clip(n @ e, 0.0, None)[:, None]
+    specular, diffuse, emitted = finish[:, 0:1], finish[:, 1:2], finish[:, 2:3]
+    lambert = 2 / 3 * (diffuse + emitted * (1 - specular - diffuse))
+    force = -area[:, None] * c * ((1 - specular) * e + (2 * specular * c + lambert) * n)
+    return np.cross(r, force).sum(0)
+
+
+def test_mass_by_random_points():
+    mass = polhode.mass_properties(shape(), 2.0)
+    a = TETRAHEDRON[1:] - TETRAHEDRON[0]
+    assert_allclose(mass.volume, abs(np.linalg.det(a)) / 6, rtol=budgets.chart_rounding)
+    assert_allclose(mass.centre, TETRAHEDRON.mean(0), atol=budgets.chart_rounding)
+    # the second moments of a tetrahedron: m / 20 sum of squares of the corners about the centre
+    x = TETRAHEDRON - TETRAHEDRON.mean(0)
+    second = mass.mass / 20 * (x.T @ x)
+    inertia = np.trace(second) * np.eye(3) - second
+    assert_allclose(mass.inertia, inertia, atol=budgets.chart_rounding)
+    assert_allclose(
+        np.sort(mass.body.moments), np.linalg.eigvalsh(inertia), atol=budgets.chart_rounding
+    )
+    assert mass.third.shape == (10,)
+    assert mass.fourth.shape == (15,)
+    assert isinstance(mass.principal_moments, polhode.MassMoments)
+
+
+def test_shapes_tell_what_they_are(tmp_path):
+    body = shape()
+    assert len(body) == 4
+    assert body.open_edge == ""
+    assert_allclose(body.areas.sum(), body.area, rtol=budgets.chart_rounding)
+    again = pickle.loads(pickle.dumps(body))
+    assert (again.vertices == body.vertices).all()
+    assert (again.triangles == body.triangles).all()
+    with pytest.raises(ValueError, match="not closed: edge"):
+        polhode.mass_properties(polhode.FacetShape(body.vertices, body.triangles[:3]), 1.0)
+    with pytest.raises(ValueError, match="facet 1.*has no area"):
+        polhode.FacetShape([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
+    with pytest.raises(ValueError, match="places"):
+        polhode.FacetShape([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, -2]])
+    path = tmp_path / "t.obj"
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in body.vertices.tolist()]
+    lines += ["f " + " ".join(str(i + 1) for i in t) for t in body.triangles.tolist()]
+    path.write_text("\n".join(lines))
+    assert (polhode.read_obj(str(path)).vertices == body.vertices).all()
+    path.write_text("f 1 2\n")
+    with pytest.raises(ValueError, match=":1: got a facet of 2 corners"):
+        polhode.read_obj(str(path))
+
+
+def test_sunlight_and_air():
+    surface = polhode.Surface.of_shape(shape(), [0.1, 0, 0], specular=0.2, diffuse=0.3, emitted=0.5)
+    surface = surface + polhode.Surface.of_plate([0, 2, 0], [1, 0, 1], 3.0, both_sides=True)
+    assert len(surface) == 6
+    body = polhode.Body(2, 3, 4)
+    q = np.array([0.5, -0.5, 0.1, 0.7])
+    q /= np.linalg.norm(q)
+    state = polhode.RotorState(q, [0, 0, 0])
+    orbit = polhode.KeplerOrbit(polhode.KeplerElements(1.0, 2.0, 0.1, 0.3))
+    sun = np.array([50.0, 20.0, -5.0])
+    term = polhode.SolarPressure(surface, 3.0, 10.0, orbit, sun=lambda t: sun)
+    to_sun = sun - orbit.position(0.4)
+    r = np.linalg.norm(to_sun)
+    e = polhode.attitude_matrix(q) @ (to_sun / r)
+    system = polhode.System(body, None, term)
+    assert_allclose(
+        polhode.effect(system, 0.4, state).u,
+        3 * (10 / r) ** 2 * light_torque(surface, e),
+        atol=budgets.figure_orbit,
+    )
+    assert term.is_kick
+    drag = polhode.AtmosphericDrag(
+        surface, 0.2, orbit, scale_height=0.5, radius=2.0, rotation=[0, 0, 0.1]
+    )
+    x = orbit.position(0.4)
+    v = orbit.velocity(0.4) - np.cross([0, 0, 0.1], x)
+    e = polhode.attitude_matrix(q) @ v / np.linalg.norm(v)
+    centre, n, area, _ = facets_of(surface)
+    c = np.clip(n @ e, 0, None)
+    want = -(
+        0.2
+        * np.exp((2 - np.linalg.norm(x)) / 0.5)
+        * (v @ v)
+        * np.cross((area * c)[:, None] * centre, e).sum(0)
+    )
+    assert_allclose(
+        polhode.effect(polhode.System(body, None, drag), 0.4, state).u,
+        want,
+        atol=budgets.figure_orbit,
+    )
+    for made in (term.surface, drag):
+        assert copy.copy(made) == made
+    assert pickle.loads(pickle.dumps(drag)) == drag
+    with pytest.raises(ValueError, match="density -1"):
+        polhode.AtmosphericDrag(surface, -1.0, orbit)
+    with pytest.raises(ValueError, match="velocity"):
+        polhode.AtmosphericDrag(surface, 1.0, lambda t: [1, 0, 0])
+    with pytest.raises(ValueError, match="needs `sun`"):
+        polhode.SolarPressure(surface, 1.0, 1.0, orbit, shadow="cylinder", radius=1.0)
+
+
+def test_yorp_by_direct_quadrature():
+    surface = polhode.Surface.of_shape(shape(), shape().vertices.mean(0), diffuse=0.3, emitted=1.0)
+    turns = 2 * np.pi * (np.arange(240) + 0.5) / 240
+    for obliquity in (0.2, 1.1):
+        sum_ = np.zeros(3)
+        for f in turns:
+            sun = np.array(
+                [np.cos(f), np.sin(f) * np.cos(obliquity), np.sin(f) * np.sin(obliquity)]
+            )
+            for a in turns:
+                R = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
+                sum_ += R @ light_torque(surface, R.T @ sun)
+        want = (sum_ / len(turns) ** 2)[[2, 1, 0]]
+        assert_allclose(
+            polhode.yorp_torque(surface, obliquity), want, atol=budgets.yorp_brute_force
+        )
+    many = polhode.yorp_torque(surface, np.linspace(0, 3, 7))
+    assert many.shape == (7, 3)
+    assert_allclose(
+        polhode.mean_pressure(2.0, 1.0, 2.0, 0.6), 2.0 / 4.0 / 0.8, rtol=budgets.chart_rounding
+    )
