@@ -92,7 +92,8 @@ class AdaptiveStepper final : public Stepper {
   }
   void transfer(StateBytes& bytes) override {
     solver_.transfer(bytes);
-    bytes.all(begin_, start_.y, start_.carry);
+    SmoothStretch& stretch = solver_.field().stretch;  // of the step made last
+    bytes.all(begin_, start_.y, start_.carry, stretch.from, stretch.to);
   }
 
  private:

@@ -14,6 +14,7 @@
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/perturb/torque_table.hpp"
 
 namespace {
 
@@ -130,6 +131,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Adaptive{.tolerance = 1e-18, .precision = Precision::double_double},
                     Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
                     Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10}));
+
+// A torque that jumps ends steps, and the samples before the jump are those of its own side.
+TEST(Resume, BesideATorqueThatJumps) {
+  const TorqueTable thruster(
+      {{0.0, {}}, {2.7, {0.3, 0.0, 0.0}}, {2.9, {}}, {5.5, {0.0, 0.2, 0.0}}},
+      {TorqueTable::Between::step, TorqueTable::Outside::hold, std::nullopt});
+  for (const Method& method :
+       {Method(Adaptive{.tolerance = 1e-9}), Method(VariationOfConstants{.tolerance = 1e-10})}) {
+    Problem p = problem(method, 8.0);
+    std::vector<AnyPerturbation> terms = p.system.terms();
+    terms.emplace_back("thruster", thruster);
+    p.system = System(p.system.body(), p.system.frame(), terms);
+    expect_the_straight_run(p, SaveAt::count(0.0, 8.0, 1201), 67);
+  }
+}
 
 TEST(Resume, AnotherProblemIsRefusedByWhatDiffers) {
   const Problem p = problem(Splitting{.step = 0.1}, 40.0);
