@@ -384,6 +384,12 @@ TEST(Yorp, MeanPressureOnAnEllipse) {
   EXPECT_NEAR(mean_pressure({P, d}, a, e), sum, budget::perturb_average);
 }
 
+// As a pickle makes it: normals of length 1 to rounding are not divided again.
+TEST(SurfaceTerms, SurfaceOfItsOwnFacetsIsTheSame) {
+  const Surface surface = drawn_surface(922, 200);
+  EXPECT_EQ(Surface({surface.facets().begin(), surface.facets().end()}), surface);
+}
+
 TEST(SurfaceTerms, Refuse) {
   const Surface plate = Surface::of_plate({}, {1, 0, 0}, 1.0, {});
   const DirectedPath path = still({1, 0, 0});
