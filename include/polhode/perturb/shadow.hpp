@@ -8,8 +8,8 @@
 // Units       any unit of length.
 // Domain      a place inside the body is dark. The border of the cylinder is a jump of the light,
 //             those of the cone are kinks: an adaptive method finds both, and pays with repeated
-//             steps (docs/guide/torques/solar-pressure.md); a splitting with fixed steps has there
-//             the error of order 1 and 2.
+//             steps (docs/guide/torques/sunlight-and-air.md); a splitting with fixed steps has
+//             there the error of order 1 and 2.
 // Accuracy    the formula to a few roundings. The plane of the discs costs up to some 2e-3 of the
 //             light within the penumbra of a low orbit, where the body fills much of the sky.
 // Errors      DomainError for radii that are not positive.
