@@ -3,8 +3,8 @@
 
 Three motions of a moon of Hyperion's shape, all with the axis tilted by 0.3 rad at the start. The
 Lyapunov indicator of the regular one falls like ln(t)/t for ever; of the two that start at 1.0 and
-1.6 turns per revolution it settles at one over the Lyapunov time, some 30 days. Their mean MEGNO
-grows with time; that of the regular motion stays at 2.
+1.6 turns per revolution it settles at one over the Lyapunov time, some tens of days. Their mean
+MEGNO grows with time; that of the regular motion stays at 2.
 """
 
 import math

@@ -4,7 +4,7 @@
 A moon of Hyperion's shape starts at the pericentre of its orbit, its axis tilted by 0.1 rad: the
 angle of its long axis from the planet against its spin in units of the mean motion. Dark cells,
 whose MEGNO stays near 2 for 100 orbits, are regular: the fast rotation above, and specks that are
-islands of resonances. All else is one chaotic zone; its Lyapunov time is about 30 days.
+islands of resonances. All else is one chaotic zone; its Lyapunov time is some tens of days.
 """
 
 import math
