@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Envisat over a year: period of the spin, and how far its momentum is from minus the orbit normal."""
+"""Envisat over a year: period of the spin, and angle of its momentum from minus the normal."""
 
 import pathlib
 

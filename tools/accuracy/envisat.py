@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures a year of Envisat (examples/envisat.toml) with several methods; docs/accuracy/envisat.md.
+"""Measures a year of Envisat (examples/envisat.toml) with several methods and writes
+docs/accuracy/envisat.md.
 
-Runs `polhode run` on the example with its [method] and [time] replaced, one run at a time, and takes
-the CPU time of each from the operating system. An hour of a busy core."""
+Runs `polhode run` on the example with its [method] and [time] replaced, one run at a time, and
+takes the CPU time of each from the operating system. Some ten minutes of a core."""
 
 import argparse
 import csv
@@ -128,33 +129,31 @@ def page_of(rows, short, wide_cpu, year_cpu, apart):
 # A year of Envisat: accuracy and cost
 
 This page is written by `tools/accuracy/envisat.py`, which runs
-[`examples/envisat.toml`](../../examples/envisat.toml) ([its page](../examples/envisat.md)) with other
-methods: gravity gradient and eddy currents for {YEAR} d, some 1.4 million radians of rotation. CPU
-seconds are those of one run of one thread, files included.
+[`examples/envisat.toml`](../../examples/envisat.toml) ([its page](../examples/envisat.md)) with
+other methods: gravity gradient and eddy currents for {YEAR} d, some 1.4 million radians of
+rotation. CPU seconds are those of one run of one thread, files included.
 
 Measured on one core of: {cpu_name()}.
 
 ## One year
 
 The error is the angle between the last attitude and that of `Adaptive` at tolerance 1e-15, which
-took {year_cpu:.0f} s. D-SPOSE's step of 0.1 s costs 0.69 ms, built with -O3, whichever of its torques
-are on (measured by us, not on the same day): {DSPOSE / 86400:.1f} days of CPU for this year. It also
-integrates the orbit, here given in closed form.
+took {year_cpu:.0f} s. D-SPOSE's step of 0.1 s costs 0.69 ms, built with -O3, whichever of its
+torques are on (measured by us, not on the same day): {DSPOSE / 86400:.1f} days of CPU for this
+year. It also integrates the orbit, here given in closed form.
 
 {table(rows)}
 ## Ten days, against double-double
 
-The error is that against `Adaptive` in double-double at tolerance 1e-18 ({wide_cpu:.0f} s); the last
-column is for a year at that rate.
+The error is that against `Adaptive` in double-double at tolerance 1e-18 ({wide_cpu:.0f} s); CPU
+seconds and the last column are for a year at that rate.
 
 {table(checked)}
 ## How long the attitude can be foretold
 
 Two runs that start 1e-6 rad apart are {apart[SPAN]:.1e} rad apart after {SPAN:g} d and
-{apart[YEAR]:.1e} rad after the year. The distance grows by {apart[YEAR] / apart[SPAN]:.0f} while
-the time grows by {YEAR / SPAN:.0f}; growth at a Lyapunov rate over the year would take it beyond any
-such power. The Lyapunov time of this motion is longer than the year: errors of the table are those of
-the methods, and 1e-6 rad after a year makes sense as an aim.
+{apart[YEAR]:.1e} rad after the year. An aim of 1e-6 rad after a year makes sense while such a
+distance grows as a power of the time, and not by a Lyapunov rate.
 """
 
 
