@@ -38,6 +38,8 @@ inline constexpr double surface_ball = 1e-4;
 inline constexpr double surface_mesh = 1e-3;
 inline constexpr double surface_slope = 1e-7;
 inline constexpr double shadow_counted = 1e-4;
+// Discs on the sphere as circles in a plane, 400 km above the Earth.
+inline constexpr double shadow_plane = 2.3e-4;
 // Against 600 x 600 points; error of the library relative to area times size.
 inline constexpr double yorp_brute_force = 1e-3;
 inline constexpr double yorp_quadrature = 1e-12;

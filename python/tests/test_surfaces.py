@@ -158,3 +158,25 @@ def test_yorp_by_direct_quadrature():
     assert_allclose(
         polhode.mean_pressure(2.0, 1.0, 2.0, 0.6), 2.0 / 4.0 / 0.8, rtol=budgets.chart_rounding
     )
+
+
+def test_the_page_says_what_discs_in_a_plane_cost():
+    """Against rings of the Sun's disc on the sphere, 400 km above the Earth."""
+    sun, earth = np.arcsin(695700 / 1.496e8), np.arcsin(6378 / 6778)
+    surface = polhode.Surface.of_plate([0, 1, 0], [1, 0, 0], 1.0)
+    state, body = polhode.RotorState([1, 0, 0, 0], [0, 0, 0]), polhode.Body(1, 1, 1)
+    r = sun * (np.arange(2000) + 0.5) / 2000
+    worst = 0.0
+    for c in earth + sun * np.linspace(-0.98, 0.98, 41):
+        place = -6778 * np.array([np.cos(c), np.sin(c), 0])
+        light = polhode.SolarPressure(
+            surface, 1.0, 1.496e8, lambda t, x=place: x,
+            sun=lambda t, x=place: x + np.array([1.496e8, 0, 0]),
+            shadow="cone", radius=6378.0, sun_radius=695700.0,
+        )  # fmt: skip
+        visible = np.linalg.norm(polhode.effect(polhode.System(body, None, light), 0, state).u)
+        edge = (np.cos(earth) - np.cos(r) * np.cos(c)) / (np.sin(r) * np.sin(c))
+        covered = np.arccos(np.clip(edge, -1, 1))
+        rings = 1 - np.sum(np.sin(r) * covered) / np.pi / np.sum(np.sin(r))
+        worst = max(worst, abs(visible - rings))
+    assert worst < budgets.shadow_plane
