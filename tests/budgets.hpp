@@ -495,7 +495,6 @@ inline constexpr double splitting_affine_order = 0.3;
 inline constexpr double splitting_affine = 1e-10;
 inline constexpr double splitting_affine_composed = 1e-8;
 
-
 // --- orbit files (python/tests/test_oem.py) ---
 // s: times of the package oem, whose dates are doubles.
 inline constexpr double oem_times = 1e-6;
