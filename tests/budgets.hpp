@@ -417,6 +417,7 @@ inline constexpr double averaged_moon = 1e-3;
 inline constexpr double cassini_node = 1e-3;
 inline constexpr double mars_rate = 1e-4;
 inline constexpr double mars_nutation = 1e-2;
+inline constexpr double averaged_envisat = 3e-2;
 
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.

@@ -191,3 +191,24 @@ def test_hyperion_has_a_lyapunov_time_of_tens_of_days(omega, low, high):
     start = polhode.Scenario.from_text(text).initial_state
     problem = polhode.Problem(tumbling.system, start, 0.0, 1e4, polhode.Adaptive(1e-10))
     assert low < polhode.chaos_indicator(problem).lyapunov_time < high
+
+
+def test_envisat_is_led_around_its_orbit_normal():
+    text = (ROOT / "examples/envisat.toml").read_text(encoding="utf-8")
+    text = text.replace('stop = "365.25 d"', 'stop = "20 d"').replace("count = 1462", "count = 161")
+    envisat = polhode.Scenario.from_text(text)
+    run = envisat.run()
+    day = run.t / 86400
+    inclination, node = np.radians(98.4303), np.radians(196.5510 + 0.9819795 * day)
+    tilt, longitude = np.arccos(run["H"] / run["G"]), np.radians(run["h"])
+    across = np.sin(tilt) * np.sin(inclination) * np.cos(longitude - node)
+    angle = np.degrees(np.arccos(-across - np.cos(tilt) * np.cos(inclination)))
+    fit = harmonic_fit(day, angle, [4.8], adjust=True)
+    assert abs(fit.periods[0] - 4.8) < 0.05  # Lin and Zhao (2018), as they print it
+    assert abs(fit.amplitude[0] - 0.7) < 0.05
+    # the torque averaged over spin and revolution, to first order in the angle
+    moments = envisat.body.moments
+    n, spin = 2 * np.pi / 6009.9876, np.radians(2.8178828)
+    oblate = (moments[2] - (moments[0] + moments[1]) / 2) / moments[2]
+    rate = 1.5 * n**2 / spin * oblate * np.cos(np.radians(8.53))
+    assert_allclose(2 * np.pi / rate / 86400, fit.periods[0], rtol=budgets.averaged_envisat)
