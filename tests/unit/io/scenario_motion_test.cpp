@@ -116,9 +116,9 @@ TEST(ScenarioMotion, ARateMayBeRelativeToTheFrame) {
 
 TEST(ScenarioMotion, AFrameMayTurnWithAnOrbit) {
   const auto rate = [](const std::string& keys, const char* turns) {
-    const Scenario s = read("[orbit.moon]\ngm = 2\nsemi_major_axis = 2\n" + keys +
-                            "[frame.precessing]\naxis = [0, 0, 1]\norbit = \"moon\"\nturns = " +
-                            turns + "\n");
+    const Scenario s =
+        read("[orbit.moon]\ngm = 2\nsemi_major_axis = 2\n" + keys +
+             "[frame.precessing]\naxis = [0, 0, 1]\norbit = \"moon\"\nturns = " + turns + "\n");
     return s.precession.value().rate;
   };
   EXPECT_NEAR(rate("", "1"), 0.5, budget::io_state);
@@ -230,7 +230,7 @@ TEST(ScenarioMotion, UnknownOrbitsNameTheNearest) {
 TEST(ScenarioMotion, KeysOfAnotherKindAreRefused) {
   EXPECT_THAT(error_of(orbit + gravity + "torque = [1, 2, 3]\n"),
               StartsWith("f.toml:13:1: perturbation[0].torque: a key of kind \"constant-torque\"; "
-                         "expected beside kind = \"gravity-gradient\" only kind, orbit or gm"));
+                         "expected beside kind = \"gravity-gradient\" only kind, orbit, gm, "));
   EXPECT_THAT(error_of("[[perturbation]]\nkind = \"damping\"\n"),
               StartsWith("f.toml:7:1: perturbation[0].coefficients: got nothing; expected"));
   EXPECT_THAT(error_of("[[perturbation]]\ntorque = [1, 2, 3]\n"),

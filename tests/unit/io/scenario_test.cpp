@@ -140,7 +140,8 @@ TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {
 
 TEST(Scenario, AMisspeltKeyIsNotMissingToo) {
   EXPECT_EQ(error_of("schema = 1\n[body]\nmomnets = [1, 2, 2.5]\n" + andoyer),
-            "f.toml:3:1: body.momnets: unknown key; expected moments or tensor; did you mean "
+            "f.toml:3:1: body.momnets: unknown key; expected moments, tensor, shape, density or "
+            "scale; did you mean "
             "moments?");
 }
 
