@@ -171,7 +171,7 @@ def test_write_makes_the_file_of_the_run(apophis, tmp_path):
     for kind in ("csv", "h5"):
         a, b = (tmp_path / f"{name}.{kind}" for name in "ab")
         assert a.read_bytes() == b.read_bytes()
-    with pytest.raises(polhode.DomainError, match="expected .csv or .h5"):
+    with pytest.raises(polhode.DomainError, match="expected .csv, .h5 or .aem"):
         apophis.write(tmp_path / "a.parquet")
     with pytest.raises(polhode.OutputError, match="No space left"):
         apophis.write("/dev/full")

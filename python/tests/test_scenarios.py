@@ -174,7 +174,7 @@ def test_paths_that_are_no_outputs(tmp_path):
     s = Scenario.from_text(FREE)
     with pytest.raises(polhode.DomainError, match="its folder does not exist"):
         s.run(tmp_path / "no" / "a.csv")
-    with pytest.raises(polhode.DomainError, match="expected .csv or .h5"):
+    with pytest.raises(polhode.DomainError, match="expected .csv, .h5 or .aem"):
         s.run(tmp_path / "a.txt")
     with pytest.raises(polhode.DomainError, match="is a folder"):
         s.run(tmp_path)
