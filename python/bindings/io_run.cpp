@@ -105,9 +105,11 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   options.progress = told_to(progress);
   std::exception_ptr raised;
   options.stop = Stop(raised);
-  if (keep) options.also = std::make_unique<TableSink>(result.rows);
+  if (keep) {
+    reserve(result, scenario.time->size());  // before any file is there
+    options.also = std::make_unique<TableSink>(result.rows);
+  }
   ScenarioRun run(scenario, std::move(files), std::move(options));
-  if (keep) reserve(result, scenario.time->size() - run.rows());
   result.rows_before = run.is_complete() ? scenario.time->size() : run.rows();
   result.complete = run.is_complete();
   try {

@@ -79,7 +79,7 @@ def test_ctrl_c_leaves_a_run_to_continue(tmp_path, extension):
 @pytest.mark.parametrize("extension", ["csv", "h5"])
 def test_results_of_a_continued_run_have_all_rows(tmp_path, extension):
     path = tmp_path / f"a.{extension}"
-    s = scenario(2000)
+    s = scenario(20000)
     straight = s.run()
     calls = []
 
@@ -89,7 +89,7 @@ def test_results_of_a_continued_run_have_all_rows(tmp_path, extension):
 
     with pytest.raises(KeyboardInterrupt):
         s.run(path, progress=interrupt)
-    assert 0 < calls[0] < 2000
+    assert 0 < calls[0] < 20000
     results = s.run(path, resume=True)
     assert results == straight and results.outcome.ok
     assert results.statistics.steps == straight.statistics.steps

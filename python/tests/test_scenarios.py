@@ -2,6 +2,7 @@
 """Scenarios: the same files as the command line, wrong ones, wrong paths, and what is made here."""
 
 import concurrent.futures
+import functools
 import json
 import os
 import pathlib
@@ -75,13 +76,24 @@ def test_summary_and_citations_are_those_of_the_command_line(path):
     assert "<table>" in scenario._repr_html_()
 
 
+# What Scenario.build does not know: orbits that are tables, and magnetic torques.
+NOT_BUILT = {"earth", "envisat"}
+
+
 @pytest.mark.parametrize("path", EXAMPLES, ids=names(EXAMPLES))
 def test_a_scenario_comes_back_from_its_objects(path):
     given = load(path)
-    made = Scenario.build(
+    build = functools.partial(
+        Scenario.build,
         given.system, given.state, given.time, given.method, columns=given.columns,
         units=given.units, title=given.title, epoch=given.epoch, axes=given.axes,
     )
+    if path.stem in NOT_BUILT:
+        with pytest.raises(ValueError, match="has no place in a scenario"):
+            build()
+        assert Scenario.from_dict(given.to_dict(), given.name).text
+        return
+    made = build()
     assert made.run() == given.run()
     assert made.system == given.system and made.orbits == given.orbits
     assert made.initial_state == given.initial_state
