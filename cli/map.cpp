@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -33,7 +34,7 @@ std::string summary_of(const ScenarioMap& map, const std::vector<MapCell>& cells
   std::string text = fmt::format("cells             {}\n", cells.size());
   const std::vector<Column> columns = map.groups().back().columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    double least = INFINITY, most = -INFINITY;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const MapCell& cell : cells) {
       if (!cell.failure.empty()) continue;
       least = std::min(least, cell.numbers[i]);
