@@ -89,8 +89,8 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
   EXPECT_THAT(scenario_templates(),
               ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
                           "gravity-gradient", "constant-torque", "damping", "tide",
-                          "internal-damping", "anelastic-damping", "torque-table",
-                          "solar-pressure", "drag", "residual-dipole", "eddy-currents"));
+                          "internal-damping", "anelastic-damping", "torque-table", "solar-pressure",
+                          "drag", "residual-dipole", "eddy-currents"));
   const std::vector<std::string_view> templates = scenario_templates();
   for (const std::string_view kind : std::span(templates).subspan(state_charts().size())) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
