@@ -8,6 +8,7 @@ PYTHON  := .venv/bin/python
 # The package as it lies in the build tree, for our tests and pages; users take pip install.
 PACKAGE := PYTHONPATH=build/release/python
 CORES   := $(shell nproc 2>/dev/null || echo 2)
+PYTEST  := $(PYTHON) -m pytest -n $(CORES) --dist loadgroup
 # Fuzzing: inputs per target in `make test`, the same ones every time; seconds in `make fuzz`.
 FUZZ_SAMPLE := 10000
 FUZZ        := 600
@@ -36,8 +37,8 @@ test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzz
 	cmake --build build/fuzz
 	tools/fuzz $(FUZZ_SAMPLE)
 	ctest --preset release -j $(CORES) --progress
-	$(PACKAGE) $(PYTHON) -m pytest tests
-	$(PACKAGE) $(PYTHON) -m pytest python/tests --cov=polhode --cov-report=term --cov-fail-under=95
+	$(PACKAGE) $(PYTEST) tests
+	$(PACKAGE) $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
 test-full: build build/clang/build.ninja build/asan/build.ninja build/fuzz/build.ninja ## Big sweeps, clang, sanitizers, long fuzzing (hours)
 	cmake --build build/release
@@ -48,8 +49,8 @@ test-full: build build/clang/build.ninja build/asan/build.ninja build/fuzz/build
 	ctest --preset clang -j $(CORES) --progress
 	ctest --preset asan -j $(CORES) --progress
 	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES) --progress
-	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTHON) -m pytest tests
-	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTHON) -m pytest python/tests
+	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) tests
+	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) python/tests
 
 check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests
 	tools/check
