@@ -482,6 +482,18 @@ inline constexpr double internal_damping_wobble = 2e-3;
 // The energy that a sphere in a cavity takes where it follows closely: of first order in J w / c.
 inline constexpr double kane_limit = 2e-3;
 
+// --- runs with a Kane damper (tests/unit/dynamics/kane_damper_test.cpp) ---
+// Radians, relative momentum and relative rate of the sphere, at tolerance 1e-14, against two
+// bodies in inertial axes in long double.
+inline constexpr double kane_two_bodies = 1e-12;
+// The energy lost against the quadrature of c |s|^2.
+inline constexpr double kane_energy = 1e-11;
+// What InternalDamping misses with J/c = 1.7e-4, and the ratio of that for twice the k, to the 4 of
+// first order in J/c.
+inline constexpr double kane_close = 1e-6;
+inline constexpr double kane_first_order = 0.1;
+inline constexpr double kane_rounding = 1e-15;
+
 // --- magnetic torques (tests/unit/perturb/magnetic.cpp) ---
 // Of a field and of a torque against differences of the potential at 76 digits.
 inline constexpr double magnetic_field_eps = 16.0;

@@ -61,6 +61,7 @@
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/higher_gravity.hpp"
 #include "polhode/perturb/internal_damping.hpp"
+#include "polhode/perturb/kane_damper.hpp"
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/magnetic_field.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"

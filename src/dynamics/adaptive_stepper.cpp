@@ -6,6 +6,7 @@
 #include "dynamics/detail/adaptive_failure.hpp"
 #include "dynamics/detail/adaptive_field.hpp"
 #include "dynamics/detail/breakpoints.hpp"
+#include "dynamics/detail/damper_field.hpp"
 #include "dynamics/detail/stepper.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
@@ -17,62 +18,100 @@ namespace detail {
 namespace {
 
 template <Real T>
-RotorState rounded(const RotorValues<T>& y) {
+Vec3 rounded(const BasicVec3<T>& v) {
+  return {to_double(v.x), to_double(v.y), to_double(v.z)};
+}
+template <Real T, std::size_t N>
+RotorState rounded(const std::array<T, N>& y) {
   const BasicRotorState<T> s = rotor_state<T>(y);
   const BasicQuaternion<T> q = normalized(s.q);
-  return {{to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)},
-          {to_double(s.g.x), to_double(s.g.y), to_double(s.g.z)}};
+  return {{to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)}, rounded(s.g)};
+}
+
+// What the two fields differ in beside their equations.
+template <Real T>
+Vec3 damper_rate_of(const RotorValues<T>&) {
+  return {};
+}
+template <Real T>
+Vec3 damper_rate_of(const DamperValues<T>& y) {
+  return rounded(damper_rate<T>(y));
+}
+template <Real T>
+RotorErrorSize error_size(const RotorField<T>&) {
+  return {};
+}
+template <Real T>
+DamperErrorSize error_size(const DamperField<T>& field) {
+  return DamperErrorSize(field.system().body());
+}
+template <Real T>
+RotorValues<T> start_values(const RotorField<T>&, const BasicRotorState<T>& s, const Vec3&) {
+  return rotor_values(s);
+}
+template <Real T>
+DamperValues<T> start_values(const DamperField<T>&, const BasicRotorState<T>& s,
+                             const Vec3& damper_rate) {
+  return damper_values(s, damper_rate);
 }
 
 // f by a shared pointer: steps that outlive the run share it. On one smooth stretch.
-template <Real T>
+template <class Field>
 struct SmoothField {
-  std::shared_ptr<const RotorField<T>> field;
+  std::shared_ptr<const Field> field;
   SmoothStretch stretch;
-  RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y) const {
+  typename Field::Values operator()(const DoubleDouble& t, const typename Field::Values& y) const {
     return (*field)(stretch.inside(t), y);
   }
 };
 
+template <class Field>
+using State = CompensatedState<typename Field::Number, std::tuple_size_v<typename Field::Values>>;
+
 // The state inside a step is that of a shorter step: of the order of the method, and nothing is
 // kept but where the step began.
-template <Real T>
+template <class Field>
 class ShorterStep final : public DenseStep {
  public:
-  ShorterStep(SmoothField<T> field, const DoubleDouble& t0,
-              const CompensatedState<T, rotor_size<T>>& start, double t1, const RotorState& end)
-      : DenseStep(t0.hi, t1), field_(std::move(field)), t0_(t0), start_(start), end_(end) {}
+  ShorterStep(SmoothField<Field> field, const DoubleDouble& t0, const State<Field>& start,
+              const Sample& end)
+      : DenseStep(t0.hi, end.t), field_(std::move(field)), t0_(t0), start_(start), end_(end) {}
 
-  RotorState at(double t) const override {
+  RotorState at(double t) const override { return sample(t).s; }
+  Sample sample(double t) const override {
     if (t == t1()) return end_;
     const double h = (DoubleDouble(t) - t0_).hi;
-    const RotorValues<T> rate = field_(t0_, start_.y);
-    CompensatedState<T, rotor_size<T>> state = start_;
+    const typename Field::Values rate = field_(t0_, start_.y);
+    State<Field> state = start_;
     state.add(runge_kutta_step<Verner98>(field_, t0_, start_.y, rate, h).increment);
-    return rounded<T>(state.y);
+    return {t, rounded(state.y), damper_rate_of<typename Field::Number>(state.y)};
   }
 
  private:
-  SmoothField<T> field_;
+  SmoothField<Field> field_;
   DoubleDouble t0_;
-  CompensatedState<T, rotor_size<T>> start_;
-  RotorState end_;
+  State<Field> start_;
+  Sample end_;
 };
 
-template <Real T>
+template <class Field>
 class AdaptiveStepper final : public Stepper {
+  using T = typename Field::Number;
+  using Values = typename Field::Values;
+
  public:
   AdaptiveStepper(const Problem& problem, const Adaptive& method)
-      : field_(std::make_shared<const RotorField<T>>(problem.system)),
+      : field_(std::make_shared<const Field>(problem.system)),
         breakpoints_(problem.system),
-        solver_({field_, {}}, {}, problem.start, rotor_values(widened(problem.initial)),
+        solver_({field_, {}}, error_size(*field_), problem.start,
+                start_values(*field_, widened(problem.initial), problem.damper_rate),
                 {method.tolerance, method.first_step, method.largest_step}),
         begin_(problem.start),
         start_(solver_.state()) {}
 
   std::string advance(double stop) override {
     const DoubleDouble begin = solver_.time();
-    const CompensatedState<T, rotor_size<T>> start = solver_.state();
+    const State<Field> start = solver_.state();
     solver_.field().stretch = breakpoints_.stretch(begin.hi, stop);
     const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, stop));
     if (outcome != StepOutcome::made)
@@ -83,9 +122,11 @@ class AdaptiveStepper final : public Stepper {
     return {};
   }
   double time() const override { return solver_.time().hi; }
-  RotorState state() const override { return rounded<T>(solver_.state().y); }
+  RotorState state() const override { return rounded(solver_.state().y); }
+  Vec3 damper_rate() const override { return damper_rate_of<T>(solver_.state().y); }
   std::shared_ptr<const DenseStep> dense(bool) override {
-    return std::make_shared<const ShorterStep<T>>(solver_.field(), begin_, start_, time(), state());
+    return std::make_shared<const ShorterStep<Field>>(solver_.field(), begin_, start_,
+                                                      Sample{time(), state(), damper_rate()});
   }
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
@@ -103,28 +144,36 @@ class AdaptiveStepper final : public Stepper {
   }
 
   // |q| = 1 again. A change along q turns nothing, so that a rounding of |q| does no harm.
-  static void restore_norm(CompensatedState<T, rotor_size<T>>& s) {
+  static void restore_norm(State<Field>& s) {
     T excess = T(-1.0);
     for (std::size_t i = 0; i < 4; ++i) excess = excess + s.y[i] * s.y[i];
-    RotorValues<T> change{};
+    Values change{};
     for (std::size_t i = 0; i < 4; ++i) change[i] = T(-0.5) * excess * s.y[i];
     s.add(change);
   }
 
-  std::shared_ptr<const RotorField<T>> field_;
+  std::shared_ptr<const Field> field_;
   Breakpoints breakpoints_;
-  AdaptiveRungeKutta<Verner98, T, rotor_size<T>, SmoothField<T>, RotorErrorSize> solver_;
+  AdaptiveRungeKutta<Verner98, T, std::tuple_size_v<Values>, SmoothField<Field>,
+                     decltype(error_size(std::declval<const Field&>()))>
+      solver_;
   DoubleDouble begin_;  // of the step made last
-  CompensatedState<T, rotor_size<T>> start_;
+  State<Field> start_;
 };
+
+template <template <class> class Field>
+std::unique_ptr<Stepper> stepper_of(const Problem& problem, const Adaptive& method) {
+  if (method.precision == Precision::compensated)
+    return std::make_unique<AdaptiveStepper<Field<double>>>(problem, method);
+  return std::make_unique<AdaptiveStepper<Field<DoubleDouble>>>(problem, method);
+}
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method) {
   require_valid(method);
-  if (method.precision == Precision::compensated)
-    return std::make_unique<AdaptiveStepper<double>>(problem, method);
-  return std::make_unique<AdaptiveStepper<DoubleDouble>>(problem, method);
+  return problem.system.damper() ? stepper_of<DamperField>(problem, method)
+                                 : stepper_of<RotorField>(problem, method);
 }
 
 }  // namespace detail

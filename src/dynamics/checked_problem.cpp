@@ -11,6 +11,32 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+namespace {
+
+// The damper's own state is integrated by Adaptive, and by nothing else.
+void require_place_of_damper(const std::string& function, const Problem& problem) {
+  const Vec3& s = problem.damper_rate;
+  if (!problem.system.damper()) {
+    if (s == Vec3{}) return;
+    throw DomainError(function + ": damper_rate " + tuple_text({s.x, s.y, s.z}) +
+                      " must be zero for a system without a damper");
+  }
+  if (!is_finite(s))
+    throw DomainError(function + ": damper_rate " + tuple_text({s.x, s.y, s.z}) +
+                      " must be finite");
+  const char* const instead = "InternalDamping, its limit of strong friction, has no state";
+  if (function != "integrate")
+    throw DomainError(function +
+                      ": a Kane damper has a state of its own, which integrate alone "
+                      "carries; " +
+                      instead);
+  if (!std::holds_alternative<Adaptive>(problem.method))
+    throw DomainError("integrate: a Kane damper has a state of its own: method must be Adaptive; " +
+                      std::string(instead));
+}
+
+}  // namespace
+
 Problem checked_problem(const std::string& function, Problem problem) {
   const auto& [q, g] = problem.initial;
   const double size = norm(Vec3{std::hypot(q.w, q.x), q.y, q.z});
@@ -23,6 +49,7 @@ Problem checked_problem(const std::string& function, Problem problem) {
     throw DomainError(function + ": start " + number_text(problem.start) + " and stop " +
                       number_text(problem.stop) + " must be finite");
   require_valid(problem.method);
+  require_place_of_damper(function, problem);
   problem.initial.q = normalized(q);
   return problem;
 }

@@ -17,7 +17,7 @@ double event_root(const Event& event, const DenseStep& step, double t0, double f
     double t = t1 - f1 * ((t1 - t0) / (f1 - f0));
     if (trip % 3 == 2 || !((t - t0) * (t1 - t) > 0.0)) t = t0 + 0.5 * (t1 - t0);
     if (t == t0 || t == t1) break;  // neighbours
-    const double f = event.function(t, step.at(t));
+    const double f = event.function(step.sample(t));
     if (f == 0.0) return t;
     if (std::isnan(f)) break;
     const int moved = (f > 0.0) == rises ? 1 : 0;

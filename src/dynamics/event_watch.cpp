@@ -16,10 +16,10 @@ int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
 
 }  // namespace
 
-void EventWatch::begin(double t, const RotorState& s) {
+void EventWatch::begin(const Sample& start) {
   sides_.resize(events_.size());
   for (std::size_t i = 0; i < events_.size(); ++i) {
-    sides_[i].value = events_[i].function(t, s);
+    sides_[i].value = events_[i].function(start);
     sides_[i].sign = sides_[i].old_sign = sign_of(sides_[i].value);
     if (std::isnan(sides_[i].value)) nan_event_ = events_[i].name;
   }
@@ -39,13 +39,13 @@ bool EventWatch::wanted(std::size_t i) const {
   return crossing == Crossing::both || (crossing == Crossing::rising) == (side.sign > 0);
 }
 
-bool EventWatch::crossed(double t, const RotorState& s) {
+bool EventWatch::crossed(const Sample& end) {
   bool any = false;
   for (std::size_t i = 0; i < events_.size(); ++i) {
     Side& side = sides_[i];
     side.before = side.value;
     side.old_sign = side.sign;
-    side.value = events_[i].function(t, s);
+    side.value = events_[i].function(end);
     if (std::isnan(side.value)) nan_event_ = events_[i].name;
     const int sign = sign_of(side.value);
     if (sign != 0) side.sign = sign;  // on zero it is still on its old side
@@ -54,7 +54,7 @@ bool EventWatch::crossed(double t, const RotorState& s) {
   return any;
 }
 
-EventWatch::Found EventWatch::found(const DenseStep& step, const RotorState& s1) const {
+EventWatch::Found EventWatch::found(const DenseStep& step, const Sample& end) const {
   Found result;
   const bool forward = step.t0() <= step.t1();
   std::vector<std::pair<EventRecord, bool>> all;
@@ -62,8 +62,8 @@ EventWatch::Found EventWatch::found(const DenseStep& step, const RotorState& s1)
     if (!wanted(i)) continue;
     const Side& side = sides_[i];
     const double t = event_root(events_[i], step, step.t0(), side.before, step.t1(), side.value);
-    const RotorState s = t == step.t1() ? s1 : step.at(t);
-    all.push_back({{events_[i].name, t, s, side.sign}, events_[i].stops});
+    const Sample there = t == step.t1() ? end : step.sample(t);
+    all.push_back({{events_[i].name, t, there.s, side.sign, there.damper_rate}, events_[i].stops});
   }
   std::stable_sort(all.begin(), all.end(), [forward](const auto& a, const auto& b) {
     return forward ? a.first.t < b.first.t : a.first.t > b.first.t;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,7 +36,7 @@ Problem checked(const Problem& problem) {
   return result;
 }
 
-constexpr std::string_view mark = "polhode checkpoint 1";
+constexpr std::string_view mark = "polhode checkpoint 2";
 
 // What a checkpoint says of its problem, in front of the state: two that differ are told apart.
 std::vector<std::pair<std::string, std::string>> features(const Problem& problem,
@@ -56,6 +57,7 @@ std::vector<std::pair<std::string, std::string>> features(const Problem& problem
   for (const Event& e : problem.events)
     events += text(e.name, static_cast<int>(e.crossing), e.stops, e.period);
   const std::int64_t n = times.size();
+  const std::optional<KaneDamper>& damper = problem.system.damper();
   std::string terms;
   for (const AnyPerturbation& term : problem.system.terms()) terms += text(term.name());
   return {{"start", text(problem.start)},
@@ -63,6 +65,8 @@ std::vector<std::pair<std::string, std::string>> features(const Problem& problem
           {"state", text(problem.initial)},
           {"body", text(problem.system.body().moments())},
           {"terms", terms},
+          {"damper", damper ? text(damper->moment(), damper->friction()) : std::string()},
+          {"damper_rate", text(problem.damper_rate)},
           {"method", method_text(problem.method) + steps},
           {"events", events},
           {"sample times", n == 0 ? text(n) : text(n, times[0], times[n / 2], times[n - 1])}};
@@ -111,13 +115,13 @@ class Run {
   }
 
   Trajectory::Parts result() {
-    parts_.initial = {problem_.start, problem_.initial};
+    parts_.initial = {problem_.start, problem_.initial, problem_.damper_rate};
     parts_.method = method_text(problem_.method);
     if (!continued_) parts_.outcome.t = problem_.start;
     try {
       if (!continued_) {
         samples_.begin(parts_.initial);
-        watch_.begin(problem_.start, problem_.initial);
+        watch_.begin(parts_.initial);
         if (refused(problem_.start)) return finished();
       }
       const std::shared_ptr<const DenseStep> dense =
@@ -140,18 +144,19 @@ class Run {
       fail(advice);
       return false;
     }
-    Sample end{stepper_->time(), stepper_->state()};
-    const bool crossed = watch_.crossed(end.t, end.s);
+    Sample end{stepper_->time(), stepper_->state(), stepper_->damper_rate()};
+    const bool crossed = watch_.crossed(end);
     if (refused(parts_.outcome.t)) return false;
     std::shared_ptr<const DenseStep> dense;
     if (keep_dense_ || crossed || samples_.wants_dense(end.t)) dense = stepper_->dense(keep_dense_);
     if (keep_dense_) parts_.dense.push_back(dense);
     stopped_ = false;
     if (crossed) {
-      const detail::EventWatch::Found found = watch_.found(*dense, end.s);
+      const detail::EventWatch::Found found = watch_.found(*dense, end);
       keep(found.records);
       stopped_ = found.stops;
-      if (stopped_) end = {found.records.back().t, found.records.back().s};
+      const EventRecord& last = found.records.back();
+      if (stopped_) end = {last.t, last.s, last.damper_rate};
     }
     end_ = end;
     return samples_of_step(dense.get());

@@ -68,7 +68,7 @@ void SampleQueue::step(const DenseStep* dense, const Sample& end, const Progress
   if (!times_) return push(end);
   while (!is_done() && !is_before(reach(end.t), due())) {
     const double t = due();
-    push(t == end.t ? end : Sample{t, dense->at(t)});
+    push(t == end.t ? end : dense->sample(t));
     ++next_;
     if (progress && is_before(t, end.t)) progress(t);
   }

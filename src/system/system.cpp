@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace {
@@ -12,12 +15,48 @@ Setting setting(const System& system, double t, const RotorState& s, const Frame
   return {system.body(), t, {normalized(s.q), s.g}, frame.q_IS};
 }
 
+// What a damper adds to the system at one moment.
+struct DamperAtRate {
+  Vec3 v;
+  double stored;
+
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>&) const {
+    return {{T(v.x), T(v.y), T(v.z)}, {}};
+  }
+  template <Real T>
+  T energy(const BasicSetting<T>&) const {
+    return T(stored);
+  }
+};
+
 }  // namespace
 
-System::System(const Body& body, Frame frame, std::vector<AnyPerturbation> terms)
-    : body_(body), frame_(std::move(frame)), terms_(std::move(terms)) {}
+System::System(const Body& body, Frame frame, std::vector<AnyPerturbation> terms,
+               const std::optional<KaneDamper>& damper)
+    : body_(body), frame_(std::move(frame)), terms_(std::move(terms)), damper_(damper) {
+  if (damper_) damper_->require_room(body_);
+}
 
-bool System::is_hamiltonian() const {
+System at_damper_rate(const System& system, const Vec3& rate) {
+  if (!system.damper()) {
+    if (rate == Vec3{}) return system;
+    throw DomainError("at_damper_rate: rate " + detail::tuple_text({rate.x, rate.y, rate.z}) +
+                      " must be zero for a system without a damper");
+  }
+  std::vector<AnyPerturbation> terms = system.terms();
+  terms.emplace_back("Kane damper", DamperAtRate{system.damper()->rate_of_body(system.body(), rate),
+                                                 system.damper()->energy(system.body(), rate)});
+  return System(system.body(), system.frame(), std::move(terms));
+}
+
+void detail::needs_damper_rate() {
+  throw DomainError(
+      "a system with a Kane damper has no angular velocity without the rate of the damper: take "
+      "at_damper_rate(system, rate)");
+}
+
+bool System::has_energy() const {
   return std::all_of(terms_.begin(), terms_.end(),
                      [](const AnyPerturbation& term) { return term.supports_energy(); });
 }
@@ -38,6 +77,7 @@ AngularVelocities angular_velocity(const System& system, double t, const RotorSt
 }
 
 double energy(const System& system, double t, const RotorState& s) {
+  if (system.damper()) detail::needs_damper_rate();
   const FrameMotion frame = system.frame().at(t);
   const Setting at = setting(system, t, s, frame);
   double sum = kinetic_energy(system.body(), s) - dot(frame.mu_S, rotate(at.s.q, s.g));

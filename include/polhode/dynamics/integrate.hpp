@@ -9,9 +9,10 @@
 //             dense output.
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for a problem that is none (NaN, a method out of range, a splitting of a
-//             term without a flow). A run that cannot go on (NaN, a step too small) ends with
-//             Outcome::failed and a sentence; samples so far are kept. What a user's callable or
-//             `progress` throws passes through after the samples so far have been pushed.
+//             term without a flow, a damper with another method than Adaptive). A run that cannot
+//             go on (NaN, a step too small) ends with Outcome::failed and a sentence; samples so
+//             far are kept. What a user's callable or `progress` throws passes through after the
+//             samples so far have been pushed.
 // Cost        docs/guide/which-propagator.md.
 #pragma once
 
@@ -37,6 +38,7 @@ struct Problem {
   double stop;
   Method method = Adaptive{};
   std::vector<Event> events = {};
+  Vec3 damper_rate = {};  // of the system's damper relative to the body, at `start`
 };
 
 // What to keep in memory.
@@ -62,7 +64,8 @@ struct TransitionSample {
 // The state transition matrix along a run. Adaptive: by the variational equations (dual numbers);
 // VariationOfConstants: by those of Adaptive at its tolerance; Splitting: the derivative of the
 // splitting's own steps, symplectic as they are (terms that are kicks). Every term must be a
-// template on the number type. A run that cannot go on is a DomainError here.
+// template on the number type, and there is no damper. A run that cannot go on is a DomainError
+// here.
 std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples,
                                                 const Progress& progress = {});
 

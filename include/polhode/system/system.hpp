@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: MIT
-// System: a body, a reference frame and perturbation terms; the equations of motion of the hub
-// state (q_SB, g_B), and which angular velocity is which.
+// System: a body, a reference frame, perturbation terms and, where it has one, a damper; the
+// equations of motion of the hub state (q_SB, g_B), and which angular velocity is which.
 //
 // Equations   dq/dt = (1/2) q (0, w_SB), dg/dt = g x w_SB + u, w_SB = I^-1 g + v, u and v summed
 //             over the terms and the frame. A moving frame is the term -mu . g of [SA (118)]: v =
 //             -mu, u = g x mu (mu in body components); the system adds it by itself. Hence
 //             [SA (124)]: I^-1 g + v(terms) is the inertial angular velocity; relative to S it is
-//             less by mu.
+//             less by mu. A damper adds its own v, and three equations: kane_damper.hpp.
 // Corrections [SA (4448)]: the sign of the convective part, docs/theory/errata.md.
 // Units       those of the body and its terms; any consistent set.
-// Domain      any state with a non-zero quaternion; functions of a state normalise it.
+// Domain      any state with a non-zero quaternion; functions of a state normalise it. A damper has
+//             a state of its own: at_damper_rate gives the system that all functions of a state
+//             take.
 // Accuracy    a few roundings. The two parts of the frame's term that cancel in dg/dt are not
 //             formed.
-// Errors      energy throws DomainError when a term has none. What a term throws passes through.
+// Errors      energy throws DomainError when a term has none; functions of a state of a system with
+//             a damper, which do not know its rate. What a term throws passes through.
 // Cost        ten nanoseconds and the terms.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "polhode/frame/frame.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
+#include "polhode/perturb/kane_damper.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -27,19 +32,34 @@ inline namespace v0 {
 class System {
  public:
   explicit System(const Body& body, Frame frame = Frame::inertial(),
-                  std::vector<AnyPerturbation> terms = {});
+                  std::vector<AnyPerturbation> terms = {},
+                  const std::optional<KaneDamper>& damper = {});
 
   const Body& body() const { return body_; }
   const Frame& frame() const { return frame_; }
   const std::vector<AnyPerturbation>& terms() const { return terms_; }
+  const std::optional<KaneDamper>& damper() const { return damper_; }
   // Whether every term has an energy.
-  bool is_hamiltonian() const;
+  bool has_energy() const;
+  // The same, and no damper takes it.
+  bool is_hamiltonian() const { return has_energy() && !damper_; }
 
  private:
   Body body_;
   Frame frame_;
   std::vector<AnyPerturbation> terms_;
+  std::optional<KaneDamper> damper_;
 };
+
+// The system at one relative rate of its damper (body axes): without a damper of its own, and with
+// the v and the energy that the damper has at that rate. All functions of a state take it.
+System at_damper_rate(const System& system, const Vec3& rate);
+
+namespace detail {
+
+[[noreturn]] void needs_damper_rate();
+
+}  // namespace detail
 
 // The angular velocity of the body in body components, twice.
 template <Real T>
@@ -59,6 +79,7 @@ using RotorRates = BasicRotorRates<double>;
 // The sum of the terms' effects, without the frame's own. T = double, DoubleDouble or Tangent.
 template <Real T>
 BasicEffect<T> terms_effect(const System& system, const BasicSetting<T>& at) {
+  if (system.damper()) detail::needs_damper_rate();
   BasicEffect<T> sum;
   for (const AnyPerturbation& term : system.terms()) sum = sum + term.effect(at);
   return sum;

@@ -8,7 +8,7 @@
 //             initial state alone.
 // Accuracy    that of the method; at(t) has the order of the method.
 // Errors      at(t) throws DomainError outside the span, or when the run kept no dense output.
-// Cost        a sample is 64 bytes; dense output keeps some hundred bytes per step.
+// Cost        a sample is 88 bytes; dense output keeps some hundred bytes per step.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,8 @@ inline namespace v0 {
 struct Sample {
   double t;
   RotorState s;  // q normalised
+  // Rate of a damper relative to the body, body axes; zero without one.
+  Vec3 damper_rate = {};
 
   constexpr bool operator==(const Sample&) const = default;
 };
@@ -56,6 +58,7 @@ struct EventRecord {
   double t;
   RotorState s;
   int direction;  // +1: the function was rising through zero
+  Vec3 damper_rate = {};
 };
 
 // The state inside one step, t0 to t1 (t1 < t0 backwards).
@@ -64,6 +67,8 @@ class DenseStep {
   DenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
   virtual ~DenseStep() = default;
   virtual RotorState at(double t) const = 0;
+  // With the rate of a damper.
+  virtual Sample sample(double t) const { return {t, at(t)}; }
   double t0() const { return t0_; }
   double t1() const { return t1_; }
 
@@ -96,7 +101,8 @@ class Trajectory {
   // Whether at(t) has an answer between the samples.
   bool has_dense() const { return !parts_.dense.empty(); }
 
-  RotorState at(double t) const;
+  RotorState at(double t) const { return sample(t).s; }
+  Sample sample(double t) const;
 
  private:
   Parts parts_;

@@ -15,11 +15,12 @@ inline namespace v0 {
 namespace detail {
 
 // The first term, or the frame, that is not finite in the step tried; empty when all are.
-template <Real T>
-std::string not_finite_text(const RotorField<T>& field, const DoubleDouble& t,
-                            const RotorValues<T>& y, double h) {
+template <class Field>
+std::string not_finite_text(const Field& field, const DoubleDouble& t,
+                            const typename Field::Values& y, double h) {
+  using T = typename Field::Number;
   std::string text;
-  const auto watched = [&](const DoubleDouble& at_time, const RotorValues<T>& values) {
+  const auto watched = [&](const DoubleDouble& at_time, const typename Field::Values& values) {
     BasicSetting<T> at = field.setting(at_time, values);
     const auto found = [&](const std::string& what) {
       if (text.empty() && is_finite(at.s.g))
@@ -42,8 +43,8 @@ std::string not_finite_text(const RotorField<T>& field, const DoubleDouble& t,
 }
 
 // The sentence of an outcome that is not `made`.
-template <Real T>
-std::string failure_text(const RotorField<T>& field, const DoubleDouble& t, const RotorValues<T>& y,
+template <class Field>
+std::string failure_text(const Field& field, const DoubleDouble& t, const typename Field::Values& y,
                          double h, StepOutcome outcome) {
   const std::string where = number_text(t.hi);
   if (outcome == StepOutcome::not_finite) {

@@ -27,8 +27,8 @@ template <Real T>
 RotorValues<T> rotor_values(const BasicRotorState<T>& s) {
   return {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z};
 }
-template <Real T>
-BasicRotorState<T> rotor_state(const RotorValues<T>& y) {
+template <Real T, std::size_t N>
+BasicRotorState<T> rotor_state(const std::array<T, N>& y) {
   return {{y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}};
 }
 
@@ -37,6 +37,9 @@ BasicRotorState<T> rotor_state(const RotorValues<T>& y) {
 template <Real T>
 class RotorField {
  public:
+  using Number = T;
+  using Values = RotorValues<T>;
+
   explicit RotorField(System system)
       : system_(std::move(system)),
         inverse_{inverse(system_.body().moments().x), inverse(system_.body().moments().y),
@@ -53,9 +56,10 @@ class RotorField {
     return values(relative_rates(rates(at, sum_of_terms(at)), at.s.q, frame.mu_S));
   }
 
-  // Where the terms are asked; for a moving frame without its attitude.
+  // Where the terms are asked; for a moving frame without its attitude. y begins with (q, g).
+  template <std::size_t N>
   [[gnu::always_inline]] BasicSetting<T> setting(const DoubleDouble& t,
-                                                 const RotorValues<T>& y) const {
+                                                 const std::array<T, N>& y) const {
     BasicSetting<T> at{system_.body(), working(t), rotor_state<T>(y), {}, T(0.0)};
     if constexpr (!is_double_double<T>) at.t_rest = T(t.lo);
     return at;
@@ -74,6 +78,14 @@ class RotorField {
     return frame;
   }
 
+  [[gnu::always_inline]] BasicEffect<T> sum_of_terms(const BasicSetting<T>& at) const {
+    const std::vector<AnyPerturbation>& terms = system_.terms();
+    if (terms.empty()) return {};
+    BasicEffect<T> sum = terms.front().effect(at);
+    for (std::size_t i = 1; i < terms.size(); ++i) sum = sum + terms[i].effect(at);
+    return sum;
+  }
+
  private:
   // The rounding of 1 / I would be 6e-12 rad after 1e4 turns.
   static DoubleDouble inverse(double I) { return DoubleDouble(1.0) / I; }
@@ -90,14 +102,6 @@ class RotorField {
     } else {
       return g * c.hi + g * c.lo;
     }
-  }
-
-  [[gnu::always_inline]] BasicEffect<T> sum_of_terms(const BasicSetting<T>& at) const {
-    const std::vector<AnyPerturbation>& terms = system_.terms();
-    if (terms.empty()) return {};
-    BasicEffect<T> sum = terms.front().effect(at);
-    for (std::size_t i = 1; i < terms.size(); ++i) sum = sum + terms[i].effect(at);
-    return sum;
   }
 
   [[gnu::always_inline]] BasicRotorRates<T> rates(const BasicSetting<T>& at,

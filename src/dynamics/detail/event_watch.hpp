@@ -19,10 +19,10 @@ class EventWatch {
   explicit EventWatch(std::span<const Event> events) : events_(events) {}
 
   // The values at the start of the run.
-  void begin(double t, const RotorState& s);
-  // Whether a function changed its sign over a step that ends at t. Its name comes back when its
+  void begin(const Sample& start);
+  // Whether a function changed its sign over a step that ends there. Its name comes back when its
   // value is NaN.
-  bool crossed(double t, const RotorState& s);
+  bool crossed(const Sample& end);
   const std::string& nan_event() const { return nan_event_; }
   void transfer(StateBytes& bytes);
   // The crossings asked for in that step, in order of time, up to the first that stops the run.
@@ -30,7 +30,7 @@ class EventWatch {
     std::vector<EventRecord> records;
     bool stops = false;
   };
-  Found found(const DenseStep& step, const RotorState& s1) const;
+  Found found(const DenseStep& step, const Sample& end) const;
 
  private:
   struct Side {

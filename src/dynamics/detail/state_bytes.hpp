@@ -73,9 +73,9 @@ class StateBytes {
   void operator()(RotorState& s) { all(s.q, s.g); }
   void operator()(Mat3& m) { all(m.row[0], m.row[1], m.row[2]); }
   void operator()(AffineTorque& u) { all(u.constant, u.damping); }
-  void operator()(Sample& s) { all(s.t, s.s); }
+  void operator()(Sample& s) { all(s.t, s.s, s.damper_rate); }
   void operator()(Statistics& s) { all(s.steps, s.rejected, s.evaluations); }
-  void operator()(EventRecord& e) { all(e.name, e.t, e.s, e.direction); }
+  void operator()(EventRecord& e) { all(e.name, e.t, e.s, e.direction, e.damper_rate); }
   template <class T, std::size_t N>
   void operator()(std::array<T, N>& values) {
     for (T& x : values) (*this)(x);

@@ -21,6 +21,7 @@ class Stepper {
   virtual std::string advance(double stop) = 0;
   virtual double time() const = 0;
   virtual RotorState state() const = 0;  // at time(), q normalised
+  virtual Vec3 damper_rate() const { return {}; }
   // The step just made. Valid until the next advance when `keep` is false, for good otherwise.
   virtual std::shared_ptr<const DenseStep> dense(bool keep) = 0;
   virtual Statistics statistics() const = 0;

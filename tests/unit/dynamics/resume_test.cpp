@@ -54,7 +54,8 @@ Streams into(Record& record, int every) {
 }
 
 bool same(const EventRecord& a, const EventRecord& b) {
-  return a.name == b.name && a.t == b.t && a.s == b.s && a.direction == b.direction;
+  return a.name == b.name && a.t == b.t && a.s == b.s && a.direction == b.direction &&
+         a.damper_rate == b.damper_rate;
 }
 
 void expect_the_straight_run(const Problem& problem, const SaveAt& times, int every) {
@@ -131,6 +132,40 @@ INSTANTIATE_TEST_SUITE_P(
                     Adaptive{.tolerance = 1e-18, .precision = Precision::double_double},
                     Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
                     Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10}));
+
+TEST(Resume, WithADamper) {
+  for (const Method& method :
+       {Method(Adaptive{.tolerance = 1e-9}),
+        Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double})}) {
+    const Problem free = problem(method, 40.0);
+    Problem p = free;
+    p.system =
+        System(free.system.body(), free.system.frame(), free.system.terms(), KaneDamper(0.2, 0.05));
+    p.damper_rate = {0.1, 0.2, -0.3};
+    expect_the_straight_run(p, SaveAt::count(0.0, 40.0, 401), 21);
+
+    const SaveAt times = SaveAt::count(0.0, 40.0, 401);
+    Record record, rest;
+    integrate(p, times, into(record, 50));
+    const Checkpoint& from = record.checkpoints.at(0);
+    const auto differs = [&](const Problem& other) {
+      try {
+        resume(other, times, from, into(rest, 0));
+      } catch (const DomainError& error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+    Problem other = p;
+    other.system =
+        System(free.system.body(), free.system.frame(), free.system.terms(), KaneDamper(0.2, 0.06));
+    EXPECT_THAT(differs(other), HasSubstr("damper differs"));
+    EXPECT_THAT(differs(free), HasSubstr("damper differs"));
+    other = p;
+    other.damper_rate.x = 0.0;
+    EXPECT_THAT(differs(other), HasSubstr("damper_rate differs"));
+  }
+}
 
 // A torque that jumps ends steps, and the samples before the jump are those of its own side.
 TEST(Resume, BesideATorqueThatJumps) {

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// Runs of a body with a Kane damper, against two rigid bodies that rub in inertial axes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "budgets.hpp"
+#include "polhode/analysis/chaos_indicator.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/perturb/constant_torque.hpp"
+#include "polhode/perturb/internal_damping.hpp"
+
+namespace {
+
+using namespace polhode;
+using testing::HasSubstr;
+
+const Body body(1.0, 1.6, 2.1);
+constexpr double J = 0.3;
+constexpr double c = 0.4;
+const RotorState start{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}};
+const Vec3 s0{0.4, -0.7, 0.2};
+const Vec3 torque{0.02, -0.01, 0.03};  // inertial axes
+constexpr Adaptive sharp{.tolerance = 1e-14};
+
+Problem problem(double stop, const Method& method = sharp, const Frame& frame = Frame::inertial(),
+                std::vector<AnyPerturbation> terms = {}, double friction = c) {
+  return {System(body, frame, std::move(terms), KaneDamper(J, friction)),
+          start,
+          0.0,
+          stop,
+          method,
+          {},
+          s0};
+}
+
+// q_IH of the hub, its momentum P and that of the sphere H, both in space: dP/dt = U + c s,
+// dH/dt = -c s. In long double, by Fehlberg's method of order 8 at a step of a 200th.
+class TwoBodies {
+ public:
+  using Values = std::array<long double, 10>;
+
+  Values at(double t) const {
+    const BasicVec3<long double> g{start.g.x, start.g.y, start.g.z};
+    const BasicVec3<long double> rate{s0.x, s0.y, s0.z};
+    const auto [x, y, z] = body.moments();
+    const BasicVec3<long double> w{(g.x - J * rate.x) / x, (g.y - J * rate.y) / y,
+                                   (g.z - J * rate.z) / z};
+    const auto q = attitude({start.q.w, start.q.x, start.q.y, start.q.z});
+    const auto H = rotate(q, static_cast<long double>(J) * (w + rate));
+    const auto P = rotate(q, g) - H;
+    Values v{q.w, q.x, q.y, q.z, P.x, P.y, P.z, H.x, H.y, H.z};
+    boost::numeric::odeint::runge_kutta_fehlberg78<Values, long double> stepper;
+    const int steps = static_cast<int>(std::ceil(t * 200.0));
+    for (int i = 0; i < steps; ++i)
+      stepper.do_step([this](const Values& a, Values& da, long double) { da = rates(a); }, v, 0.0L,
+                      static_cast<long double>(t) / steps);
+    return v;
+  }
+  static Sample sample(double t, const Values& v) {
+    const auto q = attitude({v[0], v[1], v[2], v[3]});
+    const BasicVec3<long double> P{v[4], v[5], v[6]}, H{v[7], v[8], v[9]};
+    const auto g = rotate(conj(q), P + H);
+    const auto s = rotate(conj(q), 1.0L / J * H - rate(q, P));
+    const auto narrow = [](const BasicVec3<long double>& x) {
+      return Vec3{static_cast<double>(x.x), static_cast<double>(x.y), static_cast<double>(x.z)};
+    };
+    return {t,
+            {{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
+              static_cast<double>(q.z)},
+             narrow(g)},
+            narrow(s)};
+  }
+
+ private:
+  using V = BasicVec3<long double>;
+  using Q = BasicQuaternion<long double>;
+
+  static Q attitude(const Q& q) {
+    const long double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    return {q.w / size, q.x / size, q.y / size, q.z / size};
+  }
+  // Of the hub, in space.
+  static V rate(const Q& q, const V& P) {
+    const V p = rotate(conj(q), P);
+    const auto [x, y, z] = body.moments();
+    return rotate(
+        q, V{p.x / (static_cast<long double>(x) - J), p.y / (static_cast<long double>(y) - J),
+             p.z / (static_cast<long double>(z) - J)});
+  }
+  Values rates(const Values& v) const {
+    const Q q = attitude({v[0], v[1], v[2], v[3]});
+    const V P{v[4], v[5], v[6]}, H{v[7], v[8], v[9]};
+    const V W = rate(q, P);
+    const V friction = static_cast<long double>(c) * (1.0L / J * H - W);
+    const Q dq = Q{0.0L, 0.5L * W.x, 0.5L * W.y, 0.5L * W.z} * q;
+    return {dq.w,
+            dq.x,
+            dq.y,
+            dq.z,
+            torque.x + friction.x,
+            torque.y + friction.y,
+            torque.z + friction.z,
+            -friction.x,
+            -friction.y,
+            -friction.z};
+  }
+};
+
+double distance(const Sample& a, const Sample& b) {
+  const Quaternion d = conj(a.s.q) * b.s.q;
+  return 2.0 * norm(Vec3{d.x, d.y, d.z}) + norm(a.s.g - b.s.g) / norm(b.s.g) +
+         norm(a.damper_rate - b.damper_rate);
+}
+
+AnyPerturbation thruster() { return {"thruster", ConstantTorque::in_space(torque)}; }
+
+TEST(KaneDamperRun, IsThatOfTwoBodiesInSpace) {
+  for (const Method& method : {Method(sharp), Method(Adaptive{.tolerance = 1e-18,
+                                              .precision = Precision::double_double})}) {
+    const Trajectory run = integrate(problem(20.0, method, Frame::inertial(), {thruster()}));
+    ASSERT_TRUE(run.outcome().ok());
+    for (const double t : {0.3, 7.1, 20.0}) {
+      const Sample want = TwoBodies::sample(t, TwoBodies().at(t));
+      EXPECT_LE(distance(run.sample(t), want), budget::kane_two_bodies) << t;
+      EXPECT_EQ(run.at(t), run.sample(t).s);
+    }
+    EXPECT_LT(norm(run.sample(20.0).damper_rate), 0.5 * norm(s0));
+  }
+}
+
+TEST(KaneDamperRun, IsTheSameInAMovingFrame) {
+  const Frame frame = Frame::precessing({0.3, -0.2, 1.0}, 0.7, 0.4);
+  Problem moving = problem(20.0, sharp, frame, {thruster()});
+  moving.initial = reference_state(moving.system, 0.0, start);
+  const Trajectory run = integrate(moving);
+  Sample end = run.sample(20.0);
+  end.s = inertial_state(moving.system, 20.0, end.s);
+  EXPECT_LE(distance(end, TwoBodies::sample(20.0, TwoBodies().at(20.0))), budget::kane_two_bodies);
+}
+
+// An energy in momenta alone: its v turns body and sphere alike.
+struct Coupling {
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    return {{T(0.1) * at.s.g.y, T(0.1) * at.s.g.x, T(0.0)}, {}};
+  }
+  template <Real T>
+  T energy(const BasicSetting<T>& at) const {
+    return T(0.1) * at.s.g.x * at.s.g.y;
+  }
+};
+
+TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
+  for (const bool with_terms : {false, true}) {
+    std::vector<AnyPerturbation> terms;
+    if (with_terms) terms.emplace_back("coupling", Coupling{});
+    const Frame frame =
+        with_terms ? Frame::precessing({0.0, 0.6, 0.8}, 0.3, 0.0) : Frame::inertial();
+    const Problem p = problem(15.0, sharp, frame, terms);
+    const Trajectory run = integrate(p);
+    const auto energy_at = [&](double t) {
+      const Sample at = run.sample(t);
+      return energy(at_damper_rate(p.system, at.damper_rate), t, at.s);
+    };
+    const auto power = [&](double t) {
+      const Vec3 s = run.sample(t).damper_rate;
+      return c * dot(s, s);
+    };
+    double lost = 0.0;
+    for (int i = 0; i < 30; ++i)
+      lost += boost::math::quadrature::gauss<double, 15>::integrate(power, 0.5 * i, 0.5 * i + 0.5);
+    EXPECT_GT(lost, 0.01);
+    EXPECT_NEAR((energy_at(0.0) - energy_at(15.0)) / lost, 1.0, budget::kane_energy);
+    const auto in_space = [&](double t) {
+      const RotorState s = inertial_state(p.system, t, run.at(t));
+      return rotate(s.q, s.g);
+    };
+    if (with_terms) continue;
+    EXPECT_LE(norm(in_space(15.0) - in_space(0.0)), budget::internal_damping_momentum);
+  }
+}
+
+TEST(KaneDamperRun, WithoutFrictionTheHubIsFree) {
+  const Problem p = problem(30.0, sharp, Frame::inertial(), {}, 0.0);
+  const Trajectory run = integrate(p);
+  const Vec3& I = body.moments();
+  const Vec3 h = p.system.damper()->momentum(body, start.g, s0);
+  const FreeRotation hub(Body(I.x - J, I.y - J, I.z - J), {start.q, start.g - h});
+  const Vec3 h_I = rotate(start.q, h);
+  for (const double t : {3.0, 30.0}) {
+    const Sample at = run.sample(t);
+    const RotorState alone = hub.at(t);
+    const Vec3 of_sphere = rotate(conj(alone.q), h_I);
+    const Sample want{t,
+                      {alone.q, alone.g + of_sphere},
+                      p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)};
+    EXPECT_LE(distance(at, want), budget::kane_two_bodies);
+  }
+}
+
+// A sphere that follows closely: InternalDamping with k = J^2/c I^-2, up to k J/c, which is k^2/J.
+TEST(KaneDamperRun, TendsToInternalDamping) {
+  const Vec3& I = body.moments();
+  std::vector<double> error;
+  for (const double k : {0.5e-4, 1e-4, 2e-4}) {
+    const Vec3 k_B{k / (I.x * I.x), k / (I.y * I.y), k / (I.z * I.z)};
+    const System limit(body, Frame::inertial(), {{"friction", InternalDamping(k_B)}});
+    const System full(body, Frame::inertial(), {}, KaneDamper(J, J * J / k));
+    const Vec3 g = integrate({full, start, 0.0, 40.0, sharp}).at(40.0).g;
+    error.push_back(norm(g - integrate({limit, start, 0.0, 40.0, sharp}).at(40.0).g));
+  }
+  EXPECT_LT(error[0], budget::kane_close);
+  EXPECT_NEAR(error[1] / error[0], 4.0, budget::kane_first_order);
+  EXPECT_NEAR(error[2] / error[1], 4.0, budget::kane_first_order);
+}
+
+TEST(KaneDamperRun, TurnsWithABodyThatSpins) {
+  Problem p = problem(50.0);
+  p.initial.g = {0.0, 0.0, 1.7};
+  p.damper_rate = {};
+  const Trajectory run = integrate(p);
+  EXPECT_EQ(run.samples().back().damper_rate, Vec3{});
+  EXPECT_EQ(run.samples().back().s.g, p.initial.g);
+}
+
+TEST(KaneDamperRun, GoesBackToItsStart) {
+  Problem p = problem(3.0, sharp, Frame::inertial(), {thruster()});
+  const Sample there = integrate(p).sample(3.0);
+  p.initial = there.s;
+  p.damper_rate = there.damper_rate;
+  p.start = 3.0;
+  p.stop = 0.0;
+  EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, start, s0}), budget::kane_two_bodies);
+}
+
+TEST(KaneDamperRun, EventsAndSamplesHoldItsRate) {
+  Problem p = problem(20.0);
+  p.events.push_back({"slow", [](const Sample& at) { return norm(at.damper_rate) - 0.3; },
+                      Crossing::falling, true});
+  const Trajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
+  ASSERT_EQ(run.events().size(), 1U);
+  EXPECT_NEAR(norm(run.events()[0].damper_rate), 0.3, budget::kane_two_bodies);
+  EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
+  EXPECT_EQ(run.samples()[0].damper_rate, s0);
+  EXPECT_EQ(run.samples().back().damper_rate, run.events()[0].damper_rate);
+  EXPECT_EQ(run.samples()[2].damper_rate, run.sample(0.5).damper_rate);
+}
+
+TEST(KaneDamperRun, SystemAtARateKnowsItsRotation) {
+  const Problem p = problem(1.0);
+  const System at = at_damper_rate(p.system, s0);
+  const Vec3& I = body.moments();
+  const Vec3 h = p.system.damper()->momentum(body, start.g, s0), rest = start.g - h;
+  const Vec3 w{rest.x / (I.x - J), rest.y / (I.y - J), rest.z / (I.z - J)};
+  EXPECT_LE(norm(angular_velocity(at, 0.0, start).inertial - w), budget::kane_rounding);
+  EXPECT_NEAR(energy(at, 0.0, start), 0.5 * (dot(rest, w) + dot(h, h) / J), budget::kane_rounding);
+  EXPECT_FALSE(at.damper());
+  EXPECT_TRUE(p.system.has_energy());
+  EXPECT_FALSE(p.system.is_hamiltonian());
+}
+
+std::string refusal(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const DomainError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
+  const Problem p = problem(1.0);
+  EXPECT_EQ(refusal([&] { angular_velocity(p.system, 0.0, start); }),
+            "a system with a Kane damper has no angular velocity without the rate of the damper: "
+            "take at_damper_rate(system, rate)");
+  EXPECT_THAT(refusal([&] { energy(p.system, 0.0, start); }), HasSubstr("at_damper_rate"));
+  EXPECT_THAT(refusal([&] { rotor_rates(p.system, 0.0, start); }), HasSubstr("at_damper_rate"));
+  for (const Method& method : {Method(Splitting{0.1}), Method(VariationOfConstants{})})
+    EXPECT_EQ(refusal([&] { integrate(problem(1.0, method)); }),
+              "integrate: a Kane damper has a state of its own: method must be Adaptive; "
+              "InternalDamping, its limit of strong friction, has no state");
+  EXPECT_EQ(refusal([&] { state_transitions(p, SaveAt::times({1.0})); }),
+            "state_transitions: a Kane damper has a state of its own, which integrate alone "
+            "carries; InternalDamping, its limit of strong friction, has no state");
+  EXPECT_THAT(refusal([&] { chaos_indicator(p, SaveAt::times({1.0})); }),
+              HasSubstr("which integrate alone carries"));
+  Problem bare{System(body), start, 0.0, 1.0, sharp, {}, {0.0, 0.1, 0.0}};
+  EXPECT_EQ(refusal([&] { integrate(bare); }),
+            "integrate: damper_rate (0, 0.1, 0) must be zero for a system without a damper");
+  EXPECT_EQ(refusal([&] {
+              at_damper_rate(bare.system, {0.0, 0.1, 0.0});
+            }),
+            "at_damper_rate: rate (0, 0.1, 0) must be zero for a system without a damper");
+  Problem lost = p;
+  lost.damper_rate.y = NAN;
+  EXPECT_EQ(refusal([&] { integrate(lost); }),
+            "integrate: damper_rate (0.4, nan, 0.2) must be finite");
+  EXPECT_THAT(refusal([] { System(body, Frame::inertial(), {}, KaneDamper(0.6, 1.0)); }),
+              HasSubstr("what is left must be a body"));
+}
+
+}  // namespace
