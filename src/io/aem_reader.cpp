@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 
-#include "io/detail/civil_time.hpp"
-#include "io/detail/kvn_reader.hpp"
+#include "io/detail/kvn_ephemeris.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/values.hpp"
 #include "io/detail/word_list.hpp"
@@ -19,14 +17,12 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-using detail::CivilTime;
 using detail::KvnLine;
-using Pairs = std::map<std::string, std::string, std::less<>>;
 
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double length_error = 0.01;  // of a quaternion written with few digits
-constexpr std::string_view time_systems[] = {"UTC", "TAI", "TT", "TDB", "GPS"};
+constexpr std::string_view versions[] = {"1.0", "2.0"};
 
 enum class Rates { none, derivative, angular_velocity };
 enum class Angles { quaternion, euler, spin };
@@ -69,126 +65,65 @@ Quaternion about(int axis, double angle) {
 
 class AemReader {
  public:
-  AemReader(std::string_view text, std::string name) : lines_(text, std::move(name)) {}
+  AemReader(std::string_view text, std::string name)
+      : lines_(text, std::move(name), "AEM", versions) {}
   AttitudeEphemeris read();
 
  private:
-  void read_header();
   void read_meta();
   void read_rows();
   void read_row(const KvnLine& line, AemSegment& segment);
   void choose_layout();
   void choose_sequence();
-  std::string needed(std::string_view key);
-  std::string optional(std::string_view key) const;
   void add(const std::array<double, 8>& n, AemSegment& segment);
   Quaternion quaternion(const std::array<double, 8>& n, std::size_t first) const;
 
-  detail::KvnReader lines_;
+  detail::KvnEphemerisReader lines_;
   AttitudeEphemeris result_;
-  Pairs meta_;
   Layout layout_ = layouts[0];
   std::array<int, 3> sequence_{2, 0, 2};
   bool scalar_first_ = false;
   bool body_to_frame_ = false;
   bool rate_in_a_ = false;
-  std::optional<CivilTime> origin_;
-  std::optional<CivilTime> before_;
 };
 
-std::string AemReader::needed(std::string_view key) {
-  const auto found = meta_.find(key);
-  if (found == meta_.end()) lines_.fail("the metadata above have no " + std::string(key));
-  return found->second;
-}
-
-std::string AemReader::optional(std::string_view key) const {
-  const auto found = meta_.find(key);
-  return found == meta_.end() ? std::string() : found->second;
-}
-
 AttitudeEphemeris AemReader::read() {
-  read_header();
+  detail::KvnHeader header = lines_.read_header();
+  result_.version = std::move(header.version);
+  result_.creation_date = std::move(header.creation_date);
+  result_.originator = std::move(header.originator);
+  result_.comments = std::move(header.comments);
   for (;;) {
+    read_meta();
     read_rows();
     std::optional<KvnLine> line = lines_.next();
     while (line && line->kind == KvnLine::Kind::comment) line = lines_.next();
     if (!line) return std::move(result_);
     if (line->key != "META_START")
-      lines_.fail("got \"" + detail::printable(line->key.empty() ? line->value : line->key) +
-                  "\"; expected META_START of another segment, or the end");
-    read_meta();
+      lines_.unexpected(*line, "behind the data", "META_START of another segment, or the end");
   }
-}
-
-// Up to META_STOP of the first segment.
-void AemReader::read_header() {
-  bool first = true;
-  while (const std::optional<KvnLine> line = lines_.next()) {
-    if (std::exchange(first, false)) {
-      if (line->key != "CCSDS_AEM_VERS")
-        lines_.fail("expected CCSDS_AEM_VERS = 1.0 or 2.0 as the first line of an AEM");
-      result_.version = lines_.value_of(*line);
-      if (result_.version != "1.0" && result_.version != "2.0")
-        lines_.fail("CCSDS_AEM_VERS: got \"" + detail::printable(result_.version) +
-                    "\"; expected 1.0 or 2.0");
-    } else if (line->kind == KvnLine::Kind::comment) {
-      result_.comments.emplace_back(line->value);
-    } else if (line->key == "META_START") {
-      read_meta();
-      return;
-    } else if (line->key == "CREATION_DATE") {
-      result_.creation_date = lines_.value_of(*line);
-    } else if (line->key == "ORIGINATOR") {
-      result_.originator = lines_.value_of(*line);
-    } else if (line->key != "MESSAGE_ID" && line->key != "CLASSIFICATION") {
-      lines_.fail("got \"" + detail::printable(line->key.empty() ? line->value : line->key) +
-                  "\" in the header; expected CREATION_DATE, ORIGINATOR or META_START");
-    }
-  }
-  lines_.fail(first ? "expected CCSDS_AEM_VERS = 1.0 or 2.0 as the first line of an AEM"
-                    : "the file ends before META_START");
 }
 
 void AemReader::read_meta() {
-  meta_.clear();
-  for (;;) {
-    const std::optional<KvnLine> line = lines_.next();
-    if (!line) lines_.fail("the file ends before META_STOP");
-    if (line->kind == KvnLine::Kind::comment) continue;
-    if (line->key == "META_STOP") break;
-    if (line->kind != KvnLine::Kind::pair)
-      lines_.fail("got \"" + detail::printable(line->key.empty() ? line->value : line->key) +
-                  "\" in the metadata; expected KEYWORD = value or META_STOP");
-    if (!meta_.emplace(line->key, lines_.value_of(*line)).second)
-      lines_.fail(detail::printable(line->key) + " is there twice");
-  }
+  lines_.read_metadata();
   choose_layout();
-  AemSegment segment{.object_name = needed("OBJECT_NAME"),
-                     .object_id = needed("OBJECT_ID"),
-                     .center = optional("CENTER_NAME"),
-                     .frame_a = needed("REF_FRAME_A"),
-                     .frame_b = needed("REF_FRAME_B"),
-                     .time_system = needed("TIME_SYSTEM"),
-                     .attitude_type = std::string(layout_.type),
-                     .start = needed("START_TIME"),
-                     .stop = needed("STOP_TIME"),
-                     .epochs = {},
-                     .t = {},
-                     .q_AB = {},
-                     .w_AB_B = {}};
-  if (std::find(std::begin(time_systems), std::end(time_systems), segment.time_system) ==
-      std::end(time_systems))
-    lines_.fail("TIME_SYSTEM: got \"" + detail::printable(segment.time_system) + "\"; expected " +
-                detail::one_of(time_systems));
-  if (!result_.segments.empty() && segment.time_system != result_.segments.front().time_system)
-    lines_.fail("TIME_SYSTEM: got " + segment.time_system + "; the first segment has " +
-                result_.segments.front().time_system);
-  result_.segments.push_back(std::move(segment));
+  result_.segments.push_back({.object_name = lines_.needed("OBJECT_NAME"),
+                              .object_id = lines_.needed("OBJECT_ID"),
+                              .center = lines_.optional("CENTER_NAME"),
+                              .frame_a = lines_.needed("REF_FRAME_A"),
+                              .frame_b = lines_.needed("REF_FRAME_B"),
+                              .time_system = lines_.read_time_system(),
+                              .attitude_type = std::string(layout_.type),
+                              .start = lines_.needed("START_TIME"),
+                              .stop = lines_.needed("STOP_TIME"),
+                              .epochs = {},
+                              .t = {},
+                              .q_AB = {},
+                              .w_AB_B = {}});
 }
 
 void AemReader::choose_layout() {
-  std::string type = needed("ATTITUDE_TYPE");
+  std::string type = lines_.needed("ATTITUDE_TYPE");
   std::replace(type.begin(), type.end(), ' ', '_');  // Orekit writes EULER ANGLE
   const auto* const found = std::find_if(std::begin(layouts), std::end(layouts),
                                          [&](const Layout& layout) { return layout.type == type; });
@@ -199,24 +134,23 @@ void AemReader::choose_layout() {
                 detail::one_of(known));
   }
   layout_ = *found;
-  const std::string direction = optional("ATTITUDE_DIR");
+  const std::string direction = lines_.optional("ATTITUDE_DIR");
   if (!direction.empty() && direction != "A2B" && direction != "B2A")
-    lines_.fail("ATTITUDE_DIR: got \"" + detail::printable(direction) + "\"; expected A2B or B2A");
+    lines_.refuse("ATTITUDE_DIR", direction, "A2B or B2A");
   body_to_frame_ = direction == "B2A";
-  const std::string order = optional("QUATERNION_TYPE");
+  const std::string order = lines_.optional("QUATERNION_TYPE");
   if (!order.empty() && order != "FIRST" && order != "LAST")
-    lines_.fail("QUATERNION_TYPE: got \"" + detail::printable(order) +
-                "\"; expected FIRST or LAST");
+    lines_.refuse("QUATERNION_TYPE", order, "FIRST or LAST");
   if (order.empty() && result_.version == "1.0" && layout_.angles == Angles::quaternion)
     lines_.fail("the metadata above have no QUATERNION_TYPE, FIRST or LAST");
   scalar_first_ = order == "FIRST";
-  const std::string a = optional("REF_FRAME_A");
-  const std::string frame = optional("RATE_FRAME") + optional("ANGVEL_FRAME");
-  rate_in_a_ = frame == "REF_FRAME_A" || (frame == a && frame != optional("REF_FRAME_B"));
-  const bool told = rate_in_a_ || frame == "REF_FRAME_B" || frame == optional("REF_FRAME_B");
+  const std::string a = lines_.optional("REF_FRAME_A");
+  const std::string frame = lines_.optional("RATE_FRAME") + lines_.optional("ANGVEL_FRAME");
+  rate_in_a_ = frame == "REF_FRAME_A" || (frame == a && frame != lines_.optional("REF_FRAME_B"));
+  const bool told = rate_in_a_ || frame == "REF_FRAME_B" || frame == lines_.optional("REF_FRAME_B");
   if (layout_.rates == Rates::angular_velocity && !told)
-    lines_.fail("the frame of the angular velocity: got \"" + detail::printable(frame) +
-                "\"; expected REF_FRAME_A, REF_FRAME_B or the name of either");
+    lines_.refuse("the frame of the angular velocity", frame,
+                  "REF_FRAME_A, REF_FRAME_B or the name of either");
   if (layout_.rates == Rates::angular_velocity && body_to_frame_)
     lines_.fail(
         "ATTITUDE_DIR: got B2A with angular velocities; which of the two frames turns "
@@ -225,7 +159,7 @@ void AemReader::choose_layout() {
 }
 
 void AemReader::choose_sequence() {
-  const std::string text = needed("EULER_ROT_SEQ");
+  const std::string text = lines_.needed("EULER_ROT_SEQ");
   bool good = text.size() == 3;
   for (std::size_t i = 0; good && i < 3; ++i) {
     const std::optional<int> axis = axis_of(text[i]);
@@ -233,12 +167,10 @@ void AemReader::choose_sequence() {
     if (good) sequence_.at(i) = *axis;
   }
   if (!good || sequence_[0] == sequence_[1] || sequence_[1] == sequence_[2])
-    lines_.fail("EULER_ROT_SEQ: got \"" + detail::printable(text) +
-                "\"; expected three axes such as 313 or ZXZ");
+    lines_.refuse("EULER_ROT_SEQ", text, "three axes such as 313 or ZXZ");
 }
 
 void AemReader::read_rows() {
-  before_.reset();
   AemSegment& segment = result_.segments.back();
   bool started = false;
   for (;;) {
@@ -253,8 +185,7 @@ void AemReader::read_rows() {
     } else if (line->kind == KvnLine::Kind::data) {
       read_row(*line, segment);
     } else {
-      lines_.fail("got \"" + detail::printable(line->key) +
-                  "\" among the data; expected a row or DATA_STOP");
+      lines_.unexpected(*line, "among the data", "a row or DATA_STOP");
     }
   }
   if (segment.t.empty()) lines_.fail("a segment without rows");
@@ -266,22 +197,12 @@ void AemReader::read_row(const KvnLine& line, AemSegment& segment) {
   if (fields.size() != count + 1)
     lines_.fail("got " + std::to_string(fields.size()) + " fields; expected those of " +
                 std::string(layout_.type) + ": " + std::string(layout_.fields));
-  const std::optional<CivilTime> time = detail::civil_time(fields[0], segment.time_system == "UTC");
-  if (!time)
-    lines_.fail("got \"" + detail::printable(fields[0]) +
-                "\"; expected a date such as 2029-04-13T21:46:00.0");
-  if (before_ && !(*time > *before_)) lines_.fail("a date not later than that of the row before");
-  before_ = time;
-  if (!origin_) origin_ = time;
+  const double t = lines_.read_seconds(fields[0]);
   std::array<double, 8> numbers{};
   for (std::size_t i = 0; i < count; ++i)
     numbers.at(i) = lines_.number(fields[i + 1], layout_.type);
   segment.epochs.emplace_back(fields[0]);
-  try {
-    segment.t.push_back(detail::seconds_between(segment.time_system, *origin_, *time));
-  } catch (const DomainError& error) {
-    lines_.fail(error.what());
-  }
+  segment.t.push_back(t);
   add(numbers, segment);
 }
 

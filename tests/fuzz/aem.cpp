@@ -4,26 +4,15 @@
 #include "polhode/io/aem.hpp"
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
 
+#include "fuzz.hpp"
 #include "polhode/error.hpp"
-
-namespace {
-
-void require(bool good) {
-  if (!good) std::abort();
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace polhode;
+  using fuzz::require;
   try {
-    const AttitudeEphemeris read =
-        aem_from_text({reinterpret_cast<const char*>(data), size}, "fuzz");
+    const AttitudeEphemeris read = aem_from_text(fuzz::text_of(data, size), "fuzz");
     require(!read.segments.empty());
     for (const AemSegment& s : read.segments) {
       require(!s.t.empty() && s.q_AB.size() == s.t.size() && s.epochs.size() == s.t.size());
@@ -35,8 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     require(aem_csv(read).ends_with('\n'));
   } catch (const DomainError& error) {
-    const std::string_view message = error.what();
-    require(message.starts_with("fuzz:") && message.find('\n') == std::string_view::npos);
+    fuzz::require_message(error.what());
   }
   return 0;
 }

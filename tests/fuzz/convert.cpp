@@ -7,17 +7,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz.hpp"
 #include "polhode/error.hpp"
 
 namespace {
-
-void require(bool good) {
-  if (!good) std::abort();
-}
 
 std::string chart(std::uint8_t byte) {
   const auto charts = polhode::table_charts();
@@ -31,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 3) return -1;
   const Conversion conversion{chart(data[0]), chart(data[1]), Body(1.0, 2.0, 2.5)};
   const std::size_t piece = std::size_t{1} + data[2];
-  std::string_view rest(reinterpret_cast<const char*>(data) + 3, size - 3);
+  std::string_view rest = fuzz::text_of(data + 3, size - 3);
   std::string out;
   try {
     convert(
@@ -44,9 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         },
         [&](std::string_view bytes) { out += bytes; });
   } catch (const DomainError& error) {
-    const std::string_view message = error.what();
-    require(message.starts_with("fuzz:") && message.find('\n') == std::string_view::npos);
+    fuzz::require_message(error.what());
   }
-  require(out.empty() || out.back() == '\n');
+  fuzz::require(out.empty() || out.back() == '\n');
   return 0;
 }

@@ -4,27 +4,16 @@
 #include "polhode/io/obj.hpp"
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
 
+#include "fuzz.hpp"
 #include "polhode/error.hpp"
 #include "polhode/shape/mass_properties.hpp"
 
-namespace {
-
-void require(bool good) {
-  if (!good) std::abort();
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace polhode;
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  using fuzz::require;
   try {
-    const FacetShape shape = shape_from_obj(text, "fuzz");
+    const FacetShape shape = shape_from_obj(fuzz::text_of(data, size), "fuzz");
     for (const Facet& facet : shape.facets()) require(facet.area > 0.0);
     if (shape.is_closed() && shape.area() > 1e-30 && shape.area() < 1e30) {
       try {

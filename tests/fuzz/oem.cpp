@@ -4,25 +4,15 @@
 #include "polhode/io/oem.hpp"
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
 
+#include "fuzz.hpp"
 #include "polhode/error.hpp"
-
-namespace {
-
-void require(bool good) {
-  if (!good) std::abort();
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace polhode;
+  using fuzz::require;
   try {
-    const OrbitEphemeris read = oem_from_text({reinterpret_cast<const char*>(data), size}, "fuzz");
+    const OrbitEphemeris read = oem_from_text(fuzz::text_of(data, size), "fuzz");
     require(!read.segments.empty());
     for (const OemSegment& s : read.segments) {
       require(!s.t.empty() && s.position.size() == s.t.size() && s.velocity.size() == s.t.size());
@@ -31,8 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 (k == 0 || s.t[k] >= s.t[k - 1]));
     }
   } catch (const DomainError& error) {
-    const std::string_view message = error.what();
-    require(message.starts_with("fuzz:") && message.find('\n') == std::string_view::npos);
+    fuzz::require_message(error.what());
   }
   return 0;
 }

@@ -7,19 +7,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include "fuzz.hpp"
 #include "polhode/io/columns.hpp"
 #include "polhode/io/run.hpp"
 #include "polhode/io/summary.hpp"
 
 namespace {
 
-void require(bool good) {
-  if (!good) std::abort();
-}
+using fuzz::require;
 
 void check_message(std::string_view message) {
   require(!message.empty() && message.starts_with("fuzz:"));
@@ -40,9 +38,8 @@ bool has_every_number(const polhode::Scenario& scenario) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace polhode;
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const Scenario scenario = scenario_from_text(text, "fuzz");
+    const Scenario scenario = scenario_from_text(fuzz::text_of(data, size), "fuzz");
     const FreeRotation motion = free_rotation(scenario);
     require(!summary_table(summary(scenario, motion)).empty());
     require(!provenance(scenario).notes.empty());
