@@ -21,22 +21,6 @@ using polhode::KeplerOrbit;
 using polhode::SpaceAxes;
 namespace budget = polhode::budget;
 
-// A curve that any number type can follow.
-struct Curve {
-  template <Real T>
-  BasicVec3<T> position(const T& t) const {
-    return {T(1.1) + t * t, T(0.7) - t, T(0.4) * t - T(0.3)};
-  }
-};
-
-struct Still {
-  Vec3 at;
-  template <Real T>
-  BasicVec3<T> position(const T&) const {
-    return {T(at.x), T(at.y), T(at.z)};
-  }
-};
-
 // The tensor form of the torque and of the potential: r x I r and r.I r as printed everywhere.
 BasicEffect<Wide> textbook(const WideVec3& r_B, const Vec3& I, double gm) {
   const WideVec3 Ir{I.x * r_B.x, I.y * r_B.y, I.z * r_B.z};
@@ -74,8 +58,7 @@ TEST(GravityGradient, TextbookTorque) {
     Draw draw(503, i);
     const Vec3 r = drawn_vector(draw);
     const BasicSetting<Wide> at = c.on<Wide>();
-    const WideVec3 r_B =
-        rotate(conj(normalized(at.s.q)), rotate(conj(normalized(at.q_IS)), wide(r)));
+    const WideVec3 r_B = seen_in_body(at, wide(r));
     const BasicEffect<Wide> want = textbook(r_B, c.body.moments(), 0.3);
     const Effect got = GravityGradient(0.3, Still{r}).effect(c.on<double>());
     worst = std::max(worst, largest(wide(got.u) - want.u) / (0.9 / std::pow(norm(r), 3)));

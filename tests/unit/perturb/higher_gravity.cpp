@@ -26,20 +26,6 @@ using polhode::PointMass;
 using polhode::SpaceAxes;
 namespace budget = polhode::budget;
 
-struct Curve {
-  template <Real T>
-  BasicVec3<T> position(const T& t) const {
-    return {T(1.1) + t * t, T(0.7) - t, T(0.4) * t - T(0.3)};
-  }
-};
-struct Still {
-  Vec3 at;
-  template <Real T>
-  BasicVec3<T> position(const T&) const {
-    return {T(at.x), T(at.y), T(at.z)};
-  }
-};
-
 std::vector<PointMass> drawn_points(std::uint64_t seed) {
   Draw draw(seed, 0);
   std::vector<PointMass> points;
@@ -103,8 +89,7 @@ TEST(HigherGravity, SeriesOfEveryPointMass) {
     const Vec3 r = drawn_vector(draw);
     for (const OrbitOf of : {OrbitOf::attractor, OrbitOf::body}) {
       const BasicSetting<Wide> at = c.on<Wide>();
-      const WideVec3 seen =
-          rotate(conj(normalized(at.s.q)), rotate(conj(normalized(at.q_IS)), wide(r)));
+      const WideVec3 seen = seen_in_body(at, wide(r));
       const BySeries want = by_series(points, of == OrbitOf::body ? -seen : seen, 0.7);
       const HigherGravity term(0.7, Still{r}, moments, of);
       double size = 0.0;  // the torque of all masses at their distance, at right angles

@@ -44,7 +44,7 @@ const PrimaryRotation primary{{0.3, -0.5, 1.7}, 0.8, 0.4, -0.25};
 const Mat3 tensor{{{0.5, 0.1, -0.2}, {0.1, 0.3, 0.05}, {-0.2, 0.05, 0.4}}};
 
 // A curve that any number type can follow.
-struct Curve {
+struct Arc {
   template <Real T>
   BasicVec3<T> position(const T& t) const {
     return {T(1.1) + T(0.1) * t * t, T(0.7) - T(0.2) * t, T(0.4) * t - T(0.3)};
@@ -141,12 +141,12 @@ TEST(DipoleField, RefusesWhatIsNone) {
 
 // The whole derivative, of the field that the body meets: by differences along the curve.
 TEST(FieldAlongOrbit, RateIsTheDerivativeOfWhatTheBodyMeets) {
-  const FieldAlongOrbit met(Curve{}, tilted());
+  const FieldAlongOrbit met(Arc{}, tilted());
   ASSERT_TRUE(met.has_rate());
   for (const double t : {-2.0, 0.3, 1.9}) {
     const Wide h = 1e-20;
     const auto at = [&](const Wide& when) {
-      return field_by_differences(when, Curve{}.position(when));
+      return field_by_differences(when, Arc{}.position(when));
     };
     const WideVec3 forth = at(Wide(t) + h), back = at(Wide(t) - h);
     const WideVec3 want = (1 / (2 * h)) * (forth - back);
@@ -160,12 +160,12 @@ TEST(FieldAlongOrbit, RateIsTheDerivativeOfWhatTheBodyMeets) {
 TEST(FieldAlongOrbit, KnowsWhetherItHasARate) {
   const auto plain = [](double, const Vec3& x) { return x; };
   const auto generic = [](const auto& t, const auto& x) { return t * x; };
-  EXPECT_FALSE(FieldAlongOrbit(Curve{}, FieldFunction(plain)).has_rate());
-  const FieldAlongOrbit grows(Curve{}, FieldFunction(generic));
+  EXPECT_FALSE(FieldAlongOrbit(Arc{}, FieldFunction(plain)).has_rate());
+  const FieldAlongOrbit grows(Arc{}, FieldFunction(generic));
   EXPECT_TRUE(grows.has_rate());
-  const Vec3 x = Curve{}.position(2.0), v{0.4, -0.2, 0.4};
+  const Vec3 x = Arc{}.position(2.0), v{0.4, -0.2, 0.4};
   EXPECT_LE(norm(grows.motion(2.0, 0.0).rate - (x + 2.0 * v)), budget::magnetic_field_eps * eps);
-  const FieldAlongOrbit still(Curve{}, FieldFunction(plain));
+  const FieldAlongOrbit still(Arc{}, FieldFunction(plain));
   EXPECT_NE(refusal([&] { (void)still.motion(0.0, 0.0); }).find("no derivative"),
             std::string::npos);
   EXPECT_NE(refusal([&] { EddyCurrents(tensor, still); }).find("FieldRate::left_out"),
@@ -178,7 +178,7 @@ TEST(FieldAlongOrbit, KnowsWhetherItHasARate) {
 // --- residual dipole ---
 
 TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
-  const ResidualDipole term({0.3, -0.7, 0.2}, FieldAlongOrbit(Curve{}, tilted()));
+  const ResidualDipole term({0.3, -0.7, 0.2}, FieldAlongOrbit(Arc{}, tilted()));
   double worst = 0.0;
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Case c = drawn_case(552, i);
@@ -206,7 +206,7 @@ TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
 // The currents that flow in the body, from what the body sees: in body axes the field is R^T B,
 // and its derivative there (by differences, the body turning by w) drives them.
 TEST(EddyCurrents, AreDrivenByTheFieldThatTheBodySees) {
-  const FieldAlongOrbit met(Curve{}, tilted());
+  const FieldAlongOrbit met(Arc{}, tilted());
   const EddyCurrents term(tensor, met);
   double worst = 0.0;
   for (std::uint64_t i = 0; i < 30; ++i) {
@@ -219,7 +219,7 @@ TEST(EddyCurrents, AreDrivenByTheFieldThatTheBodySees) {
       const Wide rate = sqrt(dot(w, w)), half = rate * h / 2;
       const Wide f = sin(half) / rate;
       const WideQuaternion q = q_IB * WideQuaternion{cos(half), f * w.x, f * w.y, f * w.z};
-      return rotate(conj(q), field_by_differences(at.t + h, Curve{}.position(at.t + h)));
+      return rotate(conj(q), field_by_differences(at.t + h, Arc{}.position(at.t + h)));
     };
     const Wide h = 1e-20;
     const WideVec3 forth = seen(h), back = seen(-h), B = seen(0);
@@ -241,14 +241,14 @@ TEST(EddyCurrents, TakeEnergyInAFieldAtRest) {
     const Case c = drawn_case(554, i);
     const Vec3 w = angular_velocity(c.body, c.s);
     const EddyCurrents constant(tensor, ConstantField({0.3, -0.2, 0.8}));
-    const EddyCurrents without(tensor, FieldAlongOrbit(Curve{}, tilted()), FieldRate::left_out);
+    const EddyCurrents without(tensor, FieldAlongOrbit(Arc{}, tilted()), FieldRate::left_out);
     EXPECT_LT(dot(constant.effect(c.on<double>()).u, w), 0.0);
     EXPECT_LT(dot(without.effect(c.on<double>()).u, w), 0.0);
   }
 }
 
 TEST(EddyCurrents, AffineFormIsTheEffect) {
-  const EddyCurrents term(tensor, FieldAlongOrbit(Curve{}, tilted()));
+  const EddyCurrents term(tensor, FieldAlongOrbit(Arc{}, tilted()));
   double worst = 0.0;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case c = drawn_case(555, i);

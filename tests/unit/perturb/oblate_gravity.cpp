@@ -24,20 +24,6 @@ using polhode::Oblateness;
 using polhode::SpaceAxes;
 namespace budget = polhode::budget;
 
-struct Curve {
-  template <Real T>
-  BasicVec3<T> position(const T& t) const {
-    return {T(1.1) + t * t, T(0.7) - t, T(0.4) * t - T(0.3)};
-  }
-};
-struct Still {
-  Vec3 at;
-  template <Real T>
-  BasicVec3<T> position(const T&) const {
-    return {T(at.x), T(at.y), T(at.z)};
-  }
-};
-
 // -grad of U = -gm/r (1 - J2 (R/r)^2 (3 s^2 - 1)/2), s the sine of the latitude, differentiated by
 // its two arguments: dU/dr along r, and dU/ds (k - s n) / r.
 WideVec3 pull(const WideVec3& r, const WideVec3& k, double gm, const Oblateness& of) {
@@ -62,10 +48,8 @@ TEST(OblateGravity, WithGravityGradientIsThePullOnEveryPoint) {
     const Oblateness of{draw.uniform(-0.5, 0.5), draw.uniform(0.1, 2.0), pole};
     const Case c = drawn_case(802, i);
     const BasicSetting<Wide> at = c.on<Wide>();
-    const auto seen = [&](const Vec3& x) {
-      return rotate(conj(normalized(at.s.q)), rotate(conj(normalized(at.q_IS)), wide(x)));
-    };
-    const WideVec3 r_B = seen(r), k_B = (1 / sqrt(dot(wide(pole), wide(pole)))) * seen(pole);
+    const WideVec3 r_B = seen_in_body(at, wide(r));
+    const WideVec3 k_B = (1 / sqrt(dot(wide(pole), wide(pole)))) * seen_in_body(at, wide(pole));
     WideVec3 direct;
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-1.0, 1.0}) {

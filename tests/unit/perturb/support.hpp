@@ -62,6 +62,25 @@ inline Case drawn_case(std::uint64_t seed, std::uint64_t index) {
           drawn_attitude(draw)};
 }
 
+// A curve that any number type can follow, and a place.
+struct Curve {
+  template <Real T>
+  BasicVec3<T> position(const T& t) const {
+    return {T(1.1) + t * t, T(0.7) - t, T(0.4) * t - T(0.3)};
+  }
+};
+struct Still {
+  Vec3 at;
+  template <Real T>
+  BasicVec3<T> position(const T&) const {
+    return {T(at.x), T(at.y), T(at.z)};
+  }
+};
+// What is seen along r in the space axes, along the body's.
+inline WideVec3 seen_in_body(const BasicSetting<Wide>& at, const WideVec3& r) {
+  return rotate(conj(normalized(at.s.q)), rotate(conj(normalized(at.q_IS)), r));
+}
+
 inline double largest(const WideVec3& v) { return static_cast<double>(sqrt(dot(v, v))); }
 inline WideVec3 wide(const Vec3& v) { return oracle::widened(v); }
 inline WideVec3 wide(const BasicVec3<DoubleDouble>& v) {

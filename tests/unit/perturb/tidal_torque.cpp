@@ -22,12 +22,6 @@ using polhode::TidalBody;
 using polhode::TidalTorque;
 namespace budget = polhode::budget;
 
-struct Curve {
-  template <Real T>
-  BasicVec3<T> position(const T& t) const {
-    return {T(1.1) + t * t, T(0.7) - t, T(0.4) * t - T(0.3)};
-  }
-};
 struct NoVelocity {
   Vec3 position(double) const { return {1.0, 0.0, 0.0}; }
   BasicVec3<DoubleDouble> position(DoubleDouble) const { return {}; }
