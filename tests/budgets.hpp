@@ -346,6 +346,7 @@ inline constexpr double ephemeris_rounding_km = 1e-6;
 inline constexpr double ephemeris_orbit = 1e-10;  // of the distance, of scenarios
 inline constexpr double ephemeris_gm = 1e-4;
 inline constexpr double ephemeris_table = 5e-12;  // of the distance
+inline constexpr double teme_arcsec = 0.06;       // 1990 to 2030
 
 // --- orbits and the Earth from Python (python/tests/test_ephemeris.py, test_satellites.py) ---
 inline constexpr double python_table = 1e-13;
@@ -357,7 +358,7 @@ inline constexpr double averaged_precession = 5e-3;
 inline constexpr double sgp4_km = 2e-8;  // its verification run prints 1e-8
 inline constexpr double sgp4_km_s = 2e-9;
 inline constexpr double sgp4_slope = 2e-3;  // km/s
-inline constexpr double teme_km = 5e-3;
+inline constexpr double teme_km = 1.2e-3;
 inline constexpr double tle_epoch = 1e-3;  // s, its last digit
 inline constexpr double omm_km = 1e-2;
 

@@ -57,7 +57,7 @@ def test_positions_are_those_of_the_verification_run():
 
 def test_axes_are_those_of_the_published_example():
     """Vallado et al. (2006), example of 2004-04-06: the same position along TEME and the GCRS. The
-    difference are the corrections of the pole that were observed then, 0.05 arcsec."""
+    difference are the corrections of the pole that were observed then, 0.02 arcsec."""
     date = polhode.calendar_date("UTC", 2004, 4, 6, 7, 51, 28.386009)
     teme = np.array([5094.18016210, 6127.64465950, 6380.34453270])
     gcrs = np.array([5102.50895790, 6123.01140070, 6378.13692820])

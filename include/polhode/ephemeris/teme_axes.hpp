@@ -6,8 +6,8 @@
 //             2006); by ERFA.
 // Units       none: a rotation.
 // Domain      dates of the two theories, some centuries about 2000.
-// Accuracy    the axes are those of 1976 and 1980 without the observed corrections to them: 0.1
-//             arcsec, 3 m in a low orbit, of the axes of the ICRS. SGP4 itself errs by 1 km.
+// Accuracy    budget teme_arcsec, against the axes of the ICRS: those of 1976 and 1980 are without
+//             the corrections observed since. docs/guide/orbits.md has what that is in metres.
 // Errors      none.
 // Cost        some 10 us.
 #pragma once
