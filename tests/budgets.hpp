@@ -43,6 +43,8 @@ inline constexpr double shadow_plane = 2.3e-4;
 // Against 600 x 600 points; error of the library relative to area times size.
 inline constexpr double yorp_brute_force = 1e-3;
 inline constexpr double yorp_quadrature = 1e-12;
+// Of the series to degree 3000, whose terms fall with the third power.
+inline constexpr double yorp_series = 5e-12;
 
 // --- the paper's equations, at 50 digits (tests/paper) ---
 // Identities without a derivative or an integral.

@@ -49,6 +49,11 @@ OTHERS = {
         "../guide/which-propagator.md",
         "tools/figures/work_precision.py",
     ),
+    "yorp": (
+        "How sunlight spins stones up and tilts them",
+        "../guide/torques/yorp.md",
+        "tools/figures/yorp.py",
+    ),
 }
 INTRODUCTION = """\
 # Gallery
@@ -158,6 +163,7 @@ def draw_others() -> None:
         subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": path})
 
     run("work_precision.py")
+    run("yorp.py")
     run("tutorials.py")
     run("examples.py")
     with tempfile.TemporaryDirectory() as scratch:

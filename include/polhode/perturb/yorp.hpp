@@ -10,13 +10,14 @@
 //             o s - N) / sin o, N the normal of the orbit; along s x N / sin o. Then C dw/dt =
 //             spin, C w do/dt = obliquity, C w sin o dpsi/dt = precession (Vokrouhlicky & Capek
 //             2002). With diffuse = 1, or emitted = 1, this is Rubincam's (2000) model without
-//             thermal inertia, and the normal emission of Scheeres (2007).
+//             thermal inertia, and the normal emission of Scheeres (2007). A series in Legendre's
+//             polynomials of cos o (Breiter & Michalska 2008) is its oracle in the tests.
 // Units       surface in length; torque per pressure is length^3. Angles in rad.
 // Domain      any surface along any axes, spin about `axis` of it; any obliquity. Facets do not
 //             shade each other: for concave bodies the result is that of a body that is
 //             transparent to its own light. The rotation is taken as fast against the orbit and
 //             not in resonance with it.
-// Accuracy    budget yorp_quadrature, relative to area times size.
+// Accuracy    budgets yorp_quadrature, yorp_series, relative to area times size.
 // Errors      DomainError for an axis without direction, numbers that are not finite, an orbit that
 //             is no ellipse.
 // Cost        some 15 us per facet and obliquity.

@@ -14,6 +14,7 @@
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/perturb/yorp.hpp"
 #include "unit/perturb/support.hpp"
+#include "unit/perturb/surfaces.hpp"
 #include "unit/shape/solids.hpp"
 
 namespace perturb_test {
@@ -33,10 +34,7 @@ using polhode::molecule_law;
 using polhode::Shadow;
 using polhode::SolarPressure;
 using polhode::Sunlight;
-using polhode::Surface;
-using polhode::SurfaceFacet;
 using polhode::yorp_torque;
-using polhode::YorpTorque;
 using ::testing::HasSubstr;
 namespace budget = polhode::budget;
 
@@ -52,23 +50,6 @@ struct Line {
 };
 DirectedPath still(const Vec3& at) { return {AnyOrbit("still", Line{at, {}})}; }
 DirectedPath line(const Vec3& at, const Vec3& speed) { return {AnyOrbit("line", Line{at, speed})}; }
-
-Surface drawn_surface(std::uint64_t seed, int count) {
-  Draw draw(seed, 0);
-  std::vector<SurfaceFacet> facets;
-  for (int i = 0; i < count; ++i) {
-    const double s = draw.uniform(0.0, 1.0);
-    facets.push_back({drawn_vector(draw),
-                      drawn_vector(draw),
-                      draw.uniform(0.1, 2.0),
-                      {.specular = s,
-                       .diffuse = draw.uniform(0.0, 1.0 - s),
-                       .emitted = draw.uniform(0.0, 1.0),
-                       .normal_accommodation = draw.uniform(0.0, 1.0),
-                       .tangential_accommodation = draw.uniform(0.0, 1.0)}});
-  }
-  return Surface(facets);
-}
 
 // Photon by photon: what arrives has momentum -e; the mirrored leaves along e - 2 (e.n) n turned
 // back, the scattered and the emitted carry 2/3 along n.
@@ -295,93 +276,6 @@ TEST(AtmosphericDrag, TakesTheVelocityOfTheOrbit) {
   const Vec3 e = rotate(conj(c.s.q), rotate(conj(c.q_IS), (1.0 / norm(v)) * v));
   const Vec3 want = dot(v, v) * FacetStream(surface, molecule_law).torque(e, 0.0);
   EXPECT_LE(norm(term.effect(c.on<double>()).u - want), budget::surface_slope * norm(want));
-}
-
-// Averages by brute force, over turns and over the true anomaly.
-YorpTorque brute_force(const Surface& surface, double o, int turns, int years) {
-  const FacetStream light(surface, light_law);
-  YorpTorque sum{};
-  for (int j = 0; j < years; ++j) {
-    const double f = 2.0 * pi * (j + 0.5) / years;
-    const Vec3 sun{std::cos(f), std::sin(f) * std::cos(o), std::sin(f) * std::sin(o)};
-    for (int i = 0; i < turns; ++i) {
-      const Quaternion q = polhode::rotation_z(2.0 * pi * (i + 0.5) / turns);
-      const Vec3 u = rotate(q, light.torque(rotate(conj(q), sun)));
-      sum = {sum.spin + u.z, sum.obliquity + u.y, sum.precession + u.x};
-    }
-  }
-  const double n = static_cast<double>(turns) * years;
-  return {sum.spin / n, sum.obliquity / n, sum.precession / n};
-}
-double distance(const YorpTorque& a, const YorpTorque& b) {
-  return norm(Vec3{a.spin - b.spin, a.obliquity - b.obliquity, a.precession - b.precession});
-}
-
-TEST(Yorp, IsTheAverage) {
-  const Surface surface = drawn_surface(919, 7);
-  for (const double o : {0.0, 0.3, 1.0, pi / 2.0, 2.5})
-    EXPECT_LE(distance(yorp_torque(surface, o), brute_force(surface, o, 600, 600)),
-              budget::yorp_brute_force)
-        << o;
-}
-
-// Symmetric about its centre: opposite facets undo each other over an orbit.
-TEST(Yorp, VanishesForSymmetricShapes) {
-  const Finish dull{.diffuse = 1.0};
-  for (const auto& shape : {shape_test::ellipsoid(3, 2, 1, 3), shape_test::box(3, 2, 1)}) {
-    const Surface surface = Surface::of_shape(shape, {}, dull);
-    for (const double o : {0.1, 0.9, 1.4}) {
-      const YorpTorque y = yorp_torque(surface, o);
-      EXPECT_LE(std::abs(y.spin), budget::yorp_quadrature * shape.area() * 3.0);
-      EXPECT_LE(std::abs(y.obliquity), budget::yorp_quadrature * shape.area() * 3.0);
-    }
-  }
-}
-
-// A convex body without symmetry: what it absorbs makes no torque on average (Rubincam & Paddack
-// 2010); what it emits does.
-TEST(Yorp, AbsorptionAloneMakesNone) {
-  const auto shape = shape_test::tetrahedron(
-      {Vec3{1.0, 0.1, -0.4}, {-0.7, 0.9, -0.3}, {-0.2, -1.1, -0.2}, {0.1, 0.1, 0.9}});
-  for (const double o : {0.2, 0.8, 1.5}) {
-    const YorpTorque black = yorp_torque(Surface::of_shape(shape, {0.1, 0, 0.1}, {}), o);
-    EXPECT_LE(std::abs(black.spin), budget::yorp_quadrature * shape.area());
-    EXPECT_LE(std::abs(black.obliquity), budget::yorp_quadrature * shape.area());
-    const YorpTorque warm = yorp_torque(Surface::of_shape(shape, {}, {.emitted = 1.0}), o);
-    EXPECT_GT(std::abs(warm.spin) + std::abs(warm.obliquity), 1e-4);
-  }
-}
-
-// By symmetry of the orbit the spin torque is even and the obliquity torque odd about 90 degrees;
-// another axis is another choice of axes.
-TEST(Yorp, SymmetriesAndAxes) {
-  const Surface surface = drawn_surface(920, 5);
-  Surface emitting = surface;
-  {
-    std::vector<SurfaceFacet> facets(surface.facets().begin(), surface.facets().end());
-    for (SurfaceFacet& f : facets) f.finish = {.diffuse = 1.0};
-    emitting = Surface(facets);
-  }
-  const YorpTorque near = yorp_torque(emitting, 0.7), far = yorp_torque(emitting, pi - 0.7);
-  EXPECT_NEAR(near.spin, far.spin, budget::yorp_quadrature * 10.0);
-  EXPECT_NEAR(near.obliquity, -far.obliquity, budget::yorp_quadrature * 10.0);
-  const Case c = drawn_case(921, 0);
-  const Vec3 axis = rotate(c.s.q, Vec3{0, 0, 2});
-  EXPECT_LE(distance(yorp_torque(surface.along(conj(c.s.q)), 0.7, axis), yorp_torque(surface, 0.7)),
-            budget::yorp_quadrature * 10.0);
-}
-
-// On an ellipse: time average over a Kepler orbit of the instantaneous mean over turns.
-TEST(Yorp, MeanPressureOnAnEllipse) {
-  const double e = 0.4, a = 2.0, P = 3.0, d = 1.0;
-  const KeplerOrbit orbit({1.0, a * (1.0 - e), e});
-  double sum = 0.0;
-  constexpr int samples = 512;
-  for (int i = 0; i < samples; ++i) {
-    const Vec3 x = orbit.position(2.0 * pi * std::pow(a, 1.5) * i / samples);
-    sum += P * d * d / dot(x, x) / samples;
-  }
-  EXPECT_NEAR(mean_pressure({P, d}, a, e), sum, budget::perturb_average);
 }
 
 // As a pickle makes it: normals of length 1 to rounding are not divided again.
