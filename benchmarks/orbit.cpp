@@ -3,14 +3,18 @@
 // double-double.
 //
 // Times advance by a fixed step, as in an integrator; error is the largest over 4096 of them,
-// relative to the distance.
+// relative to the distance. Tables hold 400 rows a turn of e = 0.3; their error is that against the
+// ellipse itself, and their times follow no order.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <vector>
 
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/table_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 
@@ -90,6 +94,56 @@ void kepler_constructor(benchmark::State& state) {
   }
 }
 
+// Arguments: with velocities; evenly spaced; rows.
+void table_position(benchmark::State& state) {
+  const KeplerOrbit orbit({1.0, 0.7, 0.3, 0.3, 1.0, 2.0, 0.1, 0.0});
+  const double spacing = 2.0 * std::numbers::pi / 400.0;
+  PositionTable rows;
+  for (std::int64_t k = 0; k < state.range(2); ++k) {
+    const double shift = state.range(1) != 0 ? 0.0 : 0.3 * std::sin(static_cast<double>(k));
+    rows.times.push_back(spacing * (static_cast<double>(k) + shift));
+    rows.positions.push_back(orbit.position(rows.times.back()));
+    if (state.range(0) != 0) rows.velocities.push_back(orbit.velocity(rows.times.back()));
+  }
+  const TableOrbit table(rows);
+  // from place to place, so that rows are not at hand because their neighbours were
+  const double span = table.last_time() - table.first_time();
+  const auto time = [&](double turn) {
+    return table.first_time() + span * (turn - std::floor(turn));
+  };
+  double turn = 0.0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(table.position(time(turn)));
+    turn += std::numbers::phi;
+  }
+  double worst = 0.0;
+  for (int i = 0; i < 4096; ++i) {
+    const double t = time(std::numbers::phi * i);
+    const Vec3 x = orbit.position(t);
+    worst = std::max(worst, norm(table.position(t) - x) / norm(x));
+  }
+  state.counters["error"] = worst;
+}
+
+// The error is that against the angle formed and reduced in double-double.
+void uniform_angle(benchmark::State& state) {
+  const UniformAngle angle(0.3, 0.977, 0.1);
+  double t = 0.1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(angle.at(t));
+    t += step;
+  }
+  double worst = 0.0;
+  for (int i = 0; i < 4096; ++i) {
+    const double at = 0.1 + step * i;
+    const SinCos<DoubleDouble> exact = angle.at(DoubleDouble(at));
+    const SinCos<double> got = angle.at(at);
+    worst =
+        std::max({worst, std::fabs((got.sin - exact.sin).hi), std::fabs((got.cos - exact.cos).hi)});
+  }
+  state.counters["error"] = worst;
+}
+
 void gravity_gradient(benchmark::State& state) {
   const AnyPerturbation term("planet", GravityGradient(1.0, KeplerOrbit(elements(state))));
   const Body body(1.0, 2.0, 2.5);
@@ -106,6 +160,8 @@ BENCHMARK(kepler_velocity)->Arg(10)->Arg(70)->Arg(150);
 BENCHMARK(kepler_double_double)->Arg(10)->Arg(150);
 BENCHMARK(kepler_constructor)->Arg(10)->Arg(70);
 BENCHMARK(precessing_position)->Arg(10)->Arg(70);
+BENCHMARK(table_position)->ArgsProduct({{0, 1}, {1, 0}, {4000, 400000}});
+BENCHMARK(uniform_angle);
 BENCHMARK(gravity_gradient)->Arg(10)->Arg(70);
 
 }  // namespace

@@ -13,7 +13,9 @@
 //             and 18 arcsec at most (1950 to 2100); planets 7 (Mercury, Venus), 26 (Mars), 78 to 87
 //             (Jupiter to Uranus), 11 arcsec (Neptune) at most (1800 to 2100).
 // Errors      DomainError for dates outside, a body seen from itself, a span that is not finite.
-// Cost        a position takes 5 (Moon, planets) to 50 us (Earth): a run tabulates it once.
+// Cost        a position takes 10 us (Moon from the Earth, planets from the Sun) to 45 us (what
+//             needs the Earth from the Sun); to tabulate a year, once for a run, 40 to 50 ms
+//             (benchmarks/ephemeris.cpp).
 #pragma once
 
 #include <optional>

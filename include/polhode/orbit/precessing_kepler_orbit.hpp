@@ -11,7 +11,7 @@
 //             sign, ellipses only, inclination against the equator of the body.
 // Accuracy    budget kepler_*: all three angles are formed and reduced in double-double.
 // Errors      DomainError for elements out of the domain or rates that are not finite.
-// Cost        some 50 ns for e <= 0.5, 300 ns above.
+// Cost        some 50 ns for e <= 0.5, 240 ns above (benchmarks/orbit.cpp).
 #pragma once
 
 #include "polhode/orbit/kepler_orbit.hpp"

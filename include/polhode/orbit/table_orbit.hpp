@@ -14,8 +14,10 @@
 //             of order spacing^order. Positions are continuous, and with velocities their slope
 //             is. In double-double the arithmetic is wide; the rows and weights are not.
 // Errors      DomainError for times that do not rise, values that are not finite, too few rows.
-// Cost        some 40 ns at the default order, whatever the number of rows where they are evenly
-//             spaced (to the rounding of times); otherwise a binary search more. Copies share.
+// Cost        some 40 ns at the default order where rows are evenly spaced (to the rounding of
+//             times); otherwise a binary search more: 130 ns with 4000 rows. Where times jump about
+//             in a table larger than the caches, what memory takes besides (benchmarks/orbit.cpp).
+//             Copies share.
 #pragma once
 
 #include <algorithm>

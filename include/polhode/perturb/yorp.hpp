@@ -20,7 +20,7 @@
 // Accuracy    budgets yorp_quadrature, yorp_series, relative to area times size.
 // Errors      DomainError for an axis without direction, numbers that are not finite, an orbit that
 //             is no ellipse.
-// Cost        some 15 us per facet and obliquity.
+// Cost        some 8 us per facet and obliquity (benchmarks/surface.cpp).
 #pragma once
 
 #include "polhode/perturb/facet_stream.hpp"
