@@ -164,6 +164,7 @@ def test_the_ecliptic(path, tmp_path, by_elements):
     ("GPS", "2029-04-11T22:26:51.184 TT"),  # TAI = GPS + 19 s
     ("UTC", "2029-04-11T22:27:09.184 TT"),  # TAI = UTC + 37 s
     ("TT", "JD 2462238.434722222222 TT"),
+    ("UTC", '2029-04-11T22:26:00.25 UT1"\ndut1 = "0.25 s'),
 ])
 def test_another_time_scale(path, tmp_path, by_elements, system, epoch):
     file = tmp_path / "other.oem"
@@ -190,6 +191,7 @@ def test_what_does_not_fit_the_run(path, tmp_path, options, message):
     (date(60), date(0), 15, "not later than"),
     (date(60), "soon", 15, "expected a date such as"),
     ("COVARIANCE_STOP\n", "", 183, "ends before COVARIANCE_STOP"),
+    (date(60), "2029-04-10T23:59:60", 15, "expected a date such as"),  # no leap second in TDB
 ])
 def test_what_is_wrong_in_a_file_is_told_with_its_line(path, old, new, line, message):
     assert old in TWO

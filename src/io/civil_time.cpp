@@ -115,6 +115,12 @@ std::int64_t offset(std::string_view scale, std::int64_t day) {
   return scale == "UTC" ? leap_nano(day) : 0;
 }
 
+// UTC had a 60th second at the end of this day.
+bool has_leap_second(std::int64_t day) {
+  constexpr std::int64_t day_1972 = -10227;
+  return day >= day_1972 && leap_nano(day + 1) - leap_nano(day) == nano_per_second;
+}
+
 CivilTime normalized_time(std::int64_t day, std::int64_t nano, std::int64_t length) {
   while (nano < 0) nano += nano_per_day, --day;
   while (nano >= length) nano -= nano_per_day, ++day;
@@ -162,6 +168,7 @@ std::optional<CivilTime> civil_time(std::string_view text, bool leap) {
   const std::optional<std::int64_t> nano = taken_clock(text, leap);
   taken(text, 'Z');
   if (!nano || !text.empty()) return std::nullopt;
+  if (*nano >= nano_per_day && !has_leap_second(*day)) return std::nullopt;
   return CivilTime{*day, *nano};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/detail/civil_time.hpp"
+#include "io/detail/epoch.hpp"
 #include "io/detail/orbit_kinds.hpp"
 #include "io/detail/reference_axes.hpp"
 #include "io/detail/value_access.hpp"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::string_view equatorial[] = {"EME2000", "J2000", "ICRF", "GCRF"};
 constexpr double gps_behind_tai = 19.0;  // s
 
-// A date of the file or of the state; GPS as TAI, which is `gps_behind_tai` ahead.
+// A date of the file; GPS as TAI, which is `gps_behind_tai` ahead.
 Date date_of(std::string_view scale, const CivilTime& time) {
   constexpr std::int64_t second = 1'000'000'000;
   const std::string text = civil_text(time);
@@ -31,12 +32,13 @@ Date date_of(std::string_view scale, const CivilTime& time) {
   return calendar_date(scale == "GPS" ? TimeScale::TAI : *time_scale(scale), at);
 }
 
-// Seconds from the state's epoch to the first row.
-double since_epoch(const std::string& epoch, const std::string& file_scale, const CivilTime& row) {
-  const std::string_view scale = scale_of_epoch(epoch);
-  const CivilTime start = time_of_epoch(epoch);
-  if (scale == file_scale) return seconds_between(scale, start, row);
-  return seconds_between(date_of(scale, start), date_of(file_scale, row)) +
+// Seconds from the state's epoch to a date of the file: exact where both have one scale.
+double since_epoch(const OrbitPlace& at, const std::string& file_scale, const CivilTime& date) {
+  const std::string& epoch = word(at.values(), "state.epoch");
+  if (scale_of_epoch(epoch) == file_scale)
+    return seconds_between(file_scale, time_of_epoch(epoch), date);
+  const Clock clock = clock_of(at.values(), at.file.units, at.key("file"), at.name());
+  return seconds_between(clock.epoch, date_of(file_scale, date), clock.dut1) +
          (file_scale == "GPS" ? gps_behind_tai : 0.0);
 }
 
@@ -84,15 +86,14 @@ TableOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order) {
   const std::string key = at.key("file");
   return built(at.values(), key, at.name(), [&] {
     const OrbitEphemeris file = read_oem(path);
-    const std::string& epoch = word(at.values(), "state.epoch");
     const std::optional<TimeSpan> span = run_span(at.file);
     const std::string& scale = file.segments.front().time_system;
     const auto time = [&](const std::string& text) {
-      return at.file.units.to_core(since_epoch(epoch, scale, *civil_time(text, true)), "s",
+      return at.file.units.to_core(since_epoch(at, scale, *civil_time(text, true)), "s",
                                    Dimension::time);
     };
     const double first =
-        since_epoch(epoch, scale, *civil_time(file.segments.front().epochs.front(), true));
+        since_epoch(at, scale, *civil_time(file.segments.front().epochs.front(), true));
     std::string covered;
     for (const OemSegment& segment : file.segments) {
       if (!is_equatorial(segment.frame))

@@ -274,6 +274,16 @@ def test_days_of_the_year_are_dates(run, table):
     assert rows == [[0, 0.5, 0.5, 0.5, 0.5], [60, 1, 0, 0, 0]]
 
 
+def test_a_60th_second_is_read_on_days_that_had_one(run, table):
+    """UTC had one at the end of June 1997, none at that of December."""
+    utc = GOOD.replace("TDB", "UTC")
+    there = utc.replace("1996-333T21:30:07.2555", "1997-06-30T23:59:60.5")
+    assert run("convert", "--from", "aem", "--to", "csv", stdin=there).returncode == 0
+    not_there = run("convert", "--from", "aem", "--to", "csv",
+                    stdin=there.replace("06-30", "12-31"))
+    assert not_there.returncode == 2 and "1997-12-31T23:59:60.5" in not_there.stderr
+
+
 @pytest.mark.parametrize("old, new, line, message", [
     ("CCSDS_AEM_VERS = 1.0", "CCSDS_OEM_VERS = 1.0", 1, "expected CCSDS_AEM_VERS"),
     ("CCSDS_AEM_VERS = 1.0", "CCSDS_AEM_VERS = 3.0", 1, "expected 1.0 or 2.0"),

@@ -24,7 +24,7 @@ std::string_view scale_of_epoch(std::string_view epoch);
 CivilTime time_of_epoch(std::string_view epoch);
 
 // 2029-04-13T21:46:00.5, 2029-103T21:46:00.5, with or without Z; nothing for any other text. A
-// 60th second only where `leap` allows it.
+// 60th second only where `leap` allows it and UTC had one.
 std::optional<CivilTime> civil_time(std::string_view text, bool leap);
 // "2029-04-13T21:46:00.000000000": the year has four digits, so it is from 0 to 9999.
 std::string civil_text(const CivilTime& time);
