@@ -307,6 +307,7 @@ inline constexpr double chaos_map = 1e-8;
 inline constexpr double chaos_chirikov = 0.02;
 // A second motion at 1e-8; trapezoids of 256 steps an orbit; a splitting of two terms.
 inline constexpr double chaos_neighbour = 1e-6;
+inline constexpr double chaos_long_neighbour = 1e-3;  // over 1e5 turns
 inline constexpr double chaos_trapezoid = 1e-3;
 inline constexpr double chaos_damped = 1e-6;
 // Extremes of a column (deg) against the exact free rotation.

@@ -68,7 +68,7 @@ void bind_indicator_class(nb::module_& m) {
   nb::enum_<DeviationBy>(m, "DeviationBy", "How a deviation is carried along a run.",
                          nb::is_arithmetic())
       .value("variational", DeviationBy::variational, "by the derivative of the motion")
-      .value("neighbour", DeviationBy::neighbour, "as a second motion, brought back every step");
+      .value("neighbour", DeviationBy::neighbour, "as a second motion, brought back when far");
   nb::class_<ChaosIndicator> c(m, "ChaosIndicator", R"(How a deviation has grown along a run.
 
 .t, .growth, .lyapunov, .megno, .mean_megno: (N,), read-only views, one number for each sample.

@@ -15,7 +15,7 @@ namespace detail {
 namespace {
 
 // A linear deviation is scaled down before it leaves the range of a double, and long before.
-constexpr double longest = 0x1p200, shortest = 0x1p-200;
+constexpr double linear_reach = 0x1p200;
 
 // |q| = 1 again, as integrate does it.
 void restore_norm(CompensatedState<double, 16>& s, std::size_t first) {
@@ -83,7 +83,8 @@ class AdaptiveDeviation final : public DeviationRun {
   void bring_back() {
     const Deviation d = now();
     const double size = length(d);
-    if (is_linear && shortest < size && size < longest) return;
+    constexpr double reach = is_linear ? linear_reach : neighbour_reach;
+    if (target_ < reach * size && size < reach * target_) return;
     if (!(size > 0.0) || !std::isfinite(size)) return;  // sample() says it
     auto& [y, carry] = solver_.state();
     Field::put(y, scaled(d, target_ / size), clock_.momentum_scale);

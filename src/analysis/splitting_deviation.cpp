@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <optional>
 
 #include "analysis/detail/deviation_run.hpp"
 #include "dynamics/detail/finite.hpp"
@@ -17,10 +18,11 @@ constexpr double stretch = 1e-9;        // the last step to a sample may be long
 // Where a run is: the motion, its deviation of length one (or a neighbour), and what has grown.
 struct Place {
   SplittingState motion;
-  Deviation deviation;       // of the length aimed at
-  double growth = 0.0;       // L
-  double integral = 0.0;     // of L
-  double megno_total = 0.0;  // integral of Y
+  Deviation deviation;
+  std::optional<SplittingState> neighbour = {};  // where the deviation is that to it
+  double growth = 0.0;                           // L
+  double integral = 0.0;                         // of L
+  double megno_total = 0.0;                      // integral of Y
 };
 
 class SplittingDeviation final : public DeviationRun {
@@ -33,8 +35,7 @@ class SplittingDeviation final : public DeviationRun {
         target_(by == DeviationBy::variational ? 1.0 : options.distance),
         step_(method.step),
         start_(problem.start),
-        grid_{map_.start(problem.start, problem.initial),
-              scaled(options.deviation, target_ / length(options.deviation))},
+        grid_(brought_back({map_.start(problem.start, problem.initial), options.deviation})),
         now_(grid_) {}
 
   // Samples between two steps are parts of a step, which the run does not keep.
@@ -57,6 +58,7 @@ class SplittingDeviation final : public DeviationRun {
              ": take a smaller step, or see whether a term is finite there";
     ++steps_;
     if (last) next.motion.t = {t, 0.0};
+    if (next.neighbour) next.neighbour->t = next.motion.t;
     now_ = next;
     if (!last || std::abs(std::abs(h) - step_) <= stretch * step_) grid_ = now_;
     return {};
@@ -75,19 +77,18 @@ class SplittingDeviation final : public DeviationRun {
   Place stepped(const Place& from, double h) const {
     Place to = from;
     to.motion = map_.stepped(from.motion, h);
-    Deviation d;
     if (by_ == DeviationBy::variational) {
       const Vec3 dg = scale_ * from.deviation.momentum;
       const Vec3& turn = from.deviation.turn;
       const std::array<double, 6> x =
           map_.step_deviation(from.motion, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
-      d = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
+      to.deviation = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
     } else {
-      d = difference(to.motion, map_.stepped(neighbour(from), h));
+      to.neighbour = map_.stepped(*from.neighbour, h);
+      to.deviation = difference(to.motion, *to.neighbour);
     }
-    const double size = length(d);
-    to.deviation = scaled(d, target_ / size);
-    to.growth = from.growth + std::log(size / target_);
+    to.growth = from.growth + std::log(length(to.deviation) / length(from.deviation));
+    to = brought_back(to);
     // trapezoids: of a function without a trend over equal steps they converge as fast as the
     // function is smooth
     const double half = 0.5 * std::abs(h);
@@ -98,7 +99,18 @@ class SplittingDeviation final : public DeviationRun {
     return to;
   }
 
-  SplittingState neighbour(const Place& place) const {
+  Place brought_back(Place place) const {
+    const double size = length(place.deviation);
+    const bool is_near = target_ < neighbour_reach * size && size < neighbour_reach * target_;
+    if (place.neighbour && is_near) return place;
+    place.deviation = scaled(place.deviation, target_ / size);
+    if (by_ == DeviationBy::neighbour) {
+      place.neighbour = neighbour_of(place);
+      place.deviation = difference(place.motion, *place.neighbour);  // as it is after rounding
+    }
+    return place;
+  }
+  SplittingState neighbour_of(const Place& place) const {
     const RotorState s = moved_by({place.motion.q_IB, place.motion.g.hi}, place.deviation, scale_);
     SplittingState other = place.motion;
     other.q_IB = s.q;

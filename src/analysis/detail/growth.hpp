@@ -36,6 +36,11 @@ inline RotorState moved_by(const RotorState& s, const Deviation& d, double momen
           s.g + momentum_scale * d.momentum};
 }
 
+// A neighbour is brought back where it has come this many times nearer or farther than its
+// distance. Not at every step: each time its place is rounded, and of a regular motion, whose
+// deviation is a runaway phase after a while, the small rest that drives it drowns in that.
+inline constexpr double neighbour_reach = 16.0;
+
 // Y of [Cincotta and Simo 2000] from L and its integral over an elapsed time.
 inline double megno(double growth, double integral, double elapsed) {
   return elapsed > 0.0 ? 2.0 * (growth - integral / elapsed) : 0.0;

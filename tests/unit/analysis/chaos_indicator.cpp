@@ -162,6 +162,18 @@ TEST(ChaosIndicator, EveryWayToCarryADeviationAgrees) {
   near(chaos_indicator(hyperion(s, 5.0, fine), rows, neighbour), budget::chaos_trapezoid);
 }
 
+// After 10^5 turns the deviation is a phase, driven by a rest of 10^-5 of it: a neighbour that is
+// brought back, and rounded, at every step loses it.
+TEST(ChaosIndicator, ANeighbourLastsAlongRegularMotion) {
+  const double stop = 1.2e5;
+  const Problem problem = free_problem(stop, Splitting{0.3});
+  const SaveAt rows = SaveAt::times({stop});
+  const ChaosSample exact = chaos_indicator(problem, rows).samples.back();
+  const ChaosSample near = chaos_indicator(problem, rows, {.neighbour = true}).samples.back();
+  EXPECT_NEAR(near.growth, exact.growth, budget::chaos_long_neighbour);
+  EXPECT_NEAR(near.mean_megno, exact.mean_megno, budget::chaos_long_neighbour);
+}
+
 TEST(ChaosIndicator, ATermOnDoubleAloneHasANeighbour) {
   const auto plain = [](double, const RotorState& s) { return -0.05 * s.g; };
   const auto any = [](const auto&, const auto& s) {
