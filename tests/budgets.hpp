@@ -312,6 +312,15 @@ inline constexpr double chaos_trapezoid = 1e-3;
 inline constexpr double chaos_damped = 1e-6;
 // Extremes of a column (deg) against the exact free rotation.
 inline constexpr double map_extremes = 1e-9;
+// Surfaces of section: some twenty orbits of a regular motion against the planar equation, its
+// symmetries and fixed points; angles and axes of a single point; L on the curve of the energy
+// after 300 units of time; against SciPy at its tightest; sections in the units of a file.
+inline constexpr double section_planar = 1e-10;
+inline constexpr double section_rounding = 1e-13;
+inline constexpr double section_curve = 1e-11;
+inline constexpr double section_scipy = 1e-9;
+inline constexpr double section_units = 1e-9;
+inline constexpr double section_axis = 1e-6;
 // Rows of an indicator against its definition by trapezoids over them.
 inline constexpr double chaos_quadrature = 2e-3;
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "polhode/analysis/chaos_indicator.hpp"
+#include "polhode/analysis/section.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/method.hpp"
