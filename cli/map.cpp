@@ -29,16 +29,27 @@ struct MapOptions {
   bool resume = false;
 };
 
+std::size_t points_of(const std::vector<MapCell>& cells, std::size_t width) {
+  std::size_t points = 0;
+  for (const MapCell& cell : cells)
+    if (cell.failure.empty()) points += cell.numbers.size() / width;
+  return points;
+}
+
 // How many cells there are, what they hold, and why some hold nothing.
 std::string summary_of(const ScenarioMap& map, const std::vector<MapCell>& cells) {
   std::string text = fmt::format("cells             {}\n", cells.size());
   const std::vector<Column> columns = map.groups().back().columns;
+  if (map.plan().kind == MapKind::andoyer_section || map.plan().kind == MapKind::spin_orbit_section)
+    text += fmt::format("points            {}\n", points_of(cells, columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const MapCell& cell : cells) {
       if (!cell.failure.empty()) continue;
-      least = std::min(least, cell.numbers[i]);
-      most = std::max(most, cell.numbers[i]);
+      for (std::size_t k = i; k < cell.numbers.size(); k += columns.size()) {
+        least = std::min(least, cell.numbers[k]);
+        most = std::max(most, cell.numbers[k]);
+      }
     }
     if (least <= most)
       text += fmt::format("{:<17} {:.10g} to {:.10g} {}\n", columns[i].name, least, most,
@@ -89,8 +100,9 @@ void make_map(const MapOptions& options) {
 }  // namespace
 
 void add_map(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("map", "Run a scenario over the grid of its [map], on all processors");
+  CLI::App* command = app.add_subcommand(
+      "map",
+      "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
   const auto options = std::make_shared<MapOptions>();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();

@@ -49,6 +49,60 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
           units.label(dimension)};
 }
 
+std::string column_of(const Values& values, const Scenario& scenario, const std::string& name) {
+  const std::string& column = word(values, "map.column");
+  const std::vector<std::string_view> known = column_names();
+  if (std::find(known.begin(), known.end(), column) == known.end())
+    refuse(values, "map.column", name,
+           "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
+               did_you_mean(column, known));
+  if (needs_energy(column) && !rotor_system(scenario).is_hamiltonian())
+    refuse(values, "map.column", name,
+           "expected another column, since a perturbation has no energy");
+  return column;
+}
+
+SectionSurface surface_of(const Values& values, const std::string& name) {
+  const bool by_period = there(values, "map.period");
+  for (const char* const key : {"map.value", "map.crossing", "map.epoch"})
+    if (given(values, key) && by_period != (std::string_view(key) == "map.epoch"))
+      refuse(values, key, name,
+             by_period ? "expected beside angle only" : "expected beside period only");
+  if (!by_period) {
+    const std::string& angle = word(values, "map.angle");
+    return AndoyerSurface{angle == "l"   ? AndoyerAngle::l
+                          : angle == "g" ? AndoyerAngle::g
+                                         : AndoyerAngle::h,
+                          number(values, "map.value"), crossing_of(word(values, "map.crossing"))};
+  }
+  const double period = number(values, "map.period");
+  if (!(period > 0.0)) refuse(values, "map.period", name, "expected a positive time");
+  return Strobe{period, number(values, "map.epoch")};
+}
+
+std::string section_orbit(const Values& values, const Scenario& scenario, const std::string& name) {
+  const ScenarioOrbit& orbit = orbit_named(scenario.orbits, values, "map.orbit", name);
+  const KeplerElements* const elements = kepler_elements(orbit);
+  if (elements == nullptr)
+    refuse(values, "map.orbit", name, "expected an orbit with elements: others have no pericentre");
+  built(values, "map.orbit", name, [&] {
+    require_pericentres(*elements, "map");
+    return true;
+  });
+  return orbit.name;
+}
+
+// All but the grid.
+MapPlan without_axes(const Values& values, const Scenario& scenario, const std::string& name) {
+  const std::string& kind = word(values, "map.kind");
+  if (kind == "chaos") return {.kind = MapKind::chaos};
+  if (kind == "column")
+    return {.kind = MapKind::column, .column = column_of(values, scenario, name)};
+  if (kind == "andoyer-section")
+    return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
+  return {.kind = MapKind::spin_orbit_section, .orbit = section_orbit(values, scenario, name)};
+}
+
 }  // namespace
 
 std::optional<NumberPlace> number_place(const Values& values, std::string_view key) {
@@ -71,18 +125,7 @@ std::optional<NumberPlace> number_place(const Values& values, std::string_view k
 
 MapPlan map_plan(const Values& values, const Units& units, const Scenario& scenario,
                  const std::string& name) {
-  MapPlan plan{word(values, "map.kind") == "chaos" ? MapKind::chaos : MapKind::column, "", {}};
-  if (plan.kind == MapKind::column) {
-    plan.column = word(values, "map.column");
-    const std::vector<std::string_view> known = column_names();
-    if (std::find(known.begin(), known.end(), plan.column) == known.end())
-      refuse(values, "map.column", name,
-             "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
-                 did_you_mean(plan.column, known));
-    if (needs_energy(plan.column) && !rotor_system(scenario).is_hamiltonian())
-      refuse(values, "map.column", name,
-             "expected another column, since a perturbation has no energy");
-  }
+  MapPlan plan = without_axes(values, scenario, name);
   double cells = 1.0;
   for (std::size_t i = 0; there(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";

@@ -21,6 +21,7 @@ inline namespace v0 {
 namespace {
 
 constexpr std::size_t longest_line = 65536;
+constexpr std::size_t numbers_per_block = 65536;
 
 // FNV-1a: two files that differ have different ones, for all that happens by accident.
 std::string fingerprint(std::string_view text) {
@@ -34,32 +35,27 @@ std::string head_of(const ScenarioMap& map) {
          " cells, scenario " + fingerprint(map.scenario().text) + "\n";
 }
 
-std::string line_of(const MapCell& cell) {
-  std::string line;
+// "ROWS,FAILURE", then a line of numbers for each row.
+std::string lines_of(const MapCell& cell, std::size_t width) {
+  std::string lines = std::to_string(cell.numbers.size() / width) + "," + cell.failure + "\n";
   char digits[detail::longest_number];
-  for (const double x : cell.numbers) {
-    line.append(digits, detail::write_number(digits, x));
-    line += ',';
+  for (std::size_t i = 0; i < cell.numbers.size(); ++i) {
+    lines.append(digits, detail::write_number(digits, cell.numbers[i]));
+    lines += (i + 1) % width == 0 ? '\n' : ',';
   }
-  line += detail::printable(cell.failure, 1000);
-  return line + "\n";
+  return lines;
 }
 
-std::optional<MapCell> cell_of(std::string_view line, std::size_t width) {
-  if (!line.ends_with('\n')) return std::nullopt;
-  line.remove_suffix(1);
-  MapCell cell;
-  for (std::size_t i = 0; i < width; ++i) {
-    const std::size_t comma = line.find(',');
-    if (comma == std::string_view::npos) return std::nullopt;
-    double x = 0.0;
-    const auto read = std::from_chars(line.data(), line.data() + comma, x);
-    if (read.ec != std::errc() || read.ptr != line.data() + comma) return std::nullopt;
-    cell.numbers.push_back(x);
-    line.remove_prefix(comma + 1);
-  }
-  cell.failure = line;
-  return cell;
+// A number up to `end`, which goes with it.
+template <class T>
+std::optional<T> cut_number(std::string_view& line, char end) {
+  const std::size_t length = line.find(end);
+  if (length == std::string_view::npos) return std::nullopt;
+  T x{};
+  const auto read = std::from_chars(line.data(), line.data() + length, x);
+  if (read.ec != std::errc() || read.ptr != line.data() + length) return std::nullopt;
+  line.remove_prefix(length + 1);
+  return x;
 }
 
 // A line with its end, shorter at the end of a file.
@@ -70,6 +66,32 @@ std::string next_line(std::FILE* file) {
     if (c == '\n') break;
   }
   return line;
+}
+
+struct WholeCell {
+  MapCell cell;
+  off_t bytes;
+};
+
+// The next cell, unless its lines are not all there.
+std::optional<WholeCell> next_cell(std::FILE* file, std::size_t width) {
+  std::string line = next_line(file);
+  std::string_view rest(line);
+  const std::optional<std::size_t> rows = cut_number<std::size_t>(rest, ',');
+  if (!rows || !rest.ends_with('\n')) return std::nullopt;
+  WholeCell found{{{}, std::string(rest.substr(0, rest.size() - 1))},
+                  static_cast<off_t>(line.size())};
+  for (std::size_t k = 0; k < *rows; ++k) {
+    line = next_line(file);
+    rest = line;
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::optional<double> x = cut_number<double>(rest, i + 1 == width ? '\n' : ',');
+      if (!x) return std::nullopt;
+      found.cell.numbers.push_back(*x);
+    }
+    found.bytes += static_cast<off_t>(line.size());
+  }
+  return found;
 }
 
 }  // namespace
@@ -98,14 +120,12 @@ void MapRows::read(std::FILE* file) {
   std::string line = next_line(file);
   off_t whole = 0;
   if (line == head_) {
-    const std::size_t width = map_.groups().back().columns.size();
     whole = static_cast<off_t>(line.size());
     while (size() < map_.size()) {
-      line = next_line(file);
-      std::optional<MapCell> cell = cell_of(line, width);
-      if (!cell) break;
-      whole += static_cast<off_t>(line.size());
-      cells_.push_back(std::move(*cell));
+      std::optional<WholeCell> next = next_cell(file, map_.width());
+      if (!next) break;
+      whole += next->bytes;
+      cells_.push_back(std::move(next->cell));
     }
   } else if (line.ends_with('\n')) {
     throw DomainError(detail::printable(path_, path_.size()) +
@@ -124,22 +144,32 @@ void MapRows::push(const MapCell& cell) {
   cells_.back().failure = detail::printable(cell.failure, 1000);
   if (file_ == nullptr) return;
   errno = 0;
-  if (std::fputs(line_of(cell).c_str(), file_) == EOF || std::fflush(file_) != 0)
+  if (std::fputs(lines_of(cells_.back(), map_.width()).c_str(), file_) == EOF ||
+      std::fflush(file_) != 0)
     throw OutputError(detail::write_failure(path_, errno));
 }
 
-void MapRows::finish(std::span<const std::string> outputs) {
+void MapRows::write(Sink& sink) const {
+  const std::size_t width = map_.width();
   std::vector<double> numbers;
   for (std::int64_t k = 0; k < size(); ++k) {
     const std::vector<double> place = map_.place(k);
-    const MapCell& cell = cells_[static_cast<std::size_t>(k)];
-    numbers.insert(numbers.end(), place.begin(), place.end());
-    numbers.insert(numbers.end(), cell.numbers.begin(), cell.numbers.end());
+    const std::vector<double>& results = cells_[static_cast<std::size_t>(k)].numbers;
+    for (auto row = results.begin(); row != results.end(); row += static_cast<long>(width)) {
+      numbers.insert(numbers.end(), place.begin(), place.end());
+      numbers.insert(numbers.end(), row, row + static_cast<long>(width));
+    }
+    if (numbers.size() < numbers_per_block && k + 1 < size()) continue;
+    sink.push(numbers);
+    numbers.clear();
   }
+}
+
+void MapRows::finish(std::span<const std::string> outputs) {
   for (const std::string& output : outputs) {
     const std::unique_ptr<Sink> sink =
         open_sink(output, map_.groups(), provenance(map_.scenario()));
-    sink->push(numbers);
+    write(*sink);
     sink->finish();
   }
   if (file_ == nullptr) return;

@@ -74,11 +74,6 @@ SplittingScheme scheme_of(const std::string& word) {
   return word == "ABA864" ? SplittingScheme::ABA864 : SplittingScheme::ABA1064;
 }
 
-Crossing crossing_of(const std::string& word) {
-  if (word == "both") return Crossing::both;
-  return word == "rising" ? Crossing::rising : Crossing::falling;
-}
-
 // A run of more steps than a double can count would not end.
 void check_step(const Scenario& scenario, const Values& values, const std::string& name) {
   const auto* splitting = scenario.method ? std::get_if<Splitting>(&*scenario.method) : nullptr;
@@ -110,6 +105,11 @@ void check_times(const Scenario& scenario, const Values& values, const std::stri
 }
 
 }  // namespace
+
+Crossing crossing_of(const std::string& word) {
+  if (word == "both") return Crossing::both;
+  return word == "rising" ? Crossing::rising : Crossing::falling;
+}
 
 std::optional<Method> method_of(const Values& values, const std::string& name) {
   if (!there(values, "method")) return std::nullopt;

@@ -154,7 +154,8 @@ const Schema& scenario_schema() {
   static const std::vector<Alternatives> choices = concatenated<Alternatives>(
       {alternatives, detail::state_keys().alternatives, detail::frame_keys().alternatives,
        detail::orbit_keys().alternatives, detail::perturbation_keys().alternatives,
-       detail::surface_keys().alternatives, detail::method_keys().alternatives});
+       detail::surface_keys().alternatives, detail::method_keys().alternatives,
+       detail::map_keys().alternatives});
   static const Schema schema{keys, choices};
   return schema;
 }

@@ -2,16 +2,18 @@
 // ScenarioMap: a scenario over a grid of its own numbers, one cell at a time; and the rows of a map
 // on their way to a file.
 //
-// Equations   those of chaos_indicator, or the extremes of a column over the rows of [time].
+// Equations   those of chaos_indicator and of sections; or the extremes of a column over the rows
+//             of [time].
 // Units       those of the scenario: axes and results in the units of the file, the Lyapunov
 //             indicator in 1 over its unit of time.
 // Domain      a scenario with [map] and [time]. Cells are counted with the last axis the fastest.
 //             Any number of the file may be an axis, perturbations and orbits included; of an array
 //             one number: state.attitude-rate.omega_body[2], counted from 0. Every cell starts at
-//             t = 0 and ends at the last row.
+//             t = 0 and ends at the last row. A cell is one row of results, of a section one for
+//             each of its points.
 // Accuracy    axes are rounded once; the rest is that of the method.
 // Errors      ScenarioError for what is no map. A cell that cannot be (a chart refuses its numbers)
-//             or cannot go on has NaN, and says why. OutputError from MapRows.
+//             or cannot go on has one row of NaN, and says why. OutputError from MapRows.
 // Cost        a millisecond to read the scenario anew, one cell at a time, then its run.
 #pragma once
 
@@ -25,13 +27,14 @@
 
 #include "polhode/io/columns.hpp"
 #include "polhode/io/scenario.hpp"
+#include "polhode/io/sink.hpp"
 #include "polhode/trajectory/progress.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 struct MapCell {
-  std::vector<double> numbers;  // of the results; NaN where the cell failed
+  std::vector<double> numbers;  // of the results, row by row; NaN where the cell failed
   std::string failure;          // empty: it did not
 };
 
@@ -48,6 +51,8 @@ class ScenarioMap {
   std::int64_t size() const;
   // The axes, one group each, then the results.
   std::vector<ColumnGroup> groups() const;
+  // How many numbers of results a row has.
+  std::size_t width() const;
   // The numbers of the axes at a cell.
   std::vector<double> place(std::int64_t index) const;
   // From any thread. What `progress` throws passes through.
@@ -58,7 +63,7 @@ class ScenarioMap {
   std::unique_ptr<Parts> parts_;
 };
 
-// The cells of a map as they come, kept in PATH.cells: what a killed map goes on from. Lines are
+// The cells of a map as they come, kept in PATH.cells: what a killed map goes on from. Cells are
 // whole or they do not count.
 class MapRows {
  public:
@@ -72,6 +77,8 @@ class MapRows {
   std::int64_t size() const { return static_cast<std::int64_t>(cells_.size()); }
   const std::vector<MapCell>& cells() const { return cells_; }
   void push(const MapCell& cell);
+  // All rows so far, each with its place.
+  void write(Sink& sink) const;
   // All rows to the outputs, which get their names; PATH.cells goes.
   void finish(std::span<const std::string> outputs);
 

@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/analysis/section.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/error.hpp"
@@ -96,7 +97,7 @@ struct ScenarioEvent {
 };
 
 // [map]
-enum class MapKind { chaos, column };
+enum class MapKind { chaos, column, andoyer_section, spin_orbit_section };
 struct MapAxis {
   std::string key;
   double from;  // in the unit of the file, as `to` is
@@ -106,8 +107,10 @@ struct MapAxis {
 };
 struct MapPlan {
   MapKind kind;
-  std::string column;  // of MapKind::column
-  std::vector<MapAxis> axes;
+  std::string column = {};         // of MapKind::column
+  SectionSurface surface = {};     // of MapKind::andoyer_section
+  std::string orbit = {};          // of MapKind::spin_orbit_section
+  std::vector<MapAxis> axes = {};  // a section may have none: one start
 };
 
 struct Scenario {

@@ -36,6 +36,7 @@ std::optional<Surface> surface_of(const Scenario& scenario, const Values& values
 // The orbit whose name the value at `path` is.
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);
+Crossing crossing_of(const std::string& word);
 std::optional<Method> method_of(const Values& values, const std::string& name);
 std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);

@@ -12,6 +12,7 @@
 
 #include "budgets.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
+#include "polhode/analysis/section.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -125,6 +126,132 @@ TEST(ScenarioMap, WhatIsNoMap) {
   EXPECT_THAT(refusal(body + "[map]\nkind = \"column\"\ncolumn = \"tehta\"\n" +
                       axis("state.euler.phi", "2")),
               HasSubstr("did you mean theta?"));
+}
+
+const std::string moon = R"(schema = 1
+units = { time = "d", angle = "deg" }
+body.moments = [0.7, 0.95, 1]
+orbit.planet = { gm = 1, semi_major_axis = 1, eccentricity = 0.1 }
+perturbation = [{ kind = "gravity-gradient", orbit = "planet" }]
+state.attitude-rate = { euler = { phi = 20, theta = 0, psi = 0 }, omega_body = [0, 0, 130] }
+time = { stop = 100, step = 1 }
+)";
+
+TEST(ScenarioMap, ASectionHasARowForEachPoint) {
+  const ScenarioMap map(moon + R"([map]
+kind = "spin-orbit-section"
+orbit = "planet"
+[[map.axis]]
+key = "state.attitude-rate.omega_body[2]"
+from = 130
+to = 140
+count = 2
+)",
+                        "m");
+  const Scenario scenario = scenario_from_text(moon, "plain");
+  const Problem problem{
+      rotor_system(scenario), initial_state(scenario), 0.0, 100.0, Adaptive{}, {}};
+  const std::vector<SpinOrbitPoint> expected =
+      spin_orbit_section(problem, KeplerOrbit(*kepler_elements(scenario.orbits[0]))).points;
+  const std::vector<double> numbers = map.cell(0).numbers;
+  ASSERT_EQ(expected.size(), 16U);
+  ASSERT_EQ(map.width(), 4U);
+  ASSERT_EQ(numbers.size(), 4 * expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(numbers[4 * k], expected[k].t);
+    EXPECT_NEAR(numbers[4 * k + 1], expected[k].angle * 180.0 / M_PI, budget::section_units);
+    EXPECT_EQ(numbers[4 * k + 2], expected[k].spin);
+  }
+  EXPECT_EQ(map.groups().back().columns[1].unit, "deg");
+  EXPECT_NE(map.cell(1).numbers, numbers);
+}
+
+TEST(ScenarioMap, ASectionNeedsNoAxis) {
+  const auto rows = [](const std::string& keys) {
+    const ScenarioMap map(moon + "[map]\nkind = \"andoyer-section\"\n" + keys, "m");
+    EXPECT_EQ(map.size(), 1);
+    EXPECT_EQ(map.groups().size(), 1U);
+    return map.cell(0).numbers;
+  };
+  const std::vector<double> strobed = rows("period = 30\nepoch = 5\n");
+  ASSERT_EQ(strobed.size(), 4U * 7U);
+  EXPECT_EQ(strobed[0], 5.0);
+  EXPECT_EQ(strobed[3 * 7], 95.0);
+  const std::vector<double> passed = rows("angle = \"g\"\nvalue = 90\n");
+  ASSERT_GT(passed.size(), 7U);
+  for (std::size_t k = 2; k < passed.size(); k += 7)
+    EXPECT_NEAR(passed[k], 90.0, budget::section_units);
+  EXPECT_TRUE(rows("angle = \"g\"\nvalue = 90\ncrossing = \"falling\"\n").empty());
+}
+
+TEST(ScenarioMap, WhatIsNoSection) {
+  const auto andoyer = [](const std::string& keys) {
+    return refusal(moon + "[map]\nkind = \"andoyer-section\"\n" + keys);
+  };
+  EXPECT_THAT(andoyer(""), HasSubstr("expected exactly one of angle, period"));
+  EXPECT_THAT(andoyer("angle = \"g\"\nperiod = 1"), HasSubstr("got angle, period"));
+  EXPECT_THAT(andoyer("angle = \"k\""), HasSubstr("m.toml:10:9: map.angle: got \"k\""));
+  EXPECT_THAT(andoyer("period = 0"), HasSubstr("map.period: got 0; expected a positive time"));
+  EXPECT_THAT(andoyer("period = 1\nvalue = 2"), HasSubstr("expected beside angle only"));
+  EXPECT_THAT(andoyer("angle = \"h\"\nepoch = 2"), HasSubstr("expected beside period only"));
+  EXPECT_THAT(andoyer("angle = \"h\"\norbit = \"planet\""),
+              HasSubstr("a key of kind \"spin-orbit-section\""));
+  const auto pericentres = [](std::string text, const std::string& keys) {
+    return refusal(text + "[map]\nkind = \"spin-orbit-section\"\n" + keys);
+  };
+  EXPECT_THAT(pericentres(moon, ""), HasSubstr("map.orbit: got nothing"));
+  EXPECT_THAT(pericentres(moon, "orbit = \"plane\""), HasSubstr("did you mean planet?"));
+  std::string circle = moon;
+  circle.replace(circle.find("eccentricity = 0.1"), 18, "eccentricity = 0");
+  EXPECT_THAT(pericentres(circle, "orbit = \"planet\""),
+              HasSubstr("a circular orbit has no pericentre"));
+  std::string seen = moon;
+  seen.replace(seen.find("body.moments"), 0,
+               "state.epoch = \"2000-01-01T12:00:00 TT\"\nstate.axes = \"ecliptic-J2000\"\n"
+               "orbit.moon = { kind = \"ephemeris\", target = \"moon\", centre = \"earth\" }\n");
+  seen.replace(seen.find("angle = \"deg\""), 0, "length = \"km\", ");
+  EXPECT_THAT(pericentres(seen, "orbit = \"moon\""),
+              HasSubstr("expected an orbit with elements: others have no pericentre"));
+}
+
+TEST(MapRows, KeepSectionsWhole) {
+  const std::string folder = ::testing::TempDir() + "/section_rows";
+  std::filesystem::create_directories(folder);
+  const std::string path = folder + "/s.csv";
+  std::filesystem::remove(path + ".cells");
+  const ScenarioMap map(moon + R"([map]
+kind = "spin-orbit-section"
+orbit = "planet"
+[[map.axis]]
+key = "body.moments[1]"
+from = 0.8
+to = 2
+count = 3
+)",
+                        "m.toml");
+  const std::string outputs[] = {path};
+  {
+    MapRows rows(map, path, false);
+    for (std::int64_t k = 0; k < 3; ++k) rows.push(map.cell(k));
+    rows.finish(outputs);
+  }
+  const std::string straight = text_of(path);
+  EXPECT_THAT(straight, HasSubstr("\n2,nan,nan,nan,nan\n"));  // no body
+  {
+    MapRows rows(map, path, false);
+    for (std::int64_t k = 0; k < 3; ++k) rows.push(map.cell(k));
+  }
+  const std::string cells = text_of(path + ".cells");
+  std::int64_t whole = 0;
+  for (std::size_t length = cells.find('\n'); length <= cells.size(); length += 41) {
+    std::ofstream(path + ".cells", std::ios::binary) << cells.substr(0, length);
+    MapRows rows(map, path, true);
+    whole = std::max(whole, rows.size());
+    for (std::int64_t k = rows.size(); k < 3; ++k) rows.push(map.cell(k));
+    rows.finish(outputs);
+    EXPECT_EQ(text_of(path), straight) << length;
+  }
+  EXPECT_GE(whole, 2);
 }
 
 TEST(MapRows, GoOnFromWhatIsWholeOfAnEarlierMap) {
