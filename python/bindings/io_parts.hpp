@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "bindings.hpp"
 #include "polhode/io/scenario.hpp"
+#include "polhode/io/sink.hpp"
 #include "polhode/io/summary.hpp"
 
 namespace polhode::python {
@@ -23,6 +25,23 @@ void bind_oem(nb::module_& m);
 
 // Methods run, write and states_of of _Scenario, and what run returns.
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
+
+// _ScenarioMap and _MapRows.
+void bind_map(nb::module_& m);
+// A path as the file system has it.
+std::string path_text(nb::handle path);
+// Rows into memory, one after the other.
+class TableSink : public Sink {
+ public:
+  explicit TableSink(std::vector<double>& rows) : rows_(rows) {}
+  void push(std::span<const double> rows) override {
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+  }
+  void finish() override {}
+
+ private:
+  std::vector<double>& rows_;
+};
 
 // Properties frame, system and orbits of _Scenario.
 void bind_objects(nb::class_<Scenario>& scenario);

@@ -27,23 +27,6 @@ struct Run {
   bool complete = false;         // nothing was left to do
 };
 
-class TableSink : public Sink {
- public:
-  explicit TableSink(std::vector<double>& rows) : rows_(rows) {}
-  void push(std::span<const double> rows) override {
-    rows_.insert(rows_.end(), rows.begin(), rows.end());
-  }
-  void finish() override {}
-
- private:
-  std::vector<double>& rows_;
-};
-
-std::string path_text(nb::handle path) {
-  const nb::bytes bytes = nb::bytes(nb::object(nb::module_::import_("os").attr("fsencode")(path)));
-  return {bytes.c_str(), bytes.size()};
-}
-
 // No page of it is touched before its rows come.
 void reserve(Run& run, std::int64_t rows) {
   const double bytes =
@@ -164,6 +147,11 @@ Batch<RotorState> states_in(const Scenario& scenario, nb::handle table, std::siz
 }
 
 }  // namespace
+
+std::string path_text(nb::handle path) {
+  const nb::bytes bytes = nb::bytes(nb::object(nb::module_::import_("os").attr("fsencode")(path)));
+  return {bytes.c_str(), bytes.size()};
+}
 
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<Run>(m, "_Run")

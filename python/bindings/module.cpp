@@ -29,6 +29,7 @@ void bind_everything(nb::module_& m) {
   bind_trajectory(m);
   bind_dynamics(m);
   bind_analysis(m);
+  bind_section(m);
   bind_io(m);
 }
 

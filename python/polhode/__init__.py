@@ -10,12 +10,14 @@ from polhode._core import __version__  # noqa: F401
 from polhode._summary import Summary
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
+from polhode.maps import MapResults
 from polhode.results import Results
 from polhode.scenarios import Citation, Scenario, load
 
 __all__ = [
     "Citation",
     "HarmonicFit",
+    "MapResults",
     "Results",
     "Scenario",
     "Summary",

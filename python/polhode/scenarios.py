@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from polhode import _building, _core, _toml
 from polhode._summary import Summary
+from polhode.maps import MapResults, run_map
 from polhode.results import Results
 
 if TYPE_CHECKING:
@@ -215,6 +216,45 @@ class Scenario:
             warnings.warn(_failure(self, done, paths), RuntimeWarning, stacklevel=2)
         return results
 
+    def map(
+        self,
+        outputs: Path | Iterable[Path] = (),
+        *,
+        threads: int | None = None,
+        resume: bool = False,
+        progress: Callable[[int, int], object] | None = None,
+    ) -> MapResults:
+        """Every cell of the grid of [map]: chaos, extremes of a column, or surfaces of section.
+
+        Parameters
+        ----------
+        outputs : PATH.csv or PATH.h5, one or several: the files that `polhode map` writes, byte for
+            byte. The first one has its cells so far in PATH.cells until the map is complete.
+        threads : how many cells at a time; None: one on each processor. The result does not depend
+            on it.
+        resume : continues a map that was stopped or killed, from PATH.cells.
+        progress : called with the number of cells so far and that of all, after each; what it
+            raises ends the map.
+
+        Returns
+        -------
+        MapResults
+            Its columns. Cells that could not be, or could not go on, hold NaN; `.failures` says
+            why.
+
+        ValueError for a scenario without [map] and for a path that cannot be an output; OutputError
+        when writing fails. Cells release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves
+        PATH.cells.
+        """
+        one = isinstance(outputs, (str, bytes, os.PathLike))
+        paths = [outputs] if one else list(outputs)
+        _require_files(paths, "map")
+        if threads is not None and threads < 1:
+            raise ValueError(f"map: threads: got {threads!r}; expected a whole number from 1")
+        if resume and not paths:
+            raise ValueError("map: got resume=True; expected it beside outputs")
+        return run_map(self, paths, threads, resume, progress)
+
     @property
     def text(self) -> str:
         """The file itself."""
@@ -346,14 +386,14 @@ def _units_of(units: Units | Mapping[str, str] | None) -> Units:
     return _core.Units(**given)
 
 
-def _require_files(paths: Sequence[Path]) -> None:
+def _require_files(paths: Sequence[Path], function: str = "run") -> None:
     seen = set()
     for path in paths:
         name = os.fsdecode(path)
         if name == "-":
-            raise ValueError("run: got \"-\"; expected files, PATH.csv or PATH.h5")
+            raise ValueError(f"{function}: got \"-\"; expected files, PATH.csv or PATH.h5")
         if name in seen:
-            raise ValueError(f"run: {name} is there twice")
+            raise ValueError(f"{function}: {name} is there twice")
         seen.add(name)
 
 
