@@ -8,7 +8,16 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
-from polhode import Adaptive, Body, Problem, System, chaos_indicator, figures, rotor_state
+from polhode import (
+    Adaptive,
+    Body,
+    Problem,
+    Scenario,
+    System,
+    chaos_indicator,
+    figures,
+    rotor_state,
+)
 
 BODY = Body(1.0, 1.6, 2.0)
 PROBLEM = Problem(
@@ -63,6 +72,20 @@ def test_columns_are_a_map_too():
         figures.chaos_map(columns, "w")
     with pytest.raises(ValueError, match="5 cells; expected a grid of 3 by 2 places"):
         figures.chaos_map({name: values[:5] for name, values in columns.items()}, "z")
+
+
+def test_what_scenario_map_returns_is_a_map():
+    scenario = Scenario.from_text(
+        'schema = 1\nunits.time = "d"\nbody.moments = [1, 1.6, 2]\ntime = { stop = 5, step = 1 }\n'
+        "state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0.3, 0.2, 1] }\n"
+        '[map]\nkind = "chaos"\n'
+        '[[map.axis]]\nkey = "body.moments[1]"\nfrom = 1.2\nto = 1.8\ncount = 3\n'
+        '[[map.axis]]\nkey = "body.moments[2]"\nfrom = 2.0\nto = 2.1\ncount = 2\n'
+    )
+    chart = scenario.map()
+    ax = figures.chaos_map(chart, "lyapunov")
+    assert_array_equal(mesh_of(ax).get_array().ravel(), chart["lyapunov"])
+    assert ax.figure.axes[-1].get_ylabel() == "Lyapunov indicator (1/d)"
 
 
 def test_growth_draws_the_indicators():

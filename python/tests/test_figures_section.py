@@ -20,16 +20,20 @@ from polhode import (
     Event,
     Frame,
     GravityGradient,
+    KeplerElements,
+    KeplerOrbit,
     Problem,
     RotorState,
     Scenario,
     SpaceAxes,
     Splitting,
     System,
+    andoyer_section,
     energy,
     figures,
     integrate,
     rotor_state,
+    spin_orbit_section,
     to_andoyer,
     to_euler,
 )
@@ -95,6 +99,76 @@ def test_coordinates_are_fields_ratios_functions_and_columns():
         RUN, "w", "J", elements=lambda s: SimpleNamespace(w=s.g[:, 0], J=s.g[:, 1])
     )
     assert_array_equal(ax.get_lines()[0].get_xydata(), states.g[:, :2])
+
+
+MOON = Body(0.7, 0.95, 1.0)
+ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
+PLANAR = Problem(
+    System(MOON, terms=[GravityGradient(1.0, ORBIT)]),
+    rotor_state(MOON, [1, 0, 0, 0], [0, 0, 2.2]),
+    0.0,
+    60.0,
+)
+
+
+def test_sections_give_their_points():
+    andoyer = andoyer_section(Problem(SYSTEM, START, 0.0, 40.0))
+    ax = figures.poincare_section([andoyer, RUN], "l", "L/G", event="half")
+    points = np.stack([andoyer.l, andoyer.L / andoyer.G], axis=-1)
+    assert_array_equal(ax.get_lines()[0].get_xydata(), points)
+    assert len(ax.get_lines()) == 2
+    section = spin_orbit_section(PLANAR, ORBIT)
+    ax = figures.poincare_section(section)
+    assert_array_equal(
+        ax.get_lines()[0].get_xydata(), np.stack([section.angle, section.spin], axis=-1)
+    )
+    assert ax.get_xlabel() == "angle of the long axis from the pericentre (rad)"
+    assert ax.get_ylabel() == "spin / mean motion" and ax.get_xlim() == (-np.pi / 2, np.pi / 2)
+    ax = figures.poincare_section(section, "tilt", lambda s: s.g[:, 2])
+    assert_array_equal(ax.get_lines()[0].get_ydata(), section.states.g[:, 2])
+    assert_array_equal(
+        figures.poincare_section(section, "l", "G").get_lines()[0].get_ydata(),
+        to_andoyer(section.states).G,
+    )
+    none = spin_orbit_section(Problem(PLANAR.system, PLANAR.initial, 1.0, 2.0), ORBIT)
+    with pytest.raises(ValueError, match="expected points"):
+        figures.poincare_section(none)
+
+
+MAP = """schema = 1
+units = { time = "d", angle = "deg" }
+body.moments = [0.7, 0.95, 1]
+orbit.planet = { gm = 1, semi_major_axis = 1, eccentricity = 0.1 }
+perturbation = [{ kind = "gravity-gradient", orbit = "planet" }]
+state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0, 0, 130] }
+time = { stop = 60, step = 1 }
+[[map.axis]]
+key = "body.moments[1]"
+from = 0.8
+to = 2
+count = 3
+[map]
+"""
+
+
+def test_a_map_of_sections_is_a_run_for_each_start(tmp_path):
+    scenario = Scenario.from_text(MAP + 'kind = "spin-orbit-section"\norbit = "planet"\n')
+    points = scenario.map(tmp_path / "map.csv")
+    assert len(points.failures) == 1  # of the three starts: a body with such a moment is none
+    for source in (points, tmp_path / "map.csv", str(tmp_path / "map.csv"), [points]):
+        ax = figures.poincare_section(source)
+        assert len(ax.get_lines()) == 2
+        for cell, line in enumerate(ax.get_lines()):
+            assert_array_equal(line.get_xdata(), points["angle"][points.cell == cell])
+            assert_array_equal(line.get_ydata(), points["spin"][points.cell == cell])
+        assert ax.get_xlabel() == "angle of the long axis from the pericentre (deg)"
+        assert ax.get_xlim() == (-90, 90)
+    andoyer = Scenario.from_text(MAP + 'kind = "andoyer-section"\nangle = "g"\n').map()
+    ax = figures.poincare_section(andoyer)
+    assert ax.get_xlabel() == "$l$ (deg)" and ax.get_ylabel() == "$L$ (1/d)"
+    chaos = Scenario.from_text(MAP + 'kind = "chaos"\n').map()
+    with pytest.raises(ValueError, match="a map of body.moments.1., mean_megno, lyapunov"):
+        figures.poincare_section(chaos)
 
 
 def test_results_give_their_events():

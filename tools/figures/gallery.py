@@ -35,7 +35,7 @@ SECTIONS = {
         "polhode_herpolhode", "attitude_of_body", "attitude_animation", "overview",
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
-    "Chaos": ["poincare_section", "chaos_map", "chaos_growth"],
+    "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],
 }  # fmt: skip
 # Drawn elsewhere: picture -> (title, the page that explains it, the script).
 OTHERS = {

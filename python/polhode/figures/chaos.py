@@ -3,16 +3,15 @@
 
 from __future__ import annotations
 
-import os
-import re
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from polhode.figures.map_data import Source, read_map
 from polhode.figures.style import DOUBLE_COLUMN, SINGLE_COLUMN, axes_or_new, panels, series, styled
 
 EMPTY = "#FFFFFF"
@@ -26,7 +25,7 @@ SAID = {
 
 @styled
 def chaos_map(
-    source: str | os.PathLike[str] | Mapping[str, ArrayLike],
+    source: Source,
     value: str = "mean_megno",
     ax: Axes | None = None,
     *,
@@ -39,7 +38,7 @@ def chaos_map(
 
     Parameters
     ----------
-    source : the CSV file that `polhode map` wrote, or its columns by name.
+    source : MapResults, the CSV file that `polhode map` wrote, or its columns by name.
     value : the column to show. x, y : the axes, by the names of their columns; None takes the
         second axis of the map for x (it runs fastest) and the first for y.
     limits : the numbers of the two ends of the colour bar; what is beyond has the colour of the
@@ -48,7 +47,8 @@ def chaos_map(
 
     Cells without a number (failed ones) are white and crossed out. ValueError for a column that is
     not there, and for places that make no grid."""
-    columns, units = _read(source)
+    data = read_map(source)
+    columns, units = data.columns, data.units
     names = list(columns)
     across = names[1] if x is None else x
     up = names[0] if y is None else y
@@ -91,21 +91,6 @@ def _grid(
     grid = np.full((up.size, across.size), np.nan)
     grid[j, i] = values
     return across, up, grid
-
-
-def _read(
-    source: str | os.PathLike[str] | Mapping[str, ArrayLike],
-) -> tuple[dict[str, NDArray[np.float64]], dict[str, str]]:
-    """The columns and their units."""
-    if isinstance(source, Mapping):
-        return {k: np.asarray(v, dtype=float) for k, v in source.items()}, {}
-    with open(source, encoding="utf-8") as file:
-        lines = file.read().splitlines()
-    said = [line for line in lines if line.startswith("# units: ")]
-    units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", said[-1][9:])) if said else {}
-    names, *rows = [line for line in lines if not line.startswith("#")]
-    table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
-    return dict(zip(names.split(","), table.T)), units
 
 
 @styled

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""The rows of a map, from the file that `polhode map` wrote or from Scenario.map."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import polhode
+
+Source = Union[str, os.PathLike[str], polhode.MapResults, Mapping[str, ArrayLike]]
+
+
+@dataclass(frozen=True)
+class MapData:
+    """Columns by name, with their units where they are known."""
+
+    columns: Mapping[str, NDArray[np.float64]]
+    units: Mapping[str, str]
+
+
+def read_map(source: Source) -> MapData:
+    """The columns of a CSV file, of MapResults, or of a mapping."""
+    if isinstance(source, Mapping):
+        columns = {name: np.asarray(x, dtype=float) for name, x in source.items()}
+        return MapData(columns, getattr(source, "units", {}))
+    with open(source, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    said = [line for line in lines if line.startswith("# units: ")]
+    units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", said[-1][9:])) if said else {}
+    names, *rows = [line for line in lines if not line.startswith("#")]
+    names = names.split(",")
+    table = np.loadtxt(rows, delimiter=",", ndmin=2) if rows else np.empty((0, len(names)))
+    return MapData(dict(zip(names, table.T)), units)
+
+
+def motions_of(source: Any) -> list[MapData]:
+    """The points of each cell of a map of sections; its axes are the columns before t.
+
+    Cells that failed have none. ValueError for a map of something else."""
+    data = read_map(source)
+    names = list(data.columns)
+    if "t" not in names:
+        raise ValueError(
+            f"poincare_section: a map of {', '.join(names)}; expected one of a section"
+        )
+    table = np.column_stack(list(data.columns.values()))
+    places = table[:, : names.index("t")]
+    ends = np.flatnonzero(np.any(places[1:] != places[:-1], axis=1)) + 1
+    parts = [part[~np.isnan(part).any(axis=1)] for part in np.split(table, ends)]
+    return [MapData(dict(zip(names, part.T)), data.units) for part in parts if len(part)]
