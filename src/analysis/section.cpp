@@ -138,7 +138,8 @@ class PericentreView {
     const Quaternion q_IB = inertial_state(system, at.t, at.s).q;
     const Quaternion q_OB = conj(orbit_axes(at.t)) * q_IB;
     const Vec3 axis_1 = rotate(q_OB, Vec3{1.0, 0.0, 0.0}), axis_3 = rotate(q_OB, Vec3{0, 0, 1.0});
-    const Vec3 w = rotate(q_OB, angular_velocity(system, at.t, at.s).inertial);
+    const System with_damper = at_damper_rate(system, at.damper_rate);
+    const Vec3 w = rotate(q_OB, angular_velocity(with_damper, at.t, at.s).inertial);
     return {at.t, at.s, folded(std::atan2(axis_1.y, axis_1.x), std::numbers::pi), w.z / n_,
             std::atan2(std::hypot(axis_3.x, axis_3.y), axis_3.z)};
   }
