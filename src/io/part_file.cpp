@@ -5,10 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "io/detail/values.hpp"
@@ -21,6 +23,7 @@ namespace detail {
 namespace {
 
 constexpr std::size_t longest_path = 500;
+constexpr int most_trips = 100;  // other runs that finish just when a file is opened
 
 }  // namespace
 
@@ -55,6 +58,24 @@ void require_alone(int descriptor, const std::string& part) {
   throw DomainError(printable(part, longest_path) + ": another run is writing it");
 }
 
+// Not where another run has given the file its name, or removed it, between open and lock.
+bool is_still_at(int descriptor, const std::string& path) {
+  struct stat of {};
+  struct stat there {};
+  return ::fstat(descriptor, &of) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         of.st_dev == there.st_dev && of.st_ino == there.st_ino;
+}
+
+// What a user's path can be wrong in; the rest is a machine that cannot.
+[[noreturn]] void fail_to_open(const std::string& part, int error_number) {
+  constexpr int wrong_paths[] = {EACCES, EPERM,   EROFS,        EISDIR, ENOENT,
+                                 ENXIO,  ENOTDIR, ENAMETOOLONG, ELOOP,  EINVAL};
+  const std::string what = write_failure(part, error_number);
+  if (std::ranges::find(wrong_paths, error_number) != std::end(wrong_paths))
+    throw DomainError(what);
+  throw OutputError(what);
+}
+
 std::string difference(int descriptor, const PartState& state) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return std::strerror(errno);
@@ -71,15 +92,19 @@ std::string difference(int descriptor, const PartState& state) {
 }  // namespace
 
 int new_part(const std::string& part) {
-  const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0 && errno == ENOENT)
-    throw DomainError(printable(part, longest_path) + ": its folder does not exist");
-  if (descriptor < 0) throw DomainError(write_failure(part, errno));
-  require_alone(descriptor, part);
-  if (::ftruncate(descriptor, 0) == 0) return descriptor;
-  const int error_number = errno;
-  ::close(descriptor);
-  throw DomainError(write_failure(part, error_number));
+  for (int trip = 0; trip < most_trips; ++trip) {
+    const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == ENOENT)
+      throw DomainError(printable(part, longest_path) + ": its folder does not exist");
+    if (descriptor < 0) fail_to_open(part, errno);
+    require_alone(descriptor, part);
+    const bool is_ours = is_still_at(descriptor, part);
+    if (is_ours && ::ftruncate(descriptor, 0) == 0) return descriptor;
+    const int error_number = errno;
+    ::close(descriptor);
+    if (is_ours) fail_to_open(part, error_number);
+  }
+  throw DomainError(printable(part, longest_path) + ": other runs are writing it");
 }
 
 int reopened_part(const std::string& part, const PartState& state) {
@@ -94,7 +119,8 @@ int reopened_part(const std::string& part, const PartState& state) {
     throw DomainError(printable(part, longest_path) +
                       ": cannot be continued: " + std::strerror(errno));
   require_alone(descriptor, part);
-  std::string why = difference(descriptor, state);
+  std::string why = is_still_at(descriptor, there) ? difference(descriptor, state)
+                                                   : "another run has just finished it";
   if (why.empty() && (::ftruncate(descriptor, state.bytes) != 0 ||
                       ::lseek(descriptor, state.bytes, SEEK_SET) < 0 ||
                       (there != part && std::rename(there.c_str(), part.c_str()) != 0)))
@@ -112,7 +138,7 @@ PartFile::PartFile(const std::string& path, const std::optional<PartState>& from
   } else {
     file_ = ::fdopen(from ? reopened_part(part_, *from) : new_part(part_), "r+b");
   }
-  if (file_ == nullptr) throw DomainError(write_failure(part_, errno));
+  if (file_ == nullptr) fail_to_open(part_, errno);
   if (from) bytes_ = from->bytes;
 }
 
@@ -155,9 +181,19 @@ void PartFile::commit() {
   if (path_ == "-") return;
   const bool named = part_ != path_;
   if (named && ::fsync(::fileno(file_)) != 0) throw OutputError(write_failure(part_, errno));
+  rename_part(part_, path_);  // before the lock goes with fclose
   if (std::fclose(std::exchange(file_, nullptr)) != 0)
     throw OutputError(write_failure(part_, errno));
-  rename_part(part_, path_);
+}
+
+void replace_file(const std::string& path, std::string_view bytes) {
+  try {
+    PartFile file(path);
+    file.write(bytes);
+    file.commit();
+  } catch (const DomainError& error) {
+    throw OutputError(error.what());
+  }
 }
 
 }  // namespace detail

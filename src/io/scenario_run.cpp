@@ -353,11 +353,9 @@ class ScenarioRun::Parts {
     const std::string told = detail::printable(scenario_.name, 200) +
                              " at t = " + time_text(state.t) + ", " + std::to_string(state.pushed) +
                              " rows";
-    detail::PartFile file(path_);
-    file.write(text_of(kept_, told));
-    file.commit();
+    detail::replace_file(path_, text_of(kept_, told));
+    sync_folder_of(path_);  // before what the checkpoint of before needs is gone
     for (std::size_t i = 0; i < files_open_; ++i) sinks_[i]->kept();
-    sync_folder_of(path_);
     pace_.made(begun);
   }
 

@@ -205,6 +205,22 @@ def test_a_disk_that_fills_up_loses_nothing(polhode, run, scenario, tmp_path, ex
         assert subprocess.run(["h5diff", straight, path]).returncode == 0
 
 
+def test_a_checkpoint_that_cannot_be_made_leaves_the_one_before(polhode, run, long, tmp_path):
+    path, checkpoint = tmp_path / "a.csv", tmp_path / "a.csv.checkpoint"
+    stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part")
+    before = checkpoint.read_bytes()
+    (tmp_path / "a.csv.checkpoint.part").mkdir()
+    done = run("run", long, "--out", path, "--resume", "--checkpoint", "0")
+    assert done.returncode == 1 and "continues at" in done.stderr
+    assert done.stderr.splitlines()[-1] == f"{checkpoint}.part: cannot be written: Is a directory"
+    assert checkpoint.read_bytes() == before
+    (tmp_path / "a.csv.checkpoint.part").rmdir()
+    with subprocess.Popen([polhode, "run", long, "--out", path, "--resume"],
+                          stderr=subprocess.PIPE, text=True) as process:
+        assert "continues at" in process.stderr.readline()
+        process.kill()
+
+
 def test_events_do_not_fill_the_memory(polhode, scenario, tmp_path):
     """Twenty times the events, the same memory."""
     peaks, stops = [], (2000, 40000)

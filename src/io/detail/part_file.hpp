@@ -25,7 +25,8 @@ struct PartState {
   bool may_be_named = true;
 };
 // The descriptor of an empty part, and of one that is there, cut back to its state; for reading and
-// writing, and for one process alone. Throw DomainError when they cannot be had.
+// writing, and for one process alone. Throw DomainError when the path cannot be had or another run
+// has it, OutputError when the machine fails.
 int new_part(const std::string& part);
 int reopened_part(const std::string& part, const PartState& state);
 // "PATH: cannot be written: No space left on device"
@@ -33,8 +34,8 @@ std::string write_failure(const std::string& path, int error_number);
 
 class PartFile {
  public:
-  // "-" is standard output. With a state, the part that is there goes on behind it. Throws
-  // DomainError when it cannot be opened.
+  // "-" is standard output. With a state, the part that is there goes on behind it. Throws as
+  // new_part and reopened_part.
   explicit PartFile(const std::string& path, const std::optional<PartState>& from = std::nullopt);
   ~PartFile();
   PartFile(const PartFile&) = delete;
@@ -54,6 +55,10 @@ class PartFile {
   std::FILE* file_;
   std::int64_t bytes_ = 0;
 };
+
+// A file of our own beside an output, as a whole or not at all: its path is no input, so that
+// whatever keeps it from being written is an OutputError.
+void replace_file(const std::string& path, std::string_view bytes);
 
 }  // namespace detail
 }  // namespace v0
