@@ -212,3 +212,19 @@ def test_envisat_is_led_around_its_orbit_normal():
     oblate = (moments[2] - (moments[0] + moments[1]) / 2) / moments[2]
     rate = 1.5 * n**2 / spin * oblate * np.cos(np.radians(8.53))
     assert_allclose(2 * np.pi / rate / 86400, fit.periods[0], rtol=budgets.averaged_envisat)
+
+
+def test_envisat_is_regular():
+    """By derivatives and by a second motion, which friction needs in a splitting."""
+    envisat = polhode.load(ROOT / "examples/envisat.toml")
+
+    def indicator(method):
+        problem = polhode.Problem(envisat.system, envisat.initial_state, 0, 3 * 86400, method)
+        return polhode.chaos_indicator(problem)
+
+    exact, near = indicator(polhode.Adaptive(1e-12)), indicator(polhode.Splitting(20.0, "ABA1064"))
+    assert exact.by == polhode.DeviationBy.variational
+    assert near.by == polhode.DeviationBy.neighbour
+    assert_allclose(near.growth, exact.growth, atol=budgets.chaos_trapezoid)
+    for found in (exact, near):
+        assert_allclose(found.mean_megno, 2.0, atol=budgets.chaos_megno_regular)
