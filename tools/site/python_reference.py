@@ -133,13 +133,16 @@ propagator?](../../guide/which-propagator.md) helps to choose a method.
         "When": "SaveAt Event Crossing",
         "What a run leaves": "Trajectory EventRecord Outcome Statistics TransitionSamples",
         "Chaos": "chaos_indicator ChaosIndicator DeviationBy",
+        "Surfaces of section": (
+            "andoyer_section AndoyerSection AndoyerAngle spin_orbit_section SpinOrbitSection"
+        ),
     }),
     Page("scenarios-and-results", "Scenarios and results", """\
 [Scenario files](../scenario.md) from Python, and back: the rows of a run as arrays under the
 names of the [columns](../files.md).
 """, {
         "Scenario": "load Scenario Summary Citation",
-        "Results": "Results",
+        "Results": "Results MapResults",
         "Attitude files": "read_aem AttitudeEphemeris AemSegment",
         "Orbit files": "read_oem OrbitEphemeris OemSegment",
         "Terms of a run": "HarmonicFit harmonic_fit",
