@@ -183,9 +183,9 @@ seconds and the last column are for a year at that rate.
 Two runs that start 1e-6 rad apart are {apart[SPAN]:.1e} rad apart after {SPAN:g} d and
 {apart[YEAR]:.1e} rad after the year: growth with the power {power:.1f} of the time.
 
-The attitude alone was turned there. [`chaos_indicator`][polhode.chaos_indicator] follows a deviation
-of attitude and momentum in all directions ([chaos](../guide/chaos.md)), which the size of the
-momentum makes run away at once, with the first power of the time. Of a regular motion the mean
+The attitude alone was turned there. [`chaos_indicator`][polhode.chaos_indicator] follows a
+deviation of attitude and momentum in all directions ([chaos](../guide/chaos.md)), which the size of
+the momentum makes run away at once, with the first power of the time. Of a regular motion the mean
 MEGNO tends to 2; of a chaotic one it grows as half the time over the Lyapunov time.
 
 | method | days | growth | mean MEGNO |
