@@ -52,6 +52,7 @@
 #include "polhode/orbit/planar_kepler.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "polhode/orbit/uniform_angle.hpp"
 #include "polhode/perturb/affine_torque.hpp"
 #include "polhode/perturb/any_perturbation.hpp"

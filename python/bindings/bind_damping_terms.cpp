@@ -65,24 +65,36 @@ void bind_internal(nb::module_& m) {
                               R"(Friction inside the body: energy falls, angular momentum stays.
 
 InternalDamping(k): v = k g x w, w = I^-1 g, k in 1 / momentum: one number, or a diagonal (3,) in
-principal axes. It has no torque; I^-1 g + v is the angular velocity. For I = (A, A, C) the angle J
-from axis 3 to g obeys tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).
+principal axes; with `grows` times |g|, and in 1 / momentum^2. It has no torque; I^-1 g + v is the
+angular velocity. For I = (A, A, C) the angle J from axis 3 to g obeys
+tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).
 
 ValueError for a negative coefficient.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle k, nb::handle name) {
+       [](C* self, nb::handle k, nb::handle name, bool grows) {
          const Numbers any(k, "k");
-         const InternalDamping term =
-             any.shape().empty() ? InternalDamping(any[0]) : InternalDamping(vec3(k, "k"));
-         const nb::object kept = any.shape().empty() ? nb::object(nb::float_(any[0]))
-                                                     : nb::object(tuple_of(term.coefficients()));
+         const bool one = any.shape().empty();
+         const InternalDamping term(one ? Vec3{any[0], any[0], any[0]} : vec3(k, "k"), grows);
+         const nb::object kept =
+             one ? nb::object(nb::float_(any[0])) : nb::object(tuple_of(term.coefficients()));
          new (self) C(AnyPerturbation(name_of(name, "InternalDamping"), term),
-                      recipe_of("", {"k", "name"}, nb::make_tuple(kept, name)));
+                      recipe_of("", {"k", "name", "grows"}, nb::make_tuple(kept, name, grows)));
        },
-       nb::arg("k"), nb::arg("name") = nb::none(),
-       nb::sig("def __init__(self, k: numpy.typing.ArrayLike, name: str | None = None) -> None"))
+       nb::arg("k"), nb::arg("name") = nb::none(), nb::arg("grows") = false,
+       nb::sig("def __init__(self, k: numpy.typing.ArrayLike, name: str | None = None, grows: bool "
+               "= False) -> None"))
+      .def_prop_ro(
+          "coefficients",
+          [](const C& term) { return array_of(term.target<InternalDamping>()->coefficients()); },
+          nb::for_getter(nb::sig("def coefficients(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(3,): k along the principal axes.")
+      .def_prop_ro(
+          "grows",
+          [](const C& term) { return term.target<InternalDamping>()->grows_with_momentum(); },
+          nb::for_getter(nb::sig("def grows(self) -> bool")),
+          "Whether k is multiplied by the momentum.")
       .def_static(
           "of_wobble",
           [](const Body& body, double time, double momentum, nb::handle name) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gravity beyond the gradient of a point mass, and tides.
 #include "choice.hpp"
-#include "orbit_value.hpp"
 #include "polhode/perturb/higher_gravity.hpp"
 #include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/tidal_torque.hpp"
@@ -121,20 +120,14 @@ name : stands in messages.)",
       "__init__",
       [](C* self, double gm, nb::handle orbit, const MassMoments& moments, nb::handle orbit_of_,
          nb::handle axes, nb::handle name) {
-        const std::string called = name_of(name, "HigherGravity");
         const auto of = choice<OrbitOf>(orbit_of_, "orbit_of");
         const auto space = choice<SpaceAxes>(axes, "axes");
-        std::vector<SharedFunction> functions;
-        const AnyPythonOrbit any =
-            orbit_of(orbit, labelled("HigherGravity", called) + ": orbit", functions);
-        const AnyPerturbation term = std::visit(
-            [&](const auto& o) {
-              return AnyPerturbation(called, HigherGravity(gm, o, moments, of, space));
-            },
-            any);
-        new (self) C(term, recipe_of("", {"gm", "orbit", "moments", "orbit_of", "axes", "name"},
-                                     nb::make_tuple(gm, orbit, moments, of, space, name),
-                                     std::move(functions)));
+        make_along(self, "HigherGravity", orbit, name,
+                   {{"gm", "orbit", "moments", "orbit_of", "axes", "name"},
+                    nb::make_tuple(gm, orbit, moments, of, space, name)},
+                   [&](const std::string& called, const auto& o) {
+                     return AnyPerturbation(called, HigherGravity(gm, o, moments, of, space));
+                   });
       },
       nb::arg("gm"), nb::arg("orbit"), nb::arg("moments"), nb::arg("orbit_of"),
       nb::arg("axes") = SpaceAxes::inertial, nb::arg("name") = nb::none(),
@@ -193,19 +186,13 @@ name : stands in messages.)",
       "__init__",
       [](C* self, double gm, nb::handle orbit, const O& oblateness, nb::handle axes,
          nb::handle name) {
-        const std::string called = name_of(name, "OblateGravity");
         const auto space = choice<SpaceAxes>(axes, "axes");
-        std::vector<SharedFunction> functions;
-        const AnyPythonOrbit any =
-            orbit_of(orbit, labelled("OblateGravity", called) + ": orbit", functions);
-        const AnyPerturbation term = std::visit(
-            [&](const auto& o) {
-              return AnyPerturbation(called, OblateGravity(gm, o, oblateness, space));
-            },
-            any);
-        new (self) C(term, recipe_of("", {"gm", "orbit", "oblateness", "axes", "name"},
-                                     nb::make_tuple(gm, orbit, oblateness, space, name),
-                                     std::move(functions)));
+        make_along(self, "OblateGravity", orbit, name,
+                   {{"gm", "orbit", "oblateness", "axes", "name"},
+                    nb::make_tuple(gm, orbit, oblateness, space, name)},
+                   [&](const std::string& called, const auto& o) {
+                     return AnyPerturbation(called, OblateGravity(gm, o, oblateness, space));
+                   });
       },
       nb::arg("gm"), nb::arg("orbit"), nb::arg("oblateness"), nb::arg("axes") = SpaceAxes::inertial,
       nb::arg("name") = nb::none(),
@@ -254,23 +241,18 @@ ValueError unless gm, mass and the radius are positive, k2 and the lag not negat
   c.def(
       "__init__",
       [](C* self, double gm, double mass, nb::handle orbit, const B& body, nb::handle name) {
-        const std::string called = name_of(name, "TidalTorque");
-        const std::string label = labelled("TidalTorque", called) + ": orbit";
-        std::vector<SharedFunction> functions;
-        const AnyPythonOrbit any = orbit_of(orbit, label, functions);
-        const AnyPerturbation term = std::visit(
-            [&](const auto& o) -> AnyPerturbation {
+        make_along(
+            self, "TidalTorque", orbit, name,
+            {{"gm", "mass", "orbit", "body", "name"}, nb::make_tuple(gm, mass, orbit, body, name)},
+            [&](const std::string& called, const auto& o) -> AnyPerturbation {
               if constexpr (OrbitOn<std::remove_cvref_t<decltype(o)>, Dual<double, 1>>)
                 return {called, TidalTorque(gm, mass, o, body)};
               else
-                throw nb::type_error((label + ": got " + class_name(orbit) +
+                throw nb::type_error((labelled("TidalTorque", called) + ": orbit: got " +
+                                      class_name(orbit) +
                                       "; expected an orbit with a velocity, as KeplerOrbit")
                                          .c_str());
-            },
-            any);
-        new (self)
-            C(term, recipe_of("", {"gm", "mass", "orbit", "body", "name"},
-                              nb::make_tuple(gm, mass, orbit, body, name), std::move(functions)));
+            });
       },
       nb::arg("gm"), nb::arg("mass"), nb::arg("orbit"), nb::arg("body"),
       nb::arg("name") = nb::none(),

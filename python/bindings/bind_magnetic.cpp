@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Magnetic fields, the residual dipole and eddy currents.
-#include "orbit_value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
 #include "states.hpp"
-#include "term_value.hpp"
+#include "term_binding.hpp"
 #include "value.hpp"
 
 namespace polhode::python {
@@ -17,12 +16,6 @@ struct ResidualDipoleTerm : PythonTerm {
 struct EddyCurrentsTerm : PythonTerm {
   using PythonTerm::PythonTerm;
 };
-
-nb::tuple tuple_of(const Vec3& v) { return nb::make_tuple(v.x, v.y, v.z); }
-
-std::string name_or(nb::handle name, const char* otherwise) {
-  return name.is_none() ? otherwise : nb::cast<std::string>(name);
-}
 
 // Python's f(t), or f(t, x) where there is an orbit: on double alone.
 class FunctionField {
@@ -64,11 +57,6 @@ AnyPerturbation with_field(nb::handle field, nb::handle orbit, const std::string
   if (PyCallable_Check(field.ptr()) == 0) return made(ConstantField(vec3(field, "field")));
   functions.push_back(std::make_shared<PythonFunction>(field, label + ": field"));
   return made(FunctionField(functions.back(), path));
-}
-
-template <class C, class Class>
-void def_term(Class& c) {
-  def_recipe<C>(c, [](const C& term) { return "\"" + term.name() + "\""; });
 }
 
 // A number, a diagonal or a matrix.
@@ -168,8 +156,8 @@ ValueError for numbers that are not finite, and for a pole of no length.)");
 constexpr const char* field_parameters =
     R"(field : DipoleField; 3 numbers, a constant field along inertial axes; or a function,
     f(t) -> 3 numbers, f(t, x) with the position x where an orbit is given.
-orbit : KeplerOrbit, PrecessingKeplerOrbit, or any function t -> 3 numbers, inertial axes: the
-    position of the body or, for a DipoleField, of the primary. None for a field without a place.
+orbit : as for GravityGradient, inertial axes: the position of the body or, for a DipoleField, of
+    the primary. None for a field without a place.
 name : stands in messages.
 )";
 
@@ -187,11 +175,11 @@ moment : (3,), m along the principal body axes, torque per field.
   c.def(
        "__init__",
        [](C* self, nb::handle moment, nb::handle field, nb::handle orbit, nb::handle name) {
-         const std::string called = name_or(name, "ResidualDipole");
+         const std::string called = name_of(name, "ResidualDipole");
          const Vec3 m_B = vec3(moment, "moment");
          std::vector<SharedFunction> functions;
          const AnyPerturbation term = with_field(
-             field, orbit, "ResidualDipole \"" + called + "\"", functions, [&](const auto& local) {
+             field, orbit, labelled("ResidualDipole", called), functions, [&](const auto& local) {
                return AnyPerturbation(called, ResidualDipole(m_B, local));
              });
          new (self)
@@ -237,19 +225,17 @@ tensor : M, one number, the diagonal (3,) in principal body axes, or a symmetric
        "__init__",
        [](C* self, nb::handle tensor, nb::handle field, nb::handle orbit, bool field_rate,
           nb::handle name) {
-         const std::string called = name_or(name, "EddyCurrents");
+         const std::string called = name_of(name, "EddyCurrents");
          const Mat3 M = tensor_of(tensor);
          const FieldRate rate = field_rate ? FieldRate::along_orbit : FieldRate::left_out;
          std::vector<SharedFunction> functions;
          const AnyPerturbation term = with_field(
-             field, orbit, "EddyCurrents \"" + called + "\"", functions, [&](const auto& local) {
+             field, orbit, labelled("EddyCurrents", called), functions, [&](const auto& local) {
                return AnyPerturbation(called, EddyCurrents(M, local, rate));
              });
-         const nb::tuple rows =
-             nb::make_tuple(tuple_of(M.row[0]), tuple_of(M.row[1]), tuple_of(M.row[2]));
-         new (self)
-             C(term, recipe_of("", {"tensor", "field", "orbit", "field_rate", "name"},
-                               nb::make_tuple(rows, field, orbit, field_rate, name), functions));
+         new (self) C(term, recipe_of("", {"tensor", "field", "orbit", "field_rate", "name"},
+                                      nb::make_tuple(rows_of(M), field, orbit, field_rate, name),
+                                      functions));
        },
        nb::arg("tensor"), nb::arg("field"), nb::arg("orbit") = nb::none(),
        nb::arg("field_rate") = true, nb::arg("name") = nb::none(),

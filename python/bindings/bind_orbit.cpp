@@ -178,15 +178,31 @@ number of orbits.)");
           "momentum "
           "is 0, or the orbit is a parabola.")
       .def_prop_ro("mean_motion", &O::mean_motion, "n, rad per time.")
+      .def_prop_ro(
+          "state",
+          [](const O& o) -> nb::object {
+            if (!o.state()) return nb::none();
+            return nb::make_tuple(array_of(o.state()->position), array_of(o.state()->velocity));
+          },
+          nb::for_getter(nb::sig("def state(self) -> tuple[numpy.typing.NDArray[numpy.float64], "
+                                 "numpy.typing.NDArray[numpy.float64]] | None")),
+          "Position and velocity at the epoch of the elements where it was made of them: they say "
+          "more than the elements do.")
       .def("__repr__", [](const O& o) { return "KeplerOrbit(" + repr_of(o.elements()) + ")"; })
       .def(
-          "__eq__", [](const O& a, const O& b) { return a.elements() == b.elements(); },
-          nb::is_operator(), nb::arg("other"))
+          "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(),
+          nb::arg("other"))
       .def("__hash__", [](const O& o) { return nb::hash(arguments_of(o.elements())); })
       .def("__copy__", [](const O& o) { return o; })
       .def("__reduce__", [](nb::handle_t<O> self) {
-        return nb::make_tuple(nb::handle(self.type()),
-                              nb::make_tuple(nb::cast<const O&>(self).elements()));
+        const O& o = nb::cast<const O&>(self);
+        if (!o.state())
+          return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(o.elements()));
+        const nb::object made =
+            nb::module_::import_("operator")
+                .attr("methodcaller")("from_state", array_of(o.state()->position),
+                                      array_of(o.state()->velocity), o.gm(), o.elements().epoch);
+        return nb::make_tuple(made, nb::make_tuple(nb::handle(self.type())));
       });
   def_motion(c);
 }
@@ -220,6 +236,29 @@ elements: KeplerElements at their epoch; rates: SecularRates, as j2_rates gives 
         return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(o.elements(), o.rates()));
       });
   def_motion(c);
+}
+
+void bind_turned(nb::module_& m) {
+  using O = TurnedKeplerOrbit;
+  nb::class_<O> c(m, "TurnedKeplerOrbit",
+                  R"(A PrecessingKeplerOrbit whose elements are in axes turned about axis 1.
+
+`angle` (rad) turns the axes of the elements into those of the positions.)");
+  c.def(nb::init<const PrecessingKeplerOrbit&, double>(), nb::arg("orbit"), nb::arg("angle"))
+      .def_static("from_equator", &O::from_equator, nb::arg("orbit"),
+                  "Elements along the equator of J2000, positions along the ecliptic.")
+      .def_static("from_ecliptic", &O::from_ecliptic, nb::arg("orbit"),
+                  "Elements along the ecliptic of J2000, positions along the equator.")
+      .def_prop_ro(
+          "orbit", [](const O& o) { return o.orbit(); }, "In the axes of its elements.")
+      .def_prop_ro("angle", &O::angle, "From those axes to these, about axis 1, rad.")
+      .def_prop_ro("gm", &O::gm, "Gravitational parameter.")
+      .def("__repr__", [](const O& o) {
+        return "TurnedKeplerOrbit(" + nb::cast<std::string>(nb::repr(nb::cast(o.orbit()))) + ", " +
+               number_text(o.angle()) + ")";
+      });
+  def_path(c);
+  def_value(c, [](const O& o) { return nb::make_tuple(o.orbit(), o.angle()); });
 }
 
 // Rows of three numbers.
@@ -295,6 +334,18 @@ finite, too few rows.)");
           "positions", [](const O& o) { return array_of_rows(o.table().positions); },
           nb::for_getter(nb::sig("def positions(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 3)")
+      .def_prop_ro(
+          "velocities", [](const O& o) { return nb::object(arguments_of(o)[2]); },
+          nb::for_getter(
+              nb::sig("def velocities(self) -> numpy.typing.NDArray[numpy.float64] | None")),
+          "(N, 3), or None.")
+      .def(
+          "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(),
+          nb::arg("other"), "Of the same rows and order.")
+      .def("__hash__",
+           [](const O& o) {
+             return nb::hash(nb::make_tuple(o.first_time(), o.last_time(), o.table().times.size()));
+           })
       .def("__repr__",
            [](const O& o) {
              return "TableOrbit(" + std::to_string(o.table().times.size()) + " rows from " +
@@ -306,32 +357,6 @@ finite, too few rows.)");
         return nb::make_tuple(nb::handle(self.type()), arguments_of(nb::cast<const O&>(self)));
       });
   def_path(c);
-}
-
-void bind_any(nb::module_& m) {
-  using O = AnyOrbit;
-  nb::class_<O>(m, "AnyOrbit", "An orbit of a scenario that none of the other classes is.")
-      .def_prop_ro("name", &O::name, "What stands for it in messages.")
-      .def(
-          "position",
-          [](const O& orbit, nb::handle t) {
-            return mapped_numbers(Numbers(t, "t"), {3},
-                                  [&](double at) { return orbit.position(at); });
-          },
-          nb::arg("t"),
-          nb::sig("def position(self, t: numpy.typing.ArrayLike) -> "
-                  "numpy.typing.NDArray[numpy.float64]"),
-          "(..., 3) at times t of any shape.")
-      .def(
-          "velocity",
-          [](const O& orbit, nb::handle t) {
-            return mapped_numbers(Numbers(t, "t"), {3},
-                                  [&](double at) { return orbit.velocity(at); });
-          },
-          nb::arg("t"),
-          nb::sig("def velocity(self, t: numpy.typing.ArrayLike) -> "
-                  "numpy.typing.NDArray[numpy.float64]"),
-          "(..., 3): the derivative of the position.");
 }
 
 }  // namespace
@@ -351,6 +376,7 @@ AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
   if (nb::isinstance<KeplerOrbit>(orbit)) return nb::cast<const KeplerOrbit&>(orbit);
   if (nb::isinstance<PrecessingKeplerOrbit>(orbit))
     return nb::cast<const PrecessingKeplerOrbit&>(orbit);
+  if (nb::isinstance<TurnedKeplerOrbit>(orbit)) return nb::cast<const TurnedKeplerOrbit&>(orbit);
   if (nb::isinstance<TableOrbit>(orbit)) return nb::cast<const TableOrbit&>(orbit);
   functions.push_back(std::make_shared<PythonFunction>(orbit, label));
   return FunctionOrbit(functions.back());
@@ -361,8 +387,8 @@ void bind_orbit(nb::module_& m) {
   bind_rates(m);
   bind_kepler(m);
   bind_precessing(m);
+  bind_turned(m);
   bind_table(m);
-  bind_any(m);
   bind_ephemeris(m);
 }
 

@@ -2,7 +2,6 @@
 // Perturbation terms, and those that Python writes.
 #include "choice.hpp"
 #include "dual_number.hpp"
-#include "orbit_value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
@@ -142,11 +141,15 @@ void bind_any(nb::module_& m) {
                   R"(A term of a System: what every kind of term can be asked.
 
 Made by GravityGradient, HigherGravity, OblateGravity, TidalTorque, ConstantTorque, TorqueTable,
-LinearDamping, InternalDamping, TorqueTerm, HamiltonianTerm. Terms that a scenario made are of this
-class itself.)",
+LinearDamping, InternalDamping, SolarPressure, AtmosphericDrag, ResidualDipole, EddyCurrents,
+TorqueTerm, HamiltonianTerm.)",
                   nb::type_slots(recipe_slots<P>()));
   c.def_prop_ro(
        "name", [](const P& p) { return p.name(); }, "Stands for the term in messages.")
+      .def_prop_ro(
+          "arguments", [](const P& p) { return p.recipe.by_name(); },
+          nb::for_getter(nb::sig("def arguments(self) -> dict[str, typing.Any]")),
+          "What it was made from, by name.")
       .def_prop_ro(
           "supports_energy", [](const P& p) { return p.supports_energy(); },
           "Whether it has an energy H', of which its effect is the derivative.")
@@ -187,22 +190,18 @@ function in Python works on float alone: not with Precision.double_double.)",
   c.def(
        "__init__",
        [](C* self, double gm, nb::handle orbit, nb::handle axes, nb::handle name) {
-         const std::string called = name_of(name, "GravityGradient");
          const auto of = choice<SpaceAxes>(axes, "axes");
-         std::vector<SharedFunction> functions;
-         const AnyPythonOrbit any =
-             orbit_of(orbit, labelled("GravityGradient", called) + ": orbit", functions);
-         const AnyPerturbation term = std::visit(
-             [&](const auto& o) { return AnyPerturbation(called, GravityGradient(gm, o, of)); },
-             any);
-         new (self) C(term, recipe_of("", {"gm", "orbit", "axes", "name"},
-                                      nb::make_tuple(gm, orbit, of, name), std::move(functions)));
+         make_along(self, "GravityGradient", orbit, name,
+                    {{"gm", "orbit", "axes", "name"}, nb::make_tuple(gm, orbit, of, name)},
+                    [&](const std::string& called, const auto& o) {
+                      return AnyPerturbation(called, GravityGradient(gm, o, of));
+                    });
        },
        nb::arg("gm"), nb::arg("orbit"), nb::arg("axes") = SpaceAxes::inertial,
        nb::arg("name") = nb::none(),
        nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
-               "TableOrbit | "
-               "typing.Callable[[float], numpy.typing.ArrayLike], axes: SpaceAxes | str = "
+               "TurnedKeplerOrbit | TableOrbit | typing.Callable[[float], numpy.typing.ArrayLike], "
+               "axes: SpaceAxes | str = "
                "'inertial', name: str | None = None) -> None"))
       .def_prop_ro(
           "gm", [](const C& term) { return term.recipe.argument(0); },
@@ -262,10 +261,6 @@ ConstantTorque.in_body(u_B), ConstantTorque.in_space(u, axes): momentum per time
           nb::for_getter(nb::sig("def axes(self) -> SpaceAxes | None")),
           "Those in space; None: body axes.");
   def_term<C>(c);
-}
-
-nb::tuple rows_of(const Mat3& D) {
-  return nb::make_tuple(tuple_of(D.row[0]), tuple_of(D.row[1]), tuple_of(D.row[2]));
 }
 
 // One number, a diagonal, or a matrix with its body.

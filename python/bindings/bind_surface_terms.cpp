@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Sunlight and air on the facets of a body.
-#include "arrays.hpp"
 #include "choice.hpp"
-#include "orbit_value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
-#include "term_value.hpp"
+#include "term_binding.hpp"
 
 namespace polhode::python {
 
@@ -18,10 +16,6 @@ struct SolarPressureTerm : PythonTerm {
 struct AtmosphericDragTerm : PythonTerm {
   using PythonTerm::PythonTerm;
 };
-
-std::string called(nb::handle name, const char* otherwise) {
-  return name.is_none() ? otherwise : nb::cast<std::string>(name);
-}
 
 DirectedPath path_of(nb::handle orbit, const std::string& label, bool reversed,
                      std::vector<SharedFunction>& functions) {
@@ -42,11 +36,6 @@ std::optional<Shadow> shadow_of(nb::handle shadow, nb::handle radius, nb::handle
   return Shadow::cone(number(radius, "radius"), number(sun_radius, "sun_radius"));
 }
 
-template <class C, class Class>
-void def_term(Class& c) {
-  def_recipe<C>(c, [](const C& term) { return "\"" + term.name() + "\""; });
-}
-
 void bind_solar(nb::module_& m) {
   using C = SolarPressureTerm;
   nb::class_<C, PythonTerm> c(m, "SolarPressure",
@@ -56,8 +45,8 @@ Parameters
 ----------
 surface : Surface along the principal axes of the body.
 pressure, distance : of sunlight on what absorbs it, at one distance; 4.54e-6 N/m2 at 1 au.
-orbit : the body as seen from what it goes round: KeplerOrbit, PrecessingKeplerOrbit or a function
-    t -> 3 numbers. Without `sun` that is the Sun.
+orbit : the body as seen from what it goes round: KeplerOrbit, PrecessingKeplerOrbit,
+    TurnedKeplerOrbit, TableOrbit or a function t -> 3 numbers. Without `sun` that is the Sun.
 sun : the Sun as seen from what the body goes round.
 shadow : of what the body goes round: None, 'cylinder' or 'cone', with its `radius`, and for a cone
     `sun_radius`.
@@ -72,7 +61,7 @@ Facets do not shade each other. A torque of time and attitude alone; no energy.)
       [](C* self, const Surface& surface, double pressure, double distance, nb::handle orbit,
          nb::handle sun, nb::handle shadow, nb::handle radius, nb::handle sun_radius, bool reversed,
          bool sun_reversed, nb::handle axes, nb::handle name) {
-        const std::string own = called(name, "SolarPressure");
+        const std::string own = name_of(name, "SolarPressure");
         const auto of = choice<SpaceAxes>(axes, "axes");
         std::vector<SharedFunction> functions;
         const DirectedPath path = path_of(orbit, own + ": orbit", reversed, functions);
@@ -122,8 +111,8 @@ Parameters
 surface : Surface along the principal axes of the body.
 density : of the air, moment / length^5: everywhere, or with `scale_height` at the distance
     `radius` from the centre. ValueError where negative.
-orbit : KeplerOrbit or PrecessingKeplerOrbit: the body as seen from the centre. Its velocity is
-    needed: not a function.
+orbit : as in SolarPressure, the body as seen from the centre. Its velocity is needed: not a
+    function.
 scale_height, radius : of the density; None: the same everywhere.
 rotation : (3,), angular velocity of the air, in the axes of the orbit.
 exit_speed : at which molecules leave a wall that they have taken the temperature of.
@@ -137,7 +126,7 @@ Molecules that are slow against the body; facets do not shade each other.)",
       [](C* self, const Surface& surface, double density, nb::handle orbit, nb::handle scale_height,
          nb::handle radius, nb::handle rotation, double exit_speed, bool reversed, nb::handle axes,
          nb::handle name) {
-        const std::string own = called(name, "AtmosphericDrag");
+        const std::string own = name_of(name, "AtmosphericDrag");
         const auto of = choice<SpaceAxes>(axes, "axes");
         std::vector<SharedFunction> functions;
         Atmosphere air{.density = density};
@@ -152,14 +141,12 @@ Molecules that are slow against the body; facets do not shade each other.)",
             own, AtmosphericDrag(surface, air, path_of(orbit, own + ": orbit", reversed, functions),
                                  exit_speed, of));
         new (self) C(
-            term,
-            recipe_of("",
-                      {"surface", "density", "orbit", "scale_height", "radius", "rotation",
-                       "exit_speed", "reversed", "axes", "name"},
-                      nb::make_tuple(surface, density, orbit, scale_height, radius,
-                                     nb::make_tuple(air.rotation.x, air.rotation.y, air.rotation.z),
-                                     exit_speed, reversed, of, name),
-                      std::move(functions)));
+            term, recipe_of("",
+                            {"surface", "density", "orbit", "scale_height", "radius", "rotation",
+                             "exit_speed", "reversed", "axes", "name"},
+                            nb::make_tuple(surface, density, orbit, scale_height, radius,
+                                           tuple_of(air.rotation), exit_speed, reversed, of, name),
+                            std::move(functions)));
       },
       nb::arg("surface"), nb::arg("density"), nb::arg("orbit"),
       nb::arg("scale_height") = nb::none(), nb::arg("radius") = nb::none(),

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What moves the body of a scenario, as the objects that Python's own constructors make: they tell
 // what they are, compare and pickle.
+#include <cmath>
+#include <stdexcept>
+
 #include "frame_value.hpp"
 #include "io_parts.hpp"
-#include "orbit_value.hpp"
+#include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/constant_torque.hpp"
-#include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/perturb/higher_gravity.hpp"
+#include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
+#include "polhode/perturb/oblate_gravity.hpp"
+#include "polhode/perturb/solar_pressure.hpp"
+#include "polhode/perturb/tidal_torque.hpp"
+#include "polhode/perturb/torque_table.hpp"
 #include "polhode/system/system.hpp"
 #include "system_value.hpp"
-#include "term_value.hpp"
+#include "term_binding.hpp"
 
 namespace polhode::python {
 
 namespace {
 
 nb::object core(const char* name) { return nb::module_::import_("polhode._core").attr(name); }
-nb::tuple tuple_of(const Vec3& v) { return nb::make_tuple(v.x, v.y, v.z); }
-
-template <class O>
-nb::object gravity_gradient(const GravityGradient<O>& term, const std::string& name) {
-  return core("GravityGradient")(term.gm(), nb::cast(term.orbit()), nb::cast(term.axes()), name);
-}
 
 nb::object torque(const ConstantTorque& term, const std::string& name) {
   const nb::object type = core("ConstantTorque");
@@ -38,40 +40,98 @@ nb::object damping(const LinearDamping& term, const Body& body, const std::strin
     for (int k = 0; k < 3; ++k) diagonal = diagonal && (i == k || D(i, k) == 0.0);
   const nb::object type = core("LinearDamping");
   if (diagonal) return type(tuple_of({D(0, 0), D(1, 1), D(2, 2)}), nb::arg("name") = name);
-  const nb::tuple rows = nb::make_tuple(tuple_of(D.row[0]), tuple_of(D.row[1]), tuple_of(D.row[2]));
-  return type(rows, nb::cast(body), nb::arg("name") = name);
+  return type(rows_of(D), nb::cast(body), nb::arg("name") = name);
 }
 
-// Null where the term is no magnetic torque along an orbit of type O.
-template <class O>
-nb::object magnetic(const AnyPerturbation& term) {
-  using Field = FieldAlongOrbit<O, DipoleField>;
-  if (const auto* magnet = term.target<ResidualDipole<Field>>())
-    return core("ResidualDipole")(tuple_of(magnet->moment()), nb::cast(magnet->field().source()),
-                                  nb::cast(magnet->field().orbit()), term.name());
-  if (const auto* eddy = term.target<EddyCurrents<Field>>()) {
-    const Mat3& M = eddy->tensor();
-    return core("EddyCurrents")(
-        nb::make_tuple(tuple_of(M.row[0]), tuple_of(M.row[1]), tuple_of(M.row[2])),
-        nb::cast(eddy->field().source()), nb::cast(eddy->field().orbit()),
-        eddy->rate() == FieldRate::along_orbit, term.name());
+nb::object torque_table(const TorqueTable& term, const std::string& name) {
+  nb::list times, torques;
+  for (const TorqueRow& row : term.rows()) {
+    times.append(row.t);
+    torques.append(tuple_of(row.torque));
   }
+  const TorqueTable::Rules& rules = term.rules();
+  const nb::object axes = rules.axes ? nb::cast(*rules.axes) : nb::none();
+  return core("TorqueTable")(times, torques, nb::cast(rules.between), nb::cast(rules.outside), axes,
+                             name);
+}
+
+// Null where it is of another type.
+template <class O>
+nb::object orbit_of_type(const AnyOrbit& orbit) {
+  if (const O* found = orbit.target<O>()) return nb::cast(*found);
+  return {};
+}
+nb::object orbit_object(const AnyOrbit& orbit) {
+  for (const auto made : {orbit_of_type<KeplerOrbit>, orbit_of_type<PrecessingKeplerOrbit>,
+                          orbit_of_type<TurnedKeplerOrbit>, orbit_of_type<TableOrbit>})
+    if (const nb::object found = made(orbit); found.is_valid()) return found;
+  throw std::logic_error("orbit " + orbit.name() + " of a scenario: its type has no class");
+}
+
+nb::object pressure(const SolarPressure& term, const std::string& name) {
+  nb::object sun = nb::none(), shadow = nb::none(), radius = nb::none(), sun_radius = nb::none();
+  if (term.sun()) sun = orbit_object(term.sun()->orbit);
+  if (const std::optional<Shadow>& dark = term.shadow()) {
+    const bool cone = dark->shape() == ShadowShape::cone;
+    shadow = nb::str(cone ? "cone" : "cylinder");
+    radius = nb::float_(dark->radius());
+    if (cone) sun_radius = nb::float_(dark->sun_radius());
+  }
+  return core("SolarPressure")(nb::cast(term.surface()), term.light().pressure,
+                               term.light().distance, orbit_object(term.path().orbit), sun, shadow,
+                               radius, sun_radius, term.path().reversed,
+                               term.sun() && term.sun()->reversed, nb::cast(term.axes()), name);
+}
+
+nb::object drag(const AtmosphericDrag& term, const std::string& name) {
+  const Atmosphere& air = term.air();
+  nb::object height = nb::none(), radius = nb::none();
+  if (std::isfinite(air.scale_height)) {
+    height = nb::float_(air.scale_height);
+    radius = nb::float_(air.radius);
+  }
+  return core("AtmosphericDrag")(
+      nb::cast(term.surface()), air.density, orbit_object(term.path().orbit), height, radius,
+      tuple_of(air.rotation), term.exit_speed(), term.path().reversed, nb::cast(term.axes()), name);
+}
+
+// Null where the term follows no orbit of type O.
+template <class O>
+nb::object term_along(const AnyPerturbation& term) {
+  using Field = FieldAlongOrbit<O, DipoleField>;
+  const std::string& name = term.name();
+  const auto orbit = [](const auto& t) { return nb::cast(t.orbit()); };
+  if (const auto* t = term.target<GravityGradient<O>>())
+    return core("GravityGradient")(t->gm(), orbit(*t), nb::cast(t->axes()), name);
+  if (const auto* t = term.target<HigherGravity<O>>())
+    return core("HigherGravity")(t->gm(), orbit(*t), nb::cast(t->moments()),
+                                 nb::cast(t->orbit_of()), nb::cast(t->axes()), name);
+  if (const auto* t = term.target<OblateGravity<O>>())
+    return core("OblateGravity")(t->gm(), orbit(*t), nb::cast(t->oblateness()), nb::cast(t->axes()),
+                                 name);
+  if (const auto* t = term.target<TidalTorque<O>>())
+    return core("TidalTorque")(t->gm(), t->mass(), orbit(*t), nb::cast(t->tidal_body()), name);
+  if (const auto* t = term.target<ResidualDipole<Field>>())
+    return core("ResidualDipole")(tuple_of(t->moment()), nb::cast(t->field().source()),
+                                  orbit(t->field()), name);
+  if (const auto* t = term.target<EddyCurrents<Field>>())
+    return core("EddyCurrents")(rows_of(t->tensor()), nb::cast(t->field().source()),
+                                orbit(t->field()), t->rate() == FieldRate::along_orbit, name);
   return {};
 }
 
 nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
-  if (const nb::object fixed = magnetic<KeplerOrbit>(term); fixed.is_valid()) return fixed;
-  if (const nb::object moving = magnetic<PrecessingKeplerOrbit>(term); moving.is_valid())
-    return moving;
-  if (const auto* fixed = term.target<GravityGradient<KeplerOrbit>>())
-    return gravity_gradient(*fixed, term.name());
-  if (const auto* moving = term.target<GravityGradient<PrecessingKeplerOrbit>>())
-    return gravity_gradient(*moving, term.name());
-  if (const auto* tabulated = term.target<GravityGradient<TableOrbit>>())
-    return gravity_gradient(*tabulated, term.name());
-  if (const auto* constant = term.target<ConstantTorque>()) return torque(*constant, term.name());
-  if (const auto* viscous = term.target<LinearDamping>())
-    return damping(*viscous, scenario.body, term.name());
+  for (const auto made : {term_along<KeplerOrbit>, term_along<PrecessingKeplerOrbit>,
+                          term_along<TurnedKeplerOrbit>, term_along<TableOrbit>})
+    if (const nb::object found = made(term); found.is_valid()) return found;
+  const std::string& name = term.name();
+  if (const auto* t = term.target<ConstantTorque>()) return torque(*t, name);
+  if (const auto* t = term.target<LinearDamping>()) return damping(*t, scenario.body, name);
+  if (const auto* t = term.target<TorqueTable>()) return torque_table(*t, name);
+  if (const auto* t = term.target<SolarPressure>()) return pressure(*t, name);
+  if (const auto* t = term.target<AtmosphericDrag>()) return drag(*t, name);
+  if (const auto* t = term.target<InternalDamping>())
+    return core("InternalDamping")(tuple_of(t->coefficients()), name, t->grows_with_momentum());
   return nb::cast(PythonTerm(term));
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Orbits, as Python gives them: Kepler's, or any function of time.
+// Orbits, as Python gives them: Kepler's, tables, or any function of time.
 #pragma once
 
 #include <variant>
 
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "python_function.hpp"
 
 namespace polhode::python {
@@ -23,7 +23,8 @@ class FunctionOrbit {
   SharedFunction function_;
 };
 
-using AnyPythonOrbit = std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, FunctionOrbit>;
+using AnyPythonOrbit =
+    std::variant<KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit, TableOrbit, FunctionOrbit>;
 
 // `label` names the function in messages; the one that was wrapped is added to `functions`.
 AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,

@@ -6,13 +6,11 @@ from __future__ import annotations
 
 import math
 import numbers
-import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy
-
 from polhode import _core
+from polhode._building_terms import tables_of
 
 _CHARTS = {"EulerState": "euler", "AndoyerState": "andoyer", "SerretState": "serret"}
 _TO_HUB = ("EulerRates", "SadovState", "TumblerState")  # what needs the body
@@ -43,11 +41,11 @@ def data_of(
     data["units"] = {
         "time": units.time, "angle": units.angle, "moment": units.moment, "length": units.length
     }
-    data["body"] = {"moments": system.body.moments.tolist()}
+    data["body"] = _body(system.body)
     dated = {"epoch": epoch} if epoch else {}
     data["state"] = {**dated, "axes": axes, **write.state(state, system.body, axes)}
     data.update(write.frame(system.frame))
-    data.update(write.terms(system))
+    data.update(tables_of(system, axes, write.angle, write.rate))
     if method is not None:
         data["method"] = _method(method)
     for event in events:
@@ -61,6 +59,12 @@ def data_of(
         data["time"] = _time(time)
     data["output"] = {"columns": list(columns)}
     return data
+
+
+def _body(body: Any) -> dict[str, Any]:
+    turn = body.q_FB.tolist()
+    own = {} if turn == [1.0, 0.0, 0.0, 0.0] else {"column_axes": turn}
+    return {"moments": body.moments.tolist(), **own}
 
 
 class _Writer:
@@ -137,85 +141,9 @@ class _Writer:
             "epoch": given["epoch"],
         }}}
 
-    def terms(self, system: Any) -> dict[str, Any]:
-        orbits: dict[str, Any] = {}
-        tables = [self._term(term, system, orbits) for term in system.terms]
-        data: dict[str, Any] = {}
-        if orbits:
-            data["orbit"] = {name: self._orbit(orbit) for name, orbit in orbits.items()}
-        if tables:
-            data["perturbation"] = tables
-        return data
-
-    def _term(self, term: Any, system: Any, orbits: dict[str, Any]) -> dict[str, Any]:
-        if isinstance(term, _core.GravityGradient):
-            _require_inertial(term, system)
-            orbit = _orbit_name(term, orbits)
-            own = {} if term.gm == orbits[orbit].gm else {"gm": term.gm}
-            return {"kind": "gravity-gradient", "orbit": orbit, **own}
-        if isinstance(term, _core.ConstantTorque):
-            if term.axes is None:
-                return {"kind": "constant-torque", "torque": term.u.tolist(), "axes": "body"}
-            _require_inertial(term, system)
-            return {"kind": "constant-torque", "torque": term.u.tolist(), "axes": "inertial"}
-        if isinstance(term, _core.LinearDamping):
-            D = term.matrix
-            diagonal = numpy.array_equal(D, numpy.diag(numpy.diag(D)))
-            return {
-                "kind": "damping",
-                "coefficients": (numpy.diag(D) if diagonal else D).tolist(),
-            }
-        raise ValueError(
-            f"build: term \"{term.name}\" ({type(term).__name__}) has no place in a scenario; "
-            "expected GravityGradient, ConstantTorque or LinearDamping"
-        )
-
-    def _orbit(self, orbit: Any) -> dict[str, Any]:
-        e = orbit.elements
-        data = {
-            "gm": e.gm,
-            "pericentre": e.pericentre,
-            "eccentricity": e.eccentricity,
-            "inclination": self.angle(e.inclination),
-            "node": self.angle(e.node),
-            "pericentre_argument": self.angle(e.argument),
-            "mean_anomaly": self.angle(e.mean_anomaly),
-            "epoch": e.epoch,
-        }
-        if isinstance(orbit, _core.PrecessingKeplerOrbit):
-            data["node_rate"] = self.rate(orbit.rates.node)
-            data["pericentre_rate"] = self.rate(orbit.rates.argument)
-            data["mean_anomaly_rate"] = self.rate(orbit.rates.mean_anomaly)
-        return data
-
 
 def _to_hub(state: Any, body: Any, kind: str) -> Any:
     return _core.to_rotor(body, state) if kind in _TO_HUB else _core.to_rotor(state)
-
-
-def _require_inertial(term: Any, system: Any) -> None:
-    if term.axes != _core.SpaceAxes.inertial and not system.frame.is_inertial:
-        raise ValueError(
-            f"build: term \"{term.name}\": its axes are those of the moving frame, which a "
-            "scenario cannot say; expected SpaceAxes.inertial"
-        )
-
-
-def _orbit_name(term: Any, orbits: dict[str, Any]) -> str:
-    """Equal orbits are one table; one that a scenario has named keeps its name."""
-    orbit = term.orbit
-    if not isinstance(orbit, (_core.KeplerOrbit, _core.PrecessingKeplerOrbit)):
-        raise ValueError(
-            f"build: term \"{term.name}\": its orbit {orbit!r} has no place in a scenario; "
-            "expected a KeplerOrbit or PrecessingKeplerOrbit"
-        )
-    for name, other in orbits.items():
-        if type(orbit) is type(other) and orbit == other:
-            return name
-    named = re.fullmatch(r"gravity gradient, orbit ([A-Za-z0-9_-]{1,60})", term.name)
-    name = named[1] if named and named[1] not in orbits else f"orbit-{len(orbits) + 1}"
-    orbits[name] = orbit
-    return name
 
 
 def _method(method: Any) -> dict[str, Any]:

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
         SaveAt,
         Splitting,
         System,
+        TableOrbit,
+        TurnedKeplerOrbit,
         Units,
         VariationOfConstants,
     )
@@ -114,8 +116,9 @@ class Scenario:
 
         Parameters
         ----------
-        system : System, or a Body that moves freely. Its terms are GravityGradient of Kepler
-            orbits, ConstantTorque or LinearDamping, its frame inertial or precessing.
+        system : System, or a Body that moves freely. Its terms are any but those that are written
+            in Python, along orbits and in fields that are not, HigherGravity and OblateGravity
+            right after the GravityGradient that they belong to; its frame inertial or precessing.
         state : at t = 0, in any chart, or a FreeRotation. A chart that files do not know becomes a
             quaternion and a momentum.
         time : SaveAt, (start, stop, step), or times (N,).
@@ -126,9 +129,10 @@ class Scenario:
         events : tables [[event]]: {"column": "theta", "value": 90, "stops": True}, in these units.
         epoch, axes : of [state].
 
-        Numbers keep their bits, but for the pole of a TumblerState, which becomes two angles. The
-        body axes of the file are the principal axes. ValueError for what has no place in a file,
-        such as a function in Python, naming it.
+        Numbers keep their bits, but for the pole of a TumblerState, which becomes two angles.
+        Vectors of the file are along principal axes; the columns q, omega and g along the axes of
+        body.q_FB. Rows of tables and facets stand in the file. ValueError for what has no place in
+        a file, such as a function in Python, naming it.
         """
         data = _building.data_of(
             system, state, time, method, [columns] if isinstance(columns, str) else columns,
@@ -306,7 +310,9 @@ class Scenario:
         return self._file.frame
 
     @property
-    def orbits(self) -> dict[str, KeplerOrbit | PrecessingKeplerOrbit]:
+    def orbits(
+        self,
+    ) -> dict[str, KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit]:
         """The orbits by name."""
         return self._file.orbits
 

@@ -144,7 +144,9 @@ def by_elements(tmp_path):
 
 
 def test_the_orbit_of_a_scenario(path, tmp_path, by_elements):
-    same_attitude(last_attitude(scenario(tmp_path)), by_elements)
+    file = scenario(tmp_path)
+    same_attitude(last_attitude(file), by_elements)
+    assert "ccsds502" in {citation.key for citation in polhode.load(file).citations}
 
 
 def test_the_ecliptic(path, tmp_path, by_elements):

@@ -2,7 +2,6 @@
 """Scenarios: the same files as the command line, wrong ones, wrong paths, and what is made here."""
 
 import concurrent.futures
-import functools
 import json
 import os
 import pathlib
@@ -76,29 +75,27 @@ def test_summary_and_citations_are_those_of_the_command_line(path):
     assert "<table>" in scenario._repr_html_()
 
 
-# What Scenario.build does not know: orbits that are tables, and magnetic torques.
-NOT_BUILT = {"earth", "envisat"}
+def shortened(scenario):
+    """The first hundredth of what takes seconds."""
+    data = scenario.to_dict()
+    data["time"] = {"stop": scenario.time[len(scenario.time) - 1] / 100, "count": 12}
+    return Scenario.from_dict(data, scenario.name)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=names(EXAMPLES))
 def test_a_scenario_comes_back_from_its_objects(path):
     given = load(path)
-    build = functools.partial(
-        Scenario.build,
+    if path.stem in ("earth", "envisat"):
+        given = shortened(given)
+    rows = given.run()
+    made = Scenario.build(
         given.system, given.state, given.time, given.method, columns=given.columns,
         units=given.units, title=given.title, epoch=given.epoch, axes=given.axes,
     )
-    if path.stem in NOT_BUILT:
-        with pytest.raises(ValueError, match="has no place in a scenario"):
-            build()
-        assert Scenario.from_dict(given.to_dict(), given.name).text
-        return
-    made = build()
-    assert made.run() == given.run()
+    assert made.run() == rows
     assert made.system == given.system and made.orbits == given.orbits
     assert made.initial_state == given.initial_state
-    again = Scenario.from_dict(given.to_dict(), given.name)
-    assert again.run() == given.run()
+    assert Scenario.from_dict(given.to_dict(), given.name).run() == rows
 
 
 def test_properties_say_what_the_file_says():

@@ -196,11 +196,10 @@ def test_terms_compare_copy_and_pickle():
         assert np.array_equal(about(again).u, about(term).u)
 
 
-def test_scenario_has_every_degree_once():
-    text = """
+HEAD = """\
 schema = 1
 [units]
-time = "s"
+time = "min"
 moment = "kg m2"
 length = "m"
 [body]
@@ -208,6 +207,11 @@ moments = [1.0, 2.0, 2.5]
 [state.attitude-rate]
 quaternion = [0.5, -0.3, 0.4, 0.7]
 omega_body = [0.3, -0.55, 0.32]
+"""
+
+
+def test_scenario_has_every_degree_once():
+    text = HEAD + """
 [orbit.planet]
 gm = 1.0
 semi_major_axis = 10
@@ -261,17 +265,7 @@ rate = 2
             polhode.Scenario.from_text(text + extra.replace(gone, ""))
 
 
-TABLE = """
-schema = 1
-[units]
-time = "min"
-moment = "kg m2"
-length = "m"
-[body]
-moments = [1.0, 2.0, 2.5]
-[state.attitude-rate]
-quaternion = [0.5, -0.3, 0.4, 0.7]
-omega_body = [0.3, -0.55, 0.32]
+TABLE = HEAD + """
 [[perturbation]]
 kind = "torque-table"
 between = "step"

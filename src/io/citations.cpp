@@ -74,6 +74,34 @@ constexpr Paper papers[] = {
      "Markley, F. L. (1995). Kepler equation solver. Celestial Mechanics and Dynamical Astronomy "
      "63, 101-111.",
      "orbits", "orbit"},
+    {"erfa",
+     "ERFA, Essential Routines for Fundamental Astronomy, from the SOFA software of the "
+     "International Astronomical Union. github.com/liberfa/erfa.",
+     "positions of Sun, Moon and planets, and time scales", "ephemeris"},
+    {"moisson2001",
+     "Moisson, X., Bretagnon, P. (2001). Analytical planetary solution VSOP2000. Celestial "
+     "Mechanics and Dynamical Astronomy 80, 205-213.",
+     "positions of the Earth", "earth"},
+    {"meeus1998",
+     "Meeus, J. (1998). Astronomical Algorithms, 2nd edition. Willmann-Bell, Richmond.",
+     "positions of the Moon", "moon"},
+    {"simon1994",
+     "Simon, J. L., Bretagnon, P., Chapront, J., Chapront-Touze, M., Francou, G., Laskar, J. "
+     "(1994). Numerical expressions for precession formulae and mean elements for the Moon and the "
+     "planets. Astronomy and Astrophysics 282, 663-683.",
+     "positions of the planets, mean elements of the Moon", "planet|moon"},
+    {"park2021",
+     "Park, R. S., Folkner, W. M., Williams, J. G., Boggs, D. H. (2021). The JPL planetary and "
+     "lunar ephemerides DE440 and DE441. The Astronomical Journal 161, 105.",
+     "gravitational parameters", "DE440"},
+    {"ccsds502",
+     "Consultative Committee for Space Data Systems (2023). Orbit Data Messages. Recommended "
+     "Standard CCSDS 502.0-B-3.",
+     "the file of an orbit", "oem"},
+    {"ccsds504",
+     "Consultative Committee for Space Data Systems (2024). Attitude Data Messages. Recommended "
+     "Standard CCSDS 504.0-B-2.",
+     "files of attitudes", "aem"},
     {"praly2012",
      "Praly, N., Hillion, M., Bonnal, C., Laurent-Varin, J., Petit, N. (2012). Study on the eddy "
      "current damping of the spin dynamics of space debris from the Ariane launcher upper stages. "
@@ -109,6 +137,14 @@ constexpr Paper papers[] = {
      "of symplectic splitting methods for numerical integration in dynamical astronomy. Applied "
      "Numerical Mathematics 68, 58-72.",
      "the splitting for near-integrable systems", "near-integrable"},
+    {"benettin1976",
+     "Benettin, G., Galgani, L., Strelcyn, J.-M. (1976). Kolmogorov entropy and numerical "
+     "experiments. Physical Review A 14, 2338-2345.",
+     "the Lyapunov indicator", "chaos"},
+    {"cincotta2000",
+     "Cincotta, P. M., Simo, C. (2000). Simple tools to study global dynamics in non-axisymmetric "
+     "galactic potentials - I. Astronomy and Astrophysics Supplement Series 147, 205-228.",
+     "MEGNO", "chaos"},
     {"mignard1979",
      "Mignard, F. (1979). The evolution of the lunar orbit revisited. I. The Moon and the Planets "
      "20, 301-315.",
@@ -150,14 +186,19 @@ struct MethodParts {
   }
 };
 
-// Its chart, its groups of columns, the kinds of its terms, its method, and what moves it.
+// Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
+// sources of its orbits, and what it asks for beside rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = scenario.columns;
   parts.push_back(scenario.chart);
   parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
   if (!scenario.frame.is_inertial()) parts.push_back("moving frame");
-  if (!scenario.orbits.empty()) parts.push_back("orbit");
-  parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
+  for (const ScenarioOrbit& orbit : scenario.orbits) {
+    if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
+    parts.insert(parts.end(), orbit.sources.begin(), orbit.sources.end());
+  }
+  if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
+  if (scenario.writes_aem) parts.push_back("aem");
   if (const std::optional<Method> method = propagation_method(scenario))
     for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
   return parts;

@@ -27,6 +27,18 @@ double kilometre(const OrbitPlace& at) {
   return units.to_core(1.0, "km", Dimension::length);
 }
 
+// Whose motions they are made of: the Moon's is about the Earth, all others are about the Sun.
+std::vector<std::string> sources_of(Planetary target, Planetary centre) {
+  const auto is = [&](Planetary body) { return target == body || centre == body; };
+  std::vector<std::string> sources{"ephemeris"};
+  if (is(Planetary::moon)) sources.push_back("moon");
+  if (is(Planetary::moon) != is(Planetary::earth)) sources.push_back("earth");
+  for (const Planetary body : {target, centre})
+    if (body != Planetary::sun && body != Planetary::earth && body != Planetary::moon)
+      sources.push_back("planet");
+  return sources;
+}
+
 }  // namespace
 
 ScenarioOrbit ephemeris_orbit(const OrbitPlace& at) {
@@ -55,8 +67,11 @@ ScenarioOrbit ephemeris_orbit(const OrbitPlace& at) {
   for (double& t : rows.times) t *= clock.second;
   for (Vec3& x : rows.positions) x = km * in_other_axes(x, "equator-J2000", axes);
   const std::optional<double> own = own_gm(at);
+  std::vector<std::string> sources = sources_of(target, centre);
+  if (!own) sources.push_back("DE440");
   return {std::string(key_name(at.path)), TableOrbit(std::move(rows), table.order),
-          own ? own : at.file.units.to_core(planetary_gm(target), "km3/s2", Dimension::gm)};
+          own ? own : at.file.units.to_core(planetary_gm(target), "km3/s2", Dimension::gm),
+          std::move(sources)};
 }
 
 }  // namespace detail

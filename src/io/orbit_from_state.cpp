@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a position and a velocity, about an attracting body that may be oblate.
-#include <concepts>
-
 #include "io/detail/orbit_kinds.hpp"
 #include "io/detail/reference_axes.hpp"
 #include "io/detail/value_access.hpp"
@@ -10,34 +8,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-namespace {
-
-// An orbit in the axes of an oblate body, seen in other axes with the same axis 1.
-class TurnedOrbit {
- public:
-  TurnedOrbit(PrecessingKeplerOrbit orbit, double sine, double cosine)
-      : orbit_(std::move(orbit)), sine_(sine), cosine_(cosine) {}
-
-  Vec3 position(double t, double rest = 0.0) const { return turned(orbit_.position(t, rest)); }
-  BasicVec3<DoubleDouble> position(const DoubleDouble& t) const {
-    return turned(orbit_.position(t));
-  }
-  template <Real T, int N>
-  BasicVec3<Dual<T, N>> position(const Dual<T, N>& t) const {
-    return turned(orbit_.position(t));
-  }
-
- private:
-  template <Real T>
-  BasicVec3<T> turned(const BasicVec3<T>& x) const {
-    return {x.x, T(cosine_) * x.y + T(sine_) * x.z, T(cosine_) * x.z - T(sine_) * x.y};
-  }
-
-  PrecessingKeplerOrbit orbit_;
-  double sine_, cosine_;
-};
-
-}  // namespace
 
 const std::string& orbit_axes(const OrbitPlace& at) {
   const std::string& of_state = word(at.values(), "state.axes");
@@ -51,7 +21,6 @@ const std::string& orbit_axes(const OrbitPlace& at) {
 
 ScenarioOrbit state_orbit(const OrbitPlace& at) {
   const Values& values = at.values();
-  const std::string own(key_name(at.path));
   const double gm = *own_gm(at), J2 = number(values, at.key("J2"));
   const Vec3 x = vector(values, at.key("position")), v = vector(values, at.key("velocity"));
   const double epoch = number(values, at.key("epoch"));
@@ -62,7 +31,8 @@ ScenarioOrbit state_orbit(const OrbitPlace& at) {
                  [&] { return KeplerOrbit::from_state(position, velocity, gm, epoch); });
   };
   if (J2 == 0.0)
-    return {own, from(in_other_axes(x, axes, of_state), in_other_axes(v, axes, of_state)), gm};
+    return {std::string(key_name(at.path)),
+            from(in_other_axes(x, axes, of_state), in_other_axes(v, axes, of_state)), gm};
   if (!there(values, at.key("radius")))
     refuse(values, at.key("J2"), at.name(), "expected a key radius beside it");
   const double radius = number(values, at.key("radius"));
@@ -71,9 +41,7 @@ ScenarioOrbit state_orbit(const OrbitPlace& at) {
   const PrecessingKeplerOrbit moving = built(values, at.key("J2"), at.name(), [&] {
     return PrecessingKeplerOrbit(elements, j2_rates(elements, J2, radius));
   });
-  if (axes == of_state) return {own, moving, gm};
-  const double sine = std::sin(of_state == "ecliptic-J2000" ? obliquity_J2000 : -obliquity_J2000);
-  return {own, AnyOrbit(own, TurnedOrbit(moving, sine, std::cos(obliquity_J2000))), gm};
+  return precessing_orbit(at, moving);
 }
 
 }  // namespace detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [orbit.NAME] from a table in a file.
+// [orbit.NAME] from a table, of its own or in a file.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,6 +84,43 @@ void meet_ends(const OrbitPlace& at, std::vector<double>& times) {
   meet(times.back(), span->last);
 }
 
+// Components that are columns of this file, each as long as the times.
+std::vector<Vec3> own_rows(const OrbitPlace& at, const std::array<const char*, 3>& names,
+                           std::size_t count) {
+  std::vector<Vec3> rows(count);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string key = at.key(names[static_cast<std::size_t>(axis)]);
+    const std::vector<double>& column = value_at(at.values(), key).numbers;
+    if (column.size() != count)
+      refuse(at.values(), key, at.name(),
+             "expected " + std::to_string(count) + " numbers, as many as times has");
+    for (std::size_t k = 0; k < count; ++k) rows[k][axis] = column[k];
+  }
+  const std::string &axes = orbit_axes(at), &of_state = word(at.values(), "state.axes");
+  for (Vec3& row : rows) row = in_other_axes(row, axes, of_state);
+  return rows;
+}
+
+// Rows that stand in the scenario itself.
+PositionTable own_table(const OrbitPlace& at) {
+  for (const char* own :
+       {"columns", "time_format", "time_scale", "time_unit", "length_unit", "velocity_unit"})
+    if (given(at.values(), at.key(own)))
+      refuse(at.values(), at.key(own), at.name(), "expected a key file beside it, not times");
+  PositionTable table{value_at(at.values(), at.key("times")).numbers, {}, {}};
+  table.positions = own_rows(at, {"x", "y", "z"}, table.times.size());
+  constexpr std::array<const char*, 3> slopes = {"vx", "vy", "vz"};
+  const auto is_there = [&](const char* own) { return there(at.values(), at.key(own)); };
+  if (std::all_of(slopes.begin(), slopes.end(), is_there)) {
+    table.velocities = own_rows(at, slopes, table.times.size());
+  } else {
+    for (const char* own : slopes)
+      if (is_there(own))
+        refuse(at.values(), at.key(own), at.name(), "expected vx, vy and vz, or none of them");
+  }
+  return table;
+}
+
 PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
   const double time = unit_of(at, "time_unit", Dimension::time, 1.0);  // without: core units
   const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
@@ -105,6 +142,23 @@ PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
   return table;
 }
 
+std::string file_path(const OrbitPlace& at) {
+  const std::filesystem::path folder = std::filesystem::path(at.name()).parent_path();
+  return (folder / word(at.values(), at.key("file"))).string();
+}
+bool is_oem(const std::string& path) { return path.ends_with(".oem"); }
+
+TableOrbit file_orbit(const OrbitPlace& at, int order) {
+  const std::string path = file_path(at);
+  for (const char* own : {"vx", "vy", "vz"})
+    if (there(at.values(), at.key(own)))
+      refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z beside it");
+  if (is_oem(path)) return oem_orbit(at, path, order);
+  const NumberTable file = read_number_table(path, columns_of(at, path), time_reader(at));
+  require_rising(file, 0, "time");
+  return TableOrbit(positions_of(at, file), order);
+}
+
 }  // namespace
 
 void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit) {
@@ -120,25 +174,19 @@ void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbi
 }
 
 ScenarioOrbit table_orbit(const OrbitPlace& at) {
-  const std::string key = at.key("file");
-  const std::string path =
-      (std::filesystem::path(at.name()).parent_path() / word(at.values(), key)).string();
   const int order = there(at.values(), at.key("order"))
                         ? static_cast<int>(std::clamp<std::int64_t>(
                               value_at(at.values(), at.key("order")).whole, 1, 99))
                         : 0;
-  if (path.ends_with(".oem")) {
-    const TableOrbit orbit = oem_orbit(at, path, order);
-    require_cover(at, "file", orbit);
-    return {std::string(key_name(at.path)), orbit, own_gm(at)};
-  }
-  const TableOrbit orbit = built(at.values(), key, at.name(), [&] {
-    const NumberTable file = read_number_table(path, columns_of(at, path), time_reader(at));
-    require_rising(file, 0, "time");
-    return TableOrbit(positions_of(at, file), order);
+  const char* const rows = there(at.values(), at.key("times")) ? "times" : "file";
+  const TableOrbit orbit = built(at.values(), at.key(rows), at.name(), [&] {
+    if (rows == std::string_view("times")) return TableOrbit(own_table(at), order);
+    return file_orbit(at, order);
   });
-  require_cover(at, "file", orbit);
-  return {std::string(key_name(at.path)), orbit, own_gm(at)};
+  require_cover(at, rows, orbit);
+  const bool message = rows == std::string_view("file") && is_oem(file_path(at));
+  return {std::string(key_name(at.path)), orbit, own_gm(at),
+          message ? std::vector<std::string>{"oem"} : std::vector<std::string>{}};
 }
 
 }  // namespace detail

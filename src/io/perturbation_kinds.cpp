@@ -19,7 +19,6 @@ struct PerturbationKind {
 };
 
 constexpr PerturbationKind kinds[] = {
-    {"gravity-gradient", gravity_gradient_term},
     {"constant-torque", constant_torque_term},
     {"damping", damping_term},
     {"tide", tide_term},
@@ -34,9 +33,10 @@ constexpr PerturbationKind kinds[] = {
 
 }  // namespace
 
-AnyPerturbation perturbation_of(const std::string& kind, const TermPlace& at) {
+std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const TermPlace& at) {
+  if (kind == "gravity-gradient") return gravity_terms(at);
   for (const PerturbationKind& known : kinds)
-    if (known.name == kind) return known.term(at);
+    if (known.name == kind) return {known.term(at)};
   throw std::logic_error("perturbation: the schema allows a kind that has no row: " + kind);
 }
 
@@ -56,7 +56,7 @@ double gm_at(const TermPlace& at) {
 }
 
 Vec3 principal_components(const TermPlace& at, const Vec3& x_F) {
-  return rotate(conj(at.scenario.body.q_FB()), x_F);
+  return rotate(conj(at.scenario.q_file), x_F);
 }
 
 Mat3 matrix_at(const TermPlace& at, const char* own) {
@@ -66,7 +66,7 @@ Mat3 matrix_at(const TermPlace& at, const char* own) {
 }
 
 Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F) {
-  const Quaternion& q_FB = at.scenario.body.q_FB();
+  const Quaternion& q_FB = at.scenario.q_file;
   if (q_FB == Quaternion{}) return m_F;
   const Mat3 R = rotation_matrix(q_FB);  // v_F = R v_B
   const Mat3 m = transpose(R) * m_F * R;

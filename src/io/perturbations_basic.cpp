@@ -20,7 +20,7 @@ AnyPerturbation constant_torque_term(const TermPlace& at) {
 AnyPerturbation damping_term(const TermPlace& at) {
   const std::string key = at.key("coefficients");
   const std::vector<double>& n = value_at(at.values, key).numbers;
-  const Quaternion& q_FB = at.scenario.body.q_FB();
+  const Quaternion& q_FB = at.scenario.q_file;
   return built(at.values, key, at.name, [&]() -> AnyPerturbation {
     if (n.size() == 3 && q_FB == Quaternion{})
       return {"damping", LinearDamping(vector(at.values, key))};

@@ -17,30 +17,6 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// What one table of kind gravity-gradient stands for: degree 2 once, and what the table adds.
-template <Orbit O>
-struct TableGravity {
-  static constexpr bool kick = true;
-  GravityGradient<O> second;
-  std::optional<HigherGravity<O>> higher;
-  std::optional<OblateGravity<O>> oblate;
-
-  template <Real T>
-  BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    BasicEffect<T> sum = second.effect(at);
-    if (higher) sum = sum + higher->effect(at);
-    if (oblate) sum = sum + oblate->effect(at);
-    return sum;
-  }
-  template <Real T>
-  T energy(const BasicSetting<T>& at) const {
-    T sum = second.energy(at);
-    if (higher) sum = sum + higher->energy(at);
-    if (oblate) sum = sum + oblate->energy(at);
-    return sum;
-  }
-};
-
 template <std::size_t count>
 std::array<double, count> array_at(const TermPlace& at, const char* own) {
   std::array<double, count> out{};
@@ -56,20 +32,18 @@ std::optional<MassMoments> moments_at(const TermPlace& at) {
     return std::nullopt;
   const MassMoments in_file_axes{array_at<10>(at, "third_moments"),
                                  array_at<15>(at, "fourth_moments")};
-  const Quaternion& q_FB = at.scenario.body.q_FB();
+  const Quaternion& q_FB = at.scenario.q_file;
   if (q_FB == Quaternion{}) return in_file_axes;
   return rotated(in_file_axes, rotation_matrix(conj(q_FB)));
 }
 
 OrbitOf orbit_of_at(const TermPlace& at) {
   const std::string key = at.key("orbit_of");
-  if (!there(at.values, key)) {
-    if (there(at.values, at.key("third_moments")))
-      refuse(at.values, at.key("third_moments"), at.name,
-             "expected a key orbit_of beside it, \"body\" or \"attractor\": whose path the orbit "
-             "is as seen from the other, since gravity of degree 3 changes sign with it");
-    return OrbitOf::attractor;
-  }
+  if (there(at.values, at.key("third_moments")) && !given(at.values, key))
+    refuse(
+        at.values, at.key("third_moments"), at.name,
+        "expected a key orbit_of beside it, \"body\" or \"attractor\": whose path the orbit is as "
+        "seen from the other, since gravity of degree 3 changes sign with it");
   return word(at.values, key) == "body" ? OrbitOf::body : OrbitOf::attractor;
 }
 
@@ -89,24 +63,27 @@ std::optional<Oblateness> oblateness_at(const TermPlace& at) {
 
 }  // namespace
 
-AnyPerturbation gravity_gradient_term(const TermPlace& at) {
+// Degree 2 once, and beside it what else the table has.
+std::vector<AnyPerturbation> gravity_terms(const TermPlace& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
   const double gm = gm_at(at);
   const std::optional<MassMoments> moments = moments_at(at);
   const OrbitOf of = orbit_of_at(at);
   const std::optional<Oblateness> oblate = oblateness_at(at);
-  const std::string text = "gravity gradient, orbit " + orbit.name;
+  const std::string of_orbit = ", orbit " + orbit.name;
   // of the orbit's own type: nothing is called through a pointer in the inner loop
   return std::visit(
-      [&](const auto& motion) -> AnyPerturbation {
-        const GravityGradient second(gm, motion);
-        if (!moments && !oblate) return {text, second};
-        TableGravity<std::remove_cvref_t<decltype(motion)>> all{second, std::nullopt, std::nullopt};
-        if (moments) all.higher.emplace(gm, motion, *moments, of);
+      [&](const auto& motion) {
+        std::vector<AnyPerturbation> terms;
+        terms.emplace_back("gravity gradient" + of_orbit, GravityGradient(gm, motion));
+        if (moments)
+          terms.emplace_back("gravity of degrees 3 and 4" + of_orbit,
+                             HigherGravity(gm, motion, *moments, of));
         if (oblate)
-          all.oblate.emplace(built(at.values, at.key("J2"), at.name,
-                                   [&] { return OblateGravity(gm, motion, *oblate); }));
-        return {text + (moments ? ", degrees 3 and 4" : "") + (oblate ? ", J2" : ""), all};
+          terms.push_back(built(at.values, at.key("J2"), at.name, [&]() -> AnyPerturbation {
+            return {"gravity of J2" + of_orbit, OblateGravity(gm, motion, *oblate)};
+          }));
+        return terms;
       },
       orbit.motion);
 }
@@ -126,6 +103,12 @@ AnyPerturbation tide_term(const TermPlace& at) {
 }
 
 AnyPerturbation internal_damping_term(const TermPlace& at) {
+  const bool grows = value_at(at.values, at.key("grows")).whole == 1;
+  if (there(at.values, at.key("k")))
+    return built(at.values, at.key("k"), at.name, [&]() -> AnyPerturbation {
+      return {"internal damping", InternalDamping(vector(at.values, at.key("k")), grows)};
+    });
+  if (grows) refuse(at.values, at.key("grows"), at.name, "expected a key k beside it");
   const Vec3& I = at.scenario.body.moments();
   const double rate = number(at.values, at.key("rate"));
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
@@ -138,7 +121,7 @@ AnyPerturbation internal_damping_term(const TermPlace& at) {
 AnyPerturbation anelastic_damping_term(const TermPlace& at) {
   const auto value = [&](const char* own) { return number(at.values, at.key(own)); };
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
-    return {"anelastic damping",
+    return {"internal damping",
             InternalDamping::of_material(
                 at.scenario.body, {value("rigidity"), value("quality_factor"),
                                    value("body_density"), value("radius"), value("shape_factor")})};

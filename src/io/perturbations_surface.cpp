@@ -67,7 +67,7 @@ const Surface& surface_at(const TermPlace& at) {
 }
 
 DirectedPath path_at(const TermPlace& at) {
-  return {any_orbit(orbit_at(at)), word(at.values, at.key("path_of")) == "centre"};
+  return {any_orbit(orbit_at(at)), word(at.values, at.key("orbit_of")) == "attractor"};
 }
 
 double length_at(const TermPlace& at, const char* own, const char* beside) {
@@ -108,7 +108,7 @@ std::optional<Surface> surface_of(const Scenario& scenario, const Values& values
                                                    : plate_surface(values, path, name));
   if (parts.empty()) return std::nullopt;
   const Surface all = joined(parts);
-  const Quaternion& q_FB = scenario.body.q_FB();
+  const Quaternion& q_FB = scenario.q_file;
   return q_FB == Quaternion{} ? all : all.along(q_FB);
 }
 
@@ -124,7 +124,7 @@ AnyPerturbation solar_pressure_term(const TermPlace& at) {
                            " facets, orbit " + orbit.name;
   if (!there(at.values, at.key("sun"))) return {text, SolarPressure(surface, light, path_at(at))};
   const ScenarioOrbit& sun = orbit_named(at.scenario.orbits, at.values, at.key("sun"), at.name);
-  DirectedPath sun_path{any_orbit(sun), word(at.values, at.key("sun_path_of")) == "centre"};
+  DirectedPath sun_path{any_orbit(sun), word(at.values, at.key("sun_orbit_of")) == "attractor"};
   return {
       text + ", Sun " + sun.name +
           (shadow ? (shadow->shape() == ShadowShape::cone ? ", shadow cone" : ", shadow cylinder")

@@ -39,11 +39,15 @@ constexpr std::size_t largest_file = std::size_t{16} << 20;
 
 Body body_of(const Values& values, const std::optional<ScenarioShape>& shape,
              const std::string& name) {
+  if (there(values, "body.column_axes") && !there(values, "body.moments"))
+    detail::refuse(values, "body.column_axes", name, "expected a key moments beside it");
   if (shape) return built(values, "body.shape", name, [&] { return polhode::body(shape->inside); });
   if (there(values, "body.moments"))
     return built(values, "body.moments", name, [&] {
       const Vec3 I = vector(values, "body.moments");
-      return Body(I.x, I.y, I.z);
+      if (!there(values, "body.column_axes")) return Body(I.x, I.y, I.z);
+      const std::vector<double>& q = value_at(values, "body.column_axes").numbers;
+      return Body::with_axes(I, unit_quaternion(q.at(0), q.at(1), q.at(2), q.at(3)));
     });
   return built(values, "body.tensor", name, [&] {
     const std::vector<double>& n = value_at(values, "body.tensor").numbers;
@@ -249,6 +253,7 @@ Scenario detail::scenario_of(const Values& values, const Units& units, std::stri
                     .title = there(values, "title") ? word(values, "title") : "",
                     .units = units,
                     .body = body,
+                    .q_file = there(values, "body.moments") ? Quaternion{} : body.q_FB(),
                     .chart = chart,
                     .state = state_of(values, chart, body, name),
                     .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
@@ -259,7 +264,8 @@ Scenario detail::scenario_of(const Values& values, const Units& units, std::stri
                     .events = detail::events_of(values, units, name),
                     .time = time,
                     .columns = value_at(values, "output.columns").words,
-                    .aem = detail::aem_options_of(values, name)};
+                    .aem = detail::aem_options_of(values, name),
+                    .writes_aem = there(values, "output.aem")};
   detail::add_motion(scenario, values, name);
   if (const TumblerState* tumbler = std::get_if<TumblerState>(&scenario.state))
     require_psi(values, body, *tumbler, units, name);

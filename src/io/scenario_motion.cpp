@@ -177,9 +177,10 @@ void add_motion(Scenario& scenario, const Values& values, const std::string& nam
   for (const std::string& path : array_paths(values, "perturbation")) {
     const std::string& kind = word(values, path + ".kind");
     scenario.kinds.push_back(kind);
-    scenario.terms.push_back(built(values, path + ".kind", name, [&] {
-      return perturbation_of(kind, {scenario, values, path, name});
-    }));
+    for (AnyPerturbation& term : built(values, path + ".kind", name, [&] {
+           return perturbations_of(kind, {scenario, values, path, name});
+         }))
+      scenario.terms.push_back(std::move(term));
   }
 }
 

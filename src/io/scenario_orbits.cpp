@@ -24,15 +24,7 @@ const KeplerElements* kepler_elements(const ScenarioOrbit& orbit) {
 }
 
 AnyOrbit any_orbit(const ScenarioOrbit& orbit) {
-  return std::visit(
-      [&](const auto& motion) -> AnyOrbit {
-        if constexpr (std::same_as<std::remove_cvref_t<decltype(motion)>, AnyOrbit>) {
-          return motion;
-        } else {
-          return {orbit.name, motion};
-        }
-      },
-      orbit.motion);
+  return std::visit([&](const auto& motion) { return AnyOrbit(orbit.name, motion); }, orbit.motion);
 }
 
 namespace detail {
@@ -109,9 +101,20 @@ ScenarioOrbit kepler_orbit(const OrbitPlace& at) {
                            .mean_anomaly = number(values, path + ".mean_anomaly_rate")};
   const PrecessingKeplerOrbit moving =
       built(values, path, name, [&] { return PrecessingKeplerOrbit(elements, rates); });
-  const std::string own(key_name(path));
-  if (rates == SecularRates{}) return {own, KeplerOrbit(elements), elements.gm};
-  return {own, moving, elements.gm};
+  return precessing_orbit(at, moving);
+}
+
+ScenarioOrbit precessing_orbit(const OrbitPlace& at, const PrecessingKeplerOrbit& orbit) {
+  const std::string own(key_name(at.path));
+  const std::string &axes = orbit_axes(at), &of_state = word(at.values(), "state.axes");
+  if (axes != of_state) {
+    return {own,
+            of_state == "ecliptic-J2000" ? TurnedKeplerOrbit::from_equator(orbit)
+                                         : TurnedKeplerOrbit::from_ecliptic(orbit),
+            orbit.gm()};
+  }
+  if (orbit.rates() == SecularRates{}) return {own, KeplerOrbit(orbit.elements()), orbit.gm()};
+  return {own, orbit, orbit.gm()};
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {

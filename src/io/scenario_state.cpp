@@ -10,6 +10,7 @@ namespace {
 // One overload per chart.
 struct ToMotion {
   const Body& body;
+  const Quaternion& q_file;
   FrameMotion frame;  // at t = 0
 
   FreeRotation operator()(const TumblerState& s) const {
@@ -25,10 +26,9 @@ struct ToMotion {
 
   RotorState hub_state(const AttitudeRate& s) const {
     // without a tensor the numbers of the file, bit for bit
-    const Quaternion& q_FB = body.q_FB();
-    const bool principal = q_FB == Quaternion{};
-    const Quaternion q = principal ? s.q : s.q * q_FB;
-    const Vec3 along_B = principal ? s.vector : rotate(conj(q_FB), s.vector);
+    const bool principal = q_file == Quaternion{};
+    const Quaternion q = principal ? s.q : s.q * q_file;
+    const Vec3 along_B = principal ? s.vector : rotate(conj(q_file), s.vector);
     if (s.given == AttitudeRate::Given::omega_inertial)
       return rotor_state_inertial(body, q, rotate(conj(frame.q_IS), s.vector));
     if (s.given == AttitudeRate::Given::omega_body) return rotor_state(body, q, along_B);
@@ -45,7 +45,8 @@ System rotor_system(const Scenario& scenario) {
 }
 
 FreeRotation free_rotation(const Scenario& scenario) {
-  return std::visit(ToMotion{scenario.body, scenario.frame.at(0.0)}, scenario.state);
+  return std::visit(ToMotion{scenario.body, scenario.q_file, scenario.frame.at(0.0)},
+                    scenario.state);
 }
 
 // Serret's elements have their own epoch; what others give is the state itself.

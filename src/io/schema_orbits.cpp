@@ -154,13 +154,59 @@ constexpr Key keys[] = {
      .type = choice,
      .allowed = "inertial|ecliptic-J2000|equator-J2000",
      .example = "\"equator-J2000\"",
-     .help = "The axes of position and velocity or of the columns; left out, those of "
-             "`state.axes`.",
-     .kinds = "state|table"},
+     .help = "The axes of the elements, of position and velocity or of the rows; left out, those "
+             "of `state.axes`.",
+     .kinds = "kepler|state|table"},
 
+    {.path = "orbit.*.times",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::time,
+     .example = "[0, 60, 120, 180]",
+     .help = "Times of rows that stand here, rising, from t = 0.",
+     .kinds = of_table},
+    {.path = "orbit.*.x",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::length,
+     .example = "[7000, 6986, 6944, 6875]",
+     .help = "The first component of the positions in these rows.",
+     .kinds = of_table},
+    {.path = "orbit.*.y",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::length,
+     .example = "[0, 452, 903, 1349]",
+     .help = "The second.",
+     .kinds = of_table},
+    {.path = "orbit.*.z",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::length,
+     .example = "[0, 0, 0, 0]",
+     .help = "The third.",
+     .kinds = of_table},
+    {.path = "orbit.*.vx",
+     .type = numbers,
+     .dimension = Dimension::speed,
+     .example = "[0, -0.5, -0.9, -1.4]",
+     .help = "The first component of their velocities; all three, or none.",
+     .kinds = of_table},
+    {.path = "orbit.*.vy",
+     .type = numbers,
+     .dimension = Dimension::speed,
+     .example = "[7.5, 7.5, 7.5, 7.4]",
+     .help = "The second.",
+     .kinds = of_table},
+    {.path = "orbit.*.vz",
+     .type = numbers,
+     .dimension = Dimension::speed,
+     .example = "[0, 0, 0, 0]",
+     .help = "The third.",
+     .kinds = of_table},
     {.path = "orbit.*.file",
      .type = text,
-     .presence = required,
+     .presence = alternative,
      .example = "\"moon.csv.gz\"",
      .help = "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit "
              "Ephemeris Message (.oem); the path is from the folder of this file.",
@@ -228,7 +274,8 @@ constexpr Key keys[] = {
 };
 
 constexpr Alternatives alternatives[] = {
-    {"orbit.*", "semi_major_axis|pericentre|period", "kepler"}};
+    {"orbit.*", "semi_major_axis|pericentre|period", of_kepler},
+    {"orbit.*", "times+x+y+z|file", of_table}};
 
 }  // namespace
 

@@ -64,9 +64,11 @@ constexpr Key keys[] = {
     {.path = "perturbation[].orbit_of",
      .type = choice,
      .allowed = "body|attractor",
+     .fallback = "\"body\"",
      .example = "\"body\"",
-     .help = "Whose path the orbit is as seen from the other; third_moments need it.",
-     .kinds = gravity_gradient},
+     .help = "Whose path the orbit is as seen from the other: the body's, or that of what attracts "
+             "it, which it goes round. Beside third_moments it may not be left out.",
+     .kinds = "gravity-gradient|solar-pressure|drag"},
     {.path = "perturbation[].J2",
      .type = number,
      .example = "1.08263e-3",
@@ -113,16 +115,29 @@ constexpr Key keys[] = {
      .example = "\"6378.137 km\"",
      .help = "Equatorial radius of the attracting body, that J2 belongs to.",
      .kinds = gravity_gradient},
+    {.path = "perturbation[].k",
+     .type = numbers,
+     .presence = alternative,
+     .length = 3,
+     .example = "[0.01, 0.01, 0.01]",
+     .help = "Of v = k g x omega, along the principal axes; in one over momentum.",
+     .kinds = internal_damping},
+    {.path = "perturbation[].grows",
+     .type = boolean,
+     .fallback = "false",
+     .example = "false",
+     .help = "Whether k is multiplied by the momentum; it is then in one over its square.",
+     .kinds = internal_damping},
     {.path = "perturbation[].wobble_time",
      .type = number,
-     .presence = required,
+     .presence = alternative,
      .dimension = Dimension::time,
      .example = "\"100 d\"",
      .help = "Time in which a small wobble about the axis of the largest moment falls by e.",
      .kinds = internal_damping},
     {.path = "perturbation[].rate",
      .type = number,
-     .presence = required,
+     .presence = alternative,
      .dimension = Dimension::rate,
      .example = "\"360 deg/d\"",
      .help = "The rate of rotation about that axis at which it does.",
@@ -300,7 +315,8 @@ constexpr Key keys[] = {
      .kinds = magnetic},
 };
 
-constexpr Alternatives alternatives[] = {{"perturbation[]", "times|file", torque_table}};
+constexpr Alternatives alternatives[] = {{"perturbation[]", "wobble_time+rate|k", internal_damping},
+                                         {"perturbation[]", "times|file", torque_table}};
 
 }  // namespace
 

@@ -14,27 +14,19 @@ constexpr std::string_view light = "solar-pressure";
 constexpr std::string_view drag = "drag";
 
 constexpr Key keys[] = {
-    {.path = "perturbation[].path_of",
-     .type = choice,
-     .allowed = "body|centre",
-     .fallback = "\"body\"",
-     .example = "\"body\"",
-     .help = "What the orbit is the path of: the body as seen from what it goes round, or that as "
-             "seen from the body.",
-     .kinds = "solar-pressure|drag"},
     {.path = "perturbation[].sun",
      .type = name,
      .example = "\"sun\"",
      .help = "The name of a table [orbit.NAME] that ties the Sun to what the body goes round; left "
              "out, the body goes round the Sun itself.",
      .kinds = light},
-    {.path = "perturbation[].sun_path_of",
+    {.path = "perturbation[].sun_orbit_of",
      .type = choice,
-     .allowed = "sun|centre",
+     .allowed = "sun|attractor",
      .fallback = "\"sun\"",
      .example = "\"sun\"",
-     .help = "What that orbit is the path of: the Sun as seen from what the body goes round, or "
-             "that as seen from the Sun.",
+     .help = "Whose path that orbit is: the Sun's as seen from what the body goes round, or the "
+             "reverse.",
      .kinds = light},
     {.path = "perturbation[].pressure",
      .type = number,

@@ -96,6 +96,12 @@ constexpr Key body_keys[] = {
      .dimension = Dimension::length,
      .example = "\"1 km\"",
      .help = "What one unit of the mesh is; left out, the unit of length of this file."},
+    {.path = "body.column_axes",
+     .type = numbers,
+     .length = 4,
+     .example = "[1.0, 0.0, 0.0, 0.0]",
+     .help = "Beside moments: the attitude [w, x, y, z] of the principal axes in other axes fixed "
+             "in the body, which the columns q, omega and g then refer to. Nothing else does."},
 };
 
 constexpr Key row_keys[] = {

@@ -177,7 +177,9 @@ KeplerOrbit KeplerOrbit::from_state(const Vec3& position, const Vec3& velocity, 
   k.argument = atan2(dot(P, cross(normal, node)), dot(P, node)).hi;
   k.mean_anomaly = now.mean_anomaly.hi;
   k.epoch = epoch;
-  return {k, shape, axes};
+  KeplerOrbit orbit(k, shape, axes);
+  orbit.state_ = {position, velocity};
+  return orbit;
 }
 
 Vec3 KeplerOrbit::position(double t, double rest) const {

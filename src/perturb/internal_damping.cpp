@@ -41,15 +41,13 @@ InternalDamping::InternalDamping(const Vec3& k_B, bool grows) : k_(k_B), grows_(
                         detail::tuple_text({k_B.x, k_B.y, k_B.z}) + " must be >= 0 and finite");
 }
 
-InternalDamping::InternalDamping(double k) : InternalDamping(Vec3{k, k, k}, false) {}
-
-InternalDamping::InternalDamping(const Vec3& k_B) : InternalDamping(k_B, false) {}
+InternalDamping::InternalDamping(double k) : InternalDamping(Vec3{k, k, k}) {}
 
 InternalDamping InternalDamping::of_wobble(const Body& body, double time, double momentum) {
   require_positive("time", time);
   require_positive("momentum", momentum);
   const double k = 1.0 / (time * momentum * momentum * wobble_factor(body));
-  return InternalDamping(Vec3{k, k, k}, false);
+  return InternalDamping(k);
 }
 
 InternalDamping InternalDamping::of_material(const Body& body, const DampedMaterial& material) {

@@ -264,13 +264,46 @@ def test_info_and_outputs_say_what_moves_the_body(run, write):
         "exact free rotation, seen from the moving frame"
 
 
-def test_papers_of_every_method_are_in_the_bibliography(run, write, root):
+def keys_cited(run, path):
+    lines = run("cite", path).stdout.splitlines()
+    return {line[1:].split("]")[0] for line in lines if line.startswith("[")}
+
+
+def test_papers_are_in_the_bibliography(run, write, root):
     known = (root / "docs/references.bib").read_text(encoding="utf-8")
+    cited = set()
     for method in METHODS.values():
-        cited = run("cite", write(BODY + STATE + ORBIT + GRAVITY + method)).stdout
-        for line in cited.splitlines():
-            if line.startswith("["):
-                assert "{" + line[1:].split("]")[0] + "," in known
+        cited |= keys_cited(run, write(BODY + STATE + ORBIT + GRAVITY + method))
+    for example in (root / "examples").glob("*.toml"):
+        cited |= keys_cited(run, example)
+    assert {"mignard1979", "moisson2001", "cincotta2000", "praly2012"} - cited == {"mignard1979"}
+    for key in cited:
+        assert "{" + key + "," in known, key
+
+
+def test_papers_follow_where_positions_come_from(run, write, root):
+    head = (BODY.replace("[body]", "[units]\nlength = \"km\"\n[body]") + "[state]\n"
+            "epoch = \"2013-01-05 UTC\"\naxes = \"equator-J2000\"\n" + STATE
+            + "[time]\nstop = 864000\ncount = 3\n[orbit.it]\nkind = \"ephemeris\"\n")
+    theories = {"erfa", "moisson2001", "meeus1998", "simon1994", "park2021"}
+
+    def of(target, centre, more=""):
+        path = write(head + f"target = \"{target}\"\ncentre = \"{centre}\"\n" + more)
+        return keys_cited(run, path) & (theories | {"markley1995"})
+
+    assert of("sun", "earth") == {"erfa", "moisson2001", "park2021"}
+    assert of("moon", "earth") == theories - {"moisson2001"}  # wherever the Earth is
+    assert of("moon", "sun") == theories
+    assert of("mars", "sun", "gm = 42828.4\n") == {"erfa", "simon1994"}
+    assert "markley1995" in keys_cited(run, write(BODY + STATE + ORBIT))
+
+
+def test_papers_of_attitude_files_and_of_chaos(run, write, root):
+    assert "ccsds504" in keys_cited(run, write(BODY + STATE + "[output.aem]\n"))
+    assert "ccsds504" not in keys_cited(run, write(BODY + STATE))
+    chaos = {"benettin1976", "cincotta2000"}
+    assert chaos <= keys_cited(run, root / "examples/hyperion-map.toml")
+    assert not chaos & keys_cited(run, root / "examples/hyperion.toml")
 
 
 def test_an_exact_run_in_a_moving_frame_is_the_integrated_one(write, columns):

@@ -15,7 +15,8 @@ OTHERS = "Others"
 OVERVIEW = """\
 # Python
 
-`import polhode` brings everything on these pages but `polhode.figures`, which needs matplotlib.
+`import polhode` brings everything on these pages but `polhode.figures`, `polhode.satellites` and
+`polhode.spice`, which need packages of their own.
 Names are those of the [C++ library](../cpp/index.md), in whose reference the equations, the
 accuracy and the cost of each stand; accessors without arguments are properties.
 
@@ -86,7 +87,7 @@ that returns three numbers is an orbit wherever one is expected.
         "Frames": "Frame FrameMotion",
         "Orbits":
             "KeplerElements KeplerOrbit PrecessingKeplerOrbit SecularRates j2_rates mean_motion "
-            "semi_major_axis pericentre_distance TableOrbit AnyOrbit",
+            "semi_major_axis pericentre_distance TurnedKeplerOrbit TableOrbit",
         "Dates": "Date TimeScale calendar_date date_after seconds_between",
         "Sun, Moon and planets":
             "Planetary planetary_position planetary_orbit planetary_gm j2000_from_teme",
@@ -157,6 +158,11 @@ names of the [columns](../files.md).
             "poincare_section chaos_map chaos_growth energy_error",
         "What they draw, and from where": "RunData OblatePlanet BodyPicture View",
     }, "polhode.figures"),
+    Page("satellites", "Satellites of the Earth", """\
+`from polhode import satellites`; it needs sgp4 ([orbits](../../guide/orbits.md)).
+""", {
+        "Elements and what comes of them": "Satellite satellite_from_tle satellite_from_omm",
+    }, "polhode.satellites"),
     Page("spice", "SPICE", """\
 `import polhode.spice`; it needs spiceypy ([attitude files](../../guide/attitude-files.md)).
 """, {
@@ -166,11 +172,11 @@ names of the [columns](../files.md).
 
 
 def public_names(root: pathlib.Path) -> dict[str, dict[str, str]]:
-    """Of the package, its figures and SPICE files: name -> the module that defines it."""
+    """Of the package and its parts: name -> the module that defines it."""
     path = root / os.environ.get("POLHODE_PYTHON", "build/release/python")
     code = ("import importlib, json, inspect\n"
             "found = {}\n"
-            "for name in ('polhode', 'polhode.figures', 'polhode.spice'):\n"
+            f"for name in {sorted({page.module for page in PAGES})}:\n"
             "    module = importlib.import_module(name)\n"
             "    things = {n: getattr(module, n) for n in module.__all__}\n"
             "    found[name] = {n: getattr(thing, '__module__', name)\n"

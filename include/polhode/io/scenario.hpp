@@ -35,6 +35,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -73,8 +74,9 @@ struct ScenarioShape {
 // [orbit.NAME]
 struct ScenarioOrbit {
   std::string name;
-  std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, AnyOrbit> motion;
-  std::optional<double> gm;  // of what attracts, where the orbit tells
+  std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit> motion;
+  std::optional<double> gm;               // of what attracts, where the orbit tells
+  std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
 };
 // The elements of an orbit that has them.
 const KeplerElements* kepler_elements(const ScenarioOrbit& orbit);
@@ -120,6 +122,7 @@ struct Scenario {
   std::string title;   // may be empty
   Units units;
   Body body;
+  Quaternion q_file;  // principal axes to those that the file gives vectors in: the tensor's
   std::string chart;  // "tumbler", ...: what `state` holds
   InitialState state;
   std::string epoch;  // "2013-01-05T00:00:00 UTC", or empty
@@ -137,6 +140,7 @@ struct Scenario {
   std::optional<SaveAt> time;        // left out: nothing to run
   std::vector<std::string> columns;  // names of column groups
   AemOptions aem = {};               // [output.aem]
+  bool writes_aem = false;           // whether the file has that table
   std::optional<MapPlan> map = std::nullopt;
 };
 

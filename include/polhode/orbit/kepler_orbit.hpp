@@ -15,6 +15,8 @@
 //             it prepares for the former. Copies share what is prepared.
 #pragma once
 
+#include <optional>
+
 #include "polhode/math/vector.hpp"
 #include "polhode/orbit/orbit.hpp"
 #include "polhode/orbit/planar_kepler.hpp"
@@ -48,6 +50,14 @@ double mean_motion(const KeplerElements& elements);
 // DomainError, naming `function`, where the elements are those of no orbit.
 void require_valid(const KeplerElements& elements, const char* function);
 
+// Where a body is, and where it goes.
+struct OrbitState {
+  Vec3 position;
+  Vec3 velocity;
+
+  constexpr bool operator==(const OrbitState&) const = default;
+};
+
 class KeplerOrbit {
  public:
   explicit KeplerOrbit(const KeplerElements& elements);
@@ -55,6 +65,11 @@ class KeplerOrbit {
                                 double epoch = 0.0);
 
   const KeplerElements& elements() const { return elements_; }
+  // The state at their epoch that it was made of, which says more than they do.
+  const std::optional<OrbitState>& state() const { return state_; }
+  bool operator==(const KeplerOrbit& other) const {
+    return elements_ == other.elements_ && state_ == other.state_;
+  }
   double gm() const { return elements_.gm; }
   double mean_motion() const { return plane_.shape().mean_motion.hi; }
 
@@ -84,6 +99,7 @@ class KeplerOrbit {
   static Axes axes_of(const KeplerElements& elements);
 
   KeplerElements elements_;
+  std::optional<OrbitState> state_;
   PlanarKepler plane_;
   Axes axes_;
   Vec3 to_pericentre_, along_motion_;  // axes_ in double

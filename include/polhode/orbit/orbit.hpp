@@ -65,6 +65,8 @@ class HeldOrbit final : public ErasedOrbit {
  public:
   HeldOrbit(std::string name, O orbit) : name_(std::move(name)), orbit_(std::move(orbit)) {}
 
+  const O& orbit() const { return orbit_; }
+
   Vec3 position(double t, double rest) const override { return position_at(orbit_, t, rest); }
   BasicVec3<DoubleDouble> position(const DoubleDouble& t) const override {
     return orbit_.position(t);
@@ -94,6 +96,12 @@ class AnyOrbit {
         orbit_(std::make_shared<const detail::HeldOrbit<O>>(name, std::move(orbit))) {}
 
   const std::string& name() const { return name_; }
+  // The orbit itself where it is an O, else nullptr.
+  template <Orbit O>
+  const O* target() const {
+    const auto* held = dynamic_cast<const detail::HeldOrbit<O>*>(orbit_.get());
+    return held == nullptr ? nullptr : &held->orbit();
+  }
   bool supports_velocity() const { return velocity_; }
 
   // T = double or DoubleDouble.

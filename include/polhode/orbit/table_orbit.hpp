@@ -39,6 +39,8 @@ struct PositionTable {
   std::vector<double> times;
   std::vector<Vec3> positions;
   std::vector<Vec3> velocities = {};
+
+  bool operator==(const PositionTable&) const = default;
 };
 
 class TableOrbit {
@@ -52,6 +54,10 @@ class TableOrbit {
   bool is_evenly_spaced() const { return data_->even; }
   double first_time() const { return data_->table.times.front(); }
   double last_time() const { return data_->table.times.back(); }
+  // Of the same rows and order, and so of the same positions.
+  bool operator==(const TableOrbit& other) const {
+    return order() == other.order() && table() == other.table();
+  }
   // From a to b, in either order, without a NaN.
   bool covers(double a, double b) const { return is_inside(a) && is_inside(b); }
 

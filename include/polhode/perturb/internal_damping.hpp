@@ -38,8 +38,8 @@ class InternalDamping {
  public:
   // v = k (g x w).
   explicit InternalDamping(double k);
-  // v_i = k_i (g x w)_i in principal axes.
-  explicit InternalDamping(const Vec3& k_B);
+  // v_i = k_i (g x w)_i in principal axes; or with |g| k_i, where k grows with the momentum.
+  explicit InternalDamping(const Vec3& k_B, bool grows = false);
 
   // A constant k with which a small wobble about the axis of the largest moment falls by e in
   // `time`, at the momentum `momentum`. For three different moments: the mean over the wobble.
@@ -64,8 +64,6 @@ class InternalDamping {
   }
 
  private:
-  InternalDamping(const Vec3& k_B, bool grows);
-
   Vec3 k_;
   bool grows_;
 };

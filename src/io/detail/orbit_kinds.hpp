@@ -36,6 +36,9 @@ const std::string& orbit_axes(const OrbitPlace& at);
 // Refuses a table that does not cover the run, at the place of `key`.
 void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit);
 
+// An orbit whose elements are along those axes, as simple as it is.
+ScenarioOrbit precessing_orbit(const OrbitPlace& at, const PrecessingKeplerOrbit& orbit);
+
 ScenarioOrbit kepler_orbit(const OrbitPlace& at);
 ScenarioOrbit state_orbit(const OrbitPlace& at);
 ScenarioOrbit table_orbit(const OrbitPlace& at);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/detail/values.hpp"
 #include "polhode/io/scenario.hpp"
@@ -22,8 +23,9 @@ struct TermPlace {
   std::string key(const char* own) const { return path + "." + own; }
 };
 
+// What a table stands for: one term; of gravity one for each part of it that the table has.
 // Throws a ScenarioError at the place of what is wrong.
-AnyPerturbation perturbation_of(const std::string& kind, const TermPlace& at);
+std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const TermPlace& at);
 
 // The orbit that the table names, and the gm of what attracts: its own key, else the orbit's.
 const ScenarioOrbit& orbit_at(const TermPlace& at);
@@ -34,7 +36,7 @@ Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
 Mat3 matrix_at(const TermPlace& at, const char* own);
 Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F);
 
-AnyPerturbation gravity_gradient_term(const TermPlace& at);
+std::vector<AnyPerturbation> gravity_terms(const TermPlace& at);
 AnyPerturbation constant_torque_term(const TermPlace& at);
 AnyPerturbation damping_term(const TermPlace& at);
 AnyPerturbation tide_term(const TermPlace& at);

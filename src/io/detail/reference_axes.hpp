@@ -3,16 +3,14 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "polhode/math/vector.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-constexpr double obliquity_J2000 = 84381.448 * (std::numbers::pi / 648000.0);  // IAU 1976
 
 inline Vec3 ecliptic_from_equator(const Vec3& x) {
   const double c = std::cos(obliquity_J2000), s = std::sin(obliquity_J2000);

@@ -171,9 +171,54 @@ TEST_F(ScenarioOrbits, TablesThatCannotServeSayWhy) {
   EXPECT_EQ(error_of(table, "[time]\nstop = 4\ncount = 3\n"), "no error");
   EXPECT_THAT(error_of(table + "order = 7\n"), HasSubstr("order 7 must be a multiple of 2"));
   EXPECT_THAT(error_of(table + "time_unit = \"km\"\n"), HasSubstr("orbit.moon.time_unit"));
-  EXPECT_THAT(error_of("kind = \"table\"\n"), HasSubstr("orbit.moon.file: got nothing"));
+  EXPECT_THAT(error_of("kind = \"table\"\n"), HasSubstr("orbit.moon: got none of them"));
   EXPECT_THAT(error_of(table, "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"),
               HasSubstr("expected a key gm beside it"));
+}
+
+// Rows in the scenario itself are those of a file, to the bit.
+TEST_F(ScenarioOrbits, AFewRowsMayStandInTheScenario) {
+  write("moon.csv", "0,1.1,2,3,1,0,7\n1,2,4,3,1,3,0\n2,3,8,2,1,5,0\n3.5,3,8,2,1,0,0\n");
+  const std::string rows =
+      "kind = \"table\"\ntimes = [0, 1, 2, 3.5]\nx = [1.1, 2, 3, 3]\ny = [2, 4, 8, 8]\n"
+      "z = [3, 3, 2, 2]\n";
+  const std::string slopes = "vx = [1, 1, 1, 1]\nvy = [0, 3, 5, 0]\nvz = [7, 0, 0, 0]\n";
+  const auto table = [&](const std::string& orbit) {
+    return std::get<TableOrbit>(read(orbit).orbits.at(0).motion);
+  };
+  EXPECT_EQ(table(rows + slopes), table("kind = \"table\"\nfile = \"moon.csv\"\n"));
+  EXPECT_FALSE(table(rows).has_velocities());
+  const std::string along = "axes = \"ecliptic-J2000\"\n";
+  EXPECT_EQ(table(rows + slopes + along), table("kind = \"table\"\nfile = \"moon.csv\"\n" + along));
+  EXPECT_THAT(error_of(rows + "vx = [1, 1, 1, 1]\n"), HasSubstr("expected vx, vy and vz, or none"));
+  EXPECT_THAT(error_of(rows + "time_unit = \"s\"\n"), HasSubstr("expected a key file beside it"));
+  EXPECT_THAT(error_of("kind = \"table\"\ntimes = [0, 1]\nx = [1, 2]\n"),
+              HasSubstr("got times, x; expected exactly one of times with x with y with z, file"));
+  EXPECT_THAT(error_of("kind = \"table\"\ntimes = [0, 1, 2, 3]\nx = [1, 2]\ny = [1]\nz = [1]\n"),
+              HasSubstr("orbit.moon.x: got [1, 2]; expected 4 numbers, as many as times has"));
+  EXPECT_THAT(error_of("kind = \"table\"\nfile = \"moon.csv\"\nvz = [1, 1, 1, 1]\n"),
+              HasSubstr("expected keys times, x, y and z beside it"));
+  EXPECT_THAT(error_of(rows, "[time]\nstop = 20\ncount = 3\n"),
+              HasSubstr("orbit.moon.times: got [0, 1, 2, 3.5]; it covers the times 0 to 3.5"));
+}
+
+// Elements along the equator in a run along the ecliptic, and the reverse.
+TEST_F(ScenarioOrbits, ElementsMayBeAlongOtherAxes) {
+  const std::string keys =
+      "gm = 398600.4418\nsemi_major_axis = 7000\neccentricity = 0.01\ninclination = 98\n"
+      "node = 20\nnode_rate = 1e-5\n";
+  const Scenario own = read(keys);
+  state_ = "axes = \"ecliptic-J2000\"\n";
+  const Scenario other = read(keys + "axes = \"equator-J2000\"\n");
+  EXPECT_EQ(read(keys + "axes = \"ecliptic-J2000\"\n").orbits[0].motion.index(),
+            own.orbits[0].motion.index());
+  const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
+  for (const double t : {0.0, 5e4}) {
+    const Vec3 x = at(own, t), y = at(other, t);
+    EXPECT_LT(norm(y - Vec3{x.x, std::cos(e) * x.y + std::sin(e) * x.z,
+                            std::cos(e) * x.z - std::sin(e) * x.y}),
+              budget::table_orbit_kepler * 7000.0);
+  }
 }
 
 const std::string moon = "kind = \"ephemeris\"\ntarget = \"moon\"\ncentre = \"earth\"\n";

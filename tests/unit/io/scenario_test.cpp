@@ -128,6 +128,26 @@ TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
   EXPECT_NEAR(norm(Ga - Gb), 0.0, budget::io_state);
 }
 
+// What a file says along principal axes stays so; the columns alone are along the others.
+TEST(Scenario, ColumnAxesTurnNothingElse) {
+  const std::string rest =
+      "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [1, 2, 3]\n"
+      "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0.2, 0.3]\n";
+  const std::string moments = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
+  const Scenario plain = scenario_from_text(moments + rest, "a");
+  const Scenario turned =
+      scenario_from_text(moments + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
+  EXPECT_EQ(turned.body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
+  EXPECT_EQ(initial_state(turned).q, initial_state(plain).q);
+  EXPECT_EQ(initial_state(turned).g, initial_state(plain).g);
+  const Vec3 u = effect(rotor_system(turned), 0.0, initial_state(turned)).u;
+  EXPECT_EQ(u, (Vec3{0.1, 0.2, 0.3}));
+  EXPECT_THAT(error_of("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n"
+                       "column_axes = [1, 0, 0, 0]\n" +
+                       rest),
+              HasSubstr("body.column_axes: got [1, 0, 0, 0]; expected a key moments beside it"));
+}
+
 TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {
   const std::string error = error_of("schema = 1\ntitel = 3\n[body]\nmoments = [1, 2]\n" + andoyer +
                                      "[output]\ncolumns = [\"Q\"]\n");
@@ -140,9 +160,8 @@ TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {
 
 TEST(Scenario, AMisspeltKeyIsNotMissingToo) {
   EXPECT_EQ(error_of("schema = 1\n[body]\nmomnets = [1, 2, 2.5]\n" + andoyer),
-            "f.toml:3:1: body.momnets: unknown key; expected moments, tensor, shape, density or "
-            "scale; did you mean "
-            "moments?");
+            "f.toml:3:1: body.momnets: unknown key; expected moments, tensor, shape, density, "
+            "scale or column_axes; did you mean moments?");
 }
 
 TEST(Scenario, WhatTheLibraryRefusesHasItsPlace) {
