@@ -5,6 +5,7 @@
 #include "orbit_value.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"
+#include "polhode/io/epoch.hpp"
 #include "value.hpp"
 
 namespace polhode::python {
@@ -28,7 +29,9 @@ Parameters
 ----------
 scale : TimeScale, or its name: UTC, TAI, TT, TDB, UT1.
 day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of ERFA, in which a
-    day with a leap second is stretched.)");
+    day with a leap second is stretched.
+text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
+    "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for any other.)");
   c.def(
        "__init__",
        [](Date* self, nb::handle scale, double day, double fraction) {
@@ -37,6 +40,10 @@ day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of
        nb::arg("scale"), nb::arg("day"), nb::arg("fraction") = 0.0,
        nb::sig("def __init__(self, scale: TimeScale | str, day: float, fraction: float = 0.0) -> "
                "None"))
+      .def(
+          "__init__",
+          [](Date* self, const std::string& text) { new (self) Date(epoch_date(text)); },
+          nb::arg("text"))
       .def_ro("scale", &Date::scale, "Its time scale.")
       .def_ro("day", &Date::day, "The first part, days.")
       .def_ro("fraction", &Date::fraction, "The second part, days.")
@@ -63,6 +70,7 @@ day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of
                number_text(d.fraction) + ")";
       });
   def_value(c, [](const Date& d) { return arguments_of(d); });
+  nb::implicitly_convertible<nb::str, Date>();
   m.def(
       "calendar_date",
       [](nb::handle scale, int year, int month, int day, int hour, int minute, double second) {

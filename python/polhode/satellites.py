@@ -9,9 +9,12 @@ scenario reads.
 from __future__ import annotations
 
 import csv
+import gzip
 import io
 import math
+import os
 import pathlib
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import PathLike
@@ -27,6 +30,7 @@ __all__ = ["Satellite", "satellite_from_omm", "satellite_from_tle"]
 
 _SPACING = 60.0  # s: order 10 leaves micrometres in a low orbit
 _LEAST_ROWS = 12
+_FAR = 30 * 86400.0  # s from the epoch of elements: kilometres, and soon hundreds of them
 
 
 @dataclass(frozen=True)
@@ -43,16 +47,21 @@ class Satellite:
     elements: Any = field(repr=False, compare=False)
 
     def states(
-        self, epoch: Date, times: ArrayLike
+        self, epoch: Date | str, times: ArrayLike
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Positions (N, 3) in km and velocities (N, 3) in km/s at times (N,) in s after `epoch`.
 
         Along equator and equinox of J2000. ValueError where SGP4 gives up: the satellite has
-        decayed, or the time is too far from its elements.
+        decayed, or the time is too far from its elements. A UserWarning for times more than 30
+        days from the elements, which do not hold that long.
+
+        epoch : a Date, or a text such as the `epoch` of a scenario.
         """
+        epoch = _date(epoch)
         t = np.asarray(times, dtype=float)
         if t.ndim != 1:
             raise ValueError("states: expected times of one dimension")
+        self._warn_of_age(epoch, t)
         x, v = np.empty((len(t), 3)), np.empty((len(t), 3))
         for k, after in enumerate(t):
             date = date_after(epoch, float(after))
@@ -67,7 +76,7 @@ class Satellite:
         return x, v
 
     def orbit(
-        self, epoch: Date, first: float, last: float, spacing: float = _SPACING
+        self, epoch: Date | str, first: float, last: float, spacing: float = _SPACING
     ) -> TableOrbit:
         """A TableOrbit (km) from `first` to `last`, s after `epoch`, with a row every `spacing`.
 
@@ -79,7 +88,7 @@ class Satellite:
     def write(
         self,
         path: str | PathLike[str],
-        epoch: Date,
+        epoch: Date | str,
         first: float,
         last: float,
         spacing: float = _SPACING,
@@ -89,10 +98,28 @@ class Satellite:
         Its columns are t (s after `epoch`, which is to be `state.epoch`), x, y, z (km) in axes
         "equator-J2000".
         """
+        epoch = _date(epoch)
         t = _times(first, last, spacing)
-        header = f"{self.name}, SGP4; t in s after {epoch!r}; km; equator-J2000\nt,x,y,z"
+        header = f"{self.name}, SGP4; t in s after {_text(epoch)}; km; equator-J2000\nt,x,y,z"
         rows = np.column_stack([t, self.states(epoch, t)[0]])
-        np.savetxt(path, rows, "%.17g", ",", header=header)
+        final = os.fsdecode(path)
+        part = final + ".part"
+        opened = gzip.open if final.endswith(".gz") else open
+        with opened(part, "wt", encoding="utf-8") as file:
+            np.savetxt(file, rows, "%.17g", ",", header=header)
+        os.replace(part, final)
+
+    def _warn_of_age(self, epoch: Date, t: NDArray[np.float64]) -> None:
+        if not len(t):
+            return
+        begin = seconds_between(self.epoch, epoch)
+        far = max(abs(begin + t.min()), abs(begin + t.max()))
+        if far > _FAR:
+            warnings.warn(
+                f"{self.name}: {far / 86400:.0f} d from its elements, of {_text(self.epoch)}",
+                UserWarning,
+                stacklevel=3,
+            )
 
 
 def satellite_from_tle(line1: str, line2: str, name: str | None = None) -> Satellite:
@@ -177,6 +204,17 @@ def _reason(code: int) -> str:
     from sgp4.api import SGP4_ERRORS
 
     return SGP4_ERRORS.get(code, f"error {code}")
+
+
+def _date(epoch: Date | str) -> Date:
+    return Date(epoch) if isinstance(epoch, str) else epoch
+
+
+def _text(date: Date) -> str:
+    """As the epoch of a scenario, to a millisecond."""
+    year, month, day, hour, minute, second = date.calendar
+    whole = f"{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:06.3f}"
+    return f"{whole} {date.scale.name}"
 
 
 def _times(first: float, last: float, spacing: float) -> NDArray[np.float64]:

@@ -53,7 +53,7 @@ def write_ck(
     reference : the SPICE frame of the state's axes; left out, J2000 or ECLIPJ2000.
 
     An epoch in UTC, TAI or TT needs a leap-second kernel that the caller has furnished; one in TDB
-    needs none. ValueError for what is missing; what SPICE refuses is its own error.
+    needs none. ValueError for what is missing; what else SPICE refuses is its own error.
     """
     scenario = results.scenario
     if scenario.axes not in _REFERENCES and reference is None:
@@ -87,7 +87,13 @@ def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
     if scale == "UTC":
         if date.startswith("JD "):
             raise ValueError(f"got the epoch {epoch!r}; expected a calendar date for UTC")
-        start = spiceypy.unitim(spiceypy.str2et(date), "ET", "TDT")
+        try:
+            start = spiceypy.unitim(spiceypy.str2et(date), "ET", "TDT")
+        except spiceypy.utils.exceptions.SpiceNOLEAPSECONDS:
+            raise ValueError(
+                f"the epoch {epoch!r} needs leap seconds: furnish a kernel first, "
+                "spiceypy.furnsh('naif0012.tls'), or give the epoch in TDB"
+            ) from None
         scale = "TT"
     elif scale in _SCALES:
         start = _past_J2000(date)

@@ -33,6 +33,19 @@ def test_dates_change_their_scale():
         polhode.Date("GPS", 2451545)
 
 
+def test_dates_are_texts_too():
+    """As the epoch of a scenario is one."""
+    text = "2016-12-31T23:59:60.5 UTC"
+    assert polhode.Date(text) == polhode.calendar_date("UTC", 2016, 12, 31, 23, 59, 60.5)
+    assert polhode.Date("JD 2456297.5 TDB") == polhode.Date("TDB", 2456297, 0.5)
+    text = "2029-04-13T21:46:00 UTC"
+    there = polhode.planetary_position("moon", "earth", polhode.Date(text))
+    assert np.array_equal(there, polhode.planetary_position("moon", "earth", text))
+    for wrong, what in (("2013-02-30 UTC", "no such day"), ("2013-01-05", "time scale is missing")):
+        with pytest.raises(ValueError, match=what):
+            polhode.Date(wrong)
+
+
 def test_tables_are_orbits():
     t = np.linspace(0, 10, 101)
     x = np.column_stack([np.cos(t), np.sin(t), 0.1 * t])

@@ -2,6 +2,7 @@
 """Satellites from two-line elements and OMM: against the verification run of SGP4 itself and the
 published example of its axes."""
 
+import gzip
 import pathlib
 
 import budgets
@@ -85,7 +86,10 @@ def test_a_scenario_reads_the_table(tmp_path):
     satellite = satellites.satellite_from_tle(*VANGUARD)
     epoch = polhode.calendar_date("UTC", 2000, 6, 28)
     orbit = satellite.orbit(epoch, 0, 7200)
-    satellite.write(tmp_path / "vanguard.csv.gz", epoch, 0, 7200)
+    satellite.write(tmp_path / "vanguard.csv.gz", "2000-06-28T00:00:00 UTC", 0, 7200)
+    head = gzip.decompress((tmp_path / "vanguard.csv.gz").read_bytes()).decode()
+    assert "t in s after 2000-06-28T00:00:00.000 UTC" in head.splitlines()[0]
+    assert [file.name for file in tmp_path.iterdir()] == ["vanguard.csv.gz"]
     scenario = polhode.Scenario.from_text(
         f"""
         schema = 1
@@ -146,8 +150,14 @@ def test_messages_that_are_wrong_say_where():
         satellites.satellite_from_omm("A,B\n")
 
 
+def test_elements_that_are_old_warn():
+    satellite = satellites.satellite_from_tle(*VANGUARD)
+    with pytest.warns(UserWarning, match="365 d from its elements, of 2000-06-27T18:50:19.734 UTC"):
+        satellite.orbit("2001-06-28T00:00:00 UTC", 0, 3600)
+
+
 def test_a_satellite_that_has_decayed_says_so():
     satellite = satellites.satellite_from_omm({**OMM, "BSTAR": "0.9", "MEAN_MOTION": "16.4",
                                                "ECCENTRICITY": "0.0005"})  # fmt: skip
-    with pytest.raises(ValueError, match="SGP4 has no position"):
+    with pytest.warns(UserWarning), pytest.raises(ValueError, match="SGP4 has no position"):
         satellite.states(satellite.epoch, [86400.0 * 100])

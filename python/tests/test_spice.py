@@ -92,7 +92,7 @@ def test_time_scales_are_those_of_spice(tmp_path):
 
 def test_an_epoch_in_utc_needs_leap_seconds(tmp_path):
     scenario = polhode.Scenario.from_text(TEXT.replace("TDB\"", "UTC\""))
-    with pytest.raises(spiceypy.utils.exceptions.SpiceyError):
+    with pytest.raises(ValueError, match="needs leap seconds: furnish a kernel"):
         polhode.spice.write_ck(scenario.run(), tmp_path / "a.bc")
     assert not list(tmp_path.iterdir())
 

@@ -63,14 +63,6 @@ Date julian_date(std::string_view text, TimeScale scale, double zero) {
   return {scale, zero + whole, rest};
 }
 
-Date epoch_date(std::string_view text) {
-  require_epoch(text);
-  const std::size_t space = text.rfind(' ');
-  const TimeScale scale = *time_scale(text.substr(space + 1));
-  text = text.substr(0, space);
-  return text.starts_with("JD ") ? julian_date(text.substr(3), scale) : date_in(text, scale);
-}
-
 Clock clock_of(const Values& values, const Units& units, std::string_view path,
                const std::string& name) {
   if (!there(values, "state.epoch"))
@@ -89,5 +81,15 @@ Clock clock_of(const Values& values, const Units& units, std::string_view path,
 }
 
 }  // namespace detail
+
+Date epoch_date(std::string_view text) {
+  detail::require_epoch(text);
+  const std::size_t space = text.rfind(' ');
+  const TimeScale scale = *time_scale(text.substr(space + 1));
+  text = text.substr(0, space);
+  return text.starts_with("JD ") ? detail::julian_date(text.substr(3), scale)
+                                 : detail::date_in(text, scale);
+}
+
 }  // namespace v0
 }  // namespace polhode

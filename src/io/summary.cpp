@@ -132,7 +132,7 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   lines.number("modulus", "elliptic parameter m", motion.modulus().m(), Dimension::number);
   lines.number("complement", "its complement 1 - m", motion.modulus().m1(), Dimension::number);
   lines.text("epoch", "epoch (t = 0)", scenario.epoch);
-  if (!scenario.epoch.empty() && is_dubious(detail::epoch_date(scenario.epoch)))
+  if (!scenario.epoch.empty() && is_dubious(epoch_date(scenario.epoch)))
     lines.text("epoch_note", "of the epoch", "leap seconds of UTC are not known for this year");
   lines.text("axes", "inertial axes", scenario.axes);
   const Quaternion& q = motion.body().q_FB();

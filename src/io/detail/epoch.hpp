@@ -6,14 +6,13 @@
 #include <string_view>
 
 #include "io/detail/values.hpp"
-#include "polhode/ephemeris/date.hpp"
+#include "polhode/io/epoch.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Each throws DomainError with what is wrong. "2013-01-05T00:00:00 UTC", "JD 2456297.5 TDB":
-Date epoch_date(std::string_view text);
+// Each throws DomainError with what is wrong.
 // "2013-01-05", "2013-01-05T00:00:00.25"; a Z at the end says what UTC says.
 Date date_in(std::string_view text, TimeScale scale);
 // "2456297.5", to all its digits; `zero` is what 0 stands for.
