@@ -31,7 +31,7 @@ scale : TimeScale, or its name: UTC, TAI, TT, TDB, UT1.
 day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of ERFA, in which a
     day with a leap second is stretched.
 text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
-    "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for any other.)");
+    "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for others.)");
   c.def(
        "__init__",
        [](Date* self, nb::handle scale, double day, double fraction) {
