@@ -58,6 +58,7 @@
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/constant_torque.hpp"
+#include "polhode/perturb/directed_path.hpp"
 #include "polhode/perturb/effect.hpp"
 #include "polhode/perturb/facet_stream.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"

@@ -114,20 +114,19 @@ density : of the air, moment / length^5: everywhere, or with `scale_height` at t
 orbit : as in SolarPressure, the body as seen from the centre. Its velocity is needed: not a
     function.
 scale_height, radius : of the density; None: the same everywhere.
-rotation : (3,), angular velocity of the air, in the axes of the orbit.
+rotation : (3,), angular velocity of the air, in inertial axes, as the orbit is.
 exit_speed : at which molecules leave a wall that they have taken the temperature of.
 reversed : the orbit is the centre as seen from the body.
-axes, name : as in SolarPressure.
+name : stands in messages.
 
 Molecules that are slow against the body; facets do not shade each other.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
       [](C* self, const Surface& surface, double density, nb::handle orbit, nb::handle scale_height,
-         nb::handle radius, nb::handle rotation, double exit_speed, bool reversed, nb::handle axes,
+         nb::handle radius, nb::handle rotation, double exit_speed, bool reversed,
          nb::handle name) {
         const std::string own = name_of(name, "AtmosphericDrag");
-        const auto of = choice<SpaceAxes>(axes, "axes");
         std::vector<SharedFunction> functions;
         Atmosphere air{.density = density};
         air.rotation = vec3(rotation, "rotation");
@@ -139,24 +138,23 @@ Molecules that are slow against the body; facets do not shade each other.)",
         }
         const AnyPerturbation term(
             own, AtmosphericDrag(surface, air, path_of(orbit, own + ": orbit", reversed, functions),
-                                 exit_speed, of));
-        new (self) C(
-            term, recipe_of("",
-                            {"surface", "density", "orbit", "scale_height", "radius", "rotation",
-                             "exit_speed", "reversed", "axes", "name"},
-                            nb::make_tuple(surface, density, orbit, scale_height, radius,
-                                           tuple_of(air.rotation), exit_speed, reversed, of, name),
-                            std::move(functions)));
+                                 exit_speed));
+        new (self)
+            C(term, recipe_of("",
+                              {"surface", "density", "orbit", "scale_height", "radius", "rotation",
+                               "exit_speed", "reversed", "name"},
+                              nb::make_tuple(surface, density, orbit, scale_height, radius,
+                                             tuple_of(air.rotation), exit_speed, reversed, name),
+                              std::move(functions)));
       },
       nb::arg("surface"), nb::arg("density"), nb::arg("orbit"),
       nb::arg("scale_height") = nb::none(), nb::arg("radius") = nb::none(),
       nb::arg("rotation") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("exit_speed") = 0.0,
-      nb::arg("reversed") = false, nb::arg("axes") = SpaceAxes::inertial,
-      nb::arg("name") = nb::none(),
+      nb::arg("reversed") = false, nb::arg("name") = nb::none(),
       nb::sig("def __init__(self, surface: Surface, density: float, orbit: typing.Any, "
               "scale_height: float | None = None, radius: float | None = None, rotation: "
               "numpy.typing.ArrayLike = (0.0, 0.0, 0.0), exit_speed: float = 0.0, reversed: bool = "
-              "False, axes: SpaceAxes | str = 'inertial', name: str | None = None) -> None"));
+              "False, name: str | None = None) -> None"));
   c.def_prop_ro(
       "surface", [](const C& term) { return term.recipe.argument(0); },
       nb::for_getter(nb::sig("def surface(self) -> Surface")), "What the air meets.");

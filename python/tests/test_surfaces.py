@@ -133,6 +133,9 @@ def test_sunlight_and_air():
         polhode.AtmosphericDrag(surface, -1.0, orbit)
     with pytest.raises(ValueError, match="velocity"):
         polhode.AtmosphericDrag(surface, 1.0, lambda t: [1, 0, 0])
+    # its velocity is that in inertial axes
+    with pytest.raises(TypeError):
+        polhode.AtmosphericDrag(surface, 1.0, orbit, axes="reference")
     with pytest.raises(ValueError, match="needs `sun`"):
         polhode.SolarPressure(surface, 1.0, 1.0, orbit, shadow="cylinder", radius=1.0)
 

@@ -21,12 +21,8 @@ void require(bool good, const char* what, double x, const char* requirement) {
 }  // namespace
 
 AtmosphericDrag::AtmosphericDrag(const Surface& surface_B, const Atmosphere& air, DirectedPath path,
-                                 double exit_speed, SpaceAxes axes)
-    : stream_(surface_B, molecule_law),
-      air_(air),
-      path_(std::move(path)),
-      exit_speed_(exit_speed),
-      axes_(axes) {
+                                 double exit_speed)
+    : stream_(surface_B, molecule_law), air_(air), path_(std::move(path)), exit_speed_(exit_speed) {
   require(air.density >= 0.0 && std::isfinite(air.density), "density", air.density,
           "at least 0 and finite");
   require(air.radius > 0.0 && std::isfinite(air.radius), "radius", air.radius,

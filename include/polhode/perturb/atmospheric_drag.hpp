@@ -8,9 +8,11 @@
 // Units       rho in moment per length^5, lengths, speeds and rates in those of the orbit.
 // Domain      free-molecular flow: mean free path long against the body. Molecules that are slow
 //             against it: facets within some 1/S of edge-on, S the ratio of the speeds, get less
-//             than in truth (S is 5 to 10 in low orbits). Facets do not shade each other. The
-//             exit speed of molecules from a wall of temperature T is sqrt(pi R T / 2), R the gas
-//             constant over the molar mass. The surface is along the principal axes.
+//             than in truth (docs/guide/torques/sunlight-and-air.md). Facets do not shade each
+//             other. The exit speed of molecules from a wall of temperature T is sqrt(pi R T / 2),
+//             R the gas constant over the molar mass. The surface is along the principal axes; the
+//             orbit is in inertial axes, so that its velocity is the body's. An orbit that gives
+//             NaN makes the torque NaN.
 // Accuracy    a few roundings of the sum of the moduli. Position and velocity are those of double
 //             for every number type.
 // Errors      DomainError for a density that is negative, a radius or scale height that is not
@@ -20,7 +22,8 @@
 
 #include <limits>
 
-#include "polhode/perturb/solar_pressure.hpp"
+#include "polhode/perturb/directed_path.hpp"
+#include "polhode/perturb/facet_stream.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -40,20 +43,19 @@ class AtmosphericDrag {
 
   // `path` is the body as seen from the centre of the atmosphere.
   AtmosphericDrag(const Surface& surface_B, const Atmosphere& air, DirectedPath path,
-                  double exit_speed = 0.0, SpaceAxes axes = SpaceAxes::inertial);
+                  double exit_speed = 0.0);
 
   const Surface& surface() const { return stream_.surface(); }
   const Atmosphere& air() const { return air_; }
   const DirectedPath& path() const { return path_; }
   double exit_speed() const { return exit_speed_; }
-  SpaceAxes axes() const { return axes_; }
 
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     const Flow flow = flow_at(to_double(at.t), to_double(at.t_rest));
-    if (!(flow.speed > 0.0)) return {};
+    if (flow.speed == 0.0) return {};  // NaN goes on
     const BasicVec3<T> e =
-        body_from_space(at, axes_, BasicVec3<T>{T(flow.from.x), T(flow.from.y), T(flow.from.z)});
+        body_from_inertial(at, BasicVec3<T>{T(flow.from.x), T(flow.from.y), T(flow.from.z)});
     return {{}, T(flow.pressure) * stream_.torque(e, T(exit_speed_ / flow.speed))};
   }
 
@@ -69,7 +71,6 @@ class AtmosphericDrag {
   Atmosphere air_;
   DirectedPath path_;
   double exit_speed_;
-  SpaceAxes axes_;
 };
 
 }  // namespace v0

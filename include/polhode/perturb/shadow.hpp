@@ -6,12 +6,12 @@
 //             discs of angular radii asin(R/d) as circles in a plane (Montenbruck & Gill 2000,
 //             section 3.4.2): total, annular, partial.
 // Units       any unit of length.
-// Domain      a place inside the body is dark. The border of the cylinder is a jump of the light,
-//             those of the cone are kinks: an adaptive method finds both, and pays with repeated
-//             steps (docs/guide/torques/sunlight-and-air.md); a splitting with fixed steps has
-//             there the error of order 1 and 2.
-// Accuracy    the formula to a few roundings. The plane of the discs costs 2.3e-4 of the full light
-//             at most within the penumbra 400 km above the Earth, less further out.
+// Domain      a place inside the body is dark; NaN is not. The border of the cylinder is a jump of
+//             the light, those of the cone are kinks: an adaptive method finds both, and pays with
+//             repeated steps (docs/guide/torques/sunlight-and-air.md); a splitting with fixed steps
+//             has there the error of order 1 and 2.
+// Accuracy    the formula to a few roundings. The plane of the discs costs budget shadow_plane of
+//             the full light at most within the penumbra of a low orbit, less further out.
 // Errors      DomainError for radii that are not positive.
 // Cost        cylinder some 30 flops; cone two arcsines and at most three arctangents.
 #pragma once
@@ -38,7 +38,7 @@ class Shadow {
     using std::asin;
     using std::atan2;
     const T sun = norm(to_sun), away = norm(to_body), radius(radius_);
-    if (!(radius < away)) return T(0.0);
+    if (away < radius || away == radius) return T(0.0);
     const BasicVec3<T> s = (T(1.0) / sun) * to_sun;
     const T across = norm(cross(s, to_body)), ahead = dot(s, to_body);
     if (shape_ == ShadowShape::cylinder) return T(0.0) < ahead && across < radius ? T(0.0) : T(1.0);

@@ -8,7 +8,8 @@
 // Domain      `path` is the body as seen from what it orbits; without `sun` that is the Sun itself,
 //             and nothing throws a shadow. Otherwise `sun` is the Sun as seen from what the body
 //             orbits. Both in inertial or in reference-frame axes. The surface is along the
-//             principal axes. Facets do not shade each other. No energy: light is no potential.
+//             principal axes. Facets do not shade each other. No energy: light is no potential. An
+//             orbit that gives NaN makes the torque NaN.
 // Accuracy    a few roundings of the sum of the moduli over the facets.
 // Errors      DomainError for a pressure or a distance that is not positive; a shadow without a
 //             sun.
@@ -18,8 +19,7 @@
 
 #include <optional>
 
-#include "polhode/orbit/orbit.hpp"
-#include "polhode/perturb/effect.hpp"
+#include "polhode/perturb/directed_path.hpp"
 #include "polhode/perturb/facet_stream.hpp"
 #include "polhode/perturb/shadow.hpp"
 
@@ -32,33 +32,6 @@ struct Sunlight {
   double distance;
 
   constexpr bool operator==(const Sunlight&) const = default;
-};
-
-// An orbit, or its reverse: the centre as seen from the body.
-struct DirectedPath {
-  AnyOrbit orbit;
-  bool reversed = false;
-
-  template <Real T>
-  BasicVec3<T> position(const BasicSetting<T>& at) const {
-    const BasicVec3<T> x = along(at);
-    return reversed ? -x : x;
-  }
-  Vec3 velocity(double t) const {
-    const Vec3 v = orbit.velocity(t);
-    return reversed ? -v : v;
-  }
-
- private:
-  template <Real T>
-  BasicVec3<T> along(const BasicSetting<T>& at) const {
-    if constexpr (std::same_as<T, Tangent>) {
-      const Vec3 x = orbit.position(at.t.value, at.t_rest.value);  // no variable moves the time
-      return {Tangent(x.x), Tangent(x.y), Tangent(x.z)};
-    } else {
-      return detail::position_at(orbit, at.t, at.t_rest);
-    }
-  }
 };
 
 class SolarPressure {
@@ -88,7 +61,7 @@ class SolarPressure {
       to_sun = sun_->position(at) - from_centre;
       if (shadow_) visible = shadow_->visible(to_sun, -from_centre);
     }
-    if (!(T(0.0) < visible)) return {};
+    if (visible == T(0.0)) return {};  // NaN goes on
     const T r = norm(to_sun), ratio = T(light_.distance) / r;
     const BasicVec3<T> e = body_from_space(at, axes_, (T(1.0) / r) * to_sun);
     return {{}, (visible * (T(light_.pressure) * (ratio * ratio))) * stream_.torque(e)};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "budgets.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
@@ -263,6 +264,25 @@ TEST(AtmosphericDrag, PlateByHand) {
   // everywhere the same
   const AtmosphericDrag even(plate, {.density = 0.5}, line({0, 10, 0}, {5, 0, 0}));
   EXPECT_NEAR(even.effect(at).u.y, -6.0 * 0.5 * 25.0, budget::surface_eps * eps * 80.0);
+}
+
+// The velocity against the air is that in inertial axes, whatever frame the state is in: along
+// axes that turn it would lack their turning.
+static_assert(!std::is_constructible_v<AtmosphericDrag, Surface, Atmosphere, DirectedPath, double,
+                                       polhode::SpaceAxes>);
+
+// A body that stands still in space meets no air, in a frame that turns as well; nor does one that
+// the air carries along.
+TEST(AtmosphericDrag, NothingWhereTheAirStands) {
+  const Case c = drawn_case(923, 0);
+  const Surface surface = drawn_surface(924, 4);
+  const Vec3 x{3.0, 1.0, -2.0}, turning{0.1, 0.2, -0.3};
+  const Atmosphere carried{.density = 2.0, .rotation = turning};
+  EXPECT_EQ(AtmosphericDrag(surface, {.density = 2.0}, still(x)).effect(c.on<double>()), Effect{});
+  const Vec3 v = cross(turning, x);
+  const DirectedPath along = line(x - c.t * v, v);
+  const Effect e = AtmosphericDrag(surface, carried, along).effect(c.on<double>());
+  EXPECT_LE(norm(e.u), budget::surface_eps * eps);
 }
 
 // The velocity is that of the orbit.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// DirectedPath: an orbit or its reverse, for terms that must know which of two bodies moves.
+//
+// Equations   the centre as seen from the body is minus the body as seen from the centre.
+// Units       those of the orbit.
+// Domain      a velocity where the orbit has one (AnyOrbit::supports_velocity). For Tangent the
+//             orbit is evaluated in double: no variable moves the time.
+// Accuracy    that of the orbit. The velocity is that at t, without the rest of the time.
+// Errors      those of the orbit.
+// Cost        that of the orbit.
+#pragma once
+
+#include "polhode/orbit/orbit.hpp"
+#include "polhode/perturb/effect.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct DirectedPath {
+  AnyOrbit orbit;
+  bool reversed = false;
+
+  template <Real T>
+  BasicVec3<T> position(const BasicSetting<T>& at) const {
+    const BasicVec3<T> x = along(at);
+    return reversed ? -x : x;
+  }
+  Vec3 velocity(double t) const {
+    const Vec3 v = orbit.velocity(t);
+    return reversed ? -v : v;
+  }
+
+ private:
+  template <Real T>
+  BasicVec3<T> along(const BasicSetting<T>& at) const {
+    if constexpr (std::same_as<T, Tangent>) {
+      const Vec3 x = orbit.position(at.t.value, at.t_rest.value);
+      return {Tangent(x.x), Tangent(x.y), Tangent(x.z)};
+    } else {
+      return detail::position_at(orbit, at.t, at.t_rest);
+    }
+  }
+};
+
+}  // namespace v0
+}  // namespace polhode
