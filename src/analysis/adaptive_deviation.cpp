@@ -33,8 +33,10 @@ class AdaptiveDeviation final : public DeviationRun {
       : clock_(clock_of(problem, options)),
         breakpoints_(problem.system),
         target_(is_linear ? 1.0 : options.distance),
-        solver_(Field(problem.system, clock_, problem.stop < problem.start ? -1.0 : 1.0), {},
-                problem.start, start_values(problem, options),
+        solver_({std::make_shared<const Field>(problem.system, clock_,
+                                               problem.stop < problem.start ? -1.0 : 1.0),
+                 {}},
+                {}, problem.start, start_values(problem, options),
                 {method.tolerance, method.first_step, method.largest_step}) {
     // as it is after rounding, of a neighbour
     clock_.initial_length = length(now());
@@ -45,10 +47,11 @@ class AdaptiveDeviation final : public DeviationRun {
   std::string advance(double t) override {
     const DoubleDouble begin = solver_.time();
     const RotorValues<double> y = first_rotor(solver_.state().y);
-    // no pulse of a torque is stepped over
+    // no pulse of a torque is stepped over, and none is seen from the other side
+    solver_.field().stretch = breakpoints_.stretch(begin.hi, t);
     const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, t));
     if (outcome != StepOutcome::made)
-      return failure_text(solver_.field().rotor(), begin, y, solver_.trial(), outcome);
+      return failure_text(solver_.field().field->rotor(), begin, y, solver_.trial(), outcome);
     restore_norm(solver_.state(), 0);
     if constexpr (!is_linear) restore_norm(solver_.state(), 8);
     bring_back();
@@ -95,7 +98,7 @@ class AdaptiveDeviation final : public DeviationRun {
   GrowthClock clock_;
   Breakpoints breakpoints_;
   double target_;
-  AdaptiveRungeKutta<Verner98, double, 16, Field, DeviatedErrorSize<Field>> solver_;
+  AdaptiveRungeKutta<Verner98, double, 16, SmoothField<Field>, DeviatedErrorSize<Field>> solver_;
 };
 
 }  // namespace

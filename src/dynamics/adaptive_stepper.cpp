@@ -55,16 +55,6 @@ DamperValues<T> start_values(const DamperField<T>&, const BasicRotorState<T>& s,
   return damper_values(s, damper_rate);
 }
 
-// f by a shared pointer: steps that outlive the run share it. On one smooth stretch.
-template <class Field>
-struct SmoothField {
-  std::shared_ptr<const Field> field;
-  SmoothStretch stretch;
-  typename Field::Values operator()(const DoubleDouble& t, const typename Field::Values& y) const {
-    return (*field)(stretch.inside(t), y);
-  }
-};
-
 template <class Field>
 using State = CompensatedState<typename Field::Number, std::tuple_size_v<typename Field::Values>>;
 

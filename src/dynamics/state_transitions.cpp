@@ -44,15 +44,6 @@ void require_finite(const TransitionSample& row) {
                     ": take a smaller step, or see whether a term is finite there");
 }
 
-struct SmoothField {
-  detail::RotorField<Tangent> field;
-  detail::SmoothStretch stretch;
-  detail::RotorValues<Tangent> operator()(const DoubleDouble& t,
-                                          const detail::RotorValues<Tangent>& y) const {
-    return field(stretch.inside(t), y);
-  }
-};
-
 // By the variational equations, which are those of a dual state.
 struct Transitions {
   const Problem& problem;
@@ -68,10 +59,11 @@ struct Transitions {
       throw DomainError("state_transitions: tolerance " + number_text(method.tolerance) +
                         " must be from 1e-15: derivatives are carried in double");
     const detail::Breakpoints breakpoints(problem.system);
-    AdaptiveRungeKutta<Verner98, Tangent, 7, SmoothField, detail::RotorErrorSize> solver(
-        {detail::RotorField<Tangent>(problem.system), {}}, {}, problem.start,
-        detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
-        {method.tolerance, method.first_step, method.largest_step});
+    using Field = detail::RotorField<Tangent>;
+    AdaptiveRungeKutta<Verner98, Tangent, 7, detail::SmoothField<Field>, detail::RotorErrorSize>
+        solver({std::make_shared<const Field>(problem.system), {}}, {}, problem.start,
+               detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
+               {method.tolerance, method.first_step, method.largest_step});
     std::vector<TransitionSample> rows;
     for (const double t : times) {
       while (solver.time() != DoubleDouble(t)) {
@@ -80,7 +72,7 @@ struct Transitions {
         const StepOutcome outcome = solver.advance(breakpoints.end(now, t));
         if (outcome != StepOutcome::made)
           throw DomainError("state_transitions: " +
-                            detail::failure_text(solver.field().field, solver.time(),
+                            detail::failure_text(*solver.field().field, solver.time(),
                                                  solver.state().y, solver.trial(), outcome));
         tell(solver.time().hi);
       }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Breakpoints: the times at which a term of a system is not smooth, and the smooth stretch around a
-// step.
+// Breakpoints: the times at which a term of a system is not smooth, the smooth stretch around a
+// step, and the rates on it.
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "polhode/math/double_double.hpp"
@@ -28,6 +29,18 @@ struct SmoothStretch {
  private:
   DoubleDouble above_from() const;
   DoubleDouble below_to() const;
+};
+
+// The rates of a field on one stretch. By a shared pointer: steps that outlive a run share them.
+template <class Field>
+struct SmoothField {
+  std::shared_ptr<const Field> field;
+  SmoothStretch stretch;
+
+  template <class Values>
+  Values operator()(const DoubleDouble& t, const Values& y) const {
+    return (*field)(stretch.inside(t), y);
+  }
 };
 
 class Breakpoints {

@@ -13,6 +13,7 @@
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/linear_damping.hpp"
+#include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "unit/analysis/hyperion.hpp"
 
@@ -46,24 +47,27 @@ TEST(ChaosIndicator, FreeRotationIsRegular) {
   }
 }
 
+// Of the deviation that is taken when none is given, from `tumbling` on.
+double growth_by(const Matrix6& M) {
+  const Deviation d = ChaosOptions().deviation;
+  const double g = norm(tumbling.g);
+  const double before = std::sqrt(dot(d.turn, d.turn) + dot(d.momentum, d.momentum));
+  double square = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    double x = 0.0;
+    for (int j = 0; j < 3; ++j) x += M(i, j) * d.turn[j] + M(i, j + 3) * g * d.momentum[j];
+    square += i < 3 ? x * x : x * x / (g * g);
+  }
+  return std::log(std::sqrt(square) / before);
+}
+
 // The growth is that of the exact state transition matrix of the free rotation.
 TEST(ChaosIndicator, GrowthIsThatOfTheStateTransitionMatrix) {
   const FreeRotation free(body, tumbling);
-  const ChaosOptions options;
-  const Deviation& d = options.deviation;
-  const double g = norm(tumbling.g);
-  const double before = std::sqrt(dot(d.turn, d.turn) + dot(d.momentum, d.momentum));
   const auto found =
       chaos_indicator(free_problem(40.0, Adaptive{1e-13}), SaveAt::count(0.0, 40.0, 9));
   for (const ChaosSample& row : found.samples) {
-    const Matrix6 M = free.state_transition(row.t);
-    double square = 0.0;
-    for (int i = 0; i < 6; ++i) {
-      double x = 0.0;
-      for (int j = 0; j < 3; ++j) x += M(i, j) * d.turn[j] + M(i, j + 3) * g * d.momentum[j];
-      square += i < 3 ? x * x : x * x / (g * g);
-    }
-    EXPECT_NEAR(row.growth, std::log(std::sqrt(square) / before), budget::chaos_growth);
+    EXPECT_NEAR(row.growth, growth_by(free.state_transition(row.t)), budget::chaos_growth);
   }
 }
 
@@ -222,6 +226,31 @@ TEST(ChaosIndicator, InAMovingFrameAndBackwards) {
       EXPECT_NEAR(a.mean_megno, b.mean_megno, budget::chaos_trapezoid);
     }
     EXPECT_GT(a.mean_megno, 0.0);
+  }
+}
+
+// A torque that jumps every 5 s: each step ends at a jump and sees the torque of its own side, so
+// that none is tried again. The growth is that of the transition matrices.
+TEST(ChaosIndicator, StepsEndWhereATorqueJumps) {
+  std::vector<TorqueRow> rows;
+  for (int k = 0; k <= 20; ++k)
+    rows.push_back({5.0 * k, {0.02 * (k % 3 - 1), 0.01 * (k % 2), 0.03 * (k % 4 - 2)}});
+  const AnyPerturbation jets(
+      "jets", TorqueTable(rows, {TorqueTable::Between::step, TorqueTable::Outside::zero, {}}));
+  for (const bool backwards : {false, true}) {
+    const double start = backwards ? 100.0 : 0.0, stop = 100.0 - start;
+    const Problem problem{
+        System(body, Frame::inertial(), {jets}), tumbling, start, stop, Adaptive{1e-13}, {}};
+    const SaveAt end = SaveAt::times({stop});
+    const Statistics plain = integrate(problem).statistics();
+    const double want = growth_by(state_transitions(problem, end).back().transition);
+    for (const bool neighbour : {false, true}) {
+      const auto found = chaos_indicator(problem, end, {.neighbour = neighbour});
+      EXPECT_LE(found.statistics.rejected, plain.rejected + 3) << backwards << neighbour;
+      EXPECT_LE(found.statistics.steps, 2 * plain.steps) << backwards << neighbour;
+      EXPECT_NEAR(found.samples.back().growth, want,
+                  neighbour ? budget::chaos_neighbour : budget::chaos_growth);
+    }
   }
 }
 
