@@ -43,6 +43,7 @@ inline constexpr double shadow_plane = 2.3e-4;
 // Against 600 x 600 points; error of the library relative to area times size.
 inline constexpr double yorp_brute_force = 1e-3;
 inline constexpr double yorp_quadrature = 1e-12;
+inline constexpr double yorp_not_zero = 1e-4;  // what a body that emits has at least
 // Of the series to degree 3000, whose terms fall with the third power.
 inline constexpr double yorp_series = 5e-12;
 
@@ -221,6 +222,13 @@ inline constexpr double kepler_wide_eps = 16.0;
 inline constexpr double kepler_elements = 1e-13;
 // The node of a published sun-synchronous orbit, first order in J2.
 inline constexpr double sun_synchronous_deg_per_day = 5e-4;
+inline constexpr double j2_rates_eps = 4.0;
+// Against orbits integrated with the force of J2 (tests/oracle/oblate_motion.hpp): the rates
+// relative to their scale, in J2; the mean axis relative to itself, in J2^2; km in ten days.
+inline constexpr double j2_rates_relative = 5.0;
+inline constexpr double j2_mean_axis = 3.0;
+inline constexpr double j2_low_orbit_km = 30.0;
+inline constexpr double j2_eccentric_orbit_km = 40.0;
 
 // --- splittings (tests/unit/dynamics/splitting.cpp) ---
 // Sum of the coefficients, in double-double, less 1.

@@ -34,21 +34,48 @@ PlanarKepler::Shape shape(const KeplerElements& elements, const SecularRates& ra
   return s;
 }
 
+void require_oblate(const KeplerElements& k, double J2, double R, const char* function) {
+  require_valid(k, function);
+  const std::string name(function);
+  if (!(k.eccentricity < 1.0))
+    throw DomainError(name + ": eccentricity " + detail::number_text(k.eccentricity) +
+                      " must be below 1: a hyperbola has no secular rates");
+  if (!std::isfinite(J2) || !(R > 0.0) || !std::isfinite(R))
+    throw DomainError(name + ": J2 " + detail::number_text(J2) + " and equatorial radius " +
+                      detail::number_text(R) + " must be finite, the radius positive");
+}
+
 }  // namespace
 
 SecularRates j2_rates(const KeplerElements& k, double J2, double R) {
-  require_valid(k, "j2_rates");
-  if (!(k.eccentricity < 1.0))
-    throw DomainError("j2_rates: eccentricity " + detail::number_text(k.eccentricity) +
-                      " must be below 1: a hyperbola has no secular rates");
-  if (!std::isfinite(J2) || !(R > 0.0) || !std::isfinite(R))
-    throw DomainError("j2_rates: J2 " + detail::number_text(J2) + " and equatorial radius " +
-                      detail::number_text(R) + " must be finite, the radius positive");
+  require_oblate(k, J2, R, "j2_rates");
   const double ratio = R / (k.pericentre * (1.0 + k.eccentricity));
   const double size = 1.5 * mean_motion(k) * J2 * ratio * ratio;
   const double c = std::cos(k.inclination), s = std::sin(k.inclination);
   const double axes = std::sqrt((1.0 - k.eccentricity) * (1.0 + k.eccentricity));
   return {-size * c, size * (2.0 - 2.5 * s * s), size * axes * (1.0 - 1.5 * s * s)};
+}
+
+KeplerElements mean_elements(const KeplerElements& k, double J2, double R) {
+  require_oblate(k, J2, R, "mean_elements");
+  const Vec3 x = KeplerOrbit(k).position(k.epoch);
+  const double r = norm(x), sine = x.z / r, s = std::sin(k.inclination), e = k.eccentricity;
+  const double own = semi_major_axis(k), square = (1.0 - e) * (1.0 + e);
+  const double here = (R / r) * (R / r) * (1.0 - 3.0 * sine * sine) * (own / r);
+  const double mean = (R / own) * (R / own) * (1.0 - 1.5 * s * s) / (square * std::sqrt(square));
+  // ratio = a_s / a; each trip is nearer by some J2, about the Earth 6 do
+  double ratio = 1.0, change = 1.0;
+  for (int trip = 0; trip < 60 && std::abs(change) > 1e-15; ++trip) {
+    const double next = 1.0 + J2 * (here - mean * (ratio * ratio * ratio));
+    change = next - ratio;
+    ratio = next;
+  }
+  if (!(ratio > 0.0) || !(std::abs(change) <= 1e-15))
+    throw DomainError("mean_elements: J2 " + detail::number_text(J2) +
+                      " is too large at this distance: there is no mean ellipse");
+  KeplerElements out = k;
+  out.pericentre = k.pericentre / ratio;
+  return out;
 }
 
 PrecessingKeplerOrbit::PrecessingKeplerOrbit(const KeplerElements& elements,

@@ -5,12 +5,18 @@
 //             - epoch); the mean anomaly also has n = sqrt(gm / a^3). j2_rates: the secular rates
 //             of first order of an oblate body, with p = a (1 - e^2) and k = (3/2) n J2 (R / p)^2:
 //             node -k cos i, argument k (2 - (5/2) sin^2 i), mean anomaly k sqrt(1 - e^2) (1 -
-//             (3/2) sin^2 i).
+//             (3/2) sin^2 i). mean_elements: the axis a of the mean ellipse has the energy of the
+//             state, 1/a = 1/a_s + J2 R^2 ((1 - 3 z^2 / r^2) / r^3 - (1 - (3/2) sin^2 i) / (a^3 (1
+//             - e^2)^(3/2))), a_s and r at the epoch, the last part the mean of the one before.
 // Units       any consistent set; rates in rad per time.
 // Domain      that of KeplerOrbit; n plus the rate of the mean anomaly must be positive. J2 of any
-//             sign, ellipses only, inclination against the equator of the body.
-// Accuracy    budget kepler_*: all three angles are formed and reduced in double-double.
-// Errors      DomainError for elements out of the domain or rates that are not finite.
+//             sign, ellipses only, inclination against the equator of the body. mean_elements moves
+//             the axis alone, whose error would grow along the orbit; the other elements keep their
+//             short-period terms, and the orbit has none (docs/guide/orbits.md).
+// Accuracy    budget kepler_*: all three angles are formed and reduced in double-double. Rates and
+//             mean axis are of first order in J2: budget j2_*.
+// Errors      DomainError for elements out of the domain or rates that are not finite, for a J2 too
+//             large for a mean ellipse.
 // Cost        some 50 ns for e <= 0.5, 240 ns above (benchmarks/orbit.cpp).
 #pragma once
 
@@ -29,6 +35,10 @@ struct SecularRates {
 };
 
 SecularRates j2_rates(const KeplerElements& elements, double J2, double equatorial_radius);
+
+// Of the ellipse through a state of an orbit about an oblate body, what j2_rates and a
+// PrecessingKeplerOrbit take.
+KeplerElements mean_elements(const KeplerElements& osculating, double J2, double equatorial_radius);
 
 class PrecessingKeplerOrbit {
  public:

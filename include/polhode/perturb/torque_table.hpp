@@ -5,11 +5,12 @@
 //             Fritsch and Carlson (1980) with the slopes of Fritsch and Butland (1984), which has
 //             no extremum that the rows do not have (cubic).
 // Units       time; momentum per time.
-// Domain      times that increase; one row is a torque from its time on (step). The components are
-//             those of body axes or of a space. At a row of a step table the new value holds. Where
-//             two pieces meet the torque is not smooth: those times are breakpoints, where
-//             integrate ends a step, so that no pulse is stepped over. It is no kick: a splitting
-//             of fixed steps could miss one.
+// Domain      times that increase. The components are those of body axes or of a space. At a row of
+//             a step table the new value holds, until the next row's time: the last row is a torque
+//             for longer than that moment only where outside = hold, and then the first one is
+//             before its time too (one row: at all times). Where two pieces meet the torque is not
+//             smooth: those times are breakpoints, where integrate ends a step, so that no pulse is
+//             stepped over. It is no kick: a splitting of fixed steps could miss one.
 // Accuracy    a few roundings of the largest row of a piece.
 // Errors      DomainError for rows that are not finite, times that do not increase, no row; from
 //             effect outside the table where that is `refuse`.

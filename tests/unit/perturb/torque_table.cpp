@@ -44,6 +44,16 @@ TEST(TorqueTable, StepHoldsTheRowBefore) {
   EXPECT_EQ(value(TorqueTable(rows, {Between::step, Outside::hold, {}}), 70.0), rows[3].torque);
 }
 
+// A row alone: of that moment, or of all times.
+TEST(TorqueTable, OneRowOfAStep) {
+  const std::vector<TorqueRow> one = {{1.0, {0.0, 0.0, 3.0}}};
+  const TorqueTable moment(one, {Between::step, Outside::zero, {}});
+  EXPECT_EQ(value(moment, 1.0), one[0].torque);
+  EXPECT_EQ(value(moment, 1.001), Vec3{});
+  const TorqueTable always(one, {Between::step, Outside::hold, {}});
+  for (const double t : {-9.0, 1.0, 9.0}) EXPECT_EQ(value(always, t), one[0].torque);
+}
+
 TEST(TorqueTable, LinearIsTheStraightLine) {
   const TorqueTable table(rows, {Between::linear, Outside::zero, {}});
   EXPECT_EQ(value(table, 1.25), (Vec3{1.5, 0.0, 2.0}));
