@@ -92,7 +92,7 @@ nb::object drag(const AtmosphericDrag& term, const std::string& name) {
   }
   return core("AtmosphericDrag")(
       nb::cast(term.surface()), air.density, orbit_object(term.path().orbit), height, radius,
-      tuple_of(air.rotation), term.exit_speed(), term.path().reversed, nb::cast(term.axes()), name);
+      tuple_of(air.rotation), term.exit_speed(), term.path().reversed, name);
 }
 
 // Null where the term follows no orbit of type O.
