@@ -93,6 +93,24 @@ void bind_rates(nb::module_& m) {
         "SecularRates of first order about an oblate body: its J2, its equatorial radius in the "
         "unit of length of the elements, whose inclination is against its equator. ValueError for "
         "a hyperbola.");
+  m.def("mean_elements", &mean_elements, nb::arg("osculating"), nb::arg("J2"),
+        nb::arg("equatorial_radius"),
+        R"(The KeplerElements that j2_rates takes, of those of a state about an oblate body.
+
+The axis a of the mean ellipse has the energy of the state, to first order in J2:
+1/a = 1/a_s + J2 R^2 ((1 - 3 z^2/r^2)/r^3 - (1 - 3/2 sin^2 i)/(a^3 (1 - e^2)^(3/2))), a_s and r at
+the epoch. The other elements are left as they are, with their terms of short period.
+
+Parameters
+----------
+osculating : KeplerElements of a state (KeplerOrbit.from_state), inclination (rad) against the
+    equator of the body. ValueError for a hyperbola.
+J2, equatorial_radius : of the body; the radius in the unit of length of the elements. ValueError
+    where J2 is so large that no ellipse has that energy.
+
+Returns
+-------
+KeplerElements with another pericentre.)");
 }
 
 struct Position {

@@ -18,6 +18,7 @@ from polhode import (
     PrecessingKeplerOrbit,
     SecularRates,
     j2_rates,
+    mean_elements,
     mean_motion,
     pericentre_distance,
     semi_major_axis,
@@ -135,6 +136,37 @@ def test_the_node_of_a_sun_synchronous_orbit_turns_once_a_year():
                     atol=ROUNDED * p)
     with pytest.raises(ValueError, match="j2_rates"):
         j2_rates(FLYBY, 1e-3, 1.0)
+
+
+def test_an_orbit_from_a_state_about_the_earth_keeps_its_place():
+    gm, J2, R, step = 398600.4418, 1.08262668e-3, 6378.1363, 20.0
+
+    def rates(y):
+        x, r = y[:3], np.linalg.norm(y[:3])
+        s = 5.0 * (x[2] / r) ** 2
+        k = 1.5 * J2 * gm * R**2 / r**5
+        return np.append(y[3:], -gm / r**3 * x - k * np.array([1.0 - s, 1.0 - s, 3.0 - s]) * x)
+
+    speed = math.sqrt(gm / 7144.5)
+    y = np.array([7144.5, 0, 0, 0, -0.139 * speed, 0.990 * speed])
+    state = KeplerOrbit.from_state(y[:3], y[3:], gm)
+    e = mean_elements(state.elements, J2=J2, equatorial_radius=R)
+    assert e.eccentricity == state.elements.eccentricity
+    for _ in range(4320):  # a day
+        a = rates(y)
+        b = rates(y + 0.5 * step * a)
+        c = rates(y + 0.5 * step * b)
+        d = rates(y + step * c)
+        y = y + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
+
+    def missed(elements):
+        orbit = PrecessingKeplerOrbit(elements, j2_rates(elements, J2, R))
+        return np.linalg.norm(orbit.position(86400.0) - y[:3])
+
+    assert missed(e) < budgets.j2_low_orbit_km
+    assert missed(state.elements) > 10 * budgets.j2_low_orbit_km
+    with pytest.raises(ValueError, match="mean_elements"):
+        mean_elements(FLYBY, 1e-3, 1.0)
 
 
 def test_precessing_velocity_is_the_slope_of_position():

@@ -37,8 +37,9 @@ ScenarioOrbit state_orbit(const OrbitPlace& at) {
     refuse(values, at.key("J2"), at.name(), "expected a key radius beside it");
   const double radius = number(values, at.key("radius"));
   if (!(radius > 0.0)) refuse(values, at.key("radius"), at.name(), "expected a positive length");
-  const KeplerElements elements = from(x, v).elements();
+  const KeplerElements osculating = from(x, v).elements();
   const PrecessingKeplerOrbit moving = built(values, at.key("J2"), at.name(), [&] {
+    const KeplerElements elements = mean_elements(osculating, J2, radius);
     return PrecessingKeplerOrbit(elements, j2_rates(elements, J2, radius));
   });
   return precessing_orbit(at, moving);

@@ -141,7 +141,7 @@ constexpr Key keys[] = {
      .fallback = "0",
      .example = "1.0826e-3",
      .help = "Oblateness of the attracting body, whose pole is axis 3 of `axes`: node, pericentre "
-             "and mean anomaly of the osculating ellipse then advance at their secular rates of "
+             "and mean anomaly of the mean ellipse then advance at their secular rates of "
              "first order.",
      .kinds = of_state},
     {.path = "orbit.*.radius",

@@ -86,8 +86,8 @@ that returns three numbers is an orbit wherever one is expected.
 """, {
         "Frames": "Frame FrameMotion",
         "Orbits":
-            "KeplerElements KeplerOrbit PrecessingKeplerOrbit SecularRates j2_rates mean_motion "
-            "semi_major_axis pericentre_distance TurnedKeplerOrbit TableOrbit",
+            "KeplerElements KeplerOrbit PrecessingKeplerOrbit SecularRates j2_rates mean_elements "
+            "mean_motion semi_major_axis pericentre_distance TurnedKeplerOrbit TableOrbit",
         "Dates": "Date TimeScale calendar_date date_after seconds_between",
         "Sun, Moon and planets":
             "Planetary planetary_position planetary_orbit planetary_gm j2000_from_teme",

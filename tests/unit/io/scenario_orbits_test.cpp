@@ -10,6 +10,7 @@
 #include <string>
 
 #include "budgets.hpp"
+#include "oracle/oblate_motion.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/io/scenario.hpp"
 
@@ -86,6 +87,17 @@ TEST_F(ScenarioOrbits, AnOblatePrimaryTurnsIt) {
               budget::table_orbit_kepler * 7000.0);
   }
   EXPECT_TRUE(any_orbit(turned.orbits[0]).supports_velocity());
+}
+
+// And it is where the force of J2 takes it, a day later too.
+TEST_F(ScenarioOrbits, AnOblatePrimaryKeepsItNear) {
+  const Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
+  const oracle::OblateMotion motion(398600.4418, 1.0826e-3, 6378.137);
+  oracle::PointState point{{7000.0, 100.0, 300.0}, {-0.5, 5.0, 5.6}};
+  for (int i = 0; i < 8640; ++i) {
+    EXPECT_LE(norm(at(s, 10.0 * i) - point.x), budget::j2_low_orbit_km) << i;
+    point = motion.after(point, 10.0);
+  }
 }
 
 TEST_F(ScenarioOrbits, StatesThatCannotBeSayWhy) {
