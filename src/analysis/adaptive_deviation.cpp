@@ -89,10 +89,10 @@ class AdaptiveDeviation final : public DeviationRun {
     constexpr double reach = is_linear ? linear_reach : neighbour_reach;
     if (target_ < reach * size && size < reach * target_) return;
     if (!(size > 0.0) || !std::isfinite(size)) return;  // sample() says it
-    auto& [y, carry] = solver_.state();
-    Field::put(y, scaled(d, target_ / size), clock_.momentum_scale);
+    CompensatedState<double, 16>& s = solver_.state();
+    Field::put(s.y, scaled(d, target_ / size), clock_.momentum_scale);
     clock_.behind += std::log(size / length(now()));
-    for (std::size_t i = 8; i < 15; ++i) carry[i] = 0.0;
+    for (std::size_t i = 8; i < 15; ++i) s.carry[i] = 0.0;
   }
 
   GrowthClock clock_;

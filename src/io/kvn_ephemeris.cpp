@@ -44,7 +44,7 @@ void KvnEphemerisReader::fail_first_line() const {
 std::string KvnEphemerisReader::version(const KvnLine& line) const {
   const std::string key = "CCSDS_" + kind_ + "_VERS";
   if (line.key != key) fail_first_line();
-  const std::string version = value_of(line);
+  std::string version = value_of(line);
   if (!is_one_of(version, versions_)) refuse(key, version, one_of(versions_));
   return version;
 }

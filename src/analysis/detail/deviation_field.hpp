@@ -54,10 +54,9 @@ class VariationalField {
     return {{y[8], y[9], y[10]}, {y[11], y[12], y[13]}};
   }
   static void put(DeviatedValues& y, const Deviation& d, double) {
-    for (int i = 0; i < 3; ++i) {
-      y[static_cast<std::size_t>(8 + i)] = d.turn[i];
-      y[static_cast<std::size_t>(11 + i)] = d.momentum[i];
-    }
+    const Vec3 &turn = d.turn, &momentum = d.momentum;
+    const double values[] = {turn.x, turn.y, turn.z, momentum.x, momentum.y, momentum.z};
+    std::copy_n(values, 6, y.begin() + 8);
   }
 
   DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y) const {
