@@ -14,6 +14,7 @@
 #include "polhode/error.hpp"
 #include "polhode/io/sink.hpp"
 #include "polhode/version.hpp"
+#include "stop_signals.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -84,6 +85,7 @@ void print(std::string_view text) {
 }
 
 int command_line(int argc, const char* const* argv) {
+  let_large_writes_fail();
   CLI::App app("Exact rotation of rigid bodies, in every variable set.", "polhode");
   app.set_version_flag("--version", "polhode " + std::string(version()));
   app.require_subcommand(1);

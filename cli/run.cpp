@@ -102,6 +102,7 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   how.begin = options.resume    ? RunBegin::resume
               : options.restart ? RunBegin::restart
                                 : RunBegin::anew;
+  how.words = {"--resume", "--restart"};
   how.checkpoint_seconds = options.checkpoint;
   how.stop = [] { return StopSignals::came() != 0; };
   if (!rows_on_terminal) how.progress = [&progress](double t) { (*progress)(t); };
@@ -154,7 +155,10 @@ void run_scenario(const CommandOptions& options) {
   if (to_standard_output) return;
   std::vector<SummaryLine> lines = summary(scenario, free_rotation(scenario));
   if (!table_only)
-    for (SummaryLine& line : report_lines(scenario, report)) lines.push_back(std::move(line));
+    for (SummaryLine& line :
+         report_lines(scenario, report,
+                      options.events.empty() ? "--events PATH.csv" : "all in " + options.events))
+      lines.push_back(std::move(line));
   print(summary_table(lines));
   if (table_only)
     print("(no rows written: --out PATH.csv, PATH.h5, PATH.aem, or - for standard output)\n");

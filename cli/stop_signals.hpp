@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Ctrl-C and SIGTERM while a run goes on: noted, and looked at by the run between two steps. A
-// second one ends the process at once.
+// second one ends the process at once. And the signal of a file that may not grow.
 #pragma once
 
 #include <signal.h>
 
 namespace polhode::cli {
+
+// A write beyond the limit on the size of files (ulimit -f) fails, instead of ending the process.
+void let_large_writes_fail();
 
 class StopSignals {
  public:

@@ -84,6 +84,7 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   if (!events.is_none()) files.events = path_text(events);
   RunOptions options;
   options.begin = begin_of(resume, restart);
+  options.words = {"resume=True", "restart=True"};
   options.keep_events = keep;
   options.progress = told_to(progress);
   std::exception_ptr raised;
@@ -171,7 +172,8 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def("report_lines",
            [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
               const std::vector<EventRecord>& events, std::optional<double> energy_change) {
-             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change, 0}));
+             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change, 0},
+                                          "all in .events"));
            });
 }
 

@@ -51,7 +51,7 @@ def test_ctrl_c_leaves_a_run_to_continue(tmp_path, extension):
     s = scenario(1e7)
     stop_soon(lambda: s.run(path, events=tmp_path / "e.csv", keep=False))
     assert (tmp_path / f"a.{extension}.checkpoint").exists()
-    with pytest.raises(ValueError, match="unfinished run .* resume continues it, restart"):
+    with pytest.raises(ValueError, match="unfinished run .* resume=True continues it, restart"):
         s.run(path, events=tmp_path / "e.csv")
     with pytest.raises(ValueError, match="outputs was"):
         s.run(path, resume=True)

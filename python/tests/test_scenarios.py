@@ -231,7 +231,7 @@ def test_ctrl_c_stops_a_run_and_leaves_what_it_wrote(text, tmp_path):
     paths = [tmp_path / "a.csv", tmp_path / "a.h5"]
     assert seconds_from_signal(lambda: s.run(paths, keep=False)) < LATEST
     assert set(os.listdir(tmp_path)) - {"a.h5.part-undo"} == {
-        "a.csv.checkpoint", "a.csv.part", "a.h5.part"}
+        "a.csv.checkpoint", "a.csv.part", "a.h5.checkpoint", "a.h5.part"}
     rows = sum(line[0] not in "#t" for line in (tmp_path / "a.csv.part").open())
     with h5py.File(tmp_path / "a.h5.part") as file:
         assert len(file["t"]) == rows > 0

@@ -63,7 +63,7 @@ std::string regular_part_path(const std::string& path) {
 }
 
 void Hdf5Sink::require(bool good) const {
-  if (!good) throw OutputError(write_failure(part_, errno == 0 ? EIO : errno));
+  if (!good) fail_to_write(part_, errno == 0 ? EIO : errno);
 }
 
 Handle Hdf5Sink::checked(hid_t id, herr_t (*close)(hid_t)) const {

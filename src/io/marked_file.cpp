@@ -121,9 +121,7 @@ MarkedFile::~MarkedFile() {
   ::close(descriptor_);
 }
 
-void MarkedFile::fail(int error_number) const {
-  throw OutputError(write_failure(path_, error_number));
-}
+void MarkedFile::fail(int error_number) const { fail_to_write(path_, error_number); }
 
 bool MarkedFile::can_take_back(const std::string& path, const Mark& mark) {
   return !pieces_of(file_text(undo_path(path)), mark).empty();

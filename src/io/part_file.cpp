@@ -32,6 +32,14 @@ std::string write_failure(const std::string& path, int error_number) {
   return name + ": cannot be written: " + std::strerror(error_number);
 }
 
+void fail_to_write(const std::string& path, int error_number) {
+  const std::string what = write_failure(path, error_number);
+  if (error_number == ENOSPC || error_number == EDQUOT) throw NoSpace(what, "make space");
+  if (error_number == EFBIG)
+    throw NoSpace(what, "raise the limit on the size of files (ulimit -f)");
+  throw OutputError(what);
+}
+
 std::string part_path(const std::string& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -43,7 +51,7 @@ std::string part_path(const std::string& path) {
 
 void rename_part(const std::string& part, const std::string& path) {
   if (part == path) return;
-  if (std::rename(part.c_str(), path.c_str()) != 0) throw OutputError(write_failure(path, errno));
+  if (std::rename(part.c_str(), path.c_str()) != 0) fail_to_write(path, errno);
 }
 
 namespace {
@@ -55,7 +63,7 @@ void require_alone(int descriptor, const std::string& part) {
   lock.l_whence = SEEK_SET;
   if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
   ::close(descriptor);
-  throw DomainError(printable(part, longest_path) + ": another run is writing it");
+  throw FileInUse(printable(part, longest_path) + ": another run is writing it");
 }
 
 // Not where another run has given the file its name, or removed it, between open and lock.
@@ -70,10 +78,9 @@ bool is_still_at(int descriptor, const std::string& path) {
 [[noreturn]] void fail_to_open(const std::string& part, int error_number) {
   constexpr int wrong_paths[] = {EACCES, EPERM,   EROFS,        EISDIR, ENOENT,
                                  ENXIO,  ENOTDIR, ENAMETOOLONG, ELOOP,  EINVAL};
-  const std::string what = write_failure(part, error_number);
   if (std::ranges::find(wrong_paths, error_number) != std::end(wrong_paths))
-    throw DomainError(what);
-  throw OutputError(what);
+    throw DomainError(write_failure(part, error_number));
+  fail_to_write(part, error_number);
 }
 
 std::string difference(int descriptor, const PartState& state) {
@@ -91,20 +98,25 @@ std::string difference(int descriptor, const PartState& state) {
 
 }  // namespace
 
-int new_part(const std::string& part) {
+int locked_file(const std::string& path) {
   for (int trip = 0; trip < most_trips; ++trip) {
-    const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno == ENOENT)
-      throw DomainError(printable(part, longest_path) + ": its folder does not exist");
-    if (descriptor < 0) fail_to_open(part, errno);
-    require_alone(descriptor, part);
-    const bool is_ours = is_still_at(descriptor, part);
-    if (is_ours && ::ftruncate(descriptor, 0) == 0) return descriptor;
-    const int error_number = errno;
+      throw DomainError(printable(path, longest_path) + ": its folder does not exist");
+    if (descriptor < 0) fail_to_open(path, errno);
+    require_alone(descriptor, path);
+    if (is_still_at(descriptor, path)) return descriptor;
     ::close(descriptor);
-    if (is_ours) fail_to_open(part, error_number);
   }
-  throw DomainError(printable(part, longest_path) + ": other runs are writing it");
+  throw FileInUse(printable(path, longest_path) + ": other runs are writing it");
+}
+
+int new_part(const std::string& part) {
+  const int descriptor = locked_file(part);
+  if (::ftruncate(descriptor, 0) == 0) return descriptor;
+  const int error_number = errno;
+  ::close(descriptor);
+  fail_to_open(part, error_number);
 }
 
 int reopened_part(const std::string& part, const PartState& state) {
@@ -116,11 +128,16 @@ int reopened_part(const std::string& part, const PartState& state) {
     descriptor = ::open(name.c_str(), O_RDWR | O_CLOEXEC);
   }
   if (descriptor < 0)
-    throw DomainError(printable(part, longest_path) +
-                      ": cannot be continued: " + std::strerror(errno));
+    throw DomainError(printable(part, longest_path) + ": cannot be continued: " +
+                      (errno == ENOENT ? "it is gone" : std::strerror(errno)) + "; expected the " +
+                      std::to_string(state.bytes) + " bytes that the unfinished run has written");
   require_alone(descriptor, part);
-  std::string why = is_still_at(descriptor, there) ? difference(descriptor, state)
-                                                   : "another run has just finished it";
+  if (!is_still_at(descriptor, there)) {
+    ::close(descriptor);
+    throw FileInUse(printable(part, longest_path) +
+                    ": cannot be continued: another run has just finished it");
+  }
+  std::string why = difference(descriptor, state);
   if (why.empty() && (::ftruncate(descriptor, state.bytes) != 0 ||
                       ::lseek(descriptor, state.bytes, SEEK_SET) < 0 ||
                       (there != part && std::rename(there.c_str(), part.c_str()) != 0)))
@@ -158,7 +175,7 @@ void PartFile::write(std::string_view bytes) {
       const bool cut = part_ != path_ && ::ftruncate(::fileno(file_), bytes_) == 0 &&
                        ::lseek(::fileno(file_), bytes_, SEEK_SET) == bytes_;
       static_cast<void>(cut);
-      throw OutputError(write_failure(part_, error_number));
+      fail_to_write(part_, error_number);
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -168,22 +185,21 @@ void PartFile::write(std::string_view bytes) {
 void PartFile::overwrite(std::int64_t offset, std::string_view bytes) {
   const ssize_t written = ::pwrite(::fileno(file_), bytes.data(), bytes.size(), offset);
   if (written != static_cast<ssize_t>(bytes.size()))
-    throw OutputError(write_failure(part_, written < 0 ? errno : ENOSPC));
+    fail_to_write(part_, written < 0 ? errno : ENOSPC);
 }
 
 std::optional<std::int64_t> PartFile::synced_bytes() {
   if (part_ == path_) return std::nullopt;
-  if (::fsync(::fileno(file_)) != 0) throw OutputError(write_failure(part_, errno));
+  if (::fsync(::fileno(file_)) != 0) fail_to_write(part_, errno);
   return bytes_;
 }
 
 void PartFile::commit() {
   if (path_ == "-") return;
   const bool named = part_ != path_;
-  if (named && ::fsync(::fileno(file_)) != 0) throw OutputError(write_failure(part_, errno));
+  if (named && ::fsync(::fileno(file_)) != 0) fail_to_write(part_, errno);
   rename_part(part_, path_);  // before the lock goes with fclose
-  if (std::fclose(std::exchange(file_, nullptr)) != 0)
-    throw OutputError(write_failure(part_, errno));
+  if (std::fclose(std::exchange(file_, nullptr)) != 0) fail_to_write(part_, errno);
 }
 
 void replace_file(const std::string& path, std::string_view bytes) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/scenario_run.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "io/detail/earlier_run.hpp"
 #include "io/detail/part_file.hpp"
 #include "io/detail/run_state.hpp"
 #include "io/detail/values.hpp"
@@ -109,7 +107,7 @@ std::string text_of(Kept& kept, const std::string& told) {
   return told + "\n" + head.bytes() + body.bytes();
 }
 
-Kept kept_in(const std::string& path) {
+Kept kept_in(const std::string& path, const BeginWords& words) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream all;
   all << file.rdbuf();
@@ -128,20 +126,10 @@ Kept kept_in(const std::string& path) {
     kept.transfer(reader);
   } catch (const DomainError&) {
     throw DomainError(shown(path) +
-                      ": is no checkpoint of this version of polhode, or was damaged; restart "
-                      "runs the scenario anew");
+                      ": is no checkpoint of this version of polhode, or was damaged; " +
+                      words.restart + " runs the scenario anew");
   }
   return kept;
-}
-
-// A renamed file is on the disk when its folder is.
-void sync_folder_of(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
-  const int descriptor =
-      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);  // a folder that cannot be synced is none of a local disk
-  ::close(descriptor);
 }
 
 // When to make a checkpoint: looks at the clock after every 1 to 64 steps, and leaves most of the
@@ -188,21 +176,23 @@ class ScenarioRun::Parts {
     kept_.identity = identity_of(scenario, files_);
     find();
     if (complete_) return;
-    open();
+    with_remedy([&] { open(); });
   }
 
   RunReport run() {
     if (complete_) return complete_report();
     RunReport report;
     try {
-      report = detail::run_rows(scenario_, layout_, sinks_, control());
+      with_remedy([&] {
+        report = detail::run_rows(scenario_, layout_, sinks_, control());
+        if (report.outcome.ok() && events_) events_->finish();
+      });
     } catch (const DomainError&) {
       forget();  // what a term or an orbit refuses, it would refuse again
       throw;
     }
     report.events_met = kept_.events_met;
     report.events = std::move(kept_.events);
-    if (report.outcome.ok() && events_) events_->finish();
     forget();
     return report;
   }
@@ -226,21 +216,26 @@ class ScenarioRun::Parts {
     const std::vector<std::string> all = paths();
     return !all.empty() && std::all_of(all.begin(), all.end(), is_file);
   }
-  static std::string checkpoint_of(const std::string& path) { return path + ".checkpoint"; }
+
+  // A disk that was full says what to do then.
+  template <class F>
+  void with_remedy(const F& f) const {
+    try {
+      f();
+    } catch (const detail::NoSpace& full) {
+      if (!are_files()) throw;
+      const std::string& resume = options_.words.resume;
+      throw OutputError(std::string(full.what()) + "; " + full.remedy + ", then " +
+                        (safe_t_ ? resume + " goes on from t = " + time_text(*safe_t_)
+                                 : std::string("run it again")));
+    }
+  }
 
   // What earlier runs have left.
   void find() {
+    if (options_.begin == RunBegin::restart) return;  // open() removes them
     const std::vector<std::string> all = paths();
-    std::error_code ignored;
-    std::string found;
-    for (const std::string& path : all)
-      if (found.empty() && path != "-" && fs::exists(checkpoint_of(path), ignored))
-        found = checkpoint_of(path);
-    if (options_.begin == RunBegin::restart) {
-      for (const std::string& path : all)
-        if (path != "-") fs::remove(checkpoint_of(path), ignored);
-      return;
-    }
+    const std::string found = detail::checkpoint_among(all, options_.words);
     if (options_.begin == RunBegin::anew) {
       if (!found.empty()) refuse_to_overwrite(found);
       return;
@@ -248,57 +243,48 @@ class ScenarioRun::Parts {
     if (!are_files())
       throw DomainError("run: resume needs outputs that are files, which a run leaves behind");
     if (!found.empty()) return take_up(found);
-    const auto is_there = [](const std::string& path) {
-      std::error_code unused;
-      return fs::exists(path, unused) && !fs::exists(path + ".part", unused);
-    };
-    complete_ = std::all_of(all.begin(), all.end(), is_there);
-    if (complete_) require_same_scenario(all);
+    complete_ = detail::are_complete(all, scenario_.text, options_.words);
   }
 
   [[noreturn]] void refuse_to_overwrite(const std::string& found) const {
     std::string line;
     std::ifstream file(found, std::ios::binary);
     std::getline(file, line);
-    throw DomainError(shown(found) + ": an unfinished run is there (" +
-                      detail::printable(line, 200) +
-                      "); resume continues it, restart runs the scenario anew");
+    detail::refuse_unfinished(found, "run", line, options_.words);
   }
 
   void take_up(const std::string& found) {
-    Kept kept = kept_in(found);
+    Kept kept = kept_in(found, options_.words);
     auto theirs = kept.identity.parts();
     auto ours = kept_.identity.parts();
     for (std::size_t i = 0; i < ours.size(); ++i)
       if (*theirs[i].second != *ours[i].second)
         throw DomainError(shown(found) + ": is of another run: " + ours[i].first + " was \"" +
-                          *theirs[i].second + "\", is \"" + *ours[i].second +
-                          "\"; restart runs the scenario anew");
+                          *theirs[i].second + "\", is \"" + *ours[i].second + "\"; " +
+                          options_.words.restart + " runs the scenario anew");
     kept_ = std::move(kept);
     from_ = kept_.state;
+    safe_t_ = from_.t;
     continued_ = true;
   }
 
-  // A complete CSV file begins with its scenario.
-  void require_same_scenario(const std::vector<std::string>& all) const {
-    for (const std::string& path : all) {
-      if (fs::path(path).extension() != ".csv") continue;
-      std::ifstream file(path, std::ios::binary);
-      std::string line, text, wanted;
-      while (std::getline(file, line) && line.starts_with('#'))
-        if (line.starts_with("# | ")) text += line.substr(4) + "\n";
-      std::istringstream ours(scenario_.text);
-      while (std::getline(ours, line)) {
-        if (line.ends_with('\r')) line.pop_back();
-        wanted += line + "\n";
-      }
-      if (text != wanted)
-        throw DomainError(shown(path) +
-                          ": is there, of another scenario; restart runs this one anew");
+  void open() {
+    try {
+      open_files();
+    } catch (const detail::FileInUse&) {
+      throw;
+    } catch (const DomainError& error) {
+      if (!continued_) throw;
+      throw DomainError(std::string(error.what()) + "; put it back, or " + options_.words.restart +
+                        " runs the scenario anew");
     }
+    // Now they are ours alone.
+    if (options_.begin == RunBegin::restart) detail::forget_checkpoints(paths());
+    if (options_.also) sinks_.push_back(std::move(options_.also));
+    keeps_ = are_files();
   }
 
-  void open() {
+  void open_files() {
     const Provenance origin = provenance(scenario_);
     std::size_t i = 0;
     const auto position = [&]() -> std::optional<SinkPosition> {
@@ -308,8 +294,6 @@ class ScenarioRun::Parts {
       sinks_.push_back(open_sink(path, layout_.groups(), origin, position()));
     files_open_ = sinks_.size();
     if (!files_.events.empty()) events_.emplace(files_.events, scenario_, position());
-    if (options_.also) sinks_.push_back(std::move(options_.also));
-    keeps_ = are_files();
   }
 
   detail::RunControl control() {
@@ -349,21 +333,25 @@ class ScenarioRun::Parts {
       if (p) kept_.positions.push_back(*p);
     }
     if (!keeps_) return;
-    path_ = checkpoint_of(paths().front());
-    const std::string told = detail::printable(scenario_.name, 200) +
-                             " at t = " + time_text(state.t) + ", " + std::to_string(state.pushed) +
-                             " rows";
-    detail::replace_file(path_, text_of(kept_, told));
-    sync_folder_of(path_);  // before what the checkpoint of before needs is gone
+    const std::vector<std::string> all = paths();
+    std::string told = detail::printable(scenario_.name, 200) + " at t = " + time_text(state.t) +
+                       ", " + std::to_string(state.pushed) + " rows, in ";
+    for (const std::string& path : all)
+      told += (path == all.front() ? "" : ", ") + detail::printable(file_name(path), 200);
+    const std::string checkpoint = detail::checkpoint_path(all.front());
+    detail::replace_file(checkpoint, text_of(kept_, told));
+    detail::sync_folder_of(checkpoint);  // before what the checkpoint of before needs is gone
     for (std::size_t i = 0; i < files_open_; ++i) sinks_[i]->kept();
+    safe_t_ = state.t;
+    for (std::size_t i = 1; i < all.size() && !pointed_; ++i)
+      detail::point_to_checkpoint(all[i], checkpoint);
+    pointed_ = true;
     pace_.made(begun);
   }
 
   // Nothing will go on from here.
   void forget() {
-    std::error_code ignored;
-    for (const std::string& path : paths())
-      if (path != "-") fs::remove(checkpoint_of(path), ignored);
+    detail::forget_checkpoints(paths());
     for (std::size_t i = 0; i < files_open_; ++i) sinks_[i]->kept();
   }
 
@@ -386,7 +374,8 @@ class ScenarioRun::Parts {
   std::optional<EventTable> events_;
   bool keeps_ = false;
   bool stopping_ = false;
-  std::string path_;
+  bool pointed_ = false;          // each output says where the checkpoint is
+  std::optional<double> safe_t_;  // of the checkpoint
 };
 
 ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions options) {

@@ -143,7 +143,8 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   return lines.take();
 }
 
-std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report) {
+std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report,
+                                      const std::string& events) {
   Lines lines(scenario.units);
   if (!propagation_method(scenario)) return lines.take();
   lines.text("outcome", "outcome", outcome_text(report.outcome));
@@ -165,8 +166,7 @@ std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport&
   }
   const auto more = std::max(report.events_met, static_cast<std::int64_t>(report.events.size())) -
                     static_cast<std::int64_t>(shown);
-  if (more > 0)
-    lines.text("more_events", "and", std::to_string(more) + " events more: --events PATH.csv");
+  if (more > 0) lines.text("more_events", "and", std::to_string(more) + " events more: " + events);
   return lines.take();
 }
 

@@ -112,6 +112,19 @@ def test_events_are_found_and_written(run, write, table, tmp_path):
     assert out.read_text(encoding="utf-8").startswith("# polhode ")
 
 
+def test_a_summary_of_many_events_says_where_all_are(run, write, tmp_path):
+    text = SPIN_UP.replace("stop = 20", "stop = 1000") + (
+        "[[event]]\ncolumn = \"phi\"\nvalue = 1\ncrossing = \"both\"\n")
+    out = tmp_path / "events.csv"
+    more = [run("run", write(text), *options).stdout.splitlines()[-1] for options in (
+        ["--events", out], ["--out", tmp_path / "a.csv"])]
+    lines = out.read_text(encoding="utf-8").splitlines()
+    count = sum(not line.startswith(("#", "name")) for line in lines)
+    assert count > 20
+    assert more[0].split() == ["and", f"{count - 20}", "events", "more:", "all", "in", str(out)]
+    assert more[1].endswith(f"{count - 20} events more: --events PATH.csv")
+
+
 def test_an_event_may_stop_the_run(run, write, columns):
     text = SPIN_UP + "[[event]]\ncolumn = \"w3\"\nvalue = 1\nstops = true\n"
     c = columns(write(text))

@@ -100,13 +100,66 @@ def test_an_unfinished_run_is_not_overwritten(polhode, run, long, tmp_path):
     done = run("run", long, "--out", path)
     assert done.returncode == 2 and done.stderr.count("\n") == 1
     assert done.stderr.startswith(f"{checkpoint}: an unfinished run is there (body.toml at t = ")
-    assert "resume continues it, restart" in done.stderr
+    assert "--resume continues it, --restart" in done.stderr
     assert (tmp_path / "a.csv.part").read_bytes() == before
     # with --restart it begins anew
     (tmp_path / "a.csv.part").unlink()
     code, _, err = stopped(polhode, ["run", long, "--out", path, "--restart"],
                            tmp_path / "a.csv.part")
     assert code == 130 and "continues at" not in err
+
+
+def test_no_output_of_an_unfinished_run_is_overwritten(polhode, run, long, scenario, tmp_path):
+    """Whichever of its outputs another run names, in whatever folder: the run goes on afterwards."""
+    short = scenario(name="short.toml")
+    with long.open("a") as file:
+        file.write('[[event]]\ncolumn = "qw"\nvalue = 0.3\n')
+    folders = [tmp_path / name for name in "ab"]
+    for folder in folders:
+        folder.mkdir()
+    first, second, events = folders[0] / "p.csv", folders[1] / "p.h5", tmp_path / "e.csv"
+    arguments = ["run", long, "--out", first, "--out", second, "--events", events]
+    assert stopped(polhode, arguments, folders[1] / "p.h5.part")[0] == 130
+    checkpoint = folders[0] / "p.csv.checkpoint"
+    before = (folders[1] / "p.h5.part").read_bytes()
+    for other in (second, events):
+        done = run("run", short, "--out", other, cwd=tmp_path)
+        assert done.returncode == 2 and done.stderr.count("\n") == 1
+        place, told = done.stderr.split(": an unfinished run is there ")
+        assert checkpoint.samefile(place)
+        assert "rows, in p.csv, p.h5, e.csv); --resume continues it, --restart begins anew" in told
+    done = run("run", long, "--out", "b/p.h5", "--resume", cwd=tmp_path)
+    assert done.returncode == 2 and "outputs was" in done.stderr
+    assert (folders[1] / "p.h5.part").read_bytes() == before
+    code, _, err = stopped(polhode, [*arguments, "--resume"], first)  # never complete
+    assert code == 130 and "continues at t = " in err
+    # on purpose; then the rows of the run are gone, and it says what it lacks and what to do
+    assert run("run", short, "--out", second, "--restart").returncode == 0
+    done = run(*arguments, "--resume")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1
+    assert done.stderr.startswith(f"{second}.part: cannot be continued: it is gone; expected the ")
+    assert "put it back, or --restart runs the scenario anew" in done.stderr
+
+
+def test_an_output_whose_checkpoint_is_gone(polhode, run, long, scenario, tmp_path):
+    """Moved with its folder it is found; otherwise the message says which file is missing."""
+    here, there = tmp_path / "here", tmp_path / "there"
+    here.mkdir()
+    stopped(polhode, ["run", long, "--out", here / "p.csv", "--out", here / "p.h5"],
+            here / "p.h5.part")
+    here.rename(there)
+    short = scenario(name="short.toml")
+    done = run("run", short, "--out", there / "p.h5")
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"{there}/p.csv.checkpoint: an unfinished run is there (body.toml")
+    (there / "p.csv.checkpoint").rename(tmp_path / "away")
+    for option in ([], ["--resume"]):
+        done = run("run", short, "--out", there / "p.h5", *option)
+        assert done.returncode == 2 and done.stderr == (
+            f"{there}/p.h5.checkpoint: an unfinished run is there; expected its checkpoint "
+            f"{there}/p.csv.checkpoint, which is gone: put it back, or --restart begins anew\n")
+    assert run("run", short, "--out", there / "p.h5", "--restart").returncode == 0
+    assert not (there / "p.h5.checkpoint").exists()
 
 
 @pytest.mark.parametrize("change, named", [
@@ -168,16 +221,23 @@ def test_what_cannot_be_continued(run, scenario):
 
 def test_one_run_at_a_time(polhode, run, long, tmp_path):
     path = tmp_path / "a.csv"
-    process = subprocess.Popen([polhode, "run", long, "--out", path], stderr=subprocess.DEVNULL)
+    checkpoint = tmp_path / "a.csv.checkpoint"
+    process = subprocess.Popen([polhode, "run", long, "--out", path, "--checkpoint", "0.1"],
+                               stderr=subprocess.DEVNULL)
     try:
         deadline = time.monotonic() + SECONDS
-        while not (tmp_path / "a.csv.part").exists() and time.monotonic() < deadline:
+        while not checkpoint.exists() and time.monotonic() < deadline:
             time.sleep(0.01)
+        process.send_signal(signal.SIGSTOP)
         done = run("run", long, "--out", path, "--restart")
+        assert checkpoint.exists()  # that of the run that is going on
+        resumed = run("run", long, "--out", path, "--resume")
     finally:
         process.kill()
         process.wait()
-    assert done.returncode == 2 and "another run is writing it" in done.stderr
+    for refused in (done, resumed):
+        assert refused.returncode == 2
+        assert refused.stderr.endswith("a.csv.part: another run is writing it\n")
 
 
 # A limit on the size of files stands for a full disk.
@@ -188,14 +248,15 @@ def test_a_disk_that_fills_up_loses_nothing(polhode, run, scenario, tmp_path, ex
     assert run("run", body, "--out", straight).returncode == 0
     kilobytes = straight.stat().st_size // 1024
     starts = 0
+    remedy = "raise the limit on the size of files (ulimit -f), then --resume goes on from t = "
     for share in (0.3, 0.6, 0.9):
-        limit = f"trap '' XFSZ; ulimit -f {int(share * kilobytes)}; exec \"$@\""
+        limit = f"ulimit -f {int(share * kilobytes)}; exec \"$@\""
         done = subprocess.run(
             ["bash", "-c", limit, "bash", polhode, "run", body, "--out", path, "--resume",
              "--checkpoint", "0"], text=True, capture_output=True, timeout=SECONDS)
         assert done.returncode == 1
-        assert done.stderr.splitlines()[-1].endswith(
-            f"{path}.part: cannot be written: File too large")
+        assert done.stderr.splitlines()[-1].startswith(
+            f"{path}.part: cannot be written: File too large; {remedy}")
         starts += "continues at" in done.stderr
     assert starts == 2
     assert run("run", body, "--out", path, "--resume").returncode == 0

@@ -5,8 +5,8 @@
 // Units       t in core units; rows in those of the scenario.
 // Domain      a scenario with [time]. While it goes on, a small file FIRST_OUTPUT.checkpoint says
 //             how to go on: it is replaced every few seconds, and removed when the run is complete
-//             or has failed for good. Outputs that are not files ("-", a pipe, a device) make a
-//             run without checkpoints.
+//             or has failed for good; PATH.checkpoint beside the other outputs says where it is.
+//             Outputs that are not files ("-", a pipe, a device) make a run without checkpoints.
 // Accuracy    a run that was stopped at any moment and continued, however often, leaves the files
 //             of the straight run: text files byte for byte, HDF5 with the same contents (same
 //             build of polhode).
@@ -51,6 +51,12 @@ enum class RunBegin {
   restart,  // begins, whatever is there
 };
 
+// How messages call the two.
+struct BeginWords {
+  std::string resume = "resume";
+  std::string restart = "restart";
+};
+
 struct RunOptions {
   RunBegin begin = RunBegin::anew;
   double checkpoint_seconds = 5.0;  // between two checkpoints, at least
@@ -58,6 +64,7 @@ struct RunOptions {
   std::function<bool()> stop = {};  // asked after every step whether the run shall end
   std::unique_ptr<Sink> also = {};  // gets the rows too: those of this part of the run
   bool keep_events = false;         // all of them in the report; otherwise the first 20
+  BeginWords words = {};
 };
 
 class ScenarioRun {

@@ -7,6 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "polhode/io/sink.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -24,13 +28,29 @@ struct PartState {
   std::string head = {};
   bool may_be_named = true;
 };
+// The descriptor of a file that is there or is made, for reading and writing, and for one process
+// alone. Throws as new_part.
+int locked_file(const std::string& path);
 // The descriptor of an empty part, and of one that is there, cut back to its state; for reading and
 // writing, and for one process alone. Throw DomainError when the path cannot be had or another run
 // has it, OutputError when the machine fails.
 int new_part(const std::string& part);
 int reopened_part(const std::string& part, const PartState& state);
+// Another process has it.
+struct FileInUse : DomainError {
+  using DomainError::DomainError;
+};
+
 // "PATH: cannot be written: No space left on device"
 std::string write_failure(const std::string& path, int error_number);
+// The disk is full, or the file may not grow: what to do before going on.
+struct NoSpace : OutputError {
+  NoSpace(const std::string& what, std::string what_to_do)
+      : OutputError(what), remedy(std::move(what_to_do)) {}
+  std::string remedy;
+};
+// Throws OutputError, NoSpace where that is why.
+[[noreturn]] void fail_to_write(const std::string& path, int error_number);
 
 class PartFile {
  public:
