@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -16,6 +17,8 @@
 #include "polhode/error.hpp"
 #include "polhode/io/run.hpp"
 #include "progress.hpp"
+#include "resume.hpp"
+#include "stop_signals.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -26,7 +29,7 @@ struct MapOptions {
   std::string scenario;
   std::vector<std::string> out;
   int threads = 0;
-  bool resume = false;
+  BeginOptions begin;
 };
 
 std::size_t points_of(const std::vector<MapCell>& cells, std::size_t width) {
@@ -66,6 +69,48 @@ std::string summary_of(const ScenarioMap& map, const std::vector<MapCell>& cells
   return failed <= reasons_shown ? text : text + "  ...\n";
 }
 
+// A signal came, and the cells that were complete are kept.
+struct Stopped {};
+
+void look_at_signals() {
+  if (StopSignals::came() != 0) throw Stopped();
+}
+
+void compute_cells(const MapOptions& options, const ScenarioMap& map, MapRows& rows) {
+  ProgressLine progress(0.0, static_cast<double>(map.size()), "cells",
+                        static_cast<double>(rows.size()));
+  const int threads = options.threads > 0 ? options.threads : hardware_threads();
+  run_cells(
+      rows.size(), map.size(), threads,
+      [&](std::int64_t index) -> MapCell {
+        return map.cell(index, [](double) { look_at_signals(); });
+      },
+      [&](std::int64_t index, const MapCell& cell) {
+        rows.push(cell);
+        progress(static_cast<double>(index + 1));
+        if (index + 1 < map.size()) look_at_signals();
+      });
+}
+
+std::string done_of(const ScenarioMap& map, const MapRows& rows) {
+  return fmt::format("{} of {} cells", rows.size(), map.size());
+}
+
+// What --resume has found, on standard error.
+void announce(const ScenarioMap& map, const MapRows& rows) {
+  const std::string text = rows.size() > 0 ? ": continues after " + done_of(map, rows)
+                                           : ": no cells to continue from, starts anew";
+  std::fputs((map.scenario().name + text + "\n").c_str(), stderr);
+}
+
+std::vector<std::string> command_of(const MapOptions& options) {
+  std::vector<std::string> words = {"map", options.scenario};
+  for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
+  if (options.threads > 0)
+    words.insert(words.end(), {"--threads", std::to_string(options.threads)});
+  return words;
+}
+
 void make_map(const MapOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
   const ScenarioMap map(scenario.text, options.scenario == "-" ? "<stdin>" : options.scenario);
@@ -74,26 +119,19 @@ void make_map(const MapOptions& options) {
   for (auto path = out.begin(); path != out.end(); ++path)
     if (std::find(out.begin(), path, *path) != path)
       throw DomainError("map: " + *path + " is there twice");
-  const auto file = std::find_if(out.begin(), out.end(), [](const auto& p) { return p != "-"; });
-  if (options.resume && file == out.end())
-    throw DomainError("map: got --resume; expected it beside --out PATH.csv or PATH.h5");
-  // a path that cannot be written is found out before the first cell
-  for (const std::string& path : out)
-    if (path != "-") open_sink(path, map.groups(), provenance(scenario));
-  MapRows rows(map, file == out.end() ? "" : *file, options.resume);
-  {
-    ProgressLine progress(0.0, static_cast<double>(map.size()), "cells",
-                          static_cast<double>(rows.size()));
-    const int threads = options.threads > 0 ? options.threads : hardware_threads();
-    run_cells(
-        rows.size(), map.size(), threads,
-        [&](std::int64_t index) -> MapCell { return map.cell(index); },
-        [&](std::int64_t index, const MapCell& cell) {
-          rows.push(cell);
-          progress(static_cast<double>(index + 1));
-        });
+  if (options.begin.resume && is_complete(map, out, begin_words()))
+    return print_nothing_to_do(scenario.name, out);
+  const StopSignals signals;
+  MapRows rows(map, out, options.begin.begin(), begin_words());
+  if (options.begin.resume) announce(map, rows);
+  try {
+    compute_cells(options, map, rows);
+  } catch (const Stopped&) {
+    throw Interrupted(StopSignals::came(),
+                      scenario.name + ": stopped after " + done_of(map, rows) +
+                          how_to_continue(command_of(options), rows.are_kept()));
   }
-  rows.finish(out);
+  rows.finish();
   if (std::find(out.begin(), out.end(), "-") == out.end()) print(summary_of(map, rows.cells()));
 }
 
@@ -116,9 +154,11 @@ void add_map(CLI::App& app) {
                    "How many cells at a time; left out: one on each processor. The result does "
                    "not depend on it")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--resume", options->resume,
-                    "Go on from PATH.cells, which a map that was stopped has left");
+  add_begin_options(*command, options->begin,
+                    "Go on from PATH.cells, which a map that was stopped has left",
+                    "Begin anew where an unfinished map is, and lose its cells");
   command->footer(
+      "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"
       "\nExample:\n  polhode map examples/hyperion-map.toml --out hyperion.csv --threads 2");
   command->callback([options] { make_map(*options); });
 }

@@ -3,9 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +16,7 @@
 #include "polhode/io/scenario_run.hpp"
 #include "polhode/io/summary.hpp"
 #include "progress.hpp"
+#include "resume.hpp"
 #include "stop_signals.hpp"
 
 namespace polhode::cli {
@@ -30,8 +29,7 @@ struct CommandOptions {
   std::string scenario;
   std::vector<std::string> out;
   std::string events;
-  bool resume = false;
-  bool restart = false;
+  BeginOptions begin;
   double checkpoint = 5.0;
 };
 
@@ -50,23 +48,12 @@ RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
   }
 }
 
-// A word as a shell reads it.
-std::string quoted(const std::string& word) {
-  const auto plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::strchr("_-./+=:,@%", c) != nullptr;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-std::string resume_command(const CommandOptions& options) {
-  std::string text = "polhode run " + quoted(options.scenario);
-  for (const std::string& path : options.out) text += " --out " + quoted(path);
-  if (!options.events.empty()) text += " --events " + quoted(options.events);
-  return text + " --resume";
+// The same command, but for what comes after its outputs.
+std::vector<std::string> command_of(const CommandOptions& options) {
+  std::vector<std::string> words = {"run", options.scenario};
+  for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
+  if (!options.events.empty()) words.insert(words.end(), {"--events", options.events});
+  return words;
 }
 
 // One line: where it ended, why and what to try, and what is left of its rows.
@@ -84,7 +71,7 @@ std::string failure_text(const Scenario& scenario, const RunReport& report,
 
 // What a run with --resume has found, on standard error.
 void announce(const CommandOptions& options, const Scenario& scenario, const ScenarioRun& run) {
-  if (!options.resume || run.is_complete()) return;
+  if (!options.begin.resume || run.is_complete()) return;
   const std::string text =
       run.continues() ? fmt::format("{}: continues at t = {} {}, after {} rows\n", scenario.name,
                                     scenario.units.from_core(run.t(), Dimension::time),
@@ -99,10 +86,8 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   RunOptions how;
-  how.begin = options.resume    ? RunBegin::resume
-              : options.restart ? RunBegin::restart
-                                : RunBegin::anew;
-  how.words = {"--resume", "--restart"};
+  how.begin = options.begin.begin();
+  how.words = begin_words();
   how.checkpoint_seconds = options.checkpoint;
   how.stop = [] { return StopSignals::came() != 0; };
   if (!rows_on_terminal) how.progress = [&progress](double t) { (*progress)(t); };
@@ -114,11 +99,8 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
     return report_of(scenario, run);
   } catch (const RunInterrupted& stopped) {
     progress.reset();
-    throw Interrupted(
-        StopSignals::came(),
-        std::string(stopped.what()) + (stopped.can_resume
-                                           ? "; continue with: " + resume_command(options)
-                                           : "; outputs that are not files cannot be continued"));
+    throw Interrupted(StopSignals::came(),
+                      stopped.what() + how_to_continue(command_of(options), stopped.can_resume));
   }
 }
 
@@ -145,10 +127,7 @@ void run_scenario(const CommandOptions& options) {
     try {
       report = run_into_files(options, scenario, out, rows_on_terminal);
     } catch (const NothingToDo&) {
-      std::string names;
-      for (const std::string& path : paths) names += (names.empty() ? "" : ", ") + path;
-      print(scenario.name + ": nothing to do: complete in " + names + "\n");
-      return;
+      return print_nothing_to_do(scenario.name, paths);
     }
   }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
@@ -181,13 +160,10 @@ void add_run(CLI::App& app) {
       ->add_option("--events", options->events,
                    "PATH.csv for the events of the scenario: name, t, direction, and the columns")
       ->type_name("PATH");
-  CLI::Option* resume = command->add_flag(
-      "--resume", options->resume,
-      "Continue a run that was stopped: its files become those of a run that never was");
-  command
-      ->add_flag("--restart", options->restart,
-                 "Run anew where an unfinished run is, and lose its rows")
-      ->excludes(resume);
+  add_begin_options(
+      *command, options->begin,
+      "Continue a run that was stopped: its files become those of a run that never was",
+      "Run anew where an unfinished run is, and lose its rows");
   command
       ->add_option("--checkpoint", options->checkpoint,
                    "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")

@@ -32,15 +32,14 @@ MapCell cell_of(PythonMap& of, std::int64_t index) {
 }
 
 struct PythonRows {
-  PythonRows(const PythonMap& of, const nb::list& outputs, bool resume) : map(of.map) {
+  PythonRows(const PythonMap& of, const nb::list& outputs, bool resume, bool restart)
+      : map(of.map) {
+    std::vector<std::string> paths;
     for (const nb::handle path : outputs) paths.push_back(path_text(path));
-    // a path that cannot be written is found out before the first cell
-    for (const std::string& path : paths) open_sink(path, map.groups(), provenance(map.scenario()));
-    rows.emplace(map, paths.empty() ? "" : paths.front(), resume);
+    rows.emplace(map, std::move(paths), begin_of("map", resume, restart), begin_words());
   }
 
   const ScenarioMap& map;
-  std::vector<std::string> paths;
   std::optional<MapRows> rows;
 };
 
@@ -81,11 +80,12 @@ void bind_map(nb::module_& m) {
       .def("cell", cell_of, nb::arg("index"))
       .def("stop", [](PythonMap& of) { of.stopped = true; });
   nb::class_<PythonRows>(m, "_MapRows")
-      .def(nb::init<const PythonMap&, const nb::list&, bool>(), nb::arg("map"), nb::arg("outputs"),
-           nb::arg("resume"), nb::keep_alive<1, 2>())
+      .def(nb::init<const PythonMap&, const nb::list&, bool, bool>(), nb::arg("map"),
+           nb::arg("outputs"), nb::arg("resume"), nb::arg("restart"), nb::keep_alive<1, 2>())
       .def("__len__", [](const PythonRows& of) { return of.rows->size(); })
       .def("push", [](PythonRows& of, const MapCell& cell) { of.rows->push(cell); })
-      .def("finish", [](PythonRows& of) { of.rows->finish(of.paths); })
+      .def("finish", [](PythonRows& of) { of.rows->finish(); })
+      .def("close", [](PythonRows& of) { of.rows.reset(); })  // others may have the file
       .def("table", table_of);
 }
 

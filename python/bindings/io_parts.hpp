@@ -9,6 +9,7 @@
 
 #include "bindings.hpp"
 #include "polhode/io/scenario.hpp"
+#include "polhode/io/scenario_run.hpp"
 #include "polhode/io/sink.hpp"
 #include "polhode/io/summary.hpp"
 
@@ -28,6 +29,9 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
 
 // _ScenarioMap and _MapRows.
 void bind_map(nb::module_& m);
+// What resume and restart ask for, and what messages call them.
+RunBegin begin_of(const char* function, bool resume, bool restart);
+BeginWords begin_words();
 // A path as the file system has it.
 std::string path_text(nb::handle path);
 // Rows into memory, one after the other.

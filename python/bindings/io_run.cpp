@@ -63,12 +63,6 @@ class Stop {
   Progress look_;
 };
 
-RunBegin begin_of(bool resume, bool restart) {
-  if (resume && restart)
-    throw nb::value_error("run: got resume=True and restart=True; expected one of them");
-  return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
-}
-
 // The GIL is not held while rows are computed and written.
 Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
                  bool resume, bool restart, nb::handle progress) {
@@ -83,8 +77,8 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
   if (!events.is_none()) files.events = path_text(events);
   RunOptions options;
-  options.begin = begin_of(resume, restart);
-  options.words = {"resume=True", "restart=True"};
+  options.begin = begin_of("run", resume, restart);
+  options.words = begin_words();
   options.keep_events = keep;
   options.progress = told_to(progress);
   std::exception_ptr raised;
@@ -153,6 +147,15 @@ std::string path_text(nb::handle path) {
   const nb::bytes bytes = nb::bytes(nb::object(nb::module_::import_("os").attr("fsencode")(path)));
   return {bytes.c_str(), bytes.size()};
 }
+
+RunBegin begin_of(const char* function, bool resume, bool restart) {
+  if (resume && restart)
+    throw DomainError(std::string(function) +
+                      ": got resume=True and restart=True; expected one of them");
+  return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
+}
+
+BeginWords begin_words() { return {"resume=True", "restart=True"}; }
 
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<Run>(m, "_Run")

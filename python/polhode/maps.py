@@ -120,25 +120,29 @@ def run_map(
     paths: Sequence[Path],
     threads: int | None,
     resume: bool,
+    restart: bool,
     progress: Callable[[int, int], object] | None,
 ) -> MapResults:
     """The map of a scenario; see Scenario.map."""
     import numpy
 
     cells = _core._ScenarioMap(scenario._file)
-    rows = _core._MapRows(cells, list(paths), resume)
+    rows = _core._MapRows(cells, list(paths), resume, restart)
     at_a_time = _processors() if threads is None else threads
-    with closing(_in_order(cells, len(rows), at_a_time)) as done:  # ends the threads in any case
-        for cell in done:
-            rows.push(cell)
-            if progress is not None:
-                progress(len(rows), len(cells))
-    table, of, failures = rows.table()
-    results = MapResults(
+    try:
+        # ends the threads in any case
+        with closing(_in_order(cells, len(rows), at_a_time)) as done:
+            for cell in done:
+                rows.push(cell)
+                if progress is not None:
+                    progress(len(rows), len(cells))
+        table, of, failures = rows.table()
+        rows.finish()
+    finally:
+        rows.close()  # a traceback keeps this frame, and with it the lock
+    return MapResults(
         scenario, cells.columns, cells.axes, table, numpy.array(of, dtype=numpy.int64), failures
     )
-    rows.finish()
-    return results
 
 
 def _processors() -> int:

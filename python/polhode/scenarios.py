@@ -226,6 +226,7 @@ class Scenario:
         *,
         threads: int | None = None,
         resume: bool = False,
+        restart: bool = False,
         progress: Callable[[int, int], object] | None = None,
     ) -> MapResults:
         """Every cell of the grid of [map]: chaos, extremes of a column, or surfaces of section.
@@ -236,7 +237,9 @@ class Scenario:
             byte. The first one has its cells so far in PATH.cells until the map is complete.
         threads : how many cells at a time; None: one on each processor. The result does not depend
             on it.
-        resume : continues a map that was stopped or killed, from PATH.cells.
+        resume : continues a map that was stopped or killed, from PATH.cells; without that file it
+            begins anew, also where the map is complete.
+        restart : begins anew where an unfinished map is, which is an error otherwise.
         progress : called with the number of cells so far and that of all, after each; what it
             raises ends the map.
 
@@ -246,7 +249,8 @@ class Scenario:
             Its columns. Cells that could not be, or could not go on, hold NaN; `.failures` says
             why.
 
-        ValueError for a scenario without [map] and for a path that cannot be an output; OutputError
+        ValueError for a scenario without [map], for a path that cannot be an output or that another
+        map is writing, and for an unfinished map without resume or restart; OutputError
         when writing fails. Cells release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves
         PATH.cells.
         """
@@ -257,7 +261,7 @@ class Scenario:
             raise ValueError(f"map: threads: got {threads!r}; expected a whole number from 1")
         if resume and not paths:
             raise ValueError("map: got resume=True; expected it beside outputs")
-        return run_map(self, paths, threads, resume, progress)
+        return run_map(self, paths, threads, resume, restart, progress)
 
     @property
     def text(self) -> str:

@@ -108,8 +108,9 @@ void refuse_unfinished(const std::string& file, const std::string& kind, const s
 
 bool are_complete(std::span<const std::string> outputs, const std::string& scenario_text,
                   const BeginWords& words) {
-  if (std::any_of(outputs.begin(), outputs.end(),
-                  [](const auto& path) { return !is_there(path) || is_there(path + ".part"); }))
+  if (std::any_of(outputs.begin(), outputs.end(), [](const auto& path) {
+        return path == "-" || !is_there(path) || is_there(path + ".part");
+      }))
     return false;
   for (const std::string& path : outputs)
     if (fs::path(path).extension() == ".csv" && has_other_scenario(path, scenario_text))

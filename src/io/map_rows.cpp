@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <filesystem>
 #include <optional>
+#include <utility>
 
+#include "io/detail/earlier_run.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/part_file.hpp"
 #include "io/detail/values.hpp"
@@ -94,18 +98,60 @@ std::optional<WholeCell> next_cell(std::FILE* file, std::size_t width) {
   return found;
 }
 
+// The first output that is a file, or will be.
+std::string first_file(std::span<const std::string> outputs) {
+  for (const std::string& path : outputs)
+    if (path != "-" && detail::part_path(path) != path) return path;
+  return {};
+}
+
+std::string cells_path(std::span<const std::string> outputs) {
+  const std::string file = first_file(outputs);
+  return file.empty() ? file : file + ".cells";
+}
+
 }  // namespace
 
-MapRows::MapRows(const ScenarioMap& map, const std::string& path, bool resume)
-    : map_(map), path_(path.empty() ? "" : path + ".cells"), head_(head_of(map)) {
-  if (path_.empty()) return;
-  errno = 0;
-  file_ = std::fopen(path_.c_str(), resume ? "r+b" : "w+b");
-  if (file_ == nullptr && resume && errno == ENOENT) file_ = std::fopen(path_.c_str(), "w+b");
-  if (file_ == nullptr) throw DomainError(detail::write_failure(path_, errno));
+bool is_complete(const ScenarioMap& map, std::span<const std::string> outputs,
+                 const BeginWords& words) {
+  const std::string cells = cells_path(outputs);
+  if (cells.empty())
+    throw DomainError("map: got " + words.resume + "; expected it beside outputs that are files");
+  std::error_code ignored;
+  return !std::filesystem::exists(cells, ignored) &&
+         detail::are_complete(outputs, map.scenario().text, words);
+}
+
+MapRows::MapRows(const ScenarioMap& map, std::vector<std::string> outputs, RunBegin begin,
+                 BeginWords words)
+    : map_(map),
+      outputs_(std::move(outputs)),
+      words_(std::move(words)),
+      path_(cells_path(outputs_)),
+      head_(head_of(map)) {
+  if (begin != RunBegin::restart) {
+    const std::string run = detail::checkpoint_among(outputs_, words_);
+    if (!run.empty())
+      throw DomainError(detail::printable(run, 500) +
+                        ": an unfinished run is there; expected another file for the map, or " +
+                        words_.restart + ", which loses the run");
+  }
+  if (path_.empty()) {
+    require_outputs();
+    return;
+  }
+  open();
+  struct stat status {};
+  const bool is_new = ::fstat(::fileno(file_), &status) == 0 && status.st_size == 0;
   try {
-    read(file_);
+    if (begin != RunBegin::restart) read(begin);
+    require_outputs();
+    if (begin != RunBegin::restart) return;
+    detail::forget_checkpoints(outputs_);
+    if (::ftruncate(::fileno(file_), 0) != 0) detail::fail_to_write(path_, errno);
+    read(begin);
   } catch (...) {
+    if (is_new) ::unlink(path_.c_str());
     std::fclose(file_);
     throw;
   }
@@ -115,38 +161,66 @@ MapRows::~MapRows() {
   if (file_ != nullptr) std::fclose(file_);
 }
 
+// For this process alone.
+void MapRows::open() {
+  const int descriptor = detail::locked_file(path_);
+  file_ = ::fdopen(descriptor, "r+b");
+  if (file_ != nullptr) return;
+  const int error_number = errno;
+  ::close(descriptor);
+  detail::fail_to_write(path_, error_number);
+}
+
+// A path that cannot be written is found out before the first cell.
+void MapRows::require_outputs() const {
+  for (const std::string& path : outputs_)
+    if (path != "-") open_sink(path, map_.groups(), provenance(map_.scenario()));
+}
+
 // What is whole of an earlier map; the rest of the file is cut off.
-void MapRows::read(std::FILE* file) {
-  std::string line = next_line(file);
+void MapRows::read(RunBegin begin) {
+  std::string line = next_line(file_);
   off_t whole = 0;
   if (line == head_) {
     whole = static_cast<off_t>(line.size());
     while (size() < map_.size()) {
-      std::optional<WholeCell> next = next_cell(file, map_.width());
+      std::optional<WholeCell> next = next_cell(file_, map_.width());
       if (!next) break;
       whole += next->bytes;
       cells_.push_back(std::move(next->cell));
     }
   } else if (line.ends_with('\n')) {
-    throw DomainError(detail::printable(path_, path_.size()) +
-                      ": is of another map, file or version of polhode; expected to go on from "
-                      "this one: remove it to start anew");
+    throw DomainError(detail::printable(path_, 500) +
+                      ": is of another map, file or version of polhode; " + words_.restart +
+                      " runs this one anew");
   }
-  if (::ftruncate(::fileno(file), whole) != 0)
-    throw OutputError(detail::write_failure(path_, errno));
-  std::fseek(file, 0, SEEK_END);
-  if (whole == 0 && (std::fputs(head_.c_str(), file) == EOF || std::fflush(file) != 0))
-    throw OutputError(detail::write_failure(path_, errno));
+  if (begin == RunBegin::anew && size() > 0)
+    detail::refuse_unfinished(path_, "map", done_text(), words_);
+  if (::ftruncate(::fileno(file_), whole) != 0) detail::fail_to_write(path_, errno);
+  std::fseek(file_, 0, SEEK_END);
+  if (whole == 0) put(head_);
+}
+
+std::string MapRows::done_text() const {
+  return std::to_string(size()) + " of " + std::to_string(map_.size()) + " cells";
+}
+
+void MapRows::put(const std::string& lines) {
+  errno = 0;
+  if (std::fputs(lines.c_str(), file_) == EOF || std::fflush(file_) != 0)
+    detail::fail_to_write(path_, errno);
+}
+
+// What to do after a disk was full.
+std::string MapRows::next_text() const {
+  return are_kept() ? words_.resume + " goes on after " + done_text() : std::string();
 }
 
 void MapRows::push(const MapCell& cell) {
-  cells_.push_back(cell);
-  cells_.back().failure = detail::printable(cell.failure, 1000);
-  if (file_ == nullptr) return;
-  errno = 0;
-  if (std::fputs(lines_of(cells_.back(), map_.width()).c_str(), file_) == EOF ||
-      std::fflush(file_) != 0)
-    throw OutputError(detail::write_failure(path_, errno));
+  MapCell kept{cell.numbers, detail::printable(cell.failure, 1000)};
+  if (are_kept())
+    detail::with_remedy([&] { put(lines_of(kept, map_.width())); }, [&] { return next_text(); });
+  cells_.push_back(std::move(kept));
 }
 
 void MapRows::write(Sink& sink) const {
@@ -165,17 +239,19 @@ void MapRows::write(Sink& sink) const {
   }
 }
 
-void MapRows::finish(std::span<const std::string> outputs) {
-  for (const std::string& output : outputs) {
-    const std::unique_ptr<Sink> sink =
-        open_sink(output, map_.groups(), provenance(map_.scenario()));
-    write(*sink);
-    sink->finish();
-  }
+void MapRows::finish() {
+  const auto write_outputs = [&] {
+    for (const std::string& output : outputs_) {
+      const std::unique_ptr<Sink> sink =
+          open_sink(output, map_.groups(), provenance(map_.scenario()));
+      write(*sink);
+      sink->finish();
+    }
+  };
+  detail::with_remedy(write_outputs, [&] { return next_text(); });
   if (file_ == nullptr) return;
-  std::fclose(file_);
-  file_ = nullptr;
-  std::remove(path_.c_str());
+  std::remove(path_.c_str());  // before the lock goes with fclose
+  std::fclose(std::exchange(file_, nullptr));
 }
 
 }  // namespace v0

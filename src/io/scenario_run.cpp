@@ -220,15 +220,11 @@ class ScenarioRun::Parts {
   // A disk that was full says what to do then.
   template <class F>
   void with_remedy(const F& f) const {
-    try {
-      f();
-    } catch (const detail::NoSpace& full) {
-      if (!are_files()) throw;
-      const std::string& resume = options_.words.resume;
-      throw OutputError(std::string(full.what()) + "; " + full.remedy + ", then " +
-                        (safe_t_ ? resume + " goes on from t = " + time_text(*safe_t_)
-                                 : std::string("run it again")));
-    }
+    detail::with_remedy(f, [&]() -> std::string {
+      if (!are_files()) return {};
+      if (!safe_t_) return "run it again";
+      return options_.words.resume + " goes on from t = " + time_text(*safe_t_);
+    });
   }
 
   // What earlier runs have left.

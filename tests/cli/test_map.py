@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """`polhode map`: the same bytes for any number of threads, and after any number of kills."""
 
+import signal
 import subprocess
 import time
 
@@ -119,6 +120,126 @@ def test_the_section_of_hyperion_has_curves_and_a_sea(run, root, tmp_path):
         return len({(int(angle // 6), int(spin // 0.1)) for angle, spin in points})
 
     assert boxes(regular) < 60 and boxes(chaotic) > 120
+
+
+@pytest.fixture
+def slow_map(scenario):
+    """A map of seconds."""
+    path = scenario(time="stop = 50000\ncount = 2")
+    path.write_text(path.read_text() + MAP)
+    return path
+
+
+def begun(polhode, path, out):
+    """A map that goes on, with a few cells behind it."""
+    process = subprocess.Popen([polhode, "map", path, "--out", out, "--threads", "2"], text=True,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    cells, deadline = out.with_name(out.name + ".cells"), time.monotonic() + 60
+    while time.monotonic() < deadline and process.poll() is None:
+        if cells.exists() and cells.read_bytes().count(b"\n") > 6:
+            break
+        time.sleep(0.005)
+    assert process.poll() is None
+    return process
+
+
+@pytest.mark.parametrize("by, status", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_signal_stops_a_map_in_order(polhode, run, slow_map, tmp_path, by, status):
+    out, cells = tmp_path / "m.csv", tmp_path / "m.csv.cells"
+    process = begun(polhode, slow_map, out)
+    process.send_signal(by)
+    err = process.communicate(timeout=60)[1]
+    assert process.returncode == status and not out.exists()
+    line = err.splitlines()[-1]
+    assert line.startswith("body.toml: stopped after ") and line.endswith(
+        f" of 143 cells; continue with: polhode map {slow_map} --out {out} --threads 2 --resume")
+    # what is there is not thrown away by the same command, typed again
+    before = cells.read_bytes()
+    done = run("map", slow_map, "--out", out)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1
+    number = int(line.split("stopped after ")[1].split()[0])
+    assert number >= 3 and done.stderr.startswith(
+        f"{cells}: an unfinished map is there ({number} of 143 cells); --resume continues it, "
+        "--restart begins anew")
+    assert cells.read_bytes() == before
+    # on purpose it is
+    slow_map.write_text(slow_map.read_text().replace("count = 13", "count = 2")
+                        .replace("count = 11", "count = 1"))
+    done = run("map", slow_map, "--out", out, "--resume")
+    assert done.returncode == 2 and "is of another map" in done.stderr
+    assert "--restart runs this one anew" in done.stderr and cells.read_bytes() == before
+    assert run("map", slow_map, "--out", out, "--restart").returncode == 0
+    assert out.exists() and not cells.exists()
+
+
+def test_one_map_at_a_time(polhode, run, slow_map, map_file, tmp_path):
+    out, cells = tmp_path / "m.csv", tmp_path / "m.csv.cells"
+    process = begun(polhode, slow_map, out)
+    try:
+        process.send_signal(signal.SIGSTOP)
+        before = cells.read_bytes()
+        for option in ([], ["--resume"], ["--restart"]):
+            for path in (slow_map, map_file):
+                done = run("map", path, "--out", out, *option)
+                assert done.returncode == 2
+                assert done.stderr == f"{cells}: another run is writing it\n"
+        assert cells.read_bytes() == before
+    finally:
+        process.kill()
+        process.communicate()
+
+
+def test_a_complete_map_has_nothing_to_do(run, map_file, tmp_path):
+    out, table = tmp_path / "m.csv", tmp_path / "m.h5"
+    first = run("map", map_file, "--out", out, "--out", table, "--resume")
+    assert first.returncode == 0
+    assert first.stderr.startswith("body.toml: no cells to continue from, starts anew\n")
+    before = out.stat().st_mtime_ns
+    again = run("map", map_file, "--out", out, "--out", table, "--resume")
+    assert (again.returncode, again.stdout, again.stderr) == (
+        0, f"body.toml: nothing to do: complete in {out}, {table}\n", "")
+    assert out.stat().st_mtime_ns == before
+    map_file.write_text(map_file.read_text().replace("count = 11", "count = 2"))
+    done = run("map", map_file, "--out", out, "--resume")
+    assert done.returncode == 2 and "is there, of another scenario" in done.stderr
+    assert run("map", map_file, "--out", out, "--restart").returncode == 0
+
+
+# A limit on the size of files stands for a full disk.
+def test_a_disk_that_fills_up_keeps_the_cells(polhode, run, map_file, tmp_path):
+    whole, out = tmp_path / "whole.csv", tmp_path / "m.csv"
+    assert run("map", map_file, "--out", whole).returncode == 0
+    for kilobytes, status in ((2, 1), (4, 1), (None, 0)):
+        limit = f"ulimit -f {kilobytes}; exec \"$@\"" if kilobytes else "exec \"$@\""
+        done = subprocess.run(
+            ["bash", "-c", limit, "bash", polhode, "map", map_file, "--out", out, "--resume"],
+            text=True, capture_output=True)
+        assert done.returncode == status, done.stderr
+        if status:
+            line = done.stderr.splitlines()[-1]
+            assert line.startswith(f"{out}.cells: cannot be written: File too large; raise the ")
+            assert line.endswith(" of 143 cells") and ", then --resume goes on after " in line
+    assert out.read_bytes() == whole.read_bytes()
+
+
+def test_a_map_does_not_overwrite_an_unfinished_run(polhode, run, scenario, map_file, tmp_path):
+    body = scenario(name="long.toml", time="stop = 1e9\nstep = 0.1")
+    out, checkpoint = tmp_path / "m.csv", tmp_path / "m.csv.checkpoint"
+    process = subprocess.Popen([polhode, "run", body, "--out", out, "--checkpoint", "0.1"],
+                               stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 60
+    while not checkpoint.exists() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.kill()
+    process.wait()
+    before = (tmp_path / "m.csv.part").read_bytes()
+    done = run("map", map_file, "--out", out)
+    assert done.returncode == 2
+    assert done.stderr.startswith(
+        f"{checkpoint}: an unfinished run is there; expected another file")
+    assert (tmp_path / "m.csv.part").read_bytes() == before
+    assert run("map", map_file, "--out", out, "--restart").returncode == 0
+    assert not checkpoint.exists()
 
 
 def test_what_is_no_map(run, scenario, map_file, tmp_path):

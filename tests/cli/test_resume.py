@@ -110,7 +110,7 @@ def test_an_unfinished_run_is_not_overwritten(polhode, run, long, tmp_path):
 
 
 def test_no_output_of_an_unfinished_run_is_overwritten(polhode, run, long, scenario, tmp_path):
-    """Whichever of its outputs another run names, in whatever folder: the run goes on afterwards."""
+    """Whichever of them another run names, in whatever folder: the run goes on afterwards."""
     short = scenario(name="short.toml")
     with long.open("a") as file:
         file.write('[[event]]\ncolumn = "qw"\nvalue = 0.3\n')
@@ -151,7 +151,8 @@ def test_an_output_whose_checkpoint_is_gone(polhode, run, long, scenario, tmp_pa
     short = scenario(name="short.toml")
     done = run("run", short, "--out", there / "p.h5")
     assert done.returncode == 2
-    assert done.stderr.startswith(f"{there}/p.csv.checkpoint: an unfinished run is there (body.toml")
+    assert done.stderr.startswith(
+        f"{there}/p.csv.checkpoint: an unfinished run is there (body.toml at t = ")
     (there / "p.csv.checkpoint").rename(tmp_path / "away")
     for option in ([], ["--resume"]):
         done = run("run", short, "--out", there / "p.h5", *option)

@@ -13,7 +13,8 @@
 //             each of its points.
 // Accuracy    axes are rounded once; the rest is that of the method.
 // Errors      ScenarioError for what is no map. A cell that cannot be (a chart refuses its numbers)
-//             or cannot go on has one row of NaN, and says why. OutputError from MapRows.
+//             or cannot go on has one row of NaN, and says why. DomainError and OutputError from
+//             MapRows.
 // Cost        a millisecond to read the scenario anew, one cell at a time, then its run.
 #pragma once
 
@@ -27,6 +28,7 @@
 
 #include "polhode/io/columns.hpp"
 #include "polhode/io/scenario.hpp"
+#include "polhode/io/scenario_run.hpp"
 #include "polhode/io/sink.hpp"
 #include "polhode/trajectory/progress.hpp"
 
@@ -63,34 +65,49 @@ class ScenarioMap {
   std::unique_ptr<Parts> parts_;
 };
 
-// The cells of a map as they come, kept in PATH.cells: what a killed map goes on from. Cells are
-// whole or they do not count.
+// The cells of a map as they come, kept in FIRST_FILE.cells: what a killed map goes on from. Cells
+// are whole or they do not count.
 class MapRows {
  public:
-  // Without a path nothing is kept. `resume`: goes on from PATH.cells, if it is there; DomainError
-  // when it is of another map.
-  MapRows(const ScenarioMap& map, const std::string& path, bool resume);
+  // `outputs` as open_sink takes them; where none is a file nothing is kept. DomainError for
+  // outputs that cannot be or that another process writes, for cells (or an unfinished run) that
+  // are there when neither resume nor restart was asked for, and for cells of another map.
+  MapRows(const ScenarioMap& map, std::vector<std::string> outputs, RunBegin begin,
+          BeginWords words = {});
   ~MapRows();
   MapRows(const MapRows&) = delete;
   MapRows& operator=(const MapRows&) = delete;
 
+  bool are_kept() const { return file_ != nullptr; }
   std::int64_t size() const { return static_cast<std::int64_t>(cells_.size()); }
   const std::vector<MapCell>& cells() const { return cells_; }
   void push(const MapCell& cell);
   // All rows so far, each with its place.
   void write(Sink& sink) const;
-  // All rows to the outputs, which get their names; PATH.cells goes.
-  void finish(std::span<const std::string> outputs);
+  // All rows to the outputs, which get their names; the cells go.
+  void finish();
 
  private:
-  void read(std::FILE* file);
+  void open();
+  void read(RunBegin begin);
+  void require_outputs() const;
+  void put(const std::string& lines);
+  std::string done_text() const;
+  std::string next_text() const;
 
   const ScenarioMap& map_;
+  std::vector<std::string> outputs_;
+  BeginWords words_;
   std::string path_;
   std::string head_;
   std::FILE* file_ = nullptr;
   std::vector<MapCell> cells_;
 };
+
+// Whether the map is complete in its outputs. DomainError where they are of another scenario, or
+// cannot tell.
+bool is_complete(const ScenarioMap& map, std::span<const std::string> outputs,
+                 const BeginWords& words = {});
 
 }  // namespace v0
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "io/detail/part_file.hpp"
 #include "polhode/io/scenario_run.hpp"
 
 namespace polhode {
@@ -29,6 +30,18 @@ void sync_folder_of(const std::string& path);
 // Whether all outputs are there, with none on its way. DomainError for one of another scenario.
 bool are_complete(std::span<const std::string> outputs, const std::string& scenario_text,
                   const BeginWords& words);
+
+// A disk that was full says what to do: make space, and what `next` says. Empty: nothing helps.
+template <class F, class Next>
+void with_remedy(const F& f, const Next& next) {
+  try {
+    f();
+  } catch (const NoSpace& full) {
+    const std::string then = next();
+    if (then.empty()) throw;
+    throw OutputError(std::string(full.what()) + "; " + full.remedy + ", then " + then);
+  }
+}
 
 }  // namespace detail
 }  // namespace v0

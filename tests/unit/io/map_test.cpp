@@ -229,26 +229,25 @@ to = 2
 count = 3
 )",
                         "m.toml");
-  const std::string outputs[] = {path};
   {
-    MapRows rows(map, path, false);
+    MapRows rows(map, {path}, RunBegin::restart);
     for (std::int64_t k = 0; k < 3; ++k) rows.push(map.cell(k));
-    rows.finish(outputs);
+    rows.finish();
   }
   const std::string straight = text_of(path);
   EXPECT_THAT(straight, HasSubstr("\n2,nan,nan,nan,nan\n"));  // no body
   {
-    MapRows rows(map, path, false);
+    MapRows rows(map, {path}, RunBegin::restart);
     for (std::int64_t k = 0; k < 3; ++k) rows.push(map.cell(k));
   }
   const std::string cells = text_of(path + ".cells");
   std::int64_t whole = 0;
   for (std::size_t length = cells.find('\n'); length <= cells.size(); length += 41) {
     std::ofstream(path + ".cells", std::ios::binary) << cells.substr(0, length);
-    MapRows rows(map, path, true);
+    MapRows rows(map, {path}, RunBegin::resume);
     whole = std::max(whole, rows.size());
     for (std::int64_t k = rows.size(); k < 3; ++k) rows.push(map.cell(k));
-    rows.finish(outputs);
+    rows.finish();
     EXPECT_EQ(text_of(path), straight) << length;
   }
   EXPECT_GE(whole, 2);
@@ -260,20 +259,21 @@ TEST(MapRows, GoOnFromWhatIsWholeOfAnEarlierMap) {
   const std::string path = folder + "/m.csv";
   std::filesystem::remove(path + ".cells");
   const ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
-  const std::string outputs[] = {path};
   {
-    MapRows rows(map, path, false);
+    MapRows rows(map, {path}, RunBegin::restart);
     for (std::int64_t k = 0; k < 6; ++k) rows.push(map.cell(k));
-    rows.finish(outputs);
+    rows.finish();
   }
   EXPECT_FALSE(std::filesystem::exists(path + ".cells"));
   const std::string straight = text_of(path);
   {
-    MapRows rows(map, path, true);  // nothing there: from the start
+    MapRows rows(map, {path}, RunBegin::resume);  // nothing there: from the start
     EXPECT_EQ(rows.size(), 0);
     for (std::int64_t k = 0; k < 4; ++k) rows.push(map.cell(k));
   }
   const std::string cells = text_of(path + ".cells");
+  EXPECT_THROW(MapRows(map, {path}, RunBegin::anew), DomainError);  // four cells would be lost
+  EXPECT_EQ(text_of(path + ".cells"), cells);
   const auto head = static_cast<std::int64_t>(cells.find('\n') + 1);
   // killed after any number of bytes
   for (const std::int64_t length :
@@ -281,13 +281,13 @@ TEST(MapRows, GoOnFromWhatIsWholeOfAnEarlierMap) {
         static_cast<std::int64_t>(cells.size())}) {
     std::ofstream(path + ".cells", std::ios::binary)
         << cells.substr(0, static_cast<std::size_t>(length));
-    MapRows rows(map, path, true);
+    MapRows rows(map, {path}, RunBegin::resume);
     for (std::int64_t k = rows.size(); k < 6; ++k) rows.push(map.cell(k));
-    rows.finish(outputs);
+    rows.finish();
     EXPECT_EQ(text_of(path), straight) << length;
   }
   std::ofstream(path + ".cells") << "another file\n";
-  EXPECT_THROW(MapRows(map, path, true), DomainError);
+  EXPECT_THROW(MapRows(map, {path}, RunBegin::resume), DomainError);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "resume.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+
+namespace polhode::cli {
+namespace {
+
+// A word as a shell reads it.
+std::string quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::strchr("_-./+=:,@%", c) != nullptr;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+RunBegin BeginOptions::begin() const {
+  return resume ? RunBegin::resume : restart ? RunBegin::restart : RunBegin::anew;
+}
+
+void add_begin_options(CLI::App& command, BeginOptions& options, const std::string& resume_help,
+                       const std::string& restart_help) {
+  CLI::Option* resume = command.add_flag("--resume", options.resume, resume_help);
+  command.add_flag("--restart", options.restart, restart_help)->excludes(resume);
+}
+
+BeginWords begin_words() { return {"--resume", "--restart"}; }
+
+std::string how_to_continue(const std::vector<std::string>& command, bool can_resume) {
+  if (!can_resume) return "; outputs that are not files cannot be continued";
+  std::string text = "; continue with: polhode";
+  for (const std::string& word : command) text += " " + quoted(word);
+  return text + " --resume";
+}
+
+void print_nothing_to_do(const std::string& name, const std::vector<std::string>& paths) {
+  std::string names;
+  for (const std::string& path : paths) names += (names.empty() ? "" : ", ") + path;
+  print(name + ": nothing to do: complete in " + names + "\n");
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What the commands share that may be stopped and continued.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "polhode/io/scenario_run.hpp"
+
+namespace polhode::cli {
+
+// --resume and --restart, of which at most one is given.
+struct BeginOptions {
+  bool resume = false;
+  bool restart = false;
+
+  RunBegin begin() const;
+};
+void add_begin_options(CLI::App& command, BeginOptions& options, const std::string& resume_help,
+                       const std::string& restart_help);
+BeginWords begin_words();
+
+// The end of the line of one that was stopped: "; continue with: polhode map FILE --resume".
+std::string how_to_continue(const std::vector<std::string>& command, bool can_resume);
+// "NAME: nothing to do: complete in a.csv, a.h5"
+void print_nothing_to_do(const std::string& name, const std::vector<std::string>& paths);
+
+}  // namespace polhode::cli
