@@ -78,6 +78,11 @@ bool is_header(const Fields& fields) {
          });
 }
 
+// How what JPL's Horizons sends begins; rows are between $$SOE and $$EOE.
+bool is_banner(std::string_view line) {
+  return line.starts_with("***") || line.starts_with("API VERSION");
+}
+
 // Rows of a file one by one, with the names that stand above them.
 class TableReader {
  public:
@@ -103,6 +108,11 @@ class TableReader {
         if (hash != std::string_view::npos) above = line->substr(hash + 1);
         continue;
       }
+      if (!started_ && is_banner(text)) {
+        skip_banner();
+        continue;
+      }
+      if (text == "$$EOE") return false;
       if (!commas_) commas_ = text.find(',') != std::string_view::npos;
       split(text, *commas_, fields_);
       if (started_) return true;
@@ -124,6 +134,24 @@ class TableReader {
   [[noreturn]] void fail(const std::string& what) const { fail(what, number_); }
 
  private:
+  // To the first row of Horizons; the names are in the last line above that is no rule of stars.
+  void skip_banner() {
+    std::string above;
+    while (const std::optional<std::string_view> line = lines_.next()) {
+      ++number_;
+      const std::string_view text = trimmed(*line);
+      if (text == "$$SOE") {
+        if (above.find(',') == std::string::npos)
+          fail("names no columns above; expected what Horizons sends with CSV_FORMAT = YES");
+        split(above, true, fields_);
+        names_.assign(fields_.begin(), fields_.end());
+        started_ = true;
+        return;
+      }
+      if (!text.empty() && !text.starts_with("***")) above = text;
+    }
+    fail("the file ends before $$SOE, where rows of Horizons begin");
+  }
   [[noreturn]] void fail(const std::string& what, std::size_t line) const {
     throw DomainError(shown_ + ":" + std::to_string(line) + ": " + what);
   }

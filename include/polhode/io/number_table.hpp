@@ -7,7 +7,9 @@
 //             has no comma; a comma at the end of a row is dropped. What follows # is a comment,
 //             blank lines are skipped. The first line that holds no numbers names the columns;
 //             without one, a comment right above the first row does, where it has as many words
-//             ("# t x y z"). Numbers as in C or Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
+//             ("# t x y z"). Of what JPL's Horizons sends (CSV_FORMAT = YES) the rows between
+//             $$SOE and $$EOE, with the names above. Numbers as in C or Fortran (1.5e3, 1.5D+03).
+//             Lines of at most 1 MiB.
 // Accuracy    the nearest double.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong: a missing column or field,
 //             text that is no finite number, a damaged .gz; "FILE: ..." for what cannot be read.

@@ -107,6 +107,21 @@ TEST_F(NumberTableFile, CompressedFilesReadTheSame) {
       DomainError);
 }
 
+TEST_F(NumberTableFile, OfHorizonsTheRowsBetweenItsMarks) {
+  const std::string text =
+      "*****\nJPL/HORIZONS   1, 2, 3\n*****\n JD,  Calendar Date (TDB), X,\n*****\n$$SOE\n"
+      " 1.5, A.D. 2026, 7.0E+00,\n 2.5, A.D. 2026, 8.0E+00,\n$$EOE\n***\n1, 2, 3\n";
+  EXPECT_THAT(table_columns(holding(text)), ElementsAre("JD", "Calendar Date (TDB)", "X"));
+  const NumberTable table = read_number_table(holding(text), std::vector<std::string>{"JD", "X"});
+  EXPECT_THAT(table.columns[0], ElementsAre(1.5, 2.5));
+  EXPECT_THAT(table.columns[1], ElementsAre(7.0, 8.0));
+  EXPECT_THAT(table.lines, ElementsAre(7, 8));
+  EXPECT_EQ(error_of("***\nX Y\n$$SOE\n1 2\n"),
+            ":3: names no columns above; expected what Horizons sends with CSV_FORMAT = YES");
+  EXPECT_EQ(error_of("***\nX, Y\n"),
+            ":2: the file ends before $$SOE, where rows of Horizons begin");
+}
+
 TEST_F(NumberTableFile, TheFirstColumnMayBeReadInAnotherWay) {
   const NumberTable table = read_number_table(
       holding("2020-01-01 7\n2021-01-01 8\n"), std::vector<std::string>{"1", "2"},
