@@ -41,16 +41,20 @@ constexpr KnownUnit units_table[] = {
     {"rpm", "revolution per minute", 1.0, "rev/min"},
     {"m", "metre", 1.0, ""},
     {"cm", "centimetre", 0.01, "m"},
+    {"mm", "millimetre", 0.001, "m"},
     {"km", "kilometre", 1e3, "m"},
     {"au", "astronomical unit", 149597870700.0, "m"},
     {"R_e", "Earth radius", 6378136.6, "m"},
     {"kg", "kilogram", 1.0, ""},
     {"g", "gram", 0.001, "kg"},
     {"N", "newton", 1.0, "kg m/s2"},
+    {"Pa", "pascal", 1.0, "N/m2"},
+    {"GPa", "gigapascal", 1e9, "Pa"},
     {"J", "joule", 1.0, "N m"},
     {"W", "watt", 1.0, "J/s"},
     {"A", "ampere", 1.0, ""},
     {"T", "tesla", 1.0, "kg/(A s2)"},
+    {"uT", "microtesla", 1e-6, "T"},
     {"nT", "nanotesla", 1e-9, "T"},
     {"S", "siemens", 1.0, "A2 s3/(kg m2)"},
 };
@@ -106,7 +110,70 @@ const UnitSystem& unit_system() {
 bool is_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+std::string lower(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+struct Prefix {
+  std::string_view letter;
+  std::string_view name;
+};
+constexpr Prefix prefixes[] = {{"p", "pico"},  {"n", "nano"}, {"u", "micro"}, {"m", "milli"},
+                               {"c", "centi"}, {"d", "deci"}, {"h", "hecto"}, {"k", "kilo"},
+                               {"K", "kilo"},  {"M", "mega"}, {"G", "giga"},  {"T", "tera"}};
+constexpr int one_letter = 2;  // between two words, as edit_distance counts
+
+const KnownUnit* unit_of_symbol(std::string_view symbol) {
+  for (const KnownUnit& unit : units_table)
+    if (unit.symbol == symbol) return &unit;
+  return nullptr;
+}
+
+bool is_called(const KnownUnit& unit, const std::string& word, int slip) {
+  return lower(unit.symbol) == word || detail::edit_distance(unit.name, word) <= slip;
+}
+
+// "um", "micrometre": a multiple that is not in the table is no slip of one that is: no symbol.
+// "nTesla", "centimeter" are ways to write one that is.
+struct Multiple {
+  bool is_one = false;
+  std::string symbol;
+};
+Multiple multiple(std::string_view text) {
+  const std::string word = lower(text);
+  for (const Prefix& prefix : prefixes) {
+    if (!word.starts_with(prefix.name)) continue;
+    for (const KnownUnit& unit : units_table)
+      if (unit.name.starts_with(prefix.name) && is_called(unit, word, one_letter))
+        return {true, std::string(unit.symbol)};
+    for (const KnownUnit& unit : units_table)
+      if (is_called(unit, word.substr(prefix.name.size()), one_letter)) return {true, {}};
+  }
+  for (const Prefix& prefix : prefixes)
+    for (const KnownUnit& unit : units_table) {
+      if (!text.starts_with(prefix.letter) || !is_called(unit, word.substr(1), 0)) continue;
+      const std::string symbol =
+          std::string(prefix.letter == "K" ? "k" : prefix.letter) + std::string(unit.symbol);
+      return {true, unit_of_symbol(symbol) != nullptr ? symbol : ""};
+    }
+  return {};
+}
+
+// "Nm" as "N m".
+std::string product(std::string_view word) {
+  for (const KnownUnit& left : units_table)
+    for (const KnownUnit& right : units_table)
+      if (word.size() == left.symbol.size() + right.symbol.size() &&
+          word.starts_with(left.symbol) && word.ends_with(right.symbol))
+        return std::string(left.symbol) + " " + std::string(right.symbol);
+  return {};
+}
+
 std::string nearest_unit(std::string_view word) {
+  if (const Multiple found = multiple(word); found.is_one) return found.symbol;
+  if (const std::string found = product(word); !found.empty()) return found;
   std::vector<std::string_view> words;
   for (const KnownUnit& unit : units_table) {
     words.push_back(unit.symbol);
@@ -121,8 +188,7 @@ std::string nearest_unit(std::string_view word) {
 }
 
 void require_known(std::string_view word) {
-  for (const KnownUnit& unit : units_table)
-    if (unit.symbol == word) return;
+  if (unit_of_symbol(word) != nullptr) return;
   std::string message = "unknown unit \"" + std::string(word) + "\"";
   const std::string near = nearest_unit(word);
   message += near.empty() ? "; expected s, min, h, d, yr, rad, deg, kg, m, ... or their products"
@@ -252,6 +318,17 @@ const DimensionSpec& spec_of(Dimension dimension) {
   throw std::logic_error("units: a dimension without a row");
 }
 
+// What products of kg, m, s and A are usually called.
+struct SiName {
+  Dimension dimension;
+  std::string_view unit;
+};
+constexpr SiName si_names[] = {{Dimension::mass, "kg"},
+                               {Dimension::density, "kg/m3"},
+                               {Dimension::pressure, "N/m2"},
+                               {Dimension::magnetic_field, "T"},
+                               {Dimension::magnetic_tensor, "S m4"}};
+
 // The core unit of a dimension, as text; `radians` says whether rad stands in it where it may.
 std::string core_unit(const Units& units, Dimension dimension, bool radians) {
   if (dimension == Dimension::angle) return "rad";
@@ -287,6 +364,25 @@ std::string label_of(const Units& units, const DimensionSpec& spec) {
   if (below.empty()) return above.empty() ? "1" : above;
   const bool several = below.find(' ') != std::string::npos;
   return (above.empty() ? "1" : above) + "/" + (several ? "(" + below + ")" : below);
+}
+
+// "; set units.moment = ..." where that is what keeps a unit from being one of this dimension.
+std::string missing_units(const Units& units, std::string_view unit, Dimension dimension) {
+  const bool moment = units.moment() == "1", length = units.length() == "1";
+  if (!moment && !length) return {};
+  const Units physical(units.time(), units.angle(), moment ? "kg m2" : units.moment(),
+                       length ? "m" : units.length());
+  try {
+    physical.to_core(1.0, unit, dimension);
+  } catch (const DomainError&) {
+    return {};
+  }
+  const DimensionSpec& spec = spec_of(dimension);
+  std::string text;
+  if (moment && spec.moment != 0) text = "units.moment = \"kg m2\"";
+  if (length && spec.length != 0)
+    text += std::string(text.empty() ? "" : " and ") + "units.length = \"m\"";
+  return text.empty() ? text : "; set " + text;
 }
 
 void require_name(std::string_view what, std::string_view unit, std::string_view like) {
@@ -344,7 +440,8 @@ double Units::to_core(double value, std::string_view unit, Dimension dimension) 
   std::string expected = "\"" + std::string(unit) + "\" is not a unit of ";
   expected +=
       std::string(dimension_name(dimension).substr(dimension_name(dimension).find(' ') + 1));
-  throw DomainError(expected + " here; expected one like " + label(dimension));
+  throw DomainError(expected + " here; expected one like " + label(dimension) +
+                    missing_units(*this, unit, dimension));
 }
 
 double Units::from_core(double value, Dimension dimension) const {
@@ -355,6 +452,9 @@ double Units::from_core(double value, Dimension dimension) const {
 std::string Units::label(Dimension dimension) const {
   if (dimension == Dimension::angle) return angle_;
   if (dimension == Dimension::rate) return angle_ + "/" + time_;
+  if (moment_ == "kg m2" && length_ == "m" && time_ == "s")
+    for (const SiName& si : si_names)
+      if (si.dimension == dimension) return std::string(si.unit);
   return label_of(*this, spec_of(dimension));
 }
 

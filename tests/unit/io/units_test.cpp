@@ -76,7 +76,7 @@ TEST(Units, GravityTorqueAndDamping) {
   EXPECT_EQ(error_of([&] { km.to_core(1.0, "km2/s2", Dimension::gm); }),
             "\"km2/s2\" is not a unit of gravitational parameter here; expected one like km3/s2");
   EXPECT_EQ(error_of([&] { Units().to_core(1.0, "km", Dimension::length); }),
-            "\"km\" is not a unit of length here; expected one like 1");
+            "\"km\" is not a unit of length here; expected one like 1; set units.length = \"m\"");
 }
 
 TEST(Units, ReciprocalsAndOtherDimensionsAreRefused) {
@@ -98,6 +98,18 @@ TEST(Units, UnknownUnitsNameTheNearest) {
   EXPECT_EQ(error("hours"), "unknown unit \"hours\"; did you mean h?");
   EXPECT_EQ(error("degrees/h"), "unknown unit \"degrees\"; did you mean deg?");
   EXPECT_EQ(error("mim"), "unknown unit \"mim\"; did you mean min?");
+  // a multiple that is not there is no slip
+  for (const char* unit : {"um", "dm", "Mm", "mPa", "kPa", "KPa", "mT", "ms", "pm", "micrometre",
+                           "decimeter", "millisecond", "milliseconds", "kiloyear"})
+    EXPECT_EQ(error(unit).find("did you mean"), std::string::npos) << unit << ": " << error(unit);
+  EXPECT_EQ(error("nTesla"), "unknown unit \"nTesla\"; did you mean nT?");
+  EXPECT_EQ(error("microtesla"), "unknown unit \"microtesla\"; did you mean uT?");
+  EXPECT_EQ(error("centimeter"), "unknown unit \"centimeter\"; did you mean cm?");
+  EXPECT_EQ(error("milimetre"), "unknown unit \"milimetre\"; did you mean mm?");
+  EXPECT_EQ(error("minutes"), "unknown unit \"minutes\"; did you mean min?");
+  EXPECT_EQ(error("metre"), "unknown unit \"metre\"; did you mean m?");
+  EXPECT_EQ(error("Km"), "unknown unit \"Km\"; did you mean km?");
+  EXPECT_EQ(error("Nm"), "unknown unit \"Nm\"; did you mean N m?");
   EXPECT_NE(error("fortnight").find("unknown unit \"fortnight\"; expected s, min"),
             std::string::npos);
 }
@@ -122,12 +134,46 @@ TEST(Units, FilesNameSingleUnitsOfTimeAndAngle) {
             "length: \"kg\" is not 1 (scale-free) or a unit like km");
 }
 
+TEST(Units, SmallLengthsAndPressures) {
+  const Units si("s", "rad", "kg m2", "m");
+  EXPECT_DOUBLE_EQ(si.to_core(1.0, "mm", Dimension::length), 1e-3);
+  EXPECT_DOUBLE_EQ(si.to_core(1.0, "Pa", Dimension::pressure), 1.0);
+  EXPECT_DOUBLE_EQ(si.to_core(1.0, "GPa", Dimension::pressure), 1e9);
+  EXPECT_DOUBLE_EQ(si.to_core(1.0, "uT", Dimension::magnetic_field), 1e-6);
+}
+
+TEST(Units, OfSIAreCalledByTheirNames) {
+  const Units si("s", "rad", "kg m2", "m");
+  EXPECT_EQ(si.label(Dimension::pressure), "N/m2");
+  EXPECT_EQ(si.label(Dimension::density), "kg/m3");
+  EXPECT_EQ(si.label(Dimension::magnetic_field), "T");
+  EXPECT_EQ(si.label(Dimension::mass), "kg");
+  EXPECT_EQ(si.label(Dimension::magnetic_tensor), "S m4");
+  EXPECT_EQ(Units("s", "rad", "kg m2", "km").label(Dimension::density), "kg m2/km5");
+}
+
+TEST(Units, AUnitThatIsMissingIsNamed) {
+  const auto error = [](const Units& units, const char* unit, Dimension d) {
+    return error_of([&] { units.to_core(1.0, unit, d); });
+  };
+  EXPECT_EQ(error(Units("s", "rad", "1", "km"), "kg/m3", Dimension::density),
+            "\"kg/m3\" is not a unit of density here; expected one like 1/km5; set "
+            "units.moment = \"kg m2\"");
+  EXPECT_EQ(error(Units(), "nT", Dimension::magnetic_field),
+            "\"nT\" is not a unit of magnetic field here; expected one like 1/(A s2); set "
+            "units.moment = \"kg m2\" and units.length = \"m\"");
+  EXPECT_EQ(error(Units(), "kg/m3", Dimension::time),
+            "\"kg/m3\" is not a unit of time here; expected one like s");
+}
+
 TEST(Units, LabelsAreUnitsThemselves) {
-  for (const Units& units :
-       {Units("h", "deg", "kg m2", "km"), Units("d", "rev", "1", "au"), Units()})
-    for (const Dimension d : {Dimension::time, Dimension::angle, Dimension::rate, Dimension::moment,
-                              Dimension::momentum, Dimension::energy, Dimension::length,
-                              Dimension::gm, Dimension::torque, Dimension::damping})
+  for (const Units& units : {Units("h", "deg", "kg m2", "km"), Units("d", "rev", "1", "au"),
+                             Units(), Units("s", "rad", "kg m2", "m")})
+    for (const Dimension d :
+         {Dimension::time, Dimension::angle, Dimension::rate, Dimension::moment,
+          Dimension::momentum, Dimension::energy, Dimension::length, Dimension::gm,
+          Dimension::torque, Dimension::damping, Dimension::mass, Dimension::density,
+          Dimension::pressure, Dimension::magnetic_field, Dimension::magnetic_tensor})
       EXPECT_EQ(units.to_core(1.0, units.label(d), d), units.to_core(1.0, d)) << units.label(d);
 }
 
