@@ -140,9 +140,10 @@ void append_comment(std::string& page, std::string_view text) {
 }
 
 // The keys of the first set of each row of alternatives stand; the others are shown as comments,
-// and so is the epoch: a date that is not the user's own must not slip into their files.
+// and so is the epoch, with what belongs to it: a date that is not the user's own must not slip
+// into their files.
 bool stands(const Schema& schema, const Key& key) {
-  if (key.type == KeyType::epoch) return false;
+  if (key.type == KeyType::epoch || key.path == "state.dut1") return false;
   if (key.presence != Presence::alternative) return true;
   const std::string_view name = key_name(key.path);
   for (const Alternatives& row : schema.alternatives) {
@@ -204,6 +205,19 @@ bool needs_orbit(const Schema& schema, std::string_view kind) {
   return false;
 }
 
+// Whether what a kind needs has units that moments without one cannot give: those of air, light,
+// magnets and matter.
+bool is_physical(const Schema& schema, std::string_view kind) {
+  constexpr Dimension of_matter[] = {Dimension::density, Dimension::pressure,
+                                     Dimension::magnetic_field};
+  for (const Key* key : keys_of(schema, perturbation_table))
+    if (!key->kinds.empty() && is_required(*key, kind) &&
+        std::find(std::begin(of_matter), std::end(of_matter), key->dimension) !=
+            std::end(of_matter))
+      return true;
+  return false;
+}
+
 // Whether a table has lines of its own in the template of this subject.
 bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
@@ -233,6 +247,7 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     page += section_name(schema, path) + "\n";
   }
   std::string_view kind;
+  const bool physical = is_physical(schema, subject.perturbation);
   for (const Key* key : keys_of(schema, path)) {
     // [output.aem] names an object: what is not the user's own must not slip into their files
     const bool table_line =
@@ -244,10 +259,13 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
       kind = path == perturbation_table ? subject.perturbation : without_quotes(key->example);
       value = '"' + std::string(kind) + '"';
     }
+    if (physical && key->path == "units.time") value = "\"s\"";
+    if (physical && key->path == "units.moment") value = "\"kg m2\"";
     append_comment(page, key->help);
+    const bool may_be_left_out = key->presence == Presence::optional && !is_required(*key, kind) &&
+                                 key->path != "perturbation[].torque_3";  // a table of no torque
     const bool stands_here =
-        stands(schema, *key) && !((is_motion(path) || path == "body") &&
-                                  key->presence == Presence::optional && !is_required(*key, kind));
+        stands(schema, *key) && !((is_motion(path) || path == "body") && may_be_left_out);
     page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
   }
 }

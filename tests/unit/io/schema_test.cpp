@@ -103,6 +103,18 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
     EXPECT_EQ(scenario.surface.has_value(), on_surface);
     EXPECT_TRUE(scenario.method.has_value());
     EXPECT_EQ(scenario.events.size(), 1U);
+    const bool is_physical = is_magnetic || on_surface || kind == "anelastic-damping";
+    EXPECT_EQ(scenario.units.moment(), is_physical ? "kg m2" : "1") << kind;
+    EXPECT_EQ(scenario.units.time(), is_physical ? "s" : "h") << kind;
+    // the numbers are those of a body that something moves
+    const FreeRotation free = free_rotation(scenario);
+    double largest = 0.0;
+    for (double t = 0.0; t < 700.0; t += 30.0) {
+      const Effect moved = effect(rotor_system(scenario), t, free.at(t));
+      largest = std::max(largest, norm(moved.v) + norm(moved.u));
+    }
+    EXPECT_GT(largest, 0.0) << kind;
+    EXPECT_THAT(scenario_template(kind), HasSubstr("\n# dut1 = "));
   }
 }
 
@@ -182,8 +194,8 @@ TEST(Schema, ErrorsInsideThemNameTheirPath) {
     diagnostics.raise();
     FAIL();
   } catch (const ScenarioError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("f:2:1: orbit.moon.peroid: unknown key; expected period; "
-                                        "did you mean period?"));
+    EXPECT_THAT(error.what(), HasSubstr("f:2:1: orbit.moon.peroid: unknown key; did you mean "
+                                        "period? expected period\n"));
     EXPECT_THAT(error.what(), HasSubstr("f:4:8: event[0].kind: got \"cuont\"; expected "
                                         "\"crossing\" or \"count\"; did you mean \"count\"?"));
   }
