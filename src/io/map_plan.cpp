@@ -22,10 +22,16 @@ bool is_number(const Value& value) {
          type == KeyType::linear_map;
 }
 
-std::vector<std::string> numbers_of(const Values& values) {
+// The numbers of a file by their keys; of arrays the first, or that with the index in `key`.
+std::vector<std::string> numbers_of(const Values& values, const std::string& key) {
+  std::string index = "[0]";
+  if (key.ends_with("]")) index = key.substr(std::min(key.rfind('['), key.size()));
   std::vector<std::string> paths;
-  for (const auto& [path, value] : values)
-    if (is_number(value) && !path.starts_with("map.")) paths.push_back(path);
+  for (const auto& [path, value] : values) {
+    if (!is_number(value) || path.starts_with("map.")) continue;
+    const std::string one = value.key->type == KeyType::number ? path : path + index;
+    paths.push_back(number_place(values, one) ? one : path + "[0]");
+  }
   return paths;
 }
 
@@ -34,7 +40,7 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
   const std::string& key = word(values, path + ".key");
   const std::optional<NumberPlace> place = number_place(values, key);
   if (!place) {
-    const std::vector<std::string> paths = numbers_of(values);
+    const std::vector<std::string> paths = numbers_of(values, key);
     const std::vector<std::string_view> known(paths.begin(), paths.end());
     refuse(values, path + ".key", name,
            "expected a key of this file that holds a number, such as state.euler.theta or "

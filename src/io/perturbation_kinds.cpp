@@ -55,6 +55,16 @@ double gm_at(const TermPlace& at) {
   return *gm;
 }
 
+double positive_at(const TermPlace& at, const char* own) {
+  const std::string key = at.key(own);
+  const double x = number(at.values, key);
+  if (x > 0.0) return x;
+  std::string what(dimension_name(value_at(at.values, key).key->dimension));
+  what.erase(0, what.find(' ') + 1);
+  refuse(at.values, key, at.name,
+         "expected a positive " + (what == "pure number" ? "number" : what));
+}
+
 Vec3 principal_components(const TermPlace& at, const Vec3& x_F) {
   return rotate(conj(at.scenario.q_file), x_F);
 }

@@ -110,16 +110,15 @@ AnyPerturbation internal_damping_term(const TermPlace& at) {
     });
   if (grows) refuse(at.values, at.key("grows"), at.name, "expected a key k beside it");
   const Vec3& I = at.scenario.body.moments();
-  const double rate = number(at.values, at.key("rate"));
+  const double rate = positive_at(at, "rate"), time = positive_at(at, "wobble_time");
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"internal damping",
-            InternalDamping::of_wobble(at.scenario.body, number(at.values, at.key("wobble_time")),
-                                       rate * std::max({I.x, I.y, I.z}))};
+            InternalDamping::of_wobble(at.scenario.body, time, rate * std::max({I.x, I.y, I.z}))};
   });
 }
 
 AnyPerturbation anelastic_damping_term(const TermPlace& at) {
-  const auto value = [&](const char* own) { return number(at.values, at.key(own)); };
+  const auto value = [&](const char* own) { return positive_at(at, own); };
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"internal damping",
             InternalDamping::of_material(

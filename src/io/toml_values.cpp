@@ -8,8 +8,7 @@
 
 #include "io/detail/epoch.hpp"
 #include "io/detail/nearest.hpp"
-#include "io/detail/number_text.hpp"
-#include "io/detail/toml.hpp"
+#include "io/detail/toml_nodes.hpp"
 #include "io/detail/values.hpp"
 #include "io/detail/word_list.hpp"
 #include "polhode/error.hpp"
@@ -21,44 +20,6 @@ namespace {
 
 constexpr std::size_t longest_name = 200;
 constexpr double largest_angle = 1e10;  // a double of this size has lost six of its digits
-
-Position position(const toml::source_region& region) {
-  const Position start{region.begin.line, region.begin.column};
-  return start.line == 0 ? Position{} : start;
-}
-
-// toml++ itself refuses to make a double of a whole number beyond 2^53.
-std::optional<double> real(const toml::node* node) {
-  if (node == nullptr) return std::nullopt;
-  if (const auto* whole = node->as_integer()) return static_cast<double>(whole->get());
-  if (const auto* floating = node->as_floating_point()) return floating->get();
-  return std::nullopt;
-}
-
-std::string shown(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::string:
-      return '"' + printable(*node.value<std::string_view>()) + '"';
-    case toml::node_type::integer:
-      return std::to_string(*node.value<std::int64_t>());
-    case toml::node_type::floating_point:
-      return number_text(*node.value<double>());
-    case toml::node_type::boolean:
-      return *node.value<bool>() ? "true" : "false";
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      break;
-    default:
-      return "a date without quotes";
-  }
-  std::string text = "[";
-  for (const toml::node& item : *node.as_array()) {
-    if (text.size() > 40) return text + ", ...]";
-    text += (text.size() > 1 ? ", " : "") + (item.is_array() ? "[...]" : shown(item));
-  }
-  return text + "]";
-}
 
 class Reader {
  public:
@@ -104,6 +65,7 @@ class Reader {
   // What read_leaf is reading: messages name it.
   const Key* key_ = nullptr;
   std::string path_;
+  const toml::node* with_unit_ = nullptr;  // a table of a value and its unit, to quote as a whole
 };
 
 std::string joined(const std::string& path, std::string_view name) {
@@ -126,22 +88,17 @@ std::optional<double> Reader::in_range(const Key& key, const toml::node& node, d
   return std::nullopt;
 }
 
-// { value = .., unit = ".." } has these two keys and no other; the unit, or nothing.
-std::optional<std::string_view> own_unit(const toml::table& table) {
-  if (table.size() != 2 || !table.contains("value")) return std::nullopt;
-  return table["unit"].value<std::string_view>();
-}
-
 std::optional<double> Reader::with_unit(const Key& key, const toml::node& node,
                                         std::optional<double> value, std::string_view unit) {
   if (key.dimension == Dimension::number || !value) {
     wrong(node);
     return std::nullopt;
   }
+  if (!std::isfinite(*value)) return in_range(key, node, *value);
   try {
     return in_range(key, node, units_.to_core(*value, unit, key.dimension));
   } catch (const DomainError& error) {
-    wrong(node, error.what());
+    wrong(with_unit_ != nullptr ? *with_unit_ : node, error.what());
     return std::nullopt;
   }
 }
@@ -163,12 +120,6 @@ std::optional<double> Reader::number(const Key& key, const toml::node& node) {
     wrong(node, error.what());
     return std::nullopt;
   }
-}
-
-const toml::array* items(const toml::node& node) {
-  const toml::table* table = node.as_table();
-  if (table == nullptr) return node.as_array();
-  return own_unit(*table) ? (*table)["value"].as_array() : nullptr;
 }
 
 bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value,
@@ -297,6 +248,7 @@ void Reader::read_key(const Key& key, const toml::node& node, const std::string&
                       Position where, bool given) {
   key_ = &key;
   path_ = path;
+  with_unit_ = node.is_table() && own_unit(*node.as_table()) ? &node : nullptr;
   Value value;
   value.key = &key;
   value.where = where;
@@ -324,21 +276,40 @@ void Reader::read_fallback(const Key& key, const std::string& path, Position whe
   read_key(key, *parsed.get("x"), path, where, false);
 }
 
+// The word of the key `kind` that a table has or takes, where that is one.
+std::string_view kind_in(const toml::table& table, const std::vector<const Key*>& known) {
+  for (const Key* key : known) {
+    if (key_name(key->path) != "kind") continue;
+    const std::vector<std::string_view> kinds = separated(key->allowed, '|');
+    std::string_view word = key->fallback;
+    if (word.size() > 2) word = word.substr(1, word.size() - 2);
+    if (table.contains("kind")) word = table["kind"].value_or(std::string_view());
+    return std::find(kinds.begin(), kinds.end(), word) == kinds.end() ? std::string_view() : word;
+  }
+  return {};
+}
+
 // Reports keys that the table does not know; returns the known ones that were meant.
 std::vector<std::string_view> Reader::unknown_keys(const toml::table& table,
                                                    const std::vector<const Key*>& known,
                                                    const std::string& path) {
-  std::vector<std::string_view> names, meant;
-  for (const Key* key : known) names.push_back(key_name(key->path));
+  std::vector<std::string_view> names, own, meant;
+  const std::string_view kind = kind_in(table, known);
+  for (const Key* key : known) {
+    names.push_back(key_name(key->path));
+    if (belongs(*key, kind)) own.push_back(names.back());
+  }
   if (std::find(names.begin(), names.end(), "*") != names.end()) return meant;
   for (const auto& [name, node] : table) {
     if (std::find(names.begin(), names.end(), name.str()) != names.end()) continue;
     if (diagnostics_.full()) break;
-    const std::string_view near = nearest(name.str(), names);
+    const std::string_view near = nearest(name.str(), kind.empty() ? names : own);
     if (!near.empty()) meant.push_back(near);
-    std::string text = "unknown key; expected " + one_of(names);
-    if (!near.empty()) text += "; did you mean " + std::string(near) + "?";
-    diagnostics_.add(position(name.source()), joined(path, printable(name.str())), text);
+    diagnostics_.add(position(name.source()), joined(path, printable(name.str())),
+                     "unknown key; " +
+                         (near.empty() ? "" : "did you mean " + std::string(near) + "? ") +
+                         (kind.empty() ? "" : "with kind \"" + std::string(kind) + "\" ") +
+                         "expected " + one_of(own));
   }
   return meant;
 }

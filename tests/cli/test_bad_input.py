@@ -48,6 +48,36 @@ SCENARIOS = {
                    "is not a unit of time"),
     "misspelt key": (HEAD.replace("moments", "momnets") + ANDOYER, "3:1: body.momnets",
                      "did you mean moments?"),
+    "misspelt key of a kind": (
+        HEAD + ANDOYER +
+        "[[perturbation]]\nkind = \"internal-damping\"\nrate = 1\nwoble_time = 5\n",
+        "14:1: perturbation[0].woble_time",
+        "unknown key; did you mean wobble_time? with kind \"internal-damping\" expected kind, k, "
+        "grows, wobble_time or rate"),
+    "key far from any": (
+        HEAD + ANDOYER +
+        "[[perturbation]]\nkind = \"damping\"\nxyzzyx = 5\ncoefficients = [1, 1, 1]\n",
+        "13:1: perturbation[0].xyzzyx",
+        "unknown key; with kind \"damping\" expected kind or coefficients"),
+    "negative wobble time": (
+        HEAD + ANDOYER + "[[perturbation]]\nkind = \"internal-damping\"\nrate = 1\n"
+        "wobble_time = \"-100 d\"\n",
+        "14:15: perturbation[0].wobble_time", "got \"-100 d\"; expected a positive time"),
+    "inertia not symmetric": (
+        "schema = 1\n[body]\ntensor = [[1, 0.5, 0], [0.25, 2, 0], [0, 0, 2.5]]\n" + ANDOYER,
+        "3:10: body.tensor", "got [[1, 0.5, 0], [0.25, 2, 0], [0, 0, 2.5]]; "),
+    "unit of an array": (
+        HEAD + ANDOYER + "[[perturbation]]\nkind = \"constant-torque\"\n"
+        "torque = { value = [1, 2, 3], unit = \"Nmm\" }\n",
+        "perturbation[0].torque",
+        "got { value = [1, 2, 3], unit = \"Nmm\" }; expected an array of 3 numbers"),
+    "a multiple of a unit": (
+        "schema = 1\n[units]\nlength = \"um\"\n" + HEAD.partition("\n")[2] + ANDOYER,
+        "3:10: units.length", "unknown unit \"um\"; expected s, min"),
+    "index of an axis": (
+        HEAD + ANDOYER + "[time]\nstop = 1\ncount = 2\n[map]\nkind = \"chaos\"\n[[map.axis]]\n"
+        "key = \"body.moments\"\nfrom = 1\nto = 2\ncount = 3\n",
+        "17:7: map.axis[0].key", "did you mean body.moments[0]?"),
     "misspelt table": (HEAD.replace("[body]", "[bdoy]") + ANDOYER, "2:2: bdoy",
                        "did you mean body?"),
     "misspelt column": (HEAD + ANDOYER + "[output]\ncolumns = [\"omgea\"]\n",

@@ -30,6 +30,8 @@ std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const Ter
 // The orbit that the table names, and the gm of what attracts: its own key, else the orbit's.
 const ScenarioOrbit& orbit_at(const TermPlace& at);
 double gm_at(const TermPlace& at);
+// A number of the table that has to be above zero.
+double positive_at(const TermPlace& at, const char* own);
 // Components along the body axes of the file, which are those of its tensor, as principal ones.
 Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
 // A matrix of the table, and a symmetric one along those axes as one along principal axes.

@@ -118,7 +118,8 @@ TEST(ScenarioMap, WhatIsNoMap) {
               HasSubstr("m.toml:9:7: map.axis[0].key: got \"state.euler.tetha\"; expected a key"));
   EXPECT_THAT(refusal(chaos + axis("state.euler.tetha", "2")),
               HasSubstr("did you mean state.euler.theta?"));
-  EXPECT_THAT(refusal(chaos + axis("body.moments", "2")), HasSubstr("expected a key"));
+  EXPECT_THAT(refusal(chaos + axis("body.moments", "2")), HasSubstr("mean body.moments[0]?"));
+  EXPECT_THAT(refusal(chaos + axis("body.momnets[2]", "2")), HasSubstr("mean body.moments[2]?"));
   EXPECT_THAT(refusal(chaos + axis("body.moments[3]", "2")), HasSubstr("expected a key"));
   EXPECT_THAT(refusal(chaos + axis("state.euler.phi", "0")), HasSubstr("from 1 to 1e9"));
   EXPECT_THAT(refusal(chaos + axis("state.euler.phi", "2") + "\n" + axis("state.euler.phi", "2")),

@@ -159,9 +159,10 @@ TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {
 }
 
 TEST(Scenario, AMisspeltKeyIsNotMissingToo) {
-  EXPECT_EQ(error_of("schema = 1\n[body]\nmomnets = [1, 2, 2.5]\n" + andoyer),
-            "f.toml:3:1: body.momnets: unknown key; expected moments, tensor, shape, density, "
-            "scale or column_axes; did you mean moments?");
+  EXPECT_EQ(
+      error_of("schema = 1\n[body]\nmomnets = [1, 2, 2.5]\n" + andoyer),
+      "f.toml:3:1: body.momnets: unknown key; did you mean moments? expected moments, tensor, "
+      "shape, density, scale or column_axes");
 }
 
 TEST(Scenario, WhatTheLibraryRefusesHasItsPlace) {
