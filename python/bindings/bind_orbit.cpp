@@ -314,7 +314,8 @@ nb::tuple arguments_of(const TableOrbit& o) {
   for (std::size_t k = 0; k < o.table().times.size(); ++k) put(times.at(k), o.table().times[k]);
   const nb::object velocities =
       o.has_velocities() ? array_of_rows(o.table().velocities) : nb::none();
-  return nb::make_tuple(times.take(), array_of_rows(o.table().positions), velocities, o.order());
+  return nb::make_tuple(times.take(), array_of_rows(o.table().positions), velocities, o.order(),
+                        o.overhang());
 }
 
 void bind_table(nb::module_& m) {
@@ -327,22 +328,25 @@ times : (N,), rising, evenly spaced or not.
 positions : (N, 3).
 velocities : (N, 3), or None: with them the polynomials are Hermite's.
 order : even, up to 16; with velocities a multiple of 4, up to 32. 0 stands for 10 and 12.
+overhang : a time, at most the mean spacing: so far the polynomials at the ends go on beyond them.
 
 position(t) is NaN outside the table. ValueError for times that do not rise, numbers that are not
 finite, too few rows.)");
   c.def(
        "__init__",
-       [](O* self, nb::handle times, nb::handle positions, nb::handle velocities, int order) {
-         new (self) O(table_of(times, positions, velocities), order);
+       [](O* self, nb::handle times, nb::handle positions, nb::handle velocities, int order,
+          double overhang) {
+         new (self) O(table_of(times, positions, velocities), order, overhang);
        },
        nb::arg("times"), nb::arg("positions"), nb::arg("velocities") = nb::none(),
-       nb::arg("order") = 0,
+       nb::arg("order") = 0, nb::arg("overhang") = 0.0,
        nb::sig("def __init__(self, times: numpy.typing.ArrayLike, positions: "
                "numpy.typing.ArrayLike, velocities: numpy.typing.ArrayLike | None = None, order: "
-               "int = 0) -> None"))
+               "int = 0, overhang: float = 0.0) -> None"))
       .def_prop_ro("order", &O::order, "Of the interpolation: degree plus one.")
       .def_prop_ro("first_time", &O::first_time, "Where the table begins.")
       .def_prop_ro("last_time", &O::last_time, "Where it ends.")
+      .def_prop_ro("overhang", &O::overhang, "How far the polynomials at the ends go on.")
       .def_prop_ro("is_evenly_spaced", &O::is_evenly_spaced, "To the rounding of the times.")
       .def_prop_ro("has_velocities", &O::has_velocities, "Whether it was made of them, too.")
       .def_prop_ro(

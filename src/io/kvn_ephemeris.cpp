@@ -77,7 +77,7 @@ void KvnEphemerisReader::read_metadata() {
     if (line->key == "META_STOP") return;
     if (line->kind != KvnLine::Kind::pair)
       unexpected(*line, "in the metadata", "KEYWORD = value or META_STOP");
-    if (!metadata_.emplace(line->key, value_of(*line)).second)
+    if (!metadata_.emplace(line->key, Entry{value_of(*line), line_number()}).second)
       fail(printable(line->key) + " is there twice");
   }
   fail("the file ends before META_STOP");
@@ -86,12 +86,17 @@ void KvnEphemerisReader::read_metadata() {
 std::string KvnEphemerisReader::needed(std::string_view key) const {
   const auto found = metadata_.find(key);
   if (found == metadata_.end()) fail("the metadata above have no " + std::string(key));
-  return found->second;
+  return found->second.value;
 }
 
 std::string KvnEphemerisReader::optional(std::string_view key) const {
   const auto found = metadata_.find(key);
-  return found == metadata_.end() ? std::string() : found->second;
+  return found == metadata_.end() ? std::string() : found->second.value;
+}
+
+std::size_t KvnEphemerisReader::line_of(std::string_view key) const {
+  const auto found = metadata_.find(key);
+  return found == metadata_.end() ? 0 : found->second.line;
 }
 
 std::string KvnEphemerisReader::read_time_system() {

@@ -51,6 +51,7 @@ void OemReader::read_meta() {
                      .object_id = lines_.needed("OBJECT_ID"),
                      .center = lines_.needed("CENTER_NAME"),
                      .frame = lines_.needed("REF_FRAME"),
+                     .frame_line = lines_.line_of("REF_FRAME"),
                      .time_system = lines_.read_time_system(),
                      .start = either("USEABLE_START_TIME", "START_TIME"),
                      .stop = either("USEABLE_STOP_TIME", "STOP_TIME"),

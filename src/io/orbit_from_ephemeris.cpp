@@ -71,7 +71,8 @@ ScenarioOrbit ephemeris_orbit(const OrbitPlace& at) {
   if (!own) sources.push_back("DE440");
   return {std::string(key_name(at.path)), TableOrbit(std::move(rows), table.order),
           own ? own : at.file.units.to_core(planetary_gm(target), "km3/s2", Dimension::gm),
-          std::move(sources)};
+          std::move(sources),
+          "ephemeris, " + word(values, target_key) + " from " + word(values, centre_key)};
 }
 
 }  // namespace detail

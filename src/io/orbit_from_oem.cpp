@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a CCSDS Orbit Ephemeris Message.
 #include <algorithm>
+#include <utility>
 
 #include "io/detail/civil_time.hpp"
 #include "io/detail/epoch.hpp"
@@ -78,13 +79,19 @@ PositionTable table_of(const OrbitPlace& at, const OemSegment& segment, double f
   return table;
 }
 
+// "OEM iss.oem (ISS from EARTH)"
+std::string text_of(const OrbitPlace& at, const OemSegment& segment) {
+  return "OEM " + printable(word(at.values(), at.key("file"))) + " (" +
+         printable(segment.object_name) + " from " + printable(segment.center) + ")";
+}
+
 }  // namespace
 
 // The segment that covers the run; the last, for its message, where none does.
-TableOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order) {
+ScenarioOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order) {
   require_keys(at);
   const std::string key = at.key("file");
-  return built(at.values(), key, at.name(), [&] {
+  return built(at.values(), key, at.name(), [&]() -> ScenarioOrbit {
     const OrbitEphemeris file = read_oem(path);
     const std::optional<TimeSpan> span = run_span(at.file);
     const std::string& scale = file.segments.front().time_system;
@@ -97,11 +104,19 @@ TableOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order) {
     std::string covered;
     for (const OemSegment& segment : file.segments) {
       if (!is_equatorial(segment.frame))
-        throw DomainError("REF_FRAME = " + printable(segment.frame) +
+        throw DomainError(printable(path, path.size()) + ":" + std::to_string(segment.frame_line) +
+                          ": REF_FRAME = " + printable(segment.frame) +
                           "; expected EME2000, ICRF or GCRF");
-      const bool inside =
-          !span || (time(segment.start) <= span->first && span->last <= time(segment.stop));
-      if (inside) return TableOrbit(table_of(at, segment, first), order);
+      PositionTable table = table_of(at, segment, first);
+      const double overhang = overhang_of(at, table.times, true);
+      const bool inside = !span || (time(segment.start) - overhang <= span->first &&
+                                    span->last <= time(segment.stop) + overhang);
+      if (inside)
+        return {std::string(key_name(at.path)),
+                TableOrbit(std::move(table), order, overhang),
+                own_gm(at),
+                {"oem"},
+                text_of(at, segment)};
       covered += (covered.empty() ? "" : ", ") + printable(segment.start) + " to " +
                  printable(segment.stop);
     }

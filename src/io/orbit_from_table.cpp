@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "io/detail/epoch.hpp"
 #include "io/detail/number_text.hpp"
@@ -18,6 +19,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
+constexpr std::size_t longest_file = 200;
 constexpr std::array<const char*, 7> usual_names = {"t", "x", "y", "z", "vx", "vy", "vz"};
 
 // The columns that a file has where a scenario names none.
@@ -73,17 +75,6 @@ FieldReader time_reader(const OrbitPlace& at) {
   return [=](std::string_view field) { return clock.core_time(julian_date(field, scale, zero)); };
 }
 
-// A last time that only the rounding of its unit keeps from the end of the run is that end.
-void meet_ends(const OrbitPlace& at, std::vector<double>& times) {
-  const std::optional<TimeSpan> span = run_span(at.file);
-  if (!span || times.empty()) return;
-  const auto meet = [](double& t, double end) {
-    if (std::fabs(t - end) <= 8.0 * epsilon<double>() * std::fabs(end)) t = end;
-  };
-  meet(times.front(), span->first);
-  meet(times.back(), span->last);
-}
-
 // Components that are columns of this file, each as long as the times.
 std::vector<Vec3> own_rows(const OrbitPlace& at, const std::array<const char*, 3>& names,
                            std::size_t count) {
@@ -137,7 +128,6 @@ PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
     return vectors;
   };
   PositionTable table{file.columns[0], rows(1, length), {}};
-  meet_ends(at, table.times);
   if (file.columns.size() == 7) table.velocities = rows(4, speed);
   return table;
 }
@@ -146,20 +136,42 @@ std::string file_path(const OrbitPlace& at) {
   const std::filesystem::path folder = std::filesystem::path(at.name()).parent_path();
   return (folder / word(at.values(), at.key("file"))).string();
 }
-bool is_oem(const std::string& path) { return path.ends_with(".oem"); }
 
-TableOrbit file_orbit(const OrbitPlace& at, int order) {
+std::string own_name(const OrbitPlace& at) { return std::string(key_name(at.path)); }
+
+TableOrbit orbit_of_rows(const OrbitPlace& at, PositionTable rows, int order, bool dates) {
+  const double overhang = overhang_of(at, rows.times, dates);
+  return TableOrbit(std::move(rows), order, overhang);
+}
+
+ScenarioOrbit file_orbit(const OrbitPlace& at, int order) {
   const std::string path = file_path(at);
   for (const char* own : {"vx", "vy", "vz"})
     if (there(at.values(), at.key(own)))
       refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z beside it");
-  if (is_oem(path)) return oem_orbit(at, path, order);
+  if (path.ends_with(".oem")) return oem_orbit(at, path, order);
   const NumberTable file = read_number_table(path, columns_of(at, path), time_reader(at));
   require_rising(file, 0, "time");
-  return TableOrbit(positions_of(at, file), order);
+  const bool dates = word(at.values(), at.key("time_format")) != "number";
+  return {own_name(at),
+          orbit_of_rows(at, positions_of(at, file), order, dates),
+          own_gm(at),
+          {},
+          "table " + printable(word(at.values(), at.key("file")), longest_file)};
 }
 
 }  // namespace
+
+double overhang_of(const OrbitPlace& at, const std::vector<double>& times, bool dates) {
+  constexpr double of_dates = 2e-3, share = 1e-3;  // s, and of the spacing
+  if (times.size() < 2) return 0.0;
+  const double first = times.front(), last = times.back();
+  const double rounding =
+      dates ? at.file.units.to_core(of_dates, "s", Dimension::time)
+            : 8.0 * epsilon<double>() * std::max(std::fabs(first), std::fabs(last));
+  const double most = share * (last - first) / static_cast<double>(times.size() - 1);
+  return std::max(0.0, std::min(rounding, most));
+}
 
 void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit) {
   const std::optional<TimeSpan> span = run_span(at.file);
@@ -179,14 +191,12 @@ ScenarioOrbit table_orbit(const OrbitPlace& at) {
                               value_at(at.values(), at.key("order")).whole, 1, 99))
                         : 0;
   const char* const rows = there(at.values(), at.key("times")) ? "times" : "file";
-  const TableOrbit orbit = built(at.values(), at.key(rows), at.name(), [&] {
-    if (rows == std::string_view("times")) return TableOrbit(own_table(at), order);
-    return file_orbit(at, order);
+  const ScenarioOrbit orbit = built(at.values(), at.key(rows), at.name(), [&]() -> ScenarioOrbit {
+    if (rows == std::string_view("file")) return file_orbit(at, order);
+    return {own_name(at), orbit_of_rows(at, own_table(at), order, false), own_gm(at), {}, "table"};
   });
-  require_cover(at, rows, orbit);
-  const bool message = rows == std::string_view("file") && is_oem(file_path(at));
-  return {std::string(key_name(at.path)), orbit, own_gm(at),
-          message ? std::vector<std::string>{"oem"} : std::vector<std::string>{}};
+  require_cover(at, rows, std::get<TableOrbit>(orbit.motion));
+  return orbit;
 }
 
 }  // namespace detail

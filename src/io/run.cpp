@@ -268,7 +268,9 @@ std::string propagation_text(const Scenario& scenario) {
   if (!method)
     return scenario.frame.is_inertial() ? "exact free rotation"
                                         : "exact free rotation, seen from the moving frame";
-  return method_text(*method) + (scenario.method ? "" : " (chosen: the file names no method)");
+  const bool has_step = std::holds_alternative<Splitting>(*method);  // the last word
+  return method_text(*method) + (has_step ? " " + scenario.units.time() : "") +
+         (scenario.method ? "" : " (chosen: the file names no method)");
 }
 
 Provenance provenance(const Scenario& scenario) {

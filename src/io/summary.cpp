@@ -9,6 +9,7 @@
 
 #include "io/detail/epoch.hpp"
 #include "io/detail/json.hpp"
+#include "io/detail/table_error.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -62,6 +63,28 @@ std::string crossing_text(Crossing crossing) {
   return crossing == Crossing::rising ? ", rising" : ", falling";
 }
 
+// "table moon.csv, 1441 rows, t = 0 to 86400 s"
+std::string orbit_text(const Units& units, const ScenarioOrbit& orbit) {
+  const auto* table = std::get_if<TableOrbit>(&orbit.motion);
+  if (table == nullptr) return any_orbit(orbit).name();
+  return fmt::format("{}, {} rows, t = {:.10g} to {:.10g} {}", orbit.text,
+                     table->table().times.size(),
+                     units.from_core(table->first_time(), Dimension::time),
+                     units.from_core(table->last_time(), Dimension::time), units.time());
+}
+
+// What the rows of a file leave open between them.
+void add_interpolation(Lines& lines, const ScenarioOrbit& orbit) {
+  constexpr double coarse = 1e-4;
+  const auto* table = std::get_if<TableOrbit>(&orbit.motion);
+  if (table == nullptr || orbit.text.starts_with("ephemeris")) return;
+  const std::optional<double> error = detail::interpolation_error(*table);
+  if (!error) return;
+  lines.text("orbit_" + orbit.name + "_error", "orbit " + orbit.name + ": interpolation error",
+             fmt::format("about {:.0e} of the distance{}", *error,
+                         *error > coarse ? ": too few rows a turn" : ""));
+}
+
 // What moves the body, beside itself.
 void add_motion(Lines& lines, const Scenario& scenario) {
   if (!scenario.frame.is_inertial()) lines.text("frame", "reference frame", scenario.frame_text);
@@ -69,13 +92,14 @@ void add_motion(Lines& lines, const Scenario& scenario) {
     const std::string key = "orbit_" + orbit.name, label = "orbit " + orbit.name;
     const KeplerElements* elements = kepler_elements(orbit);
     if (elements == nullptr)
-      lines.text(key, label, any_orbit(orbit).name());
+      lines.text(key, label, orbit_text(scenario.units, orbit));
     else if (elements->eccentricity < 1.0)
       lines.number(key, label + ": period", 2.0 * std::numbers::pi / mean_motion(*elements),
                    Dimension::time);
     else
       lines.text(key, label, "hyperbola");
   }
+  for (const ScenarioOrbit& orbit : scenario.orbits) add_interpolation(lines, orbit);
   for (std::size_t i = 0; i < scenario.terms.size(); ++i)
     lines.text("perturbation_" + std::to_string(i + 1), "perturbation", scenario.terms[i].name());
   lines.text("method", "method", propagation_text(scenario));

@@ -73,7 +73,7 @@ bool evenly_spaced(const std::vector<double>& t) {
 
 }  // namespace
 
-TableOrbit::TableOrbit(PositionTable table, int order) {
+TableOrbit::TableOrbit(PositionTable table, int order, double overhang) {
   require_rows(table);
   const std::size_t nodes = nodes_of(table, order, most_nodes);
   const std::vector<double>& t = table.times;
@@ -83,12 +83,21 @@ TableOrbit::TableOrbit(PositionTable table, int order) {
   if (!(rate > 0.0) || !std::isfinite(rate) || !std::isfinite(spacing))
     fail("times from " + detail::number_text(first) + " to " + detail::number_text(t.back()) +
          " must have a spacing that a double can hold");
+  if (!(overhang >= 0.0 && overhang <= spacing))
+    fail("overhang " + detail::number_text(overhang) + " must be from 0 to the mean spacing " +
+         detail::number_text(spacing));
   std::vector<double> places;
   const std::size_t windows = even ? 1 : t.size() - nodes + 1;
   for (std::size_t k = 0; k < (even ? nodes : t.size()); ++k)
     places.push_back(even ? static_cast<double>(k) : (t[k] - first) * rate);
-  data_ = std::make_shared<Data>(Data{
-      std::move(table), nodes, even, spacing, rate, {}, std::vector<Weights>(windows * nodes)});
+  data_ = std::make_shared<Data>(Data{std::move(table),
+                                      nodes,
+                                      even,
+                                      spacing,
+                                      rate,
+                                      overhang,
+                                      {},
+                                      std::vector<Weights>(windows * nodes)});
   for (std::size_t window = 0; window < windows; ++window) weigh(window, places);
   if (!even) data_->places = std::move(places);
 }

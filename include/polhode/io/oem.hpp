@@ -11,6 +11,7 @@
 // Cost        about a microsecond per row.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,8 @@ struct OemSegment {
   std::string object_name;
   std::string object_id;
   std::string center;
-  std::string frame;  // REF_FRAME
+  std::string frame;       // REF_FRAME
+  std::size_t frame_line;  // of the file, from 1: where it stands
   std::string time_system;
   std::string start;  // where interpolation may begin: USEABLE_START_TIME or START_TIME
   std::string stop;   // and end

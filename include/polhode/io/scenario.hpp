@@ -77,6 +77,7 @@ struct ScenarioOrbit {
   std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit> motion;
   std::optional<double> gm;               // of what attracts, where the orbit tells
   std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
+  std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
 };
 // The elements of an orbit that has them.
 const KeplerElements* kepler_elements(const ScenarioOrbit& orbit);

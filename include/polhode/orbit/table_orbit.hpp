@@ -9,11 +9,13 @@
 // Domain      rising times, evenly spaced or not; order a multiple of 2 up to 16 (with velocities
 //             of 4 up to 32), and as many rows as it needs; left out, 10 (with velocities 12) or
 //             what the rows allow. At the ends the window stays inside. NaN for times outside the
-//             table.
+//             table, or farther outside than an overhang, up to which the polynomials at the ends
+//             go on: for ends that times read from dates miss by their rounding.
 // Accuracy    budget table_orbit_*: exact for polynomials of degree order - 1; otherwise an error
 //             of order spacing^order. Positions are continuous, and with velocities their slope
 //             is. In double-double the arithmetic is wide; the rows and weights are not.
-// Errors      DomainError for times that do not rise, values that are not finite, too few rows.
+// Errors      DomainError for times that do not rise, values that are not finite, too few rows, an
+//             overhang that is negative or longer than the spacing.
 // Cost        some 40 ns at the default order where rows are evenly spaced (to the rounding of
 //             times); otherwise a binary search more: 130 ns with 4000 rows. Where times jump about
 //             in a table larger than the caches, what memory takes besides (benchmarks/orbit.cpp).
@@ -45,8 +47,8 @@ struct PositionTable {
 
 class TableOrbit {
  public:
-  // order 0: the default.
-  explicit TableOrbit(PositionTable table, int order = 0);
+  // order 0: the default. The overhang is a time.
+  explicit TableOrbit(PositionTable table, int order = 0, double overhang = 0.0);
 
   const PositionTable& table() const { return data_->table; }
   bool has_velocities() const { return !data_->table.velocities.empty(); }
@@ -54,7 +56,8 @@ class TableOrbit {
   bool is_evenly_spaced() const { return data_->even; }
   double first_time() const { return data_->table.times.front(); }
   double last_time() const { return data_->table.times.back(); }
-  // Of the same rows and order, and so of the same positions.
+  double overhang() const { return data_->overhang; }
+  // Of the same rows and order, and so of the same positions, whatever their overhangs.
   bool operator==(const TableOrbit& other) const {
     return order() == other.order() && table() == other.table();
   }
@@ -90,8 +93,9 @@ class TableOrbit {
     PositionTable table;
     std::size_t nodes;
     bool even;
-    double spacing;                // mean
-    double rate;                   // 1 / spacing
+    double spacing;  // mean
+    double rate;     // 1 / spacing
+    double overhang;
     std::vector<double> places;    // of the times, in spacings from the first; empty where even
     std::vector<Weights> weights;  // `nodes` for each window; one window where even
   };
@@ -101,7 +105,9 @@ class TableOrbit {
     const T nan(std::numeric_limits<double>::quiet_NaN());
     return {nan, nan, nan};
   }
-  bool is_inside(double t) const { return t >= first_time() && t <= last_time(); }
+  bool is_inside(double t) const {
+    return t >= first_time() - overhang() && t <= last_time() + overhang();
+  }
   std::size_t row_before(double u) const;
   void weigh(std::size_t window, std::span<const double> places);
 

@@ -38,6 +38,7 @@ class KvnEphemerisReader : public KvnReader {
   bool has(std::string_view key) const { return metadata_.contains(key); }
   std::string needed(std::string_view key) const;
   std::string optional(std::string_view key) const;  // empty where it is not there
+  std::size_t line_of(std::string_view key) const;   // 0 where it is not there
   // TIME_SYSTEM, one for the whole file.
   std::string read_time_system();
   // A date of that system.
@@ -59,7 +60,11 @@ class KvnEphemerisReader : public KvnReader {
 
   std::string kind_;
   std::span<const std::string_view> versions_;
-  std::map<std::string, std::string, std::less<>> metadata_;
+  struct Entry {
+    std::string value;
+    std::size_t line;
+  };
+  std::map<std::string, Entry, std::less<>> metadata_;
   std::string time_system_;  // of the file; empty before the first segment
   std::optional<CivilTime> origin_;
   std::optional<CivilTime> before_;

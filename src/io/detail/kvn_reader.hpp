@@ -27,6 +27,8 @@ class KvnReader {
   std::optional<KvnLine> next();
   // Throws DomainError "NAME:LINE: text".
   [[noreturn]] void fail(const std::string& text) const;
+  // That of the line last read, from 1.
+  std::size_t line_number() const { return line_; }
   // The value of a pair, not empty.
   std::string value_of(const KvnLine& line) const;
   // The blank-separated fields of a data line.

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/detail/scenario_parts.hpp"
 
@@ -33,6 +34,11 @@ std::optional<double> own_gm(const OrbitPlace& at);
 // The axes that its own key names, else those of the state; both inertial or both of J2000.
 const std::string& orbit_axes(const OrbitPlace& at);
 
+// How far beyond its rows a table is used, since times have their rounding: numbers that of their
+// unit; of dates, nine digits of a Julian date are 0.04 ms, and clocks of TT and TDB show the same
+// date up to 1.7 ms apart.
+double overhang_of(const OrbitPlace& at, const std::vector<double>& times, bool dates);
+
 // Refuses a table that does not cover the run, at the place of `key`.
 void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit);
 
@@ -44,7 +50,7 @@ ScenarioOrbit state_orbit(const OrbitPlace& at);
 ScenarioOrbit table_orbit(const OrbitPlace& at);
 ScenarioOrbit ephemeris_orbit(const OrbitPlace& at);
 // The table in an Orbit Ephemeris Message, in core units and the axes of the state.
-TableOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order);
+ScenarioOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order);
 
 }  // namespace detail
 }  // namespace v0

@@ -10,9 +10,11 @@
 #include <string>
 
 #include "budgets.hpp"
+#include "io/detail/table_error.hpp"
 #include "oracle/oblate_motion.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/io/scenario.hpp"
+#include "polhode/io/summary.hpp"
 
 namespace polhode {
 namespace {
@@ -231,6 +233,143 @@ TEST_F(ScenarioOrbits, ElementsMayBeAlongOtherAxes) {
                             std::cos(e) * x.z - std::sin(e) * x.y}),
               budget::table_orbit_kepler * 7000.0);
   }
+}
+
+// Rows an hour apart, dated by Julian dates of nine digits: their ends miss by their rounding, and
+// by what TDB and TT differ on the way.
+TEST_F(ScenarioOrbits, DatesMayMissTheEndsOfTheRunByTheirRounding) {
+  const double rate = 1e-5;  // rad/s
+  const auto truth = [&](double t) {
+    return Vec3{1000.0 * std::cos(rate * t), 1000.0 * std::sin(rate * t), 0.0};
+  };
+  const auto table = [&](double first, double last, double step) {
+    std::string text = "JD,x,y,z\n";
+    for (double t = first; t < last + 0.5 * step; t += step) {
+      const Vec3 x = truth(t);
+      char line[200];
+      std::snprintf(line, sizeof line, "24611%.9f,%.12g,%.12g,%.12g\n", 19.5 + t / 86400.0, x.x,
+                    x.y, x.z);
+      text += line;
+    }
+    write("moon.csv", text);
+  };
+  const auto keys = [](const char* scale) {
+    return "kind = \"table\"\nfile = \"moon.csv\"\ncolumns = [\"JD\", \"x\", \"y\", \"z\"]\n"
+           "time_format = \"JD\"\ntime_scale = \"" +
+           std::string(scale) + "\"\n";
+  };
+  const std::string day = "[time]\nstop = 86400\ncount = 3\n";
+  table(0.0, 86400.0, 3600.0);
+  for (const char* scale : {"TDB", "TT"}) {
+    state_ = "axes = \"equator-J2000\"\nepoch = \"JD 2461119.5 TDB\"\n";
+    ASSERT_EQ(error_of(keys(scale), day), "no error") << scale;
+    const Scenario s = read(keys(scale), day);
+    for (const double t : {0.0, 40000.0, 86400.0})
+      EXPECT_LT(norm(at(s, t) - truth(t)), budget::table_orbit_dates * 1000.0) << t;
+  }
+  // farther than that they end too early
+  state_ = "axes = \"equator-J2000\"\nepoch = \"JD 2461119.5 TDB\"\n";
+  EXPECT_THAT(error_of(keys("TDB"), "[time]\nstop = 86400.01\ncount = 3\n"),
+              HasSubstr("expected all of the run, 0 to 86400.01"));
+  // and where rows are a second apart, by a thousandth of that
+  table(0.0, 30.0, 1.0);
+  EXPECT_EQ(error_of(keys("TDB"), "[time]\nstop = 30.0008\ncount = 3\n"), "no error");
+  EXPECT_THAT(error_of(keys("TDB"), "[time]\nstop = 30.0015\ncount = 3\n"),
+              HasSubstr("expected all of the run"));
+}
+
+TEST_F(ScenarioOrbits, NumbersMayMissTheEndsOfTheRunByTheirRounding) {
+  std::string text = "t,x,y,z\n";
+  for (int k = 0; k < 8; ++k) text += std::to_string(k) + ",1,2," + std::to_string(k) + "\n";
+  const std::string table = "kind = \"table\"\nfile = \"moon.csv\"\ntime_unit = \"min\"\n";
+  write("moon.csv", text.replace(text.find("0,1"), 1, "1e-15"));
+  EXPECT_EQ(error_of(table, "[time]\nstop = 420\ncount = 3\n"), "no error");
+  EXPECT_THAT(error_of(table, "[time]\nstop = 420.000001\ncount = 3\n"), HasSubstr("it covers"));
+}
+
+// Of Kepler orbits by few rows: the estimate beside the error.
+TEST_F(ScenarioOrbits, ACoarseTableIsCalledOne) {
+  for (const double e : {0.0, 0.3})
+    for (const bool slopes : {false, true})
+      for (const int per_turn : {4, 8, 12, 20}) {
+        const KeplerOrbit truth({.gm = 1.0, .pericentre = 1.0 - e, .eccentricity = e});
+        const double step = 2.0 * std::numbers::pi / per_turn;
+        PositionTable rows;
+        for (int k = 0; k <= 3 * per_turn; ++k) {
+          rows.times.push_back(step * k);
+          rows.positions.push_back(truth.position(step * k));
+          if (slopes) rows.velocities.push_back(truth.velocity(step * k));
+        }
+        const TableOrbit orbit(rows);
+        double error = 0.0;
+        for (double t = 0.0; t < orbit.last_time(); t += step / 8.0)
+          error = std::max(error,
+                           norm(orbit.position(t) - truth.position(t)) / norm(orbit.position(t)));
+        const double estimate = *detail::interpolation_error(orbit);
+        EXPECT_GT(estimate, budget::table_orbit_estimate_least * error) << e << slopes << per_turn;
+        if (error > budget::table_orbit_kepler) {
+          EXPECT_LT(estimate, budget::table_orbit_estimate_most * error) << e << slopes << per_turn;
+        }
+      }
+  const auto said = [&](int rows) {
+    std::string text = "t,x,y,z\n";
+    for (int k = 0; k < 3 * rows; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / rows;
+      text += std::to_string(100 * k) + "," + std::to_string(7000.0 * std::cos(angle)) + "," +
+              std::to_string(7000.0 * std::sin(angle)) + ",0\n";
+    }
+    write("moon.csv", text);
+    const Scenario s = read("kind = \"table\"\nfile = \"moon.csv\"\n");
+    return summary_table(summary(s, free_rotation(s)));
+  };
+  EXPECT_THAT(said(4), HasSubstr("of the distance: too few rows a turn"));
+  EXPECT_THAT(said(20), HasSubstr("orbit moon: interpolation error"));
+  EXPECT_THAT(said(20), HasSubstr("1e-06 of the distance\n"));
+  EXPECT_THAT(said(20), HasSubstr("table moon.csv, 60 rows, t = 0 to 5900 s\n"));
+  // two rows with velocities: nothing to hold them against
+  EXPECT_EQ(
+      detail::interpolation_error(TableOrbit(
+          {{0.0, 1.0}, {{1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}, {{0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}})),
+      std::nullopt);
+}
+
+// What Horizons sends: a banner, names, and rows between two marks.
+TEST_F(ScenarioOrbits, HorizonsIsReadAsItComes) {
+  std::string text =
+      "API VERSION: 1.2\nAPI SOURCE: NASA/JPL Horizons API\n\n*******\n"
+      "Ephemeris / API_USER Sun Nov 22, 2026 Pasadena, USA      / Horizons\n*******\n"
+      "Target body name: Moon (301)                      {source: DE441}\n*****\n"
+      "            JDTDB,            Calendar Date (TDB),          X,         Y, Z,\n"
+      "*****\n$$SOE\n";
+  for (int k = 0; k < 25; ++k) {
+    const double angle = 0.01 * k;
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "%.9f, A.D. 2026-Mar-20 00:00:00.0000,  %.16E, %.16E, %.16E,\n",
+                  2461119.5 + k / 24.0, 1000.0 * std::cos(angle), 1000.0 * std::sin(angle), 0.0);
+    text += line;
+  }
+  text += "$$EOE\n*****\n\nTIME\n\n  Barycentric Dynamical Time (\"TDB\"), output\n*****\n";
+  const std::string keys =
+      "kind = \"table\"\nfile = \"moon.txt\"\ncolumns = [\"JDTDB\", \"X\", \"Y\", \"Z\"]\n"
+      "time_format = \"JD\"\ntime_scale = \"TDB\"\n";
+  state_ = "axes = \"equator-J2000\"\nepoch = \"2026-03-20T00:00:00 TDB\"\n";
+  write("moon.txt", text);
+  ASSERT_EQ(error_of(keys, "[time]\nstop = 86400\ncount = 3\n"), "no error");
+  const Scenario s = read(keys, "[time]\nstop = 86400\ncount = 3\n");
+  EXPECT_LT(norm(at(s, 43200.0) - Vec3{1000.0 * std::cos(0.12), 1000.0 * std::sin(0.12), 0.0}),
+            budget::table_orbit_dates * 1000.0);
+  EXPECT_EQ(std::get<TableOrbit>(s.orbits[0].motion).table().times.size(), 25U);
+  EXPECT_EQ(s.orbits[0].text, "table moon.txt");
+  EXPECT_THAT(error_of(keys + "order = 2\n", "[time]\nstop = 90000\ncount = 3\n"),
+              HasSubstr("it covers"));
+  std::string other = text;
+  const std::size_t names = other.find("            JDTDB");
+  other.replace(names, other.find('\n', names) - names, "JDTDB\n   X     Y     Z");
+  write("moon.txt", other);
+  EXPECT_THAT(error_of(keys), HasSubstr("expected what Horizons sends with CSV_FORMAT = YES"));
+  write("moon.txt", text.substr(0, text.find("$$SOE")));
+  EXPECT_THAT(error_of(keys), HasSubstr("the file ends before $$SOE"));
 }
 
 const std::string moon = "kind = \"ephemeris\"\ntarget = \"moon\"\ncentre = \"earth\"\n";

@@ -164,10 +164,29 @@ TEST(TableOrbit, OutsideItIsNowhere) {
   EXPECT_FALSE(orbit.covers(0.0, 10.1));
 }
 
+TEST(TableOrbit, InAnOverhangTheEndsGoOn) {
+  for (const bool slopes : {false, true})
+    for (const auto& times : {even_times(-1.0, 0.125, 17), uneven_times(-1.0, 0.125, 17)}) {
+      const TableOrbit orbit(sampled(times, polynomial, polynomial_slope, slopes), 8, 0.0625);
+      EXPECT_EQ(orbit.overhang(), 0.0625);
+      for (const double t : {times.front() - 0.0625, times.back() + 0.0625}) {
+        EXPECT_LT(norm(orbit.position(t) - polynomial(t)),
+                  budget::table_orbit_overhang * norm(polynomial(times.back())));
+        EXPECT_LT(norm(orbit.velocity(t) - polynomial_slope(t)),
+                  budget::table_orbit_overhang * norm(polynomial_slope(times.back())));
+      }
+      EXPECT_TRUE(orbit.covers(times.front() - 0.0625, times.back() + 0.0625));
+      EXPECT_FALSE(orbit.covers(times.front() - 0.0626, times.back()));
+      EXPECT_TRUE(std::isnan(orbit.position(times.front() - 0.0626).x));
+      EXPECT_TRUE(std::isnan(orbit.position(times.back() + 0.0626).x));
+      EXPECT_EQ(TableOrbit(orbit.table(), 8).overhang(), 0.0);
+    }
+}
+
 TEST(TableOrbit, WhatIsNoTableIsRefused) {
-  const auto error = [](PositionTable table, int order = 0) -> std::string {
+  const auto error = [](PositionTable table, int order = 0, double overhang = 0.0) -> std::string {
     try {
-      TableOrbit orbit(std::move(table), order);
+      TableOrbit orbit(std::move(table), order, overhang);
     } catch (const DomainError& refused) {
       return refused.what();
     }
@@ -185,6 +204,9 @@ TEST(TableOrbit, WhatIsNoTableIsRefused) {
   EXPECT_THAT(error(rows(even_times(0, 1, 40)), 7), HasSubstr("order 7 must be a multiple of 2"));
   EXPECT_THAT(error(rows(even_times(0, 1, 40)), 18), HasSubstr("from 2 to 16"));
   EXPECT_THAT(error({even_times(0, 1, 9), {Vec3{}}}), HasSubstr("must be as many of each"));
+  for (const double overhang : {-1.0, 1.5, std::nan("")})
+    EXPECT_THAT(error(rows(even_times(0, 1, 9)), 0, overhang),
+                HasSubstr("must be from 0 to the mean spacing 1"));
   PositionTable holed = rows({0, 1, 2, 3});
   holed.positions[1].y = std::numeric_limits<double>::infinity();
   EXPECT_THAT(error(holed), HasSubstr("row 1: position and velocity must be finite"));
