@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/detail/civil_time.hpp"
+#include "io/detail/comments.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/part_file.hpp"
 #include "io/detail/reference_axes.hpp"
@@ -55,23 +56,6 @@ std::string type_of(const AemOptions& options) {
       return "SPIN";
   }
   return {};
-}
-
-void append_comment(std::string& out, std::string_view lead, std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    do {
-      const std::string_view piece = line.substr(0, longest_line - 20);
-      out += "COMMENT ";
-      out += lead;
-      for (const char c : piece)
-        if (c != '\r') out += c >= ' ' && c <= '~' ? c : '?';
-      out += '\n';
-      line.remove_prefix(piece.size());
-    } while (!line.empty());
-  }
 }
 
 double turn_below(double angle) {
@@ -187,17 +171,11 @@ CivilTime AemSink::time_of(double t) const {
 
 std::string AemSink::head(const Provenance& provenance) {
   std::string out = "CCSDS_AEM_VERS = " + std::string(options_.version == 1 ? "1.0" : "2.0") + "\n";
-  append_comment(out, "", "polhode " + provenance.version);
-  append_comment(out, "", provenance.title);
-  for (const std::string& note : provenance.notes) append_comment(out, "", note);
-  for (const std::string& citation : provenance.citations) append_comment(out, "cite: ", citation);
-  if (!provenance.scenario_text.empty()) {
-    append_comment(out, "scenario: ", provenance.scenario_name);
-    append_comment(out, "| ", provenance.scenario_text);
-  }
+  append_origin(out, aem_comments, provenance);
   const bool dated = !options_.creation_date.empty();
   if (!dated)
-    append_comment(out, "", "CREATION_DATE is not when this was made: equal runs give equal files");
+    append_comment(out, aem_comments, "",
+                   "CREATION_DATE is not when this was made: equal runs give equal files");
   out += "CREATION_DATE = " + (dated ? options_.creation_date : std::string(no_date)) + "\n";
   out += "ORIGINATOR = " + options_.originator + "\n\nMETA_START\n";
   return out + meta() + "META_STOP\n\nDATA_START\n";
@@ -209,13 +187,14 @@ std::string AemSink::meta() {
   const std::string frame_a =
       options_.frame_a.empty() ? (inertial ? "INERTIAL" : "EME2000") : options_.frame_a;
   std::string out;
-  append_comment(out, "",
+  append_comment(out, aem_comments, "",
                  "REF_FRAME_B: the body axes of the scenario; REF_FRAME_A: its axes " +
                      output_.axes + (q_AI_ == Quaternion{} ? "" : ", turned into EME2000"));
   if (options_.form == Form::euler)
-    append_comment(out, "", "the angles stand in the order of their rotations, about axes 3, 1, 3");
+    append_comment(out, aem_comments, "",
+                   "the angles stand in the order of their rotations, about axes 3, 1, 3");
   if (options_.form == Form::spin)
-    append_comment(out, "",
+    append_comment(out, aem_comments, "",
                    "the spin axis is body axis 3; SPIN_ANGLE_VEL is the angular velocity along it");
   out += "OBJECT_NAME = " +
          printable(options_.object_name.empty() ? output_.name : options_.object_name, 125) + "\n";

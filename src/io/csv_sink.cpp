@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CSV: `#` lines with provenance, one header line, shortest round-trip numbers.
-#include <algorithm>
-
+#include "io/detail/comments.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/part_file.hpp"
 #include "io/detail/sinks.hpp"
@@ -9,39 +8,16 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-namespace {
-
-void append_comment(std::string& out, std::string_view lead, std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    out += "# ";
-    out += lead;
-    out += line;
-    out += '\n';
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-}
-
-}  // namespace
-
 std::string csv_head(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
-  std::string out = "# polhode " + provenance.version + "\n";
-  append_comment(out, "", provenance.title);
-  for (const std::string& note : provenance.notes) append_comment(out, "", note);
-  for (const std::string& citation : provenance.citations) append_comment(out, "cite: ", citation);
-  if (!provenance.scenario_text.empty()) {
-    append_comment(out, "scenario: ", provenance.scenario_name);
-    append_comment(out, "| ", provenance.scenario_text);
-  }
+  std::string out;
+  append_origin(out, csv_comments, provenance);
   std::string names, units;
   for (const ColumnGroup& group : groups)
     for (const Column& column : group.columns) {
       names += (names.empty() ? "" : ",") + column.name;
       units += (units.empty() ? "" : ", ") + column.name + " [" + column.unit + "]";
     }
-  append_comment(out, "units: ", units);
+  append_comment(out, csv_comments, "units: ", units);
   return out + names + "\n";
 }
 

@@ -10,6 +10,7 @@
 #include <ranges>
 #include <sstream>
 
+#include "io/detail/comments.hpp"
 #include "io/detail/part_file.hpp"
 #include "io/detail/values.hpp"
 #include "polhode/error.hpp"
@@ -41,20 +42,6 @@ std::string followed(const std::string& file) {
   std::string target = rest.str();
   if (target.ends_with('\n')) target.pop_back();
   return (fs::path(file).parent_path() / target).string();
-}
-
-// A complete CSV file begins with its scenario.
-bool has_other_scenario(const std::string& path, const std::string& scenario_text) {
-  std::ifstream file(path, std::ios::binary);
-  std::string line, text, wanted;
-  while (std::getline(file, line) && line.starts_with('#'))
-    if (line.starts_with("# | ")) text += line.substr(4) + "\n";
-  std::istringstream ours(scenario_text);
-  while (std::getline(ours, line)) {
-    if (line.ends_with('\r')) line.pop_back();
-    wanted += line + "\n";
-  }
-  return text != wanted;
 }
 
 }  // namespace
@@ -106,16 +93,18 @@ void refuse_unfinished(const std::string& file, const std::string& kind, const s
                     " begins anew and loses what it has done");
 }
 
-bool are_complete(std::span<const std::string> outputs, const std::string& scenario_text,
+bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,
                   const BeginWords& words) {
   if (std::any_of(outputs.begin(), outputs.end(), [](const auto& path) {
         return path == "-" || !is_there(path) || is_there(path + ".part");
       }))
     return false;
-  for (const std::string& path : outputs)
-    if (fs::path(path).extension() == ".csv" && has_other_scenario(path, scenario_text))
-      throw DomainError(shown(path) + ": is there, of another scenario; " + words.restart +
+  for (const std::string& path : outputs) {
+    const std::string why = foreign_origin(path, provenance);
+    if (!why.empty())
+      throw DomainError(shown(path) + ": is there, " + why + "; " + words.restart +
                         " runs this one anew");
+  }
   return true;
 }
 

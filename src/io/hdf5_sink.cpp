@@ -170,13 +170,8 @@ void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance
 }
 
 void Hdf5Sink::require_same_scenario(const Provenance& provenance) const {
-  const Handle attribute = checked(H5Aopen(file_.id(), "scenario", H5P_DEFAULT), H5Aclose);
-  const Handle type = checked(H5Aget_type(attribute.id()), H5Tclose);
-  const Handle space = checked(H5Aget_space(attribute.id()), H5Sclose);
-  char* text = nullptr;
-  require(H5Tis_variable_str(type.id()) > 0 && H5Aread(attribute.id(), type.id(), &text) >= 0);
-  const bool same = text != nullptr && provenance.scenario_text == text;
-  require(H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, &text) >= 0);
+  const bool same =
+      attribute_texts(file_.id(), "scenario") == std::vector{provenance.scenario_text};
   if (!same)
     throw DomainError(printable(part_, part_.size()) +
                       ": cannot be continued: it is the output of another scenario");

@@ -35,8 +35,10 @@ std::string fingerprint(std::string_view text) {
 }
 
 std::string head_of(const ScenarioMap& map) {
+  std::string read = map.scenario().text;
+  for (const ScenarioFile& file : map.scenario().files) read += file_note(file) + "\n";
   return "polhode " + std::string(version()) + " map of " + std::to_string(map.size()) +
-         " cells, scenario " + fingerprint(map.scenario().text) + "\n";
+         " cells, scenario " + fingerprint(read) + "\n";
 }
 
 // "ROWS,FAILURE", then a line of numbers for each row.
@@ -119,7 +121,7 @@ bool is_complete(const ScenarioMap& map, std::span<const std::string> outputs,
     throw DomainError("map: got " + words.resume + "; expected it beside outputs that are files");
   std::error_code ignored;
   return !std::filesystem::exists(cells, ignored) &&
-         detail::are_complete(outputs, map.scenario().text, words);
+         detail::are_complete(outputs, provenance(map.scenario()), words);
 }
 
 MapRows::MapRows(const ScenarioMap& map, std::vector<std::string> outputs, RunBegin begin,
@@ -137,7 +139,7 @@ MapRows::MapRows(const ScenarioMap& map, std::vector<std::string> outputs, RunBe
                         words_.restart + ", which loses the run");
   }
   if (path_.empty()) {
-    require_outputs();
+    open_sinks();
     return;
   }
   open();
@@ -145,7 +147,7 @@ MapRows::MapRows(const ScenarioMap& map, std::vector<std::string> outputs, RunBe
   const bool is_new = ::fstat(::fileno(file_), &status) == 0 && status.st_size == 0;
   try {
     if (begin != RunBegin::restart) read(begin);
-    require_outputs();
+    open_sinks();
     if (begin != RunBegin::restart) return;
     detail::forget_checkpoints(outputs_);
     if (::ftruncate(::fileno(file_), 0) != 0) detail::fail_to_write(path_, errno);
@@ -171,10 +173,12 @@ void MapRows::open() {
   detail::fail_to_write(path_, error_number);
 }
 
-// A path that cannot be written is found out before the first cell.
-void MapRows::require_outputs() const {
+// A path that cannot be written is found out before the first cell, and no other run takes it until
+// the last.
+void MapRows::open_sinks() {
   for (const std::string& path : outputs_)
-    if (path != "-") open_sink(path, map_.groups(), provenance(map_.scenario()));
+    sinks_.push_back(path == "-" ? nullptr
+                                 : open_sink(path, map_.groups(), provenance(map_.scenario())));
 }
 
 // What is whole of an earlier map; the rest of the file is cut off.
@@ -241,9 +245,8 @@ void MapRows::write(Sink& sink) const {
 
 void MapRows::finish() {
   const auto write_outputs = [&] {
-    for (const std::string& output : outputs_) {
-      const std::unique_ptr<Sink> sink =
-          open_sink(output, map_.groups(), provenance(map_.scenario()));
+    for (std::unique_ptr<Sink>& sink : sinks_) {
+      if (!sink) sink = open_sink("-", map_.groups(), provenance(map_.scenario()));
       write(*sink);
       sink->finish();
     }

@@ -294,6 +294,7 @@ Provenance provenance(const Scenario& scenario) {
         detail::number_text(q.y) + ", " + detail::number_text(q.z) + "]");
   for (const AnyPerturbation& term : scenario.terms)
     result.notes.push_back("perturbation: " + term.name());
+  for (const ScenarioFile& file : scenario.files) result.notes.push_back("file " + file_note(file));
   result.notes.push_back("method: " + propagation_text(scenario));
   for (std::string& note : branch_notes(scenario)) result.notes.push_back(std::move(note));
   for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);

@@ -238,7 +238,11 @@ Scenario scenario_from_text(std::string_view text, const std::string& name) {
   }
   const auto [values, units] = detail::read_values(text, scenario_schema(), diagnostics);
   diagnostics.raise();
-  return detail::scenario_of(values, units, text, name);
+  // first: what changes while it is read differs from what is noted here
+  std::vector<ScenarioFile> files = detail::files_of(values, name);
+  Scenario scenario = detail::scenario_of(values, units, text, name);
+  scenario.files = std::move(files);
+  return scenario;
 }
 
 Scenario detail::scenario_of(const Values& values, const Units& units, std::string_view text,

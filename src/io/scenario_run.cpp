@@ -27,7 +27,7 @@ using std::chrono::microseconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t events_shown = 20;
-constexpr std::string_view mark = "polhode run 1";
+constexpr std::string_view mark = "polhode run 2";
 constexpr double share = 0.05;  // of the time that checkpoints may take
 
 std::string shown(const std::string& path) { return detail::printable(path, 500); }
@@ -36,19 +36,20 @@ std::string file_name(const std::string& path) { return fs::path(path).filename(
 
 // What a checkpoint must agree in with the run that goes on, each by its name in messages.
 struct Identity {
-  std::string version, columns, outputs, scenario, surroundings;
+  std::string version, columns, outputs, scenario, files, surroundings;
 
   std::vector<std::pair<std::string, std::string*>> parts() {
     return {{"version of polhode", &version},
             {"outputs", &outputs},
             {"columns", &columns},
             {"scenario", &scenario},
+            {"files of the scenario", &files},
             {"orbits and torques", &surroundings}};
   }
 };
 
-// What acts on the body, at some times of the run: a scenario of the same text may read other
-// tables.
+// What acts on the body, at some times of the run: the same text and files may mean something else
+// to another build.
 std::string mark_of_surroundings(const Scenario& scenario) {
   const System system = rotor_system(scenario);
   const RotorState s = initial_state(scenario);
@@ -75,6 +76,8 @@ Identity identity_of(const Scenario& scenario, const RunFiles& files) {
   if (!files.events.empty()) result.outputs += "events " + file_name(files.events);
   result.scenario = scenario.name + " " + std::to_string(scenario.text.size()) + " bytes, mark " +
                     std::to_string(detail::fingerprint(scenario.text));
+  for (const ScenarioFile& file : scenario.files)
+    result.files += (result.files.empty() ? "" : "; ") + file_note(file);
   result.surroundings = mark_of_surroundings(scenario);
   return result;
 }
@@ -239,7 +242,7 @@ class ScenarioRun::Parts {
     if (!are_files())
       throw DomainError("run: resume needs outputs that are files, which a run leaves behind");
     if (!found.empty()) return take_up(found);
-    complete_ = detail::are_complete(all, scenario_.text, options_.words);
+    complete_ = detail::are_complete(all, provenance(scenario_), options_.words);
   }
 
   [[noreturn]] void refuse_to_overwrite(const std::string& found) const {

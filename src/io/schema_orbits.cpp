@@ -210,7 +210,8 @@ constexpr Key keys[] = {
      .example = "\"moon.csv.gz\"",
      .help = "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit "
              "Ephemeris Message (.oem); the path is from the folder of this file.",
-     .kinds = of_table},
+     .kinds = of_table,
+     .is_file = true},
     {.path = "orbit.*.columns",
      .type = columns,
      .example = "[\"t\", \"x\", \"y\", \"z\"]",

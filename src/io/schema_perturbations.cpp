@@ -199,7 +199,8 @@ constexpr Key keys[] = {
      .example = "\"thruster.csv\"",
      .help = "A file of such rows, CSV or separated by blanks, .gz or not; the path is from the "
              "folder of this file.",
-     .kinds = torque_table},
+     .kinds = torque_table,
+     .is_file = true},
     {.path = "perturbation[].columns",
      .type = columns,
      .example = "[\"t\", \"x\", \"y\", \"z\"]",

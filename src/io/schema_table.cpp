@@ -84,7 +84,8 @@ constexpr Key body_keys[] = {
      .presence = alternative,
      .example = "\"body.obj\"",
      .help = "A closed mesh, Wavefront OBJ, filled with constant density: gives the tensor about "
-             "its centre of mass, in the axes of the mesh. Relative to the folder of this file."},
+             "its centre of mass, in the axes of the mesh. Relative to the folder of this file.",
+     .is_file = true},
     {.path = "body.density",
      .type = number,
      .presence = alternative,

@@ -242,6 +242,43 @@ def test_a_map_does_not_overwrite_an_unfinished_run(polhode, run, scenario, map_
     assert not checkpoint.exists()
 
 
+def test_a_map_with_another_table_does_not_go_on(polhode, run, slow_map, tmp_path):
+    table, out = tmp_path / "burn.csv", tmp_path / "m.csv"
+    slow_map.write_text(slow_map.read_text() + '[[perturbation]]\nkind = "torque-table"\n'
+                        'file = "burn.csv"\nbetween = "step"\noutside = "zero"\n')
+    table.write_text("t,x,y,z\n0,0,0,0\n1.1,1e-3,0,0\n1.2,0,0,0\n5,0,0,0\n")
+    process = begun(polhode, slow_map, out)
+    process.kill()
+    process.communicate()
+    cells = tmp_path / "m.csv.cells"
+    before = cells.read_bytes()
+    table.write_text(table.read_text().replace("1e-3", "2e-3"))
+    result = run("map", slow_map, "--out", out, "--resume")
+    assert result.returncode == 2 and "is of another map" in result.stderr
+    assert cells.read_bytes() == before
+
+
+def test_a_pipe_gets_one_head(run, polhode, map_file, tmp_path):
+    whole = tmp_path / "whole.csv"
+    assert run("map", map_file, "--out", whole).returncode == 0
+    done = subprocess.run([polhode, "map", map_file, "--out", "/dev/stdout"], capture_output=True,
+                          timeout=60)
+    assert done.returncode == 0 and done.stdout.startswith(whole.read_bytes())
+
+
+def test_a_run_does_not_take_the_file_of_a_map(polhode, run, scenario, slow_map, tmp_path):
+    out = tmp_path / "m.csv"
+    process = begun(polhode, slow_map, out)
+    try:
+        process.send_signal(signal.SIGSTOP)
+        done = run("run", scenario(name="other.toml"), "--out", out)
+        assert done.returncode == 2
+        assert done.stderr == f"{out}.part: another run is writing it\n"
+    finally:
+        process.kill()
+        process.communicate()
+
+
 def test_what_is_no_map(run, scenario, map_file, tmp_path):
     result = run("map", scenario(name="plain.toml"))
     assert result.returncode == 2 and "expected a table [map]" in result.stderr

@@ -213,6 +213,79 @@ def test_complete_runs_have_nothing_to_do(run, scenario, tmp_path):
     assert run("run", body, "--out", path, "--restart").returncode == 0
 
 
+def with_epoch(path):
+    """The scenario with dates, as an AEM needs them."""
+    path.write_text(path.read_text().replace(
+        "[state.", "[state]\nepoch = \"2026-03-20 UTC\"\n[state.", 1))
+    return path
+
+
+@pytest.mark.parametrize("extension", ["csv", "h5", "aem"])
+def test_a_complete_file_of_another_scenario_is_not_ours(run, scenario, tmp_path, extension):
+    path = tmp_path / f"a.{extension}"
+    title = "| A title with \xe4 like a line of a scenario, and longer than one: " + 30 * "word "
+    body = with_epoch(scenario())
+    body.write_text(body.read_text().replace('"A body"', f'"{title}"'), encoding="utf-8")
+    assert run("run", body, "--out", path).returncode == 0
+    again = run("run", body, "--out", path, "--resume")
+    assert again.returncode == 0 and "nothing to do" in again.stdout
+    before = path.read_bytes()
+    body.write_text(body.read_text().replace("0.2, 1]", "0.2, 1.1]"))
+    other = run("run", body, "--out", path, "--resume")
+    assert other.returncode == 2 and "is there, of another scenario" in other.stderr
+    path.write_text("old")
+    other = run("run", body, "--out", path, "--resume")
+    assert other.returncode == 2 and "does not say of which scenario" in other.stderr
+    path.write_bytes(before)
+    assert run("run", body, "--out", path, "--restart").returncode == 0
+
+
+# Rows far from the sixteen times at which the torque is looked at.
+BURN = """[[perturbation]]
+kind = "torque-table"
+file = "burn.csv"
+between = "step"
+outside = "zero"
+"""
+
+
+def burn(folder, size):
+    (folder / "burn.csv").write_text(
+        f"t,x,y,z\n0,0,0,0\n1.1,{size},0,0\n1.2,0,0,0\n5,0,0,0\n")
+
+
+def test_a_table_that_changed_is_another_run(polhode, run, long, tmp_path):
+    path = tmp_path / "a.csv"
+    long.write_text(long.read_text().replace("[[perturbation]]", BURN + "[[perturbation]]"))
+    burn(tmp_path, 1e-3)
+    stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part")
+    assert "# file burn.csv: " in (tmp_path / "a.csv.part").read_text(encoding="utf-8")
+    part = (tmp_path / "a.csv.part").read_bytes()
+    burn(tmp_path, 2e-3)
+    done = run("run", long, "--out", path, "--resume")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1
+    assert 'files of the scenario was "burn.csv: ' in done.stderr
+    assert (tmp_path / "a.csv.part").read_bytes() == part
+    burn(tmp_path, 1e-3)
+    with subprocess.Popen([polhode, "run", long, "--out", path, "--resume"],
+                          stderr=subprocess.PIPE, text=True) as process:
+        assert "continues at" in process.stderr.readline()
+        process.kill()
+
+
+@pytest.mark.parametrize("extension", ["csv", "h5", "aem"])
+def test_a_complete_file_with_another_table_is_not_ours(run, scenario, tmp_path, extension):
+    path = tmp_path / f"a.{extension}"
+    body = with_epoch(scenario(state="[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
+                                     "omega_body = [0.1, 0.2, 1]\n" + BURN))
+    burn(tmp_path, 1e-3)
+    assert run("run", body, "--out", path).returncode == 0
+    assert "nothing to do" in run("run", body, "--out", path, "--resume").stdout
+    burn(tmp_path, 2e-3)
+    other = run("run", body, "--out", path, "--resume")
+    assert other.returncode == 2 and "with other files beside it" in other.stderr
+
+
 def test_what_cannot_be_continued(run, scenario):
     done = run("run", scenario(), "--resume")
     assert done.returncode == 2 and "resume needs outputs that are files" in done.stderr

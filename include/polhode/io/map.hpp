@@ -90,7 +90,7 @@ class MapRows {
  private:
   void open();
   void read(RunBegin begin);
-  void require_outputs() const;
+  void open_sinks();
   void put(const std::string& lines);
   std::string done_text() const;
   std::string next_text() const;
@@ -102,6 +102,7 @@ class MapRows {
   std::string head_;
   std::FILE* file_ = nullptr;
   std::vector<MapCell> cells_;
+  std::vector<std::unique_ptr<Sink>> sinks_;  // of the outputs, none of standard output
 };
 
 // Whether the map is complete in its outputs. DomainError where they are of another scenario, or

@@ -116,6 +116,17 @@ struct MapPlan {
   std::vector<MapAxis> axes = {};  // a section may have none: one start
 };
 
+// A file that the scenario names: a table, a mesh, an OEM. As it was when it was read.
+struct ScenarioFile {
+  std::string path;  // as the scenario names it
+  std::int64_t bytes;
+  std::uint64_t mark;  // FNV-1a of its bytes
+
+  constexpr bool operator==(const ScenarioFile&) const = default;
+};
+// "moon.csv.gz: 12345 bytes, mark 1234567890123456789"
+std::string file_note(const ScenarioFile& file);
+
 struct Scenario {
   std::string name;    // of the file, without its folder: "apophis.toml"
   std::string folder;  // of the file: paths in it start there; empty is the working folder
@@ -143,6 +154,7 @@ struct Scenario {
   AemOptions aem = {};               // [output.aem]
   bool writes_aem = false;           // whether the file has that table
   std::optional<MapPlan> map = std::nullopt;
+  std::vector<ScenarioFile> files = {};  // each once, by path
 };
 
 // `name` stands for the file in messages and outputs.

@@ -59,6 +59,7 @@ struct Key {
   std::string_view help = {};       // one sentence
   std::string_view kinds = {};      // words of `kind` in its table that it belongs to; empty: all
   std::string_view needed_by = {};  // those that an optional key must stand beside
+  bool is_file = false;             // a text: the path of a file, from the folder of the scenario
 };
 
 // Exactly one of several sets of keys of a table: "quaternion|euler", "stop+step|stop+count|at".

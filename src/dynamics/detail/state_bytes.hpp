@@ -21,9 +21,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// FNV-1a of 64 bits: tells texts apart and finds bytes that were damaged.
-inline std::uint64_t fingerprint(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
+// FNV-1a of 64 bits: tells texts apart and finds bytes that were damaged. Of a text in pieces,
+// each goes on from the hash of those before.
+inline std::uint64_t fingerprint(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325U) {
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return hash;
 }

@@ -27,8 +27,9 @@ void sync_folder_of(const std::string& path);
 [[noreturn]] void refuse_unfinished(const std::string& file, const std::string& kind,
                                     const std::string& told, const BeginWords& words);
 
-// Whether all outputs are there, with none on its way. DomainError for one of another scenario.
-bool are_complete(std::span<const std::string> outputs, const std::string& scenario_text,
+// Whether all outputs are there, with none on its way. DomainError for one of another scenario, or
+// of other files that the scenario names, and for one that does not say.
+bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,
                   const BeginWords& words);
 
 // A disk that was full says what to do: make space, and what `next` says. Empty: nothing helps.

@@ -4,7 +4,9 @@
 
 #include <hdf5.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "io/detail/marked_file.hpp"
 
@@ -45,6 +47,9 @@ class Handle {
   hid_t id_;
   herr_t (*close_)(hid_t);
 };
+
+// Texts of an attribute, of any length each; none where there is no such attribute.
+std::vector<std::string> attribute_texts(hid_t object, const char* name);
 
 // The file access property list that makes HDF5 read and write `file`, which must outlive the HDF5
 // file; negative when HDF5 has no memory. What HDF5 flushes waits in `file` for its commit().

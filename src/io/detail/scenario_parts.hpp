@@ -25,6 +25,8 @@ struct OrbitsPlace {
   const std::string& name;
 };
 std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at);
+// What every file that the values name holds now; nothing of those that cannot be read.
+std::vector<ScenarioFile> files_of(const Values& values, const std::string& name);
 // The mesh of [body], and a mesh that the table at `path` names by `shape` and `scale`.
 std::optional<ScenarioShape> shape_of(const Values& values, const std::string& name);
 FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name);
