@@ -113,7 +113,7 @@ Streams streams_of(const StreamArguments& arguments) {
       const WithGil acquired;
       staying_put([&] { return nb::handle(events)(event); });
     };
-  PyObject* const checkpoint = function_in(arguments.checkpoint, "checkpoint");
+  PyObject* const checkpoint = function_in(arguments.checkpoint, "keep_checkpoint");
   if (checkpoint == nullptr) return streams;
   using Clock = std::chrono::steady_clock;
   const std::chrono::duration<double> pause(arguments.checkpoint_seconds);
@@ -153,7 +153,7 @@ PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samp
     return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds},
                     progress, nullptr);
   if (!events.is_none() || !checkpoint.is_none())
-    throw nb::type_error("integrate: events and checkpoint go with a sink; got sink None");
+    throw nb::type_error("integrate: events and keep_checkpoint go with a sink; got sink None");
   const Problem problem = problem_of(python_problem);
   Keep keep{.dense = dense};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
@@ -210,7 +210,7 @@ Parameters
 problem, samples : those of the run. Functions in Python cannot be compared; the rest is.
 checkpoint : where it goes on.
 sink, progress, events, checkpoint_seconds : as in integrate.
-keep_checkpoint : as `checkpoint` in integrate.
+keep_checkpoint : as in integrate.
 
 Returns
 -------
@@ -320,10 +320,10 @@ void bind_dynamics(nb::module_& m) {
   m.def("integrate", integrated, nb::arg("problem"), nb::arg("samples") = nb::none(),
         nb::arg("dense") = true, nb::kw_only(), nb::arg("progress") = nb::none(),
         nb::arg("sink") = nb::none(), nb::arg("events") = nb::none(),
-        nb::arg("checkpoint") = nb::none(), nb::arg("checkpoint_seconds") = 60.0,
+        nb::arg("keep_checkpoint") = nb::none(), nb::arg("checkpoint_seconds") = 60.0,
         nb::sig("def integrate(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike | None "
                 "= None, dense: bool = True, *, progress: object = None, sink: object = None, "
-                "events: object = None, checkpoint: object = None, "
+                "events: object = None, keep_checkpoint: object = None, "
                 "checkpoint_seconds: float = 60.0) -> Trajectory"),
         R"(Integrates the equations of motion of a problem, by its method.
 
@@ -337,8 +337,8 @@ progress : called as progress(t), some ten times a second.
 sink : called as sink(t, states) with blocks of at most 1024 samples, (N,) and a RotorState of shape
     (N,). The trajectory then has no samples and no dense output: memory does not grow.
 events : with a sink: called with every EventRecord, which the trajectory then does not keep.
-checkpoint : with a sink: called with a Checkpoint every `checkpoint_seconds`. What it raises ends
-    the run; `resume` goes on from there.
+keep_checkpoint : with a sink: called with a Checkpoint every `checkpoint_seconds`. What it raises
+    ends the run; `resume` goes on from there.
 
 Returns
 -------

@@ -153,7 +153,7 @@ def test_resume_goes_on_to_the_same_bits(method):
     p, times = problem(method), np.linspace(0, 300, 6001)
     straight = Blocks()
     whole = polhode.integrate(p, times, sink=straight, events=straight.events.append,
-                              checkpoint=straight.keep, checkpoint_seconds=0)
+                              keep_checkpoint=straight.keep, checkpoint_seconds=0)
     kept = polhode.integrate(p, times)
     assert len(whole.t) == 0
     assert straight.table()[:, 0].tobytes() == np.asarray(kept.t).tobytes()
@@ -189,4 +189,4 @@ def test_progress_of_integrate():
     with pytest.raises(TypeError, match="progress: expected a function"):
         polhode.integrate(problem(polhode.Splitting(1)), [300.0], progress=3)
     with pytest.raises(TypeError, match="go with a sink"):
-        polhode.integrate(problem(polhode.Splitting(1)), [300.0], checkpoint=print)
+        polhode.integrate(problem(polhode.Splitting(1)), [300.0], keep_checkpoint=print)
