@@ -518,6 +518,9 @@ inline constexpr double kane_energy = 1e-11;
 inline constexpr double kane_close = 1e-6;
 inline constexpr double kane_first_order = 0.1;
 inline constexpr double kane_rounding = 1e-15;
+// python/tests/test_kane_damper.py: SciPy at its tolerance; a difference of the fourth order.
+inline constexpr double kane_two_bodies_scipy = 1e-10;
+inline constexpr double kane_slope = 1e-9;
 
 // --- magnetic torques (tests/unit/perturb/magnetic.cpp) ---
 // Of a field and of a torque against differences of the potential at 76 digits.

@@ -50,7 +50,8 @@ Event event_of(const PythonEvent& event) {
 Problem problem_of(const PythonProblem& p) {
   const System& system = nb::cast<const PythonSystem&>(p.system);
   Problem problem{
-      system, nb::cast<const Rotors&>(p.initial)[0], p.start, p.stop, method_of(p.method), {}};
+      system,       nb::cast<const Rotors&>(p.initial)[0], p.start, p.stop, method_of(p.method), {},
+      p.damper_rate};
   for (const nb::handle event : p.events)
     problem.events.push_back(event_of(nb::cast<const PythonEvent&>(event)));
   return problem;
@@ -84,7 +85,8 @@ PyObject* function_in(nb::handle value, const char* name) {
 }
 
 // A block of samples as sink(t, states): its own memory.
-void give_block(PyObject* sink, std::span<const Sample> block) {
+// Of a system with a damper, sink(t, states, rates).
+void give_block(PyObject* sink, std::span<const Sample> block, bool with_damper) {
   const WithGil acquired;
   staying_put([&] {
     Result times({block.size()});
@@ -92,7 +94,10 @@ void give_block(PyObject* sink, std::span<const Sample> block) {
     const Rotors states = Rotors::filled({block.size()}, [&](RotorState* out) {
       for (std::size_t k = 0; k < block.size(); ++k) out[k] = block[k].s;
     });
-    return nb::handle(sink)(times.take(), states);
+    if (!with_damper) return nb::handle(sink)(times.take(), states);
+    Result rates({block.size()}, {3});
+    for (std::size_t k = 0; k < block.size(); ++k) put(rates.at(k), block[k].damper_rate);
+    return nb::handle(sink)(times.take(), states, rates.take());
   });
 }
 
@@ -104,10 +109,12 @@ struct StreamArguments {
   double checkpoint_seconds;
 };
 
-Streams streams_of(const StreamArguments& arguments) {
+Streams streams_of(const StreamArguments& arguments, bool with_damper) {
   Streams streams;
   if (PyObject* const sink = function_in(arguments.sink, "sink"))
-    streams.samples = [sink](std::span<const Sample> block) { give_block(sink, block); };
+    streams.samples = [sink, with_damper](std::span<const Sample> block) {
+      give_block(sink, block, with_damper);
+    };
   if (PyObject* const events = function_in(arguments.events, "events"))
     streams.events = [events](const EventRecord& event) {
       const WithGil acquired;
@@ -135,7 +142,7 @@ PythonTrajectory streamed(const PythonProblem& python_problem, const StreamArgum
     throw nb::type_error("integrate: samples: got None; expected a SaveAt or times for a sink");
   const Problem problem = problem_of(python_problem);
   const SaveAt times = save_at_of(arguments.samples, "samples");
-  const Streams streams = streams_of(arguments);
+  const Streams streams = streams_of(arguments, problem.system.damper().has_value());
   const Progress look = listener(progress);
   Trajectory trajectory = [&] {
     const WithoutGil released;
@@ -335,7 +342,8 @@ samples : SaveAt, or times (N,) in the order of the run; None: the end of every 
 dense : whether trajectory.at(t) shall answer for any t; some hundred bytes a step.
 progress : called as progress(t), some ten times a second.
 sink : called as sink(t, states) with blocks of at most 1024 samples, (N,) and a RotorState of shape
-    (N,). The trajectory then has no samples and no dense output: memory does not grow.
+    (N,); of a system with a damper as sink(t, states, rates), (N, 3). The trajectory then has no
+    samples and no dense output: memory does not grow.
 events : with a sink: called with every EventRecord, which the trajectory then does not keep.
 keep_checkpoint : with a sink: called with a Checkpoint every `checkpoint_seconds`. What it raises
     ends the run; `resume` goes on from there.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenarios and what belongs to them. The classes Scenario and Results are Python's
 // (python/polhode/scenarios.py, results.py); _Scenario is the value behind them.
+#include "arrays.hpp"
 #include "io_parts.hpp"
 #include "polhode/io/citations.hpp"
 #include "polhode/io/columns.hpp"
@@ -93,6 +94,7 @@ void bind_io(nb::module_& m) {
       .def_prop_ro("state", state_object)
       .def_prop_ro("initial_state",
                    [](const Scenario& s) { return Batch<RotorState>::one(initial_state(s)); })
+      .def_prop_ro("damper_rate", [](const Scenario& s) { return array_of(s.damper_rate); })
       .def_prop_ro("free_rotation", [](const Scenario& s) { return free_rotation(s); })
       .def_prop_ro("method", [](const Scenario& s) { return method_object(propagation_method(s)); })
       .def_prop_ro("propagation", propagation_text)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Systems: body, frame and terms, and what the equations of motion say of a state.
+#include <optional>
+
 #include "frame_value.hpp"
 #include "object_slots.hpp"
 #include "polhode/system/system.hpp"
@@ -34,19 +36,20 @@ nb::tuple tuple_of(nb::handle terms) {
   return nb::tuple(terms);
 }
 
-void make_system(PythonSystem* self, const Body& body, nb::handle frame, nb::handle terms) {
+void make_system(PythonSystem* self, const Body& body, nb::handle frame, nb::handle terms,
+                 const std::optional<KaneDamper>& damper) {
   nb::object of = frame.is_none() ? nb::type<PythonFrame>().attr("inertial")() : nb::borrow(frame);
   if (!nb::isinstance<PythonFrame>(of))
     throw nb::type_error(
         ("System: frame: got " + class_name(frame) + "; expected a Frame").c_str());
   nb::tuple all = tuple_of(terms);
   const Frame& value = nb::cast<const PythonFrame&>(of);
-  System system(body, value, terms_of(all));
+  System system(body, value, terms_of(all), damper);
   new (self) PythonSystem(std::move(system), std::move(of), std::move(all));
 }
 
 nb::tuple arguments_of(const PythonSystem& s) {
-  return nb::make_tuple(s.body(), s.python_frame, s.python_terms);
+  return nb::make_tuple(s.body(), s.python_frame, s.python_terms, s.damper());
 }
 
 std::string repr_of(const PythonSystem& s) {
@@ -55,6 +58,7 @@ std::string repr_of(const PythonSystem& s) {
     text += ", frame=" + nb::cast<std::string>(nb::repr(s.python_frame));
   if (s.python_terms.size() != 0)
     text += ", terms=" + nb::cast<std::string>(nb::repr(s.python_terms));
+  if (s.damper()) text += ", damper=" + nb::cast<std::string>(nb::repr(nb::cast(*s.damper())));
   return text + ")";
 }
 
@@ -64,6 +68,15 @@ PythonSystem::PythonSystem(const System& system) : System(system) {
   python_frame = nb::cast(PythonFrame(system.frame()));
   nb::list all;
   for (const AnyPerturbation& term : system.terms()) all.append(nb::cast(PythonTerm(term)));
+  python_terms = nb::tuple(all);
+}
+
+PythonSystem::PythonSystem(System system, const PythonSystem& like)
+    : System(std::move(system)), python_frame(like.python_frame) {
+  nb::list all;
+  for (const nb::handle term : like.python_terms) all.append(term);
+  for (std::size_t i = all.size(); i < terms().size(); ++i)
+    all.append(nb::cast(PythonTerm(terms()[i])));
   python_terms = nb::tuple(all);
 }
 
@@ -88,15 +101,17 @@ body : Body.
 frame : Frame; None: inertial axes.
 terms : one term or a sequence: GravityGradient, ConstantTorque, LinearDamping, TorqueTerm,
     HamiltonianTerm.
+damper : KaneDamper, or None.
 
 Functions of a system take a time and a RotorState in the frame S, which broadcast. They are in any
 consistent units.)",
       nb::type_slots(
           object_slots<PythonSystem, &PythonSystem::python_frame, &PythonSystem::python_terms>()))
       .def("__init__", make_system, nb::arg("body"), nb::arg("frame") = nb::none(),
-           nb::arg("terms") = nb::make_tuple(),
+           nb::arg("terms") = nb::make_tuple(), nb::arg("damper") = nb::none(),
            nb::sig("def __init__(self, body: Body, frame: Frame | None = None, terms: "
-                   "AnyPerturbation | collections.abc.Iterable[AnyPerturbation] = ()) -> None"))
+                   "AnyPerturbation | collections.abc.Iterable[AnyPerturbation] = (), damper: "
+                   "KaneDamper | None = None) -> None"))
       .def_prop_ro(
           "body", [](const S& s) { return s.body(); }, "What rotates.")
       .def_prop_ro(
@@ -107,8 +122,11 @@ consistent units.)",
           nb::for_getter(nb::sig("def terms(self) -> tuple[AnyPerturbation, ...]")),
           "The very objects that were given.")
       .def_prop_ro(
+          "damper", [](const S& s) { return s.damper(); },
+          nb::for_getter(nb::sig("def damper(self) -> KaneDamper | None")), "None: none.")
+      .def_prop_ro(
           "is_hamiltonian", [](const S& s) { return s.is_hamiltonian(); },
-          "Whether every term has an energy.")
+          "Whether every term has an energy, and no damper takes it.")
       .def(
           "__eq__",
           [](const S& a, nb::handle b) -> nb::object {

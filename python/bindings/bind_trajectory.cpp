@@ -143,6 +143,10 @@ void bind_event_record(nb::module_& m) {
       .def_prop_ro(
           "s", [](const EventRecord& e) { return Rotors::one(e.s); }, "The state there.")
       .def_ro("direction", &EventRecord::direction, "1: the function was rising as time ran; -1.")
+      .def_prop_ro(
+          "damper_rate", [](const EventRecord& e) { return array_of(e.damper_rate); },
+          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(3,): rate of a damper there.")
       .def("__repr__",
            [](const EventRecord& e) {
              return "<EventRecord: " + e.name + " at t = " + number_text(e.t) +
@@ -150,12 +154,14 @@ void bind_event_record(nb::module_& m) {
            })
       .def("__getstate__",
            [](const EventRecord& e) {
-             return nb::make_tuple(e.name, e.t, Rotors::one(e.s), e.direction);
+             return nb::make_tuple(e.name, e.t, Rotors::one(e.s), e.direction,
+                                   array_of(e.damper_rate));
            })
       .def("__setstate__",
-           [](EventRecord& e, const std::tuple<std::string, double, Rotors, int>& state) {
-             const auto& [name, t, s, direction] = state;
-             new (&e) EventRecord{name, t, only(s), direction};
+           [](EventRecord& e,
+              const std::tuple<std::string, double, Rotors, int, nb::object>& state) {
+             const auto& [name, t, s, direction, rate] = state;
+             new (&e) EventRecord{name, t, only(s), direction, vec3(rate, "damper_rate")};
            });
 }
 
@@ -169,6 +175,12 @@ Rotors states_of(TrajectorySelf self) {
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
   if (rows->empty()) return Rotors::filled({0}, [](RotorState*) {});
   return Rotors({rows->size()}, rows, &rows->front().s, sizeof(Sample));
+}
+
+nb::object damper_rates_of(TrajectorySelf self) {
+  const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
+  const double* first = rows->empty() ? nullptr : &rows->front().damper_rate.x;
+  return view_of(first, rows->size(), sizeof(Sample), {3}, keeper(rows));
 }
 
 nb::object field_of(TrajectorySelf self, const char* name) {
@@ -194,6 +206,14 @@ Rotors states_at(const PythonTrajectory& trajectory, nb::handle times) {
   });
 }
 
+nb::object damper_rates_at(const PythonTrajectory& trajectory, nb::handle times) {
+  const Numbers t(times, "t");
+  Result rates(t.shape(), {3});
+  for_each(size_of(t.shape()),
+           [&](std::size_t k) { put(rates.at(k), trajectory.run.sample(t[k]).damper_rate); });
+  return rates.take();
+}
+
 nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle system) {
   const Trajectory& trajectory = trajectory_of(self);
   nb::dict table;
@@ -213,10 +233,13 @@ nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle
     throw nb::value_error(("columns: \"" + wanted.front() + "\" needs system=").c_str());
   const System& of = system_of(system, "columns: system");
   const double start = trajectory.start();
+  const Sample initial = trajectory.sample(start);
   const double initial_energy =
-      any_needs_energy(wanted) ? energy(of, start, trajectory.at(start)) : 0.0;
-  const Numbers t(table["t"], "t");
-  for (const auto& [name, numbers] : columns_of(of, t, states_of(self), wanted, initial_energy))
+      any_needs_energy(wanted)
+          ? energy(of.damper() ? at_damper_rate(of, initial.damper_rate) : of, start, initial.s)
+          : 0.0;
+  const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
+  for (const auto& [name, numbers] : columns_of(of, *rows, wanted, initial_energy))
     if (!table.contains(name)) table[name] = numbers;
   return table;
 }
@@ -224,28 +247,34 @@ nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle
 // Without dense output, which is the method's own: at() says so afterwards.
 nb::tuple state_of(TrajectorySelf self) {
   const Trajectory& trajectory = trajectory_of(self);
-  const Rotors initial = Rotors::one(trajectory.at(trajectory.start()));
-  return nb::make_tuple(trajectory.start(), initial, times_of(self).attr("copy")(), states_of(self),
-                        trajectory.events(), trajectory.outcome(), trajectory.statistics(),
-                        trajectory.method());
+  const Sample initial = trajectory.sample(trajectory.start());
+  return nb::make_tuple(trajectory.start(), Rotors::one(initial.s), times_of(self).attr("copy")(),
+                        states_of(self), trajectory.events(), trajectory.outcome(),
+                        trajectory.statistics(), trajectory.method(), array_of(initial.damper_rate),
+                        damper_rates_of(self).attr("copy")());
 }
 using State = std::tuple<double, Rotors, nb::object, Rotors, std::vector<EventRecord>, Outcome,
-                         Statistics, std::string>;
+                         Statistics, std::string, nb::object, nb::object>;
 void restore(PythonTrajectory& trajectory, const State& state) {
-  const auto& [start, initial, times, states, events, outcome, statistics, method] = state;
-  const Numbers t(times, "t");
-  if (t.shape() != states.shape() || t.shape().size() != 1)
+  const auto& [start, initial, times, states, events, outcome, statistics, method, rate, rates] =
+      state;
+  const Numbers t(times, "t"), of_damper(rates, "damper_rate", {3});
+  if (t.shape() != states.shape() || of_damper.shape() != t.shape() || t.shape().size() != 1)
     throw nb::value_error("Trajectory: a pickle whose times and states do not fit");
   std::vector<Sample> samples;
   samples.reserve(states.size());
-  for (std::size_t k = 0; k < states.size(); ++k) samples.push_back({t[k], states[k]});
-  new (&trajectory) PythonTrajectory(Trajectory({.initial = {start, only(initial)},
-                                                 .samples = std::move(samples),
-                                                 .events = events,
-                                                 .outcome = outcome,
-                                                 .statistics = statistics,
-                                                 .method = method,
-                                                 .dense = {}}));
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const double* s = of_damper.at(k);
+    samples.push_back({t[k], states[k], {s[0], s[1], s[2]}});
+  }
+  new (&trajectory)
+      PythonTrajectory(Trajectory({.initial = {start, only(initial), vec3(rate, "damper_rate")},
+                                   .samples = std::move(samples),
+                                   .events = events,
+                                   .outcome = outcome,
+                                   .statistics = statistics,
+                                   .method = method,
+                                   .dense = {}}));
 }
 
 std::string shown(const PythonTrajectory& trajectory) {
@@ -331,6 +360,14 @@ reference frame and the principal axes. A pickle holds everything but dense outp
           "g", [](TrajectorySelf self) { return field_of(self, "g"); },
           nb::for_getter(nb::sig("def g(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 3): angular momenta along the principal axes.")
+      .def_prop_ro(
+          "damper_rate", damper_rates_of,
+          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N, 3): rates of a damper relative to the body, along the principal axes.")
+      .def("damper_rate_at", damper_rates_at, nb::arg("t"),
+           nb::sig("def damper_rate_at(self, t: numpy.typing.ArrayLike) -> "
+                   "numpy.typing.NDArray[numpy.float64]"),
+           "(..., 3): the same at times of any shape, as at(t).")
       .def("at", states_at, nb::arg("t"),
            nb::sig("def at(self, t: numpy.typing.ArrayLike) -> RotorState"),
            R"(The states at times of any shape, by the dense output of the method.

@@ -26,6 +26,7 @@ void bind_shape(nb::module_& m);
 void bind_perturb(nb::module_& m);
 void bind_gravity_terms(nb::module_& m);
 void bind_damping_terms(nb::module_& m);
+void bind_damper(nb::module_& m);
 void bind_surface_terms(nb::module_& m);
 void bind_magnetic(nb::module_& m);
 void bind_system(nb::module_& m);

@@ -21,7 +21,7 @@ bool is_group(const std::string& name) {
 // The tensor's axes are those of files; here everything is along principal axes, as in the states.
 System along_principal_axes(const System& system) {
   const Vec3& I = system.body().moments();
-  return System(Body(I.x, I.y, I.z), system.frame(), system.terms());
+  return System(Body(I.x, I.y, I.z), system.frame(), system.terms(), system.damper());
 }
 
 // All columns of a group, or the one asked for.
@@ -41,12 +41,11 @@ class Part {
 
   const std::vector<std::string>& names() const { return names_; }
   // Number i of the row is in out[i].at(k).
-  void write(double t, const RotorState& s, std::size_t k, std::vector<Result>& out) {
+  void write(const Sample& sample, std::size_t k, std::vector<Result>& out) {
     if (!layout_) {
-      *out[0].at(k) = one_(t, s);
+      *out[0].at(k) = one_(sample);
       return;
     }
-    const Sample sample{t, s};
     layout_->write_rows(origin_, {&sample, 1}, row_);
     for (std::size_t i = 0; i < out.size(); ++i) *out[i].at(k) = row_[i + 1];  // row_[0] is t
   }
@@ -54,22 +53,22 @@ class Part {
  private:
   RowOrigin origin_;
   std::optional<RowLayout> layout_;
-  std::function<double(double, const RotorState&)> one_;
+  std::function<double(const Sample&)> one_;
   std::vector<std::string> names_;
   std::vector<double> row_;
 };
 
 }  // namespace
 
-nb::dict columns_of(const System& system, const Numbers& t, const Batch<RotorState>& states,
+nb::dict columns_of(const System& system, std::span<const Sample> rows,
                     const std::vector<std::string>& names, double initial_energy) {
   const System principal = along_principal_axes(system);
   nb::dict table;
   for (const std::string& name : names) {
     Part part(name, principal, initial_energy);
     std::vector<Result> numbers;
-    for (std::size_t i = 0; i < part.names().size(); ++i) numbers.emplace_back(states.shape());
-    for_each(states.size(), [&](std::size_t k) { part.write(t[k], states[k], k, numbers); });
+    for (std::size_t i = 0; i < part.names().size(); ++i) numbers.emplace_back(Shape{rows.size()});
+    for_each(rows.size(), [&](std::size_t k) { part.write(rows[k], k, numbers); });
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const nb::str column(part.names()[i].c_str());
       if (!table.contains(column)) table[column] = numbers[i].take();

@@ -2,18 +2,21 @@
 // Columns of a table by their names: those of scenario files, for states from anywhere.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "batch.hpp"
+#include "arrays.hpp"
+#include "bindings.hpp"
 #include "polhode/system/system.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode::python {
 
-// Name -> array of the shape of `t`. `names` are groups ("andoyer") or columns ("theta"); a column
+// Name -> array of a number per row. `names` are groups ("andoyer") or columns ("theta"); a column
 // that two groups share comes once. Core units; components along principal axes. ValueError for an
 // unknown name, with the nearest known one.
-nb::dict columns_of(const System& system, const Numbers& t, const Batch<RotorState>& states,
+nb::dict columns_of(const System& system, std::span<const Sample> rows,
                     const std::vector<std::string>& names, double initial_energy);
 
 // None, one name, or a sequence of names.

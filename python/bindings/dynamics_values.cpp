@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "arrays.hpp"
 #include "batch.hpp"
 #include "choice.hpp"
 #include "object_slots.hpp"
@@ -229,16 +230,22 @@ nb::tuple events_of(nb::handle events) {
 }
 
 void make_problem(PythonProblem* self, nb::handle system, nb::handle initial, double start,
-                  double stop, nb::handle method, nb::handle events) {
+                  double stop, nb::handle method, nb::handle events, nb::handle damper_rate) {
   system_of(system, "Problem: system");
   require_state(initial);
   method_of(method);
-  new (self) PythonProblem{nb::borrow(system), nb::borrow(initial), start, stop,
-                           nb::borrow(method), events_of(events)};
+  new (self) PythonProblem{nb::borrow(system),
+                           nb::borrow(initial),
+                           start,
+                           stop,
+                           nb::borrow(method),
+                           events_of(events),
+                           vec3(damper_rate, "Problem: damper_rate")};
 }
 
 nb::tuple arguments_of(const PythonProblem& p) {
-  return nb::make_tuple(p.system, p.initial, p.start, p.stop, p.method, p.events);
+  return nb::make_tuple(p.system, p.initial, p.start, p.stop, p.method, p.events,
+                        nb::make_tuple(p.damper_rate.x, p.damper_rate.y, p.damper_rate.z));
 }
 
 void bind_problem(nb::module_& m) {
@@ -252,14 +259,18 @@ system : System.
 initial : one RotorState at `start`, in the reference frame.
 start, stop : in the unit of time of the system; either may be the larger.
 method : Adaptive, Splitting or VariationOfConstants.
-events : Events, in any number.)",
+events : Events, in any number.
+damper_rate : (3,), rate of the sphere of the system's damper relative to the body, body axes, at
+    `start`.)",
       nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
                                   &PythonProblem::method, &PythonProblem::events>()))
       .def("__init__", make_problem, nb::arg("system"), nb::arg("initial"), nb::arg("start"),
            nb::arg("stop"), nb::arg("method") = Adaptive{}, nb::arg("events") = nb::make_tuple(),
+           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0),
            nb::sig("def __init__(self, system: System, initial: RotorState, start: float, stop: "
                    "float, method: Adaptive | Splitting | VariationOfConstants = Adaptive(), "
-                   "events: collections.abc.Iterable[Event] = ()) -> None"))
+                   "events: collections.abc.Iterable[Event] = (), damper_rate: "
+                   "numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None"))
       .def_ro("system", &PythonProblem::system,
               nb::for_getter(nb::sig("def system(self) -> System")),
               "The very object that was given.")
@@ -274,6 +285,10 @@ events : Events, in any number.)",
       .def_ro("events", &PythonProblem::events,
               nb::for_getter(nb::sig("def events(self) -> tuple[Event, ...]")),
               "What the run looks for.")
+      .def_prop_ro(
+          "damper_rate", [](const PythonProblem& p) { return array_of(p.damper_rate); },
+          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(3,): of the system's damper relative to the body, at `start`.")
       .def("__repr__",
            [](const PythonProblem& p) {
              const std::size_t events = p.events.size();

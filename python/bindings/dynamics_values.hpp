@@ -25,6 +25,7 @@ struct PythonProblem {
   double stop;
   nb::object method;
   nb::tuple events;  // of PythonEvent
+  Vec3 damper_rate;
 };
 
 // TypeError for what is none.

@@ -147,7 +147,7 @@ nb::object frame_object(const Scenario& scenario) {
 nb::object system_object(const Scenario& scenario) {
   nb::list terms;
   for (const AnyPerturbation& term : scenario.terms) terms.append(term_object(scenario, term));
-  return core("System")(nb::cast(scenario.body), frame_object(scenario), terms);
+  return core("System")(nb::cast(scenario.body), frame_object(scenario), terms, scenario.damper);
 }
 
 nb::dict orbits_of(const Scenario& scenario) {

@@ -23,6 +23,7 @@ void bind_everything(nb::module_& m) {
   bind_perturb(m);
   bind_gravity_terms(m);
   bind_damping_terms(m);
+  bind_damper(m);
   bind_surface_terms(m);
   bind_magnetic(m);
   bind_system(m);

@@ -13,6 +13,8 @@ struct PythonSystem : System {
   PythonSystem(System system, nb::object frame, nb::tuple terms)
       : System(std::move(system)), python_frame(std::move(frame)), python_terms(std::move(terms)) {}
   explicit PythonSystem(const System& system);
+  // A system with terms more than `like` has: those keep their objects.
+  PythonSystem(System system, const PythonSystem& like);
 
   nb::object python_frame;
   nb::tuple python_terms;  // the very objects that were given

@@ -9,6 +9,8 @@ import numbers
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy
+
 from polhode import _core
 from polhode._building_terms import tables_of
 
@@ -28,6 +30,7 @@ def data_of(
     events: Sequence[Mapping[str, Any]],
     epoch: str,
     axes: str,
+    damper_rate: Any,
 ) -> dict[str, Any]:
     """ValueError for what has no place in a scenario file, naming it."""
     if isinstance(system, _core.Body):
@@ -46,6 +49,8 @@ def data_of(
     data["state"] = {**dated, "axes": axes, **write.state(state, system.body, axes)}
     data.update(write.frame(system.frame))
     data.update(tables_of(system, axes, write.angle, write.rate))
+    if damper := write.damper(system.damper, damper_rate):
+        data.setdefault("perturbation", []).append(damper)
     if method is not None:
         data["method"] = _method(method)
     for event in events:
@@ -140,6 +145,23 @@ class _Writer:
             "rate": self.rate(given["rate"]),
             "epoch": given["epoch"],
         }}}
+
+    def damper(self, damper: Any, damper_rate: Any) -> dict[str, Any]:
+        rate = numpy.asarray(damper_rate, float)
+        if rate.shape != (3,):
+            raise ValueError(f"build: damper_rate: got shape {rate.shape}; expected (3,)")
+        if damper is None:
+            if rate.any():
+                raise ValueError(
+                    f"build: damper_rate: got {damper_rate!r}; the system has no damper"
+                )
+            return {}
+        return {
+            "kind": "kane-damper",
+            "sphere_moment": damper.moment,
+            "friction": damper.friction,
+            "rate_relative": self.rate(rate.tolist()),
+        }
 
 
 def _to_hub(state: Any, body: Any, kind: str) -> Any:

@@ -14,7 +14,7 @@ from polhode.maps import MapResults, run_map
 from polhode.results import Results
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
     from polhode import (
         Adaptive,
@@ -110,6 +110,7 @@ class Scenario:
         events: Sequence[Mapping[str, Any]] = (),
         epoch: str = "",
         axes: str = "inertial",
+        damper_rate: ArrayLike = (0.0, 0.0, 0.0),
         name: str = "scenario.toml",
     ) -> Scenario:
         """The scenario of Python objects: a file that anyone runs without Python.
@@ -128,6 +129,7 @@ class Scenario:
             units of time, moment and length, and in radians.
         events : tables [[event]]: {"column": "theta", "value": 90, "stops": True}, in these units.
         epoch, axes : of [state].
+        damper_rate : (3,), rate at t = 0 of the sphere of the system's damper relative to the body.
 
         Numbers keep their bits, but for the pole of a TumblerState, which becomes two angles.
         Vectors of the file are along principal axes; the columns q, omega and g along the axes of
@@ -137,6 +139,7 @@ class Scenario:
         data = _building.data_of(
             system, state, time, method, [columns] if isinstance(columns, str) else columns,
             title=title, units=_units_of(units), events=events, epoch=epoch, axes=axes,
+            damper_rate=damper_rate,
         )
         return cls.from_dict(data, name)
 
@@ -329,6 +332,11 @@ class Scenario:
     def initial_state(self) -> RotorState:
         """The state at t = 0 in the reference frame, along principal axes."""
         return self._file.initial_state
+
+    @property
+    def damper_rate(self) -> NDArray[Any]:
+        """(3,): at t = 0, rate of the system's damper relative to the body, principal axes."""
+        return self._file.damper_rate
 
     @property
     def free_rotation(self) -> FreeRotation:

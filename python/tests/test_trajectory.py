@@ -51,7 +51,7 @@ def test_samples_are_read_only_views_without_a_copy():
         assert not view.flags.writeable
         with pytest.raises(ValueError, match="read-only"):
             view[0] = 0.0
-    assert r.t.strides == (64,)  # of the samples of C++: t, q, g
+    assert r.t.strides == (88,)  # of the samples of C++: t, q, g, damper_rate
     assert np.array_equal(r.t, TIMES)
     assert np.abs(np.linalg.norm(r.q, axis=1) - 1).max() < 4 * np.finfo(float).eps
 

@@ -157,6 +157,11 @@ constexpr Paper papers[] = {
      "Burns, J. A., Safronov, V. S. (1973). Asteroid nutation angles. Monthly Notices of the Royal "
      "Astronomical Society 165, 403-411.",
      "the time in which a wobble dies", "anelastic-damping"},
+    {"kane1966",
+     "Kane, T. R., Barba, P. M. (1966). Effects of energy dissipation on a spinning satellite. "
+     "AIAA "
+     "Journal 4, 1392-1394.",
+     "a sphere in a cavity that damps", "kane-damper"},
     {"fritsch1984",
      "Fritsch, F. N., Butland, J. (1984). A method for constructing local monotone piecewise cubic "
      "interpolants. SIAM Journal on Scientific and Statistical Computing 5, 300-304.",

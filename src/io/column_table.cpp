@@ -48,6 +48,7 @@ Numbers relative_omega_numbers(const RowSample& s) {
 Numbers convective_numbers(const RowSample& s) {
   return numbers_of(in_body_axes(s, effect(s.system, s.t, s.state).v));
 }
+Numbers damper_numbers(const RowSample& s) { return numbers_of(in_body_axes(s, s.damper_rate)); }
 Numbers momentum_numbers(const RowSample& s) { return numbers_of(in_body_axes(s, s.state.g)); }
 Numbers euler_numbers(const RowSample& s) { return numbers_of(to_euler(s.state)); }
 Numbers andoyer_numbers(const RowSample& s) { return numbers_of(to_andoyer(s.state)); }
@@ -166,6 +167,7 @@ constexpr GroupSpec specs[] = {
        {"I_r_rel", angle},
        {"h_r_rel", angle}}},
      relative_axes_numbers},
+    {"damper", {{{"s1", rate}, {"s2", rate}, {"s3", rate}}}, damper_numbers},
     {"energy", {{{"E", Dimension::energy}, {"dE", Dimension::energy}}}, energy_numbers},
 };
 

@@ -36,6 +36,16 @@ struct ColumnPlace {
   Dimension dimension;
 };
 
+// f(RowSample) of a sample, with the system at the rate of its damper.
+template <class F>
+auto of_row(const RowOrigin& origin, const Sample& at, const F& f) {
+  const auto of = [&](const System& system) {
+    return f(RowSample{system, origin.initial_energy, at.t, at.s, at.damper_rate});
+  };
+  return origin.system.damper() ? of(at_damper_rate(origin.system, at.damper_rate))
+                                : of(origin.system);
+}
+
 ColumnPlace place_of(std::string_view column) {
   for (const GroupSpec& spec : column_table())
     for (std::size_t i = 0; i < spec.columns.size() && !spec.columns[i].name.empty(); ++i)
@@ -70,8 +80,8 @@ Dimension column_dimension(std::string_view column) { return place_of(column).di
 
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy) {
   const ColumnPlace place = place_of(name);
-  return {place.dimension, [place, system, initial_energy](double t, const RotorState& s) {
-            return place.numbers(RowSample{system, initial_energy, t, s})[place.index];
+  return {place.dimension, [place, system, initial_energy](const Sample& at) {
+            return of_row(RowOrigin{system, initial_energy}, at, place.numbers)[place.index];
           }};
 }
 
@@ -117,7 +127,7 @@ void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> t
     return column_table()[cell.group].name == "serret";
   });
   const SerretState elements = serret ? to_serret(motion, 0.0) : SerretState{};
-  RowSample sample{system,   energy(system, 0.0, motion.initial_state()), 0.0, {}, &motion,
+  RowSample sample{system,   energy(system, 0.0, motion.initial_state()), 0.0, {}, {}, &motion,
                    &elements};
   for (std::size_t k = 0; k < times.size(); ++k) {
     sample.t = times[k];
@@ -128,12 +138,9 @@ void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> t
 
 void RowLayout::write_rows(const RowOrigin& origin, std::span<const Sample> samples,
                            std::span<double> out) const {
-  RowSample row{origin.system, origin.initial_energy, 0.0, {}};
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    row.t = samples[k].t;
-    row.state = samples[k].s;
-    write_row(row, out.subspan(k * width_, width_));
-  }
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    of_row(origin, samples[k],
+           [&](const RowSample& row) { write_row(row, out.subspan(k * width_, width_)); });
 }
 
 }  // namespace v0

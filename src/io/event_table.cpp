@@ -3,6 +3,7 @@
 
 #include "io/detail/number_text.hpp"
 #include "io/detail/part_file.hpp"
+#include "io/detail/scenario_parts.hpp"
 #include "io/detail/sinks.hpp"
 #include "io/detail/values.hpp"
 #include "polhode/error.hpp"
@@ -33,7 +34,7 @@ struct EventTable::Parts {
       : scenario(of),
         layout(row_layout(of)),
         system(rotor_system(of)),
-        energy_0(system.is_hamiltonian() ? energy(system, 0.0, initial_state(of)) : 0.0),
+        energy_0(detail::initial_energy(of)),
         file(csv_path(path),
              from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
         rows(from ? from->rows : 0) {}
@@ -48,7 +49,7 @@ struct EventTable::Parts {
 
   std::string line(const EventRecord& event) const {
     std::vector<double> row(layout.width());
-    const Sample sample{event.t, event.s};
+    const Sample sample{event.t, event.s, event.damper_rate};
     layout.write_rows(RowOrigin{system, energy_0}, {&sample, 1}, row);
     std::string text = event.name;
     append_number(text, row[0]);

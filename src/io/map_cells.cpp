@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "io/detail/scenario_parts.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/dynamics/integrate.hpp"
@@ -24,7 +25,8 @@ Problem problem_of(const Scenario& scenario) {
           0.0,
           rows[rows.size() - 1],
           propagation_method(scenario).value_or(Adaptive{}),
-          {}};
+          {},
+          scenario.damper_rate};
 }
 
 MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
@@ -41,14 +43,13 @@ MapCell chaos_cell(const Problem& problem, const Progress& progress) {
 // The extremes and the last value.
 MapCell column_cell(const Problem& problem, const Scenario& scenario, const Progress& progress) {
   const System& system = problem.system;
-  const double energy_0 = system.is_hamiltonian() ? energy(system, 0.0, problem.initial) : 0.0;
-  const ScalarColumn column = scalar_column(scenario.map->column, system, energy_0);
+  const ScalarColumn column = scalar_column(scenario.map->column, system, initial_energy(scenario));
   double least = nan, most = nan, last = nan;
   const Trajectory way = integrate(
       problem, *scenario.time,
       [&](std::span<const Sample> samples) {
         for (const Sample& sample : samples) {
-          last = column.value(sample.t, sample.s);
+          last = column.value(sample);
           if (!(least <= last)) least = last;
           if (!(most >= last)) most = last;
         }

@@ -62,7 +62,7 @@ std::string column_of(const Values& values, const Scenario& scenario, const std:
     refuse(values, "map.column", name,
            "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
                did_you_mean(column, known));
-  if (needs_energy(column) && !rotor_system(scenario).is_hamiltonian())
+  if (needs_energy(column) && !rotor_system(scenario).has_energy())
     refuse(values, "map.column", name,
            "expected another column, since a perturbation has no energy");
   return column;
@@ -101,6 +101,9 @@ std::string section_orbit(const Values& values, const Scenario& scenario, const 
 // All but the grid.
 MapPlan without_axes(const Values& values, const Scenario& scenario, const std::string& name) {
   const std::string& kind = word(values, "map.kind");
+  if (kind == "chaos" && scenario.damper)
+    refuse(values, "map.kind", name,
+           "expected another kind, since the state of a Kane damper has no indicator of chaos");
   if (kind == "chaos") return {.kind = MapKind::chaos};
   if (kind == "column")
     return {.kind = MapKind::column, .column = column_of(values, scenario, name)};

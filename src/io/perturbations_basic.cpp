@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to a constant torque, damping.
+// From the values of a file to a constant torque, damping, a Kane damper.
 #include "io/detail/perturbation_kinds.hpp"
 #include "io/detail/value_access.hpp"
 #include "polhode/perturb/constant_torque.hpp"
@@ -28,6 +28,24 @@ AnyPerturbation damping_term(const TermPlace& at) {
     const Mat3 D = principal_matrix(at, in_file_axes.matrix());
     return {"damping", LinearDamping(D, at.scenario.body)};
   });
+}
+
+void add_kane_damper(Scenario& scenario, const Values& values, const std::string& path,
+                     const std::string& name) {
+  if (scenario.damper)
+    refuse(values, path + ".kind", name, "expected at most one perturbation of this kind");
+  const double friction = number(values, path + ".friction");
+  if (!(friction >= 0.0))
+    refuse(values, path + ".friction", name, "expected a friction that is not negative");
+  scenario.damper = built(values, path + ".sphere_moment", name, [&] {
+    const KaneDamper damper(number(values, path + ".sphere_moment"), friction);
+    damper.require_room(scenario.body);
+    return damper;
+  });
+  const std::string rate = path + ".rate_relative";
+  if (there(values, rate))
+    scenario.damper_rate =
+        principal_components({scenario, values, path, name}, vector(values, rate));
 }
 
 }  // namespace detail

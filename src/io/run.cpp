@@ -11,6 +11,7 @@
 
 #include "io/detail/number_text.hpp"
 #include "io/detail/run_state.hpp"
+#include "io/detail/scenario_parts.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
@@ -51,10 +52,6 @@ std::vector<std::string> branch_notes(const Scenario& scenario) {
     }
   }
   return notes;
-}
-
-double initial_energy(const System& system, const RotorState& s) {
-  return system.is_hamiltonian() ? energy(system, 0.0, s) : 0.0;
 }
 
 // Rows, as they come, to every sink.
@@ -99,7 +96,7 @@ void run_free(const Scenario& scenario, RowWriter& writer, const RunControl& con
   const FreeRotation motion = moving
                                   ? FreeRotation(scenario.body, inertial_state(system, 0.0, start))
                                   : free_rotation(scenario);
-  const RowOrigin origin{system, initial_energy(system, start)};
+  const RowOrigin origin{system, detail::initial_energy(scenario)};
   const SaveAt& rows = *scenario.time;
   std::vector<double> times;
   std::vector<Sample> samples;
@@ -131,13 +128,12 @@ std::vector<Event> events_of(const Scenario& scenario, const System& system, dou
   for (const ScenarioEvent& wanted : scenario.events) {
     const ScalarColumn column = scalar_column(wanted.column, system, energy_0);
     const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
-    events.push_back(
-        {wanted.name,
-         [value = column.value, target = wanted.value, turn](double t, const RotorState& s) {
-           const double x = value(t, s) - target;
-           return turn > 0.0 ? std::remainder(x, turn) : x;
-         },
-         wanted.crossing, wanted.stops, turn});
+    events.push_back({wanted.name,
+                      [value = column.value, target = wanted.value, turn](const Sample& at) {
+                        const double x = value(at) - target;
+                        return turn > 0.0 ? std::remainder(x, turn) : x;
+                      },
+                      wanted.crossing, wanted.stops, turn});
   }
   return events;
 }
@@ -168,13 +164,13 @@ Trajectory integrated(const Problem& problem, const SaveAt& times, const RunStat
 }
 
 // The state at the first row, from that at t = 0.
-RotorState at_first_row(const Problem& from_zero, RunReport& report, const RowWriter& writer,
-                        const RunControl& control) {
-  if (from_zero.start == from_zero.stop) return from_zero.initial;
-  RotorState there = from_zero.initial;
+Sample at_first_row(const Problem& from_zero, RunReport& report, const RowWriter& writer,
+                    const RunControl& control) {
+  Sample there{from_zero.stop, from_zero.initial, from_zero.damper_rate};
+  if (from_zero.start == from_zero.stop) return there;
   RunState state;
   const Streams streams = streams_of(
-      control, state, writer, [&](std::span<const Sample> samples) { there = samples.back().s; });
+      control, state, writer, [&](std::span<const Sample> samples) { there = samples.back(); });
   const Trajectory way = integrated(from_zero, SaveAt::times({from_zero.stop}), control.from,
                                     streams, control.progress);
   report.outcome = way.outcome();
@@ -186,7 +182,7 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const RunC
   RunReport report;
   const System system = rotor_system(scenario);
   const RotorState initial = initial_state(scenario);
-  const double energy_0 = initial_energy(system, initial);
+  const double energy_0 = detail::initial_energy(scenario);
   const SaveAt& rows = *scenario.time;
   const double first = rows[0], last = rows[rows.size() - 1];
   const Method method = *propagation_method(scenario);
@@ -196,10 +192,10 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const RunC
     state = *control.from;
     report.statistics = state.before;
   } else {
-    const RotorState start =
-        at_first_row({system, initial, 0.0, first, method, {}}, report, writer, control);
+    const Sample start = at_first_row(
+        {system, initial, 0.0, first, method, {}, scenario.damper_rate}, report, writer, control);
     if (!report.outcome.ok()) return report;
-    state.first = state.latest = {first, start};
+    state.first = state.latest = {first, start.s, start.damper_rate};
   }
   state.stage = RunState::rows;
   state.before = report.statistics;
@@ -209,14 +205,17 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const RunC
     writer.push(origin, samples);
     state.latest = samples.back();
   });
-  const Trajectory trajectory = integrated(
-      {system, state.first.s, first, last, method, events_of(scenario, system, energy_0)}, rows,
-      among_rows ? control.from : nullptr, streams, control.progress);
+  const Trajectory trajectory =
+      integrated({system, state.first.s, first, last, method, events_of(scenario, system, energy_0),
+                  state.first.damper_rate},
+                 rows, among_rows ? control.from : nullptr, streams, control.progress);
   report.outcome = trajectory.outcome();
   report.events = trajectory.events();
   add(report.statistics, trajectory.statistics());
-  if (system.is_hamiltonian())
-    report.energy_change = energy(system, state.latest.t, state.latest.s) - energy_0;
+  if (system.has_energy()) {
+    const Sample& end = state.latest;
+    report.energy_change = energy(at_damper_rate(system, end.damper_rate), end.t, end.s) - energy_0;
+  }
   return report;
 }
 
@@ -294,6 +293,7 @@ Provenance provenance(const Scenario& scenario) {
         detail::number_text(q.y) + ", " + detail::number_text(q.z) + "]");
   for (const AnyPerturbation& term : scenario.terms)
     result.notes.push_back("perturbation: " + term.name());
+  if (scenario.damper) result.notes.push_back("perturbation: Kane damper");
   for (const ScenarioFile& file : scenario.files) result.notes.push_back("file " + file_note(file));
   result.notes.push_back("method: " + propagation_text(scenario));
   for (std::string& note : branch_notes(scenario)) result.notes.push_back(std::move(note));

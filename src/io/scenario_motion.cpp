@@ -84,7 +84,7 @@ void check_step(const Scenario& scenario, const Values& values, const std::strin
     refuse(values, "method.step", name, "expected a step of which 1e15 at most make the run");
 }
 
-bool is_energy_there(const Scenario& scenario) { return rotor_system(scenario).is_hamiltonian(); }
+bool is_energy_there(const Scenario& scenario) { return rotor_system(scenario).has_energy(); }
 
 std::string without_energy(const Scenario& scenario) {
   for (const AnyPerturbation& term : scenario.terms)
@@ -102,6 +102,25 @@ void check_times(const Scenario& scenario, const Values& values, const std::stri
     if (rises ? rows[k] < rows[k - 1] : rows[k] > rows[k - 1])
       refuse(values, "time.at", name,
              "expected times in order, rising or falling, since the run is integrated");
+}
+
+// Its own state asks for a method that carries it, and the columns of that state for a damper.
+void check_damper(const Scenario& scenario, const Values& values, const std::string& name) {
+  if (scenario.damper) {
+    if (scenario.method && !std::holds_alternative<Adaptive>(*scenario.method))
+      refuse(values, "method.kind", name,
+             "expected \"adaptive\", since a Kane damper has a state of its own");
+    return;
+  }
+  const auto is_its_own = [](std::string_view column) {
+    return column == "damper" || column == "s1" || column == "s2" || column == "s3";
+  };
+  const char* const message = "expected a perturbation of kind \"kane-damper\" for it";
+  if (std::any_of(scenario.columns.begin(), scenario.columns.end(), is_its_own))
+    refuse(values, "output.columns", name, message);
+  for (std::size_t i = 0; i < scenario.events.size(); ++i)
+    if (is_its_own(scenario.events[i].column))
+      refuse(values, "event[" + std::to_string(i) + "].column", name, message);
 }
 
 }  // namespace
@@ -177,6 +196,10 @@ void add_motion(Scenario& scenario, const Values& values, const std::string& nam
   for (const std::string& path : array_paths(values, "perturbation")) {
     const std::string& kind = word(values, path + ".kind");
     scenario.kinds.push_back(kind);
+    if (kind == kane_damper_kind) {
+      add_kane_damper(scenario, values, path, name);
+      continue;
+    }
     for (AnyPerturbation& term : built(values, path + ".kind", name, [&] {
            return perturbations_of(kind, {scenario, values, path, name});
          }))
@@ -187,6 +210,7 @@ void add_motion(Scenario& scenario, const Values& values, const std::string& nam
 void check_motion(const Scenario& scenario, const Values& values, const std::string& name) {
   check_times(scenario, values, name);
   check_step(scenario, values, name);
+  check_damper(scenario, values, name);
   if (scenario.method && std::holds_alternative<Splitting>(*scenario.method))
     for (const AnyPerturbation& term : scenario.terms)
       if (!term.supports_flow())

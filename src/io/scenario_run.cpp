@@ -51,7 +51,7 @@ struct Identity {
 // What acts on the body, at some times of the run: the same text and files may mean something else
 // to another build.
 std::string mark_of_surroundings(const Scenario& scenario) {
-  const System system = rotor_system(scenario);
+  const System system = at_damper_rate(rotor_system(scenario), scenario.damper_rate);
   const RotorState s = initial_state(scenario);
   const double last = (*scenario.time)[scenario.time->size() - 1];
   detail::StateBytes bytes;

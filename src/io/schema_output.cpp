@@ -15,7 +15,7 @@ constexpr Key keys[] = {
     {.path = "output.columns",
      .type = choices,
      .allowed = "q|omega|omega_inertial|g|euler|andoyer|sadov|serret|q_inertial|omega_rel|"
-                "convective|andoyer_osc|euler_osc|axes|axes_rel|energy",
+                "convective|andoyer_osc|euler_osc|axes|axes_rel|damper|energy",
      .fallback = "[\"q\", \"omega\"]",
      .example = "[\"q\", \"omega\", \"andoyer\"]",
      .help = "Groups of columns after t. A column that two groups share is written once."},

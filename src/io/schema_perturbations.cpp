@@ -20,6 +20,7 @@ constexpr std::string_view anelastic_damping = "anelastic-damping";
 constexpr std::string_view torque_table = "torque-table";
 constexpr std::string_view residual_dipole = "residual-dipole";
 constexpr std::string_view eddy_currents = "eddy-currents";
+constexpr std::string_view kane_damper = "kane-damper";
 constexpr std::string_view magnetic = "residual-dipole|eddy-currents";
 
 constexpr Key keys[] = {
@@ -29,7 +30,7 @@ constexpr Key keys[] = {
      .type = choice,
      .presence = required,
      .allowed = "gravity-gradient|constant-torque|damping|tide|internal-damping|anelastic-damping|"
-                "torque-table|solar-pressure|drag|residual-dipole|eddy-currents",
+                "torque-table|solar-pressure|drag|residual-dipole|eddy-currents|kane-damper",
      .example = "\"gravity-gradient\"",
      .help = "What it is."},
     {.path = "perturbation[].orbit",
@@ -142,6 +143,29 @@ constexpr Key keys[] = {
      .example = "\"360 deg/d\"",
      .help = "The rate of rotation about that axis at which it does.",
      .kinds = internal_damping},
+    {.path = "perturbation[].sphere_moment",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::moment,
+     .example = "0.1",
+     .help = "Moment of inertia of the sphere about its centre; the moments of the body are those "
+             "of both.",
+     .kinds = kane_damper},
+    {.path = "perturbation[].friction",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::damping,
+     .example = "0.01",
+     .help = "Torque on the sphere per rate relative to the body.",
+     .kinds = kane_damper},
+    {.path = "perturbation[].rate_relative",
+     .type = numbers,
+     .dimension = Dimension::rate,
+     .length = 3,
+     .example = "[0.0, 0.0, 0.0]",
+     .help = "Rate of the sphere relative to the body at t = 0, along the body axes; left out, it "
+             "turns with the body.",
+     .kinds = kane_damper},
     {.path = "perturbation[].rigidity",
      .type = number,
      .presence = required,

@@ -102,6 +102,9 @@ void add_motion(Lines& lines, const Scenario& scenario) {
   for (const ScenarioOrbit& orbit : scenario.orbits) add_interpolation(lines, orbit);
   for (std::size_t i = 0; i < scenario.terms.size(); ++i)
     lines.text("perturbation_" + std::to_string(i + 1), "perturbation", scenario.terms[i].name());
+  if (scenario.damper)
+    lines.text("perturbation_" + std::to_string(scenario.terms.size() + 1), "perturbation",
+               "Kane damper");
   lines.text("method", "method", propagation_text(scenario));
   for (std::size_t i = 0; i < scenario.events.size(); ++i) {
     const ScenarioEvent& event = scenario.events[i];
@@ -137,7 +140,8 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   const bool tumbles =
       motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
   lines.text("title", "title", scenario.title);
-  lines.text("mode", scenario.terms.empty() ? "mode" : "mode (if free from t = 0 on)",
+  lines.text("mode",
+             scenario.terms.empty() && !scenario.damper ? "mode" : "mode (if free from t = 0 on)",
              mode(motion.regime()));
   lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
   lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},

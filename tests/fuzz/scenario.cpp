@@ -31,7 +31,7 @@ bool has_every_number(const polhode::Scenario& scenario) {
            scenario.columns.end();
   };
   return !asked("axes") && !asked("axes_rel") && scenario.orbits.empty() &&
-         scenario.frame.is_inertial() && scenario.terms.empty();
+         scenario.frame.is_inertial() && scenario.terms.empty() && !scenario.damper;
 }
 
 }  // namespace
@@ -47,13 +47,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const double last = scenario.time ? (*scenario.time)[scenario.time->size() - 1] : 1.0;
     const double times[] = {0.0, last};
     std::vector<double> rows(2 * layout.width());
-    if (scenario.terms.empty() && scenario.frame.is_inertial()) {
+    if (scenario.terms.empty() && scenario.frame.is_inertial() && !scenario.damper) {
       layout.write_rows(motion, times, rows);
     } else {
       // the terms and the frame at both times, without the integration
       const System system = rotor_system(scenario);
       const RotorState s = initial_state(scenario);
-      const Sample samples[] = {{0.0, s}, {last, s}};
+      const Sample samples[] = {{0.0, s, scenario.damper_rate}, {last, s, scenario.damper_rate}};
       layout.write_rows({system, 0.0}, samples, rows);
     }
     if (has_every_number(scenario))

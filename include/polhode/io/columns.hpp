@@ -3,7 +3,8 @@
 //
 // Equations   those of the charts. Attitudes and elements are those in the reference frame S; omega
 //             and omega_inertial are the inertial angular velocity I^-1 g + v(terms), omega_rel the
-//             one relative to S; convective is v, the frame's part included; *_osc are the elements
+//             one relative to S; convective is v, the frame's part included; damper is
+//             the rate of a Kane damper's sphere relative to the body; *_osc are the elements
 //             of g_osc = I w_SB [SA (104)-(107), (124)]; dE is E - E(0).
 // Units       each column in the units of the scenario (polhode/io/units.hpp); names and units in
 //             groups().
@@ -57,10 +58,10 @@ struct RowOrigin {
   double initial_energy = 0.0;  // at t = 0; for dE
 };
 
-// One column as a function of time and state, in core units.
+// One column as a function of a sample, in core units.
 struct ScalarColumn {
   Dimension dimension;
-  std::function<double(double, const RotorState&)> value;
+  std::function<double(const Sample&)> value;
 };
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy);
 

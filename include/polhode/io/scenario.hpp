@@ -146,7 +146,9 @@ struct Scenario {
   std::optional<ScenarioShape> shape = std::nullopt;  // where the body has one
   std::optional<Surface> surface = std::nullopt;      // along the principal axes
   std::vector<AnyPerturbation> terms = {};
-  std::vector<std::string> kinds = {};          // of the terms: "gravity-gradient"
+  std::optional<KaneDamper> damper = std::nullopt;
+  Vec3 damper_rate = {};                        // at t = 0, relative to the body, principal axes
+  std::vector<std::string> kinds = {};          // of all perturbations: "gravity-gradient"
   std::optional<Method> method = std::nullopt;  // left out: see propagation_method
   std::vector<ScenarioEvent> events = {};
   std::optional<SaveAt> time;        // left out: nothing to run
@@ -162,7 +164,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& name);
 // "-" is standard input. DomainError when there is no such file, or it is a folder.
 Scenario read_scenario(const std::string& path);
 
-// Body, frame and terms.
+// Body, frame, terms and damper.
 System rotor_system(const Scenario& scenario);
 // The hub state (q_SB, g_B) at t = 0, and the free motion through it in the axes of S.
 RotorState initial_state(const Scenario& scenario);

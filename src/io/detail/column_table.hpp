@@ -12,12 +12,14 @@
 namespace polhode {
 inline namespace v0 {
 
-// The state of a row. A motion that is free in inertial axes is there itself, with its elements.
+// The state of a row. A motion that is free in inertial axes is there itself, with its elements. A
+// system with a damper is that at the rate of the row.
 struct RowSample {
   const System& system;
   double initial_energy;
   double t;
   RotorState state;
+  Vec3 damper_rate = {};
   const FreeRotation* motion = nullptr;
   const SerretState* elements = nullptr;
 };

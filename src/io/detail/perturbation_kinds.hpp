@@ -38,6 +38,11 @@ Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
 Mat3 matrix_at(const TermPlace& at, const char* own);
 Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F);
 
+// [[perturbation]] of kind "kane-damper", which is no term: a scenario has one at most.
+inline constexpr const char* kane_damper_kind = "kane-damper";
+void add_kane_damper(Scenario& scenario, const Values& values, const std::string& path,
+                     const std::string& name);
+
 std::vector<AnyPerturbation> gravity_terms(const TermPlace& at);
 AnyPerturbation constant_torque_term(const TermPlace& at);
 AnyPerturbation damping_term(const TermPlace& at);

@@ -44,8 +44,10 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);
 // [output.aem]
 AemOptions aem_options_of(const Values& values, const std::string& name);
-// Fills in frame, terms and kinds; body and orbits are there.
+// Fills in frame, terms, damper and kinds; body and orbits are there.
 void add_motion(Scenario& scenario, const Values& values, const std::string& name);
+// The energy at t = 0; 0 where a term has none.
+double initial_energy(const Scenario& scenario);
 // What method, events, rows and columns ask of the system.
 void check_motion(const Scenario& scenario, const Values& values, const std::string& name);
 

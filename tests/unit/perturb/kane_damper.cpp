@@ -90,7 +90,7 @@ TEST(KaneDamper, RateChangesAsThatOfTwoBodies) {
 TEST(KaneDamper, RefusesWhatIsNoSphereInABody) {
   EXPECT_EQ(refusal([] { KaneDamper(0.0, 1.0); }),
             "KaneDamper: moment 0 must be positive and finite");
-  EXPECT_EQ(refusal([] { KaneDamper(NAN, 1.0); }),
+  EXPECT_EQ(refusal([] { KaneDamper(std::nan(""), 1.0); }),
             "KaneDamper: moment nan must be positive and finite");
   EXPECT_EQ(refusal([] { KaneDamper(1.0, -1.0); }),
             "KaneDamper: friction -1 must be >= 0 and finite");
