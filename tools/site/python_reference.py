@@ -104,13 +104,13 @@ Meshes, what they weigh, and what light and air do to them ([guide](../../guide/
 A system is a body, a frame and terms. What its two angular velocities are, and which elements
 osculate: [frames and osculation](../../guide/frames-and-osculation.md).
 """, {
-        "System": "System",
+        "System": "System at_damper_rate",
         "Terms":
             "GravityGradient ConstantTorque LinearDamping TorqueTerm HamiltonianTerm SpaceAxes "
             "AnyPerturbation",
         "Gravity of higher degree, tides":
             "HigherGravity OblateGravity TidalTorque MassMoments OrbitOf Oblateness TidalBody",
-        "Inside the body": "InternalDamping DampedMaterial wobble_time",
+        "Inside the body": "InternalDamping KaneDamper DampedMaterial wobble_time",
         "Tables": "TorqueTable Between Outside",
         "Magnetic torques": "DipoleField ResidualDipole EddyCurrents",
         "What a system does to a state":
