@@ -1,169 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <string>
-#include <utility>
-
-#include "dynamics/detail/adaptive_failure.hpp"
-#include "dynamics/detail/adaptive_field.hpp"
-#include "dynamics/detail/breakpoints.hpp"
-#include "dynamics/detail/damper_field.hpp"
-#include "dynamics/detail/stepper.hpp"
-#include "math/detail/number_text.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/ode/verner98.hpp"
+#include "dynamics/detail/adaptive_stepper.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-namespace {
 
 template <Real T>
-Vec3 rounded(const BasicVec3<T>& v) {
-  return {to_double(v.x), to_double(v.y), to_double(v.z)};
-}
-template <Real T, std::size_t N>
-RotorState rounded(const std::array<T, N>& y) {
-  const BasicRotorState<T> s = rotor_state<T>(y);
-  const BasicQuaternion<T> q = normalized(s.q);
-  return {{to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)}, rounded(s.g)};
-}
-
-// What the two fields differ in beside their equations.
-template <Real T>
-Vec3 damper_rate_of(const RotorValues<T>&) {
+Vec3 damper_rate_of(const RotorField<T>&, const RotorValues<T>&) {
   return {};
-}
-template <Real T>
-Vec3 damper_rate_of(const DamperValues<T>& y) {
-  return rounded(damper_rate<T>(y));
 }
 template <Real T>
 RotorErrorSize error_size(const RotorField<T>&) {
   return {};
 }
 template <Real T>
-DamperErrorSize error_size(const DamperField<T>& field) {
-  return DamperErrorSize(field.system().body());
-}
-template <Real T>
 RotorValues<T> start_values(const RotorField<T>&, const BasicRotorState<T>& s, const Vec3&) {
   return rotor_values(s);
 }
-template <Real T>
-DamperValues<T> start_values(const DamperField<T>&, const BasicRotorState<T>& s,
-                             const Vec3& damper_rate) {
-  return damper_values(s, damper_rate);
-}
-
-template <class Field>
-using State = CompensatedState<typename Field::Number, std::tuple_size_v<typename Field::Values>>;
-
-// The state inside a step is that of a shorter step: of the order of the method, and nothing is
-// kept but where the step began.
-template <class Field>
-class ShorterStep final : public DenseStep {
- public:
-  ShorterStep(SmoothField<Field> field, const DoubleDouble& t0, const State<Field>& start,
-              const Sample& end)
-      : DenseStep(t0.hi, end.t), field_(std::move(field)), t0_(t0), start_(start), end_(end) {}
-
-  RotorState at(double t) const override { return sample(t).s; }
-  Sample sample(double t) const override {
-    if (t == t1()) return end_;
-    const double h = (DoubleDouble(t) - t0_).hi;
-    const typename Field::Values rate = field_(t0_, start_.y);
-    State<Field> state = start_;
-    state.add(runge_kutta_step<Verner98>(field_, t0_, start_.y, rate, h).increment);
-    return {t, rounded(state.y), damper_rate_of<typename Field::Number>(state.y)};
-  }
-
- private:
-  SmoothField<Field> field_;
-  DoubleDouble t0_;
-  State<Field> start_;
-  Sample end_;
-};
-
-template <class Field>
-class AdaptiveStepper final : public Stepper {
-  using T = typename Field::Number;
-  using Values = typename Field::Values;
-
- public:
-  AdaptiveStepper(const Problem& problem, const Adaptive& method)
-      : field_(std::make_shared<const Field>(problem.system)),
-        breakpoints_(problem.system),
-        solver_({field_, {}}, error_size(*field_), problem.start,
-                start_values(*field_, widened(problem.initial), problem.damper_rate),
-                {method.tolerance, method.first_step, method.largest_step}),
-        begin_(problem.start),
-        start_(solver_.state()) {}
-
-  std::string advance(double stop) override {
-    const DoubleDouble begin = solver_.time();
-    const State<Field> start = solver_.state();
-    solver_.field().stretch = breakpoints_.stretch(begin.hi, stop);
-    const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, stop));
-    if (outcome != StepOutcome::made)
-      return failure_text(*field_, begin, start.y, solver_.trial(), outcome);
-    begin_ = begin;
-    start_ = start;
-    restore_norm(solver_.state());
-    return {};
-  }
-  double time() const override { return solver_.time().hi; }
-  RotorState state() const override { return rounded(solver_.state().y); }
-  Vec3 damper_rate() const override { return damper_rate_of<T>(solver_.state().y); }
-  std::shared_ptr<const DenseStep> dense(bool) override {
-    return std::make_shared<const ShorterStep<Field>>(solver_.field(), begin_, start_,
-                                                      Sample{time(), state(), damper_rate()});
-  }
-  Statistics statistics() const override {
-    return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
-  }
-  void transfer(StateBytes& bytes) override {
-    solver_.transfer(bytes);
-    SmoothStretch& stretch = solver_.field().stretch;  // of the step made last
-    bytes.all(begin_, start_.y, start_.carry, stretch.from, stretch.to);
-  }
-
- private:
-  static BasicRotorState<T> widened(const RotorState& s) {
-    const BasicQuaternion<T> q{T(s.q.w), T(s.q.x), T(s.q.y), T(s.q.z)};
-    return {normalized(q), {T(s.g.x), T(s.g.y), T(s.g.z)}};
-  }
-
-  // |q| = 1 again. A change along q turns nothing, so that a rounding of |q| does no harm.
-  static void restore_norm(State<Field>& s) {
-    T excess = T(-1.0);
-    for (std::size_t i = 0; i < 4; ++i) excess = excess + s.y[i] * s.y[i];
-    Values change{};
-    for (std::size_t i = 0; i < 4; ++i) change[i] = T(-0.5) * excess * s.y[i];
-    s.add(change);
-  }
-
-  std::shared_ptr<const Field> field_;
-  Breakpoints breakpoints_;
-  AdaptiveRungeKutta<Verner98, T, std::tuple_size_v<Values>, SmoothField<Field>,
-                     decltype(error_size(std::declval<const Field&>()))>
-      solver_;
-  DoubleDouble begin_;  // of the step made last
-  State<Field> start_;
-};
-
-template <template <class> class Field>
-std::unique_ptr<Stepper> stepper_of(const Problem& problem, const Adaptive& method) {
-  if (method.precision == Precision::compensated)
-    return std::make_unique<AdaptiveStepper<Field<double>>>(problem, method);
-  return std::make_unique<AdaptiveStepper<Field<DoubleDouble>>>(problem, method);
-}
-
-}  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method) {
   require_valid(method);
-  return problem.system.damper() ? stepper_of<DamperField>(problem, method)
-                                 : stepper_of<RotorField>(problem, method);
+  if (problem.system.damper()) return make_damper_stepper(problem, method);
+  return stepper_of<RotorField>(problem, method);
 }
 
 }  // namespace detail
