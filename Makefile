@@ -8,7 +8,8 @@ PYTHON  := .venv/bin/python
 # The package as it lies in the build tree, for our tests and pages; users take pip install.
 PACKAGE := PYTHONPATH=build/release/python
 CORES   := $(shell nproc 2>/dev/null || echo 2)
-PYTEST  := $(PYTHON) -m pytest -n $(CORES) --dist loadgroup
+# A file of tests stays in one process: what its fixtures build is built once.
+PYTEST  := $(PYTHON) -m pytest -n $(CORES) --dist loadfile
 # Fuzzing: inputs per target in `make test`, the same ones every time; seconds in `make fuzz`.
 FUZZ_SAMPLE := 10000
 FUZZ        := 600

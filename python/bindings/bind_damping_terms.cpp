@@ -107,7 +107,9 @@ ValueError for a negative coefficient.)",
           nb::sig("def of_wobble(body: Body, time: float, momentum: float, name: str | None = "
                   "None) -> InternalDamping"),
           "The k with which a small wobble about the axis of the largest moment falls by e in "
-          "`time` at this momentum. ValueError for a sphere.")
+          "`time` at this momentum, in the units of the body's moments and of time. ValueError for "
+          "a "
+          "sphere.")
       .def_static(
           "of_material",
           [](const Body& body, const DampedMaterial& material, nb::handle name) {

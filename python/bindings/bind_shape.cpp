@@ -173,9 +173,11 @@ void bind_mass(nb::module_& m) {
           "body", [](const P& p) { return body(p); }, "Its Body, with the principal axes.")
       .def("__repr__",
            [](const P& p) { return "<MassProperties: mass " + std::to_string(p.mass) + ">"; });
-  m.def("mass_properties", &mass_properties, nb::arg("shape"), nb::arg("density"),
-        "MassProperties of a closed FacetShape filled with a constant density. ValueError names an "
-        "edge of a mesh that is not closed; facets inward; a density that is not positive.");
+  m.def(
+      "mass_properties", &mass_properties, nb::arg("shape"), nb::arg("density"),
+      "MassProperties of a closed FacetShape filled with a constant density (mass per cube of the "
+      "shape's unit of length, whose units the results have). ValueError names an "
+      "edge of a mesh that is not closed; facets inward; a density that is not positive.");
 }
 
 constexpr std::size_t columns = 12;
@@ -249,7 +251,11 @@ facet, counted from 1, and its wrong number.)");
                   "area: float, specular: float = 0.0, diffuse: float = 0.0, emitted: float = 0.0, "
                   "normal_accommodation: float = 1.0, tangential_accommodation: float = 1.0, "
                   "both_sides: bool = False) -> Surface"),
-          "A flat plate; with both sides, two facets.")
+          "A flat plate: centre (3,) and normal (3,) along the body axes, in units of length; area "
+          "in "
+          "their square. The fractions are from 0 to 1, specular + diffuse at most 1. With both "
+          "sides, "
+          "two facets. ValueError for others.")
       .def(
           "along", [](const S& s, nb::handle q_FB) { return s.along(quaternion(q_FB, "q_FB")); },
           nb::arg("q_FB"), nb::sig("def along(self, q_FB: numpy.typing.ArrayLike) -> Surface"),

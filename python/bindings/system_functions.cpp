@@ -125,7 +125,10 @@ void bind_motion(nb::module_& m) {
   def_states<RotorState>(
       m, "effect", "Effect",
       [](const System& of, double t, const RotorState& s) { return effect(of, t, s); },
-      "The sum of all effects, the frame's own included. [SA (105)-(107), (118)]");
+      "The sum of all effects on states of any shape, the frame's own included, in body "
+      "components: "
+      ".v (..., 3), rad per time, what is added to I^-1 g; .u (..., 3), torque. States are those "
+      "relative to the system's frame. [SA (105)-(107), (118)]");
   def_states<RotorState>(
       m, "angular_velocity", "AngularVelocities",
       [](const System& of, double t, const RotorState& s) { return angular_velocity(of, t, s); },

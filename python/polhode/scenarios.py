@@ -79,7 +79,11 @@ class Scenario:
 
     @classmethod
     def from_text(cls, text: str | bytes, name: str = "scenario.toml") -> Scenario:
-        """The scenario in a text; `name` stands for the file in messages and outputs."""
+        """The scenario in a text; `name` stands for the file in messages and outputs.
+
+        Files that it names (tables, meshes) are looked for beside `name`: with the default, in the
+        current folder.
+        """
         if not isinstance(text, (str, bytes)):
             raise TypeError(f"from_text: got {text!r}; expected a str or bytes")
         data = text.encode("utf-8") if isinstance(text, str) else text
@@ -90,7 +94,8 @@ class Scenario:
     def from_dict(cls, data: Mapping[str, Any], name: str = "scenario.toml") -> Scenario:
         """The scenario in a nested dict, as TOML has it: {"body": {"moments": [1, 2, 2.5]}, ...}.
 
-        Numbers keep their bits; NumPy arrays and numbers will do.
+        Numbers keep their bits; NumPy arrays and numbers will do. Of `name` as in from_text;
+        messages count the lines of the text that the dict is written as.
         """
         if not isinstance(data, Mapping):
             raise TypeError(f"from_dict: got {data!r}; expected a dict")
@@ -155,6 +160,8 @@ class Scenario:
     def save(self, path: Path, *, overwrite: bool = False) -> None:
         """Writes the text to a file, as PATH.part until it is complete.
 
+        Files that it names by relative paths have to lie beside the new file too.
+
         FileExistsError for a file that is there, unless `overwrite`: it may be written by hand.
         (Results.write and run replace the files that they write.)
         """
@@ -182,7 +189,7 @@ class Scenario:
 
         Parameters
         ----------
-        outputs : PATH.csv or PATH.h5, one or several: the files that `polhode run` writes, byte for
+        outputs : PATH.csv, .h5, .aem, one or several: the files that `polhode run` writes, byte for
             byte. A file is written as PATH.part, and renamed when it is complete: it replaces one
             of that name (save refuses to).
         events : PATH.csv for the events of the scenario; replaces one of that name.

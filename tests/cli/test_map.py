@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """`polhode map`: the same bytes for any number of threads, and after any number of kills."""
 
+import os
 import signal
 import subprocess
 import time
@@ -177,6 +178,7 @@ def test_one_map_at_a_time(polhode, run, slow_map, map_file, tmp_path):
     process = begun(polhode, slow_map, out)
     try:
         process.send_signal(signal.SIGSTOP)
+        os.waitid(os.P_PID, process.pid, os.WSTOPPED)  # every thread of it
         before = cells.read_bytes()
         for option in ([], ["--resume"], ["--restart"]):
             for path in (slow_map, map_file):

@@ -21,9 +21,6 @@ import python_reference  # noqa: E402
 import references  # noqa: E402
 from declarations import declarations  # noqa: E402
 
-# One process: what the fixture builds is built once.
-pytestmark = pytest.mark.xdist_group("site")
-
 FETCHED = {"script": "src", "link": "href", "img": "src", "iframe": "src", "source": "src"}
 
 

@@ -8,9 +8,6 @@ from pathlib import Path
 import budgets
 import pytest
 
-# One process: what the fixture builds is built once.
-pytestmark = pytest.mark.xdist_group("install")
-
 CONSUMER = Path(__file__).resolve().parent / "consumer"
 
 

@@ -11,9 +11,6 @@ import zipfile
 import pytest
 from scikit_build_core.build import build_sdist
 
-# One process: what the fixture builds is built once.
-pytestmark = pytest.mark.xdist_group("wheel")
-
 CALL = """
 import numpy as np, polhode
 motion = polhode.FreeRotation(polhode.Body(1, 2, 2.5), polhode.RotorState([1, 0, 0, 0], [0, 1, 2]))
