@@ -17,15 +17,6 @@ namespace {
 // A linear deviation is scaled down before it leaves the range of a double, and long before.
 constexpr double linear_reach = 0x1p200;
 
-// |q| = 1 again, as integrate does it.
-void restore_norm(CompensatedState<double, 16>& s, std::size_t first) {
-  double excess = -1.0;
-  for (std::size_t i = first; i < first + 4; ++i) excess += s.y[i] * s.y[i];
-  std::array<double, 16> change{};
-  for (std::size_t i = first; i < first + 4; ++i) change[i] = -0.5 * excess * s.y[i];
-  s.add(change);
-}
-
 template <class Field>
 class AdaptiveDeviation final : public DeviationRun {
  public:
@@ -52,7 +43,7 @@ class AdaptiveDeviation final : public DeviationRun {
     const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, t));
     if (outcome != StepOutcome::made)
       return failure_text(solver_.field().field->rotor(), begin, y, solver_.trial(), outcome);
-    restore_norm(solver_.state(), 0);
+    restore_norm(solver_.state());
     if constexpr (!is_linear) restore_norm(solver_.state(), 8);
     bring_back();
     return {};

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "dynamics/detail/state_bytes.hpp"
 #include "io/detail/earlier_run.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/part_file.hpp"
@@ -27,18 +28,11 @@ namespace {
 constexpr std::size_t longest_line = 65536;
 constexpr std::size_t numbers_per_block = 65536;
 
-// FNV-1a: two files that differ have different ones, for all that happens by accident.
-std::string fingerprint(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return std::to_string(hash);
-}
-
 std::string head_of(const ScenarioMap& map) {
   std::string read = map.scenario().text;
   for (const ScenarioFile& file : map.scenario().files) read += file_note(file) + "\n";
   return "polhode " + std::string(version()) + " map of " + std::to_string(map.size()) +
-         " cells, scenario " + fingerprint(read) + "\n";
+         " cells, scenario " + std::to_string(detail::fingerprint(read)) + "\n";
 }
 
 // "ROWS,FAILURE", then a line of numbers for each row.

@@ -32,6 +32,17 @@ BasicRotorState<T> rotor_state(const std::array<T, N>& y) {
   return {{y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}};
 }
 
+// |q| = 1 again, of the quaternion that begins at `first`. A change along q turns nothing, so that
+// a rounding of |q| does no harm.
+template <Real T, std::size_t N>
+void restore_norm(CompensatedState<T, N>& s, std::size_t first = 0) {
+  T excess = T(-1.0);
+  for (std::size_t i = first; i < first + 4; ++i) excess = excess + s.y[i] * s.y[i];
+  std::array<T, N> change{};
+  for (std::size_t i = first; i < first + 4; ++i) change[i] = T(-0.5) * excess * s.y[i];
+  s.add(change);
+}
+
 // rotor_rates with the reciprocals of the moments prepared, and with all of the time: terms get
 // what a double cannot hold of it.
 template <Real T>

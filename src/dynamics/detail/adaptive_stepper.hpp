@@ -109,15 +109,6 @@ class AdaptiveStepper final : public Stepper {
     return {normalized(q), {T(s.g.x), T(s.g.y), T(s.g.z)}};
   }
 
-  // |q| = 1 again. A change along q turns nothing, so that a rounding of |q| does no harm.
-  static void restore_norm(State<Field>& s) {
-    T excess = T(-1.0);
-    for (std::size_t i = 0; i < 4; ++i) excess = excess + s.y[i] * s.y[i];
-    Values change{};
-    for (std::size_t i = 0; i < 4; ++i) change[i] = T(-0.5) * excess * s.y[i];
-    s.add(change);
-  }
-
   std::shared_ptr<const Field> field_;
   Breakpoints breakpoints_;
   AdaptiveRungeKutta<Verner98, T, std::tuple_size_v<Values>, SmoothField<Field>,
