@@ -10,17 +10,14 @@ import budgets
 import numpy as np
 import pytest
 from closeness import assert_allclose
+from hyperion import HYPERION, SYSTEM
 from interrupts import LATEST, seconds_from_signal
 from numpy.testing import assert_array_equal
 from polhode import (
     Adaptive,
-    Body,
     DeviationBy,
     DomainError,
-    GravityGradient,
     HamiltonianTerm,
-    KeplerElements,
-    KeplerOrbit,
     Problem,
     SaveAt,
     Splitting,
@@ -30,10 +27,6 @@ from polhode import (
     rotor_state,
 )
 
-a2, b2, c2 = 190.0**2, 145.0**2, 114.0**2
-HYPERION = Body((b2 + c2) / (a2 + b2), (a2 + c2) / (a2 + b2), 1.0)
-ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-SYSTEM = System(HYPERION, terms=[GravityGradient(1.0, ORBIT)])
 START = rotor_state(HYPERION, [math.cos(0.6), 0.1, 0.2, math.sin(0.6)], [0.1, 0.0, 1.3])
 STOP = 20 * 2 * math.pi
 

@@ -12,6 +12,7 @@ import budgets
 import numpy as np
 import pytest
 from closeness import assert_allclose
+from hyperion import HYPERION, ORBIT, SYSTEM
 from interrupts import LATEST, seconds_from_signal
 from numpy.testing import assert_array_equal
 from polhode import (
@@ -19,7 +20,6 @@ from polhode import (
     AndoyerAngle,
     Body,
     DomainError,
-    GravityGradient,
     KeplerElements,
     KeplerOrbit,
     PrecessingKeplerOrbit,
@@ -36,10 +36,6 @@ from polhode import (
     to_andoyer,
 )
 
-a2, b2, c2 = 190.0**2, 145.0**2, 114.0**2
-HYPERION = Body((b2 + c2) / (a2 + b2), (a2 + c2) / (a2 + b2), 1.0)
-ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-SYSTEM = System(HYPERION, terms=[GravityGradient(1.0, ORBIT)])
 FREE = System(Body(1.0, 1.7, 2.2))
 
 

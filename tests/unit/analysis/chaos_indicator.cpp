@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/linear_damping.hpp"
@@ -285,16 +286,6 @@ TEST(ChaosIndicator, WhatCannotGoOnSaysWhy) {
   EXPECT_EQ(found.samples.size(), 2U);
   EXPECT_FALSE(found.outcome.ok());
   EXPECT_THAT(found.outcome.advice, HasSubstr("wall"));
-}
-
-template <class F>
-std::string message_of(const F& f) {
-  try {
-    f();
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(ChaosIndicator, RefusesWhatIsNoProblem) {

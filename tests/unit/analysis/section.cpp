@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -343,16 +344,6 @@ TEST(AndoyerSection, ARunThatCannotGoOnKeepsItsPoints) {
   EXPECT_FALSE(found.outcome.ok());
   EXPECT_THAT(found.outcome.advice, HasSubstr("wall"));
   EXPECT_GT(found.points.size(), 2U);
-}
-
-template <class F>
-std::string message_of(const F& f) {
-  try {
-    f();
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Sections, RefuseWhatHasNone) {
