@@ -109,6 +109,10 @@ inline constexpr double oracle_differences = 1e-45;
 // Rotation angle, rad, and |dg|/G, in every set: hard cases, the separatrix, 1e9 turns.
 inline constexpr double free_state = 2e-15;
 inline constexpr double free_state_median = 4e-16;
+// Of a time of many turns, rad a turn: beyond 1e15 turns the phase has fewer digits than the state.
+inline constexpr double free_far_phase = 0x1p-100;
+// G^2 - 2 T I2, relative, however much cancels: a few roundings of double-double.
+inline constexpr double separatrix_distance = 0x1p-101;
 // State transition matrix over ten turns, each 3x3 block relative to its norm.
 inline constexpr double free_transition = 2e-14;
 // The library's doubles against the paper's formulas at 50 digits (tests/paper).

@@ -49,11 +49,12 @@ template <class Product>
   return quick_two_sum(hi, phase.lo - (c.lo + count * period.lo));
 }
 
-// The phase less its whole periods, and how many of them. Beyond 2^52 periods the rounded count
-// itself is off, so what it leaves is reduced once more.
+// The phase less its whole periods, and how many of them: first + more, not added up, since the sum
+// may need more than 53 bits. Beyond 2^52 periods the rounded count itself is off, so what it
+// leaves is reduced once more.
 struct Remainder {
   TwoTerms<double> phase;
-  double periods;
+  double first, more;
 };
 
 template <class Product>
@@ -61,9 +62,9 @@ template <class Product>
                                                 const DoubleDouble& period, double inverse) {
   const double periods = std::rint(phase.hi * inverse);
   const TwoTerms<double> r = less_periods<Product>(phase, period, periods);
-  if (!(std::abs(r.hi * inverse) > 0.75)) return {r, periods};
+  if (!(std::abs(r.hi * inverse) > 0.75)) return {r, periods, 0.0};
   const double more = std::rint(r.hi * inverse);
-  return {less_periods<Product>(r, period, more), periods + more};
+  return {less_periods<Product>(r, period, more), periods, more};
 }
 
 // A phase beyond 2^90 has no digit left: any point of the orbit is as good, so 0 is taken; t - t is
@@ -90,7 +91,7 @@ template <class Product>
     const SinCos<double> c = sincos_of_turn<Product>(turn);
     return {k.left * Quaternion{c.cos, c.sin * k.axis.x, c.sin * k.axis.y, c.sin * k.axis.z}, k.g0};
   }
-  const auto [phase, periods] =
+  const auto [phase, first, more] =
       reduced<Product>(bounded(phase_at<Product>(k.phase_rate, elapsed, k.phase0), t),
                        k.phase_period, k.inverse_phase_period);
   Quaternion p;
@@ -98,7 +99,7 @@ template <class Product>
     const SinCos<double> x = detail::reduced_sincos(phase);
     p = trigonometric_sum(k.series, x.sin, x.cos);
   } else {
-    const bool odd = std::fmod(periods, 2.0) != 0.0;
+    const bool odd = std::fmod(std::abs(first), 2.0) != std::fmod(std::abs(more), 2.0);
     p = hyperbolic_sum(k.series, k.series.chi_per_u * phase.hi, odd);
     turn.lo += k.series.phase_per_u * phase.hi;
     turn = two_sum(turn.hi, turn.lo);

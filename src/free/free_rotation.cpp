@@ -139,7 +139,7 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc
   DoubleDouble twice_energy = 0.0;
   for (int i = 0; i < 3; ++i) twice_energy += DoubleDouble::product(g[i], g[i]) / I[i];
   s.energy = std::ldexp(0.5 * twice_energy.hi, 2 * arc.scale.momentum - arc.scale.moment);
-  s.D2 = std::ldexp(arc.D2.hi, 2 * arc.scale.momentum);
+  s.D2 = std::ldexp(arc.D2.mantissa.hi, arc.D2.exponent + 2 * arc.scale.momentum);
   s.polhode_period = infinity;
   const auto user_rate = [&](double x) { return std::ldexp(x, arc.scale.rate()); };
   if (c.steady) {

@@ -87,6 +87,28 @@ std::vector<FreeCase> drawn_cases(oracle::CaseMaker maker, std::uint64_t stream,
   return cases;
 }
 
+// Next to the middle axis at times up to four half periods: the growth exp(nt) of one passage is
+// taken away by the next.
+std::vector<FreeCase> flipping_cases() {
+  const auto across_by = [](double across, double share, const std::vector<double>& half_periods) {
+    std::vector<FreeCase> cases;
+    FreeCase c{
+        {1.0, 1.7, 2.1}, {{0.5, 0.5, -0.125, 0.75}, {across, 1.0, share * across}}, 0.0, 0.0};
+    const double period =
+        polhode::FreeRotation(polhode::Body(1.0, 1.7, 2.1), c.start).polhode_period();
+    for (const double n : half_periods) {
+      c.t = 0.5 * n * period;
+      cases.push_back(c);
+    }
+    return cases;
+  };
+  std::vector<FreeCase> cases = across_by(1e-6, 2.0, {-1.0, 0.8, 2.9});
+  // with as many digits as the oracle has left of such growth
+  for (const FreeCase& c : across_by(1e-15, 0.3, {0.5, 1.0, 2.9})) cases.push_back(c);
+  for (const FreeCase& c : across_by(1e-24, 0.3, {0.5, 0.55})) cases.push_back(c);
+  return cases;
+}
+
 // The states where derivatives of the coordinates do not exist, ten turns either way.
 std::vector<FreeCase> degenerate_cases() {
   struct Start {
@@ -138,6 +160,33 @@ TEST(FreeTransition, NearTheSeparatrix) {
 
 TEST(FreeTransition, OnTheSeparatrix) {
   expect_transitions(drawn_cases(oracle::exact_separatrix_case, 5, 20, 100));
+}
+
+TEST(FreeTransition, FromFlipToFlip) { expect_transitions(flipping_cases()); }
+
+// Where no digit is left the matrix says so: either its momenta keep |g|, and it is right, or NaN.
+TEST(FreeTransition, IsRightOrNotANumber) {
+  const polhode::Body body(1.0, 1.7, 2.1);
+  for (const double across : {1e-30, 1e-45, 1e-60, 1e-100, 1e-170}) {
+    const polhode::FreeRotation motion(body, {{1, 0, 0, 0}, {across, 1.0, 0.7 * across}});
+    for (const double n : {0.2, 0.5, 0.9, 1.0, 1.3, 2.0, 7.5}) {
+      const double t = 0.5 * n * motion.polhode_period();
+      const polhode::Matrix6 m = motion.state_transition(t);
+      if (std::isnan(m(0, 3))) continue;
+      oracle::FreeBody exact({1.0, 1.7, 2.1}, {1, 0, 0, 0}, {across, 1.0, 0.7 * across});
+      const auto g = exact.at(Wide(t)).g;
+      for (int j = 3; j < 6; ++j) {
+        Wide kept = 0, largest = 0;
+        for (int i = 0; i < 3; ++i) {
+          kept += g[i] * m(3 + i, j);
+          largest = largest < abs(g[i] * m(3 + i, j)) ? Wide(abs(g[i] * m(3 + i, j))) : largest;
+        }
+        const double miss = static_cast<double>(Wide(abs(kept - motion.initial_state().g[j - 3])));
+        EXPECT_LE(miss, budget::free_transition * (1.0 + static_cast<double>(largest)))
+            << across << " " << n;
+      }
+    }
+  }
 }
 
 TEST(FreeTransition, Degenerate) { expect_transitions(degenerate_cases()); }

@@ -56,7 +56,8 @@ class FreeRotation {
 
   // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q
   // exp(dtheta_B / 2). On the separatrix and for spin about b2 it grows like exp(n t); NaN once n t
-  // passes about 180, and for a time that is not finite.
+  // passes about 180, where fewer than nine digits are left of what a flip takes back (g within
+  // 1e-25 of b2), and for a time that is not finite.
   Matrix6 state_transition(double t) const;
 
   const Body& body() const { return body_; }
@@ -68,7 +69,8 @@ class FreeRotation {
   double momentum() const { return kernel_.G; }         // G
   double energy() const { return summary_.energy; }     // T
   Modulus modulus() const { return summary_.modulus; }  // m and 1 - m, m <= 1; m = 0 when steady
-  // G^2 - 2 T I2, formed in double-double: > 0 in short-axis mode, < 0 in long-axis mode.
+  // G^2 - 2 T I2 to its last digit: > 0 in short-axis mode, < 0 in long-axis mode. 0 too where it
+  // is below the least double.
   double separatrix_distance() const { return summary_.D2; }
 
   // The axis of circulation and the signs of the momentum along sorted axes 1 and 3 at the epoch.

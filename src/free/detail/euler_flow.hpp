@@ -33,6 +33,7 @@ struct FlowParameters {
 template <Real T>
 struct FlowFunctions {
   T S, C, D, angle;
+  T whole = T(0.0);  // the angle of the half periods that were taken off the time
 };
 
 template <Real T, std::size_t terms>
@@ -111,14 +112,14 @@ FlowFunctions<T> flow_functions(const FlowParameters<T>& p, const H& t) {
   return v;
 }
 
-// 4K/n and the angle over that period, both smooth in the parameters away from delta = 0.
+// 2K/n and the angle over that half of a period, both smooth in the parameters away from delta = 0.
 template <Real T>
-struct FlowPeriod {
+struct FlowHalfPeriod {
   T time, angle;
 };
 
 template <Real T>
-FlowPeriod<T> flow_period(const FlowParameters<T>& p) {
+FlowHalfPeriod<T> flow_half_period(const FlowParameters<T>& p) {
   using std::sqrt;
   const bool short_axis = to_double(p.delta) > 0.0;
   const T& larger = short_axis ? p.mu : p.nu;
@@ -127,7 +128,28 @@ FlowPeriod<T> flow_period(const FlowParameters<T>& p) {
   const T root = sqrt(larger);
   const T ratio = p.epsilon / larger;
   const T quarter_w = cel(T(sqrt(modulus.m1())), T(T(1.0) + ratio), T(0.0), ratio) / root;
-  return {T(4.0) * complete_k(modulus) / root, T(4.0) * p.weight * quarter_w};
+  return {T(2.0) * complete_k(modulus) / root, T(2.0) * p.weight * quarter_w};
+}
+
+// At any time: whole half periods are taken off first. Next to the separatrix an arc beyond a
+// quarter of the period grows by what the rest takes away again, with the digits.
+template <Real T, class S>
+FlowFunctions<T> flow_over(const FlowParameters<T>& p, const S& time) {
+  const double rate = std::sqrt(std::max(to_double(p.mu), to_double(p.nu)));
+  // A quarter of the period is at least pi / (2 rate).
+  if (to_double(p.delta) == 0.0 || !(std::abs(to_double(time)) * rate > 1.5))
+    return flow_functions(p, time);
+  const FlowHalfPeriod<T> half = flow_half_period(p);
+  const double count = std::rint(to_double(time) / to_double(half.time));
+  if (count == 0.0) return flow_functions(p, time);
+  FlowFunctions<T> v = flow_functions(p, T(T(time) - half.time * S(count)));
+  v.whole = half.angle * S(count);
+  if (std::fmod(count, 2.0) != 0.0) {  // sn, and of cn and dn the one that has zeros
+    T& swinging = to_double(p.delta) > 0.0 ? v.C : v.D;
+    v.S = -v.S;
+    swinging = -swinging;
+  }
+  return v;
 }
 
 // Quotients of the moments, which must be in ascending order.
@@ -183,7 +205,7 @@ template <Real T, class S>
 EulerFlow<T> euler_flow(const FlowBody<S>& body, const BasicVec3<T>& g0, const T& D2,
                         const S& time) {
   using std::sqrt;
-  const S zero(0.0), one(1.0);
+  const S one(1.0);
   const T g1 = g0.x, g2 = g0.y, g3 = g0.z, g22 = g2 * g2, g33 = g3 * g3;
   const T a1 = g1 * g1 + body.share1 * g22;  // squared amplitudes of g1, g3 at g2 = 0
   const T a3 = g33 + body.share3 * g22;
@@ -198,42 +220,37 @@ EulerFlow<T> euler_flow(const FlowBody<S>& body, const BasicVec3<T>& g0, const T
   p.epsilon = r.pole == 0 ? T(body.mu_a3 * a1) : T(body.nu_a1 * a3);
   p.weight = (r.pole == 0 ? S(-body.k13) : body.k13) * r.G;
 
-  S t = time;
-  T reduced(time), angle(zero);
-  bool shifted = false;
-  const double rate = std::sqrt(std::max(to_double(p.mu), to_double(p.nu)));
-  // Half of a period is at least pi / rate.
-  if (to_double(p.delta) != 0.0 && std::abs(to_double(time)) * rate > 3.0) {
-    const FlowPeriod<T> period = flow_period(p);
-    const double count = std::rint(to_double(time) / to_double(period.time));
-    shifted = count != 0.0;
-    if (shifted) {
-      reduced = reduced - period.time * S(count);
-      angle = period.angle * S(count);
-    }
-  }
-  const FlowFunctions<T> v = shifted ? flow_functions(p, reduced) : flow_functions(p, t);
+  const FlowFunctions<T> v = flow_over(p, time);
   const T SS = v.S * v.S;
   // sn^2 and the like of the sum u0 + nt: 1 - k^2 sn^2 sn^2 = C^2 + mu (g3/a3)^2 S^2.
   const T n3 = body.mu_a3 * (g33 * SS);
   const T inverse = one / (v.C * v.C + n3);
-  // 1 - C, 1 - D and D - C; not by subtraction on short arcs: cancels
-  const bool near = to_double(v.C) > 0.0 && to_double(v.D) > 0.0;
-  const T c1 = near ? T(p.mu * SS / (one + v.C)) : T(one - v.C);
-  const T d1 = near ? T(p.nu * SS / (one + v.D)) : T(one - v.D);
-  const T dc = near ? T(p.delta * SS / (v.C + v.D)) : T(v.D - v.C);
   const T g2S = g2 * v.S;
-  r.change.x = (g1 * (v.C * c1 - n3) - body.k23 * (g3 * g2S * v.D)) * inverse;
-  r.change.y = (g2 * (v.C * dc - n3) + body.k13 * (g1 * g3 * v.S)) * inverse;
-  r.change.z =
-      (g3 * (body.mu_a3 * ((body.share3 * g22) * SS) - d1) - body.k12 * (g1 * g2S * v.C)) * inverse;
-  r.g = g0 + r.change;
+  if (to_double(v.C * v.C + n3) < 0x1p-20) {
+    // A long arc next to the separatrix: the sum below would leave C D of 1 - 1.
+    r.g.x = (g1 * v.C - body.k23 * (g3 * g2S * v.D)) * inverse;
+    r.g.y = (g2 * (v.C * v.D) + body.k13 * (g1 * g3 * v.S)) * inverse;
+    r.g.z = (g3 * v.D - body.k12 * (g1 * g2S * v.C)) * inverse;
+    r.change = r.g - g0;
+  } else {
+    // 1 - C, 1 - D and D - C; not by subtraction on short arcs: cancels
+    const bool near = to_double(v.C) > 0.0 && to_double(v.D) > 0.0;
+    const T c1 = near ? T(p.mu * SS / (one + v.C)) : T(one - v.C);
+    const T d1 = near ? T(p.nu * SS / (one + v.D)) : T(one - v.D);
+    const T dc = near ? T(p.delta * SS / (v.C + v.D)) : T(v.D - v.C);
+    r.change.x = (g1 * (v.C * c1 - n3) - body.k23 * (g3 * g2S * v.D)) * inverse;
+    r.change.y = (g2 * (v.C * dc - n3) + body.k13 * (g1 * g3 * v.S)) * inverse;
+    r.change.z =
+        (g3 * (body.mu_a3 * ((body.share3 * g22) * SS) - d1) - body.k12 * (g1 * g2S * v.C)) *
+        inverse;
+    r.g = g0 + r.change;
+  }
 
   const T& across = r.pole == 0 ? r.g.z : r.g.x;
   const T slope = (r.pole == 0 ? S(-body.k23) : body.k12) * g2S;
   // The pole's node turns with the other extreme moment.
   const int partner = 2 - r.pole;
-  r.turn = steady_turn(r.G, time, body.I[partner], body.inverse[partner]) - angle - v.angle;
+  r.turn = steady_turn(r.G, time, body.I[partner], body.inverse[partner]) - v.whole - v.angle;
   const T sway = slope * (r.g.x * r.g.z);
   r.node_cos = across * across + r.g.y * r.g.y + (r.pole == 0 ? sway : T(-sway));
   r.node_sin = r.G * (slope * r.g.y);

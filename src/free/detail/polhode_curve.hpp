@@ -2,14 +2,14 @@
 // The constants of one polhode: which regime, which elliptic modulus, which amplitudes [SA
 // (A15)-(A35)].
 //
-// Everything is a product, or a sum of products of one sign, except D2, which is formed in
-// double-double: nothing here cancels. "Primed" axes put the axis that the momentum circulates
-// about third (b3 in short-axis mode, b1 in long-axis mode), so that one set of formulas serves
-// both.
+// Everything is a product, or a sum of products of one sign, except D2, which is formed exactly:
+// nothing here cancels. "Primed" axes put the axis that the momentum circulates about third (b3 in
+// short-axis mode, b1 in long-axis mode), so that one set of formulas serves both.
 #pragma once
 
 #include <cmath>
 
+#include "free/detail/separatrix_distance.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/real.hpp"
@@ -19,19 +19,15 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// D1 = G^2 - 2 T I1 >= 0, D2 = G^2 - 2 T I2, D3 = 2 T I3 - G^2 >= 0, for I1 <= I2 <= I3.
+// D1 = G^2 - 2 T I1 >= 0, D2 2^D2_exponent = G^2 - 2 T I2, D3 = 2 T I3 - G^2 >= 0, for I1 <= I2 <=
+// I3.
 template <Real T>
 struct Discriminants {
   T D1, D2, D3;
+  int D2_exponent = 0;
 };
 
-// D2 over a common denominator: exact zeros (moments (3, 4, 6), g1 = g3) come out as zeros.
-template <Real S, Real T>
-T separatrix_discriminant(const BasicVec3<S>& I, const T& g1_squared, const T& g3_squared) {
-  return (g3_squared * ((I.z - I.y) * I.x) - g1_squared * ((I.y - I.x) * I.z)) / (I.x * I.z);
-}
-
-// As sums of signed squares; moments and momentum in sorted axes.
+// As sums of signed squares; moments and momentum in sorted axes, the largest of each in [1, 2).
 inline Discriminants<DoubleDouble> discriminants(const Vec3& moments, const Vec3& g) {
   using DD = DoubleDouble;
   const DD I1 = moments.x, I2 = moments.y, I3 = moments.z;
@@ -45,7 +41,9 @@ template <Real T>
 struct PolhodeCurve {
   bool long_axis = false;   // primed axes are (b3, -b2, b1) of the sorted ones; else (b1, b2, b3)
   bool steady = false;      // omega parallel to g, or K' and u meaningless: only A, B, C, G are set
-  bool separatrix = false;  // kp2 = 0: K is infinite and not set
+  bool separatrix = false;  // D2 = 0: K is infinite and not set
+  bool merging = false;     // kp2 < 2^-200: k is 1 to the last digit of any sum, kp2 may underflow
+  int kp2_exponent = 0;     // merging: kp2 = kp2_mantissa 2^kp2_exponent
   T A, B, C;                // moments about the primed axes
   T G;                      // |g|
   T DA, DC;                 // D of axis A and of axis C, both >= 0
@@ -54,7 +52,19 @@ struct PolhodeCurve {
   T k2, kp2;                // modulus squared and its complement
   T kap2, r2;  // kappa^2 and lambda^2 / kappa^2 (primed), k2 = kap2 r2  [SA "SadovPar"]
   T K, Kp;     // complete integrals of k and k'; Kp is not set when k2 = 0
+  T kp2_mantissa = T(0.0);
 };
+
+// Below this exponent of kp2 what K leaves of kp2 itself, kp2 K / 4, is far below the last digit.
+inline constexpr int merging_exponent = -200;
+
+// K = ln(4/k')  [DLMF 19.12.1], with the exponent of k'^2 apart.
+template <Real T>
+T merging_k(const T& kp2_mantissa, int kp2_exponent) {
+  using std::log;
+  const T two_log2 = T(2.0) * log(T(2.0));
+  return T(0.5) * (two_log2 * T(2.0 - 0.5 * kp2_exponent) - log(kp2_mantissa));
+}
 
 // Moments sorted. on_middle_axis: g is along b2, where u is infinite.
 template <Real T>
@@ -83,12 +93,17 @@ PolhodeCurve<T> polhode_curve(const BasicVec3<T>& I, const T& G, const Discrimin
   c.n = sqrt(scale / (c.A * c.B * c.C));
   if (c.long_axis) c.n = -c.n;
   c.k2 = BA * c.DC / scale;
-  c.kp2 = CA * abs(D.D2) / scale;
+  c.kp2_mantissa = CA * abs(D.D2) / scale;
+  c.kp2_exponent = D.D2_exponent;
+  c.kp2 = c.kp2_mantissa * T(std::ldexp(1.0, c.kp2_exponent));
   c.kap2 = c.C * BA / (c.A * CB);
   c.r2 = c.A * c.DC / (c.C * c.DA);
-  c.separatrix = !(c.kp2 > T(0.0));
+  c.separatrix = !(c.kp2_mantissa > T(0.0));
+  c.merging =
+      c.separatrix || std::ilogb(to_double(c.kp2_mantissa)) + c.kp2_exponent < merging_exponent;
   const BasicModulus<T> modulus = BasicModulus<T>::from_ratio(c.k2, c.kp2);
-  if (!c.separatrix) c.K = complete_k(modulus);
+  if (!c.separatrix)
+    c.K = c.merging ? merging_k(c.kp2_mantissa, c.kp2_exponent) : complete_k(modulus);
   if (c.k2 > T(0.0)) c.Kp = complete_k(modulus.complement());
   return c;
 }

@@ -4,6 +4,7 @@
 
 #include "free/detail/polhode_curve.hpp"
 #include "polhode/elliptic/agm.hpp"
+#include "polhode/elliptic/carlson.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -16,11 +17,16 @@ T phase_rate(const PolhodeCurve<T>& c) {
 }
 
 // (1/K) times the integral over a quarter period of (cn^2 + b sn^2)/(cn^2 + p sn^2); b/p on the
-// separatrix, where sn^2 = 1 in the mean. A sum of positive terms.
+// separatrix, where sn^2 = 1 in the mean. A sum of positive terms: at k = 1 the integral is b/p K +
+// (1 - b/p) RC(1, p), and RC <= 1.
 template <Real T>
 T polhode_mean(const PolhodeCurve<T>& c, const T& b, const T& p) {
   using std::sqrt;
   if (c.separatrix) return b / p;
+  if (c.merging) {
+    const T outside = carlson_rc(T(1.0), p) / c.K;
+    return b / p * (T(1.0) - outside) + outside;
+  }
   return cel(sqrt(c.kp2), p, T(1.0), b) / c.K;
 }
 
