@@ -28,7 +28,9 @@ double real_scalar(nb::handle value) {
 }
 
 nb::object item_of(nb::handle value) {
-  if (!nb::hasattr(value, "ndim") || !nb::hasattr(value, "item")) return {};
+  // a quantity of pint has ndim and item, and no dtype
+  for (const char* own : {"ndim", "item", "dtype"})
+    if (!nb::hasattr(value, own)) return {};
   const bool object = nb::cast<std::string>(value.attr("dtype").attr("kind")) == "O";
   if (!object || nb::cast<int>(value.attr("ndim")) != 0) return {};
   nb::object item = value.attr("item")();

@@ -275,6 +275,7 @@ def test_functions_written_in_python_refuse_quantities(tmp_path):
                 made = {**QUANTITIES, **OTHERS}[kind](value)
                 with pytest.raises((TypeError, ValueError)) as refusal:
                     function(**{**arguments, parameter: made}, **others)
+                matplotlib.pyplot.close("all")
                 if kind in QUANTITIES and parameter not in ("degree", "fps"):
                     assert "furlong" in str(refusal.value), (name, parameter, kind)
     assert not (tmp_path / "film.gif").exists()
@@ -322,6 +323,22 @@ def test_what_a_function_of_the_user_returns_has_no_unit_either():
     term = polhode.TorqueTerm(lambda t, s: [0.0, 0.0, 1.0] * u.N * u.m)
     with pytest.raises((TypeError, ValueError), match="the function returned .* N m"):
         polhode.effect(polhode.System(public_calls.BODY, terms=term), 0.0, public_calls.STATE)
+    hub, body = public_calls.STATE, public_calls.BODY
+    for kg in (u.kg, PINT.kg):
+        for term in (
+            polhode.TorqueTerm(lambda t, s, kg=kg: [1.0 * kg, 0.0, 0.0]),
+            polhode.HamiltonianTerm(lambda t, s, kg=kg: 1.0 * kg),
+            polhode.GravityGradient(1.0, lambda t, kg=kg: np.array([1.0, 0.0, 0.0]) * kg),
+            polhode.ResidualDipole([0, 0, 1], lambda t, kg=kg: [1.0 * kg, 0.0, 0.0]),
+        ):
+            with pytest.raises((TypeError, ValueError), match="the function returned .* ?'?k"):
+                polhode.effect(polhode.System(body, terms=term), 0.0, hub)
+        for frame in (
+            polhode.Frame.orbit_plane(lambda t, kg=kg: 0.1 * kg, 0.2),
+            polhode.Frame.from_attitude(lambda t, kg=kg: np.array([1.0, 0.0, 0.0, 0.0]) * kg),
+        ):
+            with pytest.raises((TypeError, ValueError), match="the function returned .* ?'?k"):
+                frame.at(0.0)
     event = polhode.Event("e", lambda t, s: s.g[0] * u.kg)
     with pytest.raises(TypeError, match='event "e": got .* in kg'):
         polhode.integrate(
