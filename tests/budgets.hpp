@@ -431,6 +431,9 @@ inline constexpr double numpy_differences = 5e-12;
 
 // --- terms fitted to a series (python/tests/test_harmonics.py), over the largest number in it ---
 inline constexpr double harmonic_terms = 1e-13;
+// how much more noise is in an amplitude than without the other terms; with the scatter of 2000
+// draws, and the part that mean and rate take of the term alone
+inline constexpr double harmonic_growth = 2.1;
 
 // --- real bodies (python/tests/test_real_bodies.py) ---
 // Published numbers, relative.

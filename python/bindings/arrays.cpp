@@ -46,13 +46,6 @@ nb::object small_array(const V& value, std::initializer_list<std::size_t> shape)
   return result.take();
 }
 
-// An ndarray and nothing derived from it. Only these are read where they lie: a masked array would
-// lose its mask, and the buffer of a datetime64 has a format that is no number's.
-bool is_plain_array(nb::handle value) {
-  static const PyObject* const ndarray = numpy("ndarray").release().ptr();  // lives with NumPy
-  return value.type().ptr() == ndarray;
-}
-
 // A scipy Rotation has the scalar last.
 nb::object scalar_first(nb::handle rotation) {
   return numpy("roll")(rotation.attr("as_quat")(), 1, nb::arg("axis") = -1);
@@ -82,34 +75,37 @@ std::string text_of(const Shape& shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
+nb::object real_array(nb::handle value, const char* name) {
+  require_plain_within(value, name);
+  nb::object array;
+  try {
+    array = numpy("asarray")(value);
+  } catch (nb::python_error& e) {
+    if (!e.matches(PyExc_ValueError) && !e.matches(PyExc_TypeError)) throw;
+    not_real(name, "a ragged or mixed " + class_name(value));
+  }
+  const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
+  if (kind.find_first_of("fiu") == std::string::npos) {
+    // an object array may hold numbers: Python integers beyond 64 bits
+    const std::string dtype = nb::cast<std::string>(nb::str(nb::object(array.attr("dtype"))));
+    not_real(name, class_name(value) + " of " + dtype);
+  }
+  // not ascontiguousarray: it makes one dimension of none
+  return numpy("asarray")(array, nb::arg("dtype") = "float64", nb::arg("order") = "C");
+}
+
 Numbers::Numbers(nb::handle value, const char* name, std::initializer_list<std::size_t> inner)
     : name_(name), inner_(inner), step_(product(inner_)) {
   if (inner_.empty() && read_number(value)) return;
   if (read_sequence(value)) return;
   nb::object array;
+  // only these are read where they lie: the buffer of a datetime64 has a format that is no number's
   if (is_plain_array(value) && nb::isinstance<Array>(value)) {
     array = nb::borrow(value);
   } else if (inner_ == Shape{4} && nb::hasattr(value, "as_quat")) {
     array = numpy("ascontiguousarray")(scalar_first(value));
   } else {
-    try {
-      array = numpy("asarray")(value);
-    } catch (nb::python_error& e) {
-      if (!e.matches(PyExc_ValueError) && !e.matches(PyExc_TypeError)) throw;
-      not_real(name_, "a ragged or mixed " + class_name(value));
-    }
-    if (nb::hasattr(value, "mask") &&
-        nb::cast<bool>(nb::module_::import_("numpy.ma").attr("is_masked")(value)))
-      throw nb::value_error((std::string(name_) + ": got masked values; expected numbers").c_str());
-    const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
-    if (kind.find_first_of("fiub") == std::string::npos) {
-      // an object array may hold numbers: Python integers beyond 64 bits
-      const std::string dtype = nb::cast<std::string>(nb::str(nb::object(array.attr("dtype"))));
-      not_real(name_,
-               nb::isinstance<nb::str>(value) ? "a str" : class_name(value) + " of " + dtype);
-    }
-    // not ascontiguousarray: it makes one dimension of none
-    array = numpy("asarray")(array, nb::arg("dtype") = "float64", nb::arg("order") = "C");
+    array = real_array(value, name_);
   }
   read(array);
 }
@@ -132,7 +128,7 @@ void Numbers::read(nb::handle array) {
 }
 
 bool Numbers::read_number(nb::handle value) {
-  if (!PyFloat_Check(value.ptr()) && !PyLong_Check(value.ptr())) return false;
+  if (!is_plain_scalar(value)) return false;
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1.0 && PyErr_Occurred() != nullptr) throw nb::python_error();
   few_ = {number};
@@ -147,7 +143,7 @@ bool Numbers::read_sequence(nb::handle value) {
   if (nb::len(value) != inner_[0]) return false;
   few_.reserve(inner_[0]);
   for (const nb::handle item : value) {
-    if (!PyFloat_Check(item.ptr())) return false;
+    if (!is_plain_scalar(item) || PyLong_CheckExact(item.ptr())) return false;
     few_.push_back(PyFloat_AsDouble(item.ptr()));
   }
   first_ = few_.data();

@@ -30,6 +30,9 @@ bool is_size_of(const Shape& shape, std::size_t size);
 // "(3, 4)", as Python writes a tuple.
 std::string text_of(const Shape& shape);
 
+// An ndarray of doubles in C order. TypeError for what is not real (plain_number.hpp).
+nb::object real_array(nb::handle value, const char* name);
+
 // Real numbers given as a Python number, a sequence or an array: leading shape x inner shape. An
 // array of doubles in C order is read where it lies; everything else is converted once.
 class Numbers {

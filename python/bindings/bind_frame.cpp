@@ -19,6 +19,7 @@ class FunctionOfTime {
       constant_ = real_scalar(value);
       return;
     }
+    if (!nb::isinstance<nb::str>(value)) require_plain(value, label.c_str());
     functions.push_back(std::make_shared<PythonFunction>(value, label));
     function_ = functions.back();
   }

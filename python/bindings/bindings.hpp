@@ -4,6 +4,8 @@
 #pragma once
 
 #include <nanobind/nanobind.h>
+// before the containers of numbers
+#include "plain_number.hpp"
 // Casters are included here, once for all: a source without one would compile another cast of the
 // same name, and the linker takes either.
 #include <nanobind/stl/function.h>
@@ -17,6 +19,7 @@ namespace polhode::python {
 
 namespace nb = nanobind;
 
+void bind_numbers(nb::module_& m);
 void bind_math(nb::module_& m);
 void bind_rotor(nb::module_& m);
 void bind_free(nb::module_& m);

@@ -9,12 +9,13 @@
 namespace polhode::python {
 
 bool is_real_scalar(nb::handle value) {
+  if (is_plain_scalar(value)) return true;
+  if (nb::isinstance<PythonDual>(value) || is_refused(value)) return false;
   if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return true;
-  if (nb::isinstance<PythonDual>(value)) return false;
   const nb::module_ numpy = nb::module_::import_("numpy");
   if (PyObject_IsInstance(value.ptr(), numpy.attr("ndarray").ptr()) == 1)
     return nb::cast<int>(value.attr("ndim")) == 0 &&
-           nb::cast<std::string>(value.attr("dtype").attr("kind")).find_first_of("fiub") !=
+           nb::cast<std::string>(value.attr("dtype").attr("kind")).find_first_of("fiu") !=
                std::string::npos;
   return PyObject_IsInstance(value.ptr(), numpy.attr("floating").ptr()) == 1 ||
          PyObject_IsInstance(value.ptr(), numpy.attr("integer").ptr()) == 1;
@@ -27,7 +28,9 @@ double real_scalar(nb::handle value) {
 }
 
 nb::object item_of(nb::handle value) {
-  if (!nb::hasattr(value, "ndim") || !nb::hasattr(value, "item")) return {};
+  // a quantity of pint has ndim and item, and no dtype
+  for (const char* own : {"ndim", "item", "dtype"})
+    if (!nb::hasattr(value, own)) return {};
   const bool object = nb::cast<std::string>(value.attr("dtype").attr("kind")) == "O";
   if (!object || nb::cast<int>(value.attr("ndim")) != 0) return {};
   nb::object item = value.attr("item")();

@@ -14,6 +14,7 @@ void bind_everything(nb::module_& m) {
   m.attr("__version__") = version();
   nb::exception<DomainError>(m, "DomainError", PyExc_ValueError).attr("__doc__") =
       "An argument outside the domain of a function: names it, its value and the requirement.";
+  bind_numbers(m);
   bind_math(m);
   bind_rotor(m);
   bind_free(m);

@@ -5,11 +5,8 @@ and rates are written in radians, whatever unit outputs have."""
 from __future__ import annotations
 
 import math
-import numbers
 from collections.abc import Mapping, Sequence
 from typing import Any
-
-import numpy
 
 from polhode import _core
 from polhode._building_terms import tables_of
@@ -147,7 +144,7 @@ class _Writer:
         }}}
 
     def damper(self, damper: Any, damper_rate: Any) -> dict[str, Any]:
-        rate = numpy.asarray(damper_rate, float)
+        rate = _core._numbers(damper_rate, "damper_rate")
         if rate.shape != (3,):
             raise ValueError(f"build: damper_rate: got shape {rate.shape}; expected (3,)")
         if damper is None:
@@ -191,9 +188,12 @@ def _method(method: Any) -> dict[str, Any]:
 
 def _time(time: Any) -> dict[str, Any]:
     if isinstance(time, tuple) and len(time) == 3:
-        if not all(isinstance(x, numbers.Real) for x in time):
-            raise TypeError(f"build: time: got {time!r}; expected numbers (start, stop, step)")
-        start, stop, step = (float(x) for x in time)
+        try:
+            start, stop, step = (_core._number(x, "time") for x in time)
+        except TypeError:
+            raise TypeError(
+                f"build: time: got {time!r}; expected numbers (start, stop, step)"
+            ) from None
         return {"start": start, "stop": stop, "step": step}
     if not isinstance(time, _core.SaveAt):
         time = _core.SaveAt.times(time)

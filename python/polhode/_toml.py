@@ -11,6 +11,8 @@ from typing import Any
 import numpy
 import tomlkit
 
+from polhode import _core
+
 
 def text_from(data: Mapping[str, Any]) -> str:
     """The TOML of a nested dict, in its order; every number reads back to the same bits.
@@ -81,6 +83,10 @@ def _value(value: Any, path: str) -> str:
         inside = (f"{_name(key, path)} = {_value(x, f'{path}.{key}')}" for key, x in value.items())
         return "{ " + ", ".join(inside) + " }"
     if isinstance(value, (numpy.ndarray, numpy.generic)):
+        if not isinstance(value, (numpy.bool_, numpy.str_)) and (
+            type(value) is not numpy.ndarray or value.dtype.kind not in "biufUO"
+        ):
+            _core._require_plain(value, path)  # a list would lose its unit or its mask
         value = value.tolist()
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(x, path) for x in value) + "]"

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.polynomial import Polynomial, legendre
 from numpy.typing import ArrayLike
+
+from polhode._core import _numbers
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,6 +24,8 @@ _MOST_CORRECTIONS = 50
 _CONVERGED = 1e-12
 # Singular values below this part of the largest belong to terms that the rows do not tell apart.
 _INDISTINCT = 1e-9
+# How much larger an error of the rows may be in an amplitude than in that of the term alone.
+_LARGEST_GROWTH = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +55,7 @@ class HarmonicFit:
 
     def at(self, t: ArrayLike) -> Array:
         """The fitted curve at times (N,): (N,) or (N, K)."""
-        times = np.asarray(t, dtype=float)[..., None]
+        times = _numbers(t, "t")[..., None]
         angle = 2 * np.pi * times / self.periods
         drift = times ** np.arange(len(self.polynomial)) @ self.polynomial
         return drift + np.cos(angle) @ self.cosine + np.sin(angle) @ self.sine
@@ -78,12 +83,15 @@ def harmonic_fit(
         share them.
 
     ValueError for shapes that do not fit, too few rows, numbers that are not finite, terms that
-    the rows do not tell apart (two periods need a span of their beat), and corrections of periods
-    that do not come to an end.
+    the rows do not tell apart, and corrections of periods that do not come to an end. Terms are
+    apart where an error of the rows is at most twice as large in their amplitudes as it would be
+    without the other terms: two periods need a span of half their beat (all of it is safe), a
+    period beside a mean and a rate nearly a turn.
     """
     times, series = _series(t, y)
     P = _periods(periods)
     free = _adjusted(adjust, P)
+    degree = operator.index(degree)
     if degree < 0:
         raise ValueError(f"harmonic_fit: got degree {degree}; expected 0, 1, 2, ...")
     if len(times) < degree + 1 + 2 * len(P) + np.count_nonzero(free):
@@ -95,7 +103,7 @@ def harmonic_fit(
     x, rates = (times - middle) / half, 2 * np.pi * half / P
     for _ in range(_MOST_CORRECTIONS):
         columns = _columns(x, rates, degree)
-        linear = _solved(columns, series, P)
+        linear = _solved(columns, series, P, high - low)
         if not free.any():
             break
         change = _correction(x, rates, free, columns, series, linear)
@@ -106,13 +114,14 @@ def harmonic_fit(
             raise _endless(P)
     else:
         raise _endless(P)
+    _require_apart(columns, np.where(free, 2 * np.pi * half / rates, P), high - low)
     rms = np.sqrt(np.mean((series - columns @ linear) ** 2, axis=0))
     fit = _in_time(linear, rates, middle, half, rms)
     return fit if np.ndim(y) == 2 else _only(fit)
 
 
 def _series(t: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
-    times, series = np.asarray(t, dtype=float), np.asarray(y, dtype=float)
+    times, series = _numbers(t, "t"), _numbers(y, "y")
     if times.ndim != 1 or series.ndim not in (1, 2) or len(series) != len(times):
         raise ValueError(f"harmonic_fit: got t of shape {times.shape} and y of {series.shape}; "
                          "expected (N,) and (N,) or (N, K)")  # fmt: skip
@@ -122,7 +131,7 @@ def _series(t: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
 
 
 def _periods(periods: ArrayLike) -> Array:
-    P = np.asarray(periods, dtype=float)
+    P = _numbers(periods, "periods")
     if P.ndim != 1 or not np.all((P > 0) & np.isfinite(P)):
         raise ValueError(f"harmonic_fit: got periods {periods}; expected positive numbers (J,)")
     return P
@@ -140,12 +149,50 @@ def _columns(x: Array, rates: Array, degree: int) -> Array:
     return np.hstack([legendre.legvander(x, degree), np.cos(angle), np.sin(angle)])
 
 
-def _solved(columns: Array, series: Array, P: Array) -> Array:
+def _solved(columns: Array, series: Array, P: Array, span: float) -> Array:
     linear, _, rank, _ = np.linalg.lstsq(columns, series, rcond=_INDISTINCT)
     if rank < columns.shape[1]:
-        raise ValueError(f"harmonic_fit: the rows do not tell apart the periods {P.tolist()} and "
-                         "the polynomial; a longer span or fewer terms do")  # fmt: skip
+        raise _indistinct(columns, P, span)
     return linear
+
+
+def _require_apart(columns: Array, P: Array, span: float) -> None:
+    """ValueError where an error of the rows would grow beyond measure in an amplitude."""
+    size = np.linalg.norm(columns, axis=0)
+    _, s, vt = np.linalg.svd(columns / size, full_matrices=False)
+    growth = np.sqrt(np.sum((vt / s[:, None]) ** 2, axis=0))
+    if np.any(growth[len(size) - 2 * len(P) :] > _LARGEST_GROWTH):
+        raise _indistinct(columns, P, span)
+
+
+def _indistinct(columns: Array, P: Array, span: float) -> ValueError:
+    """Names the two terms that are most alike in these rows, and what would tell them apart."""
+    J = len(P)
+    size = np.linalg.norm(columns, axis=0)
+    _, _, vt = np.linalg.svd(columns / np.where(size > 0, size, 1.0), full_matrices=False)
+    share = vt[-1] ** 2  # of each column in the combination that vanishes, nearly
+    of_terms = share[-2 * J : -J] + share[-J:] if J else np.empty(0)
+    terms = np.argsort(of_terms)[::-1]
+    told = "harmonic_fit: the rows do not tell apart"
+    if J == 0 or of_terms[terms[0]] < 0.01:
+        return ValueError(f"{told} the powers of the polynomial: their span is {span:g}; expected "
+                          "more times, or a smaller degree")  # fmt: skip
+    alike = "at these times they are alike; expected denser or uneven times, or fewer terms"
+    first = P[terms[0]]
+    if J == 1 or of_terms[terms[1]] < 0.1 * of_terms[terms[0]]:
+        told += f" the period {float(first)!r} and the polynomial: "
+        enough = 1.5 * first
+        return ValueError(told + (alike if span > enough else f"their span is {span:g}; expected "
+                                  f"a span of {enough:g}, or fewer terms"))  # fmt: skip
+    first, second = P[np.sort(terms[:2])]
+    pair = f"the periods {float(first)!r} and {float(second)!r}"
+    turns = abs(1.0 / first - 1.0 / second)
+    if turns * span > 1.0:
+        return ValueError(f"{told} {pair}: {alike}")
+    if turns == 0.0:
+        return ValueError(f"{told} {pair}: expected one of them")
+    return ValueError(f"{told} {pair}: their span is {span:g}; expected a span of their beat, "
+                      f"{1.0 / turns:g}, or one of the two")  # fmt: skip
 
 
 def _correction(
@@ -160,7 +207,13 @@ def _correction(
     slopes = np.vstack([b[:, k] * cosines - a[:, k] * sines for k in range(series.shape[1])])
     slopes = np.vstack([s - q @ (q.T @ s) for s in np.split(slopes, series.shape[1])])
     left = (series - columns @ linear).T.ravel()
-    return np.linalg.lstsq(slopes, left, rcond=None)[0]
+    change, _, rank, _ = np.linalg.lstsq(slopes, left, rcond=None)
+    if rank < slopes.shape[1]:
+        raise ValueError(
+            "harmonic_fit: the rows do not say which way a period changes: its term is absent, or "
+            "that of another; expected adjust=False for it"
+        )
+    return change
 
 
 def _endless(P: Array) -> ValueError:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from polhode._core import RotorState
+from polhode._core import RotorState, _numbers
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -24,5 +24,5 @@ def to_scipy(attitude: RotorState | ArrayLike) -> Rotation:
         from scipy.spatial.transform import Rotation
     except ImportError:
         raise ImportError("to_scipy needs SciPy: pip install scipy") from None
-    q = attitude.q if isinstance(attitude, RotorState) else np.asarray(attitude, dtype=float)
+    q = attitude.q if isinstance(attitude, RotorState) else _numbers(attitude, "attitude")
     return Rotation.from_quat(np.roll(q, -1, axis=-1))

@@ -24,7 +24,15 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from polhode._core import Date, TableOrbit, date_after, j2000_from_teme, seconds_between
+from polhode._core import (
+    Date,
+    TableOrbit,
+    _number,
+    _numbers,
+    date_after,
+    j2000_from_teme,
+    seconds_between,
+)
 
 __all__ = ["Satellite", "satellite_from_omm", "satellite_from_tle"]
 
@@ -58,7 +66,7 @@ class Satellite:
         epoch : a Date, or a text such as the `epoch` of a scenario.
         """
         epoch = _date(epoch)
-        t = np.asarray(times, dtype=float)
+        t = _numbers(times, "times")
         if t.ndim != 1:
             raise ValueError("states: expected times of one dimension")
         self._warn_of_age(epoch, t)
@@ -96,7 +104,8 @@ class Satellite:
         """Writes a table that a scenario reads as kind "table" (.gz where the name ends so).
 
         Its columns are t (s after `epoch`, which is to be `state.epoch`), x, y, z (km) in axes
-        "equator-J2000".
+        "equator-J2000"; its first line says so, and a scenario of another epoch, other axes or
+        other units refuses it.
         """
         epoch = _date(epoch)
         t = _times(first, last, spacing)
@@ -212,12 +221,17 @@ def _date(epoch: Date | str) -> Date:
 
 def _text(date: Date) -> str:
     """As the epoch of a scenario, to a millisecond."""
-    year, month, day, hour, minute, second = date.calendar
-    whole = f"{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:06.3f}"
+    # cut after half a millisecond more, not rounded: 59.9996 s are no 60.000 s of that minute
+    later = date_after(date, 0.0005).to(date.scale)
+    year, month, day, hour, minute, second = later.calendar
+    cut = math.floor(second * 1000.0) / 1000.0
+    whole = f"{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{cut:06.3f}"
     return f"{whole} {date.scale.name}"
 
 
 def _times(first: float, last: float, spacing: float) -> NDArray[np.float64]:
+    first, last = _number(first, "first"), _number(last, "last")
+    spacing = _number(spacing, "spacing")
     if not (first < last and spacing > 0):
         raise ValueError("expected first < last and a positive spacing")
     count = max(math.ceil((last - first) / spacing) + 1, _LEAST_ROWS)

@@ -81,7 +81,7 @@ def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
     import spiceypy
 
     date, _, scale = epoch.rpartition(" ")
-    after = np.asarray(seconds, dtype=float)
+    after = polhode._core._numbers(seconds, "seconds")
     if scale == "TDB":
         return _past_J2000(date) + after
     if scale == "UTC":
@@ -128,7 +128,8 @@ def write_ck_rows(
         raise ValueError(f"write_ck: got {str(ck)!r}; expected a path that ends with .bc")
     if not structure < -999:
         raise ValueError(f"write_ck: structure: got {structure}; expected an id below -999")
-    times, quaternions, rates = (np.array(x, dtype=float, order="C") for x in (et, q, omega))
+    given = (("et", et), ("q", q), ("omega", omega))
+    times, quaternions, rates = (polhode._core._numbers(x, name).copy() for name, x in given)
     n = len(times)
     if quaternions.shape != (n, 4) or rates.shape != (n, 3) or n == 0:
         raise ValueError("write_ck: expected et (N,), q (N, 4) and omega (N, 3), N > 0")

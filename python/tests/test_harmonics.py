@@ -109,3 +109,52 @@ def test_periods_that_lead_nowhere_are_refused():
     t = np.linspace(0.0, 1.0, 40)  # a parabola: the longer the period, the better
     with pytest.raises(ValueError, match="come to an end"):
         harmonic_fit(t, t**2, [30.0], degree=0, adjust=True)
+
+
+SPAN = np.linspace(0.0, 30.0, 400)
+
+
+@pytest.mark.parametrize(("periods", "message"), [
+    # the beat of 10 and 10.01 is 10 10.01 / 0.01
+    ([10.0, 10.01], r"the periods 10\.0 and 10\.01: their span is 30; expected a span of their "
+                    r"beat, 10010"),
+    ([3.0, 10.0, 11.0], r"the periods 10\.0 and 11\.0: .* beat, 110,"),
+    ([300.0], r"the period 300\.0 and the polynomial: their span is 30; expected a span of 450"),
+    ([60.0], r"the period 60\.0 and the polynomial: their span is 30; expected a span of 90"),
+])  # fmt: skip
+def test_periods_that_the_span_cannot_separate_are_named(periods, message):
+    y = np.random.default_rng(8).normal(size=len(SPAN))
+    with pytest.raises(ValueError, match=message):
+        harmonic_fit(SPAN, y, periods)
+
+
+@pytest.mark.parametrize("periods", [[3.0, 1.5], [10.0, 10.0 / 9.0], [2.0]])
+def test_periods_that_even_rows_cannot_separate_are_named(periods):
+    """A row a unit of time: turns per row that differ by a whole number, or of opposite sign."""
+    t = np.arange(100.0)
+    with pytest.raises(ValueError, match=r"do not tell apart .*: at these times they are alike"):
+        harmonic_fit(t, np.sin(t), periods)
+    uneven = 100.0 * np.sort(np.random.default_rng(9).random(100))
+    assert np.all(harmonic_fit(uneven, np.sin(uneven), periods).amplitude < 1.0)
+
+
+@pytest.mark.parametrize("beats", [0.02, 0.1, 0.3, 0.4, 0.6, 1.0, 3.0])
+@pytest.mark.parametrize("period", [1.0, 3.7, 11.0])
+def test_noise_is_at_most_doubled_or_the_fit_is_refused(beats, period):
+    """The scatter of amplitudes over many draws of noise, beside that of the term alone."""
+    other = 1.0 / (1.0 / period + beats / 30.0)
+    noise = np.random.default_rng(10).normal(size=(len(SPAN), 2000))
+    alone = harmonic_fit(SPAN, noise, [period])
+    try:
+        both = harmonic_fit(SPAN, noise, [period, other])
+    except ValueError as refused:
+        assert beats < 1.0 and "do not tell apart" in str(refused)
+        return
+    assert beats > 0.2
+    for of_both, of_one in ((both.cosine, alone.cosine), (both.sine, alone.sine)):
+        assert np.all(of_both.std(axis=1) < budgets.harmonic_growth * of_one.std(axis=1))
+
+
+def test_a_period_that_the_rows_do_not_show_cannot_be_adjusted():
+    with pytest.raises(ValueError, match="which way a period changes"):
+        harmonic_fit(SPAN, np.zeros(len(SPAN)), [3.0], adjust=True)

@@ -125,6 +125,43 @@ def test_a_scenario_reads_the_table(tmp_path):
     assert len(scenario.run().t) == 13
 
 
+@pytest.mark.parametrize(("epoch", "axes", "what"), [
+    ("2000-06-28T00:00:00 UTC", "equator-J2000", None),
+    ("2000-06-28T00:00:32 TAI", "equator-J2000", None),  # TAI - UTC was 32 s
+    ("2000-06-29T00:00:00 UTC", "equator-J2000",
+     "a.csv:1: t counts from 2000-06-28T00:00:00.000 UTC, -86400 s after epoch = "),
+    ("2000-06-28T00:00:00 TAI", "equator-J2000", "UTC, 32"),
+    ("2000-06-28T00:00:00 UTC", "ecliptic-J2000",
+     'a.csv:1: its axes are equator-J2000; expected axes = "equator-J2000"'),
+    ("2000-06-28T00:00:00 UTC", "inertial", 'in [state], not "inertial"'),
+])  # fmt: skip
+def test_a_table_of_another_epoch_or_other_axes_is_refused(tmp_path, epoch, axes, what):
+    satellite = satellites.satellite_from_tle(*VANGUARD)
+    satellite.write(tmp_path / "a.csv", "2000-06-28T00:00:00 UTC", 0, 7200)
+    data = {
+        "schema": 1, "units": {"length": "km"}, "body": {"moments": [1, 2, 2.5]},
+        "state": {"epoch": epoch, "axes": axes,
+                  "attitude-rate": {"quaternion": [1, 0, 0, 0], "omega_body": [0, 0, 1]}},
+        "orbit": {"earth": {"kind": "table", "file": "a.csv", "gm": 398600.4418}},
+    }  # fmt: skip
+    if what is None:
+        polhode.Scenario.from_dict(data, str(tmp_path / "s.toml"))
+        return
+    with pytest.raises(ValueError, match=r"orbit.earth.file: got \"a.csv\"") as refusal:
+        polhode.Scenario.from_dict(data, str(tmp_path / "s.toml"))
+    assert what in str(refusal.value) and "\n" not in str(refusal.value)
+
+
+def test_the_epoch_of_a_table_is_a_date(tmp_path):
+    """59.9996 s are not 60.000 s of the same minute."""
+    satellite = satellites.satellite_from_tle(*VANGUARD)
+    cases = {59.9996: "00:01:00.000", 59.9994: "00:00:59.999", 30.0: "00:00:30.000"}
+    for second, told in cases.items():
+        epoch = polhode.calendar_date("UTC", 2000, 6, 28, 0, 0, second)
+        satellite.write(tmp_path / "a.csv", epoch, 0, 600)
+        assert f"after 2000-06-28T{told} UTC" in (tmp_path / "a.csv").read_text()
+
+
 @pytest.mark.parametrize(
     ("line1", "line2", "what"),
     [

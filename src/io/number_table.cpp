@@ -24,6 +24,7 @@ using Fields = std::vector<std::string_view>;
 
 constexpr std::string_view blanks = " \t";
 constexpr std::size_t longest_path = 4096;
+constexpr std::size_t most_comments = 10000;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
@@ -104,6 +105,7 @@ class TableReader {
       ++number_;
       const std::size_t hash = line->find('#');
       const std::string_view text = trimmed(line->substr(0, hash));
+      if (!has_rows_ && hash != std::string_view::npos) keep(line->substr(hash + 1), false);
       if (text.empty()) {
         if (hash != std::string_view::npos) above = line->substr(hash + 1);
         continue;
@@ -115,7 +117,7 @@ class TableReader {
       if (text == "$$EOE") return false;
       if (!commas_) commas_ = text.find(',') != std::string_view::npos;
       split(text, *commas_, fields_);
-      if (started_) return true;
+      if (started_) return has_rows_ = true;
       started_ = true;
       if (is_header(fields_)) {
         names_.assign(fields_.begin(), fields_.end());
@@ -123,7 +125,7 @@ class TableReader {
         continue;
       }
       name_by_comment(above);
-      return true;
+      return has_rows_ = true;
     }
   }
 
@@ -131,6 +133,7 @@ class TableReader {
   const std::vector<std::string>& names() const { return names_; }
   const std::string& shown() const { return shown_; }
   std::size_t line() const { return number_; }
+  const std::vector<NumberTable::Comment>& comments() const { return comments_; }
   [[noreturn]] void fail(const std::string& what) const { fail(what, number_); }
 
  private:
@@ -140,6 +143,7 @@ class TableReader {
     while (const std::optional<std::string_view> line = lines_.next()) {
       ++number_;
       const std::string_view text = trimmed(*line);
+      keep(text, true);
       if (text == "$$SOE") {
         if (above.find(',') == std::string::npos)
           fail("names no columns above; expected what Horizons sends with CSV_FORMAT = YES");
@@ -151,6 +155,10 @@ class TableReader {
       if (!text.empty() && !text.starts_with("***")) above = text;
     }
     fail("the file ends before $$SOE, where rows of Horizons begin");
+  }
+  void keep(std::string_view text, bool is_banner) {
+    if (comments_.size() < most_comments)
+      comments_.push_back({std::string(text), static_cast<std::uint32_t>(number_), is_banner});
   }
   [[noreturn]] void fail(const std::string& what, std::size_t line) const {
     throw DomainError(shown_ + ":" + std::to_string(line) + ": " + what);
@@ -169,7 +177,9 @@ class TableReader {
   Fields fields_;
   std::vector<std::string> names_;
   std::optional<bool> commas_;
-  bool started_ = false;
+  std::vector<NumberTable::Comment> comments_;
+  bool started_ = false;  // names or rows
+  bool has_rows_ = false;
   std::size_t number_ = 0;
 };
 
@@ -226,7 +236,7 @@ std::vector<std::string> table_columns(const std::string& path) {
 NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
                               const FieldReader& first) {
   TableReader reader(path);
-  NumberTable table{reader.shown(), std::vector<std::vector<double>>(columns.size()), {}};
+  NumberTable table{reader.shown(), std::vector<std::vector<double>>(columns.size()), {}, {}, {}};
   std::vector<std::size_t> indices;
   while (reader.next()) {
     if (indices.empty())
@@ -245,6 +255,8 @@ NumberTable read_number_table(const std::string& path, std::span<const std::stri
     }
     table.lines.push_back(static_cast<std::uint32_t>(reader.line()));
   }
+  table.names = reader.names();
+  table.comments = reader.comments();
   return table;
 }
 

@@ -10,6 +10,7 @@
 #include "io/detail/number_text.hpp"
 #include "io/detail/orbit_kinds.hpp"
 #include "io/detail/reference_axes.hpp"
+#include "io/detail/table_check.hpp"
 #include "io/detail/value_access.hpp"
 #include "polhode/io/number_table.hpp"
 #include "polhode/io/schema.hpp"
@@ -73,6 +74,26 @@ FieldReader time_reader(const OrbitPlace& at) {
     return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };
   const double zero = format == "MJD" ? 2400000.5 : 0.0;
   return [=](std::string_view field) { return clock.core_time(julian_date(field, scale, zero)); };
+}
+
+// What the file says of itself must be how it is read.
+void require_header(const OrbitPlace& at, const NumberTable& file,
+                    const std::vector<std::string>& columns) {
+  const TableCheck check({at.values(), at.file.units, at.path, at.name()}, file, columns);
+  const double time = unit_of(at, "time_unit", Dimension::time, 1.0);
+  const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
+  const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
+  check.axes(orbit_axes(at));
+  for (std::size_t k = 1; k < columns.size(); ++k) {
+    if (k < 4)
+      check.unit(k, {"length_unit", length, Dimension::length});
+    else
+      check.unit(k, {"velocity_unit", speed, Dimension::speed});
+  }
+  if (word(at.values(), at.key("time_format")) != "number")
+    return check.scale(word(at.values(), at.key("time_scale")));
+  check.unit(0, {"time_unit", time, Dimension::time});
+  check.epoch();
 }
 
 // Components that are columns of this file, each as long as the times.
@@ -150,7 +171,9 @@ ScenarioOrbit file_orbit(const OrbitPlace& at, int order) {
     if (there(at.values(), at.key(own)))
       refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z beside it");
   if (path.ends_with(".oem")) return oem_orbit(at, path, order);
-  const NumberTable file = read_number_table(path, columns_of(at, path), time_reader(at));
+  const std::vector<std::string> columns = columns_of(at, path);
+  const NumberTable file = read_number_table(path, columns, time_reader(at));
+  require_header(at, file, columns);
   require_rising(file, 0, "time");
   const bool dates = word(at.values(), at.key("time_format")) != "number";
   return {own_name(at),

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "io/detail/perturbation_kinds.hpp"
+#include "io/detail/table_check.hpp"
 #include "io/detail/value_access.hpp"
 #include "polhode/io/number_table.hpp"
 #include "polhode/perturb/torque_table.hpp"
@@ -54,6 +55,11 @@ std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
   const NumberTable table = built(at.values, key, at.name, [&] {
     NumberTable read = read_number_table(path, columns);
     require_rising(read, 0, "time");
+    const TableCheck check({at.values, at.scenario.units, at.path, at.name}, read, columns);
+    check.unit(0, {"time_unit", time, Dimension::time});
+    for (std::size_t k = 1; k < columns.size(); ++k)
+      check.unit(k, {"torque_unit", torque, Dimension::torque});
+    check.epoch();
     return read;
   });
   std::vector<TorqueRow> rows;

@@ -7,9 +7,9 @@
 //             has no comma; a comma at the end of a row is dropped. What follows # is a comment,
 //             blank lines are skipped. The first line that holds no numbers names the columns;
 //             without one, a comment right above the first row does, where it has as many words
-//             ("# t x y z"). Of what JPL's Horizons sends (CSV_FORMAT = YES) the rows between
-//             $$SOE and $$EOE, with the names above. Numbers as in C or Fortran (1.5e3, 1.5D+03).
-//             Lines of at most 1 MiB.
+//             ("# t x y z"); comments above the rows are kept for who understands them. Of what
+//             JPL's Horizons sends (CSV_FORMAT = YES) the rows between $$SOE and $$EOE, with the
+//             names above. Numbers as in C or Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
 // Accuracy    the nearest double.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong: a missing column or field,
 //             text that is no finite number, a damaged .gz; "FILE: ..." for what cannot be read.
@@ -28,9 +28,18 @@ namespace polhode {
 inline namespace v0 {
 
 struct NumberTable {
+  // What stands above the first row: a comment without its #, or a line of the banner of Horizons.
+  struct Comment {
+    std::string text;
+    std::uint32_t line = 0;
+    bool is_banner = false;
+  };
+
   std::string file;                          // as messages show it
   std::vector<std::vector<double>> columns;  // in the order in which they were asked for
   std::vector<std::uint32_t> lines;          // of the file, from 1: where each row stands
+  std::vector<std::string> names;            // of all columns of the file; may be none
+  std::vector<Comment> comments;             // the first 10000 of them
 
   std::size_t rows() const { return lines.size(); }
 };

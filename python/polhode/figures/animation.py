@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import Body, FreeRotation, RotorState, attitude_matrix
+from polhode._core import _numbers
 from polhode.figures import style
 from polhode.figures.arguments import require_positive
 from polhode.figures.attitude import DEFAULT_VIEW, REACH, BodyPicture
@@ -112,7 +113,7 @@ def frames_of(motion: Any, body: Body | None, times: ArrayLike | None, count: in
     if times is not None and hasattr(motion, "at"):
         return RunData(times, motion.at(times), _body_of(motion, body))
     run = run_data(motion, body)
-    wanted = np.linspace(run.t[0], run.t[-1], count) if times is None else np.asarray(times)
+    wanted = np.linspace(run.t[0], run.t[-1], count) if times is None else _numbers(times, "times")
     # Rows are shown as they are: between them nothing is known.
     nearest = np.array([int(np.argmin(np.abs(run.t - t))) for t in wanted])
     return RunData(run.t[nearest], run.states[nearest], run.body, run.units, run.title)

@@ -6,6 +6,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from polhode._core import _number
+
 
 def require_positive(function: str, name: str, value: Any) -> None:
     """ValueError unless the number is positive and finite; TypeError for what is no number."""
@@ -14,5 +16,6 @@ def require_positive(function: str, name: str, value: Any) -> None:
         finite = math.isfinite(value)
     except TypeError:
         raise TypeError(required) from None
+    value = _number(value, f"{function}: {name}")
     if not (finite and value > 0):
         raise ValueError(required)

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from numpy.typing import NDArray
 
+from polhode._core import _number, _numbers
 from polhode.figures.map_data import Source, read_map
 from polhode.figures.style import DOUBLE_COLUMN, SINGLE_COLUMN, axes_or_new, panels, series, styled
 
@@ -58,6 +59,7 @@ def chaos_map(
     grid_x, grid_y, grid = _grid(columns[across], columns[up], columns[value])
     axis = axes_or_new(ax, SINGLE_COLUMN, 0.8 * SINGLE_COLUMN)
     megno = value == "mean_megno"
+    limits = None if limits is None else tuple(_numbers(limits, "limits"))
     low, high = limits or ((2.0, 100.0) if megno else (np.nanmin(grid), np.nanmax(grid)))
     norm = (LogNorm if (megno if log is None else log) else Normalize)(low, high, clip=True)
     axis.set_facecolor(EMPTY)
@@ -108,6 +110,7 @@ def chaos_growth(runs: Any, ax: Any = None, *, unit: str = "", scale: float = 1.
     An array of two Axes: the indicator on logarithmic axes, where that of a regular run falls like
     ln(t) / t and that of a chaotic one settles; and MEGNO, which stays at 2 or grows in a line."""
     named = runs if isinstance(runs, Mapping) else {None: runs}
+    scale = _number(scale, "scale")
     axes = panels(ax, 1, 2, (DOUBLE_COLUMN, 2.4)).ravel()
     for k, (name, run) in enumerate(named.items()):
         t = scale * np.asarray(run.t)

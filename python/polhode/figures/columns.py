@@ -13,6 +13,7 @@ from matplotlib.ticker import FuncFormatter, MultipleLocator
 from numpy.typing import NDArray
 
 from polhode import DomainError, Units
+from polhode._core import _numbers
 
 # Columns of scenario files that are angles; in a table without units they are in radians.
 ANGLES = frozenset(
@@ -135,8 +136,8 @@ def table(
     found = {name: _column(held, name) for name in ("t", *names)}
     said = {name: x.attrs["units"] for name, x in found.items() if "units" in _attributes(x)}
     known = {**{name: "rad" for name in ANGLES}, **said, **own, **(units or {})}
-    t = np.asarray(found.pop("t"), dtype=float)
-    columns = {name: np.asarray(x, dtype=float) for name, x in found.items()}
+    t = _numbers(found.pop("t"), "t")
+    columns = {name: _numbers(x, name) for name, x in found.items()}
     for name, numbers in columns.items():
         if numbers.shape != t.shape or t.ndim != 1:
             raise ValueError(

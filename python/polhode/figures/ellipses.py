@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 from numpy.typing import ArrayLike, NDArray
 
+from polhode._core import _numbers
 from polhode.figures import arrows, style
 from polhode.figures.oblate_planet import Ellipse, OblatePlanet, Path, ellipse
 from polhode.figures.view import Ellipsoid, View, parts
@@ -71,7 +72,9 @@ def orbit_ellipses(
             f"orbit_ellipses: got path = {path!r}; expected a path from OblatePlanet.path, or None"
         )
     stop = float(path.edges[-1])
-    times = stop * np.array([0.19, 0.35, 0.53, 0.7]) if times is None else np.atleast_1d(times)
+    if times is None:
+        times = stop * np.array([0.19, 0.35, 0.53, 0.7])
+    times = np.atleast_1d(_numbers(times, "times"))
     ax = style.plane_axes(ax, style.SINGLE_COLUMN, 0.86 * style.SINGLE_COLUMN)
     look = OSCULATING if osculating else NON_OSCULATING
     _planet(ax, view)

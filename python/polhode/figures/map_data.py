@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import polhode
+from polhode._core import _numbers
 
 Source = Union[str, os.PathLike[str], polhode.MapResults, Mapping[str, ArrayLike]]
 
@@ -28,7 +29,7 @@ class MapData:
 def read_map(source: Source) -> MapData:
     """The columns of a CSV file, of MapResults, or of a mapping."""
     if isinstance(source, Mapping):
-        columns = {name: np.asarray(x, dtype=float) for name, x in source.items()}
+        columns = {name: _numbers(x, name) for name, x in source.items()}
         return MapData(columns, getattr(source, "units", {}))
     with open(source, encoding="utf-8") as file:
         lines = file.read().splitlines()

@@ -12,6 +12,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import Body, Regime, RotorState
+from polhode._core import _numbers
 from polhode.figures import arrows, polhodes, style
 from polhode.figures.arguments import require_positive
 from polhode.figures.labels import HALO
@@ -132,10 +133,9 @@ def momenta(function: str, trace: ArrayLike | RotorState) -> NDArray[np.float64]
     """The rows (n, 3) of a trace: of momenta, or of hub states, of any shape; one is a row, too."""
     given = trace.g if isinstance(trace, RotorState) else trace
     required = "expected momenta of shape (n, 3), at least one, or a RotorState"
-    try:
-        g = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        raise TypeError(f"{function}: got trace = {trace!r}; {required}") from None
+    if isinstance(given, str):
+        raise TypeError(f"{function}: got trace = {trace!r}; {required}")
+    g = _numbers(given, f"{function}: trace")
     if g.ndim == 0 or g.shape[-1] != 3 or g.size == 0:
         raise ValueError(f"{function}: got a trace of shape {g.shape}; {required}")
     return g.reshape(-1, 3)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike, NDArray
 
+from polhode._core import _number, _numbers
 from polhode.figures.arguments import require_positive
 
 Array = NDArray[np.float64]
@@ -31,6 +32,11 @@ class OblatePlanet:
     gm: float
     J2_R2: float
     mu: tuple[float, float, float]
+
+    def __post_init__(self) -> None:
+        _number(self.gm, "gm")
+        _number(self.J2_R2, "J2_R2")
+        _numbers(self.mu, "mu")
 
     def acceleration(self, r: Array) -> Array:
         """-dV/dr at positions (..., 3)."""
@@ -59,7 +65,7 @@ class OblatePlanet:
 
         RuntimeError where a step finds no solution, as with numbers that are not finite."""
         require_positive("path", "stop", stop)
-        z = np.concatenate([np.asarray(r, dtype=float), np.asarray(p, dtype=float)])
+        z = np.concatenate([_numbers(r, "r"), _numbers(p, "p")])
         edges, pieces = [0.0], []
         while edges[-1] < stop:
             # short beside the time in which the satellite would fall: the iteration contracts
@@ -92,7 +98,7 @@ class Path:
         return self._at(t, 1)[..., :3]
 
     def _at(self, t: ArrayLike, derivative: int) -> Array:
-        times = np.asarray(t, dtype=float)
+        times = _numbers(t, "t")
         flat = times.ravel()
         out = np.empty((flat.size, 6))
         which = np.clip(np.searchsorted(self.edges, flat, "right") - 1, 0, len(self.pieces) - 1)
@@ -143,18 +149,18 @@ class Ellipse:
 
     def at(self, anomaly: ArrayLike) -> Array:
         """Points (..., 3) at eccentric anomalies, the focus in the origin."""
-        E = np.asarray(anomaly, dtype=float)[..., None]
+        E = _numbers(anomaly, "anomaly")[..., None]
         return self.a * (np.cos(E) - self.e) * self.P + self.b * np.sin(E) * self.Q
 
     def slope(self, anomaly: ArrayLike) -> Array:
         """d at / d anomaly (..., 3): along the Keplerian velocity."""
-        E = np.asarray(anomaly, dtype=float)[..., None]
+        E = _numbers(anomaly, "anomaly")[..., None]
         return -self.a * np.sin(E) * self.P + self.b * np.cos(E) * self.Q
 
 
 def ellipse(r: ArrayLike, v: ArrayLike, gm: float) -> Ellipse:
     """The instantaneous ellipse of a position and a velocity (the paper's g, or r')."""
-    r, v = np.asarray(r, dtype=float), np.asarray(v, dtype=float)
+    r, v, gm = _numbers(r, "r"), _numbers(v, "v"), _number(gm, "gm")
     size = np.linalg.norm(r)
     h = np.cross(r, v)
     eccentricity = np.cross(v, h) / gm - r / size

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from polhode import Body, angular_velocity, to_euler
+from polhode._core import _number
 from polhode.figures import style
 from polhode.figures.columns import radians_in
 from polhode.figures.momentum_sphere import DEFAULT_VIEW, momentum_sphere
@@ -48,7 +49,7 @@ def shown_end(data: RunData, span: float | None) -> float:
     of the faster one of phi and psi where the whole run has more than MANY_TURNS."""
     t = data.t
     if span is not None:
-        return float(min(t[0] + span, t[-1]))
+        return min(t[0] + _number(span, "span"), t[-1])
     if len(t) < 2 or is_coarse(data):
         return float(t[-1])
     euler = to_euler(data.states)

@@ -20,6 +20,7 @@ from polhode import (
     kinetic_energy,
     to_andoyer,
 )
+from polhode._core import _number
 from polhode.figures import arrows, polhodes, style
 from polhode.figures.momentum_sphere import (
     DEFAULT_VIEW,
@@ -64,6 +65,7 @@ def herpolhode_times(motion: FreeRotation, periods: float, per_turn: int) -> NDA
     """Times that cover `periods` polhode periods; on the separatrix, the flip and its approach.
 
     per_turn: how many in a turn about the momentum, and at least in a polhode period."""
+    periods = _number(periods, "periods")
     span = motion.polhode_period
     if motion.regime == Regime.separatrix:
         half = 9.0 / polhodes.separatrix_rate(motion.body, motion.momentum)

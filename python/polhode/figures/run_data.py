@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 import polhode
 from polhode import Body, RotorState, attitude, attitude_matrix
+from polhode._core import _numbers
 from polhode.figures.columns import radians_in
 
 
@@ -32,7 +33,7 @@ class RunData:
     omega: NDArray[np.float64] | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "t", np.asarray(self.t, dtype=float))
+        object.__setattr__(self, "t", _numbers(self.t, "t"))
         if self.t.ndim != 1 or self.states.shape != self.t.shape or self.t.size == 0:
             raise ValueError(
                 f"RunData: got times of shape {self.t.shape} and states of shape "
@@ -73,7 +74,7 @@ def stacked(columns: Mapping[str, Any], names: tuple[str, ...]) -> NDArray[np.fl
     """Columns side by side (n, len(names)), or None where one is missing."""
     if not all(name in columns for name in names):
         return None
-    return np.stack([np.asarray(columns[name], dtype=float) for name in names], axis=-1)
+    return np.stack([_numbers(columns[name], name) for name in names], axis=-1)
 
 
 def rates_of_columns(columns: Mapping[str, Any], body: Body) -> NDArray[np.float64] | None:

@@ -13,6 +13,7 @@ from matplotlib.axis import Axis
 from numpy.typing import NDArray
 
 import polhode
+from polhode._core import _number, _numbers
 from polhode.figures.columns import ANGLES, angle_axis, axis_label, symbol, turn_in
 from polhode.figures.map_data import MapData, motions_of
 from polhode.figures.style import SINGLE_COLUMN, axes_or_new, series, styled
@@ -56,6 +57,7 @@ def poincare_section(
     label : what the runs are, for the legend. color : of every run. size : of points, in points.
 
     ValueError for an event that no run met."""
+    size = _number(size, "size")
     groups = [_points_of(run, event, direction) for run in _listed(runs)]
     if all(group is None for group in groups):
         named = "an event" if event is None else f'the event "{event}"'
@@ -135,9 +137,9 @@ def _coordinate(states: Any, of: Any, elements: Callable[[Any], Any] | None) -> 
         states = states.columns
     if callable(of):
         states = states.states if isinstance(states, polhode.SpinOrbitSection) else states
-        return np.ravel(np.asarray(of(states), dtype=float))
+        return np.ravel(_numbers(of(states), "coordinate"))
     if isinstance(states, Mapping) and of in states:
-        return np.ravel(np.asarray(states[of], dtype=float))
+        return np.ravel(_numbers(states[of], of))
     over, _, under = of.partition("/")
     numbers = _field(states, over, elements)
     return np.ravel(numbers / _field(states, under, elements) if under else numbers)
@@ -147,7 +149,7 @@ def _field(states: Any, name: str, elements: Callable[[Any], Any] | None) -> NDA
     if isinstance(states, Mapping):
         if name not in states:
             raise ValueError(f'no column "{name}"; there are: {", ".join(map(str, states))}')
-        return np.asarray(states[name], dtype=float)
+        return _numbers(states[name], name)
     if isinstance(states, polhode.SpinOrbitSection):
         if name in SPIN_ORBIT:
             return np.asarray(getattr(states, name))

@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
+from polhode._core import _number, _numbers
 from polhode.figures import style
 
 
@@ -24,7 +25,8 @@ class View:
     light, which comes from the upper left."""
 
     def __init__(self, elevation: float = 24.0, azimuth: float = 38.0) -> None:
-        self.elevation, self.azimuth = float(elevation), float(azimuth)
+        self.elevation = _number(elevation, "elevation")
+        self.azimuth = _number(azimuth, "azimuth")
         e, a = np.radians(self.elevation), np.radians(self.azimuth)
         self.toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
         self.right = np.array([-np.sin(a), np.cos(a), 0.0])
@@ -37,7 +39,7 @@ class View:
 
     def paper(self, points: ArrayLike) -> NDArray[np.float64]:
         """(..., 3) in space to (..., 2) on paper."""
-        points = np.asarray(points, dtype=float)
+        points = _numbers(points, "points")
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: MIT
+"""A valid call of every public function that takes numbers, read from the stub of the module."""
+
+import ast
+import pathlib
+import re
+
+import numpy as np
+import polhode
+from polhode import _core
+
+NUMBERS = re.compile(r"\b(ArrayLike|float|int|NDArray)\b")
+BODY = polhode.Body(1.0, 1.7, 2.1)
+STATE = polhode.rotor_state(BODY, [1, 0, 0, 0], [0.1, 0.2, 1.0])
+ELEMENTS = polhode.KeplerElements(gm=1.0, pericentre=2.0, eccentricity=0.1, inclination=0.3)
+ORBIT = polhode.KeplerOrbit(ELEMENTS)
+PRECESSING = polhode.PrecessingKeplerOrbit(ELEMENTS, polhode.SecularRates(0.0, 0.0, 0.0))
+SYSTEM = polhode.System(BODY)
+DAMPER = polhode.KaneDamper(0.1, 0.2)
+DAMPED = polhode.System(BODY, damper=DAMPER)
+PROBLEM = polhode.Problem(SYSTEM, STATE, 0.0, 0.1)
+CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+SHAPE = polhode.FacetShape(CORNERS, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+SURFACE = polhode.Surface.of_plate([0.1, 0, 0], [1, 0, 0], 1.0)
+DATE = polhode.calendar_date("UTC", 2020, 1, 1)
+TIMES = np.linspace(0.0, 10.0, 20)
+CIRCLE = np.stack([np.cos(TIMES), np.sin(TIMES), 0 * TIMES], axis=-1)
+CHECKPOINTS = []
+polhode.integrate(
+    polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
+    np.linspace(0, 300, 6001),
+    sink=lambda *block: None,
+    keep_checkpoint=CHECKPOINTS.append,
+    checkpoint_seconds=0.0,
+)
+
+
+def variables(z):
+    return np.array([1.0 + z[0], z[1], z[2], 0.5]), z[3:]
+
+
+# Objects by the class that a parameter is annotated with.
+OF_CLASS = {
+    "Body": BODY,
+    "RotorState": STATE,
+    "System": SYSTEM,
+    "FreeRotation": polhode.FreeRotation(BODY, STATE),
+    "AndoyerState": polhode.to_andoyer(STATE),
+    "SerretState": polhode.to_serret(BODY, STATE),
+    "KeplerElements": ELEMENTS,
+    "PrecessingKeplerOrbit": PRECESSING,
+    "FacetShape": SHAPE,
+    "Surface": SURFACE,
+    "Date": DATE,
+    "Problem": PROBLEM,
+    "MassMoments": polhode.MassMoments.of_points([1.0, 2.0], [[1, 0, 0], [0, 1, 0]]),
+    "Oblateness": polhode.Oblateness(1e-3, 1.0, [0, 0, 1]),
+    "TidalBody": polhode.TidalBody(0.3, 0.01, 1.0),
+    "DampedMaterial": polhode.DampedMaterial(1e9, 100.0, 2000.0, 100.0, 0.02),
+}
+
+# Numbers and words by the name of a parameter; all other numbers are 1.
+OF_NAME = {
+    **dict.fromkeys(("q", "q_FB", "q_IS"), [1.0, 0.0, 0.0, 0.0]),
+    **dict.fromkeys(
+        (
+            "g_B",
+            "omega_B",
+            "omega_I",
+            "u_B",
+            "u",
+            "v",
+            "mu_S",
+            "axis",
+            "pole",
+            "rotation",
+            "centre",
+            "normal",
+            "origin",
+            "x",
+            "inertial",
+            "relative",
+            "dg",
+            "damper_rate",
+            "I",
+            "strength",
+        ),
+        [0.1, 0.2, 1.0],
+    ),
+    **dict.fromkeys(("t", "times", "samples"), TIMES),
+    "eccentricity": 0.1,
+    "t": 0.5,
+    "samples": [0.0, 0.1],
+    "scale": "UTC",
+    "target": "moon",
+    "centre": [0.1, 0.2, 1.0],
+    "tensor": np.diag([1.0, 1.7, 2.1]),
+    "R": np.eye(3),
+    "matrix": np.eye(3),
+    "positions": CIRCLE,
+    "velocities": CIRCLE[:, [1, 0, 2]] * [-1, 1, 0],
+    "D": [0.1, 0.2, 0.3],
+    "orbit": ORBIT,
+    "name": "x",
+    "torques": CIRCLE,
+    "rows": SURFACE.rows,
+    "vertices": CORNERS,
+    "triangles": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+    "dimension": "time",
+    "third": [0.1] * 10,
+    "fourth": [0.1] * 15,
+    "derivative": [1.0] * 6,
+    "f": variables,
+    "z": [0.3, 0.4, 0.5, 0.6, 1.0, 0.2],
+    "chart": "andoyer",
+    "angle": 1.0,
+    "crossing": "rising",
+    "B": np.eye(3),
+    "B_from": np.eye(3),
+    "B_to": np.eye(3),
+    "dut1": 0.1,
+    "overhang": 0.0,
+    "order": 4,
+    "year": 2020,
+    "between": "linear",
+    "outside": "hold",
+    "function": lambda t, s: s.g,
+    "masses": [1.0, 2.0],
+    "sun": ORBIT,
+    "shadow": "cone",
+    "unit": "h",
+    "specular": 0.1,
+    "diffuse": 0.1,
+    "emitted": 0.1,
+    "normal_accommodation": 0.5,
+    "tangential_accommodation": 0.5,
+    "position": [2.0, 0.0, 0.0],
+    "velocity": [0.0, 0.8, 0.1],
+    "other": 0.5,
+    "checkpoint": CHECKPOINTS[0],
+}
+
+# What one function wants otherwise.
+VECTOR, MATRIX = [0.1, 0.2, 1.0], np.eye(6)
+OF_CALL = {
+    "Body.with_axes": {"moments": [1.0, 1.7, 2.1]},
+    "RotorState.__init__": {"g": VECTOR},
+    "inverse_chart_jacobian": {"B": MATRIX},
+    "canonical_transformation": {"B_from": MATRIX, "B_to": MATRIX},
+    "TumblerState.__init__": {"mode": "short_axis"},
+    "mean_elements": {"J2": 1e-3},
+    "planetary_orbit": {"centre": "earth", "last": 86400.0, "tolerance": 1e-6},
+    "MassMoments.of_points": {"positions": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]},
+    "HigherGravity.__init__": {"orbit_of": "attractor"},
+    **{
+        f"KaneDamper.{name}": {"rate": VECTOR, "g": VECTOR, "momentum": VECTOR}
+        for name in ("rate_of_body", "energy", "acceleration", "momentum", "relative_rate")
+    },
+    "at_damper_rate": {"system": DAMPED, "rate": VECTOR},
+    "ResidualDipole.__init__": {"moment": VECTOR, "field": VECTOR},
+    "EddyCurrents.__init__": {"field": VECTOR},
+    "RotorRates.__init__": {"g": VECTOR},
+    "HubRates.__init__": {"theta": VECTOR, "g": VECTOR},
+    "SaveAt.count": {"rows": 3},
+    "Adaptive.__init__": {"tolerance": 1e-9},
+    "VariationOfConstants.__init__": {"tolerance": 1e-9},
+    "SolarPressure.__init__": {"shadow": "cone", "sun": ORBIT},
+    "Frame.orbit_plane_pq": {"p": 0.1, "q": 0.2},
+    "resume": {
+        "sink": lambda *block: None,
+        "samples": np.linspace(0, 300, 6001),
+        "problem": polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
+    },
+    "chaos_indicator": {"distance": 1e-6, "deviation": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]},
+}
+
+
+def _classes(annotation):
+    return [name for name in re.findall(r"\w+", annotation) if name in OF_CLASS]
+
+
+class Call:
+    """A callable, its arguments by name, and which of them are numbers."""
+
+    def __init__(self, name, owner, node):
+        self.name = name
+        self._owner = owner
+        arguments = node.args
+        static = any(getattr(d, "id", "") == "staticmethod" for d in node.decorator_list)
+        self.is_method = owner is not None and node.name != "__init__" and not static
+        given = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
+        self.annotations = {
+            a.arg: ast.unparse(a.annotation) if a.annotation else ""
+            for a in given
+            if a.arg != "self"
+        }
+        count = len(arguments.defaults)
+        optional = (
+            {a.arg for a in (arguments.posonlyargs + arguments.args)[-count:]} if count else set()
+        )
+        optional |= {
+            a.arg for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults) if d is not None
+        }
+        # what stands in brackets are arguments and results of functions
+        self.numbers = [
+            name
+            for name, said in self.annotations.items()
+            if NUMBERS.search(re.sub(r"\[.*\]", "", said))
+        ]
+        self.arguments = {
+            name: self._sample(name, said)
+            for name, said in self.annotations.items()
+            if name in self.numbers or name not in optional
+        }
+        extra = OF_CALL.get(self.name, {})
+        self.arguments.update({a: x for a, x in extra.items() if a in self.annotations})
+
+    def _sample(self, name, said):
+        own = OF_CALL.get(self.name, {})
+        if name in own:
+            return own[name]
+        classes = [] if said.startswith("Callable") else _classes(said)
+        if classes and name not in ("sun",):
+            return OF_CLASS[classes[0]]
+        if name in OF_NAME:
+            return OF_NAME[name]
+        return 1 if said == "int" else 1.0
+
+    @property
+    def function(self):
+        *path, last = self.name.split(".")
+        if not path:
+            return getattr(polhode, last)
+        owner = getattr(polhode, path[0])
+        if not self.is_method:
+            return owner if last == "__init__" else getattr(owner, last)
+        return getattr(OF_SELF[path[0]], last)
+
+    def __call__(self, **changed):
+        return self.function(**{**self.arguments, **changed})
+
+
+def all_calls():
+    stub = pathlib.Path(_core.__file__).with_name("_core.pyi").read_text(encoding="utf-8")
+    calls = []
+    for node in ast.parse(stub).body:
+        if isinstance(node, ast.ClassDef):
+            for inner in node.body:
+                if isinstance(inner, ast.FunctionDef) and (
+                    inner.name == "__init__" or not inner.name.startswith("_")
+                ):
+                    calls.append(Call(f"{node.name}.{inner.name}", node.name, inner))
+        elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            calls.append(Call(node.name, None, node))
+    return [call for call in calls if call.numbers]
+
+
+# Objects by the class that a method is of.
+OF_SELF = {
+    "Body": BODY,
+    "FreeRotation": OF_CLASS["FreeRotation"],
+    "KeplerOrbit": ORBIT,
+    "Dual": polhode.Dual(1.0),
+    "PrecessingKeplerOrbit": PRECESSING,
+    "TurnedKeplerOrbit": polhode.TurnedKeplerOrbit(PRECESSING, 0.4),
+    "TableOrbit": polhode.TableOrbit(TIMES, CIRCLE),
+    "Frame": polhode.Frame.inertial(),
+    "Date": DATE,
+    "FacetShape": SHAPE,
+    "Surface": SURFACE,
+    "MassMoments": OF_CLASS["MassMoments"],
+    "KaneDamper": DAMPER,
+    "DipoleField": polhode.DipoleField([0, 0, 1.0]),
+    "Units": polhode.Units(),
+    "Trajectory": polhode.integrate(polhode.Problem(DAMPED, STATE, 0.0, 1.0)),
+}
