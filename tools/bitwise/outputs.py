@@ -104,11 +104,12 @@ def outputs(side, group):
     keep = side.tree != ROOT
     name = f"{side.tree.name}-{digest(group)}" if keep else "working"
     folder = HOME / "outputs" / group / name
-    skipped = folder.with_suffix(".skipped")  # written last
-    if keep and skipped.exists():
-        return folder, skipped.read_text().split()
+    whole = folder.with_suffix(".whole")
+    if keep and whole.exists():
+        return folder, []
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     names = run_group(side, group, folder)
-    skipped.write_text("\n".join(names))
+    if keep and not names:
+        whole.touch()
     return folder, names
