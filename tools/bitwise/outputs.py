@@ -5,14 +5,16 @@ import concurrent.futures
 import hashlib
 import os
 import shutil
+import signal
 import subprocess
 
 from bitwise.revision import HOME, ROOT, Failed
 
 PROBES = ROOT / "tools/bitwise"
 EXAMPLES = ROOT / "examples"
-# A scenario that takes longer is skipped, and said to be.
+# A scenario that takes more processor time is skipped, and said to be.
 SECONDS = 300
+LIMITED = ["sh", "-c", f'ulimit -t {SECONDS}; exec "$@"', "sh"]
 
 
 def probe_sources(name):
@@ -36,11 +38,17 @@ GROUPS = {
 }
 
 
-def printed(command, path, seconds=SECONDS):
+class TooLong(Exception):
+    pass
+
+
+def printed(command, path):
     """Standard output into a file; the status, and what was said, into another one."""
     with path.open("wb") as out:
-        done = subprocess.run([str(word) for word in command], stdout=out, cwd=path.parent,
-                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=seconds)
+        done = subprocess.run([*LIMITED, *map(str, command)], stdout=out, cwd=path.parent,
+                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise TooLong
     if done.returncode != 0:
         said = done.stderr.decode(errors="replace").strip()
         path.with_suffix(".failed.txt").write_text(f"status {done.returncode}\n{said}\n")
@@ -65,7 +73,7 @@ def run_scenario(side, command, path, folder):
         printed([side.polhode, command, path, *options], within / "stdout.txt")
         if command == "run":
             printed([side.polhode, "info", path, "--json"], within / "info.json")
-    except subprocess.TimeoutExpired:
+    except TooLong:
         shutil.rmtree(within)
         return [path.stem]
     return []

@@ -18,7 +18,10 @@
 #endif
 #endif
 #ifdef POLHODE_THREAD_SANITIZER
-#include <sanitizer/tsan_interface.h>
+extern "C" {
+void __tsan_acquire(void* address);
+void __tsan_release(void* address);
+}
 #endif
 
 namespace polhode {
