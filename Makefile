@@ -13,8 +13,10 @@ PYTEST  := $(PYTHON) -m pytest -n $(CORES) --dist loadfile
 # Fuzzing: inputs per target in `make test`, the same ones every time; seconds in `make fuzz`.
 FUZZ_SAMPLE := 10000
 FUZZ        := 600
+# What `make bits` compares the tree with.
+REV         := HEAD
 
-.PHONY: help deps build demo test test-full check tidy format docs docs-tables figures bench fuzz wheel clean
+.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-sweeps check bits tidy format docs docs-tables figures bench fuzz wheel clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -41,20 +43,34 @@ test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzz
 	$(PACKAGE) $(PYTEST) tests
 	$(PACKAGE) $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
-test-full: build build/clang/build.ninja build/asan/build.ninja build/fuzz/build.ninja ## Big sweeps, clang, sanitizers, long fuzzing (hours)
-	cmake --build build/release
-	cmake --build build/clang
-	cmake --build build/asan
-	cmake --build build/fuzz
-	tools/fuzz --for $(FUZZ)
+test-full: test-clang test-asan test-tsan fuzz test-sweeps ## All that there is, part by part (hours)
+
+test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang 16 compiles them
+	cmake --build --preset clang
 	ctest --preset clang -j $(CORES) --progress
+
+test-asan: build/asan/build.ninja ## Part of test-full: C++ and Python tests under ASan and UBSan
+	cmake --build --preset asan
 	ctest --preset asan -j $(CORES) --progress
+	tools/sanitized asan $(PYTEST) python/tests
+
+test-tsan: build/tsan/build.ninja ## Part of test-full: what starts threads, under ThreadSanitizer
+	cmake --build --preset tsan
+	ctest --preset tsan -j $(CORES) --progress
+	tools/sanitized tsan $(PYTEST) tests/cli/test_map.py
+	tools/sanitized tsan $(PYTEST) python/tests -k "thread or map or ctrl_c"
+
+test-sweeps: build ## Part of test-full: the big sweeps
+	cmake --build build/release
 	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES) --progress
 	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) tests
 	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) python/tests
 
 check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests
 	tools/check
+
+bits: build/release/build.ninja ## Outputs of revision REV and of the tree, bit by bit: make bits REV=HEAD~3
+	tools/bits $(REV)
 
 tidy: build/release/build.ninja ## clang-tidy on every source (slow; `make check` reads the changed ones)
 	tools/tidy.py --all

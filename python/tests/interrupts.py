@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Ctrl-C in the middle of a call, and how long the call takes to stop."""
 
+import os
 import signal
 import threading
 import time
 
 import pytest
 
-LATEST = 0.5
-"""Seconds from the signal to the exception: five times what is promised, for busy machines."""
+LATEST = 0.5 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+"""Seconds from the signal to the exception: five times what is promised, for busy machines; and
+longer under sanitizers."""
 
 
 def seconds_from_signal(call) -> float:

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 ENVIRONMENT = {"PATH": os.environ["PATH"], "LANG": "C.UTF-8"}
-SECONDS = 120
+SECONDS = 120 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
 
 
 @pytest.fixture(scope="session")

@@ -7,7 +7,7 @@
 //             on its index alone; `sink` is called for first, first + 1, ... one after the other.
 // Accuracy    the results are those of a plain loop, to the last bit, whatever the threads.
 // Errors      DomainError for fewer than one thread. What `cell` or `sink` throws ends the rest and
-//             passes through: that of one of them, when several throw.
+//             passes through, after the rows before it: that of the first index, when several do.
 // Cost        a microsecond a cell. At most four cells per thread wait for an earlier one, so that
 //             memory does not grow with their number.
 #pragma once

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "polhode/error.hpp"
@@ -59,15 +62,65 @@ TEST(Cells, RunAtTheSameTime) {
 }
 
 TEST(Cells, WhatIsThrownPassesThroughAfterTheRowsBefore) {
-  std::int64_t last = -1;
-  const auto sink = [&](std::int64_t index, const CellRow&) { last = index; };
-  const auto cell = [](std::int64_t index) -> CellRow {
-    if (index == 20) throw std::runtime_error("twenty");
-    return {};
+  for (const int threads : {1, 2, 8}) {
+    std::int64_t last = -1;
+    const auto sink = [&](std::int64_t index, const CellRow&) { last = index; };
+    // the later one long before the first one
+    const auto cell = [](std::int64_t index) -> CellRow {
+      if (index == 20) work(0);
+      if (index == 20 || index == 22) throw std::runtime_error(std::to_string(index));
+      return {};
+    };
+    std::string thrown;
+    try {
+      run_cells(0, 100, threads, cell, sink);
+    } catch (const std::runtime_error& error) {
+      thrown = error.what();
+    }
+    EXPECT_EQ(thrown, "20") << threads;
+    EXPECT_EQ(last, 19) << threads;
+    EXPECT_THROW(run_cells(0, 100, 0, cell, sink), DomainError);
+  }
+}
+
+TEST(Cells, WhatTheSinkThrowsPassesThrough) {
+  for (const int threads : {1, 2, 8}) {
+    std::int64_t last = -1;
+    const auto sink = [&](std::int64_t index, const CellRow&) {
+      last = index;
+      if (index == 20) throw std::runtime_error("sink");
+    };
+    EXPECT_THROW(run_cells(0, 100, threads, work, sink), std::runtime_error);
+    EXPECT_EQ(last, 20) << threads;
+  }
+}
+
+// A result that counts how many of it there are.
+struct Counted {
+  static inline std::atomic<int> alive = 0;
+  Counted() { ++alive; }
+  Counted(const Counted&) { ++alive; }
+  ~Counted() { --alive; }
+};
+
+// Those that wait for the first one when that throws are freed.
+TEST(Cells, LeaveNothingBehindWhenOneThrows) {
+  std::atomic<int> waiting = 0;
+  const auto cell = [&](std::int64_t index) -> Counted {
+    if (index > 0) {
+      ++waiting;
+      return {};
+    }
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (waiting < 3 && std::chrono::steady_clock::now() < latest) std::this_thread::yield();
+    throw std::runtime_error("first");
   };
+  int taken = 0;
+  const auto sink = [&](std::int64_t, const Counted&) { ++taken; };
   EXPECT_THROW(run_cells(0, 100, 2, cell, sink), std::runtime_error);
-  EXPECT_LT(last, 20);
-  EXPECT_THROW(run_cells(0, 100, 0, cell, sink), DomainError);
+  EXPECT_GE(waiting, 3);
+  EXPECT_EQ(taken, 0);
+  EXPECT_EQ(Counted::alive, 0);
 }
 
 }  // namespace
