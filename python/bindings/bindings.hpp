@@ -18,6 +18,7 @@ namespace polhode::python {
 namespace nb = nanobind;
 
 void bind_math(nb::module_& m);
+void bind_elliptic(nb::module_& m);
 void bind_rotor(nb::module_& m);
 void bind_free(nb::module_& m);
 void bind_orbit(nb::module_& m);

@@ -15,6 +15,7 @@ void bind_everything(nb::module_& m) {
   nb::exception<DomainError>(m, "DomainError", PyExc_ValueError).attr("__doc__") =
       "An argument outside the domain of a function: names it, its value and the requirement.";
   bind_math(m);
+  bind_elliptic(m);
   bind_rotor(m);
   bind_free(m);
   bind_orbit(m);

@@ -87,9 +87,10 @@ TYPED_TEST(Carlson, Limits) {
   EXPECT_TRUE(std::isinf(to_double(carlson_rj(one, one, one, zero))));
   EXPECT_TRUE(std::isinf(to_double(carlson_rj(zero, zero, one, one))));
   EXPECT_TRUE(std::isnan(to_double(carlson_rf(one, -one, one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rc(one, -one))));
+  EXPECT_TRUE(std::isnan(to_double(carlson_rc(-one, one))));
   EXPECT_TRUE(std::isnan(to_double(carlson_rd(one, one, -one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rj(one, one, one, -one))));
+  EXPECT_TRUE(std::isnan(to_double(carlson_rj(-one, one, one, one))));
+  EXPECT_TRUE(std::isnan(to_double(carlson_rj(one, -one, one, -one))));
   EXPECT_TRUE(std::isnan(to_double(carlson_rf(one, zero / zero, one))));
 }
 
