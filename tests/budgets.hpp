@@ -21,6 +21,10 @@ inline constexpr double elliptic_nome = 4.0;
 inline constexpr double elliptic_heuman = 4.0;
 inline constexpr double elliptic_legendre = 4.0;
 inline constexpr double elliptic_legendre_derivative = 6.0;
+inline constexpr double elliptic_zeta = 6.0;
+// Any angle, m < 0, m > 1, n > 1, ends of the range.
+inline constexpr double elliptic_beyond = 8.0;
+inline constexpr double elliptic_beyond_derivative = 40.0;
 // Of sn, cn, dn: over |f| + |u f'|, what one rounding of f and of u does. Of their derivatives:
 // over
 // 1 + |u|.

@@ -16,8 +16,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/reference"))
 
-import elliptic as oracle  # noqa: E402
 from mpmath import fabs, inf, isnan, mp, mpf  # noqa: E402
+
+import elliptic as oracle  # noqa: E402
 
 PAGE = ROOT / "docs/accuracy/elliptic.md"
 EPS = 2.0 ** -52
@@ -106,8 +107,10 @@ def above_one(draw):
     return draw.choice((draw.uniform(1.01, 9.0), 1 + power(draw, -12, -1), power(draw, 1, 12)))
 
 
-CELL = lambda d: [power(d, -160, 100), power(d, -300, 300), power(d, -100, 100),
-                  power(d, -100, 100)]
+def for_cel(draw):
+    return [power(draw, -160, 100), power(draw, -300, 300),
+            power(draw, -100, 100), power(draw, -100, 100)]
+
 
 # What is measured: heading -> (function, its oracle, strata: name -> rows).
 MODULI = {"m in [0, 1]": plain, "m or m1 to 5e-324": edges, "m < 0": negative}
@@ -124,7 +127,7 @@ CASES = {
                                      "p < 0": principal(4)}),
     "agm": ("agm", lambda a, b: oracle.agm(mpf(a), mpf(b)),
             {"1e-307 .. 1e308": carlson(2, -307, 308)}),
-    "cel": ("cel", oracle.cel, {"kc, p, a, b over 1e+-300": CELL}),
+    "cel": ("cel", oracle.cel, {"kc to 1e-160, p to 1e+-300": for_cel}),
     **{f"complete_{k}": (k, lambda m, m1, k=k: oracle.complete(k, m, m1),
                          {s: (lambda d, f=f: [*f(d)]) for s, f in MODULI.items()})
        for k in "kebd"},
@@ -205,7 +208,6 @@ def measured(name, function, rows_of, count, seed, evaluate):
 
 def by_library(name, rows):
     import numpy as np
-
     from polhode import elliptic as e
     a = np.array(rows, dtype=float).T
     if name in ("rf", "rc", "rd", "rj"):
@@ -232,9 +234,9 @@ functions by the sequence of phases of the arithmetic-geometric mean, Heuman's a
 function by their definitions. Every argument is taken exactly as the double given; of m and m1 the
 smaller one counts.
 
-Errors are relative, in units of 2^-52 = 2.2e-16 (of subnormal results: of 2^-1022). Those of `jacobi`
-are over what one rounding of u does, |f| + |u f'(u)|. **Failed** counts NaN, and 0 or infinity where
-a double has room for the value.
+Errors are relative, in units of 2^-52 = 2.2e-16 (of subnormal results: of 2^-1022). Those of
+`jacobi` are over what one rounding of u does, |f| + |u f'(u)|. **Failed** counts NaN, and 0 or
+infinity where a double has room for the value.
 
 Angles: a quarter each in +-1.57, from 5e-324 on, next to pi/2, and up to 1e6 rad.
 

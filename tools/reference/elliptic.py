@@ -1,15 +1,37 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Elliptic functions in mpmath, at any precision: the oracle of tools/accuracy/elliptic.py. Run as a
-program it writes the values that tests/unit/elliptic/typed_values.hpp holds, by direct quadrature
-of the definitions.
+"""Elliptic functions in mpmath, at any precision: the oracle of tools/accuracy/elliptic.py.
 
+Run as a program it writes tests/unit/elliptic/typed_values.hpp, by quadrature of the definitions.
 Every argument is taken exactly as the double given. Of m and m1 the smaller one counts."""
 
+import pathlib
 import sys
 
-from mpmath import (acos, agm, asin, atan2, cos, elliprc, elliprd, elliprf, exp,
-                    fabs, floor, inf, isnan, log, log10, mp, mpf, nan, nint, pi, quad, sin, sqrt)
+from mpmath import (
+    agm,
+    asin,
+    atan2,
+    cos,
+    ellipfun,
+    elliprc,
+    elliprd,
+    elliprf,
+    exp,
+    fabs,
+    inf,
+    log,
+    log10,
+    mp,
+    mpf,
+    nan,
+    nint,
+    pi,
+    qfrom,
+    quad,
+    sin,
+    sqrt,
+)
 
 
 def digits_for(*numbers):
@@ -168,3 +190,145 @@ def nome(m, m1):
     if m == 0 or m1 == 0:
         return mpf(1 if m1 == 0 else 0)
     return exp(-pi * agm(1, sqrt(m1)) / agm(1, sqrt(m)))
+
+
+# --- by quadrature of the definitions, for the typed values ---
+
+
+def over_half_line(f, marks, centre=1):
+    """int_0^inf f(t) dt by the trapezoidal rule in ln t, which converges exponentially: also to the
+    principal value when a pole at `centre` is half way between two nodes."""
+    at = [log(mpf(x)) for x in marks if x]
+    h = mpf(1) / 5
+    first = log(mpf(centre)) + h / 2
+    low = int((min(at) - 180 - first) / h)
+    high = int((max(at) + 180 - first) / h)
+    nodes = (exp(first + k * h) for k in range(low, high))
+    return h * sum(t * f(t) for t in nodes)
+
+
+def quad_rf(x, y, z):
+    x, y, z = mpf(x), mpf(y), mpf(z)
+    return over_half_line(lambda t: 1 / (2 * sqrt((t + x) * (t + y) * (t + z))), (x, y, z))
+
+
+def quad_rj(x, y, z, p):
+    x, y, z, p = mpf(x), mpf(y), mpf(z), mpf(p)
+
+    def f(t):
+        return mpf(1.5) / (sqrt((t + x) * (t + y) * (t + z)) * (t + p))
+    return over_half_line(f, (x, y, z, fabs(p)), fabs(p))
+
+
+def quad_rd(x, y, z):
+    return quad_rj(x, y, z, z)
+
+
+def integrand(kind, m, n):
+    def f(x):
+        s2 = sin(x) ** 2
+        delta = sqrt(1 - m * s2)
+        return {"f": 1 / delta, "e": delta, "d": s2 / delta, "b": (1 - s2) / delta,
+                "pi": 1 / ((1 - n * s2) * delta)}[kind]
+    return f
+
+
+def quad_legendre(kind, phi, m, n=0):
+    """Half turns and the rest; symmetric about the pole, for the principal value."""
+    phi, m, n = mpf(phi), mpf(m), mpf(n)
+    f = integrand(kind, m, n)
+    turns = nint(phi / pi)
+
+    def part(end):
+        sign, end = (-1, -end) if end < 0 else (1, end)
+        pole = asin(1 / sqrt(n)) if n > 1 else inf
+        if end < pole:
+            return sign * end * quad(lambda t: f(end * t), [mpf(k) / 8 for k in range(9)])
+        h = min(end - pole, pole)
+        near = quad(lambda t: f(pole + t) + f(pole - t),
+                    [mpf(10) ** -42, *(h * k / 8 for k in range(1, 9))])
+        return sign * (near + quad(f, [0, (pole - h) / 2, pole - h])
+                       + quad(f, [pole + h, (pole + h + end) / 2, end]))
+    whole = 2 * turns * part(pi / 2) if turns else 0
+    return whole + part(phi - turns * pi)
+
+
+def quad_zeta(phi, m):
+    e, k = quad_legendre("e", pi / 2, m), quad_legendre("f", pi / 2, m)
+    return quad_legendre("e", phi, m) - e / k * quad_legendre("f", phi, m)
+
+
+LEGENDRE = [(-2.5, 0.3), (1.0e6, 0.3), (1.0e6, 0.96875), (-7.5, -5.0), (1.5, -1000.0), (0.5, 2.5),
+            (1.0e-300, 0.3), (-0.25, 15.0), (30.0, 0.0)]
+THIRD = [(0.3, 2.5, 0.3), (0.9, 2.5, 0.3), (1.2, 1.0625, 0.3), (-2.0, 2.5, 0.3), (-7.5, 2.5, 0.3),
+         (4.0, 0.5, 0.3), (1.0, 3.0, -5.0), (1.0, -3.0, -5.0), (1.0, -300.0, -5.0),
+         (2.0, 0.5, -5.0), (0.55, 4.0, 2.5), (0.5, -2.0, 2.5), (100.0, -0.5, 0.875),
+         (1.55, 40.0, 0.96875)]
+RF = [(5e-324, 1e300, 1.7e308), (1e-307, 2e-307, 3e-307), (1e308, 1.5e308, 1e308)]
+RD = [(1e-280, 1e300, 1e-250), (1e150, 3e150, 1e-290), (0.0, 2e-200, 3e-170),
+      (1e200, 1e205, 1e201)]
+RJ = [(0.0, 1.76e-118, 1.83e-79, 1.18e137), (1e-100, 1e300, 2e-100, 1e-290),
+      (1e200, 1e190, 1e180, 1e-100), (1e-250, 1e-260, 1e200, 1e100), (2.0, 3.0, 4.0, -0.5),
+      (2.0, 3.0, 4.0, -5.0), (1e-100, 1e20, 1e100, -1e10), (0.25, 1.0, 2.0, -40.0)]
+ZETA = [(1.0, 0.3), (-2.0, 0.96875), (1.0, -5.0), (1.0e6, 0.75)]
+JACOBI = [(0.7, -3.0), (-0.125, -300.0), (0.7, 2.5), (0.125, 40.0), (1.5, 0.75)]
+NOME = [-3.0, -1.0e6, -1.0e-8, 0.75]
+
+
+def typed_rows():
+    rows = []
+    for at in LEGENDRE:
+        rows += [("legendre_" + kind, at, quad_legendre(kind, *at)) for kind in "fedb"]
+    rows += [("legendre_pi", at, quad_legendre("pi", at[0], at[2], at[1])) for at in THIRD]
+    rows += [("complete_pi", at, quad_legendre("pi", pi / 2, at[1], at[0]))
+             for at in ((1.5, 0.3), (3.0, -2.0), (-40.0, -2.0), (1.0625, 0.96875), (500.0, 0.5))]
+    rows += [("carlson_rf", at, quad_rf(*at)) for at in RF]
+    rows += [("carlson_rd", at, quad_rd(*at)) for at in RD]
+    rows += [("carlson_rj", at, quad_rj(*at)) for at in RJ]
+    rows += [("jacobi_zeta", at, quad_zeta(*at)) for at in ZETA]
+    rows += [(name, at, ellipfun(name, mpf(at[0]), m=mpf(at[1])).real)
+             for at in JACOBI for name in ("sn", "cn", "dn")]
+    rows += [("nome", (m,), qfrom(m=mpf(m)).real) for m in NOME]
+    return rows
+
+
+TYPED = """\
+// SPDX-License-Identifier: MIT
+// Written by tools/reference/elliptic.py: quadrature of the definitions in mpmath. A value is the
+// sum of two doubles.
+#pragma once
+
+#include <array>
+
+namespace polhode::test {
+
+struct TypedValue {
+  const char* function;
+  std::array<double, 4> at;
+  double hi;
+  double lo;
+};
+
+inline constexpr std::array<TypedValue, COUNT> typed_values{{
+ROWS
+}};
+
+}  // namespace polhode::test
+"""
+
+
+def main():
+    mp.dps = 90  # the two sides of a pole cancel
+    lines = []
+    for name, at, value in typed_rows():
+        hi = float(value)
+        lo = float(value - mpf(hi))
+        four = ", ".join(repr(x) for x in (*at, 0.0, 0.0, 0.0)[:4])
+        lines.append(f'    {{"{name}", {{{four}}}, {hi!r}, {lo!r}}},')
+    path = pathlib.Path(__file__).resolve().parents[2] / "tests/unit/elliptic/typed_values.hpp"
+    path.write_text(TYPED.replace("COUNT", str(len(lines))).replace("ROWS", "\n".join(lines)))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -153,7 +153,8 @@ names of the [columns](../files.md).
 `polhode.elliptic`: integrals and functions over arrays, for every real modulus
 ([guide](../../guide/elliptic.md), [accuracy](../../accuracy/elliptic.md)).
 """, {
-        "Jacobi's functions": "jacobi JacobiFunctions amplitude jacobi_zeta nome complementary_nome",
+        "Jacobi's functions":
+            "jacobi JacobiFunctions amplitude jacobi_zeta nome complementary_nome",
         "Legendre's integrals":
             "legendre_f legendre_e legendre_pi legendre_d legendre_b heuman_lambda0",
         "Complete integrals": "complete_k complete_e complete_pi complete_d complete_b cel agm",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/elliptic/legendre_pi.hpp"
-
 #include "budgets.hpp"
+#include "polhode/elliptic/legendre_pi.hpp"
 #include "unit/elliptic/support.hpp"
 
 namespace polhode::test {
