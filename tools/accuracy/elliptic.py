@@ -179,14 +179,20 @@ def error(name, row, got, exact):
 
 
 def needed_digits(name, row):
-    if name in ("rf", "rc", "rd", "agm"):
-        return 60
-    if name == "rj":
-        return 60 + int(1.2 * (math.log10(max(map(abs, row))) - math.log10(min(map(abs, row)))))
+    """What the cancellations of the textbook formulas cost, and 1 - m."""
+    def reach(x):
+        return int(abs(math.log10(abs(x)))) if x else 0
+    if name in ("rf", "rc", "rd", "rj", "agm"):
+        return 60 if row[-1] > 0 else 120
     if name == "cel":
-        return oracle.digits_for(*row[:2]) + 300
-    wide = oracle.digits_for(*row)
-    return min(wide, 1100) if name in ("b", "zeta", "heuman", "lb", "ld", "lpi") else min(wide, 900)
+        return 80 + reach(row[1])
+    if name in ("sn", "cn", "dn", "am"):
+        return 80 + int(1.2 * max(reach(row[1]), reach(row[2])))
+    if name in ("pi", "lpi"):
+        return 120 + reach(row[-3])
+    if name in ("zeta", "heuman"):
+        return 120 + 2 * max(reach(row[1]), reach(row[2]))
+    return 120
 
 
 def measured(name, function, rows_of, count, seed, evaluate):

@@ -18,10 +18,11 @@ from mpmath import (
     elliprd,
     elliprf,
     exp,
+    expm1,
     fabs,
     inf,
     log,
-    log10,
+    log1p,
     mp,
     mpf,
     nan,
@@ -32,13 +33,6 @@ from mpmath import (
     sin,
     sqrt,
 )
-
-
-def digits_for(*numbers):
-    """Digits that 1 - x and x - y need when the numbers are as small as these."""
-    least = min([fabs(mpf(x)) for x in numbers if x] + [mpf(1)])
-    most = max([fabs(mpf(x)) for x in numbers] + [mpf(1)])
-    return 50 + int(-2 * log10(least)) + int(2 * log10(most))
 
 
 def pair(m, m1):
@@ -58,6 +52,17 @@ def rd(x, y, z):
     return elliprd(mpf(x), mpf(y), mpf(z))
 
 
+def rc_of_step(roots, sp):
+    """RC(1, 1 + e) of one duplication, 1 + e without its cancellation at e near -1."""
+    parts = [(sp - s) / (sp + s) for s in roots]
+    e = parts[0] * parts[1] * parts[2]
+    if e > -mpf(1) / 2:
+        return elliprc(mpf(1), 1 + e).real
+    w = -expm1(sum(log1p(-2 * min(s, sp) / (s + sp)) for s in roots))
+    r = sqrt(-e)
+    return log((1 + r) ** 2 / w) / (2 * r)
+
+
 def rj(x, y, z, p):
     """By Carlson's duplication; principal value by [DLMF 19.20.14], whose terms cancel."""
     x, y, z, p = mpf(x), mpf(y), mpf(z), mpf(p)
@@ -67,7 +72,6 @@ def rj(x, y, z, p):
         last = 3 * sqrt(x * y * z / (x * z + p * q)) * elliprc(x * z + p * q, p * q).real
         return ((p - y) * rj(x, y, z, p) - 3 * elliprf(x, y, z) + last) / (y + q)
     a0 = a = (x + y + z + 2 * p) / 5
-    delta = (p - x) * (p - y) * (p - z)
     spread = max(fabs(a - v) for v in (x, y, z, p)) * mpf(10) ** (mpf(mp.dps) / 6)
     total, power = mpf(0), mpf(1)
     x0, y0, z0 = x, y, z
@@ -75,8 +79,7 @@ def rj(x, y, z, p):
         sx, sy, sz, sp = sqrt(x), sqrt(y), sqrt(z), sqrt(p)
         low = sx * sy + sx * sz + sy * sz
         d = (sp + sx) * (sp + sy) * (sp + sz)
-        e = power ** 3 * delta / d ** 2
-        total += power / d * elliprc(mpf(1), 1 + e).real
+        total += power / d * rc_of_step((sx, sy, sz), sp)
         x, y, z, p, a = ((v + low) / 4 for v in (x, y, z, p, a))
         power /= 4
     dx, dy, dz = ((a0 - v) * power / a for v in (x0, y0, z0))
@@ -119,7 +122,7 @@ def incomplete(kind, phi, m, m1, n=None):
     m, m1 = pair(m, m1)
     turns = nint(phi / pi)
     s, c = sin(phi - turns * pi), cos(phi - turns * pi)
-    d2 = 1 - m * s * s
+    d2 = c * c + m1 * s * s
     if d2 < 0 or (m > 1 and turns):
         return nan
     if kind == "pi":
@@ -161,7 +164,7 @@ def jacobi(name, u, m, m1):
     if m1 < 0 and name == "dn":
         k = sqrt(m)
         return cos(amplitude(k * mpf(u), 1 / m, -m1 / m))
-    return {"sn": sin(phi), "cn": cos(phi), "dn": sqrt(1 - m * sin(phi) ** 2)}[name]
+    return {"sn": sin(phi), "cn": cos(phi), "dn": sqrt(cos(phi) ** 2 + m1 * sin(phi) ** 2)}[name]
 
 
 def zeta(phi, m, m1):
