@@ -189,7 +189,7 @@ def needed_digits(name, row):
     if name in ("sn", "cn", "dn", "am"):
         return 80 + int(1.2 * max(reach(row[1]), reach(row[2])))
     if name in ("pi", "lpi"):
-        return 120 + reach(row[-3])
+        return 120 + reach(row[-3]) + max(reach(row[-2]), reach(row[-1]))
     if name in ("zeta", "heuman"):
         return 120 + 2 * max(reach(row[1]), reach(row[2]))
     return 120

@@ -312,9 +312,11 @@ struct TypedValue {
   double lo;
 };
 
+// clang-format off
 inline constexpr std::array<TypedValue, COUNT> typed_values{{
 ROWS
 }};
+// clang-format on
 
 }  // namespace polhode::test
 """

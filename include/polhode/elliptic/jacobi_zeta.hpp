@@ -5,9 +5,9 @@
 //             = m s c D cel(k1, D^2, 0, 1)/K, (s, c) = (sin phi, cos phi), D = sqrt(c^2 + m1 s^2):
 //             one term, not the difference.
 // Units       none; phi in radians.
-// Domain      any phi (of period pi, odd), m <= 1, m < 0 too; m > 1: NaN. At m1 = 0 its limit: s for
-//             c > 0, -s for c < 0.
-// Accuracy    budget elliptic_zeta: relative, for every modulus, also next to its zeros.
+// Domain      any phi (of period pi, odd), m <= 1, m < 0 too; m > 1: NaN. At m1 = 0 its limit: s
+//             for c > 0, -s for c < 0.
+// Accuracy    budget elliptic_beyond: relative, for every modulus, also next to its zeros.
 // Errors      none.
 // Cost        one sincos, an agm and a cel.
 #pragma once

@@ -8,16 +8,17 @@
 //             positive: m < 0, 0 <= m <= 1, m > 1. Beyond pi/2 by quasi-periodicity: F(phi + n pi)
 //             = F(phi) + 2 n K.
 // Units       none; phi in radians.
-// Domain      phi: any, odd in phi; (sin phi, cos phi): phi in [-pi, pi]. m < 0 (imaginary modulus):
-//             any phi. m > 1 (k > 1): |sin phi| <= 1/k before pi/2, otherwise NaN, as the integrals
-//             are complex [DLMF 19.7(ii)]. At m1 = 0: F and D are inf at pi/2 and beyond. Members,
-//             sines and cosines of any size: beyond 2^-900 .. 2^300 through WideRange. Derivatives
-//             of Dual sines and cosines are those along the circle: dphi = c ds - s dc.
-// Accuracy    budget elliptic_legendre: relative, for any phi in double (in DoubleDouble for
-//             |phi| <= 1e10). Of an angle in double with m > 1, where 1 - m sin^2 cancels, the work
-//             is done in DoubleDouble.
+// Domain      phi: any, odd in phi; (sin phi, cos phi): phi in [-pi, pi]. m < 0 (imaginary
+//             modulus): any phi. m > 1 (k > 1): |sin phi| <= 1/k before pi/2, otherwise NaN, as the
+//             integrals are complex [DLMF 19.7(ii)]. At m1 = 0: F and D are inf at pi/2 and beyond.
+//             Members, sines and cosines of any size: beyond 2^-900 .. 2^300 through WideRange.
+//             Derivatives of Dual sines and cosines are those along the circle: dphi = c ds - s dc.
+// Accuracy    budgets elliptic_legendre and elliptic_beyond: relative, for any phi in double (in
+//             DoubleDouble for |phi| <= 1e10). Of an angle in double with m > 1, where 1 - m sin^2
+//             cancels, the work is done in DoubleDouble.
 // Errors      none.
-// Cost        F, D, B: one RF or RD. E: one RF and one RD. Beyond pi/2 the complete integral as well.
+// Cost        F, D, B: one RF or RD. E: one RF and one RD. Beyond pi/2 the complete integral as
+//             well.
 #pragma once
 
 #include <cmath>

@@ -14,12 +14,13 @@
 //             Pi = (c D/w) RC(w^2 s^2, -p q) - (m/(3 n)) s^3 RJ(c^2, D^2, 1, q) at s > 0.
 //             Beyond pi/2: Pi(phi + j pi) = Pi(phi) + 2 j Pi(pi/2), principal values at every pole.
 // Units       none; phi in radians.
-// Domain      any n; n > 1 passes poles at sin^2 phi = 1/n, where the value is inf. n = 1: inf at pi/2
-//             and beyond. phi and m as in legendre.hpp: m > 1 needs |sin phi| <= 1/k, otherwise NaN.
-//             At m1 = 0: inf at pi/2 and beyond (-inf for n > 1).
-// Accuracy    budget elliptic_legendre: relative. Behind a pole the two terms have opposite signs, and
-//             their sum has a zero: an angle in double is taken in DoubleDouble there and keeps its
-//             digits; otherwise the error is relative to the larger term.
+// Domain      any n; n > 1 passes poles at sin^2 phi = 1/n, where the value is inf. n = 1: inf at
+//             pi/2 and beyond. phi and m as in legendre.hpp: m > 1 needs |sin phi| <= 1/k,
+//             otherwise NaN. At m1 = 0: inf at pi/2 and beyond (-inf for n > 1).
+// Accuracy    budgets elliptic_legendre and elliptic_beyond: relative. Behind a pole the two terms
+//             have opposite signs, and their sum has a zero: an angle in double is taken in
+//             DoubleDouble there and keeps its digits; otherwise the error is relative to the
+//             larger term.
 // Errors      none.
 // Cost        one RF or RC and one RJ. Beyond pi/2 the complete integral as well.
 #pragma once

@@ -3,8 +3,8 @@
 // or underflows between arguments and a result that T can hold.
 //
 // Equations   value = part 2^exponent, 2^-128 <= |part| < 2^128 and exponent a multiple of 256, or
-//             part is 0, infinite or NaN. Shifts by powers of two are exact: a formula of + - * / and
-//             sqrt has in WideRange<T> the bits that it has in T wherever T holds every step.
+//             part is 0, infinite or NaN. Shifts by powers of two are exact: a formula of + - * /
+//             and sqrt has in WideRange<T> the bits that it has in T wherever T holds every step.
 // Units       none: a WideRange is a Real.
 // Domain      T = double or DoubleDouble. Exponents to +-2^30.
 // Accuracy    that of T. A term more than 2^256 times smaller than another is dropped from a sum.
