@@ -156,7 +156,7 @@ def jacobi_zeta(phi: ArrayLike, m: ArrayLike, *, m1: ArrayLike | None = None) ->
 
 def heuman_lambda0(psi: ArrayLike, m: ArrayLike, *, m1: ArrayLike | None = None) -> Any:
     """Heuman's lambda function, (2/pi) [E F(psi|m1) + K (E(psi|m1) - F(psi|m1))].
-    [DLMF 19.9.8 names it]
+    [A&S 17.4.39]
 
     Any angle psi (rad), 0 <= m <= 1, otherwise NaN."""
     return _elliptic.heuman_lambda0(psi, m, m1)

@@ -2,7 +2,6 @@
 // Elliptic functions beyond the ordinary: any angle, m below 0 and above 1, n above 1, arguments at
 // the ends of double's range.
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 #include "budgets.hpp"
@@ -106,7 +105,7 @@ TYPED_TEST(BeyondTheOrdinary, CarlsonLimits) {
   EXPECT_EQ(carlson_rd(one, one, infinity), zero);
   EXPECT_EQ(carlson_rj(one, one, one, infinity), zero);
   EXPECT_EQ(carlson_rc(zero, -one), zero);
-  // RJ(x, x, x, -q) = 3 (RC(x, -q) - 1/sqrt x)/(x + q)  [DLMF 19.20.9]
+  // RJ(x, x, x, -q) = 3 (RC(x, -q) - 1/sqrt x)/(x + q)  [DLMF 19.20.8]
   const T x(1.5), q(0.75);
   using std::sqrt;
   this->near(carlson_rj(x, x, x, -q), T(3.0) * (carlson_rc(x, -q) - one / sqrt(x)) / (x + q),
@@ -138,7 +137,7 @@ TEST(BeyondTheOrdinaryNome, NextToOne) {
 }
 
 // Pi(n) behind the pole: the difference of two primitives in closed form at m = 0,
-// artanh-like [DLMF 19.6.12], and continuity in m.
+// artanh-like.
 TYPED_TEST(BeyondTheOrdinary, PrincipalValueAtZeroModulus) {
   using T = TypeParam;
   using std::abs;
@@ -205,7 +204,7 @@ TYPED_TEST(BeyondTheOrdinary, AmplitudeInvertsF) {
   }
 }
 
-// Z(u + v) = Z(u) + Z(v) - m sn u sn v sn(u + v)  [DLMF 22.16.34], relative to the terms.
+// Z(u + v) = Z(u) + Z(v) - m sn u sn v sn(u + v)  [A&S 17.4.35], relative to the terms.
 TYPED_TEST(BeyondTheOrdinary, ZetaAddition) {
   using T = TypeParam;
   oracle::Draw draw(204, 0);
