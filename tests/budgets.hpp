@@ -11,6 +11,9 @@ inline constexpr double double_double_arithmetic = 1.0;
 inline constexpr double double_double_functions = 2.0;
 inline constexpr double dual_derivative = 4.0;
 
+// --- numbers with an exponent of their own (tests/unit/math/wide_range.cpp), relative ---
+inline constexpr double wide_range = 4e-16;
+
 // --- elliptic kernels (tests/unit/elliptic): relative errors in units of epsilon<T>(), 2^-52 of
 // double and 2^-104 of DoubleDouble ---
 inline constexpr double elliptic_carlson = 4.0;
@@ -21,6 +24,9 @@ inline constexpr double elliptic_nome = 4.0;
 inline constexpr double elliptic_heuman = 4.0;
 inline constexpr double elliptic_legendre = 4.0;
 inline constexpr double elliptic_legendre_derivative = 6.0;
+// Any angle, m < 0, m > 1, n > 1, ends of the range.
+inline constexpr double elliptic_beyond = 8.0;
+inline constexpr double elliptic_beyond_derivative = 40.0;
 // Of sn, cn, dn: over |f| + |u f'|, what one rounding of f and of u does. Of their derivatives:
 // over
 // 1 + |u|.

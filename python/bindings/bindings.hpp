@@ -21,6 +21,7 @@ namespace nb = nanobind;
 
 void bind_numbers(nb::module_& m);
 void bind_math(nb::module_& m);
+void bind_elliptic(nb::module_& m);
 void bind_rotor(nb::module_& m);
 void bind_free(nb::module_& m);
 void bind_orbit(nb::module_& m);

@@ -16,6 +16,7 @@ void bind_everything(nb::module_& m) {
       "An argument outside the domain of a function: names it, its value and the requirement.";
   bind_numbers(m);
   bind_math(m);
+  bind_elliptic(m);
   bind_rotor(m);
   bind_free(m);
   bind_orbit(m);

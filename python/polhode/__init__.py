@@ -4,7 +4,7 @@
 Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matplotlib).
 """
 
-from polhode import _core
+from polhode import _core, elliptic
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
 from polhode._summary import Summary
@@ -21,6 +21,7 @@ __all__ = [
     "Results",
     "Scenario",
     "Summary",
+    "elliptic",
     "harmonic_fit",
     "load",
     "to_scipy",

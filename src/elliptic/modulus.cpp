@@ -28,6 +28,11 @@ void throw_bad_modulus_pair(double m, double m1) {
                     ") breaks 0 <= m, m1 and m + m1 = 1");
 }
 
+void throw_bad_any_pair(double m, double m1) {
+  throw DomainError("Modulus: pair (" + shortest(m) + ", " + shortest(m1) +
+                    ") breaks m + m1 = 1 with finite members");
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

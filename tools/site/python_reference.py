@@ -149,6 +149,17 @@ names of the [columns](../files.md).
         "Terms of a run": "HarmonicFit harmonic_fit",
         "Units": "Units Dimension known_units",
     }),
+    Page("elliptic", "Elliptic functions", """\
+`polhode.elliptic`: integrals and functions over arrays, for every real modulus
+([guide](../../guide/elliptic.md), [accuracy](../../accuracy/elliptic.md)).
+""", {
+        "Jacobi's functions":
+            "jacobi JacobiFunctions amplitude jacobi_zeta nome complementary_nome",
+        "Legendre's integrals":
+            "legendre_f legendre_e legendre_pi legendre_d legendre_b heuman_lambda0",
+        "Complete integrals": "complete_k complete_e complete_pi complete_d complete_b cel agm",
+        "Carlson's integrals": "carlson_rf carlson_rc carlson_rd carlson_rj",
+    }, "polhode.elliptic"),
     Page("figures", "Figures", """\
 `from polhode import figures`. Each function takes Axes or makes them, and returns them.
 """, {

@@ -6,10 +6,14 @@
 //             D = sqrt(1 - m sin^2) = sqrt(cos^2 + m1 sin^2). K = B + D, E = B + m1 D.
 //             cel(kc, p, a, b) = integral of (a cos^2 + b sin^2)/((cos^2 + p sin^2) D), kc^2 = m1
 //             (Bulirsch 1969): one loop for all of them, with positive terms when a, b, p are.
+//             Pi(n) at n > 1 is Cauchy's principal value -(m/n) int sin^2/((1 - (m/n) sin^2) D)
+//             [DLMF 19.7.8 at pi/2]: one term, not K - Pi(m/n).
 // Units       none.
 // Domain      agm: a, b >= 0. cel: kc >= 0, p > 0, otherwise NaN; at kc = 0 it returns its limit,
-//             a RC(1, p) if b = 0 and +-inf otherwise. Pi: n < 1. At m1 = 0: K = D = Pi = inf,
-//             E = B = 1 (and derivatives with respect to m are infinite: not given).
+//             a RC(1, p) if b = 0 and +-inf otherwise. Arguments of any size: beyond 2^+-270 they
+//             are led through WideRange. K, E, B, D: any m <= 1, m < 0 too; NaN at m > 1, where
+//             they are complex. Pi: any n; inf at n = 1. At m1 = 0: K = D = Pi = inf (-inf for n >
+//             1), E = B = 1 (and derivatives with respect to m are infinite: not given).
 // Accuracy    budget elliptic_complete: relative, for all m1 down to the smallest double.
 // Errors      none.
 // Cost        each step one root and two divisions; quadratic: 2 to 5 steps for m < 0.99, at most
@@ -25,13 +29,16 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
+#include "polhode/math/wide_range.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
-T agm(T a, T b) {
-  using std::abs;
+namespace detail {
+
+// a and b whose product T can hold.
+template <class T>
+T agm_loop(T a, T b) {
   using std::sqrt;
   std::size_t more = derivative_order<T>;
   for (int i = 0; i < 64; ++i) {  // at most 12: |ln(a/b)| halves, then digits double
@@ -46,9 +53,7 @@ T agm(T a, T b) {
   return a;
 }
 
-namespace detail {
-
-// Bulirsch's loop; kc, p > 0.
+// Bulirsch's loop; kc > 0 and p > 0, given by its root.
 template <class T>
 T cel_loop(T kc, T p, T a, T b) {
   using std::abs;
@@ -57,7 +62,6 @@ T cel_loop(T kc, T p, T a, T b) {
   std::size_t more = derivative_order<T>;
   T product = kc;
   T mean(1.0);
-  p = sqrt(p);
   b = b / p;
   for (int i = 0; i < 64; ++i) {  // at most 13
     const T a0 = a;
@@ -82,29 +86,55 @@ Dual<T, N> cel_of_cosine(const Dual<T, N>& kc, const Dual<T, N>& p, const Dual<T
                          const Dual<T, N>& b) {
   using D = Dual<T, N>;
   const T k = kc.value;
-  const D by_p = cel_loop(D(k), p, D(1.0), D(0.0));
+  const D root = sqrt(p);
+  const D by_p = cel_loop(D(k), root, D(1.0), D(0.0));
   const T d = cel_loop(k, T(1.0), T(0.0), T(1.0));
   const D by_kc = kc.chained(T(0.0), -k * (d - by_p.value) / (p.value - k * k));
-  return a * (by_p + by_kc) + b * cel_loop(kc, p, D(0.0), D(1.0));
+  return a * (by_p + by_kc) + b * cel_loop(kc, root, D(0.0), D(1.0));
+}
+
+// Whether Bulirsch's loop stays in the range of T.
+template <class T>
+bool cel_within(const T& kc, const T& p, const T& a, const T& b) {
+  const double size = largest(std::abs(to_double(a)), std::abs(to_double(b)));
+  return within(0x1p-540, 0x1p270, kc) && within(0x1p-270, 0x1p270, p, size);
 }
 
 }  // namespace detail
 
 template <Real T>
+T agm(T a, T b) {
+  if constexpr (detail::NarrowRange<T>) {
+    if (!detail::within(0x1p-480, 0x1p480, a, b)) {
+      return detail::Widening<T>::narrowed(
+          detail::agm_loop(detail::widened(a), detail::widened(b)));
+    }
+  }
+  return detail::agm_loop(a, b);
+}
+
+template <Real T>
 T cel(T kc, T p, T a, T b) {
   using std::abs;
+  using std::sqrt;
   if (kc == T(0.0)) return b == T(0.0) ? a * carlson_rc(T(1.0), p) : b / T(0.0);
   if (!(p > T(0.0) && kc > T(0.0))) return p * T(std::numeric_limits<double>::quiet_NaN());
+  if constexpr (detail::NarrowRange<T>) {
+    if (!detail::cel_within(kc, p, a, b)) {
+      return detail::Widening<T>::narrowed(
+          cel(detail::widened(kc), detail::widened(p), detail::widened(a), detail::widened(b)));
+    }
+  }
   if constexpr (derivative_order<T> > 0) {
     if (4.0 * kc * kc < p && 8.0 * abs(b) < abs(a)) return detail::cel_of_cosine(kc, p, a, b);
   }
-  return detail::cel_loop(kc, p, a, b);
+  return detail::cel_loop(kc, T(sqrt(p)), a, b);
 }
 
 template <Real T>
 T complete_k(const BasicModulus<T>& mod) {
   using std::sqrt;
-  return T(0.5) * pi<T>() / agm(T(1.0), sqrt(mod.m1()));
+  return T(0.5) * pi<T>() / detail::agm_loop(T(1.0), T(sqrt(mod.m1())));
 }
 template <Real T>
 T complete_e(const BasicModulus<T>& mod) {
@@ -124,7 +154,13 @@ T complete_d(const BasicModulus<T>& mod) {
 template <Real T>
 T complete_pi(const T& n, const BasicModulus<T>& mod) {
   using std::sqrt;
-  return cel(sqrt(mod.m1()), T(1.0) - n, T(1.0), T(1.0));
+  const T one(1.0);
+  if (n == one) return T(std::numeric_limits<double>::infinity());
+  if (n > one) {
+    const T p = ((n - one) + mod.m1()) / n;  // 1 - m/n
+    return -(mod.m() / n) * cel(T(sqrt(mod.m1())), p, T(0.0), one);
+  }
+  return cel(sqrt(mod.m1()), one - n, one, one);
 }
 
 // Compiled once, in the library.

@@ -8,10 +8,15 @@
 //             of RJ, since the closed rule dRJ/dx = (RJ - RD(y,z,x))/(2(x-p)) is 0/0 at p = x; RC
 //             has dRC/dx = -RD(y,y,x)/6, dRC/dy = -RD(x,y,y)/3.
 // Units       RC: argument^(-1/2); RJ: argument^(-3/2).
-// Domain      x, y, z >= 0, at most one of them 0 (two: inf); RC: x >= 0, y > 0; RJ: p > 0.
-//             Otherwise NaN; inf at y = 0 and p = 0. At x = 0 the derivative with respect to x is
-//             infinite; a Dual whose derivatives are 0 there is a constant.
-// Accuracy    budget elliptic_carlson: relative, also for extreme ratios of the arguments.
+// Domain      x, y, z >= 0, at most one of them 0 (two: inf); RC: x >= 0. Otherwise NaN. At y < 0
+//             (RC) and p < 0 (RJ) Cauchy's principal value [DLMF 19.2.20, 19.20.14]; inf at y = 0
+//             and p = 0. An infinite argument gives 0. All of double's range, in any mixture: RJ
+//             with arguments beyond 2^+-320 goes through WideRange. At x = 0 the derivative with
+//             respect to x is infinite; a Dual whose derivatives are 0 there is a constant.
+// Accuracy    budget elliptic_carlson: relative, also for extreme ratios of the arguments, wherever
+//             the result is no subnormal number. RJ with p < 0 has a zero: in double it is computed
+//             in DoubleDouble and so keeps its digits there; elsewhere the error is relative to the
+//             largest of its three terms.
 // Errors      none.
 // Cost        RC: a root and an arctangent or a logarithm. RJ: the trips of RF, each with four
 //             roots, a division and, while p is far from the others, an arctangent or a logarithm.
@@ -107,12 +112,19 @@ T carlson_rc(const T& x, const T& y) {
   using std::atan2;
   using std::log;
   using std::sqrt;
+  if (y < T(0.0) && x >= T(0.0)) {  // [DLMF 19.2.20], by quarters: x - y may overflow
+    const T quarter = T(0.25) * x - T(0.25) * y;
+    return T(0.25) * (sqrt(x / quarter) * carlson_rc(quarter, T(-0.25 * y)));
+  }
   if constexpr (derivative_order<T> > 0) {
     // By the closed rule: the formulas below lose digits of the slope around x = y.
     const auto &a = x.value, &b = y.value;
     const auto slope_x = x.is_constant() ? 0.0 * a : carlson_rd(b, b, a) / -6.0;
     return T::chained(carlson_rc(a, b), slope_x, x, carlson_rd(a, b, b) / -3.0, y);
   } else {
+    if constexpr (detail::NarrowRange<T>) {
+      if (std::isinf(to_double(x)) || std::isinf(to_double(y))) return T(1.0) / (x + y);
+    }
     const T difference = y - x;
     if (std::abs(to_double(difference)) < 0.05 * to_double(x)) {
       return detail::carlson_rc_near_one(T(difference / x)) / sqrt(x);
@@ -147,16 +159,51 @@ T carlson_rj_far(T x, T y, T z, const T& p) {
   return (3.0 * (carlson_rf(x, y, z) - rc) - r * carlson_rj(x, y, z, q)) / (p - x);
 }
 
+// The principal value at p = -q < 0  [DLMF 19.20.14]; y between the others, so that p - y >= 0.
+template <class T>
+T carlson_rj_principal(T x, T y, T z, const T& q) {
+  using std::sqrt;
+  if (y < x) std::swap(x, y);
+  if (z < y) std::swap(y, z);
+  if (y < x) std::swap(x, y);
+  const T above = (z - y) * (y - x) / (y + q);
+  const T p = y + above;
+  const T xz = x * z;
+  const T pq = p * q;
+  // sqrt(y), not sqrt(x y z): at x = 0, where a Dual has no root, the term is 0.
+  T rc(0.0);
+  if (x > T(0.0)) rc = sqrt(xz / (xz + pq)) * sqrt(y) * carlson_rc(T(xz + pq), pq);
+  return (above * carlson_rj(x, y, z, p) + 3.0 * (rc - carlson_rf(x, y, z))) / (y + q);
+}
+
 }  // namespace detail
 
 template <Real T>
 T carlson_rj(T x, T y, T z, T p) {
-  using std::abs;
-  using std::sqrt;
   const T zero(0.0);
   if (p == zero || detail::two_zeros(x == zero, y == zero, z == zero)) {
     return T(std::numeric_limits<double>::infinity());
   }
+  if constexpr (std::same_as<T, double>) {
+    if (p < 0.0) return to_double(carlson_rj<DoubleDouble>(x, y, z, p));
+  }
+  if constexpr (detail::NarrowRange<T> || detail::is_wide<T>) {
+    if (detail::is_wide<T> || !detail::within(0x1p-320, 0x1p320, x, y, z, p)) {
+      const bool principal = p < zero;
+      const auto f = [principal](auto&&... at) {
+        return principal ? detail::carlson_rj_principal(std::move(at)...)
+                         : detail::carlson_rj_of(std::move(at)...);
+      };
+      return detail::carlson_scaled(3, f, x, y, z, principal ? T(-p) : p);
+    }
+  }
+  return p < zero ? detail::carlson_rj_principal(x, y, z, T(-p))
+                  : detail::carlson_rj_of(x, y, z, p);
+}
+
+template <class T>
+T detail::carlson_rj_of(T x, T y, T z, T p) {
+  using std::sqrt;
   if (p > T(4096.0) * (x < y ? (y < z ? z : y) : (x < z ? z : x))) {
     return detail::carlson_rj_far(x, y, z, p);
   }

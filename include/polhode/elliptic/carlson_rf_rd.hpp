@@ -7,10 +7,13 @@
 //             step is smooth: right at equal arguments too, where closed rules such as
 //             dRD/dx = (RD(y,z,x) - RD(x,y,z))/(2(x-z)) are 0/0. dRF/dx = -RD(y,z,x)/6.
 // Units       RF: argument^(-1/2); RD: argument^(-3/2).
-// Domain      x, y, z >= 0, at most one of them 0 (two: inf); RD: z > 0. Otherwise NaN. At x = 0
-//             the derivative with respect to x is infinite; a Dual whose derivatives are 0 there is
-//             a constant.
-// Accuracy    budget elliptic_carlson: relative, also for extreme ratios of the arguments.
+// Domain      x, y, z >= 0, at most one of them 0 (two: inf); RD: z > 0 (0: inf). Otherwise NaN. An
+//             infinite argument gives 0. All of double's range, in any mixture: arguments beyond
+//             2^-900 .. 2^1000 (RF) or 2^+-320 (RD) are led through WideRange. At x = 0 the
+//             derivative with respect to x is infinite; a Dual whose derivatives are 0 there is a
+//             constant.
+// Accuracy    budget elliptic_carlson: relative, also for extreme ratios of the arguments, wherever
+//             the result is no subnormal number.
 // Errors      none.
 // Cost        4 to 7 trips in double (at most 14 for ratios up to 1e300), 7 to 10 in DoubleDouble;
 //             a trip is three roots.
@@ -19,10 +22,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
+#include "polhode/math/wide_range.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -75,15 +80,54 @@ class CarlsonTrips {
 
 inline bool two_zeros(bool x, bool y, bool z) { return (x && y) || (y && z) || (x && z); }
 
+// Carlson's functions where T has room for every step.
+template <class T>
+T carlson_rf_of(T x, T y, T z);
+template <class T>
+T carlson_rd_of(T x, T y, T z);
+template <class T>
+T carlson_rj_of(T x, T y, T z, T p);
+
+// f of degree -halves/2, of arguments of any size, one of which is not ordinary: in WideRange, with
+// the largest argument brought to 1.
+template <class T, class Function, class... Rest>
+T carlson_scaled(int halves, const Function& f, const T& first, const Rest&... rest) {
+  if constexpr (NarrowRange<T>) {
+    const auto usual = [](const T& x) { return to_double(x) >= 0.0; };
+    if (!(usual(first) && (usual(rest) && ...))) {
+      return T(std::numeric_limits<double>::quiet_NaN());
+    }
+    if (std::isinf(to_double(first)) || (std::isinf(to_double(rest)) || ...)) return T(0.0);
+    return Widening<T>::narrowed(carlson_scaled(halves, f, widened(first), widened(rest)...));
+  } else {
+    using std::ldexp;
+    T most = first;
+    ((most = most < rest ? rest : most), ...);
+    const int pairs = binary_exponent(most) / 2;
+    return ldexp(f(T(ldexp(first, -2 * pairs)), T(ldexp(rest, -2 * pairs))...), -halves * pairs);
+  }
+}
+
 }  // namespace detail
 
 template <Real T>
 T carlson_rf(T x, T y, T z) {
-  using std::sqrt;
   const T zero(0.0);
   if (detail::two_zeros(x == zero, y == zero, z == zero)) {
     return T(std::numeric_limits<double>::infinity());
   }
+  if constexpr (detail::NarrowRange<T> || detail::is_wide<T>) {
+    if (detail::is_wide<T> || !detail::within(0x1p-900, 0x1p1000, x, y, z)) {
+      const auto f = [](auto&&... at) { return detail::carlson_rf_of(std::move(at)...); };
+      return detail::carlson_scaled(1, f, x, y, z);
+    }
+  }
+  return detail::carlson_rf_of(x, y, z);
+}
+
+template <class T>
+T detail::carlson_rf_of(T x, T y, T z) {
+  using std::sqrt;
   T a = (x + y + z) / 3.0;
   detail::CarlsonTrips<T> trips(detail::deviation(a, x, y, z));
   while (!trips.converged(a)) {  // at most 40
@@ -107,9 +151,20 @@ T carlson_rf(T x, T y, T z) {
 
 template <Real T>
 T carlson_rd(T x, T y, T z) {
-  using std::sqrt;
   const T zero(0.0);
   if (z == zero || (x == zero && y == zero)) return T(std::numeric_limits<double>::infinity());
+  if constexpr (detail::NarrowRange<T> || detail::is_wide<T>) {
+    if (detail::is_wide<T> || !detail::within(0x1p-320, 0x1p320, x, y, z)) {
+      const auto f = [](auto&&... at) { return detail::carlson_rd_of(std::move(at)...); };
+      return detail::carlson_scaled(3, f, x, y, z);
+    }
+  }
+  return detail::carlson_rd_of(x, y, z);
+}
+
+template <class T>
+T detail::carlson_rd_of(T x, T y, T z) {
+  using std::sqrt;
   T a = (x + y + 3.0 * z) / 5.0;
   T sum(0.0);
   detail::CarlsonTrips<T> trips(detail::deviation(a, x, y, z));

@@ -5,16 +5,19 @@
 //             = (2/pi) k' s P cel(k', P^2, 1, 1), P = k' c / sqrt(c^2 + m s^2), where (s, c) =
 //             (sin psi, cos psi): one positive term. P^2 is not 1 - m/(1 - m1 s^2): that cancels.
 // Units       none; psi in radians.
-// Domain      any psi: Lambda0(psi + pi) = Lambda0(psi) + 2. At m = 0: sin psi; at m1 = 0:
-//             2 psi/pi; at psi = pi/2: 1.
+// Domain      any psi: Lambda0(psi + pi) = Lambda0(psi) + 2; m in [0, 1], otherwise NaN. At m = 0:
+//             sin psi; at m1 = 0: 2 psi/pi; at psi = pi/2: 1. P is given to cel as it is, since P^2
+//             underflows next to pi/2.
 // Accuracy    budget elliptic_heuman: relative, for every m1.
 // Errors      none.
 // Cost        one sincos, two roots and one cel.
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "polhode/elliptic/agm.hpp"
+#include "polhode/elliptic/half_turns.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
@@ -29,19 +32,27 @@ template <Real T>
 T heuman_lambda0(const T& s, const T& c, const BasicModulus<T>& mod) {
   using std::atan2;
   using std::sqrt;
-  if (mod.m1() == T(0.0)) return T(2.0) * atan2(s, c) / pi<T>();
+  const T zero(0.0), one(1.0);
+  if (mod.m() < zero || mod.m1() < zero) return T(std::numeric_limits<double>::quiet_NaN());
+  if (mod.m1() == zero) return T(2.0) * atan2(s, c) / pi<T>();
+  T square = c * c + mod.m() * (s * s);
+  T scale = one;
+  if (to_double(square) < 0x1p-900) {  // both are next to underflow: sin psi is 1
+    const T up(0x1p500);
+    square = (up * c) * (up * c) + (up * mod.m()) * up;
+    scale = up;
+  }
+  if (square == zero) return s;
   const T k1 = sqrt(mod.m1());
-  const T root = k1 * c / sqrt(c * c + mod.m() * (s * s));
-  if (!(root > T(0.0))) return s;  // at pi/2, where s = +-1
-  return T(2.0) / pi<T>() * (k1 * s) * cel(k1, T(root * root), root, root);
+  const T root = k1 * (scale * c) / sqrt(square);
+  if (!(to_double(root) > 0x1p-900)) return s + root * zero;  // at pi/2, where s = +-1; or NaN
+  return T(2.0) / pi<T>() * (k1 * detail::cel_loop(k1, root, root, root)) * s;
 }
 
 template <Real T>
 T heuman_lambda0(const T& psi, const BasicModulus<T>& mod) {
-  using std::round;
-  const T n = round(psi / pi<T>());
-  const auto [s, c] = sincos(T(psi - n * pi<T>()));
-  return 2.0 * n + heuman_lambda0(s, c, mod);
+  const HalfTurns<T> h = half_turns(psi);
+  return 2.0 * h.turns + heuman_lambda0(h.s, h.c, mod);
 }
 
 // Compiled once, in the library.

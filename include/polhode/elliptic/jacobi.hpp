@@ -7,6 +7,9 @@
 //             dF/dm = (s^3/6) RD(c^2, 1, dn^2) over the last part of u and (dK/dm) = B/(2 m1) over
 //             each of its 2N quarter periods.
 // Units       u as F; the amplitude in radians, continuous over all u.
+//             m < 0: sn = sd(k1 u|mu)/k1, cn = cd, dn = nd with mu = -m/m1, k1^2 = m1
+//             [DLMF 22.17.7]; m > 1: sn = sn(k u|1/m)/k, cn = dn(k u|1/m), dn = cn(k u|1/m)
+//             [DLMF 22.17.2-4]; am then swings between +-asin(1/k).
 // Domain      any finite u (infinite u: NaN), any modulus. dn and cn keep their relative accuracy
 //             for every m1: they are quotients of positive terms, never 1 - m sn^2 or 1 - sn^2.
 // Accuracy    budget elliptic_jacobi: relative to u's own rounding, eps (1 + |u|) times the slope.
@@ -152,13 +155,58 @@ Jacobi<Dual<T, N>> jacobi_of(const Dual<T, N>& u, const BasicModulus<Dual<T, N>>
 
 }  // namespace detail
 
+namespace detail {
+
+// The imaginary modulus, m < 0, led to mu = -m/m1 and k1 u.
+template <class T>
+struct ImaginaryModulus {
+  T k1;
+  T u;
+  BasicModulus<T> mu;
+};
+template <class T>
+ImaginaryModulus<T> imaginary_modulus(const T& u, const BasicModulus<T>& mod) {
+  using std::sqrt;
+  const T k1 = sqrt(mod.m1());
+  return {k1, k1 * u, BasicModulus<T>::from_ratio(T(-mod.m()), T(1.0))};
+}
+// The reciprocal modulus, m > 1, led to 1/m and k u.
+template <class T>
+Jacobi<T> jacobi_of_reciprocal(const T& u, const BasicModulus<T>& mod) {
+  using std::sqrt;
+  const T k = sqrt(mod.m());
+  const Jacobi<T> j = jacobi(T(k * u), BasicModulus<T>::from_ratio(T(1.0), T(-mod.m1())));
+  return {j.sn / k, j.dn, j.cn};
+}
+
+}  // namespace detail
+
 template <Real T>
 Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod) {
+  const T zero(0.0);
+  if (mod.m() < zero) {
+    const auto at = detail::imaginary_modulus(u, mod);
+    const Jacobi<T> j = detail::jacobi_of(at.u, at.mu);
+    return {j.sn / j.dn / at.k1, j.cn / j.dn, T(1.0) / j.dn};
+  }
+  if (mod.m1() < zero) return detail::jacobi_of_reciprocal(u, mod);
   return detail::jacobi_of(u, mod);
 }
 
 template <Real T>
 T amplitude(const T& u, const BasicModulus<T>& mod) {
+  using std::atan2;
+  const T zero(0.0);
+  if (mod.m() < zero) {
+    const auto at = detail::imaginary_modulus(u, mod);
+    const auto h = detail::half_periods(at.u, at.mu);
+    const Jacobi<T> j = detail::jacobi_of(h.rest, at.mu);
+    return h.periods * pi<T>() + atan2(T(j.sn / at.k1), j.cn);
+  }
+  if (mod.m1() < zero) {
+    const Jacobi<T> j = detail::jacobi_of_reciprocal(u, mod);
+    return atan2(j.sn, j.cn);
+  }
   return detail::amplitude_of(u, mod);
 }
 

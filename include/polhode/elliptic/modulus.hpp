@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Modulus: the parameter m = k^2 of elliptic integrals and functions, together with m1 = 1 - m.
 //
-// Equations   m + m1 = 1, both in [0, 1]. Everything that is delicate near the separatrix hangs on
-//             m1, so no function of polhode takes m alone.
+// Equations   m + m1 = 1, both in [0, 1] but for from_any_pair. Everything that is delicate near
+//             the separatrix hangs on m1, so no function of polhode takes m alone.
 // Units       none.
 // Domain      from_ratio(a, b): a, b >= 0, not both 0, a + b finite. m = 1 (m1 = 0) is ordinary.
 //             In DoubleDouble a member is 0 or above 1e-230: below, its low part has no room.
+//             from_any_pair: any finite m: m < 0 is an imaginary modulus, m > 1 (m1 < 0) a modulus
+//             k > 1. The functions of Legendre, Jacobi and the nome say what they return there.
 // Accuracy    m and m1 each to one rounding of the quotient, however small.
 // Errors      DomainError from the factories: a negative, non-finite or empty ratio; a pair that
 //             does not add up to 1.
@@ -23,6 +25,7 @@ inline namespace v0 {
 namespace detail {
 [[noreturn]] void throw_bad_ratio(double a, double b);
 [[noreturn]] void throw_bad_modulus_pair(double m, double m1);
+[[noreturn]] void throw_bad_any_pair(double m, double m1);
 }  // namespace detail
 
 template <Real T>
@@ -46,6 +49,14 @@ class BasicModulus {
     }
     return {m, m1};
   }
+  // The same for any m, below 0 and above 1 too.
+  static BasicModulus from_any_pair(const T& m, const T& m1) {
+    const double defect = to_double(m + m1 - T(1.0));
+    if (!(std::abs(defect) <= 8.0 * epsilon<T>() * (1.0 + std::abs(to_double(m))))) {
+      detail::throw_bad_any_pair(to_double(m), to_double(m1));
+    }
+    return {m, m1};
+  }
 
   const T& m() const { return m_; }
   const T& m1() const { return m1_; }
@@ -62,13 +73,13 @@ using Modulus = BasicModulus<double>;
 // Each member rounded to double: for decisions and reports.
 template <Real T>
 Modulus to_double(const BasicModulus<T>& mod) {
-  return Modulus::from_pair(to_double(mod.m()), to_double(mod.m1()));
+  return Modulus::from_any_pair(to_double(mod.m()), to_double(mod.m1()));
 }
 
 // The modulus of a Dual without its derivatives.
 template <Real T, int N>
 BasicModulus<T> values(const BasicModulus<Dual<T, N>>& mod) {
-  return BasicModulus<T>::from_pair(mod.m().value, mod.m1().value);
+  return BasicModulus<T>::from_any_pair(mod.m().value, mod.m1().value);
 }
 
 }  // namespace v0
