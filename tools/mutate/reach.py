@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""Test programs: their tests, each run alone without a mutant for its time and for the mutants that
+it reaches; and runs of some tests with a mutant."""
+
+import concurrent.futures
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import time
+
+LIMITS = ["prlimit", "--as=8589934592", "--core=0"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Test:
+    program: str  # unit_free
+    name: str  # Suite.Case
+    seconds: float
+    reached: tuple  # numbers of mutants
+
+
+def names_of(program):
+    """What gtest lists: suites, and their tests indented."""
+    listed = subprocess.run([program, "--gtest_list_tests"], text=True, check=True,
+                            stdout=subprocess.PIPE).stdout
+    names, suite = [], ""
+    for line in listed.splitlines():
+        word = line.split("#")[0].strip()
+        if line.startswith("  "):
+            names.append(suite + word)
+        elif word.endswith("."):
+            suite = word
+    return [n for n in names if "DISABLED_" not in n]
+
+
+def environment(**more):
+    kept = {k: v for k, v in os.environ.items()
+            if not k.startswith(("GTEST_", "POLHODE_"))}
+    return {**kept, **{k: str(v) for k, v in more.items()}}
+
+
+def alone(task):
+    """One test without a mutant."""
+    folder, program, name = task
+    with tempfile.TemporaryDirectory() as scratch:
+        reached = pathlib.Path(scratch) / "reached"
+        start = time.monotonic()
+        run = subprocess.run([folder / program, f"--gtest_filter={name}"], cwd=scratch,
+                             env=environment(POLHODE_REACHED=reached), text=True,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        seconds = time.monotonic() - start
+        if run.returncode != 0:
+            raise RuntimeError(f"mutate: {program} {name} fails without a mutant:\n"
+                               + run.stdout[-2000:])
+        return Test(program, name, seconds, tuple(int(n) for n in reached.read_text().split()))
+
+
+def recorded(folder, programs, cache, jobs):
+    """Every test of the programs; kept until a program is built anew."""
+    stamp = [[p, (folder / p).stat().st_mtime_ns] for p in programs]
+    if cache.exists():
+        kept = json.loads(cache.read_text())
+        if kept["stamp"] == stamp:
+            return [Test(t[0], t[1], t[2], tuple(t[3])) for t in kept["tests"]]
+    tasks = [(folder, p, name) for p in programs for name in names_of(folder / p)]
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        tests = list(pool.map(alone, tasks))
+    cache.write_text(json.dumps(
+        {"stamp": stamp, "tests": [dataclasses.astuple(t) for t in tests]}))
+    return tests
+
+
+def with_mutant(folder, number, tests, most):
+    """None if the tests of one program pass within `most` seconds, or else who caught it and
+    how."""
+    with tempfile.TemporaryDirectory() as scratch:
+        flags = pathlib.Path(scratch) / "flags"
+        flags.write_text("--gtest_filter=" + ":".join(t.name for t in tests) + "\n")
+        command = [*LIMITS, folder / tests[0].program, f"--gtest_flagfile={flags}"]
+        env = environment(POLHODE_MUTANT=number, GTEST_BREAK_ON_FAILURE=1, GTEST_FAIL_FAST=1)
+        with open(flags.with_name("out"), "w+b") as out:
+            try:
+                code = subprocess.run(command, cwd=scratch, env=env, stdout=out,
+                                      stderr=subprocess.STDOUT, timeout=most).returncode
+            except subprocess.TimeoutExpired:
+                code = None
+            if code == 0:
+                return None
+            out.seek(0)
+            begun = re.findall(rb"^\[ RUN      \] (\S+)", out.read(), flags=re.M)
+    test = begun[-1].decode() if begun else tests[0].name
+    how = "timeout" if code is None else "failure" if code in (1, -signal.SIGTRAP) else "crash"
+    return {"by": f"{tests[0].program} {test}", "how": how}
