@@ -10,7 +10,17 @@ from conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "tools"))
 
-from mutate import campaign, draw, equivalent, operators, reach, report, schemata, sites  # noqa: E402
+from mutate import (  # noqa: E402
+    campaign,
+    draw,
+    equivalent,
+    operators,
+    reach,
+    report,
+    results,
+    schemata,
+    sites,
+)
 from mutate.mutant import Mutant, numbered  # noqa: E402
 
 SOURCE = """\
@@ -188,7 +198,9 @@ def test_results_of_the_same_sources_are_kept_and_a_torn_line_is_not(tmp_path):
     path = tmp_path / "results.jsonl"
     path.write_text('{"key": "a", "fingerprint": "1", "status": "caught"}\n'
                     '{"key": "b", "fingerprint": "0", "status": "caught"}\n{"key": "c", "fing')
-    assert set(campaign.results_of(path, "1")) == {"a"}
+    assert set(campaign.earlier(path, "1")) == {"a"}
+    results.append(path, {"key": "d", "fingerprint": "1"})
+    assert set(campaign.earlier(path, "1")) == {"a", "d"}
 
 
 def test_equivalent_mutants_are_known_by_their_text_and_are_named_with_a_reason(tmp_path, mutants):
@@ -199,8 +211,8 @@ def test_equivalent_mutants_are_known_by_their_text_and_are_named_with_a_reason(
     found = equivalent.entries(path)
     assert equivalent.reason(found, m) == "because"
     assert [x for x in mutants if equivalent.reason(found, x)] == [m]
-    results = {x.key: {"status": "survived"} for x in mutants}
-    page = report.text(mutants, [], results, found, "1", len(mutants))
+    survived = {x.key: {"status": "survived"} for x in mutants}
+    page = report.text(mutants, [], survived, found, "1", len(mutants))
     assert f"| all | {len(mutants)} | 0 | 0 | 1 | {len(mutants) - 1} | 0 | 0.0 % |" in page
     path.write_text('[[mutant]]\nfile = "part.cpp"\n')
     with pytest.raises(ValueError, match="missing"):

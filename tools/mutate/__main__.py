@@ -21,6 +21,7 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 2, help="cores (all)")
     parser.add_argument("--release", type=pathlib.Path, default=ROOT / "build/release",
                         help="the configured build whose flags are used (build/release)")
+    parser.add_argument("--only", metavar="KEY,KEY", help="run these of the drawn mutants alone")
     parser.add_argument("--list", action="store_true", help="only print the drawn mutants")
     chosen = parser.parse_args()
     if not 1 <= chosen.mutants <= 5000:
@@ -50,10 +51,11 @@ def main():
     kept, dropped = built.made(mutants)
     step(f"built, {len(dropped)} do not compile")
     folder = built.build / "tests"
-    tests = reach.recorded(folder, tree.TARGETS, place / "reach.json", a.jobs)
+    tests = reach.recorded(folder, tree.TARGETS, place / "reach.jsonl", a.jobs)
     step(f"{len(tests)} tests pass without a mutant, {sum(t.seconds for t in tests):.0f} s of them")
     state = candidates.fingerprint(ROOT, candidates.files_read(ROOT))
-    results = campaign.run(folder, kept, tests, place / "results.jsonl", state, a.jobs)
+    chosen = {n: m for n, m in kept.items() if not a.only or m.key in a.only.split(",")}
+    results = campaign.run(folder, chosen, tests, place / "results.jsonl", state, a.jobs)
     page = report.text(list(kept.values()), dropped, results, reasons, a.seed, len(mutants))
     (place / "report.md").write_text(page)
     step("build/mutate/report.md")

@@ -4,11 +4,7 @@
 Results are appended as they come, so that a campaign that was stopped goes on where it was.
 """
 
-import concurrent.futures
-import json
-import threading
-
-from . import reach
+from . import reach, results
 from .tree import ABOVE, TARGETS
 
 FIRST = 1.0  # s: the quick tests go first, in a run of their own
@@ -45,18 +41,9 @@ def verdict(folder, number, mutant, by_program):
     return {"status": "survived", "tests": sum(map(len, by_program.values()))}
 
 
-def results_of(path, fingerprint):
-    """What an earlier start has found for this state of sources and tests."""
-    found = {}
-    if path.exists():
-        for line in path.read_text().splitlines():
-            try:
-                r = json.loads(line)
-            except ValueError:
-                continue  # the line at which it was killed
-            if r["fingerprint"] == fingerprint:
-                found[r["key"]] = r
-    return found
+def earlier(path, fingerprint):
+    """What an earlier start has found for this state of sources and tests, by key."""
+    return {r["key"]: r for r in results.read(path) if r["fingerprint"] == fingerprint}
 
 
 def run(folder, kept, tests, path, fingerprint, jobs):
@@ -65,22 +52,16 @@ def run(folder, kept, tests, path, fingerprint, jobs):
     for t in tests:
         for number in t.reached:
             reaching.setdefault(number, {}).setdefault(t.program, []).append(t)
-    done = results_of(path, fingerprint)
-    lock = threading.Lock()
+    done = earlier(path, fingerprint)
 
     def one(item):
         number, m = item
-        if m.key in done:
-            return
         r = {"key": m.key, "fingerprint": fingerprint,
              **verdict(folder, number, m, reaching.get(number, {}))}
-        with lock:
-            done[m.key] = r
-            with path.open("a") as file:
-                file.write(json.dumps(r) + "\n")
-            print(f"{len(done):5d}  {r['status']:9} {r.get('by', ''):50.50} "
-                  f"{m.file}:{m.line}: {m.original:.40} -> {m.mutated:.40}", flush=True)
+        results.append(path, r)
+        done[m.key] = r
+        print(f"{len(done):5d}  {r['status']:9} {r.get('by', ''):50.50} "
+              f"{m.file}:{m.line}: {m.original:.40} -> {m.mutated:.40}", flush=True)
 
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(one, kept.items()))
+    results.each(one, [i for i in kept.items() if i[1].key not in done], jobs)
     return done

@@ -2,9 +2,7 @@
 """Test programs: their tests, each run alone without a mutant for its time and for the mutants that
 it reaches; and runs of some tests with a mutant."""
 
-import concurrent.futures
 import dataclasses
-import json
 import os
 import pathlib
 import re
@@ -12,6 +10,8 @@ import signal
 import subprocess
 import tempfile
 import time
+
+from . import results
 
 LIMITS = ["prlimit", "--as=8589934592", "--core=0"]
 
@@ -61,18 +61,22 @@ def alone(task):
 
 
 def recorded(folder, programs, cache, jobs):
-    """Every test of the programs; kept until a program is built anew."""
-    stamp = [[p, (folder / p).stat().st_mtime_ns] for p in programs]
-    if cache.exists():
-        kept = json.loads(cache.read_text())
-        if kept["stamp"] == stamp:
-            return [Test(t[0], t[1], t[2], tuple(t[3])) for t in kept["tests"]]
-    tasks = [(folder, p, name) for p in programs for name in names_of(folder / p)]
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        tests = list(pool.map(alone, tasks))
-    cache.write_text(json.dumps(
-        {"stamp": stamp, "tests": [dataclasses.astuple(t) for t in tests]}))
-    return tests
+    """Every test of the programs. What is known of a program is kept until it is built anew."""
+    built = {p: (folder / p).stat().st_mtime_ns for p in programs}
+    known = {}
+    for r in results.read(cache):
+        if built.get(r["program"]) == r["built"]:
+            known[r["program"], r["name"]] = Test(
+                r["program"], r["name"], r["seconds"], tuple(r["reached"]))
+    tasks = [(folder, p, name) for p in programs for name in names_of(folder / p)
+             if (p, name) not in known]
+
+    def one(task):
+        test = alone(task)
+        results.append(cache, {**dataclasses.asdict(test), "built": built[test.program]})
+        return test
+
+    return [*known.values(), *results.each(one, tasks, jobs)]
 
 
 def with_mutant(folder, number, tests, most):

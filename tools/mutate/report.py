@@ -34,7 +34,7 @@ def table(title, groups, rows):
 
 
 def difference(m):
-    return [f"`{m.file}:{m.line}` ({m.operator})", "", "```diff", f"  {m.context}",
+    return [f"`{m.file}:{m.line}` ({m.operator}, {m.key})", "", "```diff", f"  {m.context}",
             f"- {m.original}", f"+ {m.mutated}", "```", ""]
 
 
