@@ -21,6 +21,8 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 2, help="cores (all)")
     parser.add_argument("--release", type=pathlib.Path, default=ROOT / "build/release",
                         help="the configured build whose flags are used (build/release)")
+    parser.add_argument("--slowest", type=float, metavar="SECONDS",
+                        help="leave out tests that take longer (none)")
     parser.add_argument("--only", metavar="KEY,KEY", help="run these of the drawn mutants alone")
     parser.add_argument("--list", action="store_true", help="only print the drawn mutants")
     chosen = parser.parse_args()
@@ -47,15 +49,19 @@ def main():
         for m in mutants:
             print(f"{m.key} {m.file}:{m.line} {m.operator}: {m.original}  ->  {m.mutated}")
         return 0
+    state = candidates.fingerprint(ROOT, candidates.files_read(ROOT))
+    if a.slowest is not None:
+        state += f", tests of {a.slowest} s"
     built = tree.Tree(ROOT, place, a.release, a.jobs)
     kept, dropped = built.made(mutants)
     step(f"built, {len(dropped)} do not compile")
     folder = built.build / "tests"
-    tests = reach.recorded(folder, tree.TARGETS, place / "reach.jsonl", a.jobs)
-    step(f"{len(tests)} tests pass without a mutant, {sum(t.seconds for t in tests):.0f} s of them")
-    state = candidates.fingerprint(ROOT, candidates.files_read(ROOT))
+    tests = reach.recorded(folder, tree.TARGETS, place / "reach.jsonl", a.jobs, a.slowest)
+    passed = [t for t in tests if not t.left_out]
+    step(f"{len(passed)} tests pass without a mutant in {sum(t.seconds for t in passed):.0f} s; "
+         f"{len(tests) - len(passed)} are left out")
     chosen = {n: m for n, m in kept.items() if not a.only or m.key in a.only.split(",")}
-    results = campaign.run(folder, chosen, tests, place / "results.jsonl", state, a.jobs)
+    results = campaign.run(folder, chosen, passed, place / "results.jsonl", state, a.jobs)
     page = report.text(list(kept.values()), dropped, results, reasons, a.seed, len(mutants))
     (place / "report.md").write_text(page)
     step("build/mutate/report.md")

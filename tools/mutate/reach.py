@@ -22,6 +22,7 @@ class Test:
     name: str  # Suite.Case
     seconds: float
     reached: tuple  # numbers of mutants
+    left_out: float = 0.0  # s: the limit that it exceeded
 
 
 def names_of(program):
@@ -46,13 +47,17 @@ def environment(**more):
 
 def alone(task):
     """One test without a mutant."""
-    folder, program, name = task
+    folder, program, name, slowest = task
     with tempfile.TemporaryDirectory() as scratch:
         reached = pathlib.Path(scratch) / "reached"
         start = time.monotonic()
-        run = subprocess.run([folder / program, f"--gtest_filter={name}"], cwd=scratch,
-                             env=environment(POLHODE_REACHED=reached), text=True,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        try:
+            run = subprocess.run([folder / program, f"--gtest_filter={name}"], cwd=scratch,
+                                 env=environment(POLHODE_REACHED=reached), text=True,
+                                 timeout=slowest, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT)
+        except subprocess.TimeoutExpired:
+            return Test(program, name, slowest, (), slowest)
         seconds = time.monotonic() - start
         if run.returncode != 0:
             raise RuntimeError(f"mutate: {program} {name} fails without a mutant:\n"
@@ -60,15 +65,16 @@ def alone(task):
         return Test(program, name, seconds, tuple(int(n) for n in reached.read_text().split()))
 
 
-def recorded(folder, programs, cache, jobs):
-    """Every test of the programs. What is known of a program is kept until it is built anew."""
+def recorded(folder, programs, cache, jobs, slowest=None):
+    """Every test of the programs, those that take longer than `slowest` seconds left out. What is
+    known of a program is kept until it is built anew."""
     built = {p: (folder / p).stat().st_mtime_ns for p in programs}
     known = {}
     for r in results.read(cache):
-        if built.get(r["program"]) == r["built"]:
+        if built.get(r["program"]) == r["built"] and r["left_out"] in (0.0, slowest):
             known[r["program"], r["name"]] = Test(
-                r["program"], r["name"], r["seconds"], tuple(r["reached"]))
-    tasks = [(folder, p, name) for p in programs for name in names_of(folder / p)
+                r["program"], r["name"], r["seconds"], tuple(r["reached"]), r["left_out"])
+    tasks = [(folder, p, name, slowest) for p in programs for name in names_of(folder / p)
              if (p, name) not in known]
 
     def one(task):

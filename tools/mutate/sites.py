@@ -227,9 +227,9 @@ class _Reader:
         if len(operands) == 2:
             (a, b), (d, e) = self.span(operands[0]), self.span(operands[1])
             sign = operators.plain(self.text(b, d))
-            self.operation(c, sign, (a, b), (d, e))
+            self.operation(c, sign, (a, b), (d, e), operands[1].type.spelling)
 
-    def operation(self, c, sign, left, right):
+    def operation(self, c, sign, left, right, divisor=""):
         types = c.type.get_canonical().spelling
         if sign not in operators.SWAPPED or not self.is_number(types):
             return
@@ -238,7 +238,10 @@ class _Reader:
             return
         logical = sign in ("&&", "||") or sign[0] in "<>!" or sign == "=="
         name = "comparison" if logical else "arithmetic"
+        undivided = "Vec3", "Quaternion", "Mat3", "Phasor", "Matrix6"
         for other in operators.SWAPPED[sign]:
+            if other == "/" and any(word in divisor for word in undivided):
+                continue  # no such thing
             self.add(name, self.span(c), f"({a}) {other} ({b})", f"{a} {other} {b}")
         self.dropped(c, sign, a, b)
 
@@ -265,10 +268,11 @@ class _Reader:
         operands = [k for k in children if k is not sign and k.kind not in NAMES]
         if sign is not None:
             if len(operands) == 2:
-                left, right = sorted(self.span(k) for k in operands)
+                operands.sort(key=self.span)
+                left, right = (self.span(k) for k in operands)
                 at = self.span(sign)
                 if left[1] <= at[0] and at[1] <= right[0]:
-                    self.operation(c, self.text(*at), left, right)
+                    self.operation(c, self.text(*at), left, right, operands[1].type.spelling)
             elif len(operands) == 1 and self.text_of(sign) == "-":
                 self.add("sign", self.span(c), operators.plain(self.text_of(operands[0])))
             return

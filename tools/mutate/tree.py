@@ -92,7 +92,8 @@ class Tree:
                 if match is None or pattern not in line:
                     continue
                 name, number = match.group(1) or match.group(3), match.group(2) or match.group(4)
-                found += [m for m in kept.values() if name.endswith(str(self.source / m.file))
+                path = (self.build / name).resolve()
+                found += [m for m in kept.values() if path == (self.source / m.file).resolve()
                           and m.line <= int(number) <= m.last_line]
             if found:
                 return list({m.key: m for m in found}.values())
