@@ -16,6 +16,7 @@ from .mutant import Mutant, numbered
 
 Kind = cindex.CursorKind
 LAYERS = ("elliptic", "rotor", "orbit", "free", "perturb", "system", "dynamics")
+VECTORS = ("Vec3", "Quaternion", "Mat3", "Phasor", "Matrix6")
 MACRO = re.compile(r"\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|NAN|INFINITY|assert)\b")
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.FUNCTION_TEMPLATE,
              Kind.DESTRUCTOR, Kind.CONVERSION_FUNCTION}
@@ -238,9 +239,8 @@ class _Reader:
             return
         logical = sign in ("&&", "||") or sign[0] in "<>!" or sign == "=="
         name = "comparison" if logical else "arithmetic"
-        undivided = "Vec3", "Quaternion", "Mat3", "Phasor", "Matrix6"
         for other in operators.SWAPPED[sign]:
-            if other == "/" and any(word in divisor for word in undivided):
+            if other == "/" and any(word in divisor for word in VECTORS):
                 continue  # no such thing
             self.add(name, self.span(c), f"({a}) {other} ({b})", f"{a} {other} {b}")
         self.dropped(c, sign, a, b)
@@ -248,19 +248,27 @@ class _Reader:
     def dropped(self, c, sign, a, b):
         if sign in operators.SUMS:
             self.add("term", self.span(c), a)
-            self.add("term", self.span(c), b if sign == "+" else f"-({b})",
-                     b if sign == "+" else f"-({b})")
-        elif sign in operators.PRODUCTS:
-            whole = c.type.get_canonical().spelling.replace("const ", "")
-            operands = [k for k in c.get_children() if k.kind not in NAMES]
-            same = [k.type.get_canonical().spelling.replace("const ", "") == whole or
-                    whole in ("<dependent type>", "") for k in (operands[0], operands[-1])]
-            if same[0]:
-                self.add("factor", self.span(c), a)
-            if same[1] and sign == "*":
-                self.add("factor", self.span(c), b)
+            self.add("term", self.span(c), b if sign == "+" else f"-({b})")
         elif sign in ("+=", "-="):
             self.add("term", self.span(c), a)
+        elif sign in operators.PRODUCTS:
+            left, right = self.may_stand_alone(c)
+            if left:
+                self.add("factor", self.span(c), a)
+            if right and sign == "*":
+                self.add("factor", self.span(c), b)
+
+    def may_stand_alone(self, c):
+        """Which factor of a product may have its type, as far as types of templates are known."""
+        whole = c.type.get_canonical().spelling.replace("const ", "")
+        operands = sorted((k for k in c.get_children()
+                           if k.kind not in NAMES and not self.is_operator(k)), key=self.span)
+        if whole not in ("<dependent type>", ""):
+            return [k.type.get_canonical().spelling.replace("const ", "") == whole
+                    for k in (operands[0], operands[-1])]
+        vectors = [any(word in k.type.spelling for word in VECTORS)
+                   for k in (operands[0], operands[-1])]
+        return vectors if any(vectors) else [True, True]
 
     def call(self, c, parent):
         children = list(c.get_children())
