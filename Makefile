@@ -14,7 +14,7 @@ PYTEST  := $(PYTHON) -m pytest -n $(CORES) --dist loadfile
 FUZZ_SAMPLE := 10000
 FUZZ        := 600
 
-# Mutation testing: what is drawn.
+# Mutation testing: what is drawn. PAGE=docs/accuracy/tests.md writes the figures into that page.
 SEED    := 1
 MUTANTS := 400
 
@@ -86,7 +86,7 @@ fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 
 	tools/fuzz --for $(FUZZ)
 
 mutate: build/release/build.ninja ## MUTANTS small changes of the formulas, drawn by SEED: which do the tests catch? (an hour)
-	$(PYTHON) tools/mutate --seed "$(SEED)" --mutants $(MUTANTS) --jobs $(CORES)
+	$(PYTHON) tools/mutate --seed "$(SEED)" --mutants $(MUTANTS) --jobs $(CORES) $(if $(PAGE),--page $(PAGE))
 
 wheel: deps ## Build a wheel and a source distribution of the Python package into build/dist
 	$(PYTHON) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir build/dist .

@@ -212,11 +212,22 @@ def test_equivalent_mutants_are_known_by_their_text_and_are_named_with_a_reason(
     assert equivalent.reason(found, m) == "because"
     assert [x for x in mutants if equivalent.reason(found, x)] == [m]
     survived = {x.key: {"status": "survived"} for x in mutants}
-    page = report.text(mutants, [], survived, found, "1", len(mutants))
+    page = report.text(mutants, [], survived, found, "1")
     assert f"| all | {len(mutants)} | 0 | 0 | 1 | {len(mutants) - 1} | 0 | 0.0 % |" in page
+    assert page.count("```diff") == len(mutants) and "because" in page
+    marked = "\n".join(["text", report.MARKS[0], "old", report.MARKS[1], "more"])
+    lines = report.summary(mutants, [], survived, found, "1")
+    assert report.put_into(marked, lines).split("\n") == \
+        ["text", report.MARKS[0], "", *lines, "", report.MARKS[1], "more"]
     path.write_text('[[mutant]]\nfile = "part.cpp"\n')
     with pytest.raises(ValueError, match="missing"):
         equivalent.entries(path)
+
+
+def test_the_page_tells_of_every_operator():
+    page = (ROOT / "docs/accuracy/tests.md").read_text()
+    assert [name for name in operators.NAMES if f"\n| {name} | " in page] == list(operators.NAMES)
+    assert all(page.count(mark) == 1 for mark in report.MARKS)
 
 
 def test_named_equivalents_are_mutants_of_the_sources():

@@ -23,11 +23,19 @@ def arguments():
                         help="the configured build whose flags are used (build/release)")
     parser.add_argument("--slowest", type=float, metavar="SECONDS",
                         help="leave out tests that take longer (none)")
+    parser.add_argument("--programs", default=",".join(tree.TARGETS), metavar="NAME,NAME",
+                        help="the test programs that are run (all)")
     parser.add_argument("--only", metavar="KEY,KEY", help="run these of the drawn mutants alone")
+    parser.add_argument("--page", type=pathlib.Path,
+                        help="also write the tables into this page (docs/accuracy/tests.md)")
     parser.add_argument("--list", action="store_true", help="only print the drawn mutants")
     chosen = parser.parse_args()
     if not 1 <= chosen.mutants <= 5000:
         parser.error(f"--mutants {chosen.mutants}: must be from 1 to 5000")
+    chosen.programs = chosen.programs.split(",")
+    for name in chosen.programs:
+        if name not in tree.TARGETS:
+            parser.error(f"--programs {name}: must be among {', '.join(tree.TARGETS)}")
     return chosen
 
 
@@ -50,22 +58,24 @@ def main():
             print(f"{m.key} {m.file}:{m.line} {m.operator}: {m.original}  ->  {m.mutated}")
         return 0
     state = candidates.fingerprint(ROOT, candidates.files_read(ROOT))
-    if a.slowest is not None:
-        state += f", tests of {a.slowest} s"
-    built = tree.Tree(ROOT, place, a.release, a.jobs)
+    if a.slowest is not None or len(a.programs) < len(tree.TARGETS):
+        state += f" {' '.join(a.programs)}, tests of {a.slowest} s"
+    built = tree.Tree(ROOT, place, a.release, a.programs, a.jobs)
     kept, dropped = built.made(mutants)
     step(f"built, {len(dropped)} do not compile")
     folder = built.build / "tests"
-    tests = reach.recorded(folder, tree.TARGETS, place / "reach.jsonl", a.jobs, a.slowest)
+    tests = reach.recorded(folder, a.programs, place / "reach.jsonl", a.jobs, a.slowest)
     passed = [t for t in tests if not t.left_out]
     step(f"{len(passed)} tests pass without a mutant in {sum(t.seconds for t in passed):.0f} s; "
          f"{len(tests) - len(passed)} are left out")
     chosen = {n: m for n, m in kept.items() if not a.only or m.key in a.only.split(",")}
     results = campaign.run(folder, chosen, passed, place / "results.jsonl", state, a.jobs)
-    page = report.text(list(kept.values()), dropped, results, reasons, a.seed, len(mutants))
-    (place / "report.md").write_text(page)
-    step("build/mutate/report.md")
-    print(page[:page.find("\n## ") if "\n## " in page else None])
+    told = list(kept.values()), dropped, results, reasons, a.seed
+    (place / "report.md").write_text(report.text(*told))
+    print("\n".join(report.summary(*told)))
+    if a.page:
+        a.page.write_text(report.put_into(a.page.read_text(), report.summary(*told)))
+    step("build/mutate/report.md: every survivor")
     return 0
 
 

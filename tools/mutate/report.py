@@ -3,6 +3,7 @@
 
 from . import equivalent, operators, sites
 
+MARKS = ("<!-- begin: tools/mutate -->", "<!-- end: tools/mutate -->")
 COLUMNS = ("drawn", "caught", "of it hung", "equivalent", "survived", "no test")
 
 
@@ -38,17 +39,28 @@ def difference(m):
             f"- {m.original}", f"+ {m.mutated}", "```", ""]
 
 
-def text(mutants, dropped, results, reasons, seed, wanted):
-    told = [(m, results[m.key], outcome(m, results[m.key], reasons))
+def told_of(mutants, results, reasons):
+    """(mutant, result, outcome) of all that have run."""
+    return [(m, results[m.key], outcome(m, results[m.key], reasons))
             for m in mutants if m.key in results]
+
+
+def summary(mutants, dropped, results, reasons, seed):
+    """What was drawn, and the two tables."""
+    told = told_of(mutants, results, reasons)
     missing = len(mutants) - len(told)
-    lines = ["# Mutants", "", f"Seed {seed}, {wanted} drawn, {len(dropped)} of them do not "
-             f"compile, {missing} not run yet.", ""]
-    lines += table("layer", sites.LAYERS,
-                   [(m.layer, what, r.get("how")) for m, r, what in told])
+    lines = [f"Seed {seed}: {len(mutants) + len(dropped)} mutants drawn, {len(dropped)} of them do "
+             f"not compile, {len(told)} ran" + (f", {missing} not yet." if missing else "."), ""]
+    lines += table("layer", sites.LAYERS, [(m.layer, what, r.get("how")) for m, r, what in told])
     lines += [""]
     lines += table("operator", operators.NAMES,
                    [(m.operator, what, r.get("how")) for m, r, what in told])
+    return lines
+
+
+def text(mutants, dropped, results, reasons, seed):
+    told = told_of(mutants, results, reasons)
+    lines = ["# Mutants", "", *summary(mutants, dropped, results, reasons, seed)]
     false = [m for m, r, what in told if what == "caught" and equivalent.reason(reasons, m)]
     for title, chosen in (
             ("Survivors", [m for m, _, what in told if what == "survived"]),
@@ -64,3 +76,9 @@ def text(mutants, dropped, results, reasons, seed, wanted):
         for m in sorted(named, key=lambda m: (m.file, m.line)):
             lines += difference(m) + [equivalent.reason(reasons, m), ""]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def put_into(page, lines):
+    """`lines` between the two marks of a page of the documentation."""
+    head, tail = page.split(MARKS[0])[0], page.split(MARKS[1])[1]
+    return head + "\n".join([MARKS[0], "", *lines, "", MARKS[1]]) + tail

@@ -13,9 +13,10 @@ ERROR = re.compile(r"^(\S+?):(\d+):\d+: (?:fatal )?(?:error|note)|^(\S+?):(\d+):
 
 
 class Tree:
-    def __init__(self, root, place, release, jobs):
+    def __init__(self, root, place, release, programs, jobs):
         self.root, self.source, self.build = root, place / "tree", place / "build"
-        self.dropped_file, self.release, self.jobs = place / "dropped.json", release, jobs
+        self.dropped_file, self.release = place / "dropped.json", release
+        self.programs, self.jobs = programs, jobs
 
     def made(self, mutants):
         """Builds; returns {number: mutant} of those that compile, and those that do not."""
@@ -72,7 +73,7 @@ class Tree:
                  "-DPOLHODE_ENSEMBLE=OFF", "-DPOLHODE_CLI=OFF", "-DPOLHODE_INSTALL=OFF"],
                 check=True, stdout=subprocess.DEVNULL)
         # The library first: it is quick, and finds most of what does not compile.
-        for targets in (["polhode_core"], TARGETS):
+        for targets in (["polhode_core"], self.programs):
             run = subprocess.run(["ninja", "-C", self.build, f"-j{self.jobs}", "-k", "6", *targets],
                                  text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             if run.returncode != 0:
