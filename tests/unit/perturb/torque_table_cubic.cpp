@@ -21,8 +21,8 @@ using Real = long double;
 
 // Rising in x, falling in y, with bends that the rule for ends leaves alone.
 const std::vector<TorqueRow> bent = {{-1.0, {0.0, 9.0, 1.0}},
-                                     {0.5, {1.0, 5.0, 1.25}},
-                                     {1.25, {2.0, 4.0, 2.0}},
+                                     {0.5, {1.0, 5.0, 1.75}},
+                                     {1.25, {2.0, 4.0, 2.25}},
                                      {4.0, {3.5, 1.0, 5.0}},
                                      {4.5, {4.25, 0.75, 5.75}}};
 
