@@ -218,6 +218,7 @@ inline constexpr double kepler_tabulated_eps = 1.5;
 inline constexpr double kepler_tabulated_plane_eps = 0.6;
 inline constexpr double kepler_velocity_eps = 10.0;
 inline constexpr double kepler_wide_eps = 16.0;
+inline constexpr double kepler_rounded = 1e-15;  // functions of a rounded anomaly, relative
 // Elements of a state where they are well conditioned.
 inline constexpr double kepler_elements = 1e-13;
 // The node of a published sun-synchronous orbit, first order in J2.
