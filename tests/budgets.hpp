@@ -206,6 +206,9 @@ inline constexpr double rates_next_to_pole = 1e-7;
 inline constexpr double andoyer_method = 2e-15;
 inline constexpr double not_canonical = 1e-2;
 
+// A deviation through one splitting step against the derivative of the step: entries of order one.
+inline constexpr double splitting_deviation = 1e-14;
+
 // --- orbits (tests/unit/orbit), in eps of the number type ---
 // The eccentric anomaly and 1 - cos E, relative; sin E over what a rounding of E does.
 inline constexpr double kepler_anomaly_eps = 2.0;

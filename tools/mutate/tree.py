@@ -8,7 +8,7 @@ import subprocess
 from . import candidates, schemata, sites
 
 ABOVE = ("property", "paper")
-TARGETS = tuple(f"unit_{layer}" for layer in sites.LAYERS) + ABOVE
+TARGETS = tuple(f"unit_{layer}" for layer in sites.LAYERS) + ABOVE + ("unit_analysis",)
 ERROR = re.compile(r"^(\S+?):(\d+):\d+: (?:fatal )?(?:error|note)|^(\S+?):(\d+):\d+:\s+required")
 
 
@@ -50,7 +50,8 @@ class Tree:
                 if name in by_file else path.read_bytes()
         own = self.root / "tools/mutate"
         wanted["active.hpp"] = (own / "active.hpp").read_bytes()
-        for folder in [f"unit/{layer}" for layer in sites.LAYERS] + list(ABOVE):
+        for program in TARGETS:
+            folder = program.replace("unit_", "unit/")
             wanted[f"tests/{folder}/mutants_recorder.cpp"] = (own / "recorder.cpp").read_bytes()
         for name, content in wanted.items():
             path = self.source / name
