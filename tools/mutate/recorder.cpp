@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Linked into every test program that tools/mutate builds: at its end it writes the numbers of the
 // mutants that it has reached into the file named by POLHODE_REACHED.
+#include <gtest/gtest.h>
+
 #include <cstdio>
 #include <cstdlib>
-
-#include <gtest/gtest.h>
 
 namespace {
 
