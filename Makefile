@@ -16,7 +16,11 @@ FUZZ        := 600
 # What `make bits` compares the tree with.
 REV         := HEAD
 
-.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-sweeps check bits tidy format docs docs-tables figures bench fuzz wheel clean
+# Mutation testing: what is drawn. PAGE=docs/accuracy/tests.md writes the figures into that page.
+SEED    := 1
+MUTANTS := 400
+
+.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-sweeps check bits tidy format docs docs-tables figures bench fuzz mutate wheel clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -96,6 +100,9 @@ bench: build ## Run the benchmarks: time and error, beside Boost and GSL
 fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
 	cmake --build build/fuzz
 	tools/fuzz --for $(FUZZ)
+
+mutate: build/release/build.ninja ## MUTANTS small changes of the formulas, drawn by SEED: which do the tests catch? (an hour)
+	$(PYTHON) tools/mutate --seed "$(SEED)" --mutants $(MUTANTS) --jobs $(CORES) $(if $(PAGE),--page $(PAGE))
 
 wheel: deps ## Build a wheel and a source distribution of the Python package into build/dist
 	$(PYTHON) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir build/dist .

@@ -216,6 +216,9 @@ inline constexpr double rates_next_to_pole = 1e-7;
 inline constexpr double andoyer_method = 2e-15;
 inline constexpr double not_canonical = 1e-2;
 
+// A deviation through one splitting step against the derivative of the step: entries of order one.
+inline constexpr double splitting_deviation = 1e-14;
+
 // --- orbits (tests/unit/orbit), in eps of the number type ---
 // The eccentric anomaly and 1 - cos E, relative; sin E over what a rounding of E does.
 inline constexpr double kepler_anomaly_eps = 2.0;
@@ -228,6 +231,7 @@ inline constexpr double kepler_tabulated_eps = 1.5;
 inline constexpr double kepler_tabulated_plane_eps = 0.6;
 inline constexpr double kepler_velocity_eps = 10.0;
 inline constexpr double kepler_wide_eps = 16.0;
+inline constexpr double kepler_rounded = 1e-15;  // functions of a rounded anomaly, relative
 // Elements of a state where they are well conditioned.
 inline constexpr double kepler_elements = 1e-13;
 // The node of a published sun-synchronous orbit, first order in J2.
