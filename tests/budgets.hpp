@@ -369,6 +369,8 @@ inline constexpr double ephemeris_moon_distance = 3e-3;
 inline constexpr double ephemeris_rounding_km = 1e-6;
 inline constexpr double ephemeris_orbit = 1e-10;  // of the distance, of scenarios
 inline constexpr double ephemeris_gm = 1e-4;
+// Terms read from a text against formulas in NumPy (python/tests/test_scenario_terms.py), relative.
+inline constexpr double scenario_torque = 1e-13;
 inline constexpr double ephemeris_table = 5e-12;  // of the distance
 inline constexpr double teme_arcsec = 0.06;       // 1990 to 2030
 

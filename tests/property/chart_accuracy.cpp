@@ -22,6 +22,7 @@
 #include "polhode/free/tumbler.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "property/chart_support.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -29,6 +30,8 @@ using namespace chart_test;
 using oracle::Draw;
 using polhode::Body;
 using polhode::FreeRotation;
+using polhode::test::larger;
+using polhode::test::smaller;
 namespace budget = polhode::budget;
 
 struct Case {
@@ -115,7 +118,7 @@ Case drawn(Place place, double distance, std::uint64_t index) {
 double canonical_defect(const Matrix6& B, const Vec3& g) {
   return symplectic_defect(B, canonical_tensor(), hub_tensor(g));
 }
-double sine_of(double p, double G) { return std::sqrt(std::max(0.0, (G - p) * (G + p))) / G; }
+double sine_of(double p, double G) { return std::sqrt(larger(0.0, (G - p) * (G + p))) / G; }
 
 std::optional<Loss> rate_loss(const Case& c) {
   const Vec3 w = angular_velocity(c.body, c.state);
@@ -128,7 +131,7 @@ std::optional<Loss> matrix_loss(const Case& c) {
 std::optional<Loss> euler_rates_loss(const Case& c) {
   const auto e = to_euler_rates(c.body, c.state);
   const Vec3 I = c.body.moments();
-  const double largest = std::max({I.x, I.y, I.z});
+  const double largest = larger(I.x, I.y, I.z);
   return Loss{
       hub_difference(to_rotor(c.body, e), c.state),
       budget::chart_rounding + budget::euler_pole_eps * eps * largest * std::abs(e.phi_dot)};
@@ -141,11 +144,11 @@ std::optional<Loss> euler_loss(const Case& c) {
 }
 std::optional<Loss> andoyer_loss(const Case& c) {
   const auto a = to_andoyer(c.state);
-  const double sine = std::min(sine_of(a.L, a.G), sine_of(a.H, a.G));
-  return Loss{hub_difference(to_rotor(a), c.state),
-              budget::chart_rounding +
-                  std::min(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole),
-              canonical_defect(chart_jacobian({CanonicalSet::andoyer}, c.state), c.state.g)};
+  const double sine = smaller(sine_of(a.L, a.G), sine_of(a.H, a.G));
+  return Loss{
+      hub_difference(to_rotor(a), c.state),
+      budget::chart_rounding + smaller(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole),
+      canonical_defect(chart_jacobian({CanonicalSet::andoyer}, c.state), c.state.g)};
 }
 std::optional<Loss> poincare_loss(const Case& c) {
   const auto p = nearest_poincare(c.state);
@@ -176,10 +179,8 @@ std::optional<Loss> sadov_loss(const Case& c) {
 std::optional<Loss> serret_loss(const Case& c) {
   const auto s = to_serret(FreeRotation(c.body, c.state), 0.0);
   const Vec3 I = c.body.moments();
-  const double spin_1 = 2.0 * s.T * std::min({I.x, I.y, I.z}),
-               across_1 = 1.0 - spin_1 / (s.G * s.G);
-  const double spin_3 = 2.0 * s.T * std::max({I.x, I.y, I.z}),
-               across_3 = spin_3 / (s.G * s.G) - 1.0;
+  const double spin_1 = 2.0 * s.T * smaller(I.x, I.y, I.z), across_1 = 1.0 - spin_1 / (s.G * s.G);
+  const double spin_3 = 2.0 * s.T * larger(I.x, I.y, I.z), across_3 = spin_3 / (s.G * s.G) - 1.0;
   const double least = pole_distance * pole_distance;
   return flow_loss(c, to_rotor(c.body, s, 0.0), chart_jacobian(c.body, s, 0.0),
                    {s.g0, s.h, s.t0, s.G, s.H, s.T},
@@ -194,12 +195,12 @@ std::optional<Loss> tumbler_loss(const Case& c) {
   const Vec3 I = c.body.moments();
   double J = 1.0;  // sine of the angle between the momentum and the nearer axis of circulation
   for (int i = 0; i < 3; ++i) {
-    const bool middle = I[i] < std::max({I.x, I.y, I.z}) && I[i] > std::min({I.x, I.y, I.z});
-    if (!middle) J = std::min(J, std::hypot(c.state.g[(i + 1) % 3], c.state.g[(i + 2) % 3]));
+    const bool middle = I[i] < larger(I.x, I.y, I.z) && I[i] > smaller(I.x, I.y, I.z);
+    if (!middle) J = smaller(J, std::hypot(c.state.g[(i + 1) % 3], c.state.g[(i + 2) % 3]));
   }
   return Loss{
       hub_difference(to_rotor(c.body, s), c.state),
-      budget::chart_rounding + std::min(budget::tumbler_spin_eps * eps / J, budget::tumbler_spin)};
+      budget::chart_rounding + smaller(budget::tumbler_spin_eps * eps / J, budget::tumbler_spin)};
 }
 
 struct Set {
@@ -248,7 +249,7 @@ void survey(const Set& set, const Region& region, double distance, std::size_t c
     EXPECT_LE(loss->round_trip, loss->allowed)
         << set.name << ", " << region.name << " " << distance << ", state " << i;
     if (!loss->defect) continue;
-    defect = std::max(defect, *loss->defect);
+    defect = larger(defect, *loss->defect);
     EXPECT_LE(*loss->defect, loss->defect_allowed)
         << set.name << ", " << region.name << " " << distance << ", state " << i;
   }

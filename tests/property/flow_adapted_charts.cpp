@@ -3,7 +3,6 @@
 // to 1e-12 from J = 0, J = pi/2 about the long axis, I = 0 and the separatrix.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -11,9 +10,12 @@
 #include "budgets.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
+#include "worst.hpp"
 
 namespace polhode {
 namespace {
+
+using polhode::test::larger;
 
 constexpr double eps = 0x1p-52;
 
@@ -27,7 +29,7 @@ Case random_case(std::mt19937_64& random) {
   std::uniform_real_distribution<double> u(-1.0, 1.0), moment(0.5, 3.0);
   for (;;) {
     const double a = moment(random), b = moment(random), c = moment(random);
-    if (2.0 * std::max({a, b, c}) > a + b + c) continue;
+    if (2.0 * larger(a, b, c) > a + b + c) continue;
     const Quaternion q = normalized(Quaternion{u(random), u(random), u(random), u(random)});
     return {Body(a, b, c), {q, {u(random), u(random), u(random)}}};
   }
@@ -60,14 +62,14 @@ double sensitivity(const Matrix6& B, const double (&s)[6]) {
   for (int i = 0; i < 6; ++i) {
     double sum = 0.0;
     for (int j = 0; j < 6; ++j) sum += std::abs(B(i, j) * s[j]);
-    largest = std::max(largest, sum);
+    largest = larger(largest, sum);
   }
   return largest;
 }
 
 double distance(const RotorState& a, const RotorState& b) {
   const Quaternion r = conj(normalized(a.q)) * normalized(b.q);
-  return std::max(2.0 * norm(Vec3{r.x, r.y, r.z}), norm(a.g - b.g));
+  return larger(2.0 * norm(Vec3{r.x, r.y, r.z}), norm(a.g - b.g));
 }
 
 // The largest |B J B^T - Pi|_ab over eps (|B| |J| |B^T|)_ab.
@@ -87,7 +89,7 @@ double symplectic_defect(const Matrix6& B, const Vec3& g) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
       if (product(i, j) != Pi(i, j))
-        worst = std::max(worst, std::abs(product(i, j) - Pi(i, j)) / (eps * size(i, j)));
+        worst = larger(worst, std::abs(product(i, j) - Pi(i, j)) / (eps * size(i, j)));
   return worst;
 }
 
