@@ -167,6 +167,12 @@ inline constexpr double flow_round_trip = 1e-14;
 inline constexpr double flow_round_trip_eps = 20.0;
 // The symplectic defect of B, entry by entry over eps |B| |J| |B^T|.
 inline constexpr double flow_canonical_eps = 4.0;
+// Every column of the derivatives against tests/oracle/flow_adapted.hpp, over its largest entry: by
+// its roundings and by those of the numbers, over the distance from where the sets are singular.
+inline constexpr double flow_jacobian = 1e-13;
+inline constexpr double flow_jacobian_eps = 16.0;
+// The phase of the oracle: of a period, and of the momentum.
+inline constexpr double flow_phase = 1e-6;
 // Serret's elements exactly on the separatrix and for spin about b2; for spin about b1 or b3, where
 // T holds J to sqrt(eps) only.
 inline constexpr double serret_separatrix = 2e-14;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every kind of perturbation along every kind of orbit: from a file to the objects that make it, the
-torque that its numbers say, and back to a file of the same run."""
+"""Every kind of perturbation along every kind of orbit: from a file to the objects that make it,
+the torque that its numbers say, and back to a file of the same run."""
 
 import pickle
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The torques of the tables of test_scenario_terms.py in SI units: textbook formulas in NumPy on the
-numbers that stand in the text, turned to principal axes here."""
+"""The torques of the tables of test_scenario_terms.py in SI units: textbook formulas in NumPy on
+the numbers that stand in the text, turned to principal axes here."""
 
 import itertools
 from dataclasses import dataclass

@@ -81,7 +81,9 @@ class WorstUnits {
   const std::string& where() const { return worst_.where(); }
   // Of a fixture: not every test of it measures everything.
   void expect_within(double budget, const std::string& name = "") const {
-    if (worst_.measured()) EXPECT_LE(units(), budget) << name << " " << where();
+    if (worst_.measured()) {
+      EXPECT_LE(units(), budget) << name << " " << where();
+    }
   }
 
  private:
