@@ -2,9 +2,10 @@
 // The derivatives of the state by Serret's and by Sadov's variables, without their formulas: what
 // tests allow the sets that follow the free motion rests on it.
 //
-// Equations   Axes by moment, the middle one reversed where that makes them right-handed. At Serret's
-//             t0 the momentum is in the plane of the axes 1 and 3,
-//                 g1^2 = I1 (2 T I3 - G^2)/(I3 - I1), g3^2 = I3 (G^2 - 2 T I1)/(I3 - I1), g2 = 0,
+// Equations   Axes by moment, the middle one reversed where that makes them right-handed. At
+//             Serret's t0 the momentum is in the plane of the axes 1 and 3,
+//                 g1^2 = I1 (2 T I3 - G^2)/(I3 - I1), g2 = 0,
+//                 g3^2 = I3 (G^2 - 2 T I1)/(I3 - I1),
 //             and q = qz(h) qx(I) qz(g0) qx(J) qz(+-pi/2). Its derivatives by G and T are carried to
 //             t by the variational equations theta' = theta x w + I^-1 dg, dg' = dg x w +
 //             g x I^-1 dg; the others are rotations about g, about the axis h is counted about and
@@ -43,7 +44,11 @@ class FlowAdapted {
 
   // Columns (g0, h, -t0; G, H, T) and (phi_l, phi_g, phi_h; I_l, I_g, I_h) at `elapsed` after t0.
   polhode::Matrix6 by_serret(double elapsed) const;
-  polhode::Matrix6 by_sadov(double elapsed) const;
+  polhode::Matrix6 by_sadov(double elapsed) const {
+    return in_body_axes(sadov_columns(carried(elapsed), elapsed, false));
+  }
+  // |by_sadov| and what its sums have lost where they cancel, next to the axes.
+  polhode::Matrix6 size_by_sadov(double elapsed) const;
   // |g(elapsed) - g| / G: is that when the state given is met?
   double miss(double elapsed) const;
 
@@ -73,6 +78,7 @@ class FlowAdapted {
   Carried stepped(const Carried& at, Real h) const;
   Carried carried(Real elapsed) const;
   Columns serret_columns(const Carried& at) const;
+  Columns sadov_columns(const Carried& at, Real elapsed, bool sizes) const;
   polhode::Matrix6 in_body_axes(const Columns& columns) const;
 
   std::array<int, 3> axis_{0, 1, 2};
@@ -288,19 +294,31 @@ inline polhode::Matrix6 FlowAdapted::by_serret(double elapsed) const {
   return in_body_axes(serret_columns(carried(elapsed)));
 }
 
-inline polhode::Matrix6 FlowAdapted::by_sadov(double elapsed) const {
-  const Columns s = serret_columns(carried(elapsed));
-  const Real turn = 2 * std::acos(Real(-1)), t = elapsed;
+inline polhode::Matrix6 FlowAdapted::size_by_sadov(double elapsed) const {
+  const Carried at = carried(elapsed);
+  polhode::Matrix6 m = in_body_axes(sadov_columns(at, elapsed, false));
+  const polhode::Matrix6 terms = in_body_axes(sadov_columns(at, elapsed, true));
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) m(i, j) = std::abs(m(i, j)) + 0x1p-60 * std::abs(terms(i, j));
+  return m;
+}
+
+// With `sizes` the moduli of all terms, added up.
+inline FlowAdapted::Columns FlowAdapted::sadov_columns(const Carried& at, Real t,
+                                                       bool sizes) const {
+  const Columns s = serret_columns(at);
+  const Real turn = 2 * std::acos(Real(-1));
   const Real n_l = (!long_axis_ && sense_ < 0 ? turn : -turn) / period_;
   const Real n_g = (2 * T_ - I_l_ * n_l) / G_;
   // second derivatives of T: n_l is of degree 1
   const Real n_ll = -n_l / period_ * slope_ * n_l, n_lg = (n_l - I_l_ * n_ll) / G_;
   const Real n_gg = (n_g - I_l_ * n_lg) / G_;
   Columns c;
-  const auto add = [](Column& to, Real factor, const Column& from) {
+  const auto term = [sizes](Real x) { return sizes ? std::abs(x) : x; };
+  const auto add = [&term](Column& to, Real factor, const Column& from) {
     for (std::size_t i = 0; i < 3; ++i) {
-      to.theta[i] += factor * from.theta[i];
-      to.g[i] += factor * from.g[i];
+      to.theta[i] += term(factor * from.theta[i]);
+      to.g[i] += term(factor * from.g[i]);
     }
   };
   const auto by = [&](Column& to, Real time, Real node, Real energy) {
@@ -317,7 +335,7 @@ inline polhode::Matrix6 FlowAdapted::by_sadov(double elapsed) const {
   by(c[4], t_g, -n_gg * t - n_g * t_g, n_g);
   add(c[4], 1, s[3]);
   add(c[5], 1, s[4]);
-  return in_body_axes(c);
+  return c;
 }
 
 }  // namespace oracle

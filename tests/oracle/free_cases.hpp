@@ -7,14 +7,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "oracle/random_draw.hpp"
+#include "oracle/wide_real.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/rotor_state.hpp"
@@ -46,6 +49,11 @@ FreeCase exact_separatrix_case(Draw& draw);  // 2TI2/G^2 - 1 = 0
 FreeCase small_angle_case(Draw& draw);       // J, I within 1e-150 .. 1e-3 of 0 and pi
 FreeCase extreme_case(Draw& draw);           // needles, discs, and units of 1e-140 .. 1e140
 FreeCase long_time_case(Draw& draw);         // |2TI2/G^2 - 1| > 1e-3, times to be set
+// Past the edges: far beyond what an instrument measures, but numbers that a double holds.
+FreeCase middle_spin_case(Draw& draw);       // g across the middle axis of 1e-310 .. 1e-8 of G
+FreeCase full_moments_case(Draw& draw);      // |2TI2/G^2 - 1| of 1e-17 .. 1e-9, 53-bit moments
+FreeCase close_separatrix_case(Draw& draw);  // the same, 1e-15, times to be set
+FreeCase extreme_momentum_case(Draw& draw);  // |g| of 1e-160 or 1e300, moments of order one
 
 // t so that about `turns` turns pass after t0.
 void set_time(FreeCase& c, double turns);
@@ -113,6 +121,15 @@ inline void draw_times(FreeCase& c, Draw& draw) {
 inline double relative_d2(const Triple& I, const Triple& g) {
   const double G2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
   return (g[2] * g[2] * (I[2] - I[1]) / I[2] - g[0] * g[0] * (I[1] - I[0]) / I[0]) / G2;
+}
+
+// The same without an error: differences and products of doubles of one size are whole in 512 bits.
+inline double exact_relative_d2(const Triple& I, const Triple& g) {
+  using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<154>,
+                                              boost::multiprecision::et_off>;
+  const Exact I1(I[0]), I2(I[1]), I3(I[2]), g1(g[0]), g2(g[1]), g3(g[2]);
+  const Exact d2 = g3 * g3 * (I3 - I2) * I1 - g1 * g1 * (I2 - I1) * I3;
+  return static_cast<double>(Exact(d2 / (I1 * I3 * (g1 * g1 + g2 * g2 + g3 * g3))));
 }
 
 // q = qz(h) qx(I) qz(g) qx(J) qz(l) with I, J given by their distance from 0 or pi.
@@ -291,6 +308,86 @@ inline FreeCase long_time_case(Draw& draw) {
                 detail::scaled(draw.power_of_ten(-3, 3), direction));
   c.start.q = detail::any_attitude(draw);
   if (draw.chance(0.5)) c.t0 = draw.uniform(-10.0, 10.0) * detail::turn_length(c);
+  return c;
+}
+
+// One of the two transverse components is smaller still, or 0.
+inline FreeCase middle_spin_case(Draw& draw) {
+  const auto small = [&draw] {
+    return draw.sign() * (draw.chance(0.15)  ? 0.0
+                          : draw.chance(0.5) ? draw.power_of_ten(-310, -160)
+                                             : draw.power_of_ten(-160, -8));
+  };
+  FreeCase c;
+  const double scale = draw.power_of_ten(-3, 3), G = draw.chance(0.5) ? 1.0 : scale;
+  double lo = small(), hi = small();
+  if (draw.chance(0.5)) hi = lo * draw.power_of_ten(-3, 0);
+  if (lo == 0.0 && hi == 0.0) lo = 1e-300;
+  detail::place(c, draw, detail::scaled(draw.power_of_ten(-3, 3), detail::triaxial_moments(draw)),
+                {G * lo, draw.sign() * G, G * hi});
+  c.start.q = detail::any_attitude(draw);
+  detail::draw_times(c, draw);
+  // the body leaves the axis in some -ln(distance) / (2 pi) turns: up to 500 are needed to be there
+  if (draw.chance(0.5)) set_time(c, draw.uniform(-500.0, 500.0));
+  return c;
+}
+
+namespace detail {
+
+// Moments and momentum whose distance from the separatrix is `relative` to within its sign and a
+// factor of a few, by the last bits of all numbers: the momentum is moved along the separatrix
+// until the exact distance (512 bits) is close.
+inline FreeCase at_distance(Draw& draw, double relative) {
+  FreeCase c;
+  const Triple I = triaxial_moments(draw);
+  const double alpha = (I[2] - I[1]) / I[2], beta = (I[1] - I[0]) / I[0];
+  const double side = draw.uniform(0.05, 0.95), G = draw.power_of_ten(-1, 1);
+  const double d2 = draw.sign() * relative;
+  Triple g{G * draw.sign() * std::sqrt((alpha * side - d2) / (alpha + beta)),
+           G * draw.sign() * std::sqrt(1.0 - side),
+           G * draw.sign() * std::sqrt((beta * side + d2) / (alpha + beta))};
+  // of 400 neighbours by last bits the one whose distance is nearest to the one wanted
+  Triple best = g;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 400; ++i) {
+    Triple near = g;
+    for (const std::size_t k : {0UL, 2UL})
+      near[k] += std::ldexp(std::floor(draw.uniform(-20.0, 21.0)), std::ilogb(near[k]) - 52);
+    const double miss = std::abs(std::log(std::abs(exact_relative_d2(I, near)) / relative));
+    if (miss < least) {
+      least = miss;
+      best = near;
+    }
+  }
+  place(c, draw, I, best);
+  c.start.q = any_attitude(draw);
+  return c;
+}
+
+}  // namespace detail
+
+inline FreeCase full_moments_case(Draw& draw) {
+  FreeCase c = detail::at_distance(draw, draw.power_of_ten(-17, -9));
+  detail::draw_times(c, draw);
+  return c;
+}
+
+inline FreeCase close_separatrix_case(Draw& draw) {
+  FreeCase c = detail::at_distance(draw, 1e-15);
+  if (draw.chance(0.5)) c.t0 = draw.uniform(-10.0, 10.0) * detail::turn_length(c);
+  return c;
+}
+
+inline FreeCase extreme_momentum_case(Draw& draw) {
+  FreeCase c;
+  const double size =
+      draw.chance(0.5) ? draw.power_of_ten(-160, -150) : draw.power_of_ten(290, 304);
+  detail::Triple direction = detail::any_direction(draw);
+  if (draw.chance(0.25))
+    direction = detail::direction_near_axis(draw, draw.index(3), draw.power_of_ten(-14, -3));
+  detail::place(c, draw, detail::triaxial_moments(draw), detail::scaled(size, direction));
+  c.start.q = detail::any_attitude(draw);
+  detail::draw_times(c, draw);
   return c;
 }
 

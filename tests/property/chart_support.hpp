@@ -226,10 +226,12 @@ inline Matrix6 magnitudes(Matrix6 m) {
     for (double& x : row) x = std::abs(x);
   return m;
 }
-// Largest |M from M^T - to| in units of eps (|M| |from| |M^T|), entry by entry.
-inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Matrix6& to) {
+// Largest |M from M^T - to| in units of eps (|S| |from| |S^T|), entry by entry. S is M as another
+// has it: an M that is wrong must not set its own scale.
+inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Matrix6& to,
+                                const Matrix6& s) {
   const Matrix6 image = m * from * transpose(m);
-  const Matrix6 scale = magnitudes(m) * magnitudes(from) * magnitudes(transpose(m));
+  const Matrix6 scale = magnitudes(s) * magnitudes(from) * magnitudes(transpose(s));
   Worst worst;
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
@@ -238,6 +240,10 @@ inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Mat
     }
   }
   return worst.value();
+}
+// Where M itself is compared elsewhere.
+inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Matrix6& to) {
+  return symplectic_defect(m, from, to, m);
 }
 
 }  // namespace chart_test
