@@ -454,6 +454,15 @@ inline constexpr double mars_rate = 1e-4;
 inline constexpr double mars_nutation = 1e-2;
 inline constexpr double averaged_envisat = 3e-2;
 
+// --- the gallery (python/tests/gallery_values.py), on numbers of order one ---
+// Laws that hold along a curve, and steps of the same formulas.
+inline constexpr double gallery_law = 1e-12;
+// Against SciPy at its tolerance, over the flips of a wing nut.
+inline constexpr double gallery_integrated = 5e-9;
+// Of an energy, relative; of one along a run at tolerance 1e-10.
+inline constexpr double gallery_energy = 1e-14;
+inline constexpr double gallery_run = 1e-8;
+
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.
 inline constexpr double figure_sampled = 2e-5;

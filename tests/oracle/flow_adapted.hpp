@@ -6,8 +6,8 @@
 //             Serret's t0 the momentum is in the plane of the axes 1 and 3,
 //                 g1^2 = I1 (2 T I3 - G^2)/(I3 - I1), g2 = 0,
 //                 g3^2 = I3 (G^2 - 2 T I1)/(I3 - I1),
-//             and q = qz(h) qx(I) qz(g0) qx(J) qz(+-pi/2). Its derivatives by G and T are carried to
-//             t by the variational equations theta' = theta x w + I^-1 dg, dg' = dg x w +
+//             and q = qz(h) qx(I) qz(g0) qx(J) qz(+-pi/2). Its derivatives by G and T are carried
+//             to t by the variational equations theta' = theta x w + I^-1 dg, dg' = dg x w +
 //             g x I^-1 dg; the others are rotations about g, about the axis h is counted about and
 //             about the node, and the flow itself. Sadov's variables of the same motion have
 //                 phi_l = n_l (t - t0), phi_g = g0 + n_g (t - t0), dT = n_l dI_l + n_g dI_g,

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -51,7 +50,7 @@ FreeCase extreme_case(Draw& draw);           // needles, discs, and units of 1e-
 FreeCase long_time_case(Draw& draw);         // |2TI2/G^2 - 1| > 1e-3, times to be set
 // Past the edges: far beyond what an instrument measures, but numbers that a double holds.
 FreeCase middle_spin_case(Draw& draw);       // g across the middle axis of 1e-310 .. 1e-8 of G
-FreeCase full_moments_case(Draw& draw);      // |2TI2/G^2 - 1| of 1e-17 .. 1e-9, 53-bit moments
+FreeCase full_moments_case(Draw& draw);      // |2TI2/G^2 - 1| of 1e-30 .. 1e-9, 53-bit moments
 FreeCase close_separatrix_case(Draw& draw);  // the same, 1e-15, times to be set
 FreeCase extreme_momentum_case(Draw& draw);  // |g| of 1e-160 or 1e300, moments of order one
 
@@ -121,15 +120,6 @@ inline void draw_times(FreeCase& c, Draw& draw) {
 inline double relative_d2(const Triple& I, const Triple& g) {
   const double G2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
   return (g[2] * g[2] * (I[2] - I[1]) / I[2] - g[0] * g[0] * (I[1] - I[0]) / I[0]) / G2;
-}
-
-// The same without an error: differences and products of doubles of one size are whole in 512 bits.
-inline double exact_relative_d2(const Triple& I, const Triple& g) {
-  using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<154>,
-                                              boost::multiprecision::et_off>;
-  const Exact I1(I[0]), I2(I[1]), I3(I[2]), g1(g[0]), g2(g[1]), g3(g[2]);
-  const Exact d2 = g3 * g3 * (I3 - I2) * I1 - g1 * g1 * (I2 - I1) * I3;
-  return static_cast<double>(Exact(d2 / (I1 * I3 * (g1 * g1 + g2 * g2 + g3 * g3))));
 }
 
 // q = qz(h) qx(I) qz(g) qx(J) qz(l) with I, J given by their distance from 0 or pi.
@@ -334,32 +324,27 @@ inline FreeCase middle_spin_case(Draw& draw) {
 
 namespace detail {
 
-// Moments and momentum whose distance from the separatrix is `relative` to within its sign and a
-// factor of a few, by the last bits of all numbers: the momentum is moved along the separatrix
-// until the exact distance (512 bits) is close.
+// Moments of 53 bits, and a momentum whose |2TI2/G^2 - 1| is about `relative`: on the separatrix
+// g3 / g1 is a root, and a convergent p / q of its continued fraction misses it by some 1 / q^2.
 inline FreeCase at_distance(Draw& draw, double relative) {
+  using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<154>,
+                                              boost::multiprecision::et_off>;
   FreeCase c;
   const Triple I = triaxial_moments(draw);
-  const double alpha = (I[2] - I[1]) / I[2], beta = (I[1] - I[0]) / I[0];
-  const double side = draw.uniform(0.05, 0.95), G = draw.power_of_ten(-1, 1);
-  const double d2 = draw.sign() * relative;
-  Triple g{G * draw.sign() * std::sqrt((alpha * side - d2) / (alpha + beta)),
-           G * draw.sign() * std::sqrt(1.0 - side),
-           G * draw.sign() * std::sqrt((beta * side + d2) / (alpha + beta))};
-  // of 400 neighbours by last bits the one whose distance is nearest to the one wanted
-  Triple best = g;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 400; ++i) {
-    Triple near = g;
-    for (const std::size_t k : {0UL, 2UL})
-      near[k] += std::ldexp(std::floor(draw.uniform(-20.0, 21.0)), std::ilogb(near[k]) - 52);
-    const double miss = std::abs(std::log(std::abs(exact_relative_d2(I, near)) / relative));
-    if (miss < least) {
-      least = miss;
-      best = near;
-    }
+  const Exact I1(I[0]), I2(I[1]), I3(I[2]);
+  Exact rest = sqrt(Exact((I2 - I1) * I3 / ((I3 - I2) * I1)));
+  double p = 1.0, q = 0.0, p_before = 0.0, q_before = 1.0;
+  while (q * q * relative < 1.0) {  // 80 trips
+    const auto whole = static_cast<double>(Exact(floor(rest)));
+    const double next_p = whole * p + p_before, next_q = whole * q + q_before;
+    if (!(next_p < 0x1p53 && next_q < 0x1p53)) break;
+    p_before = std::exchange(p, next_p);
+    q_before = std::exchange(q, next_q);
+    rest = 1 / (rest - floor(rest));
   }
-  place(c, draw, I, best);
+  const double scale = std::ldexp(1.0, static_cast<int>(draw.index(7)) - 3 - std::ilogb(p + q));
+  const double middle = (p + q) * scale * draw.power_of_ten(-1, 1);
+  place(c, draw, I, {draw.sign() * q * scale, draw.sign() * middle, draw.sign() * p * scale});
   c.start.q = any_attitude(draw);
   return c;
 }
@@ -367,7 +352,7 @@ inline FreeCase at_distance(Draw& draw, double relative) {
 }  // namespace detail
 
 inline FreeCase full_moments_case(Draw& draw) {
-  FreeCase c = detail::at_distance(draw, draw.power_of_ten(-17, -9));
+  FreeCase c = detail::at_distance(draw, draw.power_of_ten(-30, -9));
   detail::draw_times(c, draw);
   return c;
 }
