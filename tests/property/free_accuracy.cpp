@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "oracle/free_edge_cases.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -128,7 +129,7 @@ TEST(FreeAccuracy, ExtremeShapesAndUnits) {
 
 // Past the edges, each class apart.
 TEST(FreeAccuracy, EdgeMiddleSpin) {
-  expect_accurate(oracle::middle_spin_case, 21, count_of(60, 1000));
+  expect_accurate(oracle::middle_spin_case, 21, count_of(40, 1000));
 }
 
 TEST(FreeAccuracy, EdgeSeparatrixOfFullMoments) {
