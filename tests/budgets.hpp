@@ -109,6 +109,8 @@ inline constexpr double oracle_differences = 1e-45;
 // Rotation angle, rad, and |dg|/G, in every set: hard cases, the separatrix, 1e9 turns.
 inline constexpr double free_state = 2e-15;
 inline constexpr double free_state_median = 4e-16;
+// The oracle past the edges (tests/unit/oracle/free_edge_cases.cpp), 1e25 turns included.
+inline constexpr double oracle_edges = 1e-30;
 // Of the phase, rad per rad: 2^-104.
 inline constexpr double free_phase = 5e-32;
 // State transition matrix over ten turns, each 3x3 block relative to its norm.
