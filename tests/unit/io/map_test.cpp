@@ -250,7 +250,7 @@ count = 3
   for (std::size_t length = cells.find('\n'); length <= cells.size(); length += 41) {
     std::ofstream(path + ".cells", std::ios::binary) << cells.substr(0, length);
     MapRows rows(map, {path}, RunBegin::resume);
-    whole = std::max<std::size_t>(whole, rows.size());
+    whole = std::max<std::int64_t>(whole, rows.size());
     for (std::int64_t k = rows.size(); k < 3; ++k) rows.push(map.cell(k));
     rows.finish();
     EXPECT_EQ(text_of(path), straight) << length;
