@@ -3,7 +3,6 @@
 // formulas in double-double, in units of eps (angles modulo 2 pi; |g| = 1).
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -14,12 +13,14 @@
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
 using Wide = DoubleDouble;
 using WideState = BasicRotorState<Wide>;
+using polhode::test::Worst;
 
 constexpr std::size_t count = 1024;
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -73,12 +74,12 @@ template <class A, class B>
 double error(const A& value, const B& exact) {
   const auto v = numbers(value);
   const auto e = numbers(exact);
-  double worst = 0.0;
+  Worst worst;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const double d = (Wide(v[i]) - e[i]).hi;
-    worst = std::max(worst, std::abs(std::remainder(d, 2.0 * pi<double>())));
+    worst.add(std::abs(std::remainder(d, 2.0 * pi<double>())));
   }
-  return worst / eps;
+  return worst.value() / eps;
 }
 
 // Runs convert over the inputs, and reports the largest difference from convert over wide inputs.
@@ -89,9 +90,9 @@ void measure(benchmark::State& state, const std::vector<Input>& inputs, Convert 
     benchmark::DoNotOptimize(convert(inputs[i]));
     i = (i + 1) % count;
   }
-  double worst = 0.0;
-  for (const Input& s : inputs) worst = std::max(worst, error(convert(s), convert(wide(s))));
-  state.counters["max_error_eps"] = worst;
+  Worst worst;
+  for (const Input& s : inputs) worst.add(error(convert(s), convert(wide(s))));
+  state.counters["max_error_eps"] = worst.value();
 }
 
 template <class Convert>

@@ -9,7 +9,6 @@
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
 
-#include <algorithm>
 #include <array>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
@@ -24,10 +23,13 @@
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/elliptic/legendre.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
+using polhode::test::larger;
+using polhode::test::Worst;
 namespace bm = boost::math;
 using Exact = boost::multiprecision::cpp_bin_float_50;
 // double computed in double; the default computes in long double.
@@ -80,26 +82,26 @@ void measure(benchmark::State& state, const Case& c, const Call& call, const Err
     benchmark::DoNotOptimize(call(c.at[i]));
     i = (i + 1) % arguments;
   }
-  double worst = 0.0;
-  for (std::size_t j = 0; j < checked; ++j) worst = std::max(worst, error(c.at[j]));
+  Worst worst;
+  for (std::size_t j = 0; j < checked; ++j) worst.add(error(c.at[j]));
   state.counters["m1"] = c.m1;
-  state.counters["error"] = worst;
+  state.counters["error"] = worst.value();
 }
 
 template <class Triple>
 void measure_jacobi(benchmark::State& state, const Triple& triple) {
   const Case c(state.range(0));
   const Exact k = sqrt(1 - Exact(c.m1));
-  double dn_error = 0.0;
+  Worst dn_error;
   const auto call = [&](const Argument& a) { return triple(c, a.u); };
   measure(state, c, call, [&](const Argument& a) {
     Exact cn, dn;
     const Exact sn = bm::jacobi_elliptic(k, Exact(a.u), &cn, &dn);
     const Jacobi<double> j = call(a);
-    dn_error = std::max(dn_error, relative(j.dn, dn));
-    return static_cast<double>(Exact(std::max({abs(j.sn - sn), abs(j.cn - cn), abs(j.dn - dn)})));
+    dn_error.add(relative(j.dn, dn));
+    return static_cast<double>(Exact(larger(abs(j.sn - sn), abs(j.cn - cn), abs(j.dn - dn))));
   });
-  state.counters["dn_error"] = dn_error;
+  state.counters["dn_error"] = dn_error.value();
 }
 
 void jacobi_polhode(benchmark::State& state) {

@@ -9,7 +9,6 @@
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
 
-#include <algorithm>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
@@ -18,9 +17,12 @@
 #include <random>
 #include <vector>
 
+#include "worst.hpp"
+
 namespace {
 
 using namespace polhode;
+using polhode::test::Worst;
 namespace bm = boost::math;
 using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                            boost::multiprecision::et_off>;
@@ -147,10 +149,10 @@ template <class Motion>
 double worst_error(const Motion& motion, std::int64_t which) {
   const Textbook<BoostFunctions<Wide, bm::policies::policy<>>> exact(moments, momentum(which));
   const BasicQuaternion<Wide> start = exact.attitude(Wide(0));
-  double worst = 0.0;
+  Worst worst;
   for (const double t : times(64))
-    worst = std::max(worst, angle(motion(0.0), motion(t), conj(start) * exact.attitude(Wide(t))));
-  return worst;
+    worst.add(angle(motion(0.0), motion(t), conj(start) * exact.attitude(Wide(t))));
+  return worst.value();
 }
 
 double modulus(std::int64_t which) {

@@ -4,14 +4,14 @@
 // result.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/magnetic_field.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
+using polhode::test::Worst;
 
 constexpr double step = 0.0371;
 
@@ -36,7 +36,8 @@ void orbit_alone(benchmark::State& state) {
 // `of(t, rest)` in double and in double-double.
 template <class Of>
 void measured(benchmark::State& state, const Of& of) {
-  double t = 0.1, worst = 0.0;
+  double t = 0.1;
+  Worst worst;
   for (auto _ : state) {
     benchmark::DoNotOptimize(of(t, 0.0));
     t += step;
@@ -45,9 +46,9 @@ void measured(benchmark::State& state, const Of& of) {
     const double at = 0.1 + step * i;
     const Vec3 got = of(at, 0.0);
     const BasicVec3<DoubleDouble> wide{got.x, got.y, got.z};
-    worst = std::max(worst, norm(near(wide - of(DoubleDouble(at), DoubleDouble()))) / norm(got));
+    worst.add(norm(near(wide - of(DoubleDouble(at), DoubleDouble()))) / norm(got));
   }
-  state.counters["error"] = worst;
+  state.counters["error"] = worst.value();
 }
 
 void dipole(benchmark::State& state) {

@@ -7,7 +7,6 @@
 // ellipse itself, and their times follow no order.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -17,10 +16,13 @@
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
+using polhode::test::larger;
+using polhode::test::Worst;
 
 constexpr double step = 0.0371;
 
@@ -32,15 +34,15 @@ KeplerElements elements(const benchmark::State& state) {
 
 template <class O>
 double largest_error(const O& orbit) {
-  double worst = 0.0;
+  Worst worst;
   for (int i = 0; i < 4096; ++i) {
     const double t = 0.1 + step * i;
     const Vec3 x = orbit.position(t);
     const BasicVec3<DoubleDouble> exact = orbit.position(DoubleDouble(t));
     const Vec3 error{(x.x - exact.x).hi, (x.y - exact.y).hi, (x.z - exact.z).hi};
-    worst = std::max(worst, norm(error) / norm(x));
+    worst.add(norm(error) / norm(x));
   }
-  return worst;
+  return worst.value();
 }
 
 template <class O>
@@ -116,13 +118,13 @@ void table_position(benchmark::State& state) {
     benchmark::DoNotOptimize(table.position(time(turn)));
     turn += std::numbers::phi;
   }
-  double worst = 0.0;
+  Worst worst;
   for (int i = 0; i < 4096; ++i) {
     const double t = time(std::numbers::phi * i);
     const Vec3 x = orbit.position(t);
-    worst = std::max(worst, norm(table.position(t) - x) / norm(x));
+    worst.add(norm(table.position(t) - x) / norm(x));
   }
-  state.counters["error"] = worst;
+  state.counters["error"] = worst.value();
 }
 
 // The error is that against the angle formed and reduced in double-double.
@@ -133,15 +135,14 @@ void uniform_angle(benchmark::State& state) {
     benchmark::DoNotOptimize(angle.at(t));
     t += step;
   }
-  double worst = 0.0;
+  Worst worst;
   for (int i = 0; i < 4096; ++i) {
     const double at = 0.1 + step * i;
     const SinCos<DoubleDouble> exact = angle.at(DoubleDouble(at));
     const SinCos<double> got = angle.at(at);
-    worst =
-        std::max({worst, std::fabs((got.sin - exact.sin).hi), std::fabs((got.cos - exact.cos).hi)});
+    worst.add(larger(std::fabs((got.sin - exact.sin).hi), std::fabs((got.cos - exact.cos).hi)));
   }
-  state.counters["error"] = worst;
+  state.counters["error"] = worst.value();
 }
 
 void gravity_gradient(benchmark::State& state) {

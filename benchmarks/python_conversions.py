@@ -74,7 +74,7 @@ def scalar_times() -> dict[str, float]:
         "kinetic_energy(body, s)": lambda: polhode.kinetic_energy(body, s),
         "angular_velocity(body, s)": lambda: polhode.angular_velocity(body, s),
     }
-    return {name: min(timeit.repeat(call, number=20_000, repeat=5)) / 20_000 * 1e6
+    return {name: sorted(timeit.repeat(call, number=20_000, repeat=5))[0] / 20_000 * 1e6
             for name, call in calls.items()}
 
 
@@ -85,7 +85,7 @@ def import_seconds(statement: str) -> float:
         subprocess.run([sys.executable, "-c", statement], check=True)
         return time.perf_counter() - start
 
-    return min(once() for _ in range(10))
+    return min(once() for _ in range(10))  # NaN: none among times
 
 
 def compared(calls: dict) -> dict[str, tuple[float, float]]:
@@ -94,9 +94,10 @@ def compared(calls: dict) -> dict[str, tuple[float, float]]:
     python = dict(cpp)
     for _ in range(ROUNDS):
         for name, value in cpp_times().items():
-            cpp[name] = min(cpp[name], value)
+            cpp[name] = min(cpp[name], value)  # NaN: none among times
         for name, call in calls.items():
-            python[name] = min(python[name], *(milliseconds(call) for _ in range(5)))
+            taken = (milliseconds(call) for _ in range(5))
+            python[name] = min(python[name], *taken)  # NaN: none among times
     return {name: (cpp[name], python[name]) for name in calls}
 
 
@@ -125,10 +126,12 @@ def main() -> None:
                for name, (c, p) in compared(million_calls()).items()]
     scalar = [f"| `{name}` | {value:.2f} us |" for name, value in scalar_times().items()]
     numpy_import = import_seconds("import numpy")
+    both = import_seconds("import numpy, polhode")
+    more = max(0.0, both - numpy_import)  # NaN: none among times
     print(PAGE.format(
         python=platform.python_version(), numpy=np.__version__, million="\n".join(million),
         scalar="\n".join(scalar), numpy_import=numpy_import,
-        more=max(0.0, import_seconds("import numpy, polhode") - numpy_import)), end="")
+        more=more), end="")
 
 
 if __name__ == "__main__":

@@ -5,17 +5,19 @@
 // the last, both over |E|; `steps_per_turn` says how long a step is.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "dynamics/detail/stepper.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
+using polhode::test::larger;
+using polhode::test::smaller;
 
 // The mean and the range of a number that is seen many times, free of its own size.
 struct Seen {
@@ -25,8 +27,8 @@ struct Seen {
   void see(double x) {
     const double d = x - reference;
     sum += d;
-    least = count == 0 ? d : std::min(least, d);
-    largest = count == 0 ? d : std::max(largest, d);
+    least = count == 0 ? d : smaller(least, d);
+    largest = count == 0 ? d : larger(largest, d);
     ++count;
   }
   double mean() const { return sum / count; }

@@ -119,6 +119,10 @@ inline constexpr double free_state_median = 4e-16;
 inline constexpr double free_far_phase = 0x1p-100;
 // G^2 - 2 T I2, relative, however much cancels: a few roundings of double-double.
 inline constexpr double separatrix_distance = 0x1p-101;
+// The oracle past the edges (tests/unit/oracle/free_edge_cases.cpp), 1e25 turns included.
+inline constexpr double oracle_edges = 1e-30;
+// Of the phase, rad per rad: 2^-104.
+inline constexpr double free_phase = 5e-32;
 // State transition matrix over ten turns, each 3x3 block relative to its norm.
 inline constexpr double free_transition = 2e-14;
 // The library's doubles against the paper's formulas at 50 digits (tests/paper).
@@ -177,6 +181,12 @@ inline constexpr double flow_round_trip = 1e-14;
 inline constexpr double flow_round_trip_eps = 20.0;
 // The symplectic defect of B, entry by entry over eps |B| |J| |B^T|.
 inline constexpr double flow_canonical_eps = 4.0;
+// Every column of the derivatives against tests/oracle/flow_adapted.hpp, over its largest entry: by
+// its roundings and by those of the numbers, over the distance from where the sets are singular.
+inline constexpr double flow_jacobian = 1e-13;
+inline constexpr double flow_jacobian_eps = 16.0;
+// The phase of the oracle: of a period, and of the momentum.
+inline constexpr double flow_phase = 1e-6;
 // Serret's elements exactly on the separatrix and for spin about b2; for spin about b1 or b3, where
 // T holds J to sqrt(eps) only.
 inline constexpr double serret_separatrix = 2e-14;
@@ -383,6 +393,8 @@ inline constexpr double ephemeris_moon_distance = 3e-3;
 inline constexpr double ephemeris_rounding_km = 1e-6;
 inline constexpr double ephemeris_orbit = 1e-10;  // of the distance, of scenarios
 inline constexpr double ephemeris_gm = 1e-4;
+// Terms read from a text against formulas in NumPy (python/tests/test_scenario_terms.py), relative.
+inline constexpr double scenario_torque = 1e-13;
 inline constexpr double ephemeris_table = 5e-12;  // of the distance
 inline constexpr double teme_arcsec = 0.06;       // 1990 to 2030
 
@@ -460,6 +472,15 @@ inline constexpr double cassini_node = 1e-3;
 inline constexpr double mars_rate = 1e-4;
 inline constexpr double mars_nutation = 1e-2;
 inline constexpr double averaged_envisat = 3e-2;
+
+// --- the gallery (python/tests/gallery_values.py), on numbers of order one ---
+// Laws that hold along a curve, and steps of the same formulas.
+inline constexpr double gallery_law = 1e-12;
+// Against SciPy at its tolerance, over the flips of a wing nut.
+inline constexpr double gallery_integrated = 5e-9;
+// Of an energy, relative; of one along a run at tolerance 1e-10.
+inline constexpr double gallery_energy = 1e-14;
+inline constexpr double gallery_run = 1e-8;
 
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.

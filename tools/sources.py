@@ -37,6 +37,37 @@ PYTHON_TOLERANCE = re.compile(
 # NumPy's own adds 1e-7 of the expected value to every atol.
 LOOSE_COMPARISON = re.compile(r"testing(?:\.| import [^\n]*\b)assert_allclose")
 COMMENT = re.compile(r"//[^\n]*")
+# max(worst, NaN) is worst: what a test or a benchmark takes the largest of keeps NaN, by Worst,
+# larger and smaller of tests/worst.hpp, largest and smallest of tests/closeness.py. Counts have a
+# type: std::max<int>. A line of Python with a comment "NaN: ..." says why it may.
+DROPS = "drops NaN; take "
+BLIND_CPP = (
+    (re.compile(
+        r"\bstd::(?:ranges::)?(?:max|min|minmax|max_element|min_element|minmax_element|fmax|fmin"
+        r"|clamp)\b(?!<(?:int|long|std::\w+|unsigned\b[^>]*)>)|(?<![\w.:>])fm(?:ax|in)l?f?\s*\("),
+     DROPS + "Worst, larger or smaller of worst.hpp"),
+    (re.compile(  # if (x > worst) worst = x; worst = x > worst ? x : worst
+        r"\bif\s*\(\s*!?\(?([^;{}?\n]+?)\s*[<>]=?\s*([^;{}?\n]+?)\)?\)\s*\{?\s*"
+        r"(?:\1\s*=\s*\2|\2\s*=\s*\1)\s*;"
+        r"|=\s*([^;{}?\n]+?)\s[<>]=?\s([^;{}?\n]+?)\s*\?\s*(?:\3\s*:\s*\4|\4\s*:\s*\3)\s*;"),
+     DROPS + "Worst of worst.hpp"),
+    (re.compile(
+        r"\b(?:EXPECT|ASSERT)_(?:FALSE\s*\(|TRUE\s*\(\s*!)(?:[^;\"]|\"[^\"]*\")*?\s(?:>=?|<=?)\s"),
+     "passes when a number is NaN; say what must hold, by EXPECT_LE or its like"),
+)
+BLIND_PYTHON = (
+    (re.compile(r"(?<![\w.])(?:max|min)\((?!map\(len\b)|\bnp\.(?:nanmax|nanmin|fmax|fmin)\b"),
+     DROPS + "largest or smallest of closeness"),
+    (re.compile(
+        r"\bif ([^\n:]+?) [<>]=? ([\w.\[\]]+):\s*(?:\1 = \2|\2 = \1)\b"
+        r"|= ([^\n:]+?) if \3 [<>]=? ([^\n:]+?) else \4(?!\w)"),
+     DROPS + "largest or smallest of closeness"),
+    (re.compile(r"\bassert not (?:(?! and | or )[^\n#])*?\s[<>]=?\s"),
+     "passes when a number is NaN; assert what must hold"),
+    (re.compile(r"\bassert_allclose\([^\n]*equal_nan=True"),
+     "passes when a number is NaN"),
+)
+MEANT = re.compile(r"#[^\n]*\bNaN: ")
 
 
 def line_of(text, match):
@@ -70,6 +101,26 @@ def errors_of(name, text):
                 yield f"{name}:{line_of(code, match)}: {TYPED}"
 
 
+def blind_errors_of(name, text):
+    """Where a test or a benchmark would not see a NaN."""
+    path = pathlib.PurePath(name)
+    judges = path.parts[0] == "benchmarks" or "tests" in path.parts
+    if not judges or path.name in ("worst.hpp", "closeness.py", "test_sources.py"):
+        return
+    if path.suffix in (".cpp", ".hpp"):
+        code, patterns = COMMENT.sub("", text), BLIND_CPP
+    elif path.suffix == ".py":
+        code, patterns = text, BLIND_PYTHON
+    else:
+        return
+    lines = text.splitlines()
+    for pattern, why in patterns:
+        for match in pattern.finditer(code):
+            line = line_of(code, match)
+            if path.suffix != ".py" or not MEANT.search(lines[line - 1]):
+                yield f"{name}:{line}: {' '.join(match.group(0).split())!r} {why}"
+
+
 def version_errors():
     text = (ROOT / "include/polhode/version.hpp").read_text()
     version = ".".join(re.findall(r"#define POLHODE_VERSION_\w+ (\d+)", text))
@@ -89,7 +140,8 @@ def main():
         path = ROOT / name
         is_code = path.suffix in CODE or path.name == "CMakeLists.txt"
         if is_code and path.is_file():
-            errors += errors_of(name, path.read_text(encoding="utf-8", errors="replace"))
+            text = path.read_text(encoding="utf-8", errors="replace")
+            errors += [*errors_of(name, text), *blind_errors_of(name, text)]
     print("\n".join(dict.fromkeys(errors)), end="\n" if errors else "")
     return 1 if errors else 0
 

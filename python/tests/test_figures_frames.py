@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import polhode
 import pytest
-from closeness import assert_allclose
+from closeness import assert_allclose, largest, smallest
 from polhode import figures
 from polhode.figures.arrows import turned
 from polhode.figures.frames import SETS, best_view, frames_of
@@ -105,8 +105,8 @@ def test_labels_do_not_overlap(state, angles):
     ax.figure.canvas.draw()
     boxes = [t.get_window_extent() for t in ax.texts if t.get_text()]
     for a, b in itertools.combinations(boxes, 2):
-        width = min(a.x1, b.x1) - max(a.x0, b.x0)
-        height = min(a.y1, b.y1) - max(a.y0, b.y0)
+        width = smallest(a.x1, b.x1) - largest(a.x0, b.x0)
+        height = smallest(a.y1, b.y1) - largest(a.y0, b.y0)
         assert width <= 0.0 or height <= 0.0
 
 
@@ -137,7 +137,7 @@ def test_the_view_that_is_chosen_shows_every_plane():
     for state in states(6, seed=11):
         f = frames_of(state)
         view = best_view(f, list(SETS["andoyer"]), ["i", "j"])
-        assert min(abs(view.toward @ n) for n in (f.inertial[2], f.momentum, f.body[2])) > 0.05
+        assert smallest(abs(view.toward @ n) for n in (f.inertial[2], f.momentum, f.body[2])) > 0.05
 
 
 def random_discs(rng, count):
@@ -151,7 +151,7 @@ def test_discs_are_painted_from_back_to_front(count):
     view = View(24.0, 33.0)
     for _ in range(10):
         pieces = back_to_front(view, random_discs(rng, count))
-        assert len(pieces) == count * max(2 * (count - 1), 1)
+        assert len(pieces) == count * largest(2 * (count - 1), 1)
         for x, y in rng.uniform(-0.9, 0.9, size=(40, 2)):
             depths = []
             for sector, disc in pieces:

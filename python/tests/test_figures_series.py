@@ -118,7 +118,7 @@ def test_angles_are_cut_in_every_unit(unit, turn):
     wrapped = (0.1 * T % 1.0 - 0.5) * turn
     (line,) = figures.time_series({"t": T, "l": wrapped}, "l", units={"l": unit}).get_lines()
     assert np.isnan(line.get_ydata()).sum() == np.sum(np.abs(np.diff(wrapped)) > turn / 2) > 0
-    assert_allclose(np.nanmax(line.get_ydata()), turn / 2)
+    assert_allclose(np.nanmax(line.get_ydata()), turn / 2)  # NaN: the gaps counted
 
 
 def test_tables_of_results_bring_their_units():
@@ -159,7 +159,7 @@ def test_a_wrapped_angle_goes_over_the_edge(turn, low, rate):
     gaps = np.isnan(drawn)
     assert gaps.sum() == np.sum(np.abs(np.diff(wrapped)) > turn / 2) > 3
     step = np.abs(np.diff(drawn))
-    assert np.nanmax(step) < 0.12 * turn  # no vertical line
+    assert np.nanmax(step) < 0.12 * turn  # no vertical line; NaN: the gaps counted
     inside = (drawn / turn - rate * drawn_t - 0.07)[~gaps]
     assert_allclose(inside - np.round(inside), 0.0, atol=budgets.figure_orbit)
     edges = drawn[:-1][gaps[1:]], drawn[1:][gaps[:-1]]

@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import polhode
 import pytest
+from closeness import largest, smallest
 from matplotlib.colors import to_rgb
 from PIL import Image
 from polhode import figures
@@ -86,7 +87,7 @@ def test_looks_differ_by_more_than_colour(looks):
     for a, b in itertools.combinations(looks, 2):
         assert a.color != b.color
         assert a.marker != b.marker
-        wide = max(a.linewidth, b.linewidth) / min(a.linewidth, b.linewidth)
+        wide = largest(a.linewidth, b.linewidth) / smallest(a.linewidth, b.linewidth)
         assert a.linestyle != b.linestyle or (
             wide > 1.5 and abs(grey(a.color) - grey(b.color)) > 0.2
         )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Every kind of perturbation along every kind of orbit: from a file to the objects that make it,
-and back to a file of the same run."""
+the torque that its numbers say, and back to a file of the same run."""
 
 import pickle
 
@@ -8,6 +8,7 @@ import budgets
 import numpy as np
 import polhode
 import pytest
+import torques_by_hand
 from closeness import assert_allclose
 from polhode import (
     Body,
@@ -32,6 +33,7 @@ from polhode import (
     TableOrbit,
     TorqueTable,
     TurnedKeplerOrbit,
+    attitude_matrix,
 )
 
 HEAD = """\
@@ -153,8 +155,41 @@ def rebuilt(given):
     )
 
 
-def check(text, classes):
+T = 1.0
+
+
+MOON = 4902.8  # km3 / s2
+
+
+def place_of(given):
+    """Where the first state is put without its frame, along the orbits of the scenario at T."""
+    R = attitude_matrix(given.body.q_FB)
+    scale = budgets.numpy_formula * given.body.moments[2]
+    assert_allclose(R @ torques_by_hand.TENSOR @ R.T, np.diag(given.body.moments), atol=scale)
+    orbit, sun = given.orbits.get("it"), given.orbits.get("sun")
+    gm = torques_by_hand.GM
+    if given.orbits and isinstance(given.orbits["it"], TableOrbit) and "gm =" not in given.text:
+        (gm,) = {t.arguments["gm"] for t in given.system.terms if "gm" in t.arguments} or {MOON}
+        assert_allclose(gm, MOON, rtol=budgets.ephemeris_gm)
+        gm = 1e9 * gm
+    return torques_by_hand.Place(
+        given.body.moments, R, attitude_matrix(given.initial_state.q), given.initial_state.g, T,
+        *(1e3 * (f(T) if f else np.ones(3)) for f in (
+            orbit and orbit.position, orbit and orbit.velocity, sun and sun.position)), gm,
+    )
+
+
+def expect_torque(given, want, where):
+    """Of all terms together, in SI units: of torques the moments' kg m2 / s2."""
+    got = polhode.effect(System(given.body, None, given.system.terms), T, given.initial_state)
+    for mine, right in zip((got.u, got.v), want(where), strict=True):
+        size = np.linalg.norm(right)
+        assert_allclose(mine, right, atol=budgets.scenario_torque * size)
+
+
+def check(text, classes, want):
     given = Scenario.from_text(text)
+    expect_torque(given, want, place_of(given))
     terms = given.system.terms
     assert [type(term).__name__ for term in terms] == classes.split()
     effect = polhode.effect(given.system, 1.0, given.initial_state)
@@ -173,7 +208,7 @@ def test_a_term_along_an_orbit_comes_back(kind, orbit):
     table, classes = ALONG[kind]
     keys, orbit_class = ORBITS[orbit]
     text = HEAD + "[orbit.it]\n" + keys + SUN + "[[perturbation]]\n" + table
-    given = check(text, classes)
+    given = check(text, classes, torques_by_hand.ALONG[kind])
     assert all(type(t.arguments["orbit"]) is orbit_class for t in given.system.terms)
     assert type(given.orbits["it"]) is orbit_class
 
@@ -181,7 +216,7 @@ def test_a_term_along_an_orbit_comes_back(kind, orbit):
 @pytest.mark.parametrize("kind", OWN)
 def test_a_torque_of_the_bodys_own_comes_back(kind):
     table, classes = OWN[kind]
-    check(HEAD + "[[perturbation]]\n" + table, classes)
+    check(HEAD + "[[perturbation]]\n" + table, classes, torques_by_hand.OWN[kind])
 
 
 def test_columns_of_a_tensor_stay_along_its_axes():

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/detail/splitting_map.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include "dynamics/detail/finite.hpp"
+#include "math/detail/larger.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 
@@ -67,7 +67,7 @@ RotorState SplittingMap::state(const SplittingState& s) const {
 double SplittingMap::rate(const SplittingState& s) const {
   const Vec3& I = system_.body().moments();
   const Vec3& g = s.g.hi;
-  return std::max({std::abs(g.x / I.x), std::abs(g.y / I.y), std::abs(g.z / I.z)});
+  return larger(std::abs(g.x / I.x), std::abs(g.y / I.y), std::abs(g.z / I.z));
 }
 
 Setting SplittingMap::setting(const SplittingState& s, const Quaternion& q_IS) const {
@@ -86,7 +86,7 @@ std::string SplittingMap::term_not_finite(const SplittingState& s) const {
 void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const noexcept {
   // |g|^2 would be no number, and a modulus made of it an exception: the state says it instead
   const Vec3& g = s.g.hi;
-  if (!(std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)}) < largest_momentum)) {
+  if (!(larger(std::abs(g.x), std::abs(g.y), std::abs(g.z)) < largest_momentum)) {
     s.g.hi.x = std::numeric_limits<double>::quiet_NaN();
     return;
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/detail/larger.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace {
@@ -15,7 +17,7 @@ constexpr int most_terms = 20;  // 0.5^20 / 21! is far below a rounding
 double largest_row_sum(const Mat3& m) {
   double r = 0.0;
   for (const Vec3& row : m.row)
-    r = std::max(r, std::abs(row.x) + std::abs(row.y) + std::abs(row.z));
+    r = detail::larger(r, std::abs(row.x) + std::abs(row.y) + std::abs(row.z));
   return r;
 }
 

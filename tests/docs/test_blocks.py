@@ -99,7 +99,7 @@ def difference(printed, expected):
             good, reached = matches(k, j + 1)
             if good:
                 return True, reached
-            furthest = max(furthest, reached)
+            furthest = max(furthest, reached)  # NaN: none among counts
         return False, furthest
 
     good, at = matches(0, 0)

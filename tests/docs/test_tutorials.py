@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tomllib
+from closeness import largest
 from matplotlib.image import imread
 from python_session import PythonSession
 from test_blocks import NUMBER, difference, environment_of
@@ -32,7 +33,7 @@ def changed(drawn: np.ndarray, shown: np.ndarray) -> float:
     grey = np.abs(drawn.astype(float)[..., :3].mean(-1) - shown.astype(float)[..., :3].mean(-1))
     moved = (drawn.astype(float) - shown)[: height * BLOCK, : width * BLOCK, :3].mean(-1)
     blocks = moved.reshape(height, BLOCK, width, BLOCK).mean((1, 3))
-    return max(np.abs(blocks).max(), grey.mean())
+    return largest(np.abs(blocks).max(), grey.mean())
 
 
 def untold(text: str, told: str) -> list[str]:

@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     convert(
         conversion, "fuzz",
         [&](std::span<char> buffer) {
-          const std::size_t count = std::min({piece, buffer.size(), rest.size()});
+          const std::size_t count = std::min<std::size_t>({piece, buffer.size(), rest.size()});
           std::copy_n(rest.data(), count, buffer.data());
           rest.remove_prefix(count);
           return count;

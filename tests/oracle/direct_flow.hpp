@@ -5,12 +5,14 @@
 // Domain      moderate arcs: rounding grows beside the middle axis as the physics does.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "oracle/euler_taylor.hpp"
+#include "worst.hpp"
 
 namespace oracle {
+
+using polhode::test::smaller;
 
 class DirectFlow {
  public:
@@ -53,11 +55,10 @@ inline WideState DirectFlow::after(const WideState& start, const Wide& elapsed) 
     for (std::size_t k = 0; k < settings_.order; ++k) append_order(g, w, q, k);
     const Wide G = sqrt(dot(now.g, now.g));
     double log2_length = std::numeric_limits<double>::infinity();
-    for (const Series& s : q) log2_length = std::min(log2_length, log2_step(s, settings_, 0.0));
+    for (const Series& s : q) log2_length = smaller(log2_length, log2_step(s, settings_, 0.0));
     for (const Series& s : g)
-      log2_length = std::min(log2_length, log2_step(s, settings_, log2_magnitude(G)));
-    Wide h = pow(Wide(2), Wide(log2_length));
-    if (h > abs(left)) h = abs(left);
+      log2_length = smaller(log2_length, log2_step(s, settings_, log2_magnitude(G)));
+    Wide h = smaller(Wide(pow(Wide(2), Wide(log2_length))), Wide(abs(left)));
     if (left < 0) h = -h;
     now = {{polynomial(q[0], h), polynomial(q[1], h), polynomial(q[2], h), polynomial(q[3], h)},
            polynomial(g, h)};

@@ -13,13 +13,16 @@
 //             bilinear.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include "oracle/wide_real.hpp"
+#include "worst.hpp"
 
 namespace oracle {
+
+using polhode::test::larger;
+using polhode::test::smaller;
 
 // Order of the expansions, and the truncation allowed to one step relative to each unknown.
 struct TaylorSettings {
@@ -153,21 +156,20 @@ inline void EulerEquations::append_order_saddle(Series3& y, std::size_t k) const
 inline double log2_step(const Series& s, const TaylorSettings& settings,
                         double floor = -std::numeric_limits<double>::infinity()) {
   const double tolerance = settings.log10_tolerance * std::log2(10.0);
-  const double value = std::max(floor, log2_magnitude(s[0]));
+  const double value = larger(floor, log2_magnitude(s[0]));
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t m = s.size() - 4; m < s.size(); ++m) {
     const double top = log2_magnitude(s[m]);
     if (!std::isfinite(top)) continue;
     const double by_value = (tolerance + value - top) / static_cast<double>(m);
     const double by_change = (tolerance + log2_magnitude(s[1]) - top) / static_cast<double>(m - 1);
-    result = std::min(result, std::max(by_value, by_change));
+    result = smaller(result, larger(by_value, by_change));
   }
   return result;
 }
 
 inline double log2_step(const Series3& y, const TaylorSettings& settings) {
-  return std::min(
-      {log2_step(y[0], settings), log2_step(y[1], settings), log2_step(y[2], settings)});
+  return smaller(log2_step(y[0], settings), log2_step(y[1], settings), log2_step(y[2], settings));
 }
 
 inline WideVec3 polynomial(const Series3& y, const Wide& h) {

@@ -20,8 +20,11 @@
 #include <vector>
 
 #include "oracle/euler_taylor.hpp"
+#include "worst.hpp"
 
 namespace oracle {
+
+using polhode::test::smaller;
 
 enum class Motion { rest, steady, periodic, separatrix };
 
@@ -137,7 +140,7 @@ inline FreeBody::Step FreeBody::expanded(const Wide& begin, const Reading& start
     step.phi.push_back(rate[k] / (k + 1));
     equations_.append_order(step.y, k);
   }
-  const double length = std::min(log2_step(step.phi, settings_, 0.0), log2_step(step.y, settings_));
+  const double length = smaller(log2_step(step.phi, settings_, 0.0), log2_step(step.y, settings_));
   step.length = pow(Wide(2), Wide(length));
   return step;
 }

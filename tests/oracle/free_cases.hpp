@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
@@ -18,8 +19,12 @@
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/rotor_state.hpp"
+#include "worst.hpp"
 
 namespace oracle {
+
+using polhode::test::larger;
+using polhode::test::smaller;
 
 struct FreeCase {
   polhode::Vec3 moments;
@@ -127,7 +132,7 @@ inline std::vector<ExactSeparatrix> exact_separatrices() {
   std::vector<ExactSeparatrix> found;
   for (int hi = 3; hi <= 40; ++hi)
     for (int mid = 2; mid < hi; ++mid)
-      for (int lo = std::max(1, hi - mid); lo < mid; ++lo) {
+      for (int lo = std::max<int>(1, hi - mid); lo < mid; ++lo) {
         const int p = lo * (hi - mid), q = hi * (mid - lo), d = std::gcd(p, q);
         const int a = root(p / d), b = root(q / d);
         if (a * a == p / d && b * b == q / d) found.push_back({lo, mid, hi, a, b});
@@ -202,7 +207,7 @@ inline FreeCase near_separatrix_case(Draw& draw) {
   FreeCase c;
   const detail::Triple I = detail::triaxial_moments(draw);
   const double alpha = (I[2] - I[1]) / I[2], beta = (I[1] - I[0]) / I[0];
-  const double least = std::min(alpha, beta);
+  const double least = smaller(alpha, beta);
   double d2 = draw.sign() * draw.power_of_ten(-16, -3);
   if (std::abs(d2) > 0.5 * least) d2 *= 0.5 * least;
   // g1^2 + g3^2 = side G^2: the whole separatrix, or close to the middle axis
@@ -210,9 +215,9 @@ inline FreeCase near_separatrix_case(Draw& draw) {
   const double side = draw.chance(0.75) ? smallest + (1.0 - smallest) * draw.uniform(0.0, 1.0)
                                         : std::pow(smallest, draw.uniform(0.0, 1.0));
   const detail::Triple direction{
-      draw.sign() * std::sqrt(std::max(0.0, (alpha * side - d2) / (alpha + beta))),
-      draw.sign() * std::sqrt(std::max(0.0, 1.0 - side)),
-      draw.sign() * std::sqrt(std::max(0.0, (beta * side + d2) / (alpha + beta)))};
+      draw.sign() * std::sqrt(larger(0.0, (alpha * side - d2) / (alpha + beta))),
+      draw.sign() * std::sqrt(larger(0.0, 1.0 - side)),
+      draw.sign() * std::sqrt(larger(0.0, (beta * side + d2) / (alpha + beta)))};
   detail::place(c, draw, detail::scaled(draw.power_of_ten(-3, 3), I),
                 detail::scaled(draw.power_of_ten(-3, 3), direction));
   c.start.q = detail::any_attitude(draw);

@@ -14,10 +14,13 @@
 
 #include "oracle/free_body.hpp"
 #include "polhode/math/matrix6.hpp"
+#include "worst.hpp"
 
 namespace oracle {
 
 using WideMatrix6 = polhode::BasicMatrix6<Wide>;
+using polhode::test::larger;
+using polhode::test::smaller;
 
 class FreeTransition {
  public:
@@ -67,16 +70,15 @@ inline void FreeTransition::append_order(const Series3& g, ColumnSeries& column,
 // As log2_step, for a vector: relative to the largest component of its value or of its change.
 inline double FreeTransition::log2_step_of(const Series3& s) const {
   const auto largest = [&s](std::size_t k) {
-    return std::max({log2_magnitude(s[0][k]), log2_magnitude(s[1][k]), log2_magnitude(s[2][k])});
+    return larger(log2_magnitude(s[0][k]), log2_magnitude(s[1][k]), log2_magnitude(s[2][k]));
   };
   const double tolerance = body_.settings().log10_tolerance * std::log2(10.0);
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t m = s[0].size() - 4; m < s[0].size(); ++m) {
     const double top = largest(m);
     if (!std::isfinite(top)) continue;
-    result =
-        std::min(result, std::max((tolerance + largest(0) - top) / static_cast<double>(m),
-                                  (tolerance + largest(1) - top) / static_cast<double>(m - 1)));
+    result = smaller(result, larger((tolerance + largest(0) - top) / static_cast<double>(m),
+                                    (tolerance + largest(1) - top) / static_cast<double>(m - 1)));
   }
   return result;
 }
@@ -97,7 +99,7 @@ inline Wide FreeTransition::advance(WideVec3& y, Columns& columns, const Wide& l
   }
   double length = log2_step(unknowns, body_.settings());
   for (const ColumnSeries& column : series)
-    length = std::min({length, log2_step_of(column.theta), log2_step_of(column.g)});
+    length = smaller(length, log2_step_of(column.theta), log2_step_of(column.g));
   Wide h = abs(left);
   if (std::isfinite(length) && pow(Wide(2), Wide(length)) < h) h = pow(Wide(2), Wide(length));
   if (left < 0) h = -h;

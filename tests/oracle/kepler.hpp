@@ -3,6 +3,7 @@
 #pragma once
 
 #include "oracle/wide_real.hpp"
+#include "worst.hpp"
 
 namespace oracle {
 
@@ -15,7 +16,7 @@ inline Wide kepler_root(const Wide& M, const Wide& e) {
   const Wide gap = ellipse ? Wide(1 - e) : Wide(e - 1);
   // x^3 / pi^2 <= x - sin x on [0, pi], x^3 / 6 <= sinh x - x
   Wide x = cbrt((ellipse ? 10 : 6) * M / e);
-  if (M / gap < x) x = M / gap;
+  x = polhode::test::smaller(x, Wide(M / gap));
   if (ellipse && x > wide_pi()) x = wide_pi();
   if (!ellipse) x = asinh((M + x) / e);
   for (int step = 0; step < 60; ++step) {

@@ -201,10 +201,7 @@ Jacobi jacobi(const Mp& u, const Mp& k) {
   return {phi, sn, c(phi), root(1 - k * k * sn * sn)};
 }
 
-void Gap::add(const Mp& a, const Mp& b) {
-  const double difference = static_cast<double>(magnitude(a - b));
-  if (!(difference <= size_)) size_ = difference;  // also takes a NaN, which then stays
-}
+void Gap::add(const Mp& a, const Mp& b) { size_.add(static_cast<double>(magnitude(a - b))); }
 void Gap::add(const Vec& a, const Vec& b) {
   for (std::size_t i = 0; i < 3; ++i) add(a[i], b[i]);
 }

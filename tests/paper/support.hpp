@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+#include "worst.hpp"
+
 namespace polhode::paper {
 
 using Mp = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
@@ -94,10 +96,10 @@ class Gap {
   void add(const Mp& a, const Mp& b);
   void add(const Vec& a, const Vec& b);
   void add(const Mat& a, const Mat& b);
-  double size() const { return size_; }
+  double size() const { return size_.value(); }
 
  private:
-  double size_ = 0.0;
+  test::Worst<> size_;
 };
 
 // Seeded random numbers that are exact doubles, so that the library can be given the same input.

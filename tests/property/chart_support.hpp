@@ -15,6 +15,7 @@
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"
+#include "worst.hpp"
 
 namespace chart_test {
 
@@ -25,6 +26,9 @@ using polhode::Pole;
 using polhode::RotorState;
 using polhode::Vec3;
 using Numbers = std::array<double, 6>;
+using polhode::test::larger;
+using polhode::test::smaller;
+using polhode::test::Worst;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr std::array<Pole, 2> poles{Pole::zero, Pole::pi};
@@ -159,24 +163,24 @@ class Sampler {
 // Rotation angle between two attitudes, rad.
 inline double attitude_difference(const polhode::Quaternion& p, const polhode::Quaternion& q) {
   const polhode::Quaternion d = conj(normalized(p)) * normalized(q);
-  return 2.0 * std::asin(std::min(1.0, norm(Vec3{d.x, d.y, d.z})));
+  return 2.0 * std::asin(smaller(1.0, norm(Vec3{d.x, d.y, d.z})));
 }
 // Larger of the attitude difference and the relative difference of the momenta.
 inline double hub_difference(const RotorState& a, const RotorState& b) {
   const double size = norm(a.g);
-  return std::max(attitude_difference(a.q, b.q), norm(a.g - b.g) / (size > 0.0 ? size : 1.0));
+  return larger(attitude_difference(a.q, b.q), norm(a.g - b.g) / (size > 0.0 ? size : 1.0));
 }
 inline double angle_difference(double a, double b) {
   return std::remainder(a - b, 2.0 * 3.141592653589793);
 }
 // Largest difference of the six numbers, the first `angles` of them modulo 2 pi.
 inline double numbers_difference(const Numbers& a, const Numbers& b, int angles) {
-  double worst = 0.0;
+  Worst worst;
   for (std::size_t i = 0; i < 6; ++i) {
     const double d = static_cast<int>(i) < angles ? angle_difference(a[i], b[i]) : a[i] - b[i];
-    worst = std::isnan(d) ? d : std::max(worst, std::abs(d));
+    worst.add(std::abs(d));
   }
-  return worst;
+  return worst.value();
 }
 inline bool finite(const Numbers& n) {
   return std::all_of(n.begin(), n.end(), [](double x) { return std::isfinite(x); });
@@ -191,14 +195,14 @@ inline bool finite(const Matrix6& m) {
 
 // max_i (|M| |S|)_i
 inline double amplified(const Matrix6& m, const Numbers& size) {
-  double worst = 0.0;
+  Worst worst;
   for (int i = 0; i < 6; ++i) {
     double sum = 0.0;
     for (int j = 0; j < 6; ++j)
       sum += std::abs(m(i, j)) * std::abs(size[static_cast<std::size_t>(j)]);
-    worst = std::max(worst, sum);
+    worst.add(sum);
   }
-  return worst;
+  return worst.value();
 }
 
 inline Matrix6 canonical_tensor() {
@@ -222,19 +226,24 @@ inline Matrix6 magnitudes(Matrix6 m) {
     for (double& x : row) x = std::abs(x);
   return m;
 }
-// Largest |M from M^T - to| in units of eps (|M| |from| |M^T|), entry by entry.
-inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Matrix6& to) {
+// Largest |M from M^T - to| in units of eps (|S| |from| |S^T|), entry by entry. S is M as another
+// has it: an M that is wrong must not set its own scale.
+inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Matrix6& to,
+                                const Matrix6& s) {
   const Matrix6 image = m * from * transpose(m);
-  const Matrix6 scale = magnitudes(m) * magnitudes(from) * magnitudes(transpose(m));
-  double worst = 0.0;
+  const Matrix6 scale = magnitudes(s) * magnitudes(from) * magnitudes(transpose(s));
+  Worst worst;
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
       const double d = std::abs(image(i, j) - to(i, j)) / eps;
-      if (std::isnan(d)) return d;
-      if (d > 0.0) worst = std::max(worst, d / scale(i, j));
+      worst.add(d == 0.0 ? 0.0 : d / scale(i, j));
     }
   }
-  return worst;
+  return worst.value();
+}
+// Where M itself is compared elsewhere.
+inline double symplectic_defect(const Matrix6& m, const Matrix6& from, const Matrix6& to) {
+  return symplectic_defect(m, from, to, m);
 }
 
 }  // namespace chart_test

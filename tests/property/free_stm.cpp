@@ -15,8 +15,11 @@
 #include "oracle/free_cases.hpp"
 #include "oracle/free_transition.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "worst.hpp"
 
 namespace {
+
+using polhode::test::Worst;
 
 namespace budget = polhode::budget;
 using oracle::FreeCase;
@@ -27,7 +30,7 @@ constexpr std::uint64_t seed = 1923;  // the year of Andoyer's book
 // The largest over the four 3x3 blocks of |block - exact| / |exact|, Frobenius norms; the block of
 // d(g)/d(theta), which is 0, counts relative to G. Infinite for what is not finite.
 double relative_error(const polhode::Matrix6& m, const oracle::WideMatrix6& exact, double G) {
-  double worst = 0.0;
+  Worst worst;
   for (int block = 0; block < 4; ++block) {
     const int row = 3 * (block / 2), column = 3 * (block % 2);
     Wide error = 0, size = row == 3 && column == 0 ? Wide(G) * G : Wide(0);
@@ -39,9 +42,9 @@ double relative_error(const polhode::Matrix6& m, const oracle::WideMatrix6& exac
         size += exact(i, j) * exact(i, j);
       }
     }
-    if (error != 0) worst = std::max(worst, static_cast<double>(Wide(sqrt(error / size))));
+    worst.add(error == 0 ? 0.0 : static_cast<double>(Wide(sqrt(error / size))));
   }
-  return worst;
+  return worst.value();
 }
 
 double transition_error(const FreeCase& c) {
@@ -55,22 +58,20 @@ double transition_error(const FreeCase& c) {
 
 void expect_transitions(const std::vector<FreeCase>& cases) {
   std::vector<double> errors;
-  std::string worst;
-  double largest = 0.0;
+  Worst worst;
   for (const FreeCase& c : cases) {
     const double error = transition_error(c);
     errors.push_back(error);
-    if (worst.empty() || error > largest) worst = description(c);
-    largest = std::max(largest, error);
+    worst.add(error, description(c));
   }
   std::sort(errors.begin(), errors.end());
   std::array<char, 32> text{};
   testing::Test::RecordProperty("cases", std::to_string(errors.size()));
   std::snprintf(text.data(), text.size(), "%.2g", errors[errors.size() / 2]);
   testing::Test::RecordProperty("transition_median", text.data());
-  std::snprintf(text.data(), text.size(), "%.2g", largest);
+  std::snprintf(text.data(), text.size(), "%.2g", worst.value());
   testing::Test::RecordProperty("transition_max", text.data());
-  EXPECT_LE(largest, budget::free_transition) << worst;
+  EXPECT_LE(worst.value(), budget::free_transition) << worst.where();
 }
 
 // Drawn like the accuracy sets, over -10 .. 10 turns.

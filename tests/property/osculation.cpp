@@ -20,6 +20,7 @@
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/canonical_rates.hpp"
 #include "polhode/system/modified_andoyer.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -28,6 +29,9 @@ using oracle::Wide;
 using oracle::WideQuaternion;
 using oracle::WideState;
 using oracle::WideVec3;
+using polhode::test::larger;
+using polhode::test::smaller;
+using polhode::test::Worst;
 
 // A frame for the library, and by definition: attitude and rate, both in inertial axes.
 struct Observer {
@@ -130,7 +134,8 @@ TEST(Osculation, BothAngularVelocitiesAfterTenThousandTurns) {
     const FreeRotation motion(r.body(), r.start);
     for (const Observer& o : observers()) {
       const System system(r.body(), o.frame);
-      double inertial = 0.0, relative = 0.0, named = 0.0, apart = 1e300;
+      Worst inertial, relative, named;
+      double apart = 1e300;
       for (const double t : times(r)) {
         const RotorState s = reference_state(system, t, motion.at(t));
         const RotorState canonical = to_rotor(to_andoyer(s));
@@ -143,17 +148,17 @@ TEST(Osculation, BothAngularVelocitiesAfterTenThousandTurns) {
         const WideVec3 w_IB = rotate(s_I.q, body_rate(r, s_I)), w_SB = w_IB - o.mu_I(Wide(t));
         const Vec3 w_canonical = inertial_axes(canonical, angular_velocity(r.body(), canonical));
         const Vec3 w_osculating = inertial_axes(osculating, angular_velocity(r.body(), osculating));
-        inertial = std::max(inertial, distance(w_canonical, w_IB));
-        relative = std::max(relative, distance(w_osculating, w_SB));
+        inertial.add(distance(w_canonical, w_IB));
+        relative.add(distance(w_osculating, w_SB));
         const AngularVelocities w = angular_velocity(system, t, s);
-        named = std::max({named, distance(inertial_axes(s, w.inertial), w_IB),
-                          distance(inertial_axes(s, w.relative), w_SB)});
-        apart = std::min(apart, norm(osculating.g - canonical.g) / norm(s.g));
+        named.add(distance(inertial_axes(s, w.inertial), w_IB));
+        named.add(distance(inertial_axes(s, w.relative), w_SB));
+        apart = smaller(apart, norm(osculating.g - canonical.g) / norm(s.g));
       }
       const std::string where = r.name + ", " + o.name;
-      EXPECT_LT(inertial, budget::osculation_rate) << where;
-      EXPECT_LT(relative, budget::osculation_rate) << where;
-      EXPECT_LT(named, budget::osculation_rate) << where;
+      EXPECT_LT(inertial.value(), budget::osculation_rate) << where;
+      EXPECT_LT(relative.value(), budget::osculation_rate) << where;
+      EXPECT_LT(named.value(), budget::osculation_rate) << where;
       EXPECT_GT(apart, budget::osculation_apart) << where;
     }
   }
@@ -168,7 +173,7 @@ TEST(Osculation, CanonicalElementsObeyHamiltonsEquationsInTheFrame) {
     const FreeRotation motion(r.body(), r.start);
     for (const Observer& o : observers()) {
       const System system(r.body(), o.frame);
-      double worst = 0.0;
+      Worst worst;
       for (const double t : times(r)) {
         const auto elements = [&](const Wide& time) {
           const auto a = to_andoyer(wide_reference_state(o, time, exact.at(time)));
@@ -180,11 +185,10 @@ TEST(Osculation, CanonicalElementsObeyHamiltonsEquationsInTheFrame) {
         for (std::size_t i = 0; i < 6; ++i) {
           Wide change = after[i] - before[i];
           if (i < 3 && abs(change) > 1) continue;  // an angle that passed pi
-          worst = std::max(worst,
-                           static_cast<double>(Wide(abs(Wide(change / (2 * h) - Wide(rates[i]))))));
+          worst.add(static_cast<double>(Wide(abs(Wide(change / (2 * h) - Wide(rates[i]))))));
         }
       }
-      EXPECT_LT(worst, budget::osculation_rates) << r.name << ", " << o.name;
+      EXPECT_LT(worst.value(), budget::osculation_rates) << r.name << ", " << o.name;
     }
   }
 }
@@ -257,7 +261,7 @@ struct Mixed {
 // There and back for v that is nonlinear in g.
 TEST(Osculation, CanonicalFromOsculating) {
   oracle::Draw draw(17021, 0);
-  double worst = 0.0;
+  Worst worst;
   for (int i = 0; i < 200; ++i) {
     Mixed H{};
     for (double& x : H.a) x = draw.uniform(-0.02, 0.02);
@@ -269,13 +273,13 @@ TEST(Osculation, CanonicalFromOsculating) {
         {draw.normal(), draw.normal(), draw.normal()}};
     const double t = draw.uniform(-3.0, 3.0);
     const RotorState back = canonical_state(system, t, osculating_state(system, t, s));
-    worst = std::max(worst, norm(back.g - s.g) / norm(s.g));
+    worst.add(norm(back.g - s.g) / norm(s.g));
     const AndoyerState a = to_andoyer(s);
     const RotorState through =
         to_rotor(canonical_andoyer(system, t, osculating_andoyer(system, t, a)));
-    worst = std::max(worst, norm(through.g - s.g) / norm(s.g));
+    worst.add(norm(through.g - s.g) / norm(s.g));
   }
-  EXPECT_LT(worst, budget::osculation_round_trip);
+  EXPECT_LT(worst.value(), budget::osculation_round_trip);
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 // Lengths of deviations, and the indicators that follow from their logarithm and its integrals.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
+#include "math/detail/larger.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 
 namespace polhode {
@@ -13,8 +13,8 @@ namespace detail {
 
 inline double length(const Deviation& d) {
   const double size =
-      std::max({std::abs(d.turn.x), std::abs(d.turn.y), std::abs(d.turn.z), std::abs(d.momentum.x),
-                std::abs(d.momentum.y), std::abs(d.momentum.z)});
+      larger(std::abs(d.turn.x), std::abs(d.turn.y), std::abs(d.turn.z), std::abs(d.momentum.x),
+             std::abs(d.momentum.y), std::abs(d.momentum.z));
   if (!(size > 0.0) || !std::isfinite(size)) return size;
   const Vec3 a = (1.0 / size) * d.turn, b = (1.0 / size) * d.momentum;
   return size * std::sqrt(dot(a, a) + dot(b, b));

@@ -3,10 +3,10 @@
 // an error in it.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "math/detail/larger.hpp"
 #include "polhode/ode/runge_kutta.hpp"
 #include "polhode/system/system.hpp"
 
@@ -139,33 +139,31 @@ class RotorErrorSize {
                     const std::array<T, rotor_size<T>>& y,
                     const std::array<T, rotor_size<T>>& increment) const {
     const auto value = [](const T& x) { return to_double(x); };
-    const double g = std::max(largest(y, 4, 7, value), largest(increment, 4, 7, value));
+    const double g = larger(largest(y, 4, 7, value), largest(increment, 4, 7, value));
     double size = relative(largest(error, 0, 4, value), largest(error, 4, 7, value), 1.0, g);
     if constexpr (derivative_order<T> > 0) {
       for (std::size_t j = 0; j < y[0].derivative.size(); ++j) {
         const auto slope = [j](const T& x) { return to_double(x.derivative[j]); };
         const double dg = largest(y, 4, 7, slope);
-        const double column = std::max(largest(y, 0, 4, slope), g > 0.0 ? dg / g : dg);
-        size = greater(size, relative(largest(error, 0, 4, slope), largest(error, 4, 7, slope),
-                                      column, g * column));
+        const double column = larger(largest(y, 0, 4, slope), g > 0.0 ? dg / g : dg);
+        size = larger(size, relative(largest(error, 0, 4, slope), largest(error, 4, 7, slope),
+                                     column, g * column));
       }
     }
     return size;
   }
 
  private:
-  // std::max with a NaN that stays.
-  static double greater(double a, double b) { return a < b || b != b ? b : a; }
-
   template <class Values, class Part>
   static double largest(const Values& v, std::size_t from, std::size_t to, const Part& part) {
     double r = 0.0;
-    for (std::size_t i = from; i < to; ++i) r = greater(r, std::abs(part(v[i])));
+    for (std::size_t i = from; i < to; ++i) r = larger(r, std::abs(part(v[i])));
     return r;
   }
   static double relative(double dq, double dg, double q, double g) {
-    if (dg == 0.0 || g == 0.0) return dq / q;
-    return greater(dq / q, dg / g);
+    // at rest an error of g is relative to nothing, but it may be no number
+    if (dg == 0.0 || (g == 0.0 && dg == dg)) return dq / q;
+    return larger(dq / q, dg / g);
   }
 };
 

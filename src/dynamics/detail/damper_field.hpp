@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dynamics/detail/adaptive_field.hpp"
+#include "math/detail/larger.hpp"
 #include "perturb/detail/damper_kernel.hpp"
 
 namespace polhode {
@@ -71,9 +72,9 @@ class DamperErrorSize {
                     const DamperValues<T>& increment) const {
     const double first = RotorErrorSize()(rotor(error), rotor(y), rotor(increment));
     const double ds = largest(damper_rate<T>(error));
-    const double scale = std::max(rates(y), rates(increment));
-    const double second = ds == 0.0 || scale == 0.0 ? 0.0 : ds / scale;
-    return first < second || second != second ? second : first;
+    const double scale = larger(rates(y), rates(increment));
+    const double second = ds == 0.0 || (scale == 0.0 && ds == ds) ? 0.0 : ds / scale;
+    return larger(first, second);
   }
 
  private:
@@ -83,20 +84,14 @@ class DamperErrorSize {
     std::copy_n(y.begin(), 7, r.begin());
     return r;
   }
-  // A NaN stays, where the component is the last one or not.
   template <Real T>
   static double largest(const BasicVec3<T>& v) {
-    double r = 0.0;
-    for (const T& x : {v.x, v.y, v.z}) {
-      const double size = std::abs(to_double(x));
-      if (r < size || size != size) r = size;
-    }
-    return r;
+    return larger(std::abs(to_double(v.x)), std::abs(to_double(v.y)), std::abs(to_double(v.z)));
   }
   template <Real T>
   double rates(const DamperValues<T>& y) const {
     const BasicVec3<T> w{y[4] / T(moments_.x), y[5] / T(moments_.y), y[6] / T(moments_.z)};
-    return std::max(largest(w), largest(damper_rate<T>(y)));
+    return larger(largest(w), largest(damper_rate<T>(y)));
   }
 
   Vec3 moments_;

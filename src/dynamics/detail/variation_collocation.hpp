@@ -12,6 +12,7 @@
 #include <limits>
 #include <utility>
 
+#include "math/detail/larger.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 
 namespace polhode {
@@ -84,11 +85,11 @@ CollocationStep<N> collocation_step(const F& f, const Size& size, const DoubleDo
   for (std::size_t n = 0; n < N; ++n) {
     double largest = 0.0, last[2] = {0.0, 0.0};
     for (std::size_t j = 0; j < gauss_nodes; ++j) {
-      largest = std::max(largest, std::abs(k[j][n]));
+      largest = larger(largest, std::abs(k[j][n]));
       for (std::size_t m = 0; m < 2; ++m) last[m] += g.last[m][j] * k[j][n];
     }
     step.largest[n] = h * largest;
-    step.last[n] = h * std::max(std::abs(last[0]), std::abs(last[1]));
+    step.last[n] = h * larger(std::abs(last[0]), std::abs(last[1]));
   }
   return step;
 }
@@ -167,10 +168,11 @@ class AdaptiveCollocation {
   double estimate(const CollocationStep<N>& step) const {
     const double last = size_(step.last, state_.y, step.increment);
     const double largest = size_(step.largest, state_.y, step.increment);
-    return largest > 0.0 ? last * (last / largest) : 0.0;
+    return largest == 0.0 ? 0.0 : last * (last / largest);
   }
   double wanted(double error) const {
     const double ratio = std::max(error / control_.tolerance, 1e-30);
+    if (!std::isfinite(ratio)) return 0.3;
     return std::clamp(0.9 * std::pow(ratio, -1.0 / (2.0 * gauss_nodes)), 0.3, 3.0);
   }
 

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "budgets.hpp"
@@ -12,11 +11,13 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "unit/dynamics/adaptive_support.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
 using namespace polhode::test;
+using polhode::test::larger;
 using testing::HasSubstr;
 
 const Adaptive tight{1e-14};
@@ -24,7 +25,7 @@ const Adaptive tight{1e-14};
 double largest(const Matrix6& m) {
   double size = 0.0;
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) size = std::max(size, std::abs(m(i, j)));
+    for (int j = 0; j < 6; ++j) size = larger(size, std::abs(m(i, j)));
   return size;
 }
 // Entries relative to the largest one.

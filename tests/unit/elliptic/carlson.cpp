@@ -21,12 +21,12 @@ class Carlson : public ::testing::Test {
     rj_.add(relative_error(carlson_rj(a, b, c, d), exact_rj(x, y, z, p)), where);
   }
   void TearDown() override {
-    EXPECT_LE(rf_.units(), budget::elliptic_carlson) << "RF " << rf_.where();
-    EXPECT_LE(rc_.units(), budget::elliptic_carlson) << "RC " << rc_.where();
-    EXPECT_LE(rd_.units(), budget::elliptic_carlson) << "RD " << rd_.where();
-    EXPECT_LE(rj_.units(), budget::elliptic_carlson) << "RJ " << rj_.where();
+    rf_.expect_within(budget::elliptic_carlson, "RF");
+    rc_.expect_within(budget::elliptic_carlson, "RC");
+    rd_.expect_within(budget::elliptic_carlson, "RD");
+    rj_.expect_within(budget::elliptic_carlson, "RJ");
   }
-  Worst<T> rf_, rc_, rd_, rj_;
+  WorstUnits<T> rf_, rc_, rd_, rj_;
 };
 TYPED_TEST_SUITE(Carlson, Real2);
 
@@ -162,12 +162,12 @@ class CarlsonDerivative : public ::testing::Test {
             "3: " + listed(x, y, p));
   }
   void TearDown() override {
-    EXPECT_LE(rf_.units(), budget::elliptic_carlson_derivative) << "RF " << rf_.where();
-    EXPECT_LE(rc_.units(), budget::elliptic_carlson_derivative) << "RC " << rc_.where();
-    EXPECT_LE(rd_.units(), budget::elliptic_carlson_derivative) << "RD " << rd_.where();
-    EXPECT_LE(rj_.units(), budget::elliptic_carlson_derivative) << "RJ " << rj_.where();
+    rf_.expect_within(budget::elliptic_carlson_derivative, "RF");
+    rc_.expect_within(budget::elliptic_carlson_derivative, "RC");
+    rd_.expect_within(budget::elliptic_carlson_derivative, "RD");
+    rj_.expect_within(budget::elliptic_carlson_derivative, "RJ");
   }
-  Worst<T> rf_, rc_, rd_, rj_;
+  WorstUnits<T> rf_, rc_, rd_, rj_;
 };
 TYPED_TEST_SUITE(CarlsonDerivative, Real2);
 
@@ -196,7 +196,7 @@ TYPED_TEST(CarlsonDerivative, AllEqual) {
   using std::sqrt;
   using Four = Dual<T, 4>;
   oracle::Draw draw(50, 0);
-  Worst<T> worst;
+  WorstUnits<T> worst;
   for (int i = 0; i < 20; ++i) {
     const T x(drawn(draw, 0.1, 3.0));
     const T power = sqrt(x) * x;
@@ -229,7 +229,7 @@ TYPED_TEST(CarlsonDerivative, ClosedRules) {
   using T = TypeParam;
   using Three = Dual<T, 3>;
   oracle::Draw draw(49, 0);
-  Worst<T> worst;
+  WorstUnits<T> worst;
   for (int i = 0; i < 100; ++i) {
     const T x(drawn(draw, 0.01, 2.0)), y(drawn(draw, 0.01, 2.0)), z(drawn(draw, 0.01, 2.0));
     const Three rf =

@@ -54,10 +54,10 @@ class CompleteIntegrals : public ::testing::Test {
     }
   }
   void TearDown() override {
-    EXPECT_LE(worst_.units(), budget::elliptic_complete) << worst_.where();
-    EXPECT_LE(nome_.units(), budget::elliptic_nome) << nome_.where();
+    worst_.expect_within(budget::elliptic_complete);
+    nome_.expect_within(budget::elliptic_nome);
   }
-  Worst<T> worst_, nome_;
+  WorstUnits<T> worst_, nome_;
 };
 TYPED_TEST_SUITE(CompleteIntegrals, Real2);
 
@@ -123,7 +123,7 @@ TYPED_TEST(CompleteIntegrals, Limits) {
 TYPED_TEST(CompleteIntegrals, Heuman) {
   using T = TypeParam;
   oracle::Draw draw(56, 0);
-  Worst<T> worst;
+  WorstUnits<T> worst;
   for (int i = 0; i < 60; ++i) {
     const Near where = i % 3 == 0 ? Near::generic : (i % 3 == 1 ? Near::one : Near::zero);
     const ExactModulus mod = drawn_modulus<T>(draw, where);
@@ -169,7 +169,7 @@ TYPED_TEST(CompleteDerivatives, ByModulus) {
   using T = TypeParam;
   using D = Dual<T, 2>;
   oracle::Draw draw(57, 0);
-  Worst<T> worst;
+  WorstUnits<T> worst;
   for (int i = 0; i < 60; ++i) {
     const ExactModulus mod =
         i % 3 == 0 ? drawn_modulus<T>(draw, Near::one) : drawn_modulus<T>(draw, Near::generic);
@@ -202,7 +202,7 @@ TYPED_TEST(CompleteDerivatives, AtZero) {
   using D = Dual<T, 1>;
   const D m = D::variable(T(0.0), 0);
   const auto mod = BasicModulus<D>::from_pair(m, T(1.0) - m);
-  Worst<T> worst;
+  WorstUnits<T> worst;
   worst.add(std::abs(to_double(complete_k(mod).derivative[0] / pi<T>() - T(0.125))), "K");
   worst.add(std::abs(to_double(complete_e(mod).derivative[0] / pi<T>() + T(0.125))), "E");
   worst.add(std::abs(to_double(nome(mod).derivative[0] - T(0.0625))), "q");

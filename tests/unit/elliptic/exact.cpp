@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "unit/elliptic/exact.hpp"
 
-#include <algorithm>
 #include <array>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -15,6 +14,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
+
+#include "worst.hpp"
 
 namespace polhode::test {
 namespace {
@@ -58,7 +59,7 @@ Pair<R> pair(const ExactModulus& mod) {
 
 // Differences step by 1e-20 of the smaller member.
 bool needs_width(const ExactModulus& mod, Along along) {
-  const double least = std::min(to_double(mod.m()), to_double(mod.m1()));
+  const double least = smaller(to_double(mod.m()), to_double(mod.m1()));
   return least < (along == Along::none ? 1e-20 : 1e-2);
 }
 
@@ -81,7 +82,7 @@ Exact complete(Complete kind, const ExactModulus& mod, Along along) {
     return R(0);
   };
   if (along == Along::none) return parts<R>(f(p.m));
-  return slope<R>(p.m, std::min(p.m, p.m1), f);
+  return slope<R>(p.m, smaller(p.m, p.m1), f);
 }
 
 template <class R>
@@ -112,7 +113,7 @@ Exact legendre(Legendre kind, DoubleDouble s, DoubleDouble c, DoubleDouble n,
     case Along::characteristic:
       return slope<R>(nu, nu, [&](const R& x) { return legendre<R>(kind, phi, x, sqrt(p.m)); });
     case Along::modulus:
-      return slope<R>(p.m, std::min(p.m, p.m1),
+      return slope<R>(p.m, smaller(p.m, p.m1),
                       [&](const R& x) { return legendre<R>(kind, phi, nu, sqrt(x)); });
     default:
       return parts<R>(legendre<R>(kind, phi, nu, sqrt(p.m)));
@@ -136,7 +137,7 @@ ExactJacobi jacobi(DoubleDouble u0, const ExactModulus& mod, Along along) {
     return {parts<R>(t.sn), parts<R>(t.cn), parts<R>(t.dn)};
   }
   const bool by_u = along == Along::argument;
-  const R h = R(1e-20) * (by_u ? R(abs(u)) : std::min(p.m, p.m1));
+  const R h = R(1e-20) * (by_u ? R(abs(u)) : smaller(p.m, p.m1));
   const Triple plus = by_u ? at(u + h, sqrt(p.m)) : at(u, sqrt(p.m + h));
   const Triple minus = by_u ? at(u - h, sqrt(p.m)) : at(u, sqrt(p.m - h));
   const R d = 2 * h;
@@ -154,7 +155,7 @@ template <class R>
 Exact nome(const ExactModulus& mod, Along along) {
   const Pair<R> p = pair<R>(mod);
   if (along == Along::none) return parts<R>(nome<R>(p.m, p.m1));
-  const R h = R(1e-20) * std::min(p.m, p.m1);
+  const R h = R(1e-20) * smaller(p.m, p.m1);
   return parts<R>((nome<R>(p.m + h, p.m1 - h) - nome<R>(p.m - h, p.m1 + h)) / (2 * h));
 }
 
@@ -223,7 +224,7 @@ Exact exact_complete_pi(DoubleDouble n, const ExactModulus& mod, Along along) {
   const Number nu = number<Number>(n);
   switch (along) {
     case Along::modulus:
-      return slope<Number>(p.m, std::min(p.m, p.m1), [&](const Number& m) {
+      return slope<Number>(p.m, smaller(p.m, p.m1), [&](const Number& m) {
         return boost::math::ellint_3(Number(sqrt(m)), nu);
       });
     case Along::characteristic:

@@ -31,8 +31,8 @@ class JacobiFunctions : public ::testing::Test {
       check(short_number(k * draw.uniform(-reach, reach)), mod);
     }
   }
-  void TearDown() override { EXPECT_LE(worst_.units(), budget::elliptic_jacobi) << worst_.where(); }
-  Worst<T> worst_;
+  void TearDown() override { worst_.expect_within(budget::elliptic_jacobi); }
+  WorstUnits<T> worst_;
 };
 TYPED_TEST_SUITE(JacobiFunctions, Real2);
 
@@ -132,10 +132,8 @@ class JacobiDerivatives : public ::testing::Test {
     worst_.add(relative_error(wide(j.cn.derivative[1]), by_m.cn) / slack, "cn/dm " + at);
     worst_.add(relative_error(wide(j.dn.derivative[1]), by_m.dn) / slack, "dn/dm " + at);
   }
-  void TearDown() override {
-    EXPECT_LE(worst_.units(), budget::elliptic_jacobi_derivative) << worst_.where();
-  }
-  Worst<T> worst_;
+  void TearDown() override { worst_.expect_within(budget::elliptic_jacobi_derivative); }
+  WorstUnits<T> worst_;
 };
 TYPED_TEST_SUITE(JacobiDerivatives, Real2);
 

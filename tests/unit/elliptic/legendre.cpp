@@ -41,10 +41,8 @@ class LegendreIntegrals : public ::testing::Test {
     worst_.add(relative_error(legendre_d(s, c, mod), exact(Legendre::d)), "D " + text(at));
     worst_.add(relative_error(legendre_pi(s, c, n, mod), exact(Legendre::pi)), "Pi " + text(at));
   }
-  void TearDown() override {
-    EXPECT_LE(worst_.units(), budget::elliptic_legendre) << worst_.where();
-  }
-  Worst<T> worst_;
+  void TearDown() override { worst_.expect_within(budget::elliptic_legendre); }
+  WorstUnits<T> worst_;
 };
 TYPED_TEST_SUITE(LegendreIntegrals, Real2);
 
@@ -133,10 +131,8 @@ class LegendreDerivatives : public ::testing::Test {
     one(Legendre::d, legendre_d(s, c, mod), "D");
     one(Legendre::pi, legendre_pi(s, c, n, mod), "Pi");
   }
-  void TearDown() override {
-    EXPECT_LE(worst_.units(), budget::elliptic_legendre_derivative) << worst_.where();
-  }
-  Worst<T> worst_;
+  void TearDown() override { worst_.expect_within(budget::elliptic_legendre_derivative); }
+  WorstUnits<T> worst_;
 };
 TYPED_TEST_SUITE(LegendreDerivatives, Real2);
 

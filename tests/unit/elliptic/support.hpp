@@ -12,6 +12,7 @@
 #include "oracle/random_draw.hpp"
 #include "polhode/math/dual.hpp"
 #include "unit/elliptic/exact.hpp"
+#include "worst.hpp"
 
 namespace polhode::test {
 
@@ -73,21 +74,20 @@ std::string listed(const Numbers&... x) {
 
 // The largest error in units of epsilon<T>(), and where.
 template <class T>
-class Worst {
+class WorstUnits {
  public:
-  void add(double error, const std::string& where) {
-    const double units = error / epsilon<T>();
-    if (units > units_ || std::isnan(error)) {
-      units_ = std::isnan(error) ? HUGE_VAL : units;
-      where_ = where;
+  void add(double error, const std::string& where) { worst_.add(error / epsilon<T>(), where); }
+  double units() const { return worst_.value(); }
+  const std::string& where() const { return worst_.where(); }
+  // Of a fixture: not every test of it measures everything.
+  void expect_within(double budget, const std::string& name = "") const {
+    if (worst_.measured()) {
+      EXPECT_LE(units(), budget) << name << " " << where();
     }
   }
-  double units() const { return units_; }
-  const std::string& where() const { return where_; }
 
  private:
-  double units_ = 0.0;
-  std::string where_;
+  Worst<> worst_;
 };
 
 }  // namespace polhode::test

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -15,6 +14,7 @@
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
 #include "polhode/error.hpp"
+#include "worst.hpp"
 
 namespace polhode::test {
 namespace {
@@ -66,41 +66,44 @@ struct Errors {
   double attitude = 0.0;  // rad
   double rate = 0.0;      // over max(1, |mu|)
 };
+struct WorstErrors {
+  Worst<> attitude, rate;
+  void add(const Errors& e) {
+    attitude.add(e.attitude);
+    rate.add(e.rate);
+  }
+};
 
 template <Real T>
 Errors errors(const Frame& frame, const Attitude& attitude, const T& t) {
   const BasicFrameMotion<T> got = frame.at(t);
   const WideMat3 want = attitude(wide(t));
-  Errors e;
+  Worst attitude_error;
   for (int j = 0; j < 3; ++j) {
     BasicVec3<T> axis{T(0.0), T(0.0), T(0.0)};
     axis[j] = T(1.0);
     const BasicQuaternion<Wide> q{wide(got.q_IS.w), wide(got.q_IS.x), wide(got.q_IS.y),
                                   wide(got.q_IS.z)};
     const WideVec3 column = rotate(q, wide(axis));
-    e.attitude = std::max(e.attitude, size(column - WideVec3{want(0, j), want(1, j), want(2, j)}));
+    attitude_error.add(size(column - WideVec3{want(0, j), want(1, j), want(2, j)}));
   }
   const WideVec3 mu = rate_of(attitude, wide(t));
-  e.rate = size(wide(got.mu_S) - mu) / std::max(1.0, size(mu));
-  return e;
+  return {attitude_error.value(), size(wide(got.mu_S) - mu) / larger(1.0, size(mu))};
 }
 
 void expect_frame(const Frame& frame, const Attitude& attitude, double longest) {
-  Errors worst, worst_wide;
-  const auto raise = [](Errors& bound, const Errors& e) {
-    bound = {std::max(bound.attitude, e.attitude), std::max(bound.rate, e.rate)};
-  };
+  WorstErrors worst, worst_wide;
   for (std::uint64_t i = 0; i < 60; ++i) {
     oracle::Draw draw(601, i);
     const double t = draw.sign() * draw.power_of_ten(-3.0, longest);
-    raise(worst, errors(frame, attitude, t));
-    raise(worst_wide, errors(frame, attitude, DoubleDouble::sum(t, t * 0x1p-60)));
+    worst.add(errors(frame, attitude, t));
+    worst_wide.add(errors(frame, attitude, DoubleDouble::sum(t, t * 0x1p-60)));
   }
   EXPECT_FALSE(frame.is_inertial());
-  EXPECT_LE(worst.attitude, budget::frame_attitude_eps * eps);
-  EXPECT_LE(worst.rate, budget::frame_rate_eps * eps);
-  EXPECT_LE(worst_wide.attitude, budget::frame_wide);
-  EXPECT_LE(worst_wide.rate, budget::frame_wide);
+  EXPECT_LE(worst.attitude.value(), budget::frame_attitude_eps * eps);
+  EXPECT_LE(worst.rate.value(), budget::frame_rate_eps * eps);
+  EXPECT_LE(worst_wide.attitude.value(), budget::frame_wide);
+  EXPECT_LE(worst_wide.rate.value(), budget::frame_wide);
 }
 
 TEST(Frame, InertialDoesNotMove) {
@@ -125,16 +128,16 @@ TEST(Frame, Precessing) {
 TEST(Frame, PrecessingKeepsItsDigitsForABillionRadians) {
   const Vec3 axis{0.3, -1.2, 0.7};
   const double rate = 1.7, epoch = -3.1;
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 200; ++i) {
     oracle::Draw draw(602, i);
     const double t = draw.sign() * draw.power_of_ten(6.0, 9.0);
     const auto attitude = [&](const Wide& time) {
       return about(wide(axis), Wide(rate) * (time - Wide(epoch)));
     };
-    worst = std::max(worst, errors(Frame::precessing(axis, rate, epoch), attitude, t).attitude);
+    worst.add(errors(Frame::precessing(axis, rate, epoch), attitude, t).attitude);
   }
-  EXPECT_LE(worst, budget::frame_attitude_eps * eps);
+  EXPECT_LE(worst.value(), budget::frame_attitude_eps * eps);
 }
 
 // A node that regresses with a wobble, an inclination that nods: any functions of time.

@@ -9,6 +9,7 @@
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "unit/free/support.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -66,8 +67,8 @@ Spin spin_of(const NamedMotion& m) {
   const auto equal = std::ranges::count(I, spun);
   if (equal == 3) return Spin::any_of_three;
   if (equal == 2) return Spin::any_of_two;
-  if (spun == std::ranges::min(I)) return Spin::long_axis;
-  return spun == std::ranges::max(I) ? Spin::short_axis : Spin::middle_axis;
+  if (spun == smaller(I[0], I[1], I[2])) return Spin::long_axis;
+  return spun == larger(I[0], I[1], I[2]) ? Spin::short_axis : Spin::middle_axis;
 }
 
 bool is_still(const FreeRotation& m) {

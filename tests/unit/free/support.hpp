@@ -2,7 +2,6 @@
 // Motions of every regime, and differences of states.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "oracle/random_draw.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "worst.hpp"
 
 namespace free_test {
 
@@ -24,6 +24,8 @@ using polhode::Quaternion;
 using polhode::Regime;
 using polhode::RotorState;
 using polhode::Vec3;
+using polhode::test::larger;
+using polhode::test::smaller;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -98,13 +100,13 @@ inline std::vector<FreeCase> drawn_cases(std::uint64_t seed, std::size_t of_each
 inline double attitude_difference(const Quaternion& p, const Quaternion& q) {
   const Quaternion d = conj(normalized(p)) * normalized(q);
   const double v = norm(Vec3{d.x, d.y, d.z});
-  return std::isnan(v) ? v : 2.0 * std::asin(std::min(1.0, v));
+  return std::isnan(v) ? v : 2.0 * std::asin(smaller(1.0, v));
 }
 // The larger of the attitude difference and the relative difference of the momenta.
 inline double difference(const RotorState& a, const RotorState& b) {
   const double size = norm(a.g), dg = norm(a.g - b.g) / (size > 0.0 ? size : 1.0);
   const double angle = attitude_difference(a.q, b.q);
-  return std::isnan(angle) || std::isnan(dg) ? not_a_number : std::max(angle, dg);
+  return std::isnan(angle) || std::isnan(dg) ? not_a_number : larger(angle, dg);
 }
 inline double relative(double value, double expected) {
   if (value == expected) return 0.0;

@@ -33,7 +33,7 @@ Outcome converted(const std::string& from, const std::string& to, const std::str
   Outcome outcome;
   std::string_view rest = in;
   const ByteSource source = [&](std::span<char> buffer) {
-    const std::size_t count = std::min({rest.size(), buffer.size(), piece});
+    const std::size_t count = std::min<std::size_t>({rest.size(), buffer.size(), piece});
     std::copy_n(rest.data(), count, buffer.data());
     rest.remove_prefix(count);
     return count;

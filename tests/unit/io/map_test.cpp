@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -14,10 +15,13 @@
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/error.hpp"
+#include "worst.hpp"
 
 namespace polhode {
 namespace {
 
+using polhode::test::larger;
+using polhode::test::smaller;
 using ::testing::HasSubstr;
 
 const std::string body = R"(schema = 1
@@ -72,8 +76,8 @@ TEST(ScenarioMap, ExtremesAreThoseOfTheRows) {
   double least = INFINITY, most = -INFINITY, last = 0.0;
   for (std::int64_t k = 0; k <= 40; ++k) {
     last = to_euler(motion.at(0.5 * static_cast<double>(k))).psi * 180.0 / M_PI;
-    least = std::min(least, last);
-    most = std::max(most, last);
+    least = smaller(least, last);
+    most = larger(most, last);
   }
   const MapCell cell = map.cell(0);
   ASSERT_EQ(cell.numbers.size(), 3U);
@@ -246,7 +250,7 @@ count = 3
   for (std::size_t length = cells.find('\n'); length <= cells.size(); length += 41) {
     std::ofstream(path + ".cells", std::ios::binary) << cells.substr(0, length);
     MapRows rows(map, {path}, RunBegin::resume);
-    whole = std::max(whole, rows.size());
+    whole = std::max<std::int64_t>(whole, rows.size());
     for (std::int64_t k = rows.size(); k < 3; ++k) rows.push(map.cell(k));
     rows.finish();
     EXPECT_EQ(text_of(path), straight) << length;

@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "polhode/io/run.hpp"
+#include "worst.hpp"
 
 namespace polhode {
 namespace {
+
+using polhode::test::smaller;
 
 struct Interrupt {};
 
@@ -78,7 +81,7 @@ TEST(ScenarioProgress, TheWayToTheFirstRowIsToldToo) {
   Counted counted;
   double earliest = 1e9;
   run_into(scenario(torque + "[time]\nstart = 100\nstop = 110\nstep = 1\n"), counted,
-           [&](double t) { earliest = std::min(earliest, t); });
+           [&](double t) { earliest = smaller(earliest, t); });
   EXPECT_LT(earliest, 10.0);
   EXPECT_TRUE(counted.finished);
 }

@@ -10,6 +10,7 @@
 #include "budgets.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -35,12 +36,9 @@ struct Largest {
   template <Real T, std::size_t N>
   double operator()(const std::array<T, N>& error, const std::array<T, N>&,
                     const std::array<T, N>&) const {
-    double size = 0.0;
-    for (const T& e : error) {
-      const double x = std::abs(to_double(e));
-      if (!(x <= size)) size = x;
-    }
-    return size;
+    test::Worst size;
+    for (const T& e : error) size.add(std::abs(to_double(e)));
+    return size.value();
   }
 };
 

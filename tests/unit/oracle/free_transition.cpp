@@ -7,6 +7,7 @@
 
 #include "budgets.hpp"
 #include "oracle/direct_flow.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -17,6 +18,7 @@ using oracle::WideMatrix6;
 using oracle::WideQuaternion;
 using oracle::WideState;
 using oracle::WideVec3;
+using polhode::test::larger;
 namespace budget = polhode::budget;
 
 struct Motion {
@@ -40,7 +42,7 @@ const Motion motions[] = {{"long axis", {1.0, 2.0, 2.5}, {0.7, 0.5, 0.3}, 20.0},
 double largest(const WideMatrix6& m) {
   Wide result = 0;
   for (const auto& row : m.a)
-    for (const Wide& x : row) result = std::max(result, Wide(abs(x)));
+    for (const Wide& x : row) result = larger(result, Wide(abs(x)));
   return static_cast<double>(result);
 }
 

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "budgets.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "unit/perturb/support.hpp"
+#include "worst.hpp"
 
 namespace perturb_test {
 namespace {
@@ -19,6 +19,7 @@ using polhode::AnyPerturbation;
 using polhode::GravityGradient;
 using polhode::KeplerOrbit;
 using polhode::SpaceAxes;
+using polhode::test::Worst;
 namespace budget = polhode::budget;
 
 // The tensor form of the torque and of the potential: r x I r and r.I r as printed everywhere.
@@ -31,7 +32,7 @@ BasicEffect<Wide> textbook(const WideVec3& r_B, const Vec3& I, double gm) {
 TEST(GravityGradient, IsTheDerivativeOfItsEnergy) {
   for (const SpaceAxes axes : {SpaceAxes::inertial, SpaceAxes::reference}) {
     const GravityGradient term(1.7, Curve{}, axes);
-    double worst = 0.0, worst_wide = 0.0;
+    Worst worst, worst_wide;
     for (std::uint64_t i = 0; i < 200; ++i) {
       const Case c = drawn_case(501, i);
       BasicSetting<Wide> at = c.on<Wide>();
@@ -40,19 +41,18 @@ TEST(GravityGradient, IsTheDerivativeOfItsEnergy) {
       const BasicEffect<Wide> want = effect_by_differences(term, at);
       const double r2 = largest(Curve{}.position(at.t));
       const double scale = 1.7 * 3.0 / (r2 * r2 * r2);
-      worst = std::max(worst, largest(wide(term.effect(c.on<double>()).u) - want.u) / scale);
-      worst_wide =
-          std::max(worst_wide, largest(wide(term.effect(c.on<DoubleDouble>()).u) - want.u) / scale);
+      worst.add(largest(wide(term.effect(c.on<double>()).u) - want.u) / scale);
+      worst_wide.add(largest(wide(term.effect(c.on<DoubleDouble>()).u) - want.u) / scale);
       EXPECT_EQ(largest(want.v), 0.0);
       EXPECT_EQ(term.effect(c.on<double>()).v, Vec3{});
     }
-    EXPECT_LE(worst, budget::perturb_eps * eps);
-    EXPECT_LE(worst_wide, budget::perturb_difference);
+    EXPECT_LE(worst.value(), budget::perturb_eps * eps);
+    EXPECT_LE(worst_wide.value(), budget::perturb_difference);
   }
 }
 
 TEST(GravityGradient, TextbookTorque) {
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Case c = drawn_case(502, i);
     Draw draw(503, i);
@@ -61,9 +61,9 @@ TEST(GravityGradient, TextbookTorque) {
     const WideVec3 r_B = seen_in_body(at, wide(r));
     const BasicEffect<Wide> want = textbook(r_B, c.body.moments(), 0.3);
     const Effect got = GravityGradient(0.3, Still{r}).effect(c.on<double>());
-    worst = std::max(worst, largest(wide(got.u) - want.u) / (0.9 / std::pow(norm(r), 3)));
+    worst.add(largest(wide(got.u) - want.u) / (0.9 / std::pow(norm(r), 3)));
   }
-  EXPECT_LE(worst, budget::perturb_eps * eps);
+  EXPECT_LE(worst.value(), budget::perturb_eps * eps);
 }
 
 // Pitch of 45 degrees: 3 n^2 (I2 - I1)/2 about the third axis, towards the axis of least moment.

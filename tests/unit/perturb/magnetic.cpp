@@ -2,7 +2,6 @@
 // Magnetic fields, the residual dipole and eddy currents.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
 #include "unit/perturb/support.hpp"
+#include "worst.hpp"
 
 namespace perturb_test {
 namespace {
@@ -35,6 +35,8 @@ using polhode::Problem;
 using polhode::ResidualDipole;
 using polhode::SaveAt;
 using polhode::System;
+using polhode::test::larger;
+using polhode::test::Worst;
 namespace budget = polhode::budget;
 
 constexpr double two_pi = 6.283185307179586;
@@ -93,21 +95,21 @@ DipoleField tilted() { return DipoleField::from_gauss(gauss, radius, primary); }
 
 TEST(DipoleField, IsTheGradientOfTheIgrfPotential) {
   const DipoleField dipole = tilted();
-  double worst = 0.0, worst_wide = 0.0;
+  Worst worst, worst_wide;
   for (std::uint64_t i = 0; i < 100; ++i) {
     Draw draw(551, i);
     const Vec3 x = drawn_vector(draw);
     const double t = draw.uniform(-50.0, 50.0);
     const WideVec3 want = field_by_differences(t, wide(x));
     const double scale = 30.0 * std::pow(radius / norm(x), 3);
-    worst = std::max(worst, largest(wide(dipole.field(t, x)) - want) / scale);
+    worst.add(largest(wide(dipole.field(t, x)) - want) / scale);
     const BasicVec3<DoubleDouble> fine =
         dipole.field(DoubleDouble(t), BasicVec3<DoubleDouble>{x.x, x.y, x.z});
-    worst_wide = std::max(worst_wide, largest(wide(fine) - want) / scale);
+    worst_wide.add(largest(wide(fine) - want) / scale);
   }
-  EXPECT_LE(worst, budget::magnetic_field_eps * eps);
+  EXPECT_LE(worst.value(), budget::magnetic_field_eps * eps);
   // the axes of the primary are made in double
-  EXPECT_LE(worst_wide, budget::magnetic_field_eps * eps);
+  EXPECT_LE(worst_wide.value(), budget::magnetic_field_eps * eps);
 }
 
 TEST(DipoleField, OfAPrimaryThatStandsOnAxis3) {
@@ -179,7 +181,7 @@ TEST(FieldAlongOrbit, KnowsWhetherItHasARate) {
 
 TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
   const ResidualDipole term({0.3, -0.7, 0.2}, FieldAlongOrbit(Arc{}, tilted()));
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Case c = drawn_case(552, i);
     BasicSetting<Wide> at = c.on<Wide>();
@@ -187,10 +189,10 @@ TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
     at.q_IS = normalized(at.q_IS);
     const BasicEffect<Wide> want = effect_by_differences(term, at);
     const double scale = norm(term.field().field(c.t, 0.0));
-    worst = std::max(worst, largest(wide(term.effect(c.on<double>()).u) - want.u) / scale);
+    worst.add(largest(wide(term.effect(c.on<double>()).u) - want.u) / scale);
     EXPECT_EQ(largest(want.v), 0.0);
   }
-  EXPECT_LE(worst, budget::magnetic_field_eps * eps);
+  EXPECT_LE(worst.value(), budget::magnetic_field_eps * eps);
   const AnyPerturbation any("magnet", term);
   EXPECT_TRUE(any.is_kick());
   EXPECT_TRUE(any.supports_energy());
@@ -208,7 +210,7 @@ TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
 TEST(EddyCurrents, AreDrivenByTheFieldThatTheBodySees) {
   const FieldAlongOrbit met(Arc{}, tilted());
   const EddyCurrents term(tensor, met);
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 30; ++i) {
     const Case c = drawn_case(553, i);
     const BasicSetting<Wide> at = c.on<Wide>();
@@ -229,11 +231,11 @@ TEST(EddyCurrents, AreDrivenByTheFieldThatTheBodySees) {
       for (int j = 0; j < 3; ++j) moment[k] -= Wide(tensor(k, j)) * change[j];
     const WideVec3 want = cross(moment, B);
     const double scale = (1.0 + largest(change)) * largest(B);
-    worst = std::max(worst, largest(wide(term.effect(c.on<double>()).u) - want) / scale);
+    worst.add(largest(wide(term.effect(c.on<double>()).u) - want) / scale);
     const BasicEffect<Tangent> e = term.effect(c.on<Tangent>());
     EXPECT_EQ(Vec3({e.u.x.value, e.u.y.value, e.u.z.value}), term.effect(c.on<double>()).u);
   }
-  EXPECT_LE(worst, budget::magnetic_field_eps * eps);
+  EXPECT_LE(worst.value(), budget::magnetic_field_eps * eps);
 }
 
 TEST(EddyCurrents, TakeEnergyInAFieldAtRest) {
@@ -249,15 +251,15 @@ TEST(EddyCurrents, TakeEnergyInAFieldAtRest) {
 
 TEST(EddyCurrents, AffineFormIsTheEffect) {
   const EddyCurrents term(tensor, FieldAlongOrbit(Arc{}, tilted()));
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case c = drawn_case(555, i);
     const AffineTorque affine = term.affine_torque(c.on<double>());
     const Vec3 u = affine.constant - affine.damping * c.s.g;
     const double size = norm(affine.constant) + norm(affine.damping * c.s.g);
-    worst = std::max(worst, norm(u - term.effect(c.on<double>()).u) / size);
+    worst.add(norm(u - term.effect(c.on<double>()).u) / size);
   }
-  EXPECT_LE(worst, budget::magnetic_field_eps * eps);
+  EXPECT_LE(worst.value(), budget::magnetic_field_eps * eps);
 }
 
 // g(h) - g of dg/dt = c - A g by its Taylor series at 76 digits.
@@ -277,7 +279,7 @@ WideVec3 change_by_series(const AffineTorque& torque, const Vec3& g, double h) {
 }
 
 TEST(AffineTorque, ChangeIsTheExponential) {
-  double worst_small = 0.0, worst = 0.0;
+  Worst worst, worst_small;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case c = drawn_case(556, i);
     const EddyCurrents term(tensor, ConstantField({0.3, -0.2, 0.8}));
@@ -287,13 +289,13 @@ TEST(AffineTorque, ChangeIsTheExponential) {
       const Vec3 got = change_of_momentum(torque, c.s.g, h);
       const WideVec3 want = change_by_series(torque, c.s.g, h);
       const double size = largest(want);
-      double& which = std::abs(h) < 0.3 ? worst_small : worst;
-      which = std::max(which, largest(wide(got) - want) / (size * (1.0 + std::abs(h))));
+      (std::abs(h) < 0.3 ? worst_small : worst)
+          .add(largest(wide(got) - want) / (size * (1.0 + std::abs(h))));
     }
     EXPECT_EQ(change_of_momentum(torque, c.s.g, 0.0), Vec3{});
   }
-  EXPECT_LE(worst_small, budget::affine_change_eps * eps);
-  EXPECT_LE(worst, budget::affine_change_eps * eps);
+  EXPECT_LE(worst_small.value(), budget::affine_change_eps * eps);
+  EXPECT_LE(worst.value(), budget::affine_change_eps * eps);
 }
 
 TEST(EddyCurrents, RefuseWhatDrives) {

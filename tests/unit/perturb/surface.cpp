@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <type_traits>
@@ -17,6 +16,7 @@
 #include "unit/perturb/support.hpp"
 #include "unit/perturb/surfaces.hpp"
 #include "unit/shape/solids.hpp"
+#include "worst.hpp"
 
 namespace perturb_test {
 namespace {
@@ -36,6 +36,9 @@ using polhode::Shadow;
 using polhode::SolarPressure;
 using polhode::Sunlight;
 using polhode::yorp_torque;
+using polhode::test::larger;
+using polhode::test::smaller;
+using polhode::test::Worst;
 using ::testing::HasSubstr;
 namespace budget = polhode::budget;
 
@@ -81,7 +84,7 @@ WideVec3 molecule_force(const SurfaceFacet& f, const WideVec3& e, const Wide& k)
 TEST(FacetStream, IsTheBalanceOfMomentum) {
   const Surface surface = drawn_surface(911, 12);
   const FacetStream light(surface, light_law), gas(surface, molecule_law);
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 200; ++i) {
     Draw draw(912, i);
     const Vec3 x = drawn_vector(draw);
@@ -100,9 +103,9 @@ TEST(FacetStream, IsTheBalanceOfMomentum) {
     for (const double error :
          {largest(wide(light.force(e)) - force[0]), largest(wide(gas.force(e, k)) - force[1]),
           largest(wide(light.torque(e)) - torque[0]), largest(wide(gas.torque(e, k)) - torque[1])})
-      worst = std::max(worst, error / scale);
+      worst.add(error / scale);
   }
-  EXPECT_LE(worst, budget::perturb_eps * eps);
+  EXPECT_LE(worst.value(), budget::perturb_eps * eps);
 }
 
 // A ball: force of light pi R^2 (1 + 4/9 diffuse), of mirrored light pi R^2, of gas 2 x 1/2 rho v^2
@@ -207,7 +210,7 @@ double counted(double a, double b, double c) {
     const double y = a * ((2.0 * i + 1.0) / chords - 1.0);
     const double half = std::sqrt(a * a - y * y), reach = b * b - y * y;
     const double edge = reach > 0.0 ? std::sqrt(reach) : -1.0;
-    const double low = std::max(-half, c - edge), high = std::min(half, c + edge);
+    const double low = larger(-half, c - edge), high = smaller(half, c + edge);
     all += 2.0 * half;
     left += 2.0 * half - (edge > 0.0 && high > low ? high - low : 0.0);
   }

@@ -2,7 +2,6 @@
 // Constant torque, damping, terms of the user, and the list of terms.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/system.hpp"
 #include "unit/perturb/support.hpp"
+#include "worst.hpp"
 
 namespace perturb_test {
 namespace {
@@ -27,6 +27,9 @@ using polhode::Mat3;
 using polhode::SpaceAxes;
 using polhode::System;
 using polhode::TorqueTerm;
+using polhode::test::larger;
+using polhode::test::smaller;
+using polhode::test::Worst;
 namespace budget = polhode::budget;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -110,7 +113,7 @@ WideVec3 by_series(const Mat3& D, const Vec3& I, const Vec3& g, double h) {
 }
 
 TEST(LinearDamping, FlowIsTheExponential) {
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case c = drawn_case(532, i);
     for (const LinearDamping& term : dampings(c.body)) {
@@ -121,14 +124,14 @@ TEST(LinearDamping, FlowIsTheExponential) {
         const WideVec3 want = by_series(D, I, c.s.g, h);
         // A rounding of the exponent, at most h tr D / I, is one of the result.
         const double exponent =
-            std::abs(h) * (D(0, 0) + D(1, 1) + D(2, 2)) / std::min({I.x, I.y, I.z});
-        const double size = std::max(norm(c.s.g), largest(want)) * (1.0 + exponent);
-        worst = std::max(worst, largest(wide(after.g) - want) / size);
+            std::abs(h) * (D(0, 0) + D(1, 1) + D(2, 2)) / smaller(I.x, I.y, I.z);
+        const double size = larger(norm(c.s.g), largest(want)) * (1.0 + exponent);
+        worst.add(largest(wide(after.g) - want) / size);
         EXPECT_EQ(after.q, c.s.q);
       }
     }
   }
-  EXPECT_LE(worst, budget::damping_flow_eps * eps);
+  EXPECT_LE(worst.value(), budget::damping_flow_eps * eps);
 }
 
 TEST(LinearDamping, FlowsFormAGroup) {
@@ -192,20 +195,19 @@ struct Generic {
 
 TEST(HamiltonianTerm, EffectIsTheDerivativeOfAnyHamiltonian) {
   const HamiltonianTerm term{Generic{}};
-  double worst = 0.0, worst_wide = 0.0;
+  Worst worst, worst_wide;
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Case c = drawn_case(541, i);
     const BasicEffect<Wide> want = effect_by_differences(term, c.on<Wide>());
     const Effect got = term.effect(c.on<double>());
     const BasicEffect<DoubleDouble> fine = term.effect(c.on<DoubleDouble>());
     const double size = 1.0 + dot(c.s.g, c.s.g);
-    worst = std::max(
-        {worst, largest(wide(got.u) - want.u) / size, largest(wide(got.v) - want.v) / size});
-    worst_wide = std::max(
-        {worst_wide, largest(wide(fine.u) - want.u) / size, largest(wide(fine.v) - want.v) / size});
+    worst.add(larger(largest(wide(got.u) - want.u) / size, largest(wide(got.v) - want.v) / size));
+    worst_wide.add(
+        larger(largest(wide(fine.u) - want.u) / size, largest(wide(fine.v) - want.v) / size));
   }
-  EXPECT_LE(worst, budget::perturb_eps * eps);
-  EXPECT_LE(worst_wide, budget::perturb_difference);
+  EXPECT_LE(worst.value(), budget::perturb_eps * eps);
+  EXPECT_LE(worst_wide.value(), budget::perturb_difference);
 }
 
 // H' = a.g + (g1 g2): v = a + (g2, g1, 0), u = 0, by hand.

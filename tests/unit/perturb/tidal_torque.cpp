@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +10,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "unit/perturb/support.hpp"
+#include "worst.hpp"
 
 namespace perturb_test {
 namespace {
@@ -20,6 +20,7 @@ using polhode::AnyPerturbation;
 using polhode::KeplerOrbit;
 using polhode::TidalBody;
 using polhode::TidalTorque;
+using polhode::test::Worst;
 namespace budget = polhode::budget;
 
 struct NoVelocity {
@@ -31,7 +32,7 @@ struct NoVelocity {
 // the opposite of its moment.
 TEST(TidalTorque, MomentOfMignardsForce) {
   const TidalTorque term(0.7, 0.3, Curve{}, {0.9, 0.01, 0.4});
-  double worst = 0.0, worst_wide = 0.0, worst_any = 0.0;
+  Worst worst, worst_wide, worst_any;
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Case c = drawn_case(1001, i);
     const BasicSetting<Wide> at = c.on<Wide>();
@@ -48,16 +49,15 @@ TEST(TidalTorque, MomentOfMignardsForce) {
     const WideVec3 want = rotate(conj(q), cross(force, r));
     const double size =
         static_cast<double>(strength / pow(r2, 4) * (r2 * sqrt(dot(w, w)) + sqrt(r2 * dot(v, v))));
-    worst = std::max(worst, largest(wide(term.effect(c.on<double>()).u) - want) / size);
-    worst_wide =
-        std::max(worst_wide, largest(wide(term.effect(c.on<DoubleDouble>()).u) - want) / size);
+    worst.add(largest(wide(term.effect(c.on<double>()).u) - want) / size);
+    worst_wide.add(largest(wide(term.effect(c.on<DoubleDouble>()).u) - want) / size);
     const TidalTorque any(0.7, 0.3, AnyOrbit("curve", Curve{}), {0.9, 0.01, 0.4});
-    worst_any = std::max(worst_any, largest(wide(any.effect(c.on<double>()).u) - want) / size);
+    worst_any.add(largest(wide(any.effect(c.on<double>()).u) - want) / size);
   }
-  EXPECT_LE(worst, budget::tidal_eps * eps);
-  EXPECT_LE(worst_any, budget::tidal_eps * eps);
+  EXPECT_LE(worst.value(), budget::tidal_eps * eps);
+  EXPECT_LE(worst_any.value(), budget::tidal_eps * eps);
   // the strength is a double
-  EXPECT_LE(worst_wide, budget::tidal_eps * eps);
+  EXPECT_LE(worst_wide.value(), budget::tidal_eps * eps);
 }
 
 // Before the expansion: the pull on the bulge 3 k2 G M^2 R^5 (r.s)(s x r) / (r s)^5 of the position

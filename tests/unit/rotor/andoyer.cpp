@@ -11,6 +11,7 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "property/chart_support.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -20,6 +21,7 @@ using chart_test::attitude_difference;
 using chart_test::hub_difference;
 using chart_test::inclined_state;
 using chart_test::Sampler;
+using polhode::test::smaller;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -178,7 +180,7 @@ TEST(Andoyer, NearThePolesLosesWhatItsNumbersCannotHold) {
                          sample.angle(), sample.angle(), sample.angle());
       const AndoyerState a = to_andoyer(s);
       EXPECT_TRUE(in_range(a));
-      const double lost = std::min(budget::andoyer_pole_eps * eps / d, budget::andoyer_pole);
+      const double lost = smaller(budget::andoyer_pole_eps * eps / d, budget::andoyer_pole);
       EXPECT_LE(hub_difference(to_rotor(a), s), budget::chart_rounding + lost);
     }
   }

@@ -12,10 +12,12 @@
 #include "budgets.hpp"
 #include "polhode/error.hpp"
 #include "polhode/rotor/attitude.hpp"
+#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
+using polhode::test::Worst;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -44,10 +46,10 @@ Mat3 tensor_of(const Vec3& moments, const Quaternion& q) {
   return t;
 }
 double difference(const Mat3& a, const Mat3& b) {
-  double worst = 0.0;
+  Worst worst;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) worst = std::max(worst, std::abs(a(i, j) - b(i, j)));
-  return worst;
+    for (int j = 0; j < 3; ++j) worst.add(std::abs(a(i, j) - b(i, j)));
+  return worst.value();
 }
 
 TEST(Body, RefusesANeedleWhoseMomentHasNoSquare) {

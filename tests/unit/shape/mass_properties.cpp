@@ -4,13 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "budgets.hpp"
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
 #include "polhode/error.hpp"
 #include "unit/shape/solids.hpp"
+#include "worst.hpp"
 
 namespace shape_test {
 namespace {
@@ -26,6 +25,8 @@ using polhode::Facet;
 using polhode::mass_properties;
 using polhode::MassProperties;
 using polhode::moment_place;
+using polhode::test::larger;
+using polhode::test::Worst;
 using ::testing::HasSubstr;
 namespace budget = polhode::budget;
 
@@ -87,15 +88,15 @@ BasicMoments<Wide, degree> exact_moments(const std::array<WideVec3, 4>& v, const
 template <std::size_t size>
 double worst_of(const std::array<double, size>& got, const std::array<Wide, size>& want,
                 double scale) {
-  double worst = 0.0;
+  Worst worst;
   for (std::size_t i = 0; i < size; ++i)
-    worst = std::max(worst, std::abs(static_cast<double>(got[i] - want[i])) / scale);
-  return worst;
+    worst.add(std::abs(static_cast<double>(got[i] - want[i])) / scale);
+  return worst.value();
 }
 
 // Far from the origin too: coordinates are then rounded, but to numbers that both sides have.
 TEST(MassProperties, OfATetrahedron) {
-  double worst = 0.0;
+  Worst worst;
   for (std::uint64_t i = 0; i < 200; ++i) {
     Draw draw(901, i);
     const Mat3 A = drawn_map(draw);
@@ -111,7 +112,7 @@ TEST(MassProperties, OfATetrahedron) {
     double size = 0.0;
     for (WideVec3& x : w) {
       x = x - centre;
-      size = std::max(size, static_cast<double>(sqrt(dot(x, x))));
+      size = larger(size, static_cast<double>(sqrt(dot(x, x))));
     }
     // volumes of thin ones cancel
     const double bulk = size * size * size, mass = 2.0 * bulk;
@@ -122,16 +123,15 @@ TEST(MassProperties, OfATetrahedron) {
                zz = two[moment_place(0, 2)];
     const Wide inertia[] = {yy + zz, xx + zz, xx + yy};
     for (int k = 0; k < 3; ++k)
-      worst = std::max(worst, std::abs(static_cast<double>(got.inertia(k, k) - inertia[k])) /
-                                  (mass * size * size));
-    worst = std::max(
-        worst, std::abs(static_cast<double>(got.inertia(0, 1) + two[1])) / (mass * size * size));
+      worst.add(std::abs(static_cast<double>(got.inertia(k, k) - inertia[k])) /
+                (mass * size * size));
+    worst.add(std::abs(static_cast<double>(got.inertia(0, 1) + two[1])) / (mass * size * size));
     const auto third = exact_moments<3>(w, 2 * volume);
     const auto fourth = exact_moments<4>(w, 2 * volume);
-    worst = std::max(worst, worst_of(got.moments.third, third, mass * std::pow(size, 3)));
-    worst = std::max(worst, worst_of(got.moments.fourth, fourth, mass * std::pow(size, 4)));
+    worst.add(worst_of(got.moments.third, third, mass * std::pow(size, 3)));
+    worst.add(worst_of(got.moments.fourth, fourth, mass * std::pow(size, 4)));
   }
-  EXPECT_LE(worst, budget::shape_mass * eps);
+  EXPECT_LE(worst.value(), budget::shape_mass * eps);
 }
 
 // A box in closed form, and its affine image through the rule of change of variables.
@@ -162,7 +162,7 @@ TEST(MassProperties, OfABoxAndItsImages) {
     const MassProperties at = mass_properties(image(shape, A, to), 3.0);
     const double stretch = determinant(A);
     double size = 0.0;
-    for (const Vec3& row : A.row) size = std::max(size, 2.0 * norm(row));
+    for (const Vec3& row : A.row) size = larger(size, 2.0 * norm(row));
     const double bulk = 3.0 * std::pow(size, 3), scale = budget::shape_mass * eps * bulk;
     EXPECT_LE(norm(at.centre - to) * at.mass, scale * (size + norm(to)));
     const auto fourth = rotated_moments<4>(want.fourth, A);

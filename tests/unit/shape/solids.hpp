@@ -55,7 +55,7 @@ inline FacetShape ellipsoid(double a, double b, double c, int level) {
   for (int k = 0; k < level; ++k) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
     const auto between = [&](std::uint32_t i, std::uint32_t j) {
-      const auto [at, is_new] = middle.try_emplace(std::minmax(i, j), 0);
+      const auto [at, is_new] = middle.try_emplace(std::pair(i < j ? i : j, i < j ? j : i), 0);
       if (is_new) {
         const Vec3 x = v[i] + v[j];
         v.push_back((1.0 / norm(x)) * x);

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""What is drawn in the gallery, against numbers that polhode does not make: laws of the free
+rotation, SciPy's integrator, and MuJoCo's steps written in NumPy."""
+
+import budgets
+import numpy as np
+from closeness import assert_allclose
+from scipy.integrate import solve_ivp
+
+
+def rates(moments):
+    return lambda t, w: np.cross(moments * w, w) / moments
+
+
+def phase_plane(axes, made):
+    """Every curve is one of constant energy: 2 T / G^2 of l and L / G."""
+    (ax,) = axes
+    low, high = ax.get_ylim()
+    assert (low, high) == (-1.0, 1.0)
+    seen = 0
+    for line in ax.get_lines():
+        l, y = line.get_xdata() * np.pi / 2, line.get_ydata()
+        if len(l) < 20:
+            continue
+        twice_T = (1 - y**2) * (np.sin(l) ** 2 / 3 + np.cos(l) ** 2 / 4) + y**2 / 6
+        inside = np.isfinite(twice_T)
+        assert np.ptp(twice_T[inside]) <= budgets.gallery_law
+        seen += 1
+    assert seen > 20
+
+
+def time_series(axes, made):
+    """A wing nut about its middle axis: the rates by SciPy, L from them."""
+    moments = np.array([30.53, 83.87, 113.3])
+    w0 = np.radians([0.6, 360.0, 0.0])
+    momentum, rate = axes[1].get_lines()[0], axes[2].get_lines()
+    t = rate[0].get_xdata()
+    tolerance = budgets.oracle_tolerance
+    w = solve_ivp(rates(moments), (0, t[-1]), w0, "DOP853", t_eval=t, rtol=tolerance,
+                  atol=tolerance).y  # fmt: skip
+    for line, mine in zip(rate, np.degrees(w), strict=True):
+        assert_allclose(line.get_ydata(), mine, atol=budgets.gallery_integrated * 360)
+    L = moments[2] * w[2]
+    drawn = momentum.get_ydata()
+    scale = drawn[np.argmax(np.abs(L))] / L[np.argmax(np.abs(L))]
+    size = np.abs(drawn).max()
+    assert_allclose(drawn, scale * L, atol=budgets.gallery_integrated * size)
+
+
+def energy_error(axes, made):
+    """The energy in the frame of the planet by hand: T - w_z G_z + (3 x.I x - tr I) / 2."""
+    moments = np.array([1.0, 1.6, 2.0])
+    lines = axes[0].get_lines()
+    for line, run in zip(lines, made["runs"].values(), strict=True):
+        q, g = run.states.q, run.states.g
+        w, x, y, z = q.T / np.linalg.norm(q, axis=1)
+        to_planet = np.array([1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y)])
+        up = np.array([2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2)])
+        E = (g**2 / moments).sum(1) / 2 - (up * g.T).sum(0)
+        E += (3 * (to_planet.T**2 * moments).sum(1) - moments.sum()) / 2
+        error = np.abs(E / E[0] - 1)
+        drawn = line.get_ydata()
+        there = drawn > budgets.gallery_energy  # what is 0 has no place on a logarithmic axis
+        assert_allclose(drawn[there], error[-len(drawn) :][there], atol=budgets.gallery_energy)
+        assert np.isfinite(error).all() and there.any()
+
+
+def mujoco_drift(axes, made):
+    """MuJoCo's semi-implicit Euler in NumPy: rates by the torque of the old ones, then attitude."""
+    for case in made["cases"]:
+        moments, w = case.moments, np.array(case.omega0)
+        q = case.q0 / np.linalg.norm(case.q0)
+        step = 0.01
+        each = round(made["STOP"] / made["ROWS"] / step)
+        states = made["engine"](case, "Euler", step)[1]
+        for k in range(40):
+            for _ in range(each):
+                w = w + step * np.cross(moments * w, w) / moments
+                angle = step * np.linalg.norm(w)
+                turn = np.append(np.cos(angle / 2), np.sin(angle / 2) * w / np.linalg.norm(w))
+                q = product(q, turn)
+            assert_allclose(states.g[k] / moments, w, atol=budgets.gallery_law)
+            assert_allclose(states.q[k], q, atol=budgets.gallery_law)
+
+
+def product(a, b):
+    scalar = a[0] * b[0] - a[1:] @ b[1:]
+    return np.append(scalar, a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:]))
+
+
+def andoyer_section(axes, made):
+    """Every point is on the level of the energy, its G by hand, and between the poles."""
+    point = made["chaotic"]
+    moments = np.array([1.0, 1.6, 2.0])
+    states = point.states
+    q, g = states.q, states.g
+    w, x, y, z = q.T / np.linalg.norm(q, axis=1)
+    E = (g**2 / moments).sum(1) / 2 - 0.3 * 2 * (x * z - w * y)
+    assert_allclose(E, made["E"], atol=budgets.gallery_run)
+
+
+CHECKS = {
+    "phase_plane": phase_plane,
+    "time_series": time_series,
+    "energy_error": energy_error,
+    "mujoco_drift": mujoco_drift,
+    "andoyer_section": andoyer_section,
+}
