@@ -266,6 +266,10 @@ inline constexpr double damping_flow_eps = 4.0;
 // Attitude and momentum after some turns at tolerance 1e-12, and between the steps.
 inline constexpr double adaptive_short_run = 1e-11;
 inline constexpr double adaptive_dense = 1e-10;
+// Times of zeros of functions of time near t = 1, and of touches, where a rounding of the function
+// moves the time by its square root.
+inline constexpr double time_of_zero = 1e-14;
+inline constexpr double time_of_touch = 1e-7;
 // What leaving out one of two bodies must change.
 inline constexpr double two_bodies_differ = 1e-3;
 // Frequencies of libration at 1e-3 rad (linear theory) and of pitch at 0.5 rad (pendulum),
