@@ -45,6 +45,10 @@ class ZeroSearch {
   void between(const TimeFunction& f, Look a, Look b, std::vector<Zero>& found);
   // The zero at the last look, which no other look will decide about.
   void end(std::vector<Zero>& found);
+  // When the zero is that other looks will decide about.
+  std::optional<double> undecided() const {
+    return at_zero_ ? std::optional(t_zero_) : std::nullopt;
+  }
 
   // Every number that the search depends on.
   template <class Visit>
