@@ -40,6 +40,14 @@ EventWatch::Found in_order(std::vector<Met>& met, bool forward) {
   return result;
 }
 
+// The same attitude with the sign of q that is nearer: methods give it either sign, and a function
+// of the components of q is continuous in one.
+Sample beside(const Sample& near, Sample s) {
+  const Quaternion &p = near.s.q, q = s.s.q;
+  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0.0) s.s.q = {-q.w, -q.x, -q.y, -q.z};
+  return s;
+}
+
 }  // namespace
 
 EventWatch::EventWatch(const System& system, std::vector<Event> events)
@@ -99,18 +107,19 @@ EventWatch::Found EventWatch::search(const DenseStep& inside, const DenseStep& s
     last[i] = {t0, watched_[i].value, (events_[i].function(after) - watched_[i].value) / while_};
   std::vector<Met> met;
   bool stops = false;
+  Sample at = last_;
   for (double k = 1.0; k <= n && !stops; ++k) {
     const double t = k == n ? end.t : t0 + h * (k / n);
-    if (t == last_.t) continue;
-    const Sample at = k == n ? end : inside.sample(t);
+    if (t == at.t) continue;
+    at = beside(at, k == n ? end : inside.sample(t));
     const Sample before = motion_.moved(at, -while_);
     for (std::size_t i = 0; i < events_.size(); ++i) {
       Watched& w = watched_[i];
       w.value = value(i, at);
       if (std::isnan(w.value)) return in_order(met, forward);
       const Look now{t, w.value, (w.value - events_[i].function(before)) / while_};
-      const TimeFunction f = [&function = events_[i].function, &inside](double when) {
-        return function(inside.sample(when));
+      const TimeFunction f = [&, &function = events_[i].function](double when) {
+        return function(beside(at, inside.sample(when)));
       };
       std::vector<Zero> zeros;
       w.search.between(f, last[i], now, zeros);
@@ -118,14 +127,15 @@ EventWatch::Found EventWatch::search(const DenseStep& inside, const DenseStep& s
       for (const Zero& zero : zeros) {
         if (!is_asked_for(i, zero.direction)) continue;
         const bool is_new = forward ? zero.t > t0 : zero.t < t0;
-        const Sample there = is_new ? (zero.t == end.t ? end : step.sample(zero.t)) : w.at_zero;
+        const Sample there =
+            is_new ? beside(at, zero.t == end.t ? end : step.sample(zero.t)) : w.at_zero;
         met.push_back({{events_[i].name, zero.t, there.s, zero.direction, there.damper_rate},
                        events_[i].stops});
         stops = stops || events_[i].stops;
       }
     }
   }
-  keep_undecided(step, end);
+  keep_undecided(step, at);
   return in_order(met, forward);
 }
 
@@ -133,7 +143,7 @@ EventWatch::Found EventWatch::search(const DenseStep& inside, const DenseStep& s
 void EventWatch::keep_undecided(const DenseStep& step, const Sample& end) {
   for (Watched& w : watched_) {
     const std::optional<double> t = w.search.undecided();
-    if (t && *t != w.at_zero.t) w.at_zero = *t == end.t ? end : step.sample(*t);
+    if (t && *t != w.at_zero.t) w.at_zero = *t == end.t ? end : beside(end, step.sample(*t));
   }
   last_ = end;
 }
