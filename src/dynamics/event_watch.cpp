@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "math/detail/number_text.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -160,6 +162,11 @@ EventWatch::Found EventWatch::finish() {
                        events_[i].stops});
   }
   return in_order(met, true);
+}
+
+std::string nan_text(const std::string& event, double t) {
+  return "event \"" + event + "\" is NaN after t = " + number_text(t) +
+         ": mend its function, or leave it out";
 }
 
 }  // namespace detail

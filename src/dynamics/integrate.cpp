@@ -241,8 +241,7 @@ class Run {
 
   bool refused(double t) {
     if (watch_.nan_event().empty()) return false;
-    fail("event \"" + watch_.nan_event() + "\" is NaN after t = " + number_text(t) +
-         ": mend its function, or leave it out");
+    fail(detail::nan_text(watch_.nan_event(), t));
     return true;
   }
 

@@ -56,6 +56,9 @@ class EventWatch {
   std::string nan_event_;
 };
 
+// The sentence of an event whose value is NaN.
+std::string nan_text(const std::string& event, double t);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode
