@@ -276,8 +276,8 @@ inline constexpr double event_time = 1e-7;
 inline constexpr double event_time_loose = 1e-2;
 // And beside an orbit, at 1e-6 and by a splitting of order 2.
 inline constexpr double event_time_beside_orbit = 1e-2;
-// What an event function is at its event.
-inline constexpr double event_residual = 1e-12;
+// What an event function is at its event, also inside a splitting's step of seven turns.
+inline constexpr double event_residual = 1e-10;
 // What leaving out one of two bodies must change.
 inline constexpr double two_bodies_differ = 1e-3;
 // Frequencies of libration at 1e-3 rad (linear theory) and of pitch at 0.5 rad (pendulum),

@@ -52,7 +52,7 @@ class EventsOf : public testing::TestWithParam<NamedMethod> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(Methods, EventsOf, testing::ValuesIn(methods),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& one) { return one.param.name; });
 
 Vec3 axis_of(const RotorState& s, const Vec3& b) { return rotate(s.q, b); }
 
@@ -63,7 +63,7 @@ const RotorState spinning{{1.0, 0.0, 0.0, 0.0}, {0.01 * 30.53, 6.28 * 83.87, 0.0
 const std::vector<Event> functions = {
     {"qw", [](double, const RotorState& s) { return s.q.w; }},
     {"qx", [](double, const RotorState& s) { return s.q.x - 0.3; }},
-    {"flip", [](double, const RotorState& s) { return s.g.y; }},
+    {"flip", [](double, const RotorState& s) { return s.g.y / norm(s.g); }},
     {"across",
      [](double, const RotorState& s) {
        return axis_of(s, {1.0, 0.0, 0.0}).z;
@@ -159,7 +159,7 @@ TEST_P(EventsOf, TwoZerosAreFoundHoweverNear) {
       const bool rises = i % 2 == 1;
       const double t = pi * static_cast<double>(i + (rises ? 0 : 1)) + (rises ? half : -half);
       // the slope is sin(half)
-      EXPECT_NEAR(found[i].t, t, budget_of_time() + budget::event_residual / half) << depth;
+      EXPECT_NEAR(found[i].t, t, budget_of_time() + budget::free_attitude / half) << depth;
       EXPECT_EQ(found[i].direction, rises ? 1 : -1);
     }
   }
@@ -211,7 +211,10 @@ TEST_P(EventsOf, AZeroAtStartOrStopIsOne) {
 // Two runs, one of which goes on where the other ended, have every event once: also where that is
 // at a root.
 TEST_P(EventsOf, ARunInTwoPartsHasEachOnce) {
-  const Problem whole{System(wing_nut), spinning, 0.0, 12.0, GetParam().method, functions};
+  // q and -q are one attitude: a state may have the other sign than the run that it is from
+  std::vector<Event> even = functions;
+  std::erase_if(even, [](const Event& event) { return event.name == "qx"; });
+  const Problem whole{System(wing_nut), spinning, 0.0, 12.0, GetParam().method, even};
   const std::vector<EventRecord> all = integrate(whole).events();
   for (std::size_t k = 0; k < all.size(); k += 5) {
     Problem first = whole;
