@@ -270,8 +270,8 @@ inline constexpr double adaptive_dense = 1e-10;
 // moves the time by its square root.
 inline constexpr double time_of_zero = 1e-14;
 inline constexpr double time_of_touch = 1e-7;
-// Times of events of the README's wing nut over ten flips, each of which makes an error of the state
-// some thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
+// Times of events of the README's wing nut over ten flips, each of which makes an error of the
+// state some thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
 inline constexpr double event_time = 1e-7;
 inline constexpr double event_time_loose = 1e-2;
 // And beside an orbit, at 1e-6 and by a splitting of order 2.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Events: crossings of any scalar function of time and state.
 //
-// Equations   g(t, s) = 0, solved on the dense output between two looks at g and dg/dt. A look is at
-//             least every twelfth part of the fastest turn (of the free body with the momentum that
-//             it has, along its whole polhode, and of the frame), and at the end of every step.
+// Equations   g(t, s) = 0, solved on the dense output between two looks at g and dg/dt. Looks are a
+//             twelfth part of the fastest turn apart at most (of the free body with its momentum,
+//             along its whole polhode, and of the frame), and at the end of every step.
 // Units       any; `interval` is a time.
 // Domain      a continuous function of (t, q_SB, g_B), or of a Sample, which has the rate of a
 //             damper too. Found are: every change of sign from one look to the next; two zeros
 //             between two looks, where the function turns round beyond zero; and where it turns
-//             round at zero to rounding (1e-14 of its values around), a touch, of direction 0, which
+//             round at zero to rounding (1e-14 of its values around), a touch, of direction 0, that
 //             rising and falling leave out. A function that turns round twice between two looks,
 //             since it varies faster than the body turns, needs an `interval`. A zero at start or
 //             stop is an event; with Problem::continues one at start is not, so that a run in two
