@@ -23,7 +23,8 @@ A run finds zeros of a function of time and state on the dense output of its ste
 at as often as the body turns ([what is found](../guide/which-propagator.md#events)). *There are*
 as many as an independent count finds: changes of sign between {looks:,} equal times, of the closed
 form where the body is free, elsewhere of the states that an adaptive run at a tolerance of 1e-15
-gives at those times; a zero at the start counts. The functions are {functions}.
+gives at those times; a zero at the start counts. The functions are
+{functions}.
 
 | body | span | there are |{methods} |
 |---|---|---|{rule}
@@ -60,9 +61,9 @@ def axis(s, k):
 FUNCTIONS = {
     "a component of q": lambda t, s: s.q[0],
     "q_x - 0.3": lambda t, s: s.q[1] - 0.3,
-    "the momentum along axis 2, a flip": lambda t, s: s.g[1],
+    "the momentum along axis 2 (a flip)": lambda t, s: s.g[1],
     "the height of axis 1": lambda t, s: axis(s, 0),
-    "the product of the heights of axes 1 and 3, less 0.1":
+    "the product of the heights of axes 1 and 3 less 0.1":
         lambda t, s: axis(s, 0) * axis(s, 2) - 0.1,
 }
 
