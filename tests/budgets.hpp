@@ -290,6 +290,18 @@ inline constexpr double damping_flow_eps = 4.0;
 // Attitude and momentum after some turns at tolerance 1e-12, and between the steps.
 inline constexpr double adaptive_short_run = 1e-11;
 inline constexpr double adaptive_dense = 1e-10;
+// Times of zeros of functions of time near t = 1, and of touches, where a rounding of the function
+// moves the time by its square root.
+inline constexpr double time_of_zero = 1e-14;
+inline constexpr double time_of_touch = 1e-7;
+// Times of events of the README's wing nut over ten flips, each of which makes an error of the
+// state some thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
+inline constexpr double event_time = 1e-7;
+inline constexpr double event_time_loose = 1e-2;
+// And beside an orbit, at 1e-6 and by a splitting of order 2.
+inline constexpr double event_time_beside_orbit = 1e-2;
+// What an event function is at its event, also inside a splitting's step of seven turns.
+inline constexpr double event_residual = 1e-10;
 // What leaving out one of two bodies must change.
 inline constexpr double two_bodies_differ = 1e-3;
 // Frequencies of libration at 1e-3 rad (linear theory) and of pitch at 0.5 rad (pendulum),

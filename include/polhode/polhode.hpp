@@ -12,6 +12,7 @@
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/dynamics/event.hpp"
+#include "polhode/dynamics/free_events.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/dynamics/resume.hpp"

@@ -9,6 +9,8 @@
 #include "batch.hpp"
 #include "choice.hpp"
 #include "dynamics_values.hpp"
+#include "frame_value.hpp"
+#include "polhode/dynamics/free_events.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "samples.hpp"
@@ -33,6 +35,8 @@ void require_no_truth(nb::handle value, const std::string& label) {
           .c_str());
 }
 
+}  // namespace
+
 // The objects outlive the run, which copies the function without the GIL: hence a bare pointer.
 Event event_of(const PythonEvent& event) {
   const auto function = [f = event.function.ptr(), label = "event \"" + event.name + "\""](
@@ -42,16 +46,19 @@ Event event_of(const PythonEvent& event) {
     if (!PyFloat_Check(value.ptr())) require_no_truth(value, label);
     return number(value, label.c_str());
   };
-  return {event.name, function, event.crossing, event.stops, event.period};
+  return {event.name, function, event.crossing, event.stops, event.period, event.interval};
 }
-
-}  // namespace
 
 Problem problem_of(const PythonProblem& p) {
   const System& system = nb::cast<const PythonSystem&>(p.system);
-  Problem problem{
-      system,       nb::cast<const Rotors&>(p.initial)[0], p.start, p.stop, method_of(p.method), {},
-      p.damper_rate};
+  Problem problem{system,
+                  nb::cast<const Rotors&>(p.initial)[0],
+                  p.start,
+                  p.stop,
+                  method_of(p.method),
+                  {},
+                  p.damper_rate,
+                  p.continues};
   for (const nb::handle event : p.events)
     problem.events.push_back(event_of(nb::cast<const PythonEvent&>(event)));
   return problem;
@@ -178,6 +185,52 @@ PythonTrajectory resumed(const PythonProblem& python_problem, nb::handle samples
                          nb::handle events, nb::handle checkpoint, double checkpoint_seconds) {
   return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds}, progress,
                   &from);
+}
+
+std::vector<EventRecord> free_events_of(const FreeRotation& motion, nb::handle events, double start,
+                                        double stop, nb::handle frame, nb::handle progress) {
+  const nb::tuple all = events_of(events, "free_events");
+  std::vector<Event> wanted;
+  for (const nb::handle event : all)
+    wanted.push_back(event_of(nb::cast<const PythonEvent&>(event)));
+  if (!frame.is_none() && !nb::isinstance<PythonFrame>(frame))
+    throw nb::type_error(
+        ("free_events: frame: got " + class_name(frame) + "; expected a Frame").c_str());
+  const Frame seen_from =
+      frame.is_none() ? Frame::inertial() : Frame(nb::cast<const PythonFrame&>(frame));
+  const Progress look = listener(progress);
+  FreeEvents found = [&] {
+    const WithoutGil released;
+    return free_events(motion, wanted, start, stop, seen_from, look);
+  }();
+  warn_of(found.outcome, "free_events");
+  return std::move(found.events);
+}
+
+void bind_free_events(nb::module_& m) {
+  m.def("free_events", free_events_of, nb::arg("motion"), nb::arg("events"), nb::arg("start"),
+        nb::arg("stop"), nb::arg("frame") = nb::none(), nb::kw_only(),
+        nb::arg("progress") = nb::none(),
+        nb::sig("def free_events(motion: FreeRotation, events: collections.abc.Iterable[Event], "
+                "start: float, stop: float, frame: Frame | None = None, *, progress: object = "
+                "None) -> list[EventRecord]"),
+        R"(The events of a free rotation, found on its closed form: nothing is integrated.
+
+Parameters
+----------
+motion : FreeRotation, in inertial axes.
+events : Events, in any number; as those of a Problem.
+start, stop : either may be the larger, and both as far from the motion's epoch as may be: the work
+    is that of the turns between them.
+frame : a Frame from which the motion is seen; None: inertial axes.
+progress : called as progress(t), some ten times a second.
+
+Returns
+-------
+list of EventRecord
+    In order of time, up to the first event that stops. A RuntimeWarning where an event was NaN.
+
+Releases the GIL; Ctrl-C raises KeyboardInterrupt. What an event raises passes through.)");
 }
 
 void bind_checkpoint(nb::module_& m) {
@@ -361,6 +414,7 @@ ValueError
 
 Releases the GIL; Ctrl-C raises KeyboardInterrupt. What an event or a term in Python raises passes
 through. [SA (24), (118), (124)])");
+  bind_free_events(m);
   bind_checkpoint(m);
   bind_transitions(m);
 }

@@ -142,7 +142,8 @@ void bind_event_record(nb::module_& m) {
       .def_ro("t", &EventRecord::t, "When it was.")
       .def_prop_ro(
           "s", [](const EventRecord& e) { return Rotors::one(e.s); }, "The state there.")
-      .def_ro("direction", &EventRecord::direction, "1: the function was rising as time ran; -1.")
+      .def_ro("direction", &EventRecord::direction,
+              "1: rising as time ran; -1: falling; 0: a touch.")
       .def_prop_ro(
           "damper_rate", [](const EventRecord& e) { return array_of(e.damper_rate); },
           nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
@@ -150,7 +151,8 @@ void bind_event_record(nb::module_& m) {
       .def("__repr__",
            [](const EventRecord& e) {
              return "<EventRecord: " + e.name + " at t = " + number_text(e.t) +
-                    (e.direction > 0 ? ", rising>" : ", falling>");
+                    (e.direction > 0 ? ", rising>"
+                                     : (e.direction < 0 ? ", falling>" : ", touching>"));
            })
       .def("__getstate__",
            [](const EventRecord& e) {

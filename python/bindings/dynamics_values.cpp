@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "arrays.hpp"
 #include "batch.hpp"
@@ -42,7 +43,7 @@ tolerance : of the local error of a step, relative to |q| = 1 and to |g|; from 1
     from 1e-30 in double-double.
 precision : Precision, or its name.
 first_step : 0: chosen.
-largest_step : no step is longer; limit it to the time scale of an event's function.)");
+largest_step : no step is longer; limit it to the time scale of a torque that comes and goes.)");
   c.def(
        "__init__",
        [](Adaptive* self, double tolerance, nb::handle precision, double first, double largest) {
@@ -141,18 +142,20 @@ For weak terms: steps may span many turns. [SA (98)-(103)])");
 }
 
 PythonEvent checked_event(const std::string& name, nb::handle function, nb::handle crossing,
-                          bool stops, double period) {
+                          bool stops, double period, double interval) {
   if (PyCallable_Check(function.ptr()) == 0)
     throw nb::type_error(
         ("Event \"" + name + "\": function " + text_of(function) + " must be callable").c_str());
-  if (!(period >= 0.0) || !std::isfinite(period))
-    throw DomainError("Event \"" + name + "\": period " + number_text(period) +
-                      " must be positive, or 0 for none");
-  return {name, nb::borrow(function), choice<Crossing>(crossing, "crossing"), stops, period};
+  for (const auto& [what, value] : {std::pair("period", period), std::pair("interval", interval)})
+    if (!(value >= 0.0) || !std::isfinite(value))
+      throw DomainError("Event \"" + name + "\": " + what + " " + number_text(value) +
+                        " must be positive, or 0 for none");
+  return {name,    nb::borrow(function), choice<Crossing>(crossing, "crossing"), stops, period,
+          interval};
 }
 
 nb::tuple arguments_of(const PythonEvent& e) {
-  return nb::make_tuple(e.name, e.function, e.crossing, e.stops, e.period);
+  return nb::make_tuple(e.name, e.function, e.crossing, e.stops, e.period, e.interval);
 }
 
 void bind_event(nb::module_& m) {
@@ -172,27 +175,34 @@ crossing : Crossing, or its name.
 stops : the run ends at the first one, with a last sample there.
 period : of a function that is an angle folded into one turn: that turn, so that its jump is no
     crossing. 0: none.
+interval : no two looks at the function are farther apart: for one that varies faster than the body
+    turns. 0: looks follow the rotation.
 
-A change of sign over a step is solved on the dense output to rounding; two zeros within one step
-are not seen (largest_step). What the function raises ends the run and passes through; NaN ends it
-with an outcome that says so.)",
+The function is looked at inside every step, twelve times in the fastest turn at least, with its
+slope. Found are changes of sign, two zeros between two looks where it turns round beyond zero, and
+touches (direction 0, with crossing both); zeros at start and stop too. Each is solved on the dense
+output to rounding. What the function raises ends the run and passes through; NaN ends it with an
+outcome that says so.)",
                           nb::type_slots(object_slots<PythonEvent, &PythonEvent::function>()))
       .def(
           "__init__",
           [](PythonEvent* self, const std::string& name, nb::handle function, nb::handle crossing,
-             bool stops, double period) {
-            new (self) PythonEvent(checked_event(name, function, crossing, stops, period));
+             bool stops, double period, double interval) {
+            new (self)
+                PythonEvent(checked_event(name, function, crossing, stops, period, interval));
           },
           nb::arg("name"), nb::arg("function"), nb::arg("crossing") = Crossing::both,
-          nb::arg("stops") = false, nb::arg("period") = 0.0,
+          nb::arg("stops") = false, nb::arg("period") = 0.0, nb::arg("interval") = 0.0,
           nb::sig("def __init__(self, name: str, function: "
                   "collections.abc.Callable[[float, RotorState], float], crossing: Crossing | str "
-                  "= 'both', stops: bool = False, period: float = 0.0) -> None"))
+                  "= 'both', stops: bool = False, period: float = 0.0, interval: float = 0.0) -> "
+                  "None"))
       .def_ro("name", &PythonEvent::name, "Stands in EventRecord.name.")
       .def_ro("function", &PythonEvent::function, "The very object that was given.")
       .def_ro("crossing", &PythonEvent::crossing, "Which zeros are events.")
       .def_ro("stops", &PythonEvent::stops, "Whether the run ends at the first one.")
       .def_ro("period", &PythonEvent::period, "Of a folded angle; 0: none.")
+      .def_ro("interval", &PythonEvent::interval, "Between two looks, at most; 0: none asked for.")
       .def("__repr__",
            [](const PythonEvent& e) {
              std::string text = "<Event: " + e.name;
@@ -220,17 +230,9 @@ void require_state(nb::handle initial) {
                            .c_str());
 }
 
-nb::tuple events_of(nb::handle events) {
-  nb::tuple all(events);
-  for (const nb::handle event : all)
-    if (!nb::isinstance<PythonEvent>(event))
-      throw nb::type_error(
-          ("Problem: events: got " + class_name(event) + "; expected Event").c_str());
-  return all;
-}
-
 void make_problem(PythonProblem* self, nb::handle system, nb::handle initial, double start,
-                  double stop, nb::handle method, nb::handle events, nb::handle damper_rate) {
+                  double stop, nb::handle method, nb::handle events, nb::handle damper_rate,
+                  bool continues) {
   system_of(system, "Problem: system");
   require_state(initial);
   method_of(method);
@@ -239,13 +241,15 @@ void make_problem(PythonProblem* self, nb::handle system, nb::handle initial, do
                            start,
                            stop,
                            nb::borrow(method),
-                           events_of(events),
-                           vec3(damper_rate, "Problem: damper_rate")};
+                           events_of(events, "Problem"),
+                           vec3(damper_rate, "Problem: damper_rate"),
+                           continues};
 }
 
 nb::tuple arguments_of(const PythonProblem& p) {
   return nb::make_tuple(p.system, p.initial, p.start, p.stop, p.method, p.events,
-                        nb::make_tuple(p.damper_rate.x, p.damper_rate.y, p.damper_rate.z));
+                        nb::make_tuple(p.damper_rate.x, p.damper_rate.y, p.damper_rate.z),
+                        p.continues);
 }
 
 void bind_problem(nb::module_& m) {
@@ -261,16 +265,17 @@ start, stop : in the unit of time of the system; either may be the larger.
 method : Adaptive, Splitting or VariationOfConstants.
 events : Events, in any number.
 damper_rate : (3,), rate of the sphere of the system's damper relative to the body, body axes, at
-    `start`.)",
+    `start`.
+continues : whether another run has ended at `start`: an event there is that run's.)",
       nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
                                   &PythonProblem::method, &PythonProblem::events>()))
       .def("__init__", make_problem, nb::arg("system"), nb::arg("initial"), nb::arg("start"),
            nb::arg("stop"), nb::arg("method") = Adaptive{}, nb::arg("events") = nb::make_tuple(),
-           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0),
+           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("continues") = false,
            nb::sig("def __init__(self, system: System, initial: RotorState, start: float, stop: "
                    "float, method: Adaptive | Splitting | VariationOfConstants = Adaptive(), "
                    "events: collections.abc.Iterable[Event] = (), damper_rate: "
-                   "numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None"))
+                   "numpy.typing.ArrayLike = (0.0, 0.0, 0.0), continues: bool = False) -> None"))
       .def_ro("system", &PythonProblem::system,
               nb::for_getter(nb::sig("def system(self) -> System")),
               "The very object that was given.")
@@ -289,6 +294,7 @@ damper_rate : (3,), rate of the sphere of the system's damper relative to the bo
           "damper_rate", [](const PythonProblem& p) { return array_of(p.damper_rate); },
           nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): of the system's damper relative to the body, at `start`.")
+      .def_ro("continues", &PythonProblem::continues, "Whether another run has ended at `start`.")
       .def("__repr__",
            [](const PythonProblem& p) {
              const std::size_t events = p.events.size();
@@ -303,6 +309,15 @@ damper_rate : (3,), rate of the sphere of the system's damper relative to the bo
 }
 
 }  // namespace
+
+nb::tuple events_of(nb::handle events, const char* what) {
+  nb::tuple all(events);
+  for (const nb::handle event : all)
+    if (!nb::isinstance<PythonEvent>(event))
+      throw nb::type_error(
+          (std::string(what) + ": events: got " + class_name(event) + "; expected Event").c_str());
+  return all;
+}
 
 Method method_of(nb::handle method) {
   if (nb::isinstance<Adaptive>(method)) return nb::cast<Adaptive>(method);

@@ -15,6 +15,7 @@ struct PythonEvent {
   Crossing crossing;
   bool stops;
   double period;
+  double interval;
 };
 
 // The very objects that the caller gave.
@@ -26,10 +27,15 @@ struct PythonProblem {
   nb::object method;
   nb::tuple events;  // of PythonEvent
   Vec3 damper_rate;
+  bool continues;
 };
 
 // TypeError for what is none.
 Method method_of(nb::handle method);
+// The event of C++; the object that it is made of must outlive it.
+Event event_of(const PythonEvent& event);
+// A tuple of PythonEvent. `what` stands for it in messages.
+nb::tuple events_of(nb::handle events, const char* what);
 // For the time of a run: the Python objects outlive it.
 Problem problem_of(const PythonProblem& problem);
 // A failed run is a result, with its samples so far; but nobody should plot it unawares.

@@ -489,3 +489,69 @@ def test_runs_leave_the_interpreter_to_other_threads():
         turns += 1
     thread.join()
     assert turns > 1000
+
+
+WING_NUT = Body(30.53, 83.87, 113.3)
+SPINNING = RotorState([1, 0, 0, 0], [0.01 * 30.53, 6.28 * 83.87, 0])
+
+
+@EVERY_METHOD
+def test_every_method_finds_the_zeros_of_qw(method):
+    exact = FreeRotation(WING_NUT, SPINNING)
+    q = exact.at(np.linspace(0.0, 40.0, 40001)).q.copy()
+    q[1:] *= np.cumprod(np.sign(np.sum(q[1:] * q[:-1], axis=1)))[:, None]
+    there = np.count_nonzero(q[1:, 0] * q[:-1, 0] < 0)
+    events = [Event("qw", lambda t, s: s.q[0])]
+    run = integrate(Problem(System(WING_NUT), SPINNING, 0.0, 40.0, method, events))
+    assert len(run.events) == there > 40
+
+
+def test_free_events_are_found_after_a_billion_turns():
+    exact = FreeRotation(WING_NUT, SPINNING)
+    half = exact.polhode_period / 2
+    flips = polhode.free_events(exact, [Event("flip", middle)], 1e9, 1e9 + 100 * half)
+    assert len(flips) == 100
+    for event in flips:
+        assert event.name == "flip" and event.direction in (1, -1)
+        a, b = exact.at(np.array([event.t - 1e-6, event.t + 1e-6])).g[:, 1]
+        assert a * event.direction < 0 < b * event.direction
+
+
+def test_free_events_from_a_frame_are_those_of_a_run():
+    frame = polhode.Frame.precessing([0, 0.6, 0.8], 1.3, 0.0)
+    system = System(WING_NUT, frame)
+    motion = FreeRotation(WING_NUT, polhode.inertial_state(system, 0.0, SPINNING))
+    events = [Event("flip", middle), Event("qw", lambda t, s: s.q[0], "rising")]
+    found = polhode.free_events(motion, events, 0.0, 20.0, frame)
+    run = integrate(Problem(system, SPINNING, 0.0, 20.0, Adaptive(1e-14), events))
+    assert [e.name for e in found] == [e.name for e in run.events]
+    times = np.array([e.t for e in found])
+    assert np.abs(times - [e.t for e in run.events]).max() < budgets.event_time
+
+
+def test_free_events_that_cannot_be_say_why():
+    exact = FreeRotation(WING_NUT, SPINNING)
+    with pytest.raises(TypeError, match="free_events: events: got int; expected Event"):
+        polhode.free_events(exact, [1], 0.0, 1.0)
+    with pytest.raises(TypeError, match="free_events: frame: got int; expected a Frame"):
+        polhode.free_events(exact, [], 0.0, 1.0, 3)
+    with pytest.raises(ValueError, match="interval -1.0 must be positive, or 0 for none"):
+        Event("a", middle, interval=-1.0)
+    with pytest.warns(RuntimeWarning, match='event "a" is NaN after t = '):
+        polhode.free_events(exact, [Event("a", lambda t, s: np.sqrt(5.0 - t))], 0.0, 9.0)
+    with pytest.raises(ZeroDivisionError):
+        polhode.free_events(exact, [Event("a", lambda t, s: 1 / 0)], 0.0, 9.0)
+
+
+def test_a_run_that_continues_another_has_no_event_at_its_start():
+    def clock(t, s):
+        return t - 2.0
+
+    def events_of(start, stop, continues):
+        events = [Event("clock", clock)]
+        problem = Problem(System(BODY), START, start, stop, events=events, continues=continues)
+        assert problem.continues == continues
+        return [event.t for event in integrate(problem, []).events]
+
+    assert events_of(0.0, 2.0, False) == events_of(2.0, 4.0, False) == [2.0]
+    assert events_of(2.0, 4.0, True) == []

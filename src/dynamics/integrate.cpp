@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,13 +31,11 @@ constexpr std::int64_t settled = 1000;  // steps: the first ones may be short
 
 Problem checked(const Problem& problem) {
   Problem result = detail::checked_problem("integrate", problem);
-  for (const Event& event : result.events)
-    if (!event.function)
-      throw DomainError("integrate: event \"" + event.name + "\" must have a function");
+  for (const Event& event : result.events) require_valid(event);
   return result;
 }
 
-constexpr std::string_view mark = "polhode checkpoint 2";
+constexpr std::string_view mark = "polhode checkpoint 3";
 
 // What a checkpoint says of its problem, in front of the state: two that differ are told apart.
 std::vector<std::pair<std::string, std::string>> features(const Problem& problem,
@@ -55,7 +54,7 @@ std::vector<std::pair<std::string, std::string>> features(const Problem& problem
       problem.method);
   std::string events;
   for (const Event& e : problem.events)
-    events += text(e.name, static_cast<int>(e.crossing), e.stops, e.period);
+    events += text(e.name, static_cast<int>(e.crossing), e.stops, e.period, e.interval);
   const std::int64_t n = times.size();
   const std::optional<KaneDamper>& damper = problem.system.damper();
   std::string terms;
@@ -67,9 +66,19 @@ std::vector<std::pair<std::string, std::string>> features(const Problem& problem
           {"terms", terms},
           {"damper", damper ? text(damper->moment(), damper->friction()) : std::string()},
           {"damper_rate", text(problem.damper_rate)},
+          {"continues", text(problem.continues)},
           {"method", method_text(problem.method) + steps},
           {"events", events},
           {"sample times", n == 0 ? text(n) : text(n, times[0], times[n / 2], times[n - 1])}};
+}
+
+// Where events are first looked at: the very state given, where it is normalised, so that a run
+// that goes on from another sees the zero, or the side of it, that the other saw last.
+Sample first_look(const Problem& given, const Problem& checked) {
+  const Quaternion& q = given.initial.q;
+  const double excess = (q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z) - 1.0;
+  const bool is_normal = std::abs(excess) <= 8.0 * std::numeric_limits<double>::epsilon();
+  return {checked.start, is_normal ? given.initial : checked.initial, checked.damper_rate};
 }
 
 // One run: steps, and what they leave behind.
@@ -78,11 +87,12 @@ class Run {
   Run(const Problem& problem, bool keep_dense, detail::SampleQueue& samples,
       const Progress& progress)
       : problem_(checked(problem)),
+        first_look_(first_look(problem, problem_)),
         keep_dense_(keep_dense),
         samples_(samples),
         progress_(progress),
         told_(progress),
-        watch_(problem_.events),
+        watch_(problem_.system, problem_.events),
         stepper_(std::visit([&](const auto& m) { return detail::make_stepper(problem_, m); },
                             problem_.method)) {}
 
@@ -121,14 +131,15 @@ class Run {
     try {
       if (!continued_) {
         samples_.begin(parts_.initial);
-        watch_.begin(parts_.initial);
+        watch_.begin(first_look_, !problem_.continues);
         if (refused(problem_.start)) return finished();
       }
       const std::shared_ptr<const DenseStep> dense =
           inside_step_ ? stepper_->dense(false) : nullptr;
       if (inside_step_ && !samples_of_step(dense.get())) return finished();
-      while (stepper_->time() != problem_.stop && step()) {
-      }
+      bool goes_on = true;
+      while (goes_on && stepper_->time() != problem_.stop) goes_on = step();
+      if (goes_on) end_events();
     } catch (...) {
       samples_.flush();
       throw;
@@ -141,25 +152,37 @@ class Run {
   bool step() {
     const std::string advice = stepper_->advance(problem_.stop);
     if (!advice.empty()) {
+      keep(watch_.finish().records);
       fail(advice);
       return false;
     }
     Sample end{stepper_->time(), stepper_->state(), stepper_->damper_rate()};
-    const bool crossed = watch_.crossed(end);
-    if (refused(parts_.outcome.t)) return false;
     std::shared_ptr<const DenseStep> dense;
-    if (keep_dense_ || crossed || samples_.wants_dense(end.t)) dense = stepper_->dense(keep_dense_);
-    if (keep_dense_) parts_.dense.push_back(dense);
+    if (keep_dense_ || watch_.watches() || samples_.wants_dense(end.t))
+      dense = stepper_->dense(keep_dense_);
     stopped_ = false;
-    if (crossed) {
-      const detail::EventWatch::Found found = watch_.found(*dense, end);
+    if (watch_.watches()) {
+      const detail::EventWatch::Found found =
+          watch_.search(*stepper_->inside(), *dense, end, stepper_->intervals());
       keep(found.records);
       stopped_ = found.stops;
-      const EventRecord& last = found.records.back();
-      if (stopped_) end = {last.t, last.s, last.damper_rate};
+      if (!stopped_ && refused(parts_.outcome.t)) return false;
+      if (stopped_) end = sample_of(found.records.back());
     }
+    if (keep_dense_) parts_.dense.push_back(dense);
     end_ = end;
     return samples_of_step(dense.get());
+  }
+
+  static Sample sample_of(const EventRecord& event) {
+    return {event.t, event.s, event.damper_rate};
+  }
+
+  // Zeros at the stop itself.
+  void end_events() {
+    const detail::EventWatch::Found found = watch_.finish();
+    keep(found.records);
+    if (found.stops) parts_.outcome.status = Outcome::Status::stopped_by_event;
   }
 
   // A step may hold many samples: a checkpoint may be made among them. Whether the run goes on.
@@ -218,8 +241,7 @@ class Run {
 
   bool refused(double t) {
     if (watch_.nan_event().empty()) return false;
-    fail("event \"" + watch_.nan_event() + "\" is NaN after t = " + number_text(t) +
-         ": mend its function, or leave it out");
+    fail(detail::nan_text(watch_.nan_event(), t));
     return true;
   }
 
@@ -235,6 +257,7 @@ class Run {
   }
 
   Problem problem_;
+  Sample first_look_;
   bool keep_dense_;
   detail::SampleQueue& samples_;
   const Progress& progress_;

@@ -42,10 +42,9 @@ GaussTableau made() {
   for (std::size_t i = 0; i < s; ++i) {
     g.c[i] = (0.5 * (1.0 + x[i])).hi;
     g.b[i] = (0.5 * w[i]).hi;
-    for (std::size_t m = 0; m < 2; ++m) {
-      const std::size_t k = s - 1 - m;
-      g.last[m][i] = ((static_cast<double>(k) + 0.5) * (w[i] * P[i][k])).hi;
-    }
+    for (std::size_t k = 0; k < s; ++k)
+      g.all[k][i] = ((static_cast<double>(k) + 0.5) * (w[i] * P[i][k])).hi;
+    for (std::size_t m = 0; m < 2; ++m) g.last[m][i] = g.all[s - 1 - m][i];
     for (std::size_t j = 0; j < s; ++j) {
       DD sum = 1.0 + x[i];
       for (std::size_t k = 1; k < s; ++k) sum += P[j][k] * (P[i][k + 1] - P[i][k - 1]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -75,6 +76,46 @@ class VariationDense final : public DenseStep {
   RotorState end_;
 };
 
+// The step once more as four shorter ones, each a polynomial: a quarter of the step has the last
+// coefficients of a series smaller by 4^-12 and more, so that their squares' root is as small as
+// the tolerance. Many looks inside the step cost a free motion each.
+class VariationPieces final : public DenseStep {
+ public:
+  VariationPieces(VariationField field, const DoubleDouble& t0, const Constants& start,
+                  const DoubleDouble& t1)
+      : DenseStep(t0.hi, t1.hi), field_(std::move(field)) {
+    const double h = (t1 - t0).hi;
+    Constants c = start;
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const DoubleDouble from = t0 + (h * (static_cast<double>(i) / pieces));
+      const auto step = collocation_step<rotor_size<double>>(
+          field_, RotorErrorSize{}, from, c.y, h / pieces, 0.5 * epsilon<double>(), &series_[i]);
+      begin_[i] = from;
+      constants_[i] = c;
+      c.add(step.increment);
+    }
+    length_ = h / pieces;
+  }
+
+  RotorState at(double t) const override {
+    const double share = (DoubleDouble(t) - begin_[0]).hi / length_;
+    const std::size_t i = static_cast<std::size_t>(std::clamp(share, 0.0, pieces - 1.0));
+    const double x = (DoubleDouble(t) - begin_[i]).hi / length_;
+    Constants c = constants_[i];
+    c.add(collocation_increment(series_[i], length_, x));
+    return reference_axes(field_, DoubleDouble(t), c.y);
+  }
+
+ private:
+  static constexpr std::size_t pieces = 4;
+
+  VariationField field_;
+  double length_ = 0.0;
+  std::array<DoubleDouble, pieces> begin_;
+  std::array<Constants, pieces> constants_;
+  std::array<CollocationSeries<rotor_size<double>>, pieces> series_{};
+};
+
 class VariationStepper final : public Stepper {
  public:
   VariationStepper(const Problem& problem, const VariationOfConstants& method)
@@ -108,6 +149,11 @@ class VariationStepper final : public Stepper {
   std::shared_ptr<const DenseStep> dense(bool) override {
     return std::make_shared<const VariationDense>(before_, begin_, start_, time(), state());
   }
+  std::shared_ptr<const DenseStep> inside() override {
+    return std::make_shared<const VariationPieces>(before_, begin_, start_, solver_.time());
+  }
+  // As many as the step's polynomial has degrees: terms may act faster than the body turns.
+  int intervals() const override { return static_cast<int>(gauss_nodes); }
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <optional>
 
 #include "io/detail/number_text.hpp"
 #include "io/detail/part_file.hpp"
@@ -35,6 +36,8 @@ struct EventTable::Parts {
         layout(row_layout(of)),
         system(rotor_system(of)),
         energy_0(detail::initial_energy(of)),
+        motion(!propagation_method(of) && of.frame.is_inertial() ? std::optional(free_rotation(of))
+                                                                 : std::nullopt),
         file(csv_path(path),
              from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
         rows(from ? from->rows : 0) {}
@@ -49,8 +52,12 @@ struct EventTable::Parts {
 
   std::string line(const EventRecord& event) const {
     std::vector<double> row(layout.width());
-    const Sample sample{event.t, event.s, event.damper_rate};
-    layout.write_rows(RowOrigin{system, energy_0}, {&sample, 1}, row);
+    if (motion) {
+      layout.write_rows(*motion, {&event.t, 1}, row);
+    } else {
+      const Sample sample{event.t, event.s, event.damper_rate};
+      layout.write_rows(RowOrigin{system, energy_0}, {&sample, 1}, row);
+    }
     std::string text = event.name;
     append_number(text, row[0]);
     append_number(text, event.direction);
@@ -62,6 +69,7 @@ struct EventTable::Parts {
   RowLayout layout;
   System system;
   double energy_0;
+  std::optional<FreeRotation> motion;  // of a free body: its rows are those of a run
   detail::PartFile file;
   std::int64_t rows;
 };

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "dynamics/detail/free_event_search.hpp"
 #include "io/detail/number_text.hpp"
 #include "io/detail/run_state.hpp"
 #include "io/detail/scenario_parts.hpp"
@@ -88,40 +90,6 @@ class RowWriter {
   std::int64_t rows_;
 };
 
-// In inertial axes; a moving frame is applied to each state afterwards.
-void run_free(const Scenario& scenario, RowWriter& writer, const RunControl& control) {
-  const System system = rotor_system(scenario);
-  const RotorState start = initial_state(scenario);
-  const bool moving = !scenario.frame.is_inertial();
-  const FreeRotation motion = moving
-                                  ? FreeRotation(scenario.body, inertial_state(system, 0.0, start))
-                                  : free_rotation(scenario);
-  const RowOrigin origin{system, detail::initial_energy(scenario)};
-  const SaveAt& rows = *scenario.time;
-  std::vector<double> times;
-  std::vector<Sample> samples;
-  for (std::int64_t first = writer.rows(); first < rows.size(); first = writer.rows()) {
-    times.clear();
-    samples.clear();
-    const std::int64_t last = std::min(rows.size(), first + rows_per_block);
-    for (std::int64_t k = first; k < last; ++k) times.push_back(rows[k]);
-    if (moving) {
-      for (const double t : times) samples.push_back({t, reference_state(system, t, motion.at(t))});
-      writer.push(origin, samples);
-    } else {
-      writer.push(motion, times);
-    }
-    if (last < rows.size() && control.due && control.due(times.back())) {
-      RunState state;
-      state.stage = RunState::free;
-      state.t = times.back();
-      state.pushed = writer.rows();
-      control.keep(state);
-    }
-    if (control.progress) control.progress(times.back());
-  }
-}
-
 // Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
 std::vector<Event> events_of(const Scenario& scenario, const System& system, double energy_0) {
   std::vector<Event> events;
@@ -133,10 +101,135 @@ std::vector<Event> events_of(const Scenario& scenario, const System& system, dou
                         const double x = value(at) - target;
                         return turn > 0.0 ? std::remainder(x, turn) : x;
                       },
-                      wanted.crossing, wanted.stops, turn});
+                      wanted.crossing, wanted.stops, turn, wanted.interval});
   }
   return events;
 }
+
+// The closed form, in inertial axes; a moving frame is applied to each state afterwards.
+class FreeRun {
+ public:
+  FreeRun(const Scenario& scenario, RowWriter& writer, const RunControl& control)
+      : scenario_(scenario),
+        writer_(writer),
+        control_(control),
+        system_(rotor_system(scenario)),
+        motion_(scenario.frame.is_inertial()
+                    ? free_rotation(scenario)
+                    : FreeRotation(scenario.body,
+                                   inertial_state(system_, 0.0, initial_state(scenario)))),
+        origin_{system_, detail::initial_energy(scenario)},
+        rows_(*scenario.time) {
+    report_.outcome.t = rows_[rows_.size() - 1];
+    if (scenario.events.empty()) return;
+    search_.emplace(motion_, scenario.frame, events_of(scenario, system_, origin_.initial_energy),
+                    rows_[0]);
+    if (control.from == nullptr) return;
+    detail::StateBytes bytes(control.from->integration);
+    search_->transfer(bytes);
+  }
+
+  RunReport report() {
+    while (writer_.rows() < rows_.size() && goes_on()) {
+      const std::int64_t first = writer_.rows();
+      const std::int64_t last = std::min(rows_.size(), first + rows_per_block);
+      if (!events_until(rows_[last - 1])) break;
+      write(first, last);
+      if (last < rows_.size()) offer_state(rows_[last - 1]);
+      if (control_.progress) control_.progress(rows_[last - 1]);
+    }
+    if (search_ && goes_on()) keep(search_->finish());
+    return std::move(report_);
+  }
+
+ private:
+  bool goes_on() const { return report_.outcome.status == Outcome::Status::completed; }
+
+  void write(std::int64_t first, std::int64_t last) {
+    std::vector<double> times;
+    for (std::int64_t k = first; k < last; ++k) times.push_back(rows_[k]);
+    write(times);
+  }
+  void write(std::span<const double> times) {
+    if (scenario_.frame.is_inertial()) return writer_.push(motion_, times);
+    std::vector<Sample> samples;
+    for (const double t : times) samples.push_back({t, reference_state(system_, t, motion_.at(t))});
+    writer_.push(origin_, samples);
+  }
+
+  // Events up to there; whether the run goes on.
+  bool events_until(double t) {
+    if (!search_) return true;
+    for (;;) {
+      const std::string refusal = search_->refusal();
+      if (!refusal.empty()) {
+        report_.outcome = {Outcome::Status::failed, search_->t(), refusal};
+        return false;
+      }
+      if (search_->t() == t) return true;
+      keep(search_->advance(t));
+      if (!goes_on()) {
+        write_to_the_end();
+        return false;
+      }
+      if (search_->t() == t) continue;
+      offer_state(search_->t());
+      if (control_.progress) control_.progress(search_->t());
+    }
+  }
+
+  void keep(const detail::EventWatch::Found& found) {
+    for (const EventRecord& event : found.records) {
+      if (control_.event) {
+        control_.event(event);
+      } else {
+        report_.events.push_back(event);
+      }
+    }
+    if (found.stops)
+      report_.outcome = {Outcome::Status::stopped_by_event, found.records.back().t, {}};
+  }
+
+  // Rows before the event that has stopped the run, and one more there.
+  void write_to_the_end() {
+    const double end = report_.outcome.t;
+    const bool forward = rows_[0] <= rows_[rows_.size() - 1];
+    std::vector<double> times;
+    for (std::int64_t k = writer_.rows(); k < rows_.size(); ++k) {
+      const double t = rows_[k];
+      if (forward ? t > end : t < end) break;
+      times.push_back(t);
+    }
+    const double latest =
+        !times.empty() ? times.back() : rows_[std::max<std::int64_t>(writer_.rows() - 1, 0)];
+    if (latest != end || (times.empty() && writer_.rows() == 0)) times.push_back(end);
+    write(times);
+  }
+
+  void offer_state(double t) {
+    if (!control_.due || !control_.due(t)) return;
+    RunState state;
+    state.stage = RunState::free;
+    state.t = t;
+    state.pushed = writer_.rows();
+    if (search_) {
+      detail::StateBytes bytes;
+      search_->transfer(bytes);
+      state.integration = bytes.bytes();
+    }
+    control_.keep(state);
+  }
+
+  const Scenario& scenario_;
+  RowWriter& writer_;
+  const RunControl& control_;
+  System system_;
+  FreeRotation motion_;
+  RowOrigin origin_;
+  const SaveAt& rows_;
+  std::optional<detail::FreeEventSearch> search_;
+  RunReport report_;
+};
 
 void add(Statistics& sum, const Statistics& more) {
   sum.steps += more.steps;
@@ -309,8 +402,7 @@ RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
   RowWriter writer(layout, sinks, control.from == nullptr ? 0 : control.from->pushed);
   RunReport report;
   if (is_free(scenario)) {
-    run_free(scenario, writer, control);
-    report.outcome.t = (*scenario.time)[scenario.time->size() - 1];
+    report = FreeRun(scenario, writer, control).report();
   } else {
     report = run_integrated(scenario, writer, control);
   }

@@ -93,15 +93,18 @@ std::string without_energy(const Scenario& scenario) {
   return {};
 }
 
-// An integrated run visits its rows in order.
+// An integrated run visits its rows in order, and so does one that looks for events.
 void check_times(const Scenario& scenario, const Values& values, const std::string& name) {
-  if (!scenario.time || !propagation_method(scenario) || !there(values, "time.at")) return;
+  const bool in_order = propagation_method(scenario).has_value() || !scenario.events.empty();
+  if (!scenario.time || !in_order || !there(values, "time.at")) return;
   const SaveAt& rows = *scenario.time;
   const bool rises = rows[rows.size() - 1] >= rows[0];
   for (std::int64_t k = 1; k < rows.size(); ++k)
     if (rises ? rows[k] < rows[k - 1] : rows[k] > rows[k - 1])
       refuse(values, "time.at", name,
-             "expected times in order, rising or falling, since the run is integrated");
+             propagation_method(scenario)
+                 ? "expected times in order, rising or falling, since the run is integrated"
+                 : "expected times in order, rising or falling, since events are looked for");
 }
 
 // Its own state asks for a method that carries it, and the columns of that state for a damper.
@@ -183,9 +186,13 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
         refuse(values, path + (there(values, path + ".name") ? ".name" : ".column"), name,
                "expected a name of its own, since an event before it is called " + own);
     const double value = number(values, path + ".value");
+    const std::string interval = path + ".interval";
+    if (there(values, interval) && !(number(values, interval) > 0.0))
+      refuse(values, interval, name, "expected a positive time");
     events.push_back({own, column, units.to_core(value, column_dimension(column)),
                       crossing_of(word(values, path + ".crossing")),
-                      value_at(values, path + ".stops").whole == 1});
+                      value_at(values, path + ".stops").whole == 1,
+                      there(values, interval) ? number(values, interval) : 0.0});
   }
   return events;
 }

@@ -73,7 +73,7 @@ double detail::initial_energy(const Scenario& scenario) {
 
 std::optional<Method> propagation_method(const Scenario& scenario) {
   if (scenario.method) return scenario.method;
-  if (scenario.terms.empty() && scenario.events.empty() && !scenario.damper) return std::nullopt;
+  if (scenario.terms.empty() && !scenario.damper) return std::nullopt;
   return Adaptive{};
 }
 

@@ -16,8 +16,9 @@ constexpr std::string_view stepped_freely = "adaptive|variation-of-constants";
 
 constexpr Key keys[] = {
     {.path = "method",
-     .help = "How the rotation is integrated. Left out: exactly, where no perturbation acts and no "
-             "event is asked for; otherwise adaptive with its defaults."},
+     .help =
+         "How the rotation is integrated. Left out: not at all where no perturbation acts, since "
+         "the free rotation is exact; otherwise adaptive with its defaults."},
     {.path = "method.kind",
      .type = choice,
      .presence = required,
@@ -42,7 +43,7 @@ constexpr Key keys[] = {
      .type = number,
      .dimension = Dimension::time,
      .example = "1",
-     .help = "No step is longer: for events that come and go within a step.",
+     .help = "No step is longer: for a torque that comes and goes within a step.",
      .kinds = stepped_freely},
     {.path = "method.step",
      .type = number,
@@ -86,6 +87,12 @@ constexpr Key keys[] = {
      .fallback = "false",
      .example = "false",
      .help = "Whether the run ends there, with a last row."},
+    {.path = "event[].interval",
+     .type = number,
+     .dimension = Dimension::time,
+     .example = "1",
+     .help = "The column is looked at this often at least. Left out: twelve times in the fastest "
+             "turn of the body and its frame, which finds what varies as fast as these."},
 };
 
 }  // namespace

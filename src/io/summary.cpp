@@ -118,6 +118,19 @@ void add_motion(Lines& lines, const Scenario& scenario) {
   }
 }
 
+std::string direction_text(int direction) {
+  if (direction == 0) return "touching";
+  return direction > 0 ? "rising" : "falling";
+}
+
+void add_cost(Lines& lines, const Statistics& statistics) {
+  lines.number("steps", "steps", static_cast<double>(statistics.steps), Dimension::number);
+  lines.number("rejected", "steps repeated", static_cast<double>(statistics.rejected),
+               Dimension::number);
+  lines.number("evaluations", "evaluations of the perturbations",
+               static_cast<double>(statistics.evaluations), Dimension::number);
+}
+
 std::string outcome_text(const Outcome& outcome) {
   switch (outcome.status) {
     case Outcome::Status::completed:
@@ -174,14 +187,11 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
 std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report,
                                       const std::string& events) {
   Lines lines(scenario.units);
-  if (!propagation_method(scenario)) return lines.take();
+  const bool is_exact = !propagation_method(scenario);
+  if (is_exact && scenario.events.empty()) return lines.take();
   lines.text("outcome", "outcome", outcome_text(report.outcome));
   lines.number("end", "the run ended at t", report.outcome.t, Dimension::time);
-  lines.number("steps", "steps", static_cast<double>(report.statistics.steps), Dimension::number);
-  lines.number("rejected", "steps repeated", static_cast<double>(report.statistics.rejected),
-               Dimension::number);
-  lines.number("evaluations", "evaluations of the perturbations",
-               static_cast<double>(report.statistics.evaluations), Dimension::number);
+  if (!is_exact) add_cost(lines, report.statistics);
   if (report.energy_change)
     lines.number("energy_change", "change of energy E - E(0)", *report.energy_change,
                  Dimension::energy);
@@ -189,7 +199,7 @@ std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport&
   for (std::size_t i = 0; i < shown; ++i) {
     const EventRecord& event = report.events[i];
     lines.number("event_time_" + std::to_string(i + 1),
-                 event.name + (event.direction > 0 ? ", rising, at t" : ", falling, at t"), event.t,
+                 event.name + ", " + direction_text(event.direction) + ", at t", event.t,
                  Dimension::time);
   }
   const auto more = std::max(report.events_met, static_cast<std::int64_t>(report.events.size())) -

@@ -19,6 +19,7 @@ DAMPED = ('[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 
           '[[perturbation]]\nkind = "damping"\ncoefficients = [1e-9, 1e-9, 1e-9]')
 METHODS = {
     "free": "",
+    "free-events": '[[event]]\ncolumn = "w2"\n[[event]]\nname = "n"\ncolumn = "qw"\n',
     "adaptive": '[method]\nkind = "adaptive"\ntolerance = 1e-9\n',
     "double-double": '[method]\nkind = "adaptive"\nprecision = "double-double"\n',
     "splitting": '[method]\nkind = "splitting"\nstep = 0.1\nscheme = "order4"\n',
@@ -69,13 +70,17 @@ def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
 @pytest.mark.parametrize("method", METHODS)
 def test_stopped_often_it_leaves_the_straight_run(polhode, run, scenario, tmp_path, method):
     """The scenario's rows start late, so that the first stop may be on the way to them."""
-    state = DAMPED if method != "free" else DAMPED.split("[[")[0]
+    state = DAMPED.split("[[")[0] if method.startswith("free") else DAMPED
     body = scenario(state=state, time="start = 40\nstop = 5000\nstep = 0.2")
     text = body.read_text().replace("[output]", METHODS[method] + "[output]")
     body.write_text(text)
-    assert run("run", body, "--out", tmp_path / "s.csv", "--out", tmp_path / "s.h5").returncode == 0
-    arguments = [polhode, "run", body, "--out", tmp_path / "r.csv", "--out", tmp_path / "r.h5",
-                 "--resume"]
+
+    def outputs(name):
+        paths = ["--out", tmp_path / f"{name}.csv", "--out", tmp_path / f"{name}.h5"]
+        return paths + ["--events", tmp_path / f"{name}.events.csv"] * ("[[event]]" in text)
+
+    assert run("run", body, *outputs("s")).returncode == 0
+    arguments = [polhode, "run", body, *outputs("r"), "--resume"]
     code = 130
     for milliseconds in range(20, 2000, 20):
         process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -89,8 +94,14 @@ def test_stopped_often_it_leaves_the_straight_run(polhode, run, scenario, tmp_pa
     assert code == 0
     assert (tmp_path / "s.csv").read_bytes() == (tmp_path / "r.csv").read_bytes()
     assert subprocess.run(["h5diff", tmp_path / "s.h5", tmp_path / "r.h5"]).returncode == 0
+    kinds = ["csv", "h5"]
+    if "[[event]]" in text:
+        kinds.append("events.csv")
+        straight, resumed = (tmp_path / f"{name}.events.csv" for name in "sr")
+        assert straight.read_bytes() == resumed.read_bytes()
+        assert len(straight.read_text().splitlines()) > 1000
     assert sorted(p.name for p in tmp_path.iterdir()) == sorted(
-        ["body.toml", "s.csv", "s.h5", "r.csv", "r.h5"])
+        ["body.toml", *(f"{name}.{kind}" for name in "sr" for kind in kinds)])
 
 
 def test_an_unfinished_run_is_not_overwritten(polhode, run, long, tmp_path):

@@ -14,8 +14,8 @@
 // Domain      any problem, either direction; its events are not looked for. Angles of Andoyer are
 //             in (-pi, pi]; angle is in (-pi/2, pi/2], that of the long axis where body axis 1 has
 //             the least moment, and 0 where that axis stands on the plane. The orbit is in inertial
-//             axes, an ellipse with e > 0, and need not be what acts. A pass that touches the value
-//             and turns back within a step is not seen.
+//             axes, an ellipse with e > 0, and need not be what acts. Passes are events: two of
+//             them within a step are found too (event.hpp).
 // Accuracy    that of the method; passes are roots of its dense output, times of pericentres have
 //             two roundings at most. Where passes are looked for, steps of Adaptive and
 //             VariationOfConstants are kept below an eighth of the fastest turn of the free body

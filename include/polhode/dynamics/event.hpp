@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Events: crossings of any scalar function of time and state.
 //
-// Equations   g(t, s) = 0 between two steps, found as a change of sign and solved on the dense
-//             output.
-// Units       any.
+// Equations   g(t, s) = 0, solved on the dense output between two looks at g and dg/dt. Looks are a
+//             twelfth part of the fastest turn apart at most (of the free body with its momentum,
+//             along its whole polhode, and of the frame), and at the end of every step.
+// Units       any; `interval` is a time.
 // Domain      a continuous function of (t, q_SB, g_B), or of a Sample, which has the rate of a
-//             damper too. A double root within one step, where the sign does not change, is not
-//             seen: limit the step (largest_step) to the time scale of the function. A zero at the
-//             very start is not an event.
+//             damper too. Found are: every change of sign from one look to the next; two zeros
+//             between two looks, where the function turns round beyond zero; and where it turns
+//             round at zero to rounding (1e-14 of its values around), a touch, of direction 0, that
+//             rising and falling leave out. A function that turns round twice between two looks,
+//             since it varies faster than the body turns, needs an `interval`. A zero at start or
+//             stop is an event; with Problem::continues one at start is not, so that a run in two
+//             parts has it once. A function that stays zero for a while has an event where its sign
+//             is another one afterwards: when it became zero.
 // Accuracy    the root of the dense output to rounding of t; its time is as wrong as the state
-//             there, error of g over |dg/dt|.
+//             there, error of g over |dg/dt|. The time of a touch: the square root of that.
 // Errors      what the function throws passes through; NaN ends the run with an outcome that says
 //             so.
-// Cost        one call per step, some ten per event.
+// Cost        two calls per look, some ten per event. docs/accuracy/events.md.
 #pragma once
 
 #include <concepts>
@@ -59,7 +65,13 @@ struct Event {
   // Of a function that is an angle, folded into one turn: a jump by more than half of it is no
   // crossing. 0: none.
   double period = 0.0;
+  // No two looks are farther apart: for a function that varies faster than the body turns. 0: looks
+  // follow the rotation.
+  double interval = 0.0;
 };
+
+// DomainError for an event without a function, or a period or interval that is none.
+void require_valid(const Event& event);
 
 }  // namespace v0
 }  // namespace polhode

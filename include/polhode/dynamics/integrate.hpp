@@ -39,6 +39,8 @@ struct Problem {
   Method method = Adaptive{};
   std::vector<Event> events = {};
   Vec3 damper_rate = {};  // of the system's damper relative to the body, at `start`
+  // Of a run that has ended at `start`: an event there is that run's.
+  bool continues = false;
 };
 
 // What to keep in memory.

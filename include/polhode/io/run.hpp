@@ -52,7 +52,7 @@ struct RunReport {
 RunReport run(const Scenario& scenario, const RowLayout& layout,
               std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress = {});
 
-// The events of a run as CSV: name, t, direction (1 rising, -1 falling) and the columns of the
+// The events of a run as CSV: name, t, direction (1 rising, -1 falling, 0 touching), columns of the
 // layout. Opened before the run, so that a path that cannot be written is found out at once, and
 // written as PATH.part until it is complete. With a position, PATH.part is cut back to it.
 class EventTable {

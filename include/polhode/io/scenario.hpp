@@ -97,6 +97,7 @@ struct ScenarioEvent {
   double value;  // core units
   Crossing crossing;
   bool stops;
+  double interval;  // 0: looks follow the rotation
 };
 
 // [map]
@@ -170,8 +171,8 @@ System rotor_system(const Scenario& scenario);
 RotorState initial_state(const Scenario& scenario);
 FreeRotation free_rotation(const Scenario& scenario);
 
-// The method of the file. Left out: none where nothing acts and no event is asked for, which means
-// exact free rotation; otherwise Adaptive.
+// The method of the file. Left out: none where nothing acts, which means exact free rotation;
+// otherwise Adaptive.
 std::optional<Method> propagation_method(const Scenario& scenario);
 
 }  // namespace v0

@@ -33,7 +33,7 @@ struct SummaryLine {
 std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion);
 
 // How a run went: where it ended, what it cost, the change of energy, events. Nothing for a free
-// motion, which is exact. `events` says where all of them are, when there are many.
+// motion without events. `events` says where all of them are, when there are many.
 std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report,
                                       const std::string& events);
 

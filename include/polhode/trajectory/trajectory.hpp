@@ -57,7 +57,7 @@ struct EventRecord {
   std::string name;
   double t;
   RotorState s;
-  int direction;  // +1: the function was rising through zero
+  int direction;  // +1: rising through zero, -1: falling, 0: touching it
   Vec3 damper_rate = {};
 };
 

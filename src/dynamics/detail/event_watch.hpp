@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The events of a run: which side of zero each function was on, and what it met in a step.
+// The events of a run, step by step: how often their functions are looked at inside one, and what
+// they meet there.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
+#include "dynamics/detail/sample_motion.hpp"
 #include "dynamics/detail/state_bytes.hpp"
+#include "dynamics/detail/time_zeros.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
@@ -16,35 +18,46 @@ namespace detail {
 
 class EventWatch {
  public:
-  explicit EventWatch(std::span<const Event> events) : events_(events) {}
+  EventWatch(const System& system, std::vector<Event> events);
 
-  // The values at the start of the run.
-  void begin(const Sample& start);
-  // Whether a function changed its sign over a step that ends there. Its name comes back when its
-  // value is NaN.
-  bool crossed(const Sample& end);
-  const std::string& nan_event() const { return nan_event_; }
-  void transfer(StateBytes& bytes);
-  // The crossings asked for in that step, in order of time, up to the first that stops the run.
+  bool watches() const { return !events_.empty(); }
+  // The values at the start of the run; whether a zero there is an event of it.
+  void begin(const Sample& start, bool reports_start);
+  // The events asked for, in order of time, up to the first that stops the run.
   struct Found {
     std::vector<EventRecord> records;
     bool stops = false;
   };
-  Found found(const DenseStep& step, const Sample& end) const;
+  // Those of a step from the last end to `end`, and of zeros before that it decides about. States
+  // come from `step`; `inside`, of the same step, is what is looked at, `intervals` times at least.
+  Found search(const DenseStep& inside, const DenseStep& step, const Sample& end, int intervals);
+  // A zero where the run ends.
+  Found finish();
+  // Between two looks from a state on.
+  double interval(const Sample& from, bool forward) const;
+  // Of the event whose value was NaN last.
+  const std::string& nan_event() const { return nan_event_; }
+  void transfer(StateBytes& bytes);
 
  private:
-  struct Side {
-    double before = 0.0;  // the value at the start of the step
-    double value = 0.0;   // at its end
-    int old_sign = 0;     // of the last value that was not zero; 0: none yet
-    int sign = 0;
+  struct Watched {
+    ZeroSearch search;
+    double value = 0.0;  // at the last look
+    Sample at_zero{};    // where the last zero is that is not decided about
   };
-  bool wanted(std::size_t i) const;
+  double value(std::size_t i, const Sample& at);
+  void keep_undecided(const DenseStep& step, const Sample& end);
+  bool is_asked_for(std::size_t i, int direction) const;
 
-  std::span<const Event> events_;
-  std::vector<Side> sides_;
+  std::vector<Event> events_;
+  SampleMotion motion_;
+  std::vector<Watched> watched_;
+  Sample last_{};  // the end of the last step
   std::string nan_event_;
 };
+
+// The sentence of an event whose value is NaN.
+std::string nan_text(const std::string& event, double t);
 
 }  // namespace detail
 }  // namespace v0

@@ -24,6 +24,10 @@ class Stepper {
   virtual Vec3 damper_rate() const { return {}; }
   // The step just made. Valid until the next advance when `keep` is false, for good otherwise.
   virtual std::shared_ptr<const DenseStep> dense(bool keep) = 0;
+  // The same for many looks inside it, and how many intervals between them the step needs whatever
+  // the body does: where its own error lets it be long.
+  virtual std::shared_ptr<const DenseStep> inside() { return dense(false); }
+  virtual int intervals() const { return 1; }
   virtual Statistics statistics() const = 0;
   // Every number that the steps to come and the dense output of the last one depend on: kept, or
   // put back into a stepper of the same problem.

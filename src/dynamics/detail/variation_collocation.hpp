@@ -27,8 +27,13 @@ struct GaussTableau {
   std::array<std::array<double, gauss_nodes>, gauss_nodes> a;  // integrals from 0 to c_i
   // The last two coefficients of a function in Legendre polynomials, from its values at the nodes.
   std::array<std::array<double, gauss_nodes>, 2> last;
+  std::array<std::array<double, gauss_nodes>, gauss_nodes> all;  // every coefficient
 };
 const GaussTableau& gauss_tableau();
+
+// f inside a step: its coefficients in Legendre polynomials.
+template <std::size_t N>
+using CollocationSeries = std::array<std::array<double, N>, gauss_nodes>;
 
 template <std::size_t N>
 struct CollocationStep {
@@ -42,10 +47,11 @@ struct CollocationStep {
 };
 
 // `size` measures a change of y; iteration stops when a change is below `enough`, or as small as
-// rounding lets it be.
+// rounding lets it be. `series`: where f inside the step is kept.
 template <std::size_t N, class F, class Size>
 CollocationStep<N> collocation_step(const F& f, const Size& size, const DoubleDouble& t,
-                                    const std::array<double, N>& y, double h, double enough) {
+                                    const std::array<double, N>& y, double h, double enough,
+                                    CollocationSeries<N>* series = nullptr) {
   using Values = std::array<double, N>;
   using Status = typename CollocationStep<N>::Status;
   constexpr int most_iterations = 16;
@@ -82,6 +88,8 @@ CollocationStep<N> collocation_step(const F& f, const Size& size, const DoubleDo
     before = moved_by;
   }
   step.status = Status::made;
+  if (series != nullptr)
+    for (std::size_t m = 0; m < gauss_nodes; ++m) (*series)[m] = weighted(g.all[m], k);
   for (std::size_t n = 0; n < N; ++n) {
     double largest = 0.0, last[2] = {0.0, 0.0};
     for (std::size_t j = 0; j < gauss_nodes; ++j) {
@@ -92,6 +100,25 @@ CollocationStep<N> collocation_step(const F& f, const Size& size, const DoubleDo
     step.last[n] = h * larger(std::abs(last[0]), std::abs(last[1]));
   }
   return step;
+}
+
+// The change of y from the start of a step of length h to its part x: the integral of P_m is
+// (P_(m+1) - P_(m-1)) / (2m + 1).
+template <std::size_t N>
+std::array<double, N> collocation_increment(const CollocationSeries<N>& series, double h,
+                                            double x) {
+  const double z = 2.0 * x - 1.0;
+  std::array<double, N> sum{};
+  accumulate(sum, x, series[0]);
+  double before = 1.0, P = z;
+  for (std::size_t m = 1; m < gauss_nodes; ++m) {
+    const double n = static_cast<double>(m);
+    const double next = ((2.0 * n + 1.0) * z * P - n * before) / (n + 1.0);
+    accumulate(sum, (next - before) / (2.0 * (2.0 * n + 1.0)), series[m]);
+    before = P;
+    P = next;
+  }
+  return moved(std::array<double, N>{}, h, sum);
 }
 
 // Steps under control. The error of Gauss' quadrature of an analytic f is about the square of its

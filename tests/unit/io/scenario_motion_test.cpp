@@ -159,7 +159,7 @@ TEST(ScenarioMotion, TheMethodIsThatOfTheFileOrASensibleOne) {
   EXPECT_FALSE(propagation_method(read("")).has_value());
   EXPECT_FALSE(propagation_method(read("[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n")));
   EXPECT_EQ(propagation_method(read(orbit + gravity)), Method(Adaptive{}));
-  EXPECT_EQ(propagation_method(read("[[event]]\ncolumn = \"theta\"\n")), Method(Adaptive{}));
+  EXPECT_FALSE(propagation_method(read("[[event]]\ncolumn = \"theta\"\n")).has_value());
   EXPECT_EQ(read("[method]\nkind = \"splitting\"\nstep = 0.1\n").method,
             Method(Splitting{.step = 0.1}));
   EXPECT_EQ(read("[method]\nkind = \"adaptive\"\nprecision = \"double-double\"\n"
@@ -186,6 +186,7 @@ TEST(ScenarioMotion, EventsAreInTheUnitOfTheirColumn) {
   EXPECT_TRUE(s.events[0].stops);
   EXPECT_EQ(s.events[1].name, "b");
   EXPECT_EQ(s.events[1].crossing, Crossing::both);
+  EXPECT_EQ(s.events[1].interval, 0.0);
   EXPECT_FALSE(s.events[1].stops);
 }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/dynamics/event.hpp"
+
+#include <cmath>
+
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+void require_valid(const Event& event) {
+  const std::string name = "event \"" + event.name + "\"";
+  if (!event.function) throw DomainError(name + " must have a function");
+  const auto positive = [&](const char* what, double x) {
+    if (!(x >= 0.0) || !std::isfinite(x))
+      throw DomainError(name + ": " + what + " " + detail::number_text(x) +
+                        " must be positive, or 0 for none");
+  };
+  positive("period", event.period);
+  positive("interval", event.interval);
+}
+
+}  // namespace v0
+}  // namespace polhode

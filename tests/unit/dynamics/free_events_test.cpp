@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Events of the closed form: how many there are, and that their times are right to rounding,
+// however far from the epoch.
+#include "polhode/dynamics/free_events.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/error.hpp"
+
+namespace {
+
+using namespace polhode;
+using polhode::test::message_of;
+using testing::HasSubstr;
+
+const Body wing_nut(30.53, 83.87, 113.3);
+const RotorState spinning{{1.0, 0.0, 0.0, 0.0}, {0.01 * 30.53, 6.28 * 83.87, 0.0}};
+const FreeRotation motion(wing_nut, spinning);
+const Event flip{"flip", [](double, const RotorState& s) { return s.g.y; }};
+
+// g2 vanishes twice in a period. Between the doubles beside the time found it changes its sign.
+TEST(FreeEvents, AreThereAfterAnyNumberOfTurns) {
+  const double half = 0.5 * motion.polhode_period();
+  for (const double start : {0.0, 1e3, 1e6, 1e9, -1e9, 1e12}) {
+    const double span = 100.0 * half;
+    const FreeEvents found = free_events(motion, {flip}, start, start + span);
+    EXPECT_EQ(found.outcome.status, Outcome::Status::completed);
+    ASSERT_EQ(found.events.size(), 100U) << start;
+    for (const EventRecord& event : found.events) {
+      const double inf = std::numeric_limits<double>::infinity();
+      double before = event.t, after = event.t;
+      for (int ulp = 0; ulp < 2; ++ulp) {
+        before = std::nextafter(before, -inf);
+        after = std::nextafter(after, inf);
+      }
+      const double rate = 0.1 * norm(event.s.g);  // of g2 at a flip, at least
+      const double noise = budget::free_state * norm(event.s.g) / rate;
+      EXPECT_LT(event.direction * motion.at(before - noise).g.y, 0.0) << event.t;
+      EXPECT_GT(event.direction * motion.at(after + noise).g.y, 0.0) << event.t;
+      EXPECT_EQ(event.s, motion.at(event.t));
+    }
+    for (std::size_t i = 1; i < found.events.size(); ++i)
+      EXPECT_NEAR(found.events[i].t - found.events[i - 1].t, half,
+                  4.0 * std::numeric_limits<double>::epsilon() * std::fabs(start) +
+                      budget::time_of_zero * span);
+  }
+}
+
+TEST(FreeEvents, BackwardsTheyAreTheSame) {
+  const FreeEvents there = free_events(motion, {flip}, 10.0, 50.0);
+  const FreeEvents back = free_events(motion, {flip}, 50.0, 10.0);
+  ASSERT_EQ(there.events.size(), back.events.size());
+  for (std::size_t i = 0; i < there.events.size(); ++i) {
+    const EventRecord& same = back.events[there.events.size() - 1 - i];
+    EXPECT_NEAR(there.events[i].t, same.t, budget::time_of_zero * 50.0);
+    EXPECT_EQ(there.events[i].direction, -same.direction);
+  }
+}
+
+TEST(FreeEvents, AreThoseOfARunBySteps) {
+  const Event across{"across", [](double, const RotorState& s) { return s.q.w; }};
+  const Frame frame = Frame::precessing({0.0, 0.6, 0.8}, 1.3, 0.0);
+  const System system(wing_nut, frame);
+  const FreeRotation inertial(wing_nut, inertial_state(system, 0.0, spinning));
+  const FreeEvents found = free_events(inertial, {flip, across}, 0.0, 20.0, frame);
+  const Trajectory run =
+      integrate({system, spinning, 0.0, 20.0, Adaptive{.tolerance = 1e-14}, {flip, across}});
+  ASSERT_EQ(found.events.size(), run.events().size());
+  for (std::size_t i = 0; i < found.events.size(); ++i) {
+    EXPECT_EQ(found.events[i].name, run.events()[i].name);
+    EXPECT_NEAR(found.events[i].t, run.events()[i].t, budget::event_time);
+  }
+}
+
+TEST(FreeEvents, TheFirstThatStopsIsTheLast) {
+  Event end = flip;
+  end.stops = true;
+  const FreeEvents found = free_events(motion, {end}, 0.0, 1e9);
+  EXPECT_EQ(found.outcome.status, Outcome::Status::stopped_by_event);
+  ASSERT_EQ(found.events.size(), 1U);
+  EXPECT_EQ(found.outcome.t, found.events[0].t);
+}
+
+TEST(FreeEvents, ABodyAtRestHasThoseOfTime) {
+  const FreeRotation rest(wing_nut, {{1.0, 0.0, 0.0, 0.0}, {}});
+  Event alarm{"alarm", [](double t, const RotorState&) { return t - 7.25; }};
+  const FreeEvents found = free_events(rest, {alarm}, 0.0, 1e9);
+  ASSERT_EQ(found.events.size(), 1U);
+  EXPECT_EQ(found.events[0].t, 7.25);
+}
+
+TEST(FreeEvents, WhatCannotBeSaysWhy) {
+  const FreeEvents found = free_events(
+      motion, {{"root", [](double t, const RotorState&) { return std::sqrt(5.0 - t); }}}, 0.0, 9.0);
+  EXPECT_EQ(found.outcome.status, Outcome::Status::failed);
+  EXPECT_THAT(found.outcome.advice, HasSubstr("event \"root\" is NaN after t = "));
+  EXPECT_LE(found.outcome.t, 5.0);
+  EXPECT_THAT(message_of([] { free_events(motion, {flip}, 0.0, std::nan("")); }),
+              HasSubstr("stop nan must be finite"));
+  EXPECT_THAT(message_of([] {
+                free_events(motion, {{"none", {}}}, 0.0, 1.0);
+              }),
+              HasSubstr("event \"none\" must have a function"));
+  int calls = 0;
+  EXPECT_THROW(free_events(motion, {flip}, 0.0, 1e12, Frame::inertial(),
+                           [&calls](double) {
+                             if (++calls == 3) throw std::runtime_error("enough");
+                           }),
+               std::runtime_error);
+}
+
+}  // namespace
