@@ -414,6 +414,8 @@ inline constexpr double variation_last_time = 1e-9;
 inline constexpr double cli_rounding = 1e-15;
 // The same along a run of some turns, through a chart and back, or after cancellation.
 inline constexpr double cli_carried = 4e-14;
+// Where the numbers of a chart hold half the digits of the state.
+inline constexpr double cli_half_the_digits = 1e-7;
 // Every method against double-double, at the steps of that test.
 inline constexpr double cli_methods = 2e-11;
 // rad, and relative rates, after a thousand orbits at the tolerance of the example.

@@ -255,13 +255,15 @@ TumblerState to_tumbler(const FreeRotation& m, double t) {
                         " must be within double range");
   d.pole = pole;
   d.mode = m.regime();
+  // Next to the middle axis k rounds to the other side; the sides are constants of the motion.
   d.psi0 = std::atan2(k.x, k.y);
   // Near theta = 0, pi both nodes are lost to rounding: phi +- psi stays that of the attitude.
   d.phi0 = detail::wrapped(e.phi + k.z / norm(k) * detail::wrapped(e.psi - d.psi0));
-  d.branch = k.z < 0.0 ? -1 : 1;
-  if (!long_axis && k.y < 0.0) {
-    d.sense = -1;
-    d.psi0 = std::atan2(-k.x, -k.y);
+  d.branch = long_axis ? m.sign_g1() : (k.z < 0.0 ? -1 : 1);
+  if (!long_axis) {
+    d.sense = m.sign_g3();
+    const double along = d.sense * k.y;
+    d.psi0 = std::atan2(d.sense * k.x, along > 0.0 ? along : 0.0);
   }
   return d;
 }

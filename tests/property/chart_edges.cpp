@@ -329,7 +329,8 @@ constexpr double branch_zone = 1e-12;
 // Within 1e-130 of an axis, where the limit of the axis is returned, and across an axis of
 // symmetry, where T does not tell the rate.
 bool counts_as_steady(const Known& k) {
-  return !k.flow.moves || k.place.J < 1e-130 || (k.place.gap < branch_zone && k.place.D2 < branch_zone);
+  return !k.flow.moves || k.place.J < 1e-130 ||
+         (k.place.gap < branch_zone && k.place.D2 < branch_zone);
 }
 double serret_allowed(const Known& k) {
   return budget::serret_edge + pole_loss(k.place.I) +
@@ -541,8 +542,10 @@ const std::vector<Prepared>& prepared_cases() {
       if (!in_range) continue;
       const FlowCharts flow = oracle::flow_charts(I, c.state);
       const Quaternion q = normalized(c.state.q);
-      // the next to the separatrix that double-double holds
+      // D2 as double-double holds it, and that of the momentum displaced for the limit of a spin
       if (flow.D2 != 0 && abs(flow.D2) < closest_separatrix * flow.G * flow.G) continue;
+      const double least = std::min({I.x, I.y, I.z}), most = std::max({I.x, I.y, I.z});
+      if (!flow.moves && least < 1e-20 * most) continue;
       Place place;
       place.I = std::max(double_of(flow.node), 1e-320);
       place.J = std::max(double_of(flow.across), 1e-320);
