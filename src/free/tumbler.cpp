@@ -2,6 +2,7 @@
 // Tumblers: two periods to energy and momentum, and the long-axis angles.
 #include "polhode/free/tumbler.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -151,16 +152,21 @@ Inclination inclination(const BasicVec3<DD>& I, const detail::PolhodeCurve<DD>& 
   return {plain.sin, z, true, {x.hi, y.hi, z}};
 }
 
-// The polhode of these periods. In SAM psi must reach psi0 on it, to the rounding of psi0: then it
-// is at its tip. Where it misses by no more than the rounding of the periods, which next to the
-// spin is half the digits of psi_max, the polhode is the one that the rounding allows.
+// How far beyond psi_max psi0 may be by rounding: its own, and that of a momentum in double
+// precision, which moves D2 by eps G^2 and so k' by eps / k'.
+double psi_rounding(const detail::PolhodeCurve<DD>& c) {
+  return std::min(8.0 * epsilon<double>() * (1.0 + 1.0 / std::sqrt(c.kp2.hi)), 1e-9);
+}
+
+// The polhode of these periods. In SAM psi must reach psi0 on it, to rounding: then it is at its
+// tip. Where it misses by no more than the rounding of the periods, which next to the spin is half
+// the digits of psi_max, the polhode is the one that the rounding allows.
 detail::PolhodeCurve<DD> curve_reaching(const Body& body, const TumblerState& s, bool long_axis) {
   const int unit = std::ilogb(s.precession_period);  // double-double ends before double does
   const DD ratio =
       DD(std::ldexp(s.rotation_period, -unit)) / DD(std::ldexp(s.precession_period, -unit));
   const detail::PolhodeCurve<DD> c = curve_with_ratio(body, long_axis, ratio);
-  const double rounded_up = 1.0 + 4.0 * epsilon<double>();
-  if (long_axis || std::abs(s.psi0) <= largest_psi(c) * rounded_up) return c;
+  if (long_axis || std::abs(s.psi0) <= largest_psi(c) + psi_rounding(c)) return c;
   const DD rounding = DD(1.0) + DD(8.0 * epsilon<double>());
   const detail::PolhodeCurve<DD> wider = curve_with_ratio(body, long_axis, ratio * rounding);
   if (std::abs(s.psi0) <= largest_psi(wider)) return wider;

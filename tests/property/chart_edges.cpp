@@ -166,6 +166,9 @@ struct Result {
   std::string why;
 };
 
+// Where there is nothing to compare.
+const Result left_out{Verdict::refused, 0.0, {}};
+
 double half_turn_distance(const Quaternion& a, const Quaternion& b) {
   const Quaternion r = conj(normalized(a)) * normalized(b);
   return 2.0 * norm(Vec3{r.x, r.y, r.z});
@@ -192,6 +195,7 @@ struct Place {
   double I = 1.0, J = 1.0, D2 = 1.0;  // sines of the angles, and |D2| / G^2
   double J3 = 1.0, theta = 1.0;       // of body axis 3, and between the third axes
   double short_part = 1.0;            // of the momentum along the short axis
+  bool needle = false;                // moments of a ratio below 1e-20
   double gap = 1.0;                   // the lesser relative difference of neighbouring moments
 };
 double double_of(const Long& x) { return static_cast<double>(x); }
@@ -261,13 +265,13 @@ Result poincare_result(const Known& k) {
 }
 Result euler_rates_result(const Known& k) {
   const Vec3 w = angular_velocity(k.body, k.c.state);
-  if (!std::isnormal(norm(w))) return {Verdict::refused};
+  if (!std::isnormal(norm(w))) return left_out;
   const RotorState back = to_rotor(k.body, to_euler_rates(k.body, k.c.state));
   const Vec3 I = k.body.moments();
   // the component along axis 3 is a difference of rates about the third axes
   const double across = std::hypot(w.x, w.y) / k.place.theta;
   const double along = I.z * (across / norm(k.c.state.g));
-  if (!(eps * along < 1.0)) return {Verdict::refused};  // a needle: the rates hold no momentum
+  if (!(eps * along < 1.0)) return left_out;  // a needle: the rates hold no momentum
   return judged(loss_of(back, k.c.state),
                 budget::chart_rounding + budget::euler_pole_eps * eps * along, "euler rates");
 }
@@ -277,7 +281,7 @@ Result euler_rates_result(const Known& k) {
 // B of a state in units where |g| is 2^e times smaller: entries times exact powers of two.
 Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
   const double G = norm(k.c.state.g);
-  if (G == 0.0) return {Verdict::refused};
+  if (G == 0.0) return left_out;
   const int e = std::ilogb(G) / 2 * 2;
   const RotorState unit{k.c.state.q,
                         {std::ldexp(k.c.state.g.x, -e), std::ldexp(k.c.state.g.y, -e),
@@ -371,7 +375,7 @@ Result serret_result(const Known& k) {
 
 // The numbers themselves; t0 in units of the argument u.
 Result serret_values(const Known& k) {
-  if (!rate_is_in_range(k) || !energy_is_held(k) || counts_as_steady(k)) return {Verdict::refused};
+  if (!rate_is_in_range(k) || !energy_is_held(k) || counts_as_steady(k)) return left_out;
   try {
     const auto s = to_serret(FreeRotation(k.body, k.c.state, k.c.t), k.c.t);
     double off = std::max({relative_off(s.G, k.flow.G), relative_off(s.T, k.flow.T),
@@ -402,7 +406,7 @@ Result sadov_result(const Known& k) {
 }
 
 Result sadov_values(const Known& k) {
-  if (!rate_is_in_range(k) || counts_as_steady(k) || k.flow.K == 0) return {Verdict::refused};
+  if (!rate_is_in_range(k) || counts_as_steady(k) || k.flow.K == 0) return left_out;
   const auto s = to_sadov(FreeRotation(k.body, k.c.state, k.c.t), k.c.t);
   const double action = k.flow.long_axis ? s.I_l : std::abs(s.I_l);
   const double allowed = budget::flow_values;
@@ -429,7 +433,7 @@ Result tumbler_result(const Known& k) {
       try {
         static_cast<void>(to_tumbler(motion, k.c.t));
       } catch (const polhode::DomainError&) {
-        return {Verdict::refused};
+        return left_out;
       }
       return {Verdict::wrong, 1.0, "tumbler of a motion that has none"};
     }
@@ -445,9 +449,9 @@ Result tumbler_result(const Known& k) {
       back = to_rotor(k.body, s);
     } catch (const polhode::DomainError& error) {
       // no momentum in double precision has these periods
-      return refused(error.what(), k.place.D2 < 2e-10 &&
-                                       std::string(error.what()).find("closer to the separatrix") !=
-                                           std::string::npos);
+      const bool said =
+          std::string(error.what()).find("closer to the separatrix") != std::string::npos;
+      return refused(error.what(), said && (k.place.D2 < 2e-10 || k.place.needle));
     }
     // of equal lesser moments psi is next to pi/2 in a spin across the axis
     const double tip = std::sqrt(eps / std::max(k.place.gap > 0.0 ? 1.0 : k.place.short_part, eps));
@@ -473,7 +477,7 @@ Result flow_jacobian_result(const Known& k) {
     const FreeRotation motion(k.body, k.c.state, k.c.t);
     const Vec3& I = k.body.moments();
     const int a = std::ilogb(std::max({I.x, I.y, I.z})), b = std::ilogb(norm(k.c.state.g));
-    if (std::abs(a) + std::abs(b) == 0) return {Verdict::refused};
+    if (std::abs(a) + std::abs(b) == 0) return left_out;
     // in units of 2^a and 2^b, time in those of 2^(a-b)
     const Body unit(std::ldexp(I.x, -a), std::ldexp(I.y, -a), std::ldexp(I.z, -a));
     const auto s = to_sadov(motion, k.c.t);
@@ -532,7 +536,7 @@ struct Prepared {
 const std::vector<Prepared>& prepared_cases() {
   static const std::vector<Prepared> all = [] {
     const bool full = std::getenv("POLHODE_TEST_FULL") != nullptr;
-    const std::size_t count = full ? 4000 : 400;
+    const std::size_t count = full ? 4000 : 250;
     std::vector<Prepared> cases;
     for (std::uint64_t i = 0; cases.size() < count; ++i) {
       const EdgeCase c = drawn(i);
@@ -547,6 +551,7 @@ const std::vector<Prepared>& prepared_cases() {
       const double least = std::min({I.x, I.y, I.z}), most = std::max({I.x, I.y, I.z});
       if (!flow.moves && least < 1e-20 * most) continue;
       Place place;
+      place.needle = least < 1e-20 * most;
       place.I = std::max(double_of(flow.node), 1e-320);
       place.J = std::max(double_of(flow.across), 1e-320);
       place.D2 = std::max(double_of(Long(abs(flow.D2) / (flow.G * flow.G))), 1e-320);
@@ -565,27 +570,23 @@ const std::vector<Prepared>& prepared_cases() {
   return all;
 }
 
-class ChartEdges : public testing::TestWithParam<std::size_t> {};
-
-TEST_P(ChartEdges, HoldTheStateOrSayWhyNot) {
-  const EdgeChart& chart = edge_charts()[GetParam()];
-  Survey survey;
-  for (const Prepared& p : prepared_cases()) {
-    const Body body(p.c.moments.x, p.c.moments.y, p.c.moments.z);
-    Result r;
-    try {
-      r = chart.result({p.c, body, p.flow, p.place});
-    } catch (const std::exception& error) {
-      r = {Verdict::wrong, 0.0, std::string(chart.name) + " threw: " + error.what()};
+// One test: its processes would each ask the oracle again.
+TEST(ChartEdges, HoldTheStateOrSayWhyNot) {
+  for (const EdgeChart& chart : edge_charts()) {
+    SCOPED_TRACE(chart.name);
+    Survey survey;
+    for (const Prepared& p : prepared_cases()) {
+      const Body body(p.c.moments.x, p.c.moments.y, p.c.moments.z);
+      Result r;
+      try {
+        r = chart.result({p.c, body, p.flow, p.place});
+      } catch (const std::exception& error) {
+        r = {Verdict::wrong, 0.0, std::string("threw: ") + error.what()};
+      }
+      survey.add(p.c, r);
     }
-    survey.add(p.c, r);
+    survey.record(chart.name);
   }
-  survey.record(chart.name);
 }
-
-INSTANTIATE_TEST_SUITE_P(Every, ChartEdges, testing::Range<std::size_t>(0, edge_charts().size()),
-                         [](const auto& set) {
-                           return std::string(edge_charts()[set.param].name);
-                         });
 
 }  // namespace
