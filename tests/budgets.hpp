@@ -173,9 +173,9 @@ inline constexpr double serret_separatrix = 2e-14;
 inline constexpr double serret_spin = 2e-8;
 // Any of them where its numbers round J or I to the pole.
 inline constexpr double flow_pole = 5e-8;
-// At the edges (tests/property/chart_edges.cpp): hub to set and back where no pole is near; Serret's
-// elements where T and G cannot tell the separatrix; tumblers, half of whose digits psi_max holds;
-// the numbers against a thousand digits, relative, angles in rad, t0 in those of u.
+// At the edges (tests/property/chart_edges.cpp): hub to set and back where no pole is near;
+// Serret's elements where T and G cannot tell the separatrix; tumblers, half of whose digits
+// psi_max holds; the numbers against a thousand digits, relative, angles in rad, t0 in those of u.
 inline constexpr double serret_edge = 3e-14;
 inline constexpr double serret_beside_separatrix = 2e-7;
 inline constexpr double tumbler_edge = 5e-7;

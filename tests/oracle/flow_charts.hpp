@@ -2,8 +2,8 @@
 // The oracle of the charts: Andoyer's, Serret's and Sadov's variables and the periods of a tumbler
 // from a hub state, in a thousand digits.
 //
-// Equations   Legendre's forms as the paper prints them, corrected [SA (20)-(22), (36)-(62),
-//             "IellSadov", "phiSadov", Appendix A]; Carlson's integrals for F and Pi, the AGM for K.
+// Equations   Legendre's forms as the paper prints them, corrected [SA (36)-(62), "IellSadov",
+//             "phiSadov", Appendix A]; Carlson's integrals for F and Pi, the AGM for K.
 //             The library uses theta series, Bulirsch's cel and double-double instead.
 // Domain      moments in any order; momenta and transverse parts of any size that doubles have:
 //             differences lose at most 900 of the digits.
