@@ -16,7 +16,8 @@
 //             Rates are prepared, and long phases reduced, in double-double, so that accuracy does
 //             not decay with time.
 // Errors      DomainError for a non-finite state or epoch, a zero quaternion, a rate g / I beyond
-//             double range, moments of a smaller ratio. Evaluation never throws; NaN or infinite time in, NaN out.
+//             double range, moments of a smaller ratio. Evaluation never throws; NaN or infinite
+//             time in, NaN out.
 // Cost        preparation tens of microseconds (short_arc: about one), one state tens of
 //             nanoseconds.
 #pragma once
