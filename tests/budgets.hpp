@@ -193,6 +193,13 @@ inline constexpr double serret_separatrix = 2e-14;
 inline constexpr double serret_spin = 2e-8;
 // Any of them where its numbers round J or I to the pole.
 inline constexpr double flow_pole = 5e-8;
+// At the edges (tests/property/chart_edges.cpp): hub to set and back where no pole is near;
+// Serret's elements where T and G cannot tell the separatrix; tumblers, half of whose digits
+// psi_max holds; the numbers against a thousand digits, relative, angles in rad, t0 in those of u.
+inline constexpr double serret_edge = 3e-14;
+inline constexpr double serret_beside_separatrix = 2e-7;
+inline constexpr double tumbler_edge = 5e-7;
+inline constexpr double flow_values = 1e-13;
 // I_l of spin about the long axis, over I_g.
 inline constexpr double sadov_long_spin = 1e-130;
 
@@ -445,6 +452,8 @@ inline constexpr double variation_last_time = 1e-9;
 inline constexpr double cli_rounding = 1e-15;
 // The same along a run of some turns, through a chart and back, or after cancellation.
 inline constexpr double cli_carried = 4e-14;
+// Where the numbers of a chart hold half the digits of the state.
+inline constexpr double cli_half_the_digits = 1e-7;
 // Every method against double-double, at the steps of that test.
 inline constexpr double cli_methods = 2e-11;
 // rad, and relative rates, after a thousand orbits at the tolerance of the example.

@@ -11,6 +11,7 @@
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/precession.hpp"
 #include "free/detail/primed_arc.hpp"
+#include "free/detail/sorted_state.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -168,6 +169,7 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc
 template <Real T>
 FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s0, double t0) {
   require_valid(s0, t0);
+  detail::require_held_moments("FreeRotation", body);
   const PrimedArc<T> arc = detail::primed_arc<T>(body, s0.g);
   const BasicQuaternion<T> q0 = normalized(converted<T>(s0.q));
   const bool has_polhode = !arc.curve.steady && arc.curve.DC > T(0.0);

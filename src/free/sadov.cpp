@@ -68,6 +68,13 @@ BasicRotorState<T> rotor_from(const Body& body, const BasicSadovState<T>& c) {
                            detail::InvariableElements<T>{mean_angle, c.phi_h, c.I_h, c.I_g});
 }
 
+// The variables of a motion in units in which all momenta are 2^exponent times smaller.
+SadovState in_units(SadovState s, int exponent) {
+  for (double* action : {&s.I_l, &s.I_g, &s.I_h}) *action = std::ldexp(*action, -exponent);
+  return s;
+}
+int unit_exponent(const SadovState& s) { return detail::momentum_exponent({s.I_g, 0.0, 0.0}); }
+
 // At rest, as for a sphere, there is no polhode and the variables are Andoyer's.
 bool is_andoyer(const Body& body, const SadovState& s) {
   return detail::is_sphere(body) || s.I_g == 0.0;
@@ -83,8 +90,9 @@ void require_actions(const Body& body, const SadovState& s) {
     throw DomainError("SadovState: actions (" + detail::number_text(s.I_l) + ", " +
                       detail::number_text(s.I_g) + ", " + detail::number_text(s.I_h) +
                       ") need I_g >= 0, |I_l| <= I_g, |I_h| <= I_g");
-  const BasicVec3<DD> sorted = detail::sorted_moments(body);
   if (is_andoyer(body, s)) return;
+  detail::require_held_moments("SadovState", body);
+  const BasicVec3<DD> sorted = detail::sorted_moments(body);
   const bool long_axis = s.region == SadovRegion::long_axis;
   const detail::PrimedMoments<DD> primed = detail::primed_moments(sorted, long_axis);
   if (!detail::mode_exists(primed))
@@ -113,8 +121,12 @@ SadovFrequencies sadov_frequencies(const FreeRotation& m) {
 SadovState to_sadov(const FreeRotation& m, double t) {
   const Body& body = m.body();
   if (detail::is_sphere(body) || m.regime() == Regime::rest) return spherical_state(body, m.at(t));
-  if (m.kernel().form == FreeKernel::Form::steady)
-    return to_sadov(FreeRotation(body, detail::displaced(body, m.at(t)), t), t);
+  if (m.kernel().form == FreeKernel::Form::steady) {
+    const RotorState s = m.at(t);
+    const int e = detail::momentum_exponent(s.g);
+    const RotorState unit = detail::displaced(body, {s.q, detail::scaled(s.g, e)});
+    return in_units(to_sadov(FreeRotation(body, unit, t), t), -e);
+  }
 
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
@@ -140,22 +152,29 @@ RotorState to_rotor(const Body& body, const SadovState& s) {
   if (is_andoyer(body, s))
     return detail::in_body_axes(
         body, to_rotor(AndoyerState{s.phi_l + half_pi, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h}));
-  return detail::rounded_state(rotor_from(
-      body, BasicSadovState<DD>{s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h, s.region, s.lobe}));
+  const int e = unit_exponent(s);
+  const SadovState u = in_units(s, e);
+  const RotorState state = detail::rounded_state(rotor_from(
+      body, BasicSadovState<DD>{u.phi_l, u.phi_g, u.phi_h, u.I_l, u.I_g, u.I_h, u.region, u.lobe}));
+  return {state.q, detail::scaled(state.g, -e)};
 }
 
-Matrix6 chart_jacobian(const Body& body, const SadovState& s) {
-  require_actions(body, s);
+Matrix6 chart_jacobian(const Body& body, const SadovState& given) {
+  require_actions(body, given);
+  const int e = unit_exponent(given);
+  const SadovState s = in_units(given, e);
   using Dual6 = Dual<DD, 6>;
   const double c[6] = {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};
   Dual6 d[6];
   for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(c[i]), i);
-  if (is_andoyer(body, s))
-    return detail::hub_tangent(detail::in_body_axes(
-        body,
-        to_rotor(BasicAndoyerState<Dual6>{Dual6(d[0] + half_pi), d[1], d[2], d[3], d[4], d[5]})));
-  return detail::hub_tangent(rotor_from(
-      body, BasicSadovState<Dual6>{d[0], d[1], d[2], d[3], d[4], d[5], s.region, s.lobe}));
+  const Matrix6 B = is_andoyer(body, s)
+                        ? detail::hub_tangent(detail::in_body_axes(
+                              body, to_rotor(BasicAndoyerState<Dual6>{Dual6(d[0] + half_pi), d[1],
+                                                                      d[2], d[3], d[4], d[5]})))
+                        : detail::hub_tangent(
+                              rotor_from(body, BasicSadovState<Dual6>{d[0], d[1], d[2], d[3], d[4],
+                                                                      d[5], s.region, s.lobe}));
+  return detail::in_units(B, e, {0, 0, 0, e, e, e});
 }
 
 }  // namespace v0

@@ -2,6 +2,7 @@
 // Serret's elements, read from a FreeRotation and turned back into a state.
 #include "polhode/free/serret.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -12,7 +13,6 @@
 #include "free/detail/sorted_state.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/sadov.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
 
@@ -23,9 +23,34 @@ namespace {
 using DD = DoubleDouble;
 constexpr double half_pi = 1.5707963267948966;
 
-// The moment of one scaled unit.
-double moment_unit(const Body& body) {
-  return std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
+// Powers of two that bring the moments, and G, to order 1: squares then neither overflow nor run
+// out of low parts, and the scaling is exact.
+struct Units {
+  int momentum, time, energy;
+};
+Units units_of(const Body& body, double G) {
+  const int moment = detail::exponent_of_largest(body.moments());
+  const int momentum = detail::exponent_of_largest({G, 0.0, 0.0});
+  return {momentum, moment - momentum, 2 * momentum - moment};
+}
+
+// A phase beyond 2^90 has no digit left: any point of the orbit is as good, and t0 is taken.
+constexpr double time_limit = 0x1p90;
+
+// The elements at a time, in scaled units.
+struct ScaledSerret {
+  SerretState s;
+  double t;
+};
+ScaledSerret in_units(const Units& units, const SerretState& given, double t) {
+  SerretState s = given;
+  s.t0 = std::ldexp(s.t0, -units.time);
+  s.G = std::ldexp(s.G, -units.momentum);
+  s.H = std::ldexp(s.H, -units.momentum);
+  s.T = std::ldexp(s.T, -units.energy);
+  double now = std::ldexp(t, -units.time);
+  if (std::isfinite(t) && !(std::abs(now - s.t0) < time_limit)) now = s.t0 = 0.0;
+  return {s, now};
 }
 
 // Discriminants at momentum 1 and scaled moments: 1 - 2 T I / G^2, none below zero.
@@ -41,17 +66,32 @@ detail::Discriminants<T> discriminants_of(const BasicVec3<T>& I, const T& twice_
 // flow from t0, where it needs no K.
 constexpr double flow_below = 1e-14;
 
-// 2 T / G^2 times the unit of moment; no square, so small and large units serve.
+// 2 T / G^2
 template <Real T>
-T energy_ratio(const Body& body, const BasicSerretState<T>& c) {
-  return T(2.0) * (c.T / c.G) * (T(moment_unit(body)) / c.G);
+T energy_ratio(const BasicSerretState<T>& c) {
+  return T(2.0) * (c.T / c.G) * (T(1.0) / c.G);
 }
+
+// Nearer than this to the separatrix T and G, both rounded, do not tell the sides apart, and the
+// separatrix itself is what they mean: there u keeps its meaning up to the middle axis. Where the
+// modulus would not be next to 1, of moments that are equal but for rounding, they stay as they
+// are.
+constexpr double untold_distance = 2.0 * 0x1p-52;
+constexpr double untold_complement = 0x1p-10;
 
 template <Real T>
 detail::PolhodeCurve<T> curve_of(const Body& body, const BasicSerretState<T>& c) {
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
   const BasicVec3<T> I{T(sorted.x), T(sorted.y), T(sorted.z)};
-  return detail::polhode_curve(I, T(1.0), discriminants_of(I, energy_ratio(body, c)), false);
+  detail::Discriminants<T> d = discriminants_of(I, energy_ratio(c));
+  const double D2 = to_double(d.D2);
+  if (std::abs(D2) <= untold_distance) {
+    const double DA = D2 < 0.0 ? to_double(d.D3) : to_double(d.D1);
+    const double gap = to_double(D2 < 0.0 ? I.y - I.x : I.z - I.y);
+    if (to_double(I.z - I.x) * std::abs(D2) < untold_complement * gap * DA)
+      d.D2 = d.D2 - T(detail::value_of(d.D2));
+  }
+  return detail::polhode_curve(I, T(1.0), d, false);
 }
 
 template <Real T>
@@ -59,7 +99,7 @@ BasicRotorState<T> rotor_from(const Body& body, const detail::PolhodeCurve<T>& c
                               const BasicSerretState<T>& c, double t) {
   const detail::AxisOrder order = detail::ascending_order(body.moments());
   const detail::PrimedSense sense = detail::primed_sense(curve.long_axis, c.sign_g1, c.sign_g3);
-  const T elapsed = (T(t) - c.t0) * (c.G / T(moment_unit(body)));  // in units of momentum 1
+  const T elapsed = (T(t) - c.t0) * c.G;  // in units of momentum 1
   const T mean_angle =
       c.g0 + detail::node_offset<T>(sense) + detail::precession_of_axis1(curve) * elapsed;
   return detail::assembled(order, sense, curve, T(curve.n * elapsed),
@@ -70,14 +110,18 @@ BasicSerretState<DD> widened(const SerretState& s) {
   return {s.g0, s.h, s.t0, s.G, s.H, s.T, s.sign_g1, s.sign_g3};
 }
 
-// The state at t0 of a rotation that is steady: l = +-pi/2 and L from the energy.
+// The state at t0 of a rotation that is steady, scaled: l = +-pi/2 and L from the energy.
 RotorState base_state(const Body& body, const SerretState& s) {
   const BasicSerretState<DD> c = widened(s);
   const BasicVec3<DD> I = detail::sorted_moments(body);
-  const detail::Discriminants<DD> d = discriminants_of(I, energy_ratio(body, c));
+  const detail::Discriminants<DD> d = discriminants_of(I, energy_ratio(c));
   const double L = s.sign_g3 * (c.G * sqrt(I.z * d.D1 / (I.z - I.x))).hi;
   const double l = s.sign_g1 < 0 ? -half_pi : half_pi;
   return detail::in_body_axes(body, to_rotor(AndoyerState{l, s.g0, s.h, L, s.G, s.H}));
+}
+
+RotorState with_momentum(const RotorState& s, int exponent) {
+  return {s.q, detail::scaled(s.g, -exponent)};
 }
 
 void require_elements(const Body& body, const SerretState& s) {
@@ -94,11 +138,112 @@ void require_elements(const Body& body, const SerretState& s) {
   if (!(s.G > 0.0) || std::abs(s.H) > s.G * slack) fail("G > 0 and |H| <= G");
   for (const int sign : {s.sign_g1, s.sign_g3})
     if (sign != 1 && sign != -1) fail("signs of g1 and g3 that are 1 or -1");
+  if (!std::isnormal(s.T))
+    fail("T within double range: units in which G^2/2I neither overflows nor underflows");
   const Vec3 I = detail::sorted_doubles(body);
+  detail::require_held_moments("SerretState", body);
+  if (!std::isnormal(std::ldexp(1.0, -units_of(body, s.G).time)))
+    fail("a rate G / I within double range");
   const double low = 0.5 * s.G * (s.G / I.z), high = 0.5 * s.G * (s.G / I.x);
   if (s.T * slack < low || s.T > high * slack)
     fail("T in [G^2/2I3, G^2/2I1] = [" + detail::number_text(low) + ", " +
          detail::number_text(high) + "]");
+}
+
+// The elements of a state that stands still, or whose T does not tell where on the polhode it is.
+SerretState standing_still(const FreeRotation& m, double t, SerretState s) {
+  const AndoyerState a = to_andoyer(detail::in_sorted_axes(m.body(), m.at(t)));
+  s.g0 = a.g;
+  s.h = a.h;
+  s.t0 = t;
+  return s;
+}
+
+// |D2| / G^2 to the rounding of double, from the state: for decisions.
+double rough_distance(const Body& body, const RotorState& s) {
+  const detail::AxisOrder order = detail::ascending_order(body.moments());
+  const Vec3 I = detail::sorted_doubles(body), g = detail::reordered(order, s.g);
+  const double G = norm(g), x = g.x / G, z = g.z / G;
+  return std::abs(z * z * ((I.z - I.y) / I.z) - x * x * ((I.y - I.x) / I.x));
+}
+
+// Nearer than this to the separatrix T and G hold less than 1e-4 of a place half a period away:
+// both signs then tell the branch, and t0 is no further than a quarter of the period.
+constexpr double branch_distance = 0x1p-40;
+
+// A place on the polhode and the mean frame there, read back from a state by the curve that T and G
+// hold: of moments that are equal but for rounding this differs from the true one.
+SerretState on_held_curve(const FreeRotation& m, double t, SerretState s) {
+  const Body& body = m.body();
+  const RotorState now = m.at(t);
+  const Units units = units_of(body, s.G);
+  const detail::PolhodeCurve<DD> c = curve_of(body, widened(in_units(units, s, t).s));
+  if (c.steady || !(c.DC > DD(0.0))) return standing_still(m, t, s);
+  const Vec3 g = detail::reordered(detail::ascending_order(body.moments()), now.g);
+  s.sign_g1 = g.x < 0.0 ? -1 : 1;
+  s.sign_g3 = g.z < 0.0 ? -1 : 1;
+  const detail::PrimedSense sense = detail::primed_sense(c.long_axis, s.sign_g1, s.sign_g3);
+  const detail::AxisOrder primed =
+      detail::composed(detail::ascending_order(body.moments()),
+                       detail::primed_axes(sense.long_axis, sense.s1, sense.s3));
+  const Vec3 k = detail::reordered(primed, detail::scaled(now.g, units.momentum));
+  const DD across = DD(k.x) / c.a1, along = DD(k.y) / c.a2, r2 = across * across + along * along;
+  const DD c2 = across * across / r2, s2 = along * along / r2;
+  const DD u = along / sqrt(r2) * carlson_rf(c2, c2 + c.kp2 * s2, DD(1.0));
+  const BasicQuaternion<DD> p =
+      normalized(detail::primed_attitude(c, detail::cayley_klein_series(c), u));
+  const BasicQuaternion<DD> q{now.q.w, now.q.x, now.q.y, now.q.z};
+  const BasicQuaternion<DD> f = q * conj(detail::quaternion_of<DD>(primed)) * conj(p);
+  const detail::FrameAngles frame = detail::frame_angles({f.w.hi, f.x.hi, f.y.hi, f.z.hi});
+  const DD elapsed = u / c.n;  // in units of momentum 1
+  const DD swept = detail::wrapped(detail::precession_of_axis1(c) * elapsed);
+  s.t0 = (DD(t) - ldexp(elapsed / DD(std::ldexp(s.G, -units.momentum)), units.time)).hi;
+  s.h = frame.h;
+  s.g0 = detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(sense));
+  return s;
+}
+
+// What G and T cannot hold at all is no set of elements.
+void require_held_state(const FreeRotation& m, double t, const SerretState& s) {
+  const RotorState now = m.at(t), back = to_rotor(m.body(), s, t);
+  const Quaternion r = conj(normalized(now.q)) * normalized(back.q);
+  const double off = std::hypot(2.0 * norm(Vec3{r.x, r.y, r.z}), norm(now.g - back.g) / s.G);
+  if (off <= 1e-4) return;
+  throw DomainError("to_serret: (G, T) = " + detail::tuple_text({s.G, s.T}) +
+                    " in double precision must hold the distance from the separatrix, |1 - 2 T I2 "
+                    "/ G^2| = " +
+                    detail::number_text(rough_distance(m.body(), now)) +
+                    "; these elements would be those of another state");
+}
+
+bool is_symmetric(const Body& body) {
+  const Vec3 I = detail::sorted_doubles(body);
+  return I.x == I.y || I.y == I.z;
+}
+
+// Spin across the axis of an axisymmetric body: momentum and body stand still to each other.
+bool is_across_axis_of_symmetry(const Body& body, const RotorState& s) {
+  const Vec3 I = detail::sorted_doubles(body);
+  const Vec3 g = detail::reordered(detail::ascending_order(body.moments()), s.g);
+  const double small = 0x1p-400 * norm(g);
+  return (I.y == I.z && std::abs(g.x) < small) || (I.x == I.y && std::abs(g.z) < small);
+}
+
+// Spin about a principal axis: the limit of a polhode beside it.
+SerretState of_steady_rotation(const FreeRotation& m, double t, SerretState s) {
+  const Body& body = m.body();
+  const RotorState now = m.at(t);
+  if (is_across_axis_of_symmetry(body, now)) return standing_still(m, t, s);
+  const int e = detail::momentum_exponent(now.g);
+  const RotorState unit = detail::displaced(body, {now.q, detail::scaled(now.g, e)});
+  const double epoch = e == 0 ? t : 0.0;
+  const SerretState limit = to_serret(FreeRotation(body, unit, epoch), epoch);
+  s.g0 = limit.g0;
+  s.h = limit.h;
+  s.t0 = e == 0 ? limit.t0 : t + std::ldexp(limit.t0, -e);
+  s.sign_g1 = limit.sign_g1;
+  s.sign_g3 = limit.sign_g3;
+  return s;
 }
 
 }  // namespace
@@ -110,35 +255,32 @@ SerretState to_serret(const FreeRotation& m, double t) {
   s.G = m.momentum();
   s.H = to_andoyer(m.initial_state()).H;  // loses nothing near I = 0, pi
   s.T = m.energy();
-  const auto standing_still = [&] {
-    const AndoyerState a = to_andoyer(detail::in_sorted_axes(body, m.at(t)));
-    s.g0 = a.g;
-    s.h = a.h;
-    return s;
-  };
-  if (detail::is_sphere(body) || m.regime() == Regime::rest) return standing_still();
-  if (m.kernel().form == FreeKernel::Form::steady) {
-    const SerretState limit = to_serret(FreeRotation(body, detail::displaced(body, m.at(t)), t), t);
-    // n = 0: an axisymmetric body spinning across its axis. u stands still at any time.
-    const double turns = std::abs(limit.t0 - t) * s.T / s.G;
-    if (!(turns < 1e30)) return standing_still();
-    s.g0 = limit.g0;
-    s.h = limit.h;
-    s.t0 = limit.t0;
-    s.sign_g1 = limit.sign_g1;
-    s.sign_g3 = limit.sign_g3;
-    return s;
-  }
+  if (detail::is_sphere(body) || m.regime() == Regime::rest) return standing_still(m, t, s);
+  if (!std::isnormal(s.T))
+    throw DomainError("to_serret: T = " + detail::number_text(s.T) +
+                      " of G = " + detail::number_text(s.G) +
+                      " must be within double range: take units in which G^2/2I is");
+  if (m.kernel().form == FreeKernel::Form::steady) return of_steady_rotation(m, t, s);
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const bool periodic = m.regime() != Regime::separatrix;
+  const bool beside = rough_distance(body, m.at(t)) < branch_distance;
+  if (beside && m.modulus().m1() > untold_complement) {
+    s = on_held_curve(m, t, s);
+    if (!is_symmetric(body)) require_held_state(m, t, s);
+    return s;
+  }
   const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
-  // u = 0 of the elements is where the node sign is positive: half a polhode away if it is not now.
+  // u = 0 of the elements is where the node sign is positive, half a polhode away if it is not now;
+  // beside the separatrix where it is that of now.
   const FreeKernel& k = m.kernel();
   DD elapsed;  // t - t0, scaled
   DD x = phase.x;
+  detail::PrimedSense start{long_axis, periodic ? 1.0 : sense.s1, sense.s3};
+  if (periodic && beside) start.s1 = std::abs(x.hi) > half_pi ? -sense.s1 : sense.s1;
+  const bool from_other_side = start.s1 != sense.s1;
   if (periodic) {
-    if (sense.s1 < 0.0) x = x.hi > 0.0 ? x - DD::pi() : x + DD::pi();
+    if (from_other_side) x = x.hi > 0.0 ? x - DD::pi() : x + DD::pi();
     const DD x_rate =
         k.form == FreeKernel::Form::trigonometric ? k.phase_rate : k.phase_rate / phase.u_per_x;
     elapsed = x / x_rate;
@@ -147,42 +289,54 @@ SerretState to_serret(const FreeRotation& m, double t) {
   }
   const detail::FrameAngles frame = detail::frame_angles(phase.frame);
   const DD swept = detail::wrapped(DD(2.0) * k.half_precession * elapsed);
-  const detail::PrimedSense start{long_axis, periodic ? 1.0 : sense.s1, sense.s3};
-  const double half_turn = periodic && sense.s1 < 0.0 ? 2.0 * half_pi : 0.0;
-  s.t0 = (DD(t) - elapsed / DD(k.time_scale)).hi;
+  const double half_turn = from_other_side ? 2.0 * half_pi : 0.0;
+  s.t0 = (DD(t) - ldexp(elapsed, -std::ilogb(k.time_scale))).hi;
   s.h = frame.h;
   s.H = detail::third_momentum(m, frame);
   s.g0 =
       detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(start) + half_turn);
-  s.sign_g1 = long_axis || !periodic ? m.sign_g1() : 1;
-  s.sign_g3 = !long_axis || !periodic ? m.sign_g3() : 1;
+  s.sign_g1 = static_cast<int>(long_axis ? start.s3 : start.s1);
+  s.sign_g3 = static_cast<int>(long_axis ? start.s1 : start.s3);
+  if (beside) require_held_state(m, t, s);
   return s;
 }
 
 RotorState to_rotor(const Body& body, const SerretState& s, double t) {
   require_elements(body, s);
-  const BasicSerretState<DD> c = widened(s);
+  const Units units = units_of(body, s.G);
+  const ScaledSerret at = in_units(units, s, t);
+  const BasicSerretState<DD> c = widened(at.s);
   const detail::PolhodeCurve<DD> curve = curve_of(body, c);
-  if (curve.steady) return FreeRotation(body, base_state(body, s), s.t0).at(t);
-  return detail::rounded_state(rotor_from(body, curve, c, t));
+  if (curve.steady) {
+    const RotorState base = with_momentum(base_state(body, at.s), units.momentum);
+    return FreeRotation(body, base, s.t0).at(t);
+  }
+  return with_momentum(detail::rounded_state(rotor_from(body, curve, c, at.t)), units.momentum);
 }
 
 FreeRotation free_rotation(const Body& body, const SerretState& s) {
   return {body, to_rotor(body, s, s.t0), s.t0};
 }
 
-Matrix6 chart_jacobian(const Body& body, const SerretState& s, double t) {
-  require_elements(body, s);
+Matrix6 chart_jacobian(const Body& body, const SerretState& given, double t) {
+  require_elements(body, given);
+  const Units units = units_of(body, given.G);
+  const auto [s, now] = in_units(units, given, t);
   using Dual6 = Dual<DD, 6>;
   const double e[6] = {s.g0, s.h, -s.t0, s.G, s.H, s.T};
   Dual6 d[6];
   for (int i = 0; i < 6; ++i) d[i] = Dual6::variable(DD(e[i]), i);
   const BasicSerretState<Dual6> c{d[0], d[1], -d[2], d[3], d[4], d[5], s.sign_g1, s.sign_g3};
+  const std::array<int, 6> coordinate{0,           0, units.time, units.momentum, units.momentum,
+                                      units.energy};
+  const auto in_user_units = [&](const Matrix6& B) {
+    return detail::in_units(B, units.momentum, coordinate);
+  };
   const detail::PolhodeCurve<Dual6> curve = curve_of(body, c);
   if (curve.steady || to_double(curve.kp2) > flow_below)
-    return detail::hub_tangent(rotor_from(body, curve, c, t));
+    return in_user_units(detail::hub_tangent(rotor_from(body, curve, c, now)));
   const Matrix6 B0 = detail::hub_tangent(rotor_from(body, curve, c, s.t0));
-  return free_rotation(body, s).state_transition(t) * B0;
+  return free_rotation(body, given).state_transition(t) * in_user_units(B0);
 }
 
 }  // namespace v0

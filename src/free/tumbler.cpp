@@ -2,6 +2,7 @@
 // Tumblers: two periods to energy and momentum, and the long-axis angles.
 #include "polhode/free/tumbler.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -100,20 +101,36 @@ detail::PolhodeCurve<DD> curve_with_ratio(const Body& body, bool long_axis, cons
     const FamilyRates r = family_rates(curve(v));
     return r.precession / (ratio * r.rotation) - DD(1.0);
   };
-  // A double ratio tells no polhode smaller than J^2 = 1e-18 from a point.
-  return curve(detail::family_root(excess, DD(-50.0), detail::family_end(kap2)));
+  // A double ratio tells no polhode smaller than J^2 = 1e-18 from a point, but next to the
+  // separatrix it holds the logarithm of the distance: k'^2 down to 1e-220.
+  return curve(detail::family_root(excess, DD(-50.0), detail::family_end(kap2, 1e220, 600.0)));
 }
 
-// sin^2 theta from psi: 2T/G^2 = sin^2 theta (sin^2 psi/I_y' + ...) with (x, y, z) = (I2, I3, I1).
+// sin^2 psi = k_x^2 / (k_x^2 + k_y^2) is largest where k_z = 0, at sn = +-1: a2^2/(a2^2 + a3^2
+// k'^2).
+double largest_psi(const detail::PolhodeCurve<DD>& c) { return atan2(c.a2, c.a3 * sqrt(c.kp2)).hi; }
+
+// The direction of the momentum along the tumbler axes, but for the sign along z.
 struct Inclination {
   double sin, cos;
+  // Within 2^-5 of the middle axis: the direction itself, which theta and psi as doubles do not
+  // hold.
+  bool beside_middle_axis = false;
+  Vec3 k;
 };
+
+// G^2 - 2 T I2 at momentum 1.
+DD separatrix_distance(const detail::PolhodeCurve<DD>& c) {
+  const DD D2 = c.kp2 * abs(c.C - c.B) * c.DA / abs(c.C - c.A);
+  return c.long_axis ? -D2 : D2;
+}
 
 // a1^2 and a3^2 at momentum 1 are the squares of the momentum along sorted axes 1 and 3 when that
 // along 2 is zero: k_z^2 = a1^2 - (I1/I2)(1 - beta) k_x^2 in sums that do not cancel.
 Inclination inclination(const BasicVec3<DD>& I, const detail::PolhodeCurve<DD>& c, double psi0,
                         bool long_axis) {
-  const DD s = sin(DD(psi0)), p2 = s * s;
+  const auto [s, cosine] = sincos(DD(psi0));
+  const DD p2 = s * s;
   const DD along_long2 = long_axis ? c.a3 * c.a3 : c.a1 * c.a1;
   const DD along_short2 = long_axis ? c.a1 * c.a1 : c.a3 * c.a3;
   const DD beta = (I.y - I.x) / (I.z - I.x);
@@ -121,20 +138,35 @@ Inclination inclination(const BasicVec3<DD>& I, const detail::PolhodeCurve<DD>& 
   const DD m = I.x / I.y * (DD(1.0) - beta);
   const DD across2 = along_short2 / (DD(1.0) - m * p2);  // k_x^2 + k_y^2
   const DD along2 = along_long2 - m * p2 * across2;
-  return {sqrt(across2).hi, along2 > DD(0.0) ? sqrt(along2).hi : 0.0};
+  const Inclination plain{sqrt(across2).hi, along2 > DD(0.0) ? sqrt(along2).hi : 0.0, false, {}};
+  if (!(abs(cosine) < DD(0x1p-5) && plain.cos < 0x1p-5) || !(I.x < I.y)) return plain;
+  // At psi_max psi0 stands still: the tip of the polhode, sn = 1.
+  if (!long_axis && std::abs(psi0) >= largest_psi(c)) {
+    const DD y = c.a3 * sqrt(c.kp2);
+    return {sqrt(c.a2 * c.a2 + y * y).hi, 0.0, true, {(s < DD(0.0) ? -c.a2 : c.a2).hi, y.hi, 0.0}};
+  }
+  // not al - m k_x^2: there it cancels
+  const DD x = sqrt(across2) * s, y = sqrt(across2) * cosine;
+  const DD z2 = (y * y * ((I.z - I.y) / I.z) - separatrix_distance(c)) * I.x / (I.y - I.x);
+  const double z = z2 > DD(0.0) ? sqrt(z2).hi : 0.0;
+  return {plain.sin, z, true, {x.hi, y.hi, z}};
 }
 
-// sin^2 psi = k_x^2 / (k_x^2 + k_y^2) is largest where k_z = 0, at sn = +-1: a2^2/(a2^2 + a3^2
-// k'^2).
-double largest_psi(const detail::PolhodeCurve<DD>& c) { return atan2(c.a2, c.a3 * sqrt(c.kp2)).hi; }
+// How far beyond psi_max psi0 may be by rounding: its own, and that of a momentum in double
+// precision, which moves D2 by eps G^2 and so k' by eps / k'.
+double psi_rounding(const detail::PolhodeCurve<DD>& c) {
+  return std::min(8.0 * epsilon<double>() * (1.0 + 1.0 / std::sqrt(c.kp2.hi)), 1e-9);
+}
 
-// The polhode of these periods. In SAM psi must reach psi0 on it: where it misses by no more than
-// the rounding of the periods, which next to the spin is half the digits of psi_max, the polhode is
-// the one that the rounding allows.
+// The polhode of these periods. In SAM psi must reach psi0 on it, to rounding: then it is at its
+// tip. Where it misses by no more than the rounding of the periods, which next to the spin is half
+// the digits of psi_max, the polhode is the one that the rounding allows.
 detail::PolhodeCurve<DD> curve_reaching(const Body& body, const TumblerState& s, bool long_axis) {
-  const DD ratio = DD(s.rotation_period) / DD(s.precession_period);
+  const int unit = std::ilogb(s.precession_period);  // double-double ends before double does
+  const DD ratio =
+      DD(std::ldexp(s.rotation_period, -unit)) / DD(std::ldexp(s.precession_period, -unit));
   const detail::PolhodeCurve<DD> c = curve_with_ratio(body, long_axis, ratio);
-  if (long_axis || std::abs(s.psi0) <= largest_psi(c)) return c;
+  if (long_axis || std::abs(s.psi0) <= largest_psi(c) + psi_rounding(c)) return c;
   const DD rounding = DD(1.0) + DD(8.0 * epsilon<double>());
   const detail::PolhodeCurve<DD> wider = curve_with_ratio(body, long_axis, ratio * rounding);
   if (std::abs(s.psi0) <= largest_psi(wider)) return wider;
@@ -167,6 +199,7 @@ void require_held(const Body& body, const TumblerState& s, const RotorState& sta
 
 double least_period_ratio(const Body& body, Regime mode) {
   const bool long_axis = is_long_axis(mode);
+  detail::require_held_moments("TumblerState", body);
   require_mode(body, long_axis);
   const FamilyRates r = family_rates(
       detail::family_curve(detail::sorted_moments(body), long_axis, DD(1.0), {DD(0.0), DD(1.0)}));
@@ -188,7 +221,7 @@ RotorState to_rotor(const Body& body, const TumblerState& given) {
   const detail::PolhodeCurve<DD> c = curve_reaching(body, s, long_axis);
   const FamilyRates rates = family_rates(c);
   const double psi = !long_axis && s.sense < 0 ? s.psi0 + 2.0 * half_pi : s.psi0;
-  const Inclination incl = inclination(sorted, c, psi, long_axis);
+  const Inclination incl = inclination(sorted, c, s.psi0, long_axis);
   const double theta = std::atan2(incl.sin, s.branch < 0 ? -incl.cos : incl.cos);
   const Quaternion q =
       pole_frame(s.pole) * rotation_z(s.phi0) * rotation_x(theta) * rotation_z(psi);
@@ -196,7 +229,12 @@ RotorState to_rotor(const Body& body, const TumblerState& given) {
   // G from the precession, which is never small against the rotation.
   const double unit = std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
   const double G = unit / rates.precession.hi * (4.0 * half_pi / s.precession_period);
-  const Vec3 k{incl.sin * std::sin(psi), incl.sin * std::cos(psi), std::cos(theta)};
+  const double side = !long_axis && s.sense < 0 ? -1.0 : 1.0;
+  const double along = s.branch < 0 ? -incl.cos : incl.cos;
+  const Vec3 k = incl.beside_middle_axis ? Vec3{side * incl.k.x, side * incl.k.y, along}
+                 : incl.cos < 0x1p-5
+                     ? Vec3{incl.sin * std::sin(psi), incl.sin * std::cos(psi), along}
+                     : Vec3{incl.sin * std::sin(psi), incl.sin * std::cos(psi), std::cos(theta)};
   const detail::AxisOrder axes = tumbler_axes(body);
   const RotorState state{q * detail::quaternion_of<double>(axes), G * detail::restored(axes, k)};
   require_held(body, s, state);
@@ -217,15 +255,21 @@ TumblerState to_tumbler(const FreeRotation& m, double t) {
   TumblerState d{};
   d.precession_period = 4.0 * half_pi / m.precession_rate_long();
   d.rotation_period = m.polhode_period();
+  for (const double period : {d.precession_period, d.rotation_period})
+    if (!std::isnormal(period))
+      throw DomainError("to_tumbler: period " + detail::number_text(period) +
+                        " must be within double range");
   d.pole = pole;
   d.mode = m.regime();
+  // Next to the middle axis k rounds to the other side; the sides are constants of the motion.
   d.psi0 = std::atan2(k.x, k.y);
   // Near theta = 0, pi both nodes are lost to rounding: phi +- psi stays that of the attitude.
   d.phi0 = detail::wrapped(e.phi + k.z / norm(k) * detail::wrapped(e.psi - d.psi0));
-  d.branch = k.z < 0.0 ? -1 : 1;
-  if (!long_axis && k.y < 0.0) {
-    d.sense = -1;
-    d.psi0 = std::atan2(-k.x, -k.y);
+  d.branch = long_axis ? m.sign_g1() : (k.z < 0.0 ? -1 : 1);
+  if (!long_axis) {
+    d.sense = m.sign_g3();
+    const double along = d.sense * k.y;
+    d.psi0 = std::atan2(d.sense * k.x, along > 0.0 ? along : 0.0);
   }
   return d;
 }

@@ -97,11 +97,21 @@ TumblerState tumbler_of(const Values& values, const std::string& name) {
           .sense = sign(values, "state.tumbler.sense")};
 }
 
+// Whether the description has a state. Why not is said elsewhere.
+bool has_state(const Body& body, const TumblerState& s) {
+  try {
+    static_cast<void>(to_rotor(body, s));
+    return true;
+  } catch (const DomainError&) {
+    return false;
+  }
+}
+
 // The library says it too, but in radians.
 void require_psi(const Values& values, const Body& body, TumblerState s, const Units& units,
                  const std::string& name) {
+  if (s.mode != Regime::short_axis || s.psi0 == 0.0 || has_state(body, s)) return;
   const double psi0 = std::exchange(s.psi0, 0.0);
-  if (s.mode != Regime::short_axis || psi0 == 0.0) return;
   const double limit = built(values, "state.tumbler", name,
                              [&] { return psi_max(FreeRotation(body, to_rotor(body, s))); });
   built(values, "state.tumbler.psi0", name, [&] {

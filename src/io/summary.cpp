@@ -56,6 +56,14 @@ class Lines {
   std::vector<SummaryLine> lines_;
 };
 
+// Ten digits; of a bound none above it, so that the number printed is one that is allowed.
+std::string shown(double number, bool bound) {
+  const std::string nearest = fmt::format("{:.10g}", number);
+  if (!bound || !(number > 0.0) || !(std::stod(nearest) > number)) return nearest;
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 9.0);
+  return fmt::format("{:.10g}", std::stod(nearest) - unit);
+}
+
 double largest(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
 
 std::string crossing_text(Crossing crossing) {
@@ -215,7 +223,7 @@ std::string summary_table(const std::vector<SummaryLine>& lines) {
   for (const SummaryLine& line : lines) {
     std::string value = line.text;
     for (const double number : line.numbers)
-      value += (value.empty() ? "" : ", ") + fmt::format("{:.10g}", number);
+      value += (value.empty() ? "" : ", ") + shown(number, line.key == "psi_max");
     table += fmt::format("{:<{}}  {}{}{}\n", line.label, width, value, line.unit.empty() ? "" : " ",
                          line.unit);
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <initializer_list>
 
 #include "polhode/math/double_double.hpp"
 #include "rotor/detail/chart_jacobian_kernel.hpp"
@@ -22,10 +24,35 @@ WideState wide(const RotorState& s) {
   return {{s.q.w, s.q.x, s.q.y, s.q.z}, {s.g.x, s.g.y, s.g.z}};
 }
 
-Matrix6 rounded(const WideMatrix6& m) {
+// Powers of two by which the unit of momentum is changed, so that double-double neither overflows
+// nor runs out of low parts: exact. Even, because Poincare's pairs take half of it; 0 where nothing
+// is near.
+int unit_exponent(std::initializer_list<double> momenta) {
+  double largest = 0.0;
+  for (const double p : momenta) largest = std::max(largest, std::abs(p));
+  if (!(largest > 0.0) || !std::isfinite(largest)) return 0;
+  const int exponent = std::ilogb(largest);
+  return std::abs(exponent) < 200 ? 0 : exponent - exponent % 2;
+}
+int unit_exponent(const Vec3& g) { return unit_exponent({g.x, g.y, g.z}); }
+
+RotorState in_units(const RotorState& s, int exponent) {
+  const auto scaled = [&](double p) { return std::ldexp(p, -exponent); };
+  return {s.q, {scaled(s.g.x), scaled(s.g.y), scaled(s.g.z)}};
+}
+
+using Exponents = std::array<int, 6>;
+Exponents hub_exponents(int e) { return {0, 0, 0, e, e, e}; }
+Exponents coordinate_exponents(CanonicalSet set, int e) {
+  if (set != CanonicalSet::poincare) return {0, 0, 0, e, e, e};
+  return {0, e / 2, e / 2, e, e / 2, e / 2};
+}
+
+// Back in the user's units, in which entry (i, j) is 2^(row_i - column_j) times larger.
+Matrix6 rounded(const WideMatrix6& m, const Exponents& row = {}, const Exponents& column = {}) {
   Matrix6 r;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) r(i, j) = m(i, j).hi;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) r.a[i][j] = std::ldexp(m.a[i][j].hi, row[i] - column[j]);
   return r;
 }
 
@@ -72,38 +99,54 @@ void clean(WideMatrix6& m, const std::array<double, 6>& to, const std::array<dou
 }  // namespace
 
 Matrix6 chart_jacobian(const EulerState& s) {
-  const BasicEulerState<Wide> e{s.phi, s.theta, s.psi, s.Phi, s.Theta, s.Psi};
-  return rounded(detail::chart_jacobian(detail::euler_axes(e)));
+  const int e = unit_exponent({s.Phi, s.Theta, s.Psi});
+  const auto scaled = [&](double p) { return Wide(std::ldexp(p, -e)); };
+  const BasicEulerState<Wide> w{s.phi,         s.theta,         s.psi,
+                                scaled(s.Phi), scaled(s.Theta), scaled(s.Psi)};
+  return rounded(detail::chart_jacobian(detail::euler_axes(w)), hub_exponents(e), hub_exponents(e));
 }
 
 Matrix6 chart_jacobian(const AndoyerState& s) {
-  const BasicAndoyerState<Wide> a{s.l, s.g, s.h, s.L, s.G, s.H};
-  return rounded(detail::chart_jacobian(detail::andoyer_axes(a)));
+  const int e = unit_exponent({s.G});
+  const auto scaled = [&](double p) { return Wide(std::ldexp(p, -e)); };
+  const BasicAndoyerState<Wide> w{s.l, s.g, s.h, scaled(s.L), scaled(s.G), scaled(s.H)};
+  return rounded(detail::chart_jacobian(detail::andoyer_axes(w)), hub_exponents(e),
+                 hub_exponents(e));
 }
 
 Matrix6 chart_jacobian(const PoincareState& s) {
-  const BasicPoincareState<Wide> p{s.sigma, s.Q1, s.Q2, s.G, s.P1, s.P2, s.pole_J, s.pole_I};
-  return rounded(detail::chart_jacobian(detail::poincare_factors(p)));
+  const int e = unit_exponent({s.G});
+  const auto pair = [&](double p) { return Wide(std::ldexp(p, -e / 2)); };
+  const BasicPoincareState<Wide> w{s.sigma,    pair(s.Q1), pair(s.Q2), std::ldexp(s.G, -e),
+                                   pair(s.P1), pair(s.P2), s.pole_J,   s.pole_I};
+  return rounded(detail::chart_jacobian(detail::poincare_factors(w)), hub_exponents(e),
+                 coordinate_exponents(CanonicalSet::poincare, e));
 }
 
 Matrix6 chart_jacobian(const CanonicalChart& chart, const RotorState& s) {
-  return rounded(wide_jacobian(chart, wide(s)));
+  const int e = unit_exponent(s.g);
+  return rounded(wide_jacobian(chart, wide(in_units(s, e))), hub_exponents(e),
+                 coordinate_exponents(chart.set, e));
 }
 
 Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s) {
-  const WideState w = wide(s);
-  return rounded(detail::inverse_chart_jacobian(wide_jacobian(chart, w), w.g));
+  const int e = unit_exponent(s.g);
+  const WideState w = wide(in_units(s, e));
+  return rounded(detail::inverse_chart_jacobian(wide_jacobian(chart, w), w.g),
+                 coordinate_exponents(chart.set, e), hub_exponents(e));
 }
 
 Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
                                  const RotorState& s) {
   if (from == to) return Matrix6::identity();
-  const WideState w = wide(s);
-  const double G = norm(s.g);
+  const int e = unit_exponent(s.g);
+  const RotorState scaled = in_units(s, e);
+  const WideState w = wide(scaled);
+  const double G = norm(scaled.g);
   WideMatrix6 m =
       detail::inverse_chart_jacobian(wide_jacobian(to, w), w.g) * wide_jacobian(from, w);
   clean(m, coordinate_sizes(to, G), coordinate_sizes(from, G));
-  return rounded(m);
+  return rounded(m, coordinate_exponents(to.set, e), coordinate_exponents(from.set, e));
 }
 
 Matrix6 inverse_chart_jacobian(const Matrix6& B, const Vec3& g_B) {

@@ -16,12 +16,13 @@
 //             phi_h = 0.
 // Accuracy    budgets flow_round_trip, flow_round_trip_eps and flow_canonical_eps in
 //             tests/budgets.hpp; measured: docs/accuracy/charts.md. Next to the separatrix the pair
-//             (I_l, phi_l) itself cannot hold the state: digits are lost like log10(G^2 / |D2|).
+//             (I_l, phi_l) itself cannot hold the state: digits are lost like log10(G^2 / |D2|),
+//             and where |D2| < 1e-17 G^2 the place on the polhode. Any unit of momentum serves.
 //             chart_jacobian has no meaning where the chart is singular (J = 0 or as close as I_g -
 //             |I_l| rounds to it, I = 0, pi, the separatrix): it is rank-deficient or not finite
 //             there.
 // Errors      to_rotor throws DomainError for actions outside the region named, a lobe that is no
-//             sign.
+//             sign, moments of a ratio below 2^-900.
 // Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor about a hundred
 //             microseconds.
 #pragma once

@@ -13,15 +13,21 @@
 //             nearest to t is returned. Limits: spin about the short or long axis t0 = t; about the
 //             middle axis, where t0 is infinite, that of a momentum 2^-440 G away; across the axis
 //             of an axisymmetric body (n = 0) t0 = t and g0 = g, and l is lost; sphere the same,
-//             which to_rotor refuses, since T no longer tells J; I = 0, pi: h = 0.
+//             which to_rotor refuses, since T no longer tells J; I = 0, pi: h = 0. Within 2^-40 G^2
+//             of the separatrix both signs tell the branch; T within 2 eps of G^2/2I2 is read as
+//             the separatrix itself.
 // Accuracy    budgets flow_round_trip, flow_round_trip_eps, flow_canonical_eps and
 //             serret_separatrix in tests/budgets.hpp; measured: docs/accuracy/charts.md. T and G
 //             hold the distance to the separatrix and to the axes only to eps G^2: near an axis the
 //             hub loses up to sqrt(eps), near the separatrix about eps G^2 / |D2|, half a period
-//             from t0 the most. chart_jacobian has no meaning where the chart is singular (J = 0 or
-//             as close as T rounds to it, I = 0, pi, steady rotations): it is rank-deficient or not
-//             finite there.
-// Errors      to_rotor throws DomainError for G <= 0 (rest has no elements), |H| > G, T outside
+//             from t0 the most, and within 2^-40 G^2 of it up to 1e-6. t0 holds a place on the
+//             polhode to eps |t0| times the rate. chart_jacobian has no meaning where the chart is
+//             singular (J = 0 or as close as T rounds to it, I = 0, pi, steady rotations): it is
+//             rank-deficient or not finite there.
+// Errors      to_serret throws DomainError where T is beyond double range, and where moments are
+//             equal but for rounding so that G and T do not hold the state.
+//             to_rotor throws DomainError for a T or G / I beyond double range, moments of a ratio
+//             below 2^-900, G <= 0 (rest has no elements), |H| > G, T outside
 //             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.
 // Cost        tens of microseconds.
 #pragma once

@@ -3,6 +3,9 @@
 // 2).
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "polhode/math/dual.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/rotor_state.hpp"
@@ -27,6 +30,15 @@ Matrix6 hub_tangent(const BasicRotorState<Dual<T, 6>>& s) {
     B(4, j) = to_double(s.g.y.derivative[i]);
     B(5, j) = to_double(s.g.z.derivative[i]);
   }
+  return B;
+}
+
+// B where the unit of momentum is 2^momentum times smaller, and that of coordinate j
+// 2^coordinate[j] times: numbers are so much larger.
+inline Matrix6 in_units(Matrix6 B, int momentum, const std::array<int, 6>& coordinate) {
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      B.a[i][j] = std::ldexp(B.a[i][j], (i < 3 ? 0 : momentum) - coordinate[j]);
   return B;
 }
 

@@ -51,10 +51,15 @@ inline double third_momentum(const FreeRotation& m, const FrameAngles& frame) {
   return along ? std::copysign(m.momentum(), a.H) : a.H;
 }
 
+// A phase without a digit left is 0, as FreeKernel takes it; t - t is NaN where t is no number.
+inline DoubleDouble within_limit(const DoubleDouble& phase, double t) {
+  return std::abs(phase.hi) < 0x1p90 ? phase : DoubleDouble(t - t);
+}
+
 // Not for the steady form, whose phase is no coordinate.
 inline MeanPhase mean_phase(const FreeKernel& k, double t) {
-  const DoubleDouble elapsed = DoubleDouble::sum(t, -k.epoch) * k.time_scale;
-  const DoubleDouble phase = k.phase0 + k.phase_rate * elapsed;
+  const DoubleDouble elapsed = ldexp(DoubleDouble::sum(t, -k.epoch), std::ilogb(k.time_scale));
+  const DoubleDouble phase = within_limit(k.phase0 + k.phase_rate * elapsed, t);
   MeanPhase m;
   if (k.form == FreeKernel::Form::trigonometric) {
     m.x = wrapped(phase);
@@ -65,7 +70,7 @@ inline MeanPhase mean_phase(const FreeKernel& k, double t) {
   } else {
     m.u = phase;
   }
-  const DoubleDouble turn = wrapped(k.half_precession * elapsed);
+  const DoubleDouble turn = wrapped(within_limit(k.half_precession * elapsed, t));
   m.frame = k.left * Quaternion{std::cos(turn.hi) - turn.lo * std::sin(turn.hi), 0.0, 0.0,
                                 std::sin(turn.hi) + turn.lo * std::cos(turn.hi)};
   return m;

@@ -90,7 +90,9 @@ PolhodeCurve<T> polhode_curve(const BasicVec3<T>& I, const T& G, const Discrimin
   c.a1 = sqrt(c.A * c.DC / CA);
   c.a2 = sqrt(c.B * c.DC / CB);
   c.a3 = sqrt(c.C * c.DA / CA);
-  c.n = sqrt(scale / (c.A * c.B * c.C));
+  // Of a needle n^2 is like 1/C^2, which soon is beyond double-double.
+  c.n = c.C < T(0x1p-200) ? T(sqrt(scale / (c.A * c.B)) / sqrt(c.C))
+                          : T(sqrt(scale / (c.A * c.B * c.C)));
   if (c.long_axis) c.n = -c.n;
   c.k2 = BA * c.DC / scale;
   c.kp2_mantissa = CA * abs(D.D2) / scale;

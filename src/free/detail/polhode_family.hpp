@@ -71,17 +71,18 @@ PolhodeCurve<T> family_curve(const BasicVec3<T>& sorted, bool long_axis, const T
   return polhode_curve(sorted, G, d, false);
 }
 
-// The ends of v: J = 1e-130, and kp2 = 1e-30 or (kap2 = 0, no separatrix) J = pi/2 to 1e-87.
+// The ends of v: J = 1e-130, and kp2 = 1e-30, where the action is that of the separatrix, or (kap2
+// = 0, no separatrix) J = pi/2 to 1e-87.
 template <Real T>
 T family_start() {
   return T(-600.0);
 }
 template <Real T>
-T family_end(const T& kap2) {
+T family_end(const T& kap2, double inverse_kp2 = 1e30, double most = 400.0) {
   using std::log;
   if (!(kap2 > T(0.0))) return T(400.0);
-  const T end = log(T(1e30) / kap2);
-  return end < T(400.0) ? end : T(400.0);
+  const T end = log(T(inverse_kp2) / kap2);
+  return end < T(most) ? end : T(most);
 }
 
 // 1 - I_dn/G, where I_dn is the action of the circulation: (2/pi) cf r2/(1+r2) times the complete

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include "free/detail/axis_order.hpp"
 #include "free/detail/primed_arc.hpp"
+#include "math/detail/number_text.hpp"
+#include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/body.hpp"
 
@@ -40,19 +44,37 @@ BasicRotorState<T> in_body_axes(const Body& body, const BasicRotorState<T>& s) {
   return {s.q * quaternion_of<T>(order), restored(order, s.g)};
 }
 
+// The power of two that brings the largest momentum of a state to [1, 2); 0 where squares are far
+// from the ends of double range, so that most states are read as they are.
+inline int momentum_exponent(const Vec3& g) {
+  const int exponent = exponent_of_largest(g);
+  return std::abs(exponent) < 400 ? 0 : exponent;
+}
+
 // A momentum of a steady rotation, moved by 2^-440 |g| to where a polhode exists, so that
 // flow-adapted variables are read as their limit. The displacement is far below the rounding of the
-// state.
+// state, and so is what is dropped: components that FreeRotation takes for 0. g of order 1.
 inline RotorState displaced(const Body& body, const RotorState& s) {
   const AxisOrder order = ascending_order(body.moments());
   const Vec3 I = sorted_doubles(body);
   Vec3 g = reordered(order, s.g);
   const double shift = std::ldexp(1.0, exponent_of_largest(s.g) - 440);
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(g[i]) < 0x1p20 * shift) g[i] = 0.0;
   if (g.x == 0.0 && (I.y == I.z || g.y == 0.0))
     g.x = shift;
   else
     g.z = shift;
   return {s.q, restored(order, g)};
+}
+
+// Below this ratio of moments squares of rates are beyond double-double.
+inline constexpr double least_moment_ratio = 0x1p-900;
+inline void require_held_moments(const char* function, const Body& body) {
+  const Vec3 I = sorted_doubles(body);
+  if (I.x >= least_moment_ratio * I.z) return;
+  throw DomainError(std::string(function) + ": moments " + tuple_text({I.x, I.y, I.z}) +
+                    " must have a ratio of at least 2^-900, " + number_text(least_moment_ratio));
 }
 
 inline const DoubleDouble& value_of(const DoubleDouble& x) { return x; }

@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: MIT
+// Every chart at the edges: momenta and moments of any size that doubles have, 1e-300 from every
+// axis, needles, plates, symmetric bodies. What a state loses on the way through a chart is held
+// against the documented bounds, the numbers of the flow-adapted charts against a thousand digits.
+// A refusal is right only where the header of the chart says so.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "budgets.hpp"
+#include "oracle/flow_charts.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/system/modified_andoyer.hpp"
+#include "property/chart_support.hpp"
+#include "property/edge_cases.hpp"
+
+namespace {
+
+using namespace chart_test;
+using oracle::FlowCharts;
+using oracle::Long;
+using polhode::Body;
+using polhode::FreeRotation;
+using polhode::Quaternion;
+namespace budget = polhode::budget;
+
+// --- verdicts ---
+
+enum class Verdict { held, refused, wrong, not_a_number };
+struct Result {
+  Verdict verdict = Verdict::held;
+  double loss = 0.0;
+  std::string why;
+};
+
+// Where there is nothing to compare.
+const Result left_out{Verdict::refused, 0.0, {}};
+
+double half_turn_distance(const Quaternion& a, const Quaternion& b) {
+  const Quaternion r = conj(normalized(a)) * normalized(b);
+  return 2.0 * norm(Vec3{r.x, r.y, r.z});
+}
+// Rotation angle or |change of g| / |g|, whichever is larger.
+double loss_of(const RotorState& a, const RotorState& b) {
+  const double G = norm(b.g);
+  const double change =
+      G > 0.0 ? norm(Vec3{a.g.x / G - b.g.x / G, a.g.y / G - b.g.y / G, a.g.z / G - b.g.z / G})
+              : norm(a.g);
+  const double turn = half_turn_distance(a.q, b.q);
+  return std::isnan(turn) || std::isnan(change) ? std::nan("") : std::max(turn, change);
+}
+Result judged(double loss, double allowed, const std::string& what) {
+  if (std::isnan(loss)) return {Verdict::not_a_number, loss, what};
+  if (loss <= allowed) return {Verdict::held, loss, {}};
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), ": %.2g, allowed %.2g", loss, allowed);
+  return {Verdict::wrong, loss, what + text.data()};
+}
+
+// What the header of a chart promises at this state.
+struct Place {
+  double I = 1.0, J = 1.0, D2 = 1.0;  // sines of the angles, and |D2| / G^2
+  double J3 = 1.0, theta = 1.0;       // of body axis 3, and between the third axes
+  double short_part = 1.0;            // of the momentum along the short axis
+  bool needle = false;                // moments of a ratio below 1e-20
+  double gap = 1.0;                   // the lesser relative difference of neighbouring moments
+};
+double double_of(const Long& x) { return static_cast<double>(x); }
+double pole_loss(double sine) {
+  return std::min(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole);
+}
+
+class Survey {
+ public:
+  void add(const EdgeCase& c, const Result& r) {
+    ++tried_;
+    if (r.verdict == Verdict::held) losses_.push_back(r.loss);
+    if (r.verdict == Verdict::refused) ++refused_;
+    if (r.verdict == Verdict::wrong || r.verdict == Verdict::not_a_number) {
+      ++failed_;
+      if (r.verdict == Verdict::not_a_number) ++nan_;
+      if (failed_ <= most_shown) ADD_FAILURE() << r.why << "\n  " << text_of(c);
+      worst_wrong_ = std::max(worst_wrong_, std::isnan(r.loss) ? 0.0 : r.loss);
+    }
+  }
+  void record(const std::string& name) {
+    std::ranges::sort(losses_);
+    const double median = losses_.empty() ? 0.0 : losses_[losses_.size() / 2];
+    const double worst = losses_.empty() ? 0.0 : losses_.back();
+    std::array<char, 200> line{};
+    std::snprintf(line.data(), line.size(),
+                  "%d tried, %d failed (%d NaN, worst %.1e), %d refused, held: median %.1e, "
+                  "worst %.1e",
+                  tried_, failed_, nan_, worst_wrong_, refused_, median, worst);
+    testing::Test::RecordProperty("edges_" + name, line.data());
+    std::printf("%-22s %s\n", name.c_str(), line.data());
+  }
+
+ private:
+  static constexpr int most_shown = 12;
+  std::vector<double> losses_;
+  int tried_ = 0, failed_ = 0, nan_ = 0, refused_ = 0;
+  double worst_wrong_ = 0.0;
+};
+
+struct Known {
+  const EdgeCase& c;
+  const Body& body;
+  const FlowCharts& flow;  // at the state itself
+  Place place;
+};
+
+// --- the charts that need no body ---
+
+Result euler_result(const Known& k) {
+  const auto e = to_euler(k.c.state);
+  return judged(loss_of(to_rotor(e), k.c.state),
+                budget::chart_rounding +
+                    std::min(budget::euler_pole_eps * eps / k.place.theta, 2.0 * k.place.J3),
+                "euler");
+}
+Result andoyer_result(const Known& k) {
+  const auto a = to_andoyer(k.c.state);
+  return judged(loss_of(to_rotor(polhode::andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H)), k.c.state),
+                budget::chart_rounding + pole_loss(k.place.J3) + pole_loss(k.place.I), "andoyer");
+}
+Result poincare_result(const Known& k) {
+  const auto p = nearest_poincare(k.c.state);
+  const auto checked =
+      polhode::poincare_state(p.sigma, p.Q1, p.Q2, p.G, p.P1, p.P2, p.pole_J, p.pole_I);
+  return judged(loss_of(to_rotor(checked), k.c.state), budget::poincare, "poincare");
+}
+Result euler_rates_result(const Known& k) {
+  const Vec3 w = angular_velocity(k.body, k.c.state);
+  if (!std::isnormal(norm(w))) return left_out;
+  const RotorState back = to_rotor(k.body, to_euler_rates(k.body, k.c.state));
+  const Vec3 I = k.body.moments();
+  // the component along axis 3 is a difference of rates about the third axes
+  const double across = std::hypot(w.x, w.y) / k.place.theta;
+  const double along = I.z * (across / norm(k.c.state.g));
+  if (!(eps * along < 1.0)) return left_out;  // a needle: the rates hold no momentum
+  return judged(loss_of(back, k.c.state),
+                budget::chart_rounding + budget::euler_pole_eps * eps * along, "euler rates");
+}
+
+// --- Jacobians of the canonical charts: B of the scaled state, by the chain rule ---
+
+// B of a state in units where |g| is 2^e times smaller: entries times exact powers of two.
+Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
+  const double G = norm(k.c.state.g);
+  if (G == 0.0) return left_out;
+  const int e = std::ilogb(G) / 2 * 2;
+  const RotorState unit{k.c.state.q,
+                        {std::ldexp(k.c.state.g.x, -e), std::ldexp(k.c.state.g.y, -e),
+                         std::ldexp(k.c.state.g.z, -e)}};
+  const Matrix6 B = chart_jacobian(chart, k.c.state), B1 = chart_jacobian(chart, unit);
+  const Matrix6 C = inverse_chart_jacobian(chart, k.c.state),
+                C1 = inverse_chart_jacobian(chart, unit);
+  const bool pairs = chart.set == CanonicalSet::poincare;
+  const std::array<int, 6> coordinate = pairs ? std::array<int, 6>{0, e / 2, e / 2, e, e / 2, e / 2}
+                                              : std::array<int, 6>{0, 0, 0, e, e, e};
+  double worst = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    const int hub = i < 3 ? 0 : e;
+    for (int j = 0; j < 6; ++j) {
+      const int to = coordinate[static_cast<std::size_t>(j)];
+      const double b = std::ldexp(B1(i, j), hub - to), c = std::ldexp(C1(j, i), to - hub);
+      for (const auto& [got, wanted] : {std::pair{B(i, j), b}, std::pair{C(j, i), c}}) {
+        if (got == wanted || !std::isfinite(wanted)) continue;
+        const double off = std::abs(got - wanted) / std::max(std::abs(wanted), 1e-290);
+        if (std::isnan(off)) return {Verdict::not_a_number, off, "jacobian"};
+        worst = std::max(worst, std::min(off, std::abs(got / wanted - 1.0)));
+      }
+    }
+  }
+  return judged(worst, 4.0 * eps, "jacobian against that of the scaled state");
+}
+
+// --- the flow-adapted charts ---
+
+bool rate_is_in_range(const Known& k) {
+  const Vec3& I = k.body.moments();
+  if (!(std::min({I.x, I.y, I.z}) >= 0x1p-900 * std::max({I.x, I.y, I.z}))) return false;
+  const int rate = std::ilogb(norm(k.c.state.g)) - std::ilogb(std::max({I.x, I.y, I.z}));
+  return std::abs(rate) < 1020;
+}
+double angle_off(double a, const Long& b) {
+  const Long off = Long(a) - b, turn = 2 * oracle::long_pi();
+  return std::abs(double_of(Long(off - turn * round(off / turn))));
+}
+double relative_off(double a, const Long& b) {
+  return b == 0 ? std::abs(a) : std::abs(double_of(Long((Long(a) - b) / b)));
+}
+bool energy_is_held(const Known& k) {
+  return k.flow.T > Long(std::numeric_limits<double>::min()) &&
+         k.flow.T < Long(std::numeric_limits<double>::max());
+}
+// Beside the separatrix, nearer than this, G and T hold the branch and the place on it.
+constexpr double branch_zone = 1e-12;
+// Within 1e-130 of an axis, where the limit of the axis is returned, and across an axis of
+// symmetry, where T does not tell the rate.
+bool counts_as_steady(const Known& k) {
+  return !k.flow.moves || k.place.J < 1e-130 ||
+         (k.place.gap < branch_zone && k.place.D2 < branch_zone);
+}
+double serret_allowed(const Known& k) {
+  return budget::serret_edge + pole_loss(k.place.I) +
+         std::min(10.0 * eps / k.place.J, budget::flow_pole) +
+         std::min(20.0 * eps / k.place.D2,
+                  budget::serret_beside_separatrix / std::sqrt(std::max(k.place.gap, 1e-14)));
+}
+double sadov_allowed(const Known& k) {
+  return budget::serret_edge + pole_loss(k.place.I) +
+         std::min(10.0 * eps / k.place.J, budget::flow_pole) + 0.1 * eps / k.place.D2;
+}
+
+Result refused(const std::string& message, bool rightly) {
+  return {rightly ? Verdict::refused : Verdict::wrong, 0.0, "refused: " + message};
+}
+
+Result serret_result(const Known& k) {
+  const bool sphere =
+      k.body.moments().x == k.body.moments().y && k.body.moments().y == k.body.moments().z;
+  try {
+    const FreeRotation motion(k.body, k.c.state, k.c.t);
+    const auto s = to_serret(motion, k.c.t);
+    for (const double x : {s.g0, s.h, s.t0, s.G, s.H, s.T})
+      if (std::isnan(x)) return {Verdict::not_a_number, x, "to_serret"};
+    const double loss = loss_of(to_rotor(k.body, s, k.c.t), k.c.state);
+    if (k.place.gap == 0.0 && k.place.D2 < branch_zone) {  // across an axis of symmetry: l is lost
+      const Vec3 g = inertial_momentum(to_rotor(k.body, s, k.c.t));
+      const RotorState still{{1.0, 0.0, 0.0, 0.0}, inertial_momentum(k.c.state)};
+      return judged(loss_of({still.q, g}, still), serret_allowed(k), "serret, momentum in space");
+    }
+    return judged(loss, serret_allowed(k), "serret");
+  } catch (const polhode::DomainError& error) {
+    // moments equal but for rounding: T tells nothing
+    const bool untold = k.place.D2 < branch_zone && k.place.gap < branch_zone;
+    return refused(error.what(), sphere || untold || !rate_is_in_range(k) || !energy_is_held(k));
+  }
+}
+
+// The numbers themselves; t0 in units of the argument u.
+Result serret_values(const Known& k) {
+  if (!rate_is_in_range(k) || !energy_is_held(k) || counts_as_steady(k)) return left_out;
+  try {
+    const auto s = to_serret(FreeRotation(k.body, k.c.state, k.c.t), k.c.t);
+    double off = std::max({relative_off(s.G, k.flow.G), relative_off(s.T, k.flow.T),
+                           std::abs(double_of(Long((s.H - k.flow.H) / k.flow.G)))});
+    // at the base point that the library took
+    const Long shift = (Long(k.c.t) - Long(s.t0) - k.flow.elapsed) * k.flow.n;
+    const Long halves = k.flow.K == 0 ? Long(0) : Long(round(shift / (2 * k.flow.K)));
+    const Long u_off = shift - 2 * k.flow.K * halves;
+    off = std::max(off, std::abs(double_of(u_off)) / (1.0 + std::abs(double_of(k.flow.u))));
+    return judged(off, budget::flow_values + eps * std::abs(double_of(Long(k.c.t * k.flow.n))),
+                  "serret values");
+  } catch (const polhode::DomainError& error) {
+    return refused(error.what(), true);  // judged by serret_result
+  }
+}
+
+Result sadov_result(const Known& k) {
+  try {
+    const FreeRotation motion(k.body, k.c.state, k.c.t);
+    const auto s = to_sadov(motion, k.c.t);
+    for (const double x : {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h})
+      if (std::isnan(x)) return {Verdict::not_a_number, x, "to_sadov"};
+    const RotorState back = to_rotor(k.body, s);
+    return judged(loss_of(back, k.c.state), sadov_allowed(k), "sadov");
+  } catch (const polhode::DomainError& error) {
+    return refused(error.what(), !rate_is_in_range(k));
+  }
+}
+
+Result sadov_values(const Known& k) {
+  if (!rate_is_in_range(k) || counts_as_steady(k) || k.flow.K == 0) return left_out;
+  const auto s = to_sadov(FreeRotation(k.body, k.c.state, k.c.t), k.c.t);
+  const double action = k.flow.long_axis ? s.I_l : std::abs(s.I_l);
+  const double allowed = budget::flow_values;
+  const Long wanted = k.flow.action * k.flow.G;
+  double off = std::max(relative_off(s.I_g, k.flow.G), angle_off(s.phi_l, k.flow.phi_l));
+  if (wanted > Long(1e-300)) off = std::max(off, relative_off(action, wanted));
+  off = std::max(off, std::abs(double_of(Long((s.I_h - k.flow.H) / k.flow.G))));
+  // phi_g and h share what I = 0, pi loses
+  off = std::max(off, angle_off(s.phi_g, k.flow.phi_g) * k.place.I);
+  return judged(off, allowed, "sadov values");
+}
+
+bool period_is_held(const Known& k) {
+  return !k.flow.moves || k.flow.K == 0 ||
+         (k.flow.P_psi > Long(std::numeric_limits<double>::min()) &&
+          k.flow.P_psi < Long(std::numeric_limits<double>::max()));
+}
+
+Result tumbler_result(const Known& k) {
+  try {
+    const FreeRotation motion(k.body, k.c.state, k.c.t);
+    if (motion.regime() != polhode::Regime::short_axis &&
+        motion.regime() != polhode::Regime::long_axis) {
+      try {
+        static_cast<void>(to_tumbler(motion, k.c.t));
+      } catch (const polhode::DomainError&) {
+        return left_out;
+      }
+      return {Verdict::wrong, 1.0, "tumbler of a motion that has none"};
+    }
+    const auto s = to_tumbler(motion, k.c.t);
+    const double values = k.flow.moves && k.flow.K != 0
+                              ? std::max(relative_off(s.rotation_period, k.flow.P_psi),
+                                         relative_off(s.precession_period, k.flow.P_phi))
+                              : 0.0;
+    if (!(values <= budget::flow_values))
+      return judged(values, budget::flow_values, "tumbler periods");
+    RotorState back;
+    try {
+      back = to_rotor(k.body, s);
+    } catch (const polhode::DomainError& error) {
+      // no momentum in double precision has these periods
+      const bool said =
+          std::string(error.what()).find("closer to the separatrix") != std::string::npos;
+      return refused(error.what(), said && (k.place.D2 < 2e-10 || k.place.needle));
+    }
+    // of equal lesser moments psi is next to pi/2 in a spin across the axis
+    const double tip = std::sqrt(eps / std::max(k.place.gap > 0.0 ? 1.0 : k.place.short_part, eps));
+    return judged(loss_of(back, k.c.state), budget::tumbler_edge + tip, "tumbler");
+  } catch (const polhode::DomainError& error) {
+    return refused(error.what(), !rate_is_in_range(k) || !period_is_held(k));
+  }
+}
+
+Result modified_result(const Known& k) {
+  try {
+    const auto a = polhode::modified_andoyer(k.body, k.c.t, k.c.t, k.c.state);
+    return judged(loss_of(polhode::from_modified_andoyer(k.body, k.c.t, k.c.t, a), k.c.state),
+                  budget::serret_edge + pole_loss(k.place.J3) + pole_loss(k.place.I),
+                  "modified andoyer");
+  } catch (const polhode::DomainError& error) {
+    return refused(error.what(), !rate_is_in_range(k));
+  }
+}
+
+Result flow_jacobian_result(const Known& k) {
+  try {
+    const FreeRotation motion(k.body, k.c.state, k.c.t);
+    const Vec3& I = k.body.moments();
+    const int a = std::ilogb(std::max({I.x, I.y, I.z})), b = std::ilogb(norm(k.c.state.g));
+    if (std::abs(a) + std::abs(b) == 0) return left_out;
+    // in units of 2^a and 2^b, time in those of 2^(a-b)
+    const Body unit(std::ldexp(I.x, -a), std::ldexp(I.y, -a), std::ldexp(I.z, -a));
+    const auto s = to_sadov(motion, k.c.t);
+    auto s1 = s;
+    for (double* x : {&s1.I_l, &s1.I_g, &s1.I_h}) *x = std::ldexp(*x, -b);
+    const Matrix6 B = chart_jacobian(k.body, s), B1 = chart_jacobian(unit, s1);
+    double worst = 0.0;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) {
+        const double wanted = std::ldexp(B1(i, j), (i < 3 ? 0 : b) - (j < 3 ? 0 : b));
+        if (!std::isfinite(wanted) || B(i, j) == wanted) continue;
+        const double off = std::abs(B(i, j) - wanted) / std::max(std::abs(wanted), 1e-290);
+        if (std::isnan(off)) return {Verdict::not_a_number, off, "sadov jacobian"};
+        worst = std::max(worst, off);
+      }
+    return judged(worst, 4.0 * eps, "sadov jacobian against that of the scaled state");
+  } catch (const polhode::DomainError& error) {
+    return refused(error.what(), !rate_is_in_range(k));
+  }
+}
+
+struct EdgeChart {
+  const char* name;
+  std::function<Result(const Known&)> result;
+};
+
+const std::vector<EdgeChart>& edge_charts() {
+  static const std::vector<EdgeChart> all{
+      {"euler", euler_result},
+      {"euler_rates", euler_rates_result},
+      {"andoyer", andoyer_result},
+      {"poincare", poincare_result},
+      {"modified_andoyer", modified_result},
+      {"serret", serret_result},
+      {"serret_values", serret_values},
+      {"sadov", sadov_result},
+      {"sadov_values", sadov_values},
+      {"tumbler", tumbler_result},
+      {"jacobian_euler", [](const Known& k) { return jacobian_result(k, {CanonicalSet::euler}); }},
+      {"jacobian_andoyer",
+       [](const Known& k) { return jacobian_result(k, {CanonicalSet::andoyer}); }},
+      {"jacobian_poincare",
+       [](const Known& k) { return jacobian_result(k, {CanonicalSet::poincare}); }},
+      {"jacobian_sadov", flow_jacobian_result}};
+  return all;
+}
+
+constexpr double closest_separatrix = 1e-290;
+
+struct Prepared {
+  EdgeCase c;
+  FlowCharts flow;
+  Place place;
+};
+
+const std::vector<Prepared>& prepared_cases() {
+  static const std::vector<Prepared> all = [] {
+    const bool full = std::getenv("POLHODE_TEST_FULL") != nullptr;
+    const std::size_t count = full ? 4000 : 250;
+    std::vector<Prepared> cases;
+    for (std::uint64_t i = 0; cases.size() < count; ++i) {
+      const EdgeCase c = drawn_edge_case(i);
+      const Vec3& I = c.moments;
+      bool in_range = norm(c.state.g) > 1e-300 && norm(c.state.g) < 1e301;
+      for (const double x : {I.x, I.y, I.z}) in_range = in_range && std::isnormal(x) && x < 1e301;
+      if (!in_range) continue;
+      const FlowCharts flow = oracle::flow_charts(I, c.state);
+      const Quaternion q = normalized(c.state.q);
+      // D2 as double-double holds it, and that of the momentum displaced for the limit of a spin
+      if (flow.D2 != 0 && abs(flow.D2) < closest_separatrix * flow.G * flow.G) continue;
+      const double least = std::min({I.x, I.y, I.z}), most = std::max({I.x, I.y, I.z});
+      if (!flow.moves && least < 1e-20 * most) continue;
+      Place place;
+      place.needle = least < 1e-20 * most;
+      place.I = std::max(double_of(flow.node), 1e-320);
+      place.J = std::max(double_of(flow.across), 1e-320);
+      place.D2 = std::max(double_of(Long(abs(flow.D2) / (flow.G * flow.G))), 1e-320);
+      const Vec3& g = c.state.g;
+      place.J3 = std::max(std::hypot(g.x / norm(g), g.y / norm(g)), 1e-320);
+      place.theta = std::max(2.0 * std::hypot(q.x, q.y) * std::hypot(q.w, q.z), 1e-320);
+      std::array<double, 3> m{I.x, I.y, I.z};
+      std::ranges::sort(m);
+      const Vec3 along{I.x == m[2] ? g.x : 0.0, I.y == m[2] ? g.y : 0.0, I.z == m[2] ? g.z : 0.0};
+      place.short_part = norm(along) / norm(g);
+      place.gap = std::min((m[1] - m[0]) / m[1], (m[2] - m[1]) / m[2]);
+      cases.push_back({c, flow, place});
+    }
+    return cases;
+  }();
+  return all;
+}
+
+// One test: its processes would each ask the oracle again.
+TEST(ChartEdges, HoldTheStateOrSayWhyNot) {
+  for (const EdgeChart& chart : edge_charts()) {
+    SCOPED_TRACE(chart.name);
+    Survey survey;
+    for (const Prepared& p : prepared_cases()) {
+      const Body body(p.c.moments.x, p.c.moments.y, p.c.moments.z);
+      Result r;
+      try {
+        r = chart.result({p.c, body, p.flow, p.place});
+      } catch (const std::exception& error) {
+        r = {Verdict::wrong, 0.0, std::string("threw: ") + error.what()};
+      }
+      survey.add(p.c, r);
+    }
+    survey.record(chart.name);
+  }
+}
+
+}  // namespace

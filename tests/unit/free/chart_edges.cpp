@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Flow-adapted charts at the ends of double range and as near to an axis as doubles come.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "budgets.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/rotor/chart_jacobian.hpp"
+#include "unit/free/support.hpp"
+
+namespace {
+
+using namespace free_test;
+using polhode::Matrix6;
+using polhode::SadovState;
+using polhode::SerretState;
+using testing::HasSubstr;
+namespace budget = polhode::budget;
+
+const Quaternion attitude{0.5, -0.5, 0.1, 0.7};
+Vec3 times(double size, const Vec3& v) { return {size * v.x, size * v.y, size * v.z}; }
+
+// Neither side of the separatrix is told by G and T, and yet the state is.
+TEST(ChartEdges, SerretNextToTheMiddleAxis) {
+  for (const auto& [body, across] :
+       {std::pair{Body(1.0, 1.7, 2.1), 1e-20}, std::pair{Body(2.1, 1.7, 1.0), 1e-20},
+        std::pair{Body(0.9, 1.0, 1.1), 1e-100}, std::pair{Body(0.5, 0.7, 1.1), 1e-12}}) {
+    for (const double side : {1.0, -1.0}) {
+      for (const double turn : {0.0, 0.7, 1.6, 3.0, 4.5}) {
+        const RotorState s{attitude, {across * std::cos(turn), side, across * std::sin(turn)}};
+        const FreeRotation motion(body, s, 2.5);
+        const SerretState e = to_serret(motion, 2.5);
+        EXPECT_LE(difference(to_rotor(body, e, 2.5), s), budget::serret_beside_separatrix)
+            << across << " " << turn;
+      }
+    }
+  }
+}
+
+TEST(ChartEdges, SerretAlongAPolhodeThatTCannotTellFromTheSeparatrix) {
+  const Body body(1.0, 1.7, 2.1);
+  const FreeRotation motion(body, {attitude, {0.0, 1.0, 1e-18}});
+  for (int i = -20; i <= 20; ++i) {
+    const double t = 0.05 * i * motion.polhode_period();
+    EXPECT_LE(difference(to_rotor(body, to_serret(motion, t), t), motion.at(t)),
+              budget::serret_beside_separatrix)
+        << i;
+  }
+}
+
+TEST(ChartEdges, SerretNeedsAnEnergyThatADoubleHolds) {
+  const Body body(1.0, 1.7, 2.1);
+  const Vec3 g{0.3, -0.2, 0.7};
+  for (const double size : {1e-160, 1e-300, 1e160, 1e300}) {
+    const FreeRotation motion(body, {attitude, times(size, g)});
+    EXPECT_THAT(message_of([&] { static_cast<void>(to_serret(motion, 0.0)); }),
+                AllOf(HasSubstr("to_serret: T = "), HasSubstr("must be within double range")))
+        << size;
+  }
+  SerretState e = to_serret(FreeRotation(body, {attitude, g}), 0.0);
+  e.G *= 1e-160;
+  e.H *= 1e-160;
+  e.T = e.T * 1e-160 * 1e-160;
+  EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, e, 0.0)); }),
+              HasSubstr("needs T within double range"));
+  // other units of the same body hold it
+  const Body small(1e-160, 1.7e-160, 2.1e-160);
+  const RotorState s{attitude, times(1e-160, g)};
+  const FreeRotation motion(small, s);
+  EXPECT_LE(difference(to_rotor(small, to_serret(motion, 0.0), 0.0), s), budget::free_state);
+}
+
+// Powers of two are exact: the numbers of a chart, and its derivatives, are those of momenta of
+// order 1.
+TEST(ChartEdges, SadovDoesNotDependOnTheUnitOfMomentum) {
+  for (const Vec3& moments : {Vec3{1.0, 1.7, 2.1}, Vec3{2.1, 1.0, 1.7}, Vec3{1.0, 1.0, 1.0}}) {
+    const Body body(moments.x, moments.y, moments.z);
+    for (const Vec3& g : {Vec3{0.3, -0.2, 0.7}, Vec3{0.9, 0.1, 0.2}, Vec3{0.0, 0.0, 1.0}}) {
+      const SadovState unit = to_sadov(FreeRotation(body, {attitude, g}), 0.0);
+      const Matrix6 B1 = chart_jacobian(body, unit);
+      for (const int e : {997, -997, 300, -700}) {
+        const double size = std::ldexp(1.0, e);
+        const SadovState s{unit.phi_l,      unit.phi_g,      unit.phi_h,  size * unit.I_l,
+                           size * unit.I_g, size * unit.I_h, unit.region, unit.lobe};
+        const SadovState read = to_sadov(FreeRotation(body, {attitude, times(size, g)}), 0.0);
+        for (const auto& [x, y] : {std::pair{read.phi_l, s.phi_l}, std::pair{read.phi_g, s.phi_g},
+                                   std::pair{read.phi_h, s.phi_h}, std::pair{read.I_l, s.I_l},
+                                   std::pair{read.I_g, s.I_g}, std::pair{read.I_h, s.I_h}})
+          EXPECT_LE(relative(x, y), budget::free_constants_eps * eps) << e;
+        const RotorState back = to_rotor(body, s), expected = to_rotor(body, unit);
+        EXPECT_EQ(back, (RotorState{expected.q, times(size, expected.g)})) << e;
+        const Matrix6 B = chart_jacobian(body, s);
+        for (int i = 0; i < 6; ++i)
+          for (int j = 0; j < 6; ++j) {
+            if (!std::isfinite(B1(i, j))) continue;
+            EXPECT_EQ(B(i, j), std::ldexp(B1(i, j), (i < 3 ? 0 : e) - (j < 3 ? 0 : e)));
+          }
+      }
+    }
+  }
+}
+
+// Spins of a momentum so small that the displacement of a limit would underflow.
+TEST(ChartEdges, SpinsOfAnyMomentumHaveTheirLimits) {
+  const Body body(1.0, 1.7, 2.1);
+  for (const double size : {1e-300, 1e-180, 1e300}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      RotorState s{attitude, {}};
+      s.g[axis] = size;
+      const SadovState a = to_sadov(FreeRotation(body, s), 3.0);
+      const RotorState back = to_rotor(body, a);
+      EXPECT_LE(difference({back.q, times(1.0 / size, back.g)},
+                           {FreeRotation(body, s).at(3.0).q, times(1.0 / size, s.g)}),
+                axis == 1 ? budget::flow_pole : budget::free_state)
+          << size << " " << axis;
+    }
+  }
+}
+
+// A component that FreeRotation takes for 0 leaves the spin what it is.
+TEST(ChartEdges, SpinWithATraceOfAnotherAxis) {
+  const Body body(1.0, 1.7, 2.1);
+  for (const Vec3& g :
+       {Vec3{1e-160, 0.0, 1.0}, Vec3{1e-300, 1e-200, -1.0}, Vec3{1.0, 0.0, 1e-200}}) {
+    const RotorState s{attitude, g};
+    const FreeRotation motion(body, s);
+    EXPECT_LE(difference(to_rotor(body, to_sadov(motion, 0.0)), s), budget::free_state);
+    EXPECT_LE(difference(to_rotor(body, to_serret(motion, 0.0), 0.0), s), budget::serret_spin);
+  }
+}
+
+TEST(ChartEdges, NeedlesOfAnyRatioThatDoublesHold) {
+  for (const double ratio : {1e-151, 1e-153, 1e-200, 1e-270}) {
+    const Body body(ratio, 1.0, 1.0);
+    for (const Vec3& g : {Vec3{0.3, -0.2, 0.7}, Vec3{0.9, 0.1, 0.2}}) {
+      const RotorState s{attitude, g};
+      const FreeRotation motion(body, s);
+      EXPECT_LE(difference(motion.at(0.0), s), budget::free_state) << ratio;
+      EXPECT_LE(difference(to_rotor(body, to_serret(motion, 0.0), 0.0), s), budget::serret_edge);
+      EXPECT_LE(difference(to_rotor(body, to_sadov(motion, 0.0)), s), budget::serret_edge);
+    }
+  }
+  EXPECT_THAT(message_of([] {
+                FreeRotation(Body(1e-280, 1.0, 1.0), {attitude, {0.3, -0.2, 0.7}});
+              }),
+              HasSubstr("must have a ratio of at least 2^-900"));
+}
+
+// Half a period of a tumbler beside the middle axis is 140 / n: its own description has a state.
+TEST(ChartEdges, TumblersNextToTheMiddleAxisComeBack) {
+  const Body body(1.0, 1.7, 2.1);
+  for (const double z : {1e-10, 1e-20, 1e-60, 1e-100}) {
+    for (const Vec3& g : {Vec3{0.0, 1.0, z}, Vec3{0.0, -1.0, z}, Vec3{0.0, 1.0, -z}}) {
+      const RotorState s{attitude, g};
+      const FreeRotation motion(body, s);
+      const auto seen = to_tumbler(motion, 0.0);
+      RotorState back{};
+      ASSERT_EQ(message_of([&] { back = to_rotor(body, seen); }), "no error") << z;
+      EXPECT_LE(difference(back, s), budget::free_state);
+      EXPECT_LE(relative(back.g.z, g.z), budget::tumbler_edge) << z;
+      EXPECT_LE(relative(FreeRotation(body, back).polhode_period(), motion.polhode_period()),
+                budget::tumbler_round_trip)
+          << z;
+    }
+  }
+}
+
+TEST(ChartEdges, TumblerPeriodsOfAnySize) {
+  const RotorState unit{attitude, {0.3, -0.2, 0.7}};
+  for (const double size : {1e-300, 1e-160, 1e160, 1e300}) {
+    const Body body(1.0, 1.7, 2.1);
+    const RotorState s{attitude, times(size, unit.g)};
+    const auto seen = to_tumbler(FreeRotation(body, s), 0.0);
+    EXPECT_LE(difference({attitude, times(1.0 / size, to_rotor(body, seen).g)}, unit),
+              budget::tumbler_round_trip)
+        << size;
+  }
+}
+
+}  // namespace
