@@ -42,7 +42,9 @@ constexpr Key keys[] = {
      .type = number,
      .dimension = Dimension::time,
      .example = "1",
-     .help = "No step is longer: for events that come and go within a step.",
+     .help =
+         "No step is longer: for events that come and go within a step. Left out: adaptive takes a "
+         "quarter of a turn of the fastest orbit, field or frame, where there is one.",
      .kinds = stepped_freely},
     {.path = "method.step",
      .type = number,
