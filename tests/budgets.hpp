@@ -336,6 +336,8 @@ inline constexpr double rotor_ode_dense = 1e-11;
 inline constexpr double rotor_ode_frame_10 = 2e-14;
 inline constexpr double rotor_ode_frame_1e4 = 1e-10;
 inline constexpr double rotor_ode_edge = 1e-9;
+// Behind such a jump by 1e6 for a time of 1e-6: what the body turns meanwhile.
+inline constexpr double valve_momentum = 1e-5;
 
 // --- state transition matrices of runs (tests/unit/dynamics/adaptive_transition_test.cpp),
 // relative to the largest entry ---
@@ -387,6 +389,8 @@ inline constexpr double ode_tightest = 2e-15;
 inline constexpr double ode_double_double = 1e-28;
 inline constexpr double ode_clock = 2e-15;
 inline constexpr double ode_edge = 1e-9;
+// A jump by 1e9 that a step at the rounding of t passes.
+inline constexpr double ode_jump = 1e-12;
 
 // --- tabulated orbits (tests/unit/orbit/table_orbit.cpp), on numbers of order one ---
 inline constexpr double table_orbit_polynomial = 6e-15;
@@ -557,6 +561,35 @@ inline constexpr double tidal_average = 1e-12;
 inline constexpr double pulse_momentum = 1e-12;
 inline constexpr double pulse_angle = 1e-8;
 inline constexpr double table_momentum = 1e-12;
+// --- torques that switch (tests/unit/dynamics/switches_test.cpp) ---
+// Roundings of a light from 0 to 1, of a cosine, of a quarter turn of some 2.
+inline constexpr double border_light = 1e-14;
+inline constexpr double time_scale = 1e-13;
+// Two plates in a turning stream, 53 edges in 200: the error over the tolerance, and below what
+// double and the start of the reference leave.
+inline constexpr double plates_per_tolerance = 4.0;
+inline constexpr double plates_floor = 2e-13;
+// Of the reference against itself with half its steps.
+inline constexpr double plates_reference = 2e-14;
+// Two mirrors behind a cylinder: momentum and angle relative to what the lit times give, over the
+// tolerance and the number of orbits; and their floor.
+inline constexpr double shadow_per_tolerance = 2.0;
+inline constexpr double shadow_floor = 3e-12;
+// A satellite behind the Earth for some days, against the run at tolerance 1e-15.
+inline constexpr double cylinder_per_tolerance = 20.0;
+// A torque that changes its sign: momentum and angle over the tolerance where it says its switches.
+inline constexpr double bang_per_tolerance = 10.0;
+inline constexpr double bang_floor = 2e-11;
+// The same where it does not: its jumps are passed at the tolerance of a step each.
+inline constexpr double bang_unnamed = 1e-8;
+// Derivatives across kinks against differences of two runs 2^-16 apart.
+inline constexpr double switch_transition = 1e-6;
+// What a strong damping leaves of a momentum of 1.
+inline constexpr double at_rest = 1e-100;
+// The difference of two times up to 1000.
+inline constexpr double step_rounding = 1e-12;
+// What a pulse of the width of a step leaves, at tolerance 1e-6.
+inline constexpr double jet_gained = 1e-5;
 // tan J, the momentum in space, the energy: at tolerance 1e-13.
 inline constexpr double internal_damping_law = 1e-10;
 inline constexpr double internal_damping_momentum = 1e-11;

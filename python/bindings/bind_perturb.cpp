@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Perturbation terms, and those that Python writes.
+// Perturbation terms: what all of them can be asked, and the first kinds.
 #include "choice.hpp"
-#include "dual_number.hpp"
-#include "polhode/error.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/linear_damping.hpp"
-#include "polhode/perturb/user_terms.hpp"
-#include "states.hpp"
 #include "term_binding.hpp"
 #include "term_value.hpp"
 
 namespace polhode::python {
 
 namespace {
-
-using Rotors = Batch<RotorState>;
 
 // One C++ type per Python class.
 struct GravityGradientTerm : PythonTerm {
@@ -27,110 +21,6 @@ struct ConstantTorqueTerm : PythonTerm {
 struct LinearDampingTerm : PythonTerm {
   using PythonTerm::PythonTerm;
 };
-struct PythonTorqueTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-struct PythonHamiltonianTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-
-// Python's H(t, state) as the generic callable that HamiltonianTerm differentiates.
-class PythonHamiltonian {
- public:
-  explicit PythonHamiltonian(SharedFunction function) : function_(std::move(function)) {}
-
-  template <Real T>
-  T operator()(const T& t, const BasicRotorState<T>& s) const {
-    const WithGil acquired;
-    const nb::object returned = (*function_)(time(t), state(s));
-    T out(0.0);
-    if (!from_python(returned, out))
-      function_->refuse(returned, "a number, the energy: a float, or a Dual made of the state");
-    return out;
-  }
-
- private:
-  // No variable moves the time: a float, except where that would round it.
-  template <class T>
-  static nb::object time(const T& t) {
-    if constexpr (std::same_as<T, DoubleDouble> || std::same_as<T, Dual<DoubleDouble, 6>>)
-      return to_python(t);
-    else
-      return nb::float_(to_double(t));
-  }
-  static nb::object state(const RotorState& s) { return nb::cast(Rotors::one(s)); }
-  template <class T>
-  static nb::object state(const BasicRotorState<T>& s);
-
-  SharedFunction function_;
-};
-
-// What RotorState is to floats.
-struct DualState {
-  nb::object q;
-  nb::object g;
-};
-
-template <class T>
-nb::object PythonHamiltonian::state(const BasicRotorState<T>& s) {
-  return nb::cast(DualState{to_python(s.q), to_python(s.g)});
-}
-
-// Python's torque(t, state), on double alone.
-class PythonTorque {
- public:
-  explicit PythonTorque(SharedFunction function) : function_(std::move(function)) {}
-
-  Vec3 operator()(const double& t, const RotorState& s) const {
-    const WithGil acquired;
-    return function_->three_numbers((*function_)(t, Rotors::one(s)),
-                                    "3 numbers, the torque along the body axes");
-  }
-
- private:
-  SharedFunction function_;
-};
-
-// A term that its user says to be a torque of time and attitude alone, for Splitting.
-template <class Term>
-struct KickOf {
-  static constexpr bool kick = true;
-  Term term;
-  std::string label;
-
-  template <Real T>
-    requires PerturbationOn<Term, T>
-  BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const BasicEffect<T> e = term.effect(at);
-    const T zero(0.0);
-    for (const T& v : {e.v.x, e.v.y, e.v.z})
-      if (v < zero || v > zero)  // not NaN
-        throw DomainError(label + ": depends on the momentum, but was said to be a kick");
-    return e;
-  }
-  template <Real T>
-    requires Hamiltonian<Term, T>
-  T energy(const BasicSetting<T>& at) const {
-    return term.energy(at);
-  }
-};
-
-template <class Term>
-AnyPerturbation user_term(const std::string& name, const std::string& label, Term term, bool kick) {
-  if (kick) return {name, KickOf<Term>{std::move(term), label}};
-  return {name, std::move(term)};
-}
-
-// Of C, the Python class of a term `Term<F>` of a Python function.
-template <class C, template <class> class Term, class F>
-void make_user_term(C* self, const char* type, nb::handle function, nb::handle name, bool kick) {
-  const std::string called = name_of(name, type, function), label = labelled(type, called);
-  const auto shared = std::make_shared<PythonFunction>(function, label);
-  new (self) C(
-      user_term(called, label, Term<F>(F(shared)), kick),
-      recipe_of("", {"function", "name", "kick"}, nb::make_tuple(function, name, kick), {shared}));
-}
-
 void bind_any(nb::module_& m) {
   nb::enum_<SpaceAxes>(m, "SpaceAxes", "The axes of a vector that is not the body's own.",
                        nb::is_arithmetic())
@@ -165,7 +55,14 @@ TorqueTerm, HamiltonianTerm.)",
       .def_prop_ro(
           "breakpoints", [](const P& p) { return array_of(p.breakpoints()); },
           nb::for_getter(nb::sig("def breakpoints(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(n,): the times at which it is not smooth, where integrate ends a step.");
+          "(n,): the times at which it is not smooth, where integrate ends a step.")
+      .def_prop_ro(
+          "supports_switches", [](const P& p) { return p.supports_switches(); },
+          "Whether it can name switching functions, at whose zeros Adaptive ends a step.")
+      .def_prop_ro(
+          "time_scale", [](const P& p) { return p.time_scale(); },
+          "A quarter of a turn of what it follows, the default of Adaptive's largest_step; inf "
+          "where it knows none.");
   def_term<P>(c);
 }
 
@@ -322,85 +219,6 @@ ValueError for a matrix that is not finite, not symmetric, or would drive the bo
   def_term<C>(c);
 }
 
-void bind_user_torque(nb::module_& m) {
-  using C = PythonTorqueTerm;
-  nb::class_<C, PythonTerm> c(m, "TorqueTerm", R"(Any torque, written in Python.
-
-Parameters
-----------
-function : f(t, s) -> 3 components along the body axes, momentum per time; t a float, s one
-    RotorState in the reference frame.
-name : stands in messages; None: the name of the function.
-kick : True says that it depends on time and attitude alone, so that Splitting can use it.
-
-It is called on float alone: ValueError from runs with Precision.double_double and from
-state_transitions. It has no energy. What it raises passes through;
-TypeError or ValueError, naming the term, for what is not three numbers; NaN is a number.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, nb::handle function, nb::handle name, bool kick) {
-         make_user_term<C, TorqueTerm, PythonTorque>(self, "TorqueTerm", function, name, kick);
-       },
-       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
-       nb::sig("def __init__(self, function: typing.Callable[[float, RotorState], "
-               "numpy.typing.ArrayLike], name: str | None = None, kick: bool = False) -> None"))
-      .def_prop_ro(
-          "function", [](const C& term) { return term.recipe.argument(0); },
-          nb::for_getter(nb::sig("def function(self) -> typing.Any")),
-          "The very object that was given.");
-  def_term<C>(c);
-}
-
-void bind_user_hamiltonian(nb::module_& m) {
-  nb::class_<DualState>(m, "DualState",
-                        "The state that a HamiltonianTerm's function is called with: q (4,) and g "
-                        "(3,), object arrays of Dual.")
-      .def_ro("q", &DualState::q, nb::for_getter(nb::sig("def q(self) -> typing.Any")),
-              "(4,): attitude (w, x, y, z), body to reference frame.")
-      .def_ro("g", &DualState::g, nb::for_getter(nb::sig("def g(self) -> typing.Any")),
-              "(3,): angular momentum along the body axes.")
-      .def("__repr__", [](const DualState& s) {
-        return "DualState(q=" + nb::cast<std::string>(nb::repr(s.q)) +
-               ", g=" + nb::cast<std::string>(nb::repr(s.g)) + ")";
-      });
-  using C = PythonHamiltonianTerm;
-  nb::class_<C, PythonTerm> c(m, "HamiltonianTerm",
-                              R"(Any energy H'(t, state), written in Python. [SA (107)]
-
-v = dH'/dg and u = -dH'/d(theta_B) follow by dual numbers, so that they cannot disagree with the
-energy; also second derivatives, for state transitions and canonical_state.
-
-Parameters
-----------
-function : H(t, s) -> energy. s.q (4,) and s.g (3,) are arrays of numbers (s a RotorState) or of
-    Dual (s a DualState), in the reference frame; t is a float, a Dual in double-double runs.
-    Written with + - * / ** @, NumPy's functions, and attitude_matrix(s.q), which takes vectors from
-    the reference frame to the body. It may depend on q through products of two components.
-name : stands in messages; None: the name of the function.
-kick : True says that it does not depend on s.g, so that Splitting can use it; ValueError where it
-    does.
-
-What it raises passes through; TypeError, naming the term, for what is no number.
-
->>> HamiltonianTerm(lambda t, s: 0.1 * (attitude_matrix(s.q) @ [0, 0, 1])[2] ** 2, name="field"))",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, nb::handle function, nb::handle name, bool kick) {
-         make_user_term<C, HamiltonianTerm, PythonHamiltonian>(self, "HamiltonianTerm", function,
-                                                               name, kick);
-       },
-       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
-       nb::sig("def __init__(self, function: typing.Callable[[typing.Any, typing.Any], Dual | "
-               "float], name: str | None = None, kick: bool = False) -> None"))
-      .def_prop_ro(
-          "function", [](const C& term) { return term.recipe.argument(0); },
-          nb::for_getter(nb::sig("def function(self) -> typing.Any")),
-          "The very object that was given.");
-  def_term<C>(c);
-}
-
 }  // namespace
 
 void bind_perturb(nb::module_& m) {
@@ -408,8 +226,6 @@ void bind_perturb(nb::module_& m) {
   bind_gravity(m);
   bind_torque(m);
   bind_damping(m);
-  bind_user_torque(m);
-  bind_user_hamiltonian(m);
 }
 
 }  // namespace polhode::python

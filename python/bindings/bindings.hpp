@@ -28,6 +28,7 @@ void bind_orbit(nb::module_& m);
 void bind_frame(nb::module_& m);
 void bind_shape(nb::module_& m);
 void bind_perturb(nb::module_& m);
+void bind_user_terms(nb::module_& m);
 void bind_gravity_terms(nb::module_& m);
 void bind_damping_terms(nb::module_& m);
 void bind_damper(nb::module_& m);

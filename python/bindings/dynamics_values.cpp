@@ -43,7 +43,9 @@ tolerance : of the local error of a step, relative to |q| = 1 and to |g|; from 1
     from 1e-30 in double-double.
 precision : Precision, or its name.
 first_step : 0: chosen.
-largest_step : no step is longer; limit it to the time scale of a torque that comes and goes.)");
+largest_step : no step is longer; limit it to the time scale of a pulse of a torque written in
+     Python, which a longer step could step over. inf: the shortest time_scale of the terms and
+     of the frame, a quarter of a turn of what they follow.)");
   c.def(
        "__init__",
        [](Adaptive* self, double tolerance, nb::handle precision, double first, double largest) {

@@ -23,6 +23,7 @@ void bind_everything(nb::module_& m) {
   bind_frame(m);
   bind_shape(m);
   bind_perturb(m);
+  bind_user_terms(m);
   bind_gravity_terms(m);
   bind_damping_terms(m);
   bind_damper(m);

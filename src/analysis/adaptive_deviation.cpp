@@ -4,8 +4,8 @@
 
 #include "analysis/detail/deviation_field.hpp"
 #include "analysis/detail/deviation_run.hpp"
-#include "dynamics/detail/adaptive_failure.hpp"
-#include "dynamics/detail/breakpoints.hpp"
+#include "dynamics/detail/smooth_step.hpp"
+#include "dynamics/detail/step_control.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
 
@@ -23,12 +23,11 @@ class AdaptiveDeviation final : public DeviationRun {
   AdaptiveDeviation(const Problem& problem, const Adaptive& method, const ChaosOptions& options)
       : clock_(clock_of(problem, options)),
         breakpoints_(problem.system),
+        switches_(problem.system),
         target_(is_linear ? 1.0 : options.distance),
         solver_({std::make_shared<const Field>(problem.system, clock_,
-                                               problem.stop < problem.start ? -1.0 : 1.0),
-                 {}},
-                {}, problem.start, start_values(problem, options),
-                {method.tolerance, method.first_step, method.largest_step}) {
+                                               problem.stop < problem.start ? -1.0 : 1.0)},
+                {}, problem.start, start_values(problem, options), step_control(problem, method)) {
     // as it is after rounding, of a neighbour
     clock_.initial_length = length(now());
   }
@@ -36,13 +35,10 @@ class AdaptiveDeviation final : public DeviationRun {
   AdaptiveDeviation& operator=(const AdaptiveDeviation&) = delete;
 
   std::string advance(double t) override {
-    const DoubleDouble begin = solver_.time();
-    const RotorValues<double> y = first_rotor(solver_.state().y);
     // no pulse of a torque is stepped over, and none is seen from the other side
-    solver_.field().stretch = breakpoints_.stretch(begin.hi, t);
-    const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, t));
-    if (outcome != StepOutcome::made)
-      return failure_text(solver_.field().field->rotor(), begin, y, solver_.trial(), outcome);
+    const RotorField<double>& rotor = solver_.field().field->rotor();
+    const std::string advice = smooth_step(solver_, rotor, breakpoints_, switches_, t);
+    if (!advice.empty()) return advice;
     restore_norm(solver_.state());
     if constexpr (!is_linear) restore_norm(solver_.state(), 8);
     bring_back();
@@ -88,6 +84,7 @@ class AdaptiveDeviation final : public DeviationRun {
 
   GrowthClock clock_;
   Breakpoints breakpoints_;
+  SwitchWatch switches_;
   double target_;
   AdaptiveRungeKutta<Verner98, double, 16, SmoothField<Field>, DeviatedErrorSize<Field>> solver_;
 };

@@ -24,10 +24,11 @@ namespace {
 
 using detail::number_text;
 
-// A run that has settled at steps so short that this many would be needed does not end: 1e12 steps
-// of a microsecond are twelve days.
+// A run does not end that would need this many steps of the length that its last ones had: 1e12 of
+// a microsecond are twelve days.
 constexpr double most_steps = 1e12;
-constexpr std::int64_t settled = 1000;  // steps: the first ones may be short
+// The last ones: a step that a jump of a torque has cut is followed by longer ones long before.
+constexpr std::int64_t settled = 1000;
 
 Problem checked(const Problem& problem) {
   Problem result = detail::checked_problem("integrate", problem);
@@ -127,7 +128,7 @@ class Run {
   Trajectory::Parts result() {
     parts_.initial = {problem_.start, problem_.initial, problem_.damper_rate};
     parts_.method = method_text(problem_.method);
-    if (!continued_) parts_.outcome.t = problem_.start;
+    if (!continued_) parts_.outcome.t = judged_t_ = problem_.start;
     try {
       if (!continued_) {
         samples_.begin(parts_.initial);
@@ -194,9 +195,8 @@ class Run {
       samples_.last(end_);
       parts_.outcome.status = Outcome::Status::stopped_by_event;
     }
-    const double made = std::abs(end_.t - parts_.outcome.t);
     parts_.outcome.t = end_.t;
-    const bool goes_on = !stopped_ && !endless(made);
+    const bool goes_on = !stopped_ && !endless();
     if (goes_on && end_.t != problem_.stop) offer_checkpoint(end_.t);
     if (progress_) progress_(end_.t);
     return goes_on;
@@ -211,7 +211,8 @@ class Run {
   }
 
   void transfer(detail::StateBytes& bytes) {
-    bytes.all(parts_.outcome.t, parts_.events, inside_step_, stopped_, end_);
+    bytes.all(parts_.outcome.t, parts_.events, inside_step_, stopped_, end_, judged_t_,
+              judged_steps_);
     stepper_->transfer(bytes);
     watch_.transfer(bytes);
     samples_.transfer(bytes);
@@ -229,13 +230,24 @@ class Run {
     if (streams_->checkpoint) streams_->checkpoint(Checkpoint(head.bytes() + state.bytes()));
   }
 
-  bool endless(double made) {
+  // By the mean of many steps in a row.
+  bool endless() {
+    const std::int64_t steps = stepper_->statistics().steps;
+    if (steps < judged_steps_ + settled) return false;
+    const double made =
+        std::abs(parts_.outcome.t - judged_t_) / static_cast<double>(steps - judged_steps_);
     const double left = std::abs(problem_.stop - parts_.outcome.t);
-    if (stepper_->statistics().steps < settled || !(left > most_steps * made)) return false;
-    fail("at t = " + number_text(parts_.outcome.t) + " a step is " + number_text(made) +
-         ", so that the end would take " +
-         number_text(std::pow(10.0, std::floor(std::log10(left / made)))) +
-         " of them and more: is the rotation, an orbit or a torque that fast? Try a shorter run");
+    judged_steps_ = steps;
+    judged_t_ = parts_.outcome.t;
+    if (!(left > most_steps * made)) return false;
+    double power = std::pow(10.0, std::floor(std::log10(left / made)));
+    if (power * made > left) power *= 0.1;  // its logarithm was rounded up
+    fail(
+        "at t = " + number_text(parts_.outcome.t) + " the last " + number_text(settled) +
+        " steps are " + number_text(made) + " each" + ", so that the end would take " +
+        number_text(power) +
+        " of them and more: is the rotation, an orbit or a torque that fast, does it grow, or is a "
+        "damping that stiff? Try a shorter run");
     return true;
   }
 
@@ -272,6 +284,9 @@ class Run {
   bool inside_step_ = false;
   bool stopped_ = false;  // by an event, at
   Sample end_{};
+  // Where it was seen last whether the run will end.
+  double judged_t_ = 0.0;
+  std::int64_t judged_steps_ = 0;
 };
 
 Trajectory streamed(const Problem& problem, const SaveAt& times, const Checkpoint* from,

@@ -16,6 +16,12 @@ namespace detail {
 namespace {
 
 constexpr double largest_momentum = 1e140;  // its square has room to spare
+// Radians per unit of time, and in one arc that a quaternion of doubles does not see: a body that a
+// damping has brought to rest. Squares of its momentum would leave the range of a double.
+constexpr double slowest = 1e-28;
+constexpr double shortest_arc = 1e-20;
+// What is left of a component whose square would do so beside the others: nothing.
+constexpr double smallest_part = 1e-100;
 
 // The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
 TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g + (now - g.hi); }
@@ -83,6 +89,11 @@ std::string SplittingMap::term_not_finite(const SplittingState& s) const {
   return "";
 }
 
+bool SplittingMap::is_at_rest(const SplittingState& s, double time) const {
+  const double fastest = rate(s);
+  return fastest < slowest && fastest * std::abs(time) < shortest_arc;
+}
+
 void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const noexcept {
   // |g|^2 would be no number, and a modulus made of it an exception: the state says it instead
   const Vec3& g = s.g.hi;
@@ -90,11 +101,16 @@ void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const 
     s.g.hi.x = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  const ShortFlow::Arc arc = free_.after(s.g, time.hi, time.lo);
-  const Quaternion q = s.q_IB * arc.turn;
-  const double f = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  s.q_IB = {f * q.w, f * q.x, f * q.y, f * q.z};
-  s.g = arc.g;
+  if (!is_at_rest(s, time.hi)) {
+    const double dust = smallest_part * rate(s);
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(s.g.hi[i]) < dust * system_.body().moments()[i]) s.g.hi[i] = s.g.lo[i] = 0.0;
+    const ShortFlow::Arc arc = free_.after(s.g, time.hi, time.lo);
+    const Quaternion q = s.q_IB * arc.turn;
+    const double f = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    s.q_IB = {f * q.w, f * q.x, f * q.y, f * q.z};
+    s.g = arc.g;
+  }
   const TwoTerms<double> t = two_sum(s.t.hi, time.hi);
   s.t = quick_two_sum(t.hi, t.lo + (s.t.lo + time.lo));
   s.torque.reset();
@@ -161,6 +177,14 @@ Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
   return M;
 }
 
+bool SplittingMap::may_grow_backwards() const {
+  const auto is_negative = [](double c) { return c < 0.0; };
+  const bool backwards =
+      std::any_of(coefficients_.kicks.begin(), coefficients_.kicks.end(), is_negative) ||
+      std::any_of(composed_.begin(), composed_.end(), is_negative);
+  return backwards && !(flows_.empty() && affine_.empty());
+}
+
 void SplittingMap::require_kicks() const {
   const std::vector<AnyPerturbation>& others = flows_.empty() ? affine_ : flows_;
   if (!others.empty())
@@ -175,7 +199,8 @@ Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
   for (std::size_t i = 0; i < count; ++i) {
     if ((i % 2 == 0) == coefficients_.drift_first) {
       const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
-      M = FreeRotation::short_arc(system_.body(), {s.q_IB, s.g.hi}).state_transition(time.hi) * M;
+      const Vec3 g = is_at_rest(s, time.hi) ? Vec3{} : s.g.hi;
+      M = FreeRotation::short_arc(system_.body(), {s.q_IB, g}).state_transition(time.hi) * M;
       drift(s, time);
     } else {
       const double fraction = coefficients_.kicks[i / 2] * h;
@@ -188,8 +213,9 @@ Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
 
 // A turn of the start turns the whole arc; what a change of the momentum does is ShortFlow's.
 void SplittingMap::deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const {
-  const Quaternion arc = free_.plain(s.g.hi, h).turn;
-  const FlowTangent<double> change = free_.tangent(s.g.hi, dg, h, arc);
+  const Vec3 g = is_at_rest(s, h) ? Vec3{} : s.g.hi;
+  const Quaternion arc = free_.plain(g, h).turn;
+  const FlowTangent<double> change = free_.tangent(g, dg, h, arc);
   turn = rotate(conj(arc), turn) + change.attitude;
   dg = change.momentum;
 }

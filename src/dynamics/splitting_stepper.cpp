@@ -98,6 +98,10 @@ class SplittingStepper final : public Stepper {
       }
     }
     const std::string place = "t = " + number_text(s.t.hi);
+    if (name.empty() && map_->may_grow_backwards())
+      return "the state is not finite near " + place +
+             ": a part of a step of this scheme goes back in time, where a strong damping grows: "
+             "take a smaller step, or the scheme order 2";
     if (name.empty())
       return "the state is not finite near " + place +
              ": take a smaller step, or see whether a term grows without bound";

@@ -3,13 +3,12 @@
 #include <string>
 #include <utility>
 
-#include "dynamics/detail/adaptive_failure.hpp"
-#include "dynamics/detail/adaptive_field.hpp"
-#include "dynamics/detail/breakpoints.hpp"
 #include "dynamics/detail/checked_problem.hpp"
 #include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/sample_times.hpp"
+#include "dynamics/detail/smooth_step.hpp"
 #include "dynamics/detail/splitting_map.hpp"
+#include "dynamics/detail/step_control.hpp"
 #include "free/detail/hub_tangent.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/dynamics/integrate.hpp"
@@ -59,21 +58,18 @@ struct Transitions {
       throw DomainError("state_transitions: tolerance " + number_text(method.tolerance) +
                         " must be from 1e-15: derivatives are carried in double");
     const detail::Breakpoints breakpoints(problem.system);
+    detail::SwitchWatch switches(problem.system);
     using Field = detail::RotorField<Tangent>;
     AdaptiveRungeKutta<Verner98, Tangent, 7, detail::SmoothField<Field>, detail::RotorErrorSize>
-        solver({std::make_shared<const Field>(problem.system), {}}, {}, problem.start,
+        solver({std::make_shared<const Field>(problem.system)}, {}, problem.start,
                detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
-               {method.tolerance, method.first_step, method.largest_step});
+               detail::step_control(problem, method));
     std::vector<TransitionSample> rows;
     for (const double t : times) {
       while (solver.time() != DoubleDouble(t)) {
-        const double now = solver.time().hi;
-        solver.field().stretch = breakpoints.stretch(now, t);
-        const StepOutcome outcome = solver.advance(breakpoints.end(now, t));
-        if (outcome != StepOutcome::made)
-          throw DomainError("state_transitions: " +
-                            detail::failure_text(*solver.field().field, solver.time(),
-                                                 solver.state().y, solver.trial(), outcome));
+        const std::string advice =
+            detail::smooth_step(solver, *solver.field().field, breakpoints, switches, t);
+        if (!advice.empty()) throw DomainError("state_transitions: " + advice);
         tell(solver.time().hi);
       }
       rows.push_back(sample_at(t, solver.state().y));

@@ -43,7 +43,9 @@ constexpr Key keys[] = {
      .type = number,
      .dimension = Dimension::time,
      .example = "1",
-     .help = "No step is longer: for a torque that comes and goes within a step.",
+     .help = "No step is longer: for a torque that comes and goes within a step. Left out: "
+             "adaptive takes a "
+             "quarter of a turn of the fastest orbit, field or frame, where there is one.",
      .kinds = stepped_freely},
     {.path = "method.step",
      .type = number,

@@ -2,6 +2,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "math/detail/number_text.hpp"
@@ -41,6 +42,12 @@ DoubleDouble area_sine(const DoubleDouble& x) {
 
 double mean_motion(const KeplerElements& elements) {
   return detail::kepler_shape(elements).mean_motion.hi;
+}
+
+// The rate at the pericentre is sqrt(gm (1 + e) / q^3).
+double quarter_turn(const KeplerElements& k) {
+  const double q = k.pericentre;
+  return 0.5 * std::numbers::pi * (q * std::sqrt(q / (k.gm * (1.0 + k.eccentricity))));
 }
 
 void require_valid(const KeplerElements& k, const char* function) {

@@ -2,6 +2,7 @@
 #include "polhode/orbit/table_orbit.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include "math/detail/number_text.hpp"
@@ -118,6 +119,17 @@ void TableOrbit::weigh(std::size_t window, std::span<const double> places) {
            " must not be that much nearer to its neighbours than others are");
     data_->weights[n * window + k] = {weight, has_velocities() ? -2.0 * sum : 0.0};
   }
+}
+
+double TableOrbit::time_scale() const {
+  const std::vector<double>& t = data_->table.times;
+  const std::vector<Vec3>& x = data_->table.positions;
+  double rate = 0.0;
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    const double angle = std::atan2(norm(cross(x[k - 1], x[k])), dot(x[k - 1], x[k]));
+    rate = std::max(rate, angle / (t[k] - t[k - 1]));
+  }
+  return rate > 0.0 ? 0.5 * std::numbers::pi / rate : std::numeric_limits<double>::infinity();
 }
 
 std::size_t TableOrbit::row_before(double u) const {

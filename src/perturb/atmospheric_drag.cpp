@@ -37,6 +37,12 @@ AtmosphericDrag::AtmosphericDrag(const Surface& surface_B, const Atmosphere& air
                       " must have a velocity: one that takes Dual times");
 }
 
+std::vector<double> AtmosphericDrag::switches(const Setting& at) const {
+  std::vector<double> values;
+  stream_.add_edges(body_from_inertial(at, flow_at(at.t, at.t_rest).from), values);
+  return values;
+}
+
 AtmosphericDrag::Flow AtmosphericDrag::flow_at(double t, double rest) const {
   Vec3 x = path_.orbit.position(t, rest);
   if (path_.reversed) x = -x;

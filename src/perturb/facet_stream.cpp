@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/perturb/facet_stream.hpp"
 
+#include <algorithm>
+
 namespace polhode {
 inline namespace v0 {
 
@@ -22,6 +24,21 @@ FacetStream::FacetStream(const Surface& surface, StreamLaw (*law)(const Finish&)
     const StreamLaw own = law(f.finish);
     rows_.push_back({f.normal, (f.area * own.along) * f.centre, f.area * cross(f.centre, f.normal),
                      own.mirrored, own.normal, f.area, f.area * own.along});
+  }
+  find_edges();
+}
+
+void FacetStream::find_edges() {
+  for (Row& row : rows_) {
+    const auto known = std::find_if(edges_.begin(), edges_.end(),
+                                    [&](const Vec3& n) { return n == row.n || n == -row.n; });
+    row.edge = static_cast<std::size_t>(known - edges_.begin());
+    row.towards = known == edges_.end() || *known == row.n ? 1.0 : -1.0;
+    if (known == edges_.end()) edges_.push_back(row.n);
+    if (edges_.size() > most_edges) {
+      edges_.clear();
+      return;
+    }
   }
 }
 

@@ -2,6 +2,8 @@
 #include "polhode/perturb/magnetic_field.hpp"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 
 #include "math/detail/number_text.hpp"
@@ -56,6 +58,11 @@ DipoleField::DipoleField(const Vec3& strength, const PrimaryRotation& primary)
   along_ = dot(pole, K) * pole;
   across_ = K - along_;
   side_ = cross(pole, K);
+}
+
+double DipoleField::time_scale() const {
+  const double rate = std::fabs(primary_.rate);
+  return rate > 0.0 ? 0.5 * std::numbers::pi / rate : std::numeric_limits<double>::infinity();
 }
 
 DipoleField DipoleField::from_gauss(const GaussCoefficients& gauss, double reference_radius,

@@ -30,6 +30,30 @@ Shadow Shadow::cone(double radius, double sun_radius) {
   return {ShadowShape::cone, radius, sun_radius};
 }
 
+std::vector<double> Shadow::borders(const Vec3& to_sun, const Vec3& to_body) const {
+  const double sun = norm(to_sun), away = norm(to_body);
+  const Vec3 s = (1.0 / sun) * to_sun;
+  const double ahead = dot(s, to_body);
+  if (shape_ == ShadowShape::cylinder) {
+    // |across|^2 on the far side and |away|^2 on the near one: smooth where they meet
+    const double square = ahead > 0.0 ? dot(cross(s, to_body), cross(s, to_body)) : away * away;
+    return {square / (radius_ * radius_) - 1.0};
+  }
+  if (!(sun_radius_ < sun) || !(radius_ < away)) return {1.0, 1.0};
+  const double a = std::asin(sun_radius_ / sun), b = std::asin(radius_ / away);
+  const double c = std::atan2(norm(cross(s, to_body)), ahead);
+  return {c - (a + b), c - std::fabs(a - b)};
+}
+
+std::vector<double> SolarPressure::switches(const Setting& at) const {
+  const Vec3 from_centre = path_.position(at);
+  const Vec3 to_sun = sun_ ? sun_->position(at) - from_centre : -from_centre;
+  std::vector<double> values;
+  if (sun_ && shadow_) values = shadow_->borders(to_sun, -from_centre);
+  stream_.add_edges(body_from_space(at, axes_, (1.0 / norm(to_sun)) * to_sun), values);
+  return values;
+}
+
 SolarPressure::SolarPressure(const Surface& surface_B, const Sunlight& light, DirectedPath path,
                              SpaceAxes axes)
     : stream_(surface_B, light_law), light_(light), path_(std::move(path)), axes_(axes) {

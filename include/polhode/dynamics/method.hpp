@@ -7,7 +7,12 @@
 //             (103)], here the state at a reference epoch, which is regular everywhere.
 // Units       steps in the unit of time of the system; tolerance is relative to |q| = 1 and to |g|.
 // Domain      tolerance from 1e-15 to 1e-2 (DoubleDouble: from 1e-30); a step that is positive.
-//             Splitting and VariationOfConstants: rates |g|/I from 1e-28 to 1e28 per unit of time.
+//             Splitting and VariationOfConstants: rates |g|/I from 1e-28 to 1e28 per unit of time;
+//             below that, for Splitting, a body is at rest until a torque moves it. Adaptive ends a
+//             step where a switching function of a term changes its sign, and at breakpoints;
+//             VariationOfConstants at breakpoints; Splitting at neither. A pulse of a torque that
+//             names neither may lie within one step of Adaptive, and is stepped over at loose
+//             tolerances: give largest_step, or the term a time scale.
 // Accuracy    docs/guide/which-propagator.md: measured work and precision of each.
 // Errors      DomainError from the functions that make a method with a value out of range;
 //             integrate checks again.
@@ -29,6 +34,9 @@ struct Adaptive {
   double tolerance = 1e-12;  // of the local error of one step
   Precision precision = Precision::compensated;
   double first_step = 0.0;  // 0: chosen
+  // No step is longer. Infinite: a quarter of a turn of the fastest of what the terms follow (an
+  // orbit, a primary that turns, the frame, the time scale that a user's term gives), and no limit
+  // where no term knows one.
   double largest_step = std::numeric_limits<double>::infinity();
 
   constexpr bool operator==(const Adaptive&) const = default;

@@ -10,7 +10,8 @@
 //             tolerance is a fixed step.
 // Accuracy    one step errs by about the tolerance or less. Where the estimate sinks in rounding,
 //             near tolerance 1e-15 in double, a step is good when its error is below the rounding
-//             of its own increment: steps do not collapse.
+//             of its own increment: steps do not collapse. A jump of f is passed by a step at the
+//             rounding of t where the tolerance asks for less: nothing shorter could be made.
 // Errors      none: advance says what happened. What f throws passes through, the state is then
 //             that of the last step made.
 // Cost        as many calls of f as stages each step, one less for a repeated one.
@@ -36,10 +37,16 @@ struct StepControl {
 enum class StepOutcome {
   made,
   not_finite,  // no step, however small, gives finite numbers
-  too_small,   // the step that the tolerance asks for is below the rounding of t
+  too_small,   // steps at the rounding of t, one after the other, are still too long
 };
 
 namespace detail {
+
+// A jump of f takes one step at the rounding of t, or two; more of them in a row are no jump.
+inline constexpr int most_crumbs = 4;
+// And by a jump the state hardly moves in such a step: a solution that grows beyond all bounds
+// does.
+inline constexpr double largest_crumb = 0x1p-10;
 
 // The whole rest, half of it, or the step h that control asks for: no crumbs at the end.
 inline double step_towards(double rest, double wanted, const StepControl& control) {
@@ -78,8 +85,12 @@ class AdaptiveRungeKutta {
     if (!(h_ > 0.0)) h_ = first_step(rest.hi);
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
-      const double length = detail::step_towards(std::abs(rest.hi), h_, control_);
-      if (length < detail::smallest_step(t_) && length < std::abs(rest.hi)) return why;
+      double length = detail::step_towards(std::abs(rest.hi), h_, control_);
+      const bool crumb = length < detail::smallest_step(t_) && length < std::abs(rest.hi);
+      if (crumb) {
+        if (crumbs_ >= detail::most_crumbs || why != StepOutcome::too_small) return why;
+        length = std::min(detail::smallest_step(t_), std::abs(rest.hi));
+      }
       trial_ = std::copysign(length, rest.hi);
       const auto step = runge_kutta_step<Tableau>(f_, t_, state_.y, rate_, trial_);
       evaluations_ += Tableau::stages - 1;
@@ -88,22 +99,46 @@ class AdaptiveRungeKutta {
       const double excess =
           error / std::max(control_.tolerance,
                            8.0 * epsilon<T>() * size_(step.increment, state_.y, step.increment));
-      if (excess <= 1.0) {
+      if (excess <= 1.0 || (crumb && std::isfinite(excess) &&
+                            size_(step.increment, state_.y, Values{}) < detail::largest_crumb)) {
         const bool ends = length == std::abs(rest.hi);
         state_.add(step.increment);
         t_ = ends ? DoubleDouble(stop) : t_ + trial_;
         rate_known_ = false;
         ++steps_;
+        crumbs_ = excess <= 1.0 ? 0 : crumbs_ + 1;
         // A step cut short by the end says little of the next one.
         if (!ends || length > h_) h_ = length;
-        h_ = h_ * accepted_factor(excess, repeated);
+        h_ = h_ * accepted_factor(std::min(excess, 1.0), repeated);
         return StepOutcome::made;
       }
       ++rejected_;
       why = std::isfinite(excess) ? StepOutcome::too_small : StepOutcome::not_finite;
+      if (crumb) return why;
       h_ = length * rejected_factor(excess);
     }
   }
+
+  // Where a step begins: what its owner keeps to go back there.
+  struct Mark {
+    DoubleDouble t;
+    CompensatedState<T, N> state;
+    double before;
+  };
+  Mark mark() const { return {t_, state_, before_}; }
+  // Back to where the step made last began, as if it had not been made. The next one is as long as
+  // it was, or shorter; the work counts.
+  void back_to(const Mark& mark) {
+    t_ = mark.t;
+    state_ = mark.state;
+    before_ = mark.before;
+    h_ = std::abs(trial_);
+    rate_known_ = false;
+    --steps_;
+    ++rejected_;
+  }
+  // f where the step made last began.
+  const Values& rate_before() const { return rate_; }
 
   const DoubleDouble& time() const { return t_; }
   const CompensatedState<T, N>& state() const { return state_; }
@@ -118,12 +153,15 @@ class AdaptiveRungeKutta {
   std::int64_t steps() const { return steps_; }
   std::int64_t rejected() const { return rejected_; }
   std::int64_t evaluations() const { return evaluations_; }
+  // Calls of f that its owner made beside the steps.
+  void count(std::int64_t evaluations) { evaluations_ += evaluations; }
 
   // Every number that the steps to come depend on, between two steps, by reference: `visit` keeps
   // them or puts them back.
   template <class Visit>
   void transfer(Visit& visit) {
-    visit.all(h_, t_, state_.y, state_.carry, before_, trial_, steps_, rejected_, evaluations_);
+    visit.all(h_, t_, state_.y, state_.carry, before_, trial_, crumbs_, steps_, rejected_,
+              evaluations_);
     rate_known_ = false;  // as after every step
   }
 
@@ -169,6 +207,7 @@ class AdaptiveRungeKutta {
   bool rate_known_ = false;
   double before_ = 0.0;  // log2 of the last error over what was asked for
   double trial_ = 0.0;
+  int crumbs_ = 0;  // steps in a row that were too long and could not be shorter
   std::int64_t steps_ = 0;
   std::int64_t rejected_ = 0;
   std::int64_t evaluations_ = 0;

@@ -46,6 +46,8 @@ constexpr double semi_major_axis(const KeplerElements& elements) {
 }
 // n = sqrt(gm / |a|^3)
 double mean_motion(const KeplerElements& elements);
+// Of a quarter of a turn at the rate of the pericentre; for every conic.
+double quarter_turn(const KeplerElements& elements);
 
 // DomainError, naming `function`, where the elements are those of no orbit.
 void require_valid(const KeplerElements& elements, const char* function);
@@ -71,6 +73,7 @@ class KeplerOrbit {
     return elements_ == other.elements_ && state_ == other.state_;
   }
   double gm() const { return elements_.gm; }
+  double time_scale() const { return quarter_turn(elements_); }
   double mean_motion() const { return plane_.shape().mean_motion.hi; }
 
   // T = double or DoubleDouble, or a Dual of them; `rest` is what a double cannot hold of the time.

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -38,6 +39,19 @@ constexpr BasicVec3<Dual<T, N>> chained(const Dual<T, N>& t, const BasicVec3<T>&
   return {t.chained(value.x, slope.x), t.chained(value.y, slope.y), t.chained(value.z, slope.z)};
 }
 
+// The time of a quarter of a turn where an orbit is fastest; infinite for one that does not say
+// (a member time_scale).
+template <class O>
+double time_scale_of(const O& orbit) {
+  if constexpr (requires {
+                  { orbit.time_scale() } -> std::convertible_to<double>;
+                }) {
+    return orbit.time_scale();
+  } else {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
 namespace detail {
 
 // The position at t + rest, for orbits that take what their number type cannot hold of a time.
@@ -58,6 +72,7 @@ class ErasedOrbit {
   virtual Vec3 position(double t, double rest) const = 0;
   virtual BasicVec3<DoubleDouble> position(const DoubleDouble& t) const = 0;
   virtual BasicVec3<Dual<double, 1>> position(const Dual<double, 1>& t) const = 0;
+  virtual double time_scale() const = 0;
 };
 
 template <Orbit O>
@@ -78,6 +93,7 @@ class HeldOrbit final : public ErasedOrbit {
       orbit_without_velocity(name_);
     }
   }
+  double time_scale() const override { return time_scale_of(orbit_); }
 
  private:
   std::string name_;
@@ -103,6 +119,7 @@ class AnyOrbit {
     return held == nullptr ? nullptr : &held->orbit();
   }
   bool supports_velocity() const { return velocity_; }
+  double time_scale() const { return orbit_->time_scale(); }
 
   // T = double or DoubleDouble.
   template <Real T>

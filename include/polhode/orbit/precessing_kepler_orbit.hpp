@@ -47,6 +47,7 @@ class PrecessingKeplerOrbit {
   const KeplerElements& elements() const { return elements_; }
   const SecularRates& rates() const { return rates_; }
   double gm() const { return elements_.gm; }
+  double time_scale() const { return quarter_turn(elements_); }
 
   // T = double or DoubleDouble, or a Dual of them.
   Vec3 position(double t, double rest = 0.0) const;  // at t + rest

@@ -57,6 +57,8 @@ class TableOrbit {
   double first_time() const { return data_->table.times.front(); }
   double last_time() const { return data_->table.times.back(); }
   double overhang() const { return data_->overhang; }
+  // From the largest angle about the centre between two rows; infinite where nothing turns.
+  double time_scale() const;
   // Of the same rows and order, and so of the same positions, whatever their overhangs.
   bool operator==(const TableOrbit& other) const {
     return order() == other.order() && table() == other.table();

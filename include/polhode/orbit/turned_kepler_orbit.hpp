@@ -35,6 +35,7 @@ class TurnedKeplerOrbit {
   const PrecessingKeplerOrbit& orbit() const { return orbit_; }
   double angle() const { return angle_; }
   double gm() const { return orbit_.gm(); }
+  double time_scale() const { return orbit_.time_scale(); }
 
   // T = double or DoubleDouble, or a Dual of them.
   Vec3 position(double t, double rest = 0.0) const { return turned(orbit_.position(t, rest)); }

@@ -11,6 +11,7 @@
 // Cost        one virtual call. Copies share the term, which is immutable.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,6 +38,8 @@ class ErasedTerm {
   virtual DoubleDouble energy(const BasicSetting<DoubleDouble>& at) const = 0;
   virtual RotorState flow(const Setting& at, double h) const = 0;
   virtual std::vector<double> breakpoints() const = 0;
+  virtual std::vector<double> switches(const Setting& at) const = 0;
+  virtual double time_scale() const = 0;
   virtual AffineTorque affine_torque(const Setting& at) const = 0;
 };
 
@@ -72,6 +75,20 @@ class HeldTerm final : public ErasedTerm {
       return term_.breakpoints();
     } else {
       return {};
+    }
+  }
+  std::vector<double> switches(const Setting& at) const override {
+    if constexpr (Switching<P>) {
+      return term_.switches(at);
+    } else {
+      return {};
+    }
+  }
+  double time_scale() const override {
+    if constexpr (Timed<P>) {
+      return term_.time_scale();
+    } else {
+      return std::numeric_limits<double>::infinity();
     }
   }
   AffineTorque affine_torque(const Setting& at) const override {
@@ -121,6 +138,7 @@ class AnyPerturbation {
         flow_(Splittable<P> || Kick<P> || AffineInMomentum<P>),
         kick_(Kick<P>),
         affine_(Kick<P> || AffineInMomentum<P>),
+        switching_(Switching<P>),
         any_real_(PerturbationOn<P, DoubleDouble> && PerturbationOn<P, Tangent>),
         term_(std::make_shared<const detail::HeldTerm<P>>(name, std::move(term))) {}
 
@@ -153,6 +171,12 @@ class AnyPerturbation {
   RotorState flow(const Setting& at, double h) const { return term_->flow(at, h); }
   // Where the term is not smooth in time, in increasing order; none for most terms.
   std::vector<double> breakpoints() const { return term_->breakpoints(); }
+  // Whether it can name switching functions: it may still have none.
+  bool supports_switches() const { return switching_; }
+  // Its switching functions; none for most terms. at.sides is not looked at.
+  std::vector<double> switches(const Setting& at) const { return term_->switches(at); }
+  // The time of a quarter of a turn of what it follows; infinite where it knows none.
+  double time_scale() const { return term_->time_scale(); }
   AffineTorque affine_torque(const Setting& at) const { return term_->affine_torque(at); }
 
  private:
@@ -161,6 +185,7 @@ class AnyPerturbation {
   bool flow_;
   bool kick_;
   bool affine_;
+  bool switching_;
   bool any_real_;
   std::shared_ptr<const detail::ErasedTerm> term_;
 };

@@ -48,6 +48,7 @@ class AtmosphericDrag {
   const Surface& surface() const { return stream_.surface(); }
   const Atmosphere& air() const { return air_; }
   const DirectedPath& path() const { return path_; }
+  double time_scale() const { return path_.time_scale(); }
   double exit_speed() const { return exit_speed_; }
 
   template <Real T>
@@ -56,8 +57,10 @@ class AtmosphericDrag {
     if (flow.speed == 0.0) return {};  // NaN goes on
     const BasicVec3<T> e =
         body_from_inertial(at, BasicVec3<T>{T(flow.from.x), T(flow.from.y), T(flow.from.z)});
-    return {{}, T(flow.pressure) * stream_.torque(e, T(exit_speed_ / flow.speed))};
+    return {{}, T(flow.pressure) * stream_.torque(e, T(exit_speed_ / flow.speed), at.sides)};
   }
+  // The facets that turn edge-on.
+  std::vector<double> switches(const Setting& at) const;
 
  private:
   struct Flow {

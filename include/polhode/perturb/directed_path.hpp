@@ -25,6 +25,7 @@ struct DirectedPath {
     const BasicVec3<T> x = along(at);
     return reversed ? -x : x;
   }
+  double time_scale() const { return orbit.time_scale(); }
   Vec3 velocity(double t) const {
     const Vec3 v = orbit.velocity(t);
     return reversed ? -v : v;

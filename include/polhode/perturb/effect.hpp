@@ -15,6 +15,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <vector>
 
 #include "polhode/math/double_double.hpp"
@@ -53,6 +54,9 @@ struct BasicSetting {
   // What T cannot hold of the time: it is t + t_rest. A term that follows a motion for long (an
   // orbit) adds it, else the rounding of t is the largest error of a compensated run.
   T t_rest = T(0.0);
+  // Of a term that switches: +1 or -1 for each of its switching functions, the side that holds here
+  // whatever their values are. Empty: that of their values.
+  std::span<const double> sides = {};
 };
 using Setting = BasicSetting<double>;
 
@@ -145,6 +149,25 @@ template <class P>
 concept Piecewise = Perturbation<P> && requires(const P& term) {
   { term.breakpoints() } -> std::convertible_to<std::vector<double>>;
 };
+
+// A term that jumps, or has a kink, where one of its switching functions of time and state is zero,
+// says them: smooth near their zeros, always as many, in the same order. Its effect takes the side
+// of each from `sides` of the setting where they are given, and is smooth then on both sides of the
+// zero. A run by Adaptive ends a step at every change of sign.
+template <class P>
+concept Switching = Perturbation<P> && requires(const P& term, const Setting& at) {
+  { term.switches(at) } -> std::convertible_to<std::vector<double>>;
+};
+
+// A term that follows a motion of its own says how fast that is: the time of a quarter of a turn
+// where it is fastest. Without an order from its user no step of Adaptive is longer.
+template <class P>
+concept Timed = Perturbation<P> && requires(const P& term) {
+  { term.time_scale() } -> std::convertible_to<double>;
+};
+
+// The side that a value is on; zero counts as positive.
+constexpr double side_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
 // A term with v = 0 whose u is c - A g, with c and A of time and attitude alone.
 template <class P>

@@ -51,6 +51,7 @@ class GravityGradient {
 
   double gm() const { return gm_; }
   const O& orbit() const { return orbit_; }
+  double time_scale() const { return time_scale_of(orbit_); }
   SpaceAxes axes() const { return axes_; }
 
   template <Real T>

@@ -76,6 +76,7 @@ class HigherGravity {
 
   double gm() const { return gm_; }
   const O& orbit() const { return orbit_; }
+  double time_scale() const { return time_scale_of(orbit_); }
   const MassMoments& moments() const { return moments_; }
   OrbitOf orbit_of() const { return orbit_of_; }
   SpaceAxes axes() const { return axes_; }

@@ -16,6 +16,7 @@
 // Cost        a dipole some 28 ns beside the orbit; with its rate 57 ns (benchmarks/magnetic.cpp).
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <utility>
 
@@ -86,6 +87,8 @@ class DipoleField {
 
   const Vec3& strength() const { return strength_; }
   const PrimaryRotation& primary() const { return primary_; }
+  // That of the primary.
+  double time_scale() const;
 
   // K(t) in inertial axes.
   template <Real T>
@@ -174,6 +177,8 @@ class FieldAlongOrbit {
 
   const O& orbit() const { return orbit_; }
   const F& source() const { return field_; }
+  // The shorter one of orbit and field.
+  double time_scale() const { return std::fmin(time_scale_of(orbit_), time_scale_of(field_)); }
   // Whether orbit and field can be differentiated by time.
   bool has_rate() const {
     if constexpr (!differentiable<double>) {

@@ -42,6 +42,7 @@ class ResidualDipole {
 
   const Vec3& moment() const { return m_; }
   const F& field() const { return field_; }
+  double time_scale() const { return time_scale_of(field_); }
 
   template <Real T>
     requires LocalFieldOn<F, T>
@@ -81,6 +82,7 @@ class EddyCurrents {
 
   const Mat3& tensor() const { return M_; }
   const F& field() const { return field_; }
+  double time_scale() const { return time_scale_of(field_); }
   FieldRate rate() const { return rate_; }
 
   template <Real T>

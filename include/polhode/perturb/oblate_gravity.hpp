@@ -60,6 +60,7 @@ class OblateGravity {
 
   double gm() const { return gm_; }
   const O& orbit() const { return orbit_; }
+  double time_scale() const { return time_scale_of(orbit_); }
   const Oblateness& oblateness() const { return of_; }
   SpaceAxes axes() const { return axes_; }
 

@@ -48,6 +48,7 @@ class SolarPressure {
   const Surface& surface() const { return stream_.surface(); }
   const Sunlight& light() const { return light_; }
   const DirectedPath& path() const { return path_; }
+  double time_scale() const { return path_.time_scale(); }
   const std::optional<DirectedPath>& sun() const { return sun_; }
   const std::optional<Shadow>& shadow() const { return shadow_; }
   SpaceAxes axes() const { return axes_; }
@@ -59,15 +60,24 @@ class SolarPressure {
     T visible(1.0);
     if (sun_) {
       to_sun = sun_->position(at) - from_centre;
-      if (shadow_) visible = shadow_->visible(to_sun, -from_centre);
+      if (shadow_) visible = shadow_->visible(to_sun, -from_centre, at.sides);
     }
     if (visible == T(0.0)) return {};  // NaN goes on
     const T r = norm(to_sun), ratio = T(light_.distance) / r;
     const BasicVec3<T> e = body_from_space(at, axes_, (T(1.0) / r) * to_sun);
-    return {{}, (visible * (T(light_.pressure) * (ratio * ratio))) * stream_.torque(e)};
+    const std::span<const double> lit = at.sides.empty() ? at.sides : at.sides.subspan(borders());
+    return {{},
+            (visible * (T(light_.pressure) * (ratio * ratio))) * stream_.torque(e, T(1.0), lit)};
   }
+  // The borders of the shadow, then the facets that turn edge-on.
+  std::vector<double> switches(const Setting& at) const;
 
  private:
+  std::size_t borders() const {
+    if (!shadow_) return 0;
+    return shadow_->shape() == ShadowShape::cylinder ? 1 : 2;
+  }
+
   FacetStream stream_;
   Sunlight light_;
   DirectedPath path_;

@@ -84,6 +84,7 @@ class TidalTorque {
   double gm() const { return gm_; }
   double mass() const { return mass_; }
   const O& orbit() const { return orbit_; }
+  double time_scale() const { return time_scale_of(orbit_); }
   const TidalBody& tidal_body() const { return of_; }
 
   template <Real T>

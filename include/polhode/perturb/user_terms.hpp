@@ -8,15 +8,23 @@
 //             {q_SB, g_B} in the reference frame. It may depend on q through q/|q| or through
 //             products of two components; |q| = 1 holds to first order in the derivatives. A torque
 //             is a callable on double, or generic like H: then double-double runs and state
-//             transition matrices work too.
+//             transition matrices work too. A torque that jumps where one of its switching
+//             functions is zero (Switching) is a callable of (t, s, sides): it takes `sides[i]`, +1
+//             or -1, for the sign of function i, so that it is smooth at the jump from either side.
+//             A step of Adaptive may be longer than a jump that no function names, and then steps
+//             over it: give `time_scale`, that in which the torque comes and goes, or a
+//             largest_step.
 // Accuracy    a few roundings of H.
 // Errors      none of its own; what the callable throws passes through.
 // Cost        H on Dual<T, 6>: about seven times H.
 #pragma once
 
 #include <concepts>
+#include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "polhode/perturb/effect.hpp"
 
@@ -47,7 +55,10 @@ class HamiltonianTerm {
 template <class F>
 class TorqueTerm {
  public:
-  explicit TorqueTerm(F torque) : torque_(std::move(torque)) {}
+  explicit TorqueTerm(F torque, double time_scale = std::numeric_limits<double>::infinity())
+      : torque_(std::move(torque)), time_scale_(time_scale) {}
+
+  double time_scale() const { return time_scale_; }
 
   template <Real T>
     requires std::same_as<std::invoke_result_t<const F&, const T&, const BasicRotorState<T>&>,
@@ -58,6 +69,42 @@ class TorqueTerm {
 
  private:
   F torque_;
+  double time_scale_;
+};
+
+// `switches` is a callable of (double t, const RotorState& s) that returns a std::vector<double>,
+// always of one size; the last argument of `torque` is a std::span<const double> of as many sides.
+template <class F, class S>
+class SwitchedTorqueTerm {
+ public:
+  SwitchedTorqueTerm(F torque, S switches,
+                     double time_scale = std::numeric_limits<double>::infinity())
+      : torque_(std::move(torque)), switches_(std::move(switches)), time_scale_(time_scale) {}
+
+  double time_scale() const { return time_scale_; }
+  std::vector<double> switches(const Setting& at) const { return switches_(at.t, at.s); }
+
+  template <Real T>
+    requires std::same_as<std::invoke_result_t<const F&, const T&, const BasicRotorState<T>&,
+                                               std::span<const double>>,
+                          BasicVec3<T>>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    if (!at.sides.empty()) return {{}, torque_(at.t, at.s, at.sides)};
+    std::vector<double> sides = switches_(to_double(at.t), rounded(at.s));
+    for (double& value : sides) value = side_of(value);
+    return {{}, torque_(at.t, at.s, std::span<const double>(sides))};
+  }
+
+ private:
+  template <Real T>
+  static RotorState rounded(const BasicRotorState<T>& s) {
+    const auto f = [](const T& x) { return to_double(x); };
+    return {{f(s.q.w), f(s.q.x), f(s.q.y), f(s.q.z)}, {f(s.g.x), f(s.g.y), f(s.g.z)}};
+  }
+
+  F torque_;
+  S switches_;
+  double time_scale_;
 };
 
 }  // namespace v0

@@ -59,7 +59,8 @@ class VariationalField {
     std::copy_n(values, 6, y.begin() + 8);
   }
 
-  DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y) const {
+  DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y,
+                            const SwitchSides* sides = nullptr) const {
     const RotorValues<double> values = first_rotor(y);
     const Setting at = rotor_.setting(t, values);
     const System& system = rotor_.system();
@@ -67,7 +68,7 @@ class VariationalField {
     const FrameMotion frame = inertial ? FrameMotion{} : rotor_.frame_motion(t);
     const Deviation d = deviation_of(y, 0.0);
     const Vec3 dg = clock_->momentum_scale * d.momentum;
-    const auto [e, de] = effects(at, frame.q_IS, d.turn, dg);
+    const auto [e, de] = effects(at, frame.q_IS, d.turn, dg, sides);
     const Vec3& I = system.body().moments();
     const Vec3& g = at.s.g;
     const Vec3 w{g.x / I.x + e.v.x, g.y / I.y + e.v.y, g.z / I.z + e.v.z};
@@ -89,7 +90,7 @@ class VariationalField {
  private:
   // The sum of the terms and its change by (theta_B, dg).
   std::pair<Effect, Effect> effects(const Setting& at, const Quaternion& q_IS, const Vec3& turn,
-                                    const Vec3& dg) const {
+                                    const Vec3& dg, const SwitchSides* sides) const {
     const System& system = rotor_.system();
     if (system.terms().empty()) return {};
     const Vec3 half = 0.5 * turn;
@@ -101,9 +102,14 @@ class VariationalField {
         {moving(at.s.g.x, dg.x), moving(at.s.g.y, dg.y), moving(at.s.g.z, dg.z)}};
     const BasicSetting<Tangent> setting{at.body, Tangent(at.t), s, constant<double, 6>(q_IS),
                                         Tangent(at.t_rest)};
-    BasicEffect<Tangent> sum = system.terms().front().effect(setting);
-    for (std::size_t i = 1; i < system.terms().size(); ++i)
-      sum = sum + system.terms()[i].effect(setting);
+    BasicEffect<Tangent> sum;
+    if (sides) {
+      sum = sum_on_sides(system, setting, *sides);
+    } else {
+      sum = system.terms().front().effect(setting);
+      for (std::size_t i = 1; i < system.terms().size(); ++i)
+        sum = sum + system.terms()[i].effect(setting);
+    }
     const auto value = [](const BasicVec3<Tangent>& v) {
       return Vec3{v.x.value, v.y.value, v.z.value};
     };
@@ -134,8 +140,11 @@ class NeighbourField {
     std::copy_n(second.begin(), 7, y.begin() + 8);
   }
 
-  DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y) const {
-    const RotorValues<double> a = rotor_(t, first_rotor(y)), b = rotor_(t, second_rotor(y));
+  // Both on the sides of the first: they part by less than a step can see.
+  DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y,
+                            const SwitchSides* sides = nullptr) const {
+    const RotorValues<double> a = rotor_(t, first_rotor(y), sides);
+    const RotorValues<double> b = rotor_(t, second_rotor(y), sides);
     DeviatedValues r{};
     std::copy_n(a.begin(), 7, r.begin());
     std::copy_n(b.begin(), 7, r.begin() + 8);

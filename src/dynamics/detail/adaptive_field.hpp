@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "math/detail/larger.hpp"
 #include "polhode/ode/runge_kutta.hpp"
@@ -43,6 +45,27 @@ void restore_norm(CompensatedState<T, N>& s, std::size_t first = 0) {
   s.add(change);
 }
 
+// The side of every switching function of a system, term by term.
+struct SwitchSides {
+  std::vector<std::size_t> first;  // of each term in `values`; at last their number
+  std::vector<double> values;      // +1 or -1
+
+  std::span<const double> of(std::size_t term) const {
+    return std::span(values).subspan(first[term], first[term + 1] - first[term]);
+  }
+};
+
+template <Real T>
+[[gnu::noinline]] BasicEffect<T> sum_on_sides(const System& system, BasicSetting<T> at,
+                                              const SwitchSides& sides) {
+  BasicEffect<T> sum;
+  for (std::size_t i = 0; i < system.terms().size(); ++i) {
+    at.sides = sides.of(i);
+    sum = sum + system.terms()[i].effect(at);
+  }
+  return sum;
+}
+
 // rotor_rates with the reciprocals of the moments prepared, and with all of the time: terms get
 // what a double cannot hold of it.
 template <Real T>
@@ -58,13 +81,13 @@ class RotorField {
 
   const System& system() const { return system_; }
 
-  [[gnu::always_inline]] RotorValues<T> operator()(const DoubleDouble& t,
-                                                   const RotorValues<T>& y) const {
+  [[gnu::always_inline]] RotorValues<T> operator()(const DoubleDouble& t, const RotorValues<T>& y,
+                                                   const SwitchSides* sides = nullptr) const {
     BasicSetting<T> at = setting(t, y);
-    if (system_.frame().is_inertial()) return values(rates(at, sum_of_terms(at)));
+    if (system_.frame().is_inertial()) return values(rates(at, sum_of_terms(at, sides)));
     const BasicFrameMotion<T> frame = frame_motion(t);
     at.q_IS = frame.q_IS;
-    return values(relative_rates(rates(at, sum_of_terms(at)), at.s.q, frame.mu_S));
+    return values(relative_rates(rates(at, sum_of_terms(at, sides)), at.s.q, frame.mu_S));
   }
 
   // Where the terms are asked; for a moving frame without its attitude. y begins with (q, g).
@@ -89,9 +112,11 @@ class RotorField {
     return frame;
   }
 
-  [[gnu::always_inline]] BasicEffect<T> sum_of_terms(const BasicSetting<T>& at) const {
+  [[gnu::always_inline]] BasicEffect<T> sum_of_terms(const BasicSetting<T>& at,
+                                                     const SwitchSides* sides) const {
     const std::vector<AnyPerturbation>& terms = system_.terms();
     if (terms.empty()) return {};
+    if (sides) return sum_on_sides(system_, at, *sides);
     BasicEffect<T> sum = terms.front().effect(at);
     for (std::size_t i = 1; i < terms.size(); ++i) sum = sum + terms[i].effect(at);
     return sum;

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "dynamics/detail/adaptive_failure.hpp"
 #include "dynamics/detail/adaptive_field.hpp"
-#include "dynamics/detail/breakpoints.hpp"
+#include "dynamics/detail/smooth_step.hpp"
+#include "dynamics/detail/step_control.hpp"
 #include "dynamics/detail/stepper.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
@@ -20,17 +20,6 @@ inline namespace v0 {
 namespace detail {
 
 std::unique_ptr<Stepper> make_damper_stepper(const Problem& problem, const Adaptive& method);
-
-template <Real T>
-Vec3 rounded(const BasicVec3<T>& v) {
-  return {to_double(v.x), to_double(v.y), to_double(v.z)};
-}
-template <Real T, std::size_t N>
-RotorState rounded(const std::array<T, N>& y) {
-  const BasicRotorState<T> s = rotor_state<T>(y);
-  const BasicQuaternion<T> q = normalized(s.q);
-  return {{to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)}, rounded(s.g)};
-}
 
 template <class Field>
 using State = CompensatedState<typename Field::Number, std::tuple_size_v<typename Field::Values>>;
@@ -70,9 +59,10 @@ class AdaptiveStepper final : public Stepper {
   AdaptiveStepper(const Problem& problem, const Adaptive& method)
       : field_(std::make_shared<const Field>(problem.system)),
         breakpoints_(problem.system),
-        solver_({field_, {}}, error_size(*field_), problem.start,
+        switches_(problem.system),
+        solver_({field_}, error_size(*field_), problem.start,
                 start_values(*field_, widened(problem.initial), problem.damper_rate),
-                {method.tolerance, method.first_step, method.largest_step}),
+                step_control(problem, method)),
         begin_(problem.start),
         start_(solver_.state()),
         tolerance_(method.tolerance) {}
@@ -80,10 +70,8 @@ class AdaptiveStepper final : public Stepper {
   std::string advance(double stop) override {
     const DoubleDouble begin = solver_.time();
     const State<Field> start = solver_.state();
-    solver_.field().stretch = breakpoints_.stretch(begin.hi, stop);
-    const StepOutcome outcome = solver_.advance(breakpoints_.end(begin.hi, stop));
-    if (outcome != StepOutcome::made)
-      return failure_text(*field_, begin, start.y, solver_.trial(), outcome);
+    const std::string advice = smooth_step(solver_, *field_, breakpoints_, switches_, stop);
+    if (!advice.empty()) return advice;
     begin_ = begin;
     start_ = start;
     restore_norm(solver_.state());
@@ -107,6 +95,8 @@ class AdaptiveStepper final : public Stepper {
     solver_.transfer(bytes);
     SmoothStretch& stretch = solver_.field().stretch;  // of the step made last
     bytes.all(begin_, start_.y, start_.carry, stretch.from, stretch.to);
+    switches_.transfer(bytes);
+    switches_.transfer(bytes, solver_.field().sides);
   }
 
  private:
@@ -117,6 +107,7 @@ class AdaptiveStepper final : public Stepper {
 
   std::shared_ptr<const Field> field_;
   Breakpoints breakpoints_;
+  SwitchWatch switches_;
   AdaptiveRungeKutta<Verner98, T, std::tuple_size_v<Values>, SmoothField<Field>,
                      decltype(error_size(std::declval<const Field&>()))>
       solver_;

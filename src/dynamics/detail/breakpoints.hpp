@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "dynamics/detail/adaptive_field.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/system/system.hpp"
 
@@ -31,15 +32,17 @@ struct SmoothStretch {
   DoubleDouble below_to() const;
 };
 
-// The rates of a field on one stretch. By a shared pointer: steps that outlive a run share them.
+// The rates of a field on one stretch and on one side of every switching function; no sides where a
+// system has none. By shared pointers: steps that outlive a run share them.
 template <class Field>
 struct SmoothField {
   std::shared_ptr<const Field> field;
-  SmoothStretch stretch;
+  SmoothStretch stretch = {};
+  std::shared_ptr<const SwitchSides> sides = nullptr;
 
   template <class Values>
   Values operator()(const DoubleDouble& t, const Values& y) const {
-    return (*field)(stretch.inside(t), y);
+    return (*field)(stretch.inside(t), y, sides.get());
   }
 };
 

@@ -38,17 +38,19 @@ class DamperField {
   }
   BasicFrameMotion<T> frame_motion(const DoubleDouble& t) const { return rotor_.frame_motion(t); }
 
-  Values operator()(const DoubleDouble& t, const Values& y) const {
+  Values operator()(const DoubleDouble& t, const Values& y,
+                    const SwitchSides* sides = nullptr) const {
     BasicSetting<T> at = rotor_.setting(t, y);
-    if (system().frame().is_inertial()) return values(at, y, {});
+    if (system().frame().is_inertial()) return values(at, y, {}, sides);
     const BasicFrameMotion<T> frame = frame_motion(t);
     at.q_IS = frame.q_IS;
-    return values(at, y, frame.mu_S);
+    return values(at, y, frame.mu_S, sides);
   }
 
  private:
-  Values values(const BasicSetting<T>& at, const Values& y, const BasicVec3<T>& mu_S) const {
-    const BasicEffect<T> e = rotor_.sum_of_terms(at);
+  Values values(const BasicSetting<T>& at, const Values& y, const BasicVec3<T>& mu_S,
+                const SwitchSides* sides) const {
+    const BasicEffect<T> e = rotor_.sum_of_terms(at, sides);
     const BasicVec3<T> s = damper_rate<T>(y);
     const BasicVec3<T> w0 = damper_.rate(at.s.g) + damper_.rate_of_body(s);
     BasicRotorRates<T> r = inertial_rates(at.s, w0 + e.v, e.u);

@@ -48,11 +48,14 @@ class SplittingMap {
 
   // The largest component of I^-1 g.
   double rate(const SplittingState& s) const;
+  // Whether a damping acts for negative times in a part of a step, and grows there.
+  bool may_grow_backwards() const;
   // The first term whose effect at s is not finite; empty if there is none.
   std::string term_not_finite(const SplittingState& s) const;
 
  private:
   // A fraction of a step in two parts, so that the fractions of a step add up to it.
+  bool is_at_rest(const SplittingState& s, double time) const;
   void drift(SplittingState& s, const TwoTerms<double>& time) const noexcept;
   void kick(SplittingState& s, double h) const;
   void composed_kick(SplittingState& s, double h) const;

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/torque_table.hpp"
+#include "polhode/perturb/user_terms.hpp"
 
 namespace {
 
@@ -103,6 +106,23 @@ TEST_P(ResumeOf, ARunThatAnEventStops) {
   p.events.push_back(
       {"end", [](double t, const RotorState&) { return t - 33.3; }, Crossing::both, true, 0.0});
   expect_the_straight_run(p, SaveAt::count(0.0, 400.0, 401), 3);
+}
+
+// Sides of switching functions, and steps that end where one is zero.
+TEST(Resume, ATorqueThatSwitches) {
+  const auto push = [](const double&, const RotorState&, std::span<const double> sides) {
+    return Vec3{0.05 * sides[0], 0.0, sides[1] > 0.0 ? 0.04 : 0.0};
+  };
+  const auto sides = [](double t, const RotorState& s) {
+    return std::vector{std::sin(0.7 * t), s.g.z - 0.2};
+  };
+  for (const double stop : {40.0, -40.0}) {
+    SCOPED_TRACE(stop);
+    Problem p = problem(Adaptive{}, stop);
+    p.system = System(p.system.body(), p.system.frame(),
+                      {AnyPerturbation("push", SwitchedTorqueTerm(push, sides))});
+    expect_the_straight_run(p, SaveAt::count(0.0, stop, 401), 3);
+  }
 }
 
 // What `checkpoint` throws stops the run there: nothing after it is lost to the resumed one.

@@ -180,9 +180,19 @@ TEST(AdaptiveRungeKutta, SaysWhyAStepCannotBeMade) {
   const auto jump = [](const DD& t, const std::array<double, 1>&) {
     return std::array<double, 1>{t.hi > 1.0 / 3.0 ? 1e9 : 1.0};
   };
-  auto j = solver<double>(jump, 0.0, {1e-12});
-  EXPECT_EQ(run(j, 2.0), StepOutcome::too_small);
-  EXPECT_NEAR(j.time().hi, 1.0 / 3.0, budget::ode_edge);
+  auto j = solver<double>(jump, 1.0, {1e-12});
+  EXPECT_EQ(run(j, 2.0), StepOutcome::made);
+  EXPECT_NEAR(j.state().y[0] / (4.0 / 3.0 + 1e9 * 5.0 / 3.0), 1.0, budget::ode_jump);
+
+  // a new jump at every rounding of t is no place that a step could pass
+  const auto jumps = [](const DD& t, const std::array<double, 1>&) {
+    return std::array<double, 1>{t.hi > 1.0 / 3.0 && std::fmod(t.hi * 0x1p53, 2.0) < 1.0 ? 1e9
+                                                                                         : 1.0};
+  };
+  auto all = solver<double>(jumps, 1.0, {1e-12});
+  EXPECT_EQ(run(all, 2.0), StepOutcome::too_small);
+  EXPECT_GT(all.time().hi, 0.33);
+  EXPECT_LT(all.time().hi, 0.34);
 
   auto at_once = solver<double>(nan_beyond, 0.0, {1e-9}, 3.0);
   EXPECT_EQ(run(at_once, 4.0), StepOutcome::not_finite);

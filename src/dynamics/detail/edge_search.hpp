@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The first place of a step where a switching function changes its sign.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Switching functions times their sides along a step, x from 0 to 1: negative beyond an edge.
+class SwitchCurve {
+ public:
+  virtual ~SwitchCurve() = default;
+  virtual std::vector<double> along(double x) const = 0;  // of an interpolation
+  virtual double truly(std::size_t which, double x) const = 0;
+};
+
+struct Edge {
+  std::size_t which;
+  double x;
+};
+
+// At x = 0 a function may be zero, of either sign.
+std::optional<Edge> first_edge(const SwitchCurve& curve);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

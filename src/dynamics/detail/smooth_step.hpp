@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// One step of an adaptive solver within which every term is smooth: it ends at a breakpoint in
+// time, and at an edge, where a switching function changes its sign.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/detail/adaptive_failure.hpp"
+#include "dynamics/detail/breakpoints.hpp"
+#include "dynamics/detail/edge_search.hpp"
+#include "dynamics/detail/switch_watch.hpp"
+#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/ode/verner98.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template <Real T>
+Vec3 rounded(const BasicVec3<T>& v) {
+  return {to_double(v.x), to_double(v.y), to_double(v.z)};
+}
+template <Real T, std::size_t N>
+RotorState rounded(const std::array<T, N>& y) {
+  const BasicRotorState<T> s = rotor_state<T>(y);
+  const BasicQuaternion<T> q = normalized(s.q);
+  return {{to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)}, rounded(s.g)};
+}
+
+// The step that a solver has made from `mark`, as a curve: a quartic of the values and rates at its
+// ends and of one rate inside, for the search, and shorter steps, which are the truth.
+template <class Solver>
+class StepCurve final : public SwitchCurve {
+ public:
+  using Values = typename Solver::Values;
+
+  StepCurve(Solver& solver, const typename Solver::Mark& mark, const SwitchWatch& switches)
+      : solver_(solver), mark_(mark), switches_(switches), h_(solver.trial()) {
+    const Values& y0 = mark.state.y;
+    const Values& y1 = solver.state().y;
+    const Values first = solver.rate_before(), last = solver.field()(solver.time(), y1);
+    for (std::size_t i = 0; i < y0.size(); ++i) {
+      chord_[i] = y1[i] - y0[i];
+      begin_[i] = first[i] * h_ - chord_[i];
+      end_[i] = chord_[i] - last[i] * h_;
+    }
+    // a cubic until here, whose rate at a quarter of the step errs by what the quartic has more:
+    // (x^2 (1 - x)^2)' = 3/16 there, and 0 in the middle
+    const double x = 0.25;
+    const Values inside = solver.field()(mark.t + x * h_, at(x));
+    for (std::size_t i = 0; i < y0.size(); ++i) {
+      const auto slope = chord_[i] + (begin_[i] * (1.0 - x) + end_[i] * x) * (1.0 - 2.0 * x) +
+                         (end_[i] - begin_[i]) * (x * (1.0 - x));
+      bow_[i] = (inside[i] * h_ - slope) * (16.0 / 3.0);
+    }
+    solver_.count(2);
+  }
+
+  std::vector<double> along(double x) const override {
+    if (x == 1.0) return switches_.values(solver_.time(), rounded(solver_.state().y));
+    return switches_.values(mark_.t + x * h_, rounded(at(x)));
+  }
+  double truly(std::size_t which, double x) const override {
+    if (x == 1.0) return along(x)[which];
+    CompensatedState state = mark_.state;
+    state.add(
+        runge_kutta_step<Verner98>(solver_.field(), mark_.t, state.y, solver_.rate_before(), x * h_)
+            .increment);
+    solver_.count(Verner98::stages - 1);
+    return switches_.values(mark_.t + x * h_, rounded(state.y))[which];
+  }
+
+ private:
+  Values at(double x) const {
+    Values y = mark_.state.y;
+    const double left = 1.0 - x, both = x * left;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] = y[i] + chord_[i] * x + (begin_[i] * left + end_[i] * x + bow_[i] * both) * both;
+    return y;
+  }
+
+  Solver& solver_;
+  const typename Solver::Mark& mark_;
+  const SwitchWatch& switches_;
+  double h_;
+  Values chord_, begin_, end_, bow_{};
+};
+
+// Towards `stop`. Empty when the step was made; otherwise why not, and the solver stays.
+template <class Solver, class Field>
+std::string smooth_step(Solver& solver, const Field& field, const Breakpoints& breakpoints,
+                        SwitchWatch& switches, double stop) {
+  const DoubleDouble begin = solver.time();
+  switches.begin(begin, switches.is_needed() ? rounded(solver.state().y) : RotorState{});
+  solver.field().stretch = breakpoints.stretch(begin.hi, stop);
+  double end = breakpoints.end(begin.hi, stop);
+  std::optional<std::size_t> crossed;  // at `end`
+  for (;;) {
+    solver.field().sides = switches.sides();
+    std::optional<typename Solver::Mark> mark;
+    if (switches.size() > 0) mark = solver.mark();
+    const StepOutcome outcome = solver.advance(end);
+    if (outcome != StepOutcome::made) {
+      typename Field::Values y{};  // without what a deviation adds
+      std::copy_n(solver.state().y.begin(), std::min(y.size(), solver.state().y.size()), y.begin());
+      return failure_text(field, begin, y, solver.trial(), outcome);
+    }
+    if (crossed && solver.time().hi == end) switches.cross(*crossed);
+    if (!mark || crossed) break;
+    const std::optional<Edge> edge = first_edge(StepCurve<Solver>(solver, *mark, switches));
+    if (!edge) break;
+    const double length = edge->x * solver.trial();
+    solver.back_to(*mark);
+    if (std::abs(length) < smallest_step(begin)) {
+      if (!switches.cross_at_once(edge->which))
+        return switches.text(edge->which) + " stays at zero after t = " + number_text(begin.hi) +
+               ", and its torque switches to and fro: give it a dead zone, or let it change "
+               "smoothly through zero";
+      continue;
+    }
+    end = (begin + length).hi;
+    crossed = edge->which;
+  }
+  switches.stepped();
+  return {};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What Adaptive asks of its steps, with what the terms of a problem know of their time scales.
+#pragma once
+
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/ode/adaptive_runge_kutta.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// The quarter turn of the fastest of what the terms follow, and of the frame at the start; infinite
+// where none is known.
+double time_scale(const Problem& problem);
+
+inline StepControl step_control(const Problem& problem, const Adaptive& method) {
+  const bool given = method.largest_step < std::numeric_limits<double>::infinity();
+  return {method.tolerance, method.first_step, given ? method.largest_step : time_scale(problem)};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
