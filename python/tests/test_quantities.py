@@ -382,7 +382,7 @@ def time_of(call):
     import timeit
 
     timer = timeit.Timer(call)
-    return min(timer.repeat(20, 2000)) / 2000 * 1e9
+    return min(timer.repeat(20, 2000)) / 2000 * 1e9  # NaN: a clock has none
 
 
 if __name__ == "__main__":  # the cost: PYTHONPATH=... python test_quantities.py

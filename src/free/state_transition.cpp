@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The state transition matrix of the free flow, in the tangent of the hub.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -41,7 +42,9 @@ Columns resting_columns(const DDVec3& moments, const DD& time) {
 }  // namespace
 
 Matrix6 FreeRotation::state_transition(double t) const {
-  if (!std::isfinite(t)) {
+  const Vec3 I = body_.moments();
+  const double thinnest = std::min({I.x, I.y, I.z}) / std::max({I.x, I.y, I.z});
+  if (!std::isfinite(t) || thinnest < 1e-150) {  // squares of moments are no doubles
     Matrix6 none;
     for (auto& row : none.a) row.fill(std::numeric_limits<double>::quiet_NaN());
     return none;
@@ -49,7 +52,6 @@ Matrix6 FreeRotation::state_transition(double t) const {
   const detail::AxisOrder order = detail::ascending_order(body_.moments());
   const detail::Scale scale{detail::exponent_of_largest(body_.moments()),
                             detail::exponent_of_largest(s0_.g)};
-  const Vec3 I = body_.moments();
   const Vec3 sorted_moments =
       detail::scaled({I[order.axis[0]], I[order.axis[1]], I[order.axis[2]]}, scale.moment);
   const DDVec3 moments = detail::converted<DD>(sorted_moments);

@@ -18,6 +18,7 @@
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/rotor_state.hpp"
+#include "worst.hpp"
 
 namespace oracle {
 
@@ -47,7 +48,7 @@ inline Long long_agm(Long a, Long b) {
 inline Long long_rf(Long x, Long y, Long z) {
   Long a = (x + y + z) / 3;
   for (int i = 0; i < 4000; ++i) {
-    const Long off = std::max({Long(abs(a - x)), Long(abs(a - y)), Long(abs(a - z))});
+    const Long off = polhode::test::larger(Long(abs(a - x)), Long(abs(a - y)), Long(abs(a - z)));
     if (off <= ldexp(a, -420)) break;
     const Long sx = sqrt(x), sy = sqrt(y), sz = sqrt(z), lambda = sx * (sy + sz) + sy * sz;
     a = (a + lambda) / 4;
@@ -72,8 +73,8 @@ inline Long long_rc(const Long& e) {
 inline Long long_rj(Long x, Long y, Long z, Long p) {
   Long a = (x + y + z + 2 * p) / 5, sum = 0, factor = 1;
   for (int i = 0; i < 4000; ++i) {
-    const Long off =
-        std::max({Long(abs(a - x)), Long(abs(a - y)), Long(abs(a - z)), Long(abs(a - p))});
+    const Long off = polhode::test::larger(Long(abs(a - x)), Long(abs(a - y)), Long(abs(a - z)),
+                                           Long(abs(a - p)));
     if (off <= ldexp(a, -420)) break;
     const Long sx = sqrt(x), sy = sqrt(y), sz = sqrt(z), sp = sqrt(p);
     const Long lambda = sx * (sy + sz) + sy * sz;

@@ -23,9 +23,12 @@
 #include "polhode/system/modified_andoyer.hpp"
 #include "property/chart_support.hpp"
 #include "property/edge_cases.hpp"
+#include "worst.hpp"
 
 namespace {
 
+using polhode::test::larger;
+using polhode::test::smaller;
 using namespace chart_test;
 using oracle::FlowCharts;
 using oracle::Long;
@@ -57,7 +60,7 @@ double loss_of(const RotorState& a, const RotorState& b) {
       G > 0.0 ? norm(Vec3{a.g.x / G - b.g.x / G, a.g.y / G - b.g.y / G, a.g.z / G - b.g.z / G})
               : norm(a.g);
   const double turn = half_turn_distance(a.q, b.q);
-  return std::isnan(turn) || std::isnan(change) ? std::nan("") : std::max(turn, change);
+  return std::isnan(turn) || std::isnan(change) ? std::nan("") : larger(turn, change);
 }
 Result judged(double loss, double allowed, const std::string& what) {
   if (std::isnan(loss)) return {Verdict::not_a_number, loss, what};
@@ -77,7 +80,7 @@ struct Place {
 };
 double double_of(const Long& x) { return static_cast<double>(x); }
 double pole_loss(double sine) {
-  return std::min(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole);
+  return smaller(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole);
 }
 
 class Survey {
@@ -90,7 +93,7 @@ class Survey {
       ++failed_;
       if (r.verdict == Verdict::not_a_number) ++nan_;
       if (failed_ <= most_shown) ADD_FAILURE() << r.why << "\n  " << text_of(c);
-      worst_wrong_ = std::max(worst_wrong_, std::isnan(r.loss) ? 0.0 : r.loss);
+      worst_wrong_ = larger(worst_wrong_, std::isnan(r.loss) ? 0.0 : r.loss);
     }
   }
   void record(const std::string& name) {
@@ -126,7 +129,7 @@ Result euler_result(const Known& k) {
   const auto e = to_euler(k.c.state);
   return judged(loss_of(to_rotor(e), k.c.state),
                 budget::chart_rounding +
-                    std::min(budget::euler_pole_eps * eps / k.place.theta, 2.0 * k.place.J3),
+                    smaller(budget::euler_pole_eps * eps / k.place.theta, 2.0 * k.place.J3),
                 "euler");
 }
 Result andoyer_result(const Known& k) {
@@ -177,9 +180,9 @@ Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
       const double b = std::ldexp(B1(i, j), hub - to), c = std::ldexp(C1(j, i), to - hub);
       for (const auto& [got, wanted] : {std::pair{B(i, j), b}, std::pair{C(j, i), c}}) {
         if (got == wanted || !std::isfinite(wanted)) continue;
-        const double off = std::abs(got - wanted) / std::max(std::abs(wanted), 1e-290);
+        const double off = std::abs(got - wanted) / larger(std::abs(wanted), 1e-290);
         if (std::isnan(off)) return {Verdict::not_a_number, off, "jacobian"};
-        worst = std::max(worst, std::min(off, std::abs(got / wanted - 1.0)));
+        worst = larger(worst, smaller(off, std::abs(got / wanted - 1.0)));
       }
     }
   }
@@ -190,8 +193,8 @@ Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
 
 bool rate_is_in_range(const Known& k) {
   const Vec3& I = k.body.moments();
-  if (!(std::min({I.x, I.y, I.z}) >= 0x1p-900 * std::max({I.x, I.y, I.z}))) return false;
-  const int rate = std::ilogb(norm(k.c.state.g)) - std::ilogb(std::max({I.x, I.y, I.z}));
+  if (!(smaller(I.x, I.y, I.z) >= 0x1p-900 * larger(I.x, I.y, I.z))) return false;
+  const int rate = std::ilogb(norm(k.c.state.g)) - std::ilogb(larger(I.x, I.y, I.z));
   return std::abs(rate) < 1020;
 }
 double angle_off(double a, const Long& b) {
@@ -215,13 +218,13 @@ bool counts_as_steady(const Known& k) {
 }
 double serret_allowed(const Known& k) {
   return budget::serret_edge + pole_loss(k.place.I) +
-         std::min(10.0 * eps / k.place.J, budget::flow_pole) +
-         std::min(20.0 * eps / k.place.D2,
-                  budget::serret_beside_separatrix / std::sqrt(std::max(k.place.gap, 1e-14)));
+         smaller(10.0 * eps / k.place.J, budget::flow_pole) +
+         smaller(20.0 * eps / k.place.D2,
+                 budget::serret_beside_separatrix / std::sqrt(larger(k.place.gap, 1e-14)));
 }
 double sadov_allowed(const Known& k) {
   return budget::serret_edge + pole_loss(k.place.I) +
-         std::min(10.0 * eps / k.place.J, budget::flow_pole) + 0.1 * eps / k.place.D2;
+         smaller(10.0 * eps / k.place.J, budget::flow_pole) + 0.1 * eps / k.place.D2;
 }
 
 Result refused(const std::string& message, bool rightly) {
@@ -255,13 +258,13 @@ Result serret_values(const Known& k) {
   if (!rate_is_in_range(k) || !energy_is_held(k) || counts_as_steady(k)) return left_out;
   try {
     const auto s = to_serret(FreeRotation(k.body, k.c.state, k.c.t), k.c.t);
-    double off = std::max({relative_off(s.G, k.flow.G), relative_off(s.T, k.flow.T),
-                           std::abs(double_of(Long((s.H - k.flow.H) / k.flow.G)))});
+    double off = larger(relative_off(s.G, k.flow.G), relative_off(s.T, k.flow.T),
+                        std::abs(double_of(Long((s.H - k.flow.H) / k.flow.G))));
     // at the base point that the library took
     const Long shift = (Long(k.c.t) - Long(s.t0) - k.flow.elapsed) * k.flow.n;
     const Long halves = k.flow.K == 0 ? Long(0) : Long(round(shift / (2 * k.flow.K)));
     const Long u_off = shift - 2 * k.flow.K * halves;
-    off = std::max(off, std::abs(double_of(u_off)) / (1.0 + std::abs(double_of(k.flow.u))));
+    off = larger(off, std::abs(double_of(u_off)) / (1.0 + std::abs(double_of(k.flow.u))));
     return judged(off, budget::flow_values + eps * std::abs(double_of(Long(k.c.t * k.flow.n))),
                   "serret values");
   } catch (const polhode::DomainError& error) {
@@ -288,11 +291,11 @@ Result sadov_values(const Known& k) {
   const double action = k.flow.long_axis ? s.I_l : std::abs(s.I_l);
   const double allowed = budget::flow_values;
   const Long wanted = k.flow.action * k.flow.G;
-  double off = std::max(relative_off(s.I_g, k.flow.G), angle_off(s.phi_l, k.flow.phi_l));
-  if (wanted > Long(1e-300)) off = std::max(off, relative_off(action, wanted));
-  off = std::max(off, std::abs(double_of(Long((s.I_h - k.flow.H) / k.flow.G))));
+  double off = larger(relative_off(s.I_g, k.flow.G), angle_off(s.phi_l, k.flow.phi_l));
+  if (wanted > Long(1e-300)) off = larger(off, relative_off(action, wanted));
+  off = larger(off, std::abs(double_of(Long((s.I_h - k.flow.H) / k.flow.G))));
   // phi_g and h share what I = 0, pi loses
-  off = std::max(off, angle_off(s.phi_g, k.flow.phi_g) * k.place.I);
+  off = larger(off, angle_off(s.phi_g, k.flow.phi_g) * k.place.I);
   return judged(off, allowed, "sadov values");
 }
 
@@ -316,8 +319,8 @@ Result tumbler_result(const Known& k) {
     }
     const auto s = to_tumbler(motion, k.c.t);
     const double values = k.flow.moves && k.flow.K != 0
-                              ? std::max(relative_off(s.rotation_period, k.flow.P_psi),
-                                         relative_off(s.precession_period, k.flow.P_phi))
+                              ? larger(relative_off(s.rotation_period, k.flow.P_psi),
+                                       relative_off(s.precession_period, k.flow.P_phi))
                               : 0.0;
     if (!(values <= budget::flow_values))
       return judged(values, budget::flow_values, "tumbler periods");
@@ -331,7 +334,7 @@ Result tumbler_result(const Known& k) {
       return refused(error.what(), said && (k.place.D2 < 2e-10 || k.place.needle));
     }
     // of equal lesser moments psi is next to pi/2 in a spin across the axis
-    const double tip = std::sqrt(eps / std::max(k.place.gap > 0.0 ? 1.0 : k.place.short_part, eps));
+    const double tip = std::sqrt(eps / larger(k.place.gap > 0.0 ? 1.0 : k.place.short_part, eps));
     return judged(loss_of(back, k.c.state), budget::tumbler_edge + tip, "tumbler");
   } catch (const polhode::DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k) || !period_is_held(k));
@@ -353,7 +356,7 @@ Result flow_jacobian_result(const Known& k) {
   try {
     const FreeRotation motion(k.body, k.c.state, k.c.t);
     const Vec3& I = k.body.moments();
-    const int a = std::ilogb(std::max({I.x, I.y, I.z})), b = std::ilogb(norm(k.c.state.g));
+    const int a = std::ilogb(larger(I.x, I.y, I.z)), b = std::ilogb(norm(k.c.state.g));
     if (std::abs(a) + std::abs(b) == 0) return left_out;
     // in units of 2^a and 2^b, time in those of 2^(a-b)
     const Body unit(std::ldexp(I.x, -a), std::ldexp(I.y, -a), std::ldexp(I.z, -a));
@@ -366,9 +369,9 @@ Result flow_jacobian_result(const Known& k) {
       for (int j = 0; j < 6; ++j) {
         const double wanted = std::ldexp(B1(i, j), (i < 3 ? 0 : b) - (j < 3 ? 0 : b));
         if (!std::isfinite(wanted) || B(i, j) == wanted) continue;
-        const double off = std::abs(B(i, j) - wanted) / std::max(std::abs(wanted), 1e-290);
+        const double off = std::abs(B(i, j) - wanted) / larger(std::abs(wanted), 1e-290);
         if (std::isnan(off)) return {Verdict::not_a_number, off, "sadov jacobian"};
-        worst = std::max(worst, off);
+        worst = larger(worst, off);
       }
     return judged(worst, 4.0 * eps, "sadov jacobian against that of the scaled state");
   } catch (const polhode::DomainError& error) {
@@ -402,8 +405,6 @@ const std::vector<EdgeChart>& edge_charts() {
   return all;
 }
 
-constexpr double closest_separatrix = 1e-290;
-
 struct Prepared {
   EdgeCase c;
   FlowCharts flow;
@@ -424,22 +425,20 @@ const std::vector<Prepared>& prepared_cases() {
       const FlowCharts flow = oracle::flow_charts(I, c.state);
       const Quaternion q = normalized(c.state.q);
       // D2 as double-double holds it, and that of the momentum displaced for the limit of a spin
-      if (flow.D2 != 0 && abs(flow.D2) < closest_separatrix * flow.G * flow.G) continue;
-      const double least = std::min({I.x, I.y, I.z}), most = std::max({I.x, I.y, I.z});
-      if (!flow.moves && least < 1e-20 * most) continue;
+      const double least = smaller(I.x, I.y, I.z), most = larger(I.x, I.y, I.z);
       Place place;
       place.needle = least < 1e-20 * most;
-      place.I = std::max(double_of(flow.node), 1e-320);
-      place.J = std::max(double_of(flow.across), 1e-320);
-      place.D2 = std::max(double_of(Long(abs(flow.D2) / (flow.G * flow.G))), 1e-320);
+      place.I = larger(double_of(flow.node), 1e-320);
+      place.J = larger(double_of(flow.across), 1e-320);
+      place.D2 = larger(double_of(Long(abs(flow.D2) / (flow.G * flow.G))), 1e-320);
       const Vec3& g = c.state.g;
-      place.J3 = std::max(std::hypot(g.x / norm(g), g.y / norm(g)), 1e-320);
-      place.theta = std::max(2.0 * std::hypot(q.x, q.y) * std::hypot(q.w, q.z), 1e-320);
+      place.J3 = larger(std::hypot(g.x / norm(g), g.y / norm(g)), 1e-320);
+      place.theta = larger(2.0 * std::hypot(q.x, q.y) * std::hypot(q.w, q.z), 1e-320);
       std::array<double, 3> m{I.x, I.y, I.z};
       std::ranges::sort(m);
       const Vec3 along{I.x == m[2] ? g.x : 0.0, I.y == m[2] ? g.y : 0.0, I.z == m[2] ? g.z : 0.0};
       place.short_part = norm(along) / norm(g);
-      place.gap = std::min((m[1] - m[0]) / m[1], (m[2] - m[1]) / m[2]);
+      place.gap = smaller((m[1] - m[0]) / m[1], (m[2] - m[1]) / m[2]);
       cases.push_back({c, flow, place});
     }
     return cases;

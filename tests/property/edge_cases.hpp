@@ -14,6 +14,7 @@
 
 #include "oracle/random_draw.hpp"
 #include "property/chart_support.hpp"
+#include "worst.hpp"
 
 namespace chart_test {
 
@@ -98,8 +99,8 @@ inline EdgeCase drawn_edge_case(std::uint64_t index) {
     const double A = (I[2] - I[1]) / I[2], C = (I[1] - I[0]) / I[0];
     const double middle = draw.index(2) == 0 ? draw.uniform(-0.9, 0.9) : 1.0 - distance;
     const double across = 1.0 - middle * middle, D2 = draw.sign() * distance * across;
-    k = {draw.sign() * std::sqrt(std::max(0.0, (A * across - D2) / (A + C))), middle,
-         draw.sign() * std::sqrt(std::max(0.0, (C * across + D2) / (A + C)))};
+    k = {draw.sign() * std::sqrt(polhode::test::larger(0.0, (A * across - D2) / (A + C))), middle,
+         draw.sign() * std::sqrt(polhode::test::larger(0.0, (C * across + D2) / (A + C)))};
     if (!(A + C > 0.0)) k = {0.6, 0.48, 0.64};
   } else if (place == 4) {  // exactly on an axis, or on the separatrix of (3, 4, 6)
     if (draw.index(2) == 0)

@@ -59,7 +59,7 @@ class FreeRotation {
   // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q
   // exp(dtheta_B / 2). On the separatrix and for spin about b2 it grows like exp(n t); NaN once n t
   // passes about 180, where fewer than nine digits are left of what a flip takes back (g within
-  // 1e-25 of b2), and for a time that is not finite.
+  // 1e-25 of b2), for moments with a ratio below 1e-150, and for a time that is not finite.
   Matrix6 state_transition(double t) const;
 
   const Body& body() const { return body_; }

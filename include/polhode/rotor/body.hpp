@@ -5,9 +5,8 @@
 //             [SA (24)].
 // Units       any consistent unit of moment of inertia; the library is scale-free.
 // Domain      three positive moments in any order with Imax <= Imid + Imin (to 4 eps Imax: flat
-//             bodies are allowed and stored as given) and Imin >= 1e-150 Imax. Axisymmetric and
-//             spherical bodies are ordinary input. A full tensor must be symmetric to 8 eps of its
-//             largest entry.
+//             bodies are allowed and stored as given). Axisymmetric and spherical bodies are
+//             ordinary input. A full tensor must be symmetric to 8 eps of its largest entry.
 // Accuracy    moments are stored bit for bit; those of a tensor are exact to the rounding of a
 //             symmetric eigen-solver.
 // Errors      DomainError naming the moments and the inequality they break; a zero quaternion.

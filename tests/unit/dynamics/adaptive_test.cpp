@@ -213,4 +213,19 @@ TEST(Adaptive, RefusesValuesOutOfRange) {
     EXPECT_THROW(detail::make_stepper(w1(method, 0.0, 1.0), method), DomainError);
 }
 
+TEST(Adaptive, RefusesMomentsWithoutSquares) {
+  const auto run = [](double least) {
+    return integrate({System(Body(least, 1.0, 1.0)), {{1, 0, 0, 0}, {0.0, 0.0, 1.0}}, 0.0, 1.0});
+  };
+  EXPECT_NO_THROW(run(1e-149));
+  try {
+    run(1e-151);
+    FAIL() << "accepted";
+  } catch (const DomainError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "integrate: moments (1e-151, 1, 1) must be within a factor of 1e150 of each other");
+  }
+}
+
 }  // namespace

@@ -18,9 +18,11 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/torque_table.hpp"
+#include "worst.hpp"
 
 namespace {
 
+using polhode::test::smaller;
 using namespace polhode;
 using polhode::test::message_of;
 using testing::HasSubstr;
@@ -282,7 +284,7 @@ TEST_P(EventsOf, MethodsAgreeBesideAnOrbit) {
   const Trajectory best = integrate(p);
   p.method = GetParam().method;
   if (auto* splitting = std::get_if<Splitting>(&p.method))
-    splitting->step = std::min(splitting->step, 0.2);
+    splitting->step = smaller(splitting->step, 0.2);
   const Trajectory run = integrate(p);
   for (const Event& event : functions) {
     const auto wanted = of_name(best, event.name), found = of_name(run, event.name);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "worst.hpp"
+
 namespace polhode_test {
 
 class PlatesReference {
@@ -28,7 +30,7 @@ class PlatesReference {
     Wide t = 0.0L;
     for (std::size_t k = 0; k < 2; ++k) lit_[k] = cosine(k, t, y) > 0.0L;
     while (t < end) {
-      const Wide h = std::min(longest, end - t);
+      const Wide h = polhode::test::smaller(longest, end - t);
       const Values next = stepped(t, y, h);
       Wide shortest = h;
       std::size_t first = 2;
@@ -39,10 +41,9 @@ class PlatesReference {
           const Wide m = 0.5L * (a + b);
           ((cosine(k, t + m, stepped(t, y, m)) > 0.0L) == lit_[k] ? a : b) = m;
         }
-        if (b <= shortest) {
-          shortest = b;
-          first = k;
-        }
+        if (first < 2 && shortest < b) continue;  // the other plate's edge comes first
+        shortest = b;
+        first = k;
       }
       y = first < 2 ? stepped(t, y, shortest) : next;
       t += shortest;

@@ -19,10 +19,13 @@
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "unit/dynamics/plates_reference.hpp"
+#include "worst.hpp"
 
 namespace polhode {
 namespace {
 
+using polhode::test::larger;
+using polhode::test::smaller;
 using polhode_test::PlatesReference;
 using testing::HasSubstr;
 
@@ -62,10 +65,10 @@ double distance(const RotorState& s, const PlatesReference::Values& y) {
   double same = 0.0, opposite = 0.0;
   for (std::size_t i = 0; i < 7; ++i) {
     const auto apart = [&](double x) { return std::fabs(static_cast<double>(x - y[i])); };
-    same = std::fmax(same, apart(values[i]));
-    opposite = std::fmax(opposite, apart(i < 4 ? -values[i] : values[i]));
+    same = larger(same, apart(values[i]));
+    opposite = larger(opposite, apart(i < 4 ? -values[i] : values[i]));
   }
-  return std::fmin(same, opposite);
+  return smaller(same, opposite);
 }
 
 TEST(Switches, PlatesAreAsAccurateAsTheTolerance) {
@@ -135,7 +138,7 @@ struct Mirrors {
       for (const auto& [end, lit] : {std::pair{middle - half, true},
                                      {middle + half, false},
                                      {middle + 0.5 * period, true}}) {
-        const double h = std::fmax(0.0, std::fmin(end, t) - now), u = lit ? torque() : 0.0;
+        const double h = larger(0.0, smaller(end, t) - now), u = lit ? torque() : 0.0;
         angle += h * (g + 0.5 * u * h);
         g += u * h;
         now += h;
@@ -364,7 +367,7 @@ TEST(LargestStep, AQuarterOfTheFastestTurn) {
   const auto longest = [&] {
     double h = 0.0, before = 0.0;
     for (const Sample& s : integrate(problem).samples()) {
-      h = std::fmax(h, s.t - before);
+      h = larger(h, s.t - before);
       before = s.t;
     }
     return h;

@@ -14,10 +14,12 @@
 #include "polhode/error.hpp"
 #include "unit/elliptic/support.hpp"
 #include "unit/elliptic/typed_values.hpp"
+#include "worst.hpp"
 
 namespace polhode::test {
 namespace {
 
+using polhode::test::larger;
 template <class T>
 BasicModulus<T> any_modulus(double m) {
   return BasicModulus<T>::from_any_pair(T(m), T(1.0) - T(m));
@@ -240,7 +242,7 @@ class BeyondDerivatives : public ::testing::Test {
         return f(x[0], x[1], BasicModulus<DoubleDouble>::from_any_pair(x[2], 1.0 - x[2]));
       };
       const double want = to_double((moved(h) - moved(-h)) / (2.0 * DoubleDouble(h)));
-      const double size = std::max(std::abs(want), std::abs(got.value / at[i]));
+      const double size = larger(std::abs(want), std::abs(got.value / at[i]));
       const double scale = size * (1.0 + std::abs(phi));  // one rounding of phi, relative
       worst_.add(std::abs(got.derivative[i] - want) / scale,
                  name + std::to_string(i) + ": " + listed(phi, n, m));

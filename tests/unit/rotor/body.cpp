@@ -52,15 +52,6 @@ double difference(const Mat3& a, const Mat3& b) {
   return worst.value();
 }
 
-TEST(Body, RefusesANeedleWhoseMomentHasNoSquare) {
-  EXPECT_EQ(message_of(1e-151, 1, 1),
-            "Body: moments (1e-151, 1, 1) must be within a factor of 1e150 of each other");
-  EXPECT_EQ(
-      message_of(1e200, 1e200, 1e-200),
-      "Body: moments (1e+200, 1e+200, 1e-200) must be within a factor of 1e150 of each other");
-  EXPECT_NO_THROW(Body(1e-149, 1, 1));
-}
-
 TEST(Body, KeepsMomentsInAnyOrderBitForBit) {
   for (const Vec3& m :
        {Vec3{1, 2, 2.5}, Vec3{2.5, 1, 2}, Vec3{2, 2.5, 1}, Vec3{1, 1, 1}, Vec3{0.1, 0.2, 0.3},

@@ -9,10 +9,12 @@
 
 #include "budgets.hpp"
 #include "polhode/system/andoyer_method.hpp"
+#include "worst.hpp"
 
 namespace polhode::test {
 namespace {
 
+using polhode::test::larger;
 // The Levi-Civita symbol.
 int parity(int i, int j, int k) { return (i - j) * (j - k) * (k - i) / 2; }
 
@@ -54,8 +56,8 @@ TEST(AndoyersMethod, DefectIsOfTheSizeOfItsTerms) {
         EXPECT_NEAR(detail::lagrange_brackets(at)(k, l), static_cast<double>(b.value),
                     budget::andoyer_method * static_cast<double>(b.size));
         const long double J = l == k + 3 ? 1 : 0;
-        const long double defect = std::abs(b.value - J) / std::max(J, b.size);
-        if (!(defect <= worst)) worst = defect;
+        const long double defect = std::abs(b.value - J) / larger(J, b.size);
+        worst = larger(worst, defect);
       }
     }
     EXPECT_NEAR(detail::canonical_defect(at), static_cast<double>(worst), budget::andoyer_method);
