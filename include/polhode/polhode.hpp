@@ -36,6 +36,7 @@
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/generating_function.hpp"
+#include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"

@@ -2,6 +2,7 @@
 // Free rotation, and the charts that are read from it.
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/generating_function.hpp"
+#include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
@@ -405,6 +406,10 @@ void bind_properties(nb::module_& m) {
         "The rates n = dT/dI of a motion. [SA \"n_g\"]");
   m.def("psi_max", &psi_max, nb::arg("motion"),
         "Largest |psi| (rad) of a motion in short-axis mode; NaN in other regimes.");
+  m.def(
+      "rounding_sensitivity", &rounding_sensitivity, nb::arg("motion"), nb::arg("t"),
+      "How far (rad) the attitude at t moves when one component of the moments or of the momentum\n"
+      "changes by its last digit: the largest of all. NaN for a time that is not finite.");
   m.def(
       "least_period_ratio",
       [](const Body& body, nb::handle mode) {

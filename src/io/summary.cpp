@@ -10,6 +10,7 @@
 #include "io/detail/epoch.hpp"
 #include "io/detail/json.hpp"
 #include "io/detail/table_error.hpp"
+#include "polhode/free/rounding_sensitivity.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -91,6 +92,19 @@ void add_interpolation(Lines& lines, const ScenarioOrbit& orbit) {
   lines.text("orbit_" + orbit.name + "_error", "orbit " + orbit.name + ": interpolation error",
              fmt::format("about {:.0e} of the distance{}", *error,
                          *error > coarse ? ": too few rows a turn" : ""));
+}
+
+// What the doubles of the input leave open at the end of a free rotation.
+void add_sensitivity(Lines& lines, const Scenario& scenario, const FreeRotation& motion) {
+  if (propagation_method(scenario) || !scenario.time || motion.regime() == Regime::rest) return;
+  const SaveAt& time = *scenario.time;
+  if (time.size() == 0) return;
+  const double t = time[time.size() - 1];
+  const double moved = scenario.units.from_core(rounding_sensitivity(motion, t), Dimension::angle);
+  lines.text("rounding_sensitivity", "one rounding of the input moves",
+             fmt::format("the attitude by {:.0e} {} at t = {:.10g} {}", moved,
+                         scenario.units.label(Dimension::angle),
+                         scenario.units.from_core(t, Dimension::time), scenario.units.time()));
 }
 
 // What moves the body, beside itself.
@@ -180,6 +194,7 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   lines.number("energy", "kinetic energy T", motion.energy(), Dimension::energy);
   lines.number("modulus", "elliptic parameter m", motion.modulus().m(), Dimension::number);
   lines.number("complement", "its complement 1 - m", motion.modulus().m1(), Dimension::number);
+  add_sensitivity(lines, scenario, motion);
   lines.text("epoch", "epoch (t = 0)", scenario.epoch);
   if (!scenario.epoch.empty() && is_dubious(epoch_date(scenario.epoch)))
     lines.text("epoch_note", "of the epoch", "leap seconds of UTC are not known for this year");

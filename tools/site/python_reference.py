@@ -76,8 +76,8 @@ The exact motion without torque ([guide](../../guide/free-rotation.md),
 """, {
         "The motion": "FreeRotation free_rotation Regime regime_name Modulus",
         "What belongs to a motion":
-            "SadovFrequencies sadov_frequencies psi_max least_period_ratio GeneratingFunction "
-            "generating_function",
+            "SadovFrequencies sadov_frequencies psi_max least_period_ratio "
+            "rounding_sensitivity GeneratingFunction generating_function",
         "Golden cases": "GoldenCase golden_cases write_golden",
     }),
     Page("frames-and-orbits", "Frames and orbits", """\

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/free/rounding_sensitivity.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Of the rotation from a to b, right for small ones too.
+double angle_between(const Quaternion& a, const Quaternion& b) {
+  const Quaternion d = conj(a) * b;
+  return 2.0 * std::atan2(std::hypot(d.x, d.y, d.z), std::abs(d.w));
+}
+
+// A component that is zero stays zero: it was not rounded.
+Vec3 nudged(const Vec3& v, int component, double towards) {
+  Vec3 r = v;
+  if (r[component] != 0.0) r[component] = std::nextafter(r[component], towards);
+  return r;
+}
+
+std::optional<FreeRotation> rotation(const Vec3& moments, const RotorState& s, double t0) {
+  try {
+    return FreeRotation(Body(moments.x, moments.y, moments.z), s, t0);
+  } catch (const DomainError&) {
+    return std::nullopt;  // I3 > I1 + I2, or beyond double range
+  }
+}
+
+}  // namespace
+
+double rounding_sensitivity(const FreeRotation& motion, double t) {
+  if (!std::isfinite(t)) return std::numeric_limits<double>::quiet_NaN();
+  const Vec3 moments = motion.body().moments();
+  const RotorState s = motion.initial_state();
+  const Quaternion q = motion.at(t).q;
+  double largest = 0.0;
+  for (int component = 0; component < 3; ++component) {
+    for (const double towards : {-infinity, infinity}) {
+      const Vec3 g = nudged(s.g, component, towards);
+      for (const auto& other : {rotation(nudged(moments, component, towards), s, motion.epoch()),
+                                rotation(moments, {s.q, g}, motion.epoch())}) {
+        if (other) largest = std::fmax(largest, angle_between(q, other->at(t).q));
+      }
+    }
+  }
+  return largest;
+}
+
+}  // namespace v0
+}  // namespace polhode
