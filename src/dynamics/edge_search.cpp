@@ -59,7 +59,7 @@ class Search {
     std::stable_sort(crossings.begin(), crossings.end(),
                      [](const Crossing& a, const Crossing& b) { return a.guess < b.guess; });
     for (const Crossing& c : crossings) {
-      if (!(curve_.truly(c.which, c.beyond) < 0.0)) continue;  // the interpolation errs
+      if (!below(c.which, curve_.truly(c.which, c.beyond))) continue;  // the interpolation errs
       const double step = 0.01 * (c.beyond - c.before), x = c.guess;
       const double slope = (rough(c.which, x + step) - rough(c.which, x)) / step;
       const auto truth = [&](double at) { return curve_.truly(c.which, at); };
@@ -71,16 +71,18 @@ class Search {
  private:
   static double place(std::size_t k) { return static_cast<double>(k) / pieces; }
   double rough(std::size_t which, double x) const { return curve_.along(x)[which]; }
+  bool below(std::size_t which, double value) const { return value < -curve_.rounding(which); }
 
   // Every sample below zero, and what dips below it between samples that are not.
   void add_crossings(std::size_t i, std::vector<Crossing>& found) const {
     double before = 0.0;
     for (std::size_t k = 1; k <= pieces; ++k) {
-      if (!(values_[k][i] < 0.0) && k < pieces) {
+      const bool beyond = below(i, values_[k][i]);
+      if (!beyond && k < pieces) {
         const double x = lowest_about(k, i);
-        if (rough(i, x) < 0.0) add({i, before, x, 0.0}, found);
+        if (below(i, rough(i, x))) add({i, before, x, 0.0}, found);
       }
-      if (values_[k][i] < 0.0) add({i, before, place(k), 0.0}, found);
+      if (beyond) add({i, before, place(k), 0.0}, found);
       before = place(k);
     }
   }
@@ -103,8 +105,8 @@ class Search {
     for (int trip = 0; trip < 24; ++trip) {
       const double low = to - golden * (to - from), high = from + golden * (to - from);
       const double at_low = rough(i, low), at_high = rough(i, high);
-      if (at_low < 0.0) return low;
-      if (at_high < 0.0) return high;
+      if (below(i, at_low)) return low;
+      if (below(i, at_high)) return high;
       (at_low < at_high ? to : from) = at_low < at_high ? high : low;
     }
     return 0.5 * (from + to);

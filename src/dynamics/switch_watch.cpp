@@ -2,6 +2,7 @@
 #include "dynamics/detail/switch_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace polhode {
@@ -36,6 +37,7 @@ void SwitchWatch::begin(const DoubleDouble& t, const RotorState& s) {
   if (begun_ || !needed_) return;
   begun_ = true;
   SwitchSides sides = switches_of(system_, t, s);
+  see(sides.values);
   for (double& value : sides.values) value = side_of(value);
   if (!sides.values.empty()) sides_ = std::make_shared<const SwitchSides>(std::move(sides));
 }
@@ -52,6 +54,18 @@ std::vector<double> SwitchWatch::values(const DoubleDouble& t, const RotorState&
   }
   for (std::size_t i = 0; i < now.values.size(); ++i) now.values[i] *= sides_->values[i];
   return std::move(now.values);
+}
+
+void SwitchWatch::see(const std::vector<double>& values) {
+  largest_.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    largest_[i] = std::max(largest_[i], std::fabs(values[i]));
+}
+
+// A function that a torque brings to zero and leaves there walks by roundings of what it is made
+// of.
+double SwitchWatch::rounding(std::size_t which) const {
+  return 64.0 * epsilon<double>() * largest_[which];
 }
 
 void SwitchWatch::cross(std::size_t which) {
@@ -75,7 +89,7 @@ std::string SwitchWatch::text(std::size_t which) const {
 }
 
 void SwitchWatch::transfer(StateBytes& bytes) {
-  bytes.all(begun_, crossed_at_once_);
+  bytes.all(begun_, crossed_at_once_, largest_);
   transfer(bytes, sides_);
 }
 

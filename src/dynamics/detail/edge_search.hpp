@@ -16,6 +16,7 @@ class SwitchCurve {
   virtual ~SwitchCurve() = default;
   virtual std::vector<double> along(double x) const = 0;  // of an interpolation
   virtual double truly(std::size_t which, double x) const = 0;
+  virtual double rounding(std::size_t which) const = 0;
 };
 
 struct Edge {

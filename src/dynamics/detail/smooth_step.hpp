@@ -75,6 +75,8 @@ class StepCurve final : public SwitchCurve {
     return switches_.values(mark_.t + x * h_, rounded(state.y))[which];
   }
 
+  double rounding(std::size_t which) const override { return switches_.rounding(which); }
+
  private:
   Values at(double x) const {
     Values y = mark_.state.y;
@@ -112,8 +114,12 @@ std::string smooth_step(Solver& solver, const Field& field, const Breakpoints& b
     }
     if (crossed && solver.time().hi == end) switches.cross(*crossed);
     if (!mark || crossed) break;
-    const std::optional<Edge> edge = first_edge(StepCurve<Solver>(solver, *mark, switches));
-    if (!edge) break;
+    const StepCurve<Solver> curve(solver, *mark, switches);
+    const std::optional<Edge> edge = first_edge(curve);
+    if (!edge) {
+      switches.see(curve.along(1.0));
+      break;
+    }
     const double length = edge->x * solver.trial();
     solver.back_to(*mark);
     if (std::abs(length) < smallest_step(begin)) {

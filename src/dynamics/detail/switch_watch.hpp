@@ -35,6 +35,10 @@ class SwitchWatch {
   // at the zero.
   bool cross_at_once(std::size_t which);
   void stepped() { crossed_at_once_ = 0; }
+  // Values at the end of a step: how large each function is, and so what of it is rounding.
+  void see(const std::vector<double>& values);
+  // Below minus this a function has changed its sign; nearer to zero it may stay.
+  double rounding(std::size_t which) const;
   // The term of a function and its number in it.
   std::string text(std::size_t which) const;
 
@@ -48,6 +52,7 @@ class SwitchWatch {
   bool begun_ = false;
   std::shared_ptr<const SwitchSides> sides_;
   int crossed_at_once_ = 0;
+  std::vector<double> largest_;  // of each function, so far
 };
 
 }  // namespace detail
