@@ -52,8 +52,8 @@ class BeyondTheOrdinary : public ::testing::Test {
   void near(const T& got, const T& want, const std::string& where) {
     worst_.add(std::abs(to_double(got / want - T(1.0))), where);
   }
-  void TearDown() override { EXPECT_LE(worst_.units(), budget::elliptic_beyond) << worst_.where(); }
-  Worst<T> worst_;
+  void TearDown() override { worst_.expect_within(budget::elliptic_beyond); }
+  WorstUnits<T> worst_;
 };
 TYPED_TEST_SUITE(BeyondTheOrdinary, Real2);
 
@@ -248,10 +248,8 @@ class BeyondDerivatives : public ::testing::Test {
                  name + std::to_string(i) + ": " + listed(phi, n, m));
     }
   }
-  void TearDown() override {
-    EXPECT_LE(worst_.units(), budget::elliptic_beyond_derivative) << worst_.where();
-  }
-  Worst<double> worst_;
+  void TearDown() override { worst_.expect_within(budget::elliptic_beyond_derivative); }
+  WorstUnits<double> worst_;
 };
 
 TEST_F(BeyondDerivatives, AnyModulus) {

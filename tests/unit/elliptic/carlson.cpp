@@ -89,7 +89,8 @@ TYPED_TEST(Carlson, WholeRange) {
   oracle::Draw draw(207, 0);
   const double end = -least_exponent<T>();
   const auto any = [&] { return drawn_power(draw, -end, end); };
-  const auto add = [](Worst<T>& worst, const T& got, const Exact& exact, const std::string& at) {
+  const auto add = [](WorstUnits<T>& worst, const T& got, const Exact& exact,
+                      const std::string& at) {
     const double size = std::abs(exact.a);
     const bool held = std::is_same_v<T, double> ? size >= 0x1p-1022 && size < HUGE_VAL
                                                 : size > 1e-230 && size < 1e280;
