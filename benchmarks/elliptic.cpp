@@ -23,6 +23,7 @@
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/elliptic/legendre.hpp"
+#include "polhode/elliptic/legendre_pi.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -19,12 +19,16 @@ using DDVec3 = BasicVec3<DD>;
 using Columns = std::array<detail::FlowTangent<DD>, 3>;
 
 // The three columns for dg0, in sorted axes; A maps body components at t to those at t0.
-Columns momentum_columns(const DDVec3& moments, const Vec3& g_sorted, const DD& time,
+Columns momentum_columns(const Vec3& sorted_moments, const Vec3& g_sorted, const DD& time,
                          const BasicMat3<DD>& A) {
+  const DDVec3 moments = detail::converted<DD>(sorted_moments);
   BasicVec3<Dual3> g0;
   for (int i = 0; i < 3; ++i) g0[i] = Dual3::variable(DD(g_sorted[i]), i);
   const BasicMat3<DD> At = transpose(A);
-  return detail::flow_tangents(detail::FlowBody<DD>(moments), g0, time,
+  Dual3 D2 = detail::separatrix_discriminant(moments, Dual3(g0.x * g0.x), Dual3(g0.z * g0.z));
+  const auto exact = detail::exact_separatrix_distance(sorted_moments, g_sorted.x, g_sorted.z);
+  D2.value = ldexp(exact.mantissa, exact.exponent);
+  return detail::flow_tangents(detail::FlowBody<DD>(moments), g0, D2, time,
                                [&](const DDVec3& v) { return At * v; });
 }
 
@@ -68,7 +72,7 @@ Matrix6 FreeRotation::state_transition(double t) const {
           A_body(order.axis[static_cast<std::size_t>(i)], order.axis[static_cast<std::size_t>(j)]);
   const bool resting = g == Vec3{};
   const Columns c =
-      resting ? resting_columns(moments, time) : momentum_columns(moments, g, time, A);
+      resting ? resting_columns(moments, time) : momentum_columns(sorted_moments, g, time, A);
 
   Matrix6 stm;
   for (int i = 0; i < 3; ++i)

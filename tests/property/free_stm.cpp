@@ -107,6 +107,15 @@ std::vector<FreeCase> flipping_cases() {
   // with as many digits as the oracle has left of such growth
   for (const FreeCase& c : across_by(1e-15, 0.3, {0.5, 1.0, 2.9})) cases.push_back(c);
   for (const FreeCase& c : across_by(1e-24, 0.3, {0.5, 0.55})) cases.push_back(c);
+  // 4e-21 from the separatrix by the last bits of the moments
+  FreeCase near{{0.32200176517297396, 0.3789751609709488, 0.661517593383879},
+                {{1, 0, 0, 0}, {0.8233251531952871, -0.3, 0.5299161674818204}},
+                0.0,
+                0.0};
+  for (const double turns : {5.0, 40.0}) {
+    set_time(near, turns);
+    cases.push_back(near);
+  }
   return cases;
 }
 

@@ -28,6 +28,11 @@ STATES = {
     "ExtremeShapesAndUnits": ("needles, discs with I3 = I1 + I2, units of 1e-140 .. 1e140", "100"),
     "AfterAMillionTurns": ("random, 2TI2/G^2 - 1 beyond 1e-3", "1e6"),
     "AfterABillionTurns": ("random, 2TI2/G^2 - 1 beyond 1e-3", "1e9"),
+    "EdgeMiddleSpin": ("momentum across the middle axis of 1e-310 .. 1e-8 of G", "500"),
+    "EdgeSeparatrixOfFullMoments": ("2TI2/G^2 - 1 of 1e-17 .. 1e-9, every bit of the moments "
+                                    "used", "100"),
+    "EdgeSeparatrixAfterABillionTurns": ("the same, 1e-15", "1e9"),
+    "EdgeMomenta": ("momenta of 1e-160 and 1e300, moments of order one", "100"),
 }
 MATRICES = {
     "RandomBodies": "random triaxial bodies, any state",
@@ -35,6 +40,7 @@ MATRICES = {
     "NearlyEqualMoments": "two or three moments nearly or exactly equal",
     "NearTheSeparatrix": "2TI2/G^2 - 1 of 1e-16 .. 1e-3, both signs",
     "OnTheSeparatrix": "2TI2/G^2 - 1 = 0 exactly",
+    "FromFlipToFlip": "next to the middle axis, up to three flips",
     "Degenerate": "J = 0, spins about each axis, separatrix, I1 = I2, I2 = I3, sphere, rest",
 }
 
@@ -53,8 +59,8 @@ integration of the quaternion, the axisymmetric solution, typed digits of mpmath
 other orders (tests/unit/oracle): its own ways agree to 1e-56.
 
 Moments come in any order of the axes. A turn is 2 pi / |omega| at the start; times are uniform
-between minus and plus the number of turns (all of it in the last two rows). The angle is that of
-the rotation between the two attitudes.
+between minus and plus the number of turns (all of it in the rows of 1e6 and 1e9). The angle is that
+of the rotation between the two attitudes.
 """
 
 STATE_HEAD = """

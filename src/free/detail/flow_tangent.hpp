@@ -31,16 +31,16 @@ struct FlowTangent {
   BasicVec3<T> attitude;  // dtheta_B at the end
 };
 
-// One for each variable of g0, which is in sorted axes and not zero. `to_end` takes components in
-// body axes at the start to those at the end. The attitude moves across the momentum because the
-// inertial momentum is conserved, and along it by the change of the precession.
+// One for each variable of g0, which is in sorted axes and not zero; D2 is G^2 - 2 T I2 as a
+// function of it. `to_end` takes components in body axes at the start to those at the end. The
+// attitude moves across the momentum because the inertial momentum is conserved, and along it by
+// the change of the precession.
 template <Real T, int N, class S, class Rotation>
 std::array<FlowTangent<T>, static_cast<std::size_t>(N)> flow_tangents(
-    const FlowBody<S>& body, const BasicVec3<Dual<T, N>>& g0, const S& time,
+    const FlowBody<S>& body, const BasicVec3<Dual<T, N>>& g0, const Dual<T, N>& D2, const S& time,
     const Rotation& to_end) {
   using std::sqrt;
   using D = Dual<T, N>;
-  const D D2 = separatrix_discriminant(body.I, D(g0.x * g0.x), D(g0.z * g0.z));
   const EulerFlow<D> flow = euler_flow(body, g0, D2, time);
   const D turn = precession(flow);
   const auto value = [](const BasicVec3<D>& v) {
@@ -64,6 +64,7 @@ std::array<FlowTangent<T>, static_cast<std::size_t>(N)> flow_tangents(
     const T node0 = turn_of_node(start, dg0, flow.pole), node = turn_of_node(g, dg, flow.pole);
     const T along = turn.derivative[j] + node0 - node;
     terms = std::fmax(terms, std::abs(to_double(node)));
+    sums = std::fmax(sums, std::abs(to_double(node0)));
     tangents[j] = {dg, across + (along / sqrt(G2)) * g};
     sums = std::fmax(sums, std::abs(to_double(norm(tangents[j].attitude))));
   }

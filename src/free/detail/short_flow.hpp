@@ -125,8 +125,9 @@ class ShortFlow {
     const BasicVec3<Dual1> g0{{g.x, {d.x}}, {g.y, {d.y}}, {g.z, {d.z}}};
     const Vec3 axis = reordered(order_, Vec3{turn.x, turn.y, turn.z});
     const Quaternion back{turn.w, -axis.x, -axis.y, -axis.z};
+    const Dual1 D2 = separatrix_discriminant(body_.I, Dual1(g0.x * g0.x), Dual1(g0.z * g0.z));
     const FlowTangent<double> t =
-        flow_tangents(body_, g0, time, [&](const Vec3& v) { return rotate(back, v); })[0];
+        flow_tangents(body_, g0, D2, time, [&](const Vec3& v) { return rotate(back, v); })[0];
     return {restored(t.momentum), detail::restored(order_, t.attitude)};
   }
 
