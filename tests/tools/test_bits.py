@@ -2,6 +2,7 @@
 """tools/bits: one bit that differs is found, named and measured, whatever the file."""
 
 import math
+import runpy
 import subprocess
 import sys
 
@@ -15,6 +16,18 @@ def compare(root):
     sys.path.insert(0, str(root / "tools"))
     from bitwise import compare
     return compare
+
+
+@pytest.fixture(scope="module")
+def outputs(compare):
+    from bitwise import outputs
+    return outputs
+
+
+@pytest.fixture(scope="module")
+def failed(compare):
+    from bitwise.revision import Failed
+    return Failed
 
 
 @pytest.fixture
@@ -110,6 +123,102 @@ def test_a_bit_of_an_hdf5_file(compare, folders):
         file["q"][7] = values[7]
         file["q"][0] = -0.0  # equal to 0, with another bit
     assert len(compare.compare_folders(*folders).differences) == 1
+
+
+def test_what_was_skipped_is_compared_on_neither_side(compare, folders):
+    (folders[0] / "within/out.csv").write_text("t\n1\n")
+    (folders[1] / "golden.json").write_text("{}")
+    assert len(compare.compare_folders(*folders).differences) == 2
+    (found,) = compare.compare_folders(*folders, without=["within"]).differences
+    assert found.case == "golden.json"
+
+
+@pytest.mark.parametrize("script, message", [
+    (None, "h5diff is not there: it is in the package hdf5-tools"),
+    ("exit 2", "status 2, without a word")])
+def test_h5diff_that_says_nothing(compare, failed, folders, tmp_path, monkeypatch, script, message):
+    for folder in folders:
+        (folder / "out.h5").write_text(folder.name)
+    if script is not None:
+        (tmp_path / "h5diff").write_text(f"#!/bin/sh\n{script}\n")
+        (tmp_path / "h5diff").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(failed, match=message):
+        compare.compare_folders(*folders)
+
+
+def test_no_time_and_no_memory_are_told_apart(outputs, failed, tmp_path, monkeypatch):
+    monkeypatch.setattr(outputs, "SECONDS", 1)
+    with pytest.raises(outputs.TooLong, match="takes more than 1 s of processor time"):
+        outputs.printed(["sh", "-c", "while :; do :; done"], tmp_path / "out.txt")
+    with pytest.raises(failed, match="was killed; did the memory end") as killed:
+        outputs.printed(["sh", "-c", "kill -KILL $$"], tmp_path / "out.txt")
+    assert killed.type is failed
+    outputs.printed(["sh", "-c", "echo no >&2; exit 3"], tmp_path / "out.txt")
+    assert (tmp_path / "out.failed.txt").read_text() == "status 3\nno\n"
+
+
+def test_a_scenario_that_takes_too_long_is_skipped_and_a_probe_is_not(
+        outputs, failed, tmp_path, monkeypatch):
+    monkeypatch.setattr(outputs, "SECONDS", 1)
+    endless = tmp_path / "endless"
+    endless.write_text("#!/bin/sh\nwhile :; do :; done\n")
+    endless.chmod(0o755)
+
+    class Side:
+        name, polhode = "this side", endless
+
+        @staticmethod
+        def compile(source, program):
+            program.symlink_to(endless)
+
+    scenario = tmp_path / "slow.toml"
+    scenario.write_text("")
+    folder = tmp_path / "outputs"
+    folder.mkdir()
+    assert outputs.run_scenario(Side, "map", scenario, folder) == ["slow"]
+    assert not list(folder.iterdir())
+    with pytest.raises(failed, match="takes more than 1 s"):
+        outputs.run_probe(Side, "free", folder)
+
+
+def test_outputs_are_kept_only_while_what_makes_them_is_the_same(outputs, tmp_path, monkeypatch):
+    for name in ("outputs.py", "revision.py", "free.cpp", "cases.hpp", "record.hpp"):
+        (tmp_path / name).write_text(name)
+    monkeypatch.setattr(outputs, "PROBES", tmp_path)
+    digests = {outputs.digest("free")}
+    for k, path in enumerate(sorted(tmp_path.iterdir()), 2):
+        path.write_text("changed")
+        digests.add(outputs.digest("free"))
+        assert len(digests) == k, path.name
+
+
+# A probe is compiled by tools/bits alone: a header that changes would break it unseen.
+@pytest.mark.parametrize("probe", ["charts", "free", "w1"])
+def test_a_probe_compiles_against_the_headers_of_the_tree(root, outputs, probe):
+    from bitwise import revision
+    done = subprocess.run(["g++", *revision.FLAGS, "-O0", "-fsyntax-only", f"-I{root}/include",
+                           root / f"tools/bitwise/{probe}.cpp"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("status, differ, skipped", [
+    (0, False, []), (1, True, []), (2, False, ["slow"]), (1, True, ["slow"])])
+def test_exit_status(root, outputs, tmp_path, monkeypatch, capsys, status, differ, skipped):
+    bits = runpy.run_path(str(root / "tools/bits"))
+    for side in ("old", "new"):
+        (tmp_path / side).mkdir()
+        (tmp_path / side / "free.tsv").write_text(f"a\tx\t{side if differ else 1}\n")
+    (tmp_path / "new/slow").mkdir()
+    (tmp_path / "new/slow/out.csv").write_text("t\n1\n")
+    if not skipped:
+        (tmp_path / "new/slow/out.csv").unlink()
+    monkeypatch.setattr(outputs, "outputs", lambda side, group: (
+        tmp_path / side, skipped if side == "old" else []))
+    assert bits["compare_group"]("free", "old", "new", 10) == status
+    printed = capsys.readouterr().out
+    assert ("skipped, not compared: slow" in printed) == bool(skipped)
+    assert printed.count("differ") == 1 and ("a  x  old  new" in printed) == differ
 
 
 @pytest.mark.parametrize("arguments, message", [

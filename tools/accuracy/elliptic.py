@@ -253,7 +253,7 @@ Angles: a quarter each in +-1.57, from 5e-324 on, next to pi/2, and up to 1e6 ra
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--count", type=int, default=120)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="")
     parser.add_argument("--show", action="store_true", help="print the worst; write nothing")

@@ -14,7 +14,8 @@ PROBES = ROOT / "tools/bitwise"
 EXAMPLES = ROOT / "examples"
 # A scenario that takes more processor time is skipped, and said to be.
 SECONDS = 300
-LIMITED = ["sh", "-c", f'ulimit -t {SECONDS}; exec "$@"', "sh"]
+# The soft limit alone: at the hard one the signal is SIGKILL, as where memory ends.
+LIMITED = ["sh", "-c", 'ulimit -S -t "$0"; exec "$@"']
 
 
 def probe_sources(name):
@@ -38,17 +39,20 @@ GROUPS = {
 }
 
 
-class TooLong(Exception):
-    pass
+class TooLong(Failed):
+    """Of a scenario it is no failure: it is skipped."""
 
 
 def printed(command, path):
     """Standard output into a file; the status, and what was said, into another one."""
+    words = [str(word) for word in command]
     with path.open("wb") as out:
-        done = subprocess.run([*LIMITED, *map(str, command)], stdout=out, cwd=path.parent,
+        done = subprocess.run([*LIMITED, str(SECONDS), *words], stdout=out, cwd=path.parent,
                               stdin=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        raise TooLong
+    if done.returncode == -signal.SIGXCPU:
+        raise TooLong(f"{' '.join(words)}: takes more than {SECONDS} s of processor time")
+    if done.returncode == -signal.SIGKILL:
+        raise Failed(f"{' '.join(words)}: was killed; did the memory end?")
     if done.returncode != 0:
         said = done.stderr.decode(errors="replace").strip()
         path.with_suffix(".failed.txt").write_text(f"status {done.returncode}\n{said}\n")
@@ -99,7 +103,7 @@ def run_group(side, group, folder):
 def digest(group):
     """Of all that the outputs of a revision depend on beside the revision."""
     text = hashlib.sha256()
-    inputs = [PROBES / "outputs.py", *GROUPS[group]()]
+    inputs = [PROBES / "outputs.py", PROBES / "revision.py", *GROUPS[group]()]
     if group in ("examples", "maps"):
         inputs += [path for path in sorted(EXAMPLES.rglob("*")) if path.is_file()]
     for path in inputs:
