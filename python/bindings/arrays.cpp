@@ -28,10 +28,6 @@ std::string expected_shape(const Shape& inner) {
 
 nb::object numpy(const char* function) { return nb::module_::import_("numpy").attr(function); }
 
-[[noreturn]] void not_real(const char* name, const std::string& got) {
-  throw nb::type_error((std::string(name) + ": got " + got + "; expected real numbers").c_str());
-}
-
 nb::object array_that_owns(std::unique_ptr<double[]> numbers, const Shape& shape) {
   double* data = numbers.get();
   nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
@@ -52,10 +48,6 @@ nb::object scalar_first(nb::handle rotation) {
 }
 
 }  // namespace
-
-std::string class_name(nb::handle value) {
-  return nb::cast<std::string>(nb::handle(value.type()).attr("__name__"));
-}
 
 std::size_t size_of(const Shape& shape) { return product(shape); }
 
@@ -82,14 +74,12 @@ nb::object real_array(nb::handle value, const char* name) {
     array = numpy("asarray")(value);
   } catch (nb::python_error& e) {
     if (!e.matches(PyExc_ValueError) && !e.matches(PyExc_TypeError)) throw;
-    not_real(name, "a ragged or mixed " + class_name(value));
+    refuse_not_real("a ragged or mixed " + class_name(value), name);
   }
-  const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
-  if (kind.find_first_of("fiu") == std::string::npos) {
-    // an object array may hold numbers: Python integers beyond 64 bits
-    const std::string dtype = nb::cast<std::string>(nb::str(nb::object(array.attr("dtype"))));
-    not_real(name, class_name(value) + " of " + dtype);
-  }
+  // an object array may hold numbers: Python integers beyond 64 bits
+  const nb::object dtype = array.attr("dtype");
+  if (!is_real_kind(nb::cast<std::string>(dtype.attr("kind"))))
+    refuse_not_real(text_with(dtype, value), name);
   // not ascontiguousarray: it makes one dimension of none
   return numpy("asarray")(array, nb::arg("dtype") = "float64", nb::arg("order") = "C");
 }

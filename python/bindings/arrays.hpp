@@ -22,8 +22,6 @@ namespace polhode::python {
 
 using Shape = std::vector<std::size_t>;
 
-// "ndarray", of any Python object.
-std::string class_name(nb::handle value);
 std::size_t size_of(const Shape& shape);
 // Whether it is `size`, of a shape from anywhere: the product may be beyond all numbers.
 bool is_size_of(const Shape& shape, std::size_t size);

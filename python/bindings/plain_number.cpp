@@ -84,10 +84,6 @@ std::string short_text(nb::handle value) {
   return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-std::string class_of(nb::handle value) {
-  return nb::cast<std::string>(nb::handle(value.type()).attr("__name__"));
-}
-
 // The name of the method that makes numbers of a quantity; none where there is no known one.
 nb::object conversion_of(nb::handle type) {
   for (PyObject* name : names().conversions)
@@ -104,7 +100,7 @@ nb::object unit_of(nb::handle value) {
   for (PyObject* name : {names().unit, names().units}) {
     if (conversion.is_none() && !has(type, name)) continue;
     nb::object unit = attribute(value, name);
-    const std::string kind = class_of(unit);
+    const std::string kind = class_name(unit);
     const bool is_method = kind == "method" || kind == "builtin_function_or_method";
     if (!unit.is_none() && !is_method) return unit;
   }
@@ -123,7 +119,7 @@ Refusal refusal_of_unit(nb::handle value, nb::handle unit, const char* name) {
   const std::string how = convert.is_none()
                               ? "convert it and pass its value"
                               : own + nb::cast<std::string>(convert) + "(unit) gives them";
-  return {short_text(value) + ", a " + class_of(value) + " in " + unit_text(unit) +
+  return {short_text(value) + ", a " + class_name(value) + " in " + unit_text(unit) +
           "; expected plain numbers, all in one set of units: " + how};
 }
 
@@ -160,18 +156,18 @@ bool is_no_number(PyObject* value) {
 MayRefuse refusal_of_python(nb::handle value) {
   PyObject* const p = value.ptr();
   if (PyBool_Check(p)) return refusal("a bool");
-  if (is_no_number(p)) return refusal("a " + class_of(value));
+  if (is_no_number(p)) return refusal("a " + class_name(value));
   return {};
 }
 
-// "a timedelta64 of timedelta64[s]": an array or a scalar of NumPy that is not real.
+// An array or a scalar of NumPy that is not real; one of objects is looked at elsewhere.
 MayRefuse refusal_of_dtype(nb::handle value) {
   if (!has(value.type(), names().dtype)) return {};
   const nb::object dtype = attribute(value, names().dtype), kind = attribute(dtype, names().kind);
   if (!nb::isinstance<nb::str>(kind)) return {};
   const auto letter = nb::cast<std::string>(kind);
-  if (letter == "O" || letter.find_first_of("fiu") != std::string::npos) return {};
-  return refusal(class_of(value) + " of " + nb::cast<std::string>(nb::str(dtype)));
+  if (letter == "O" || is_real_kind(letter)) return {};
+  return refusal(text_with(dtype, value));
 }
 
 MayRefuse refusal_of(nb::handle value, const char* name) {
@@ -215,11 +211,10 @@ class Walk {
   const PyTypeObject* known_ = nullptr;
 };
 
-void refuse_if(const MayRefuse& refusal, const char* name) {
-  if (!refusal) return;
+[[noreturn]] void refuse(const Refusal& refusal, const char* name) {
   const std::string subject = name[0] == '\0' ? "" : std::string(name) + ": ";
-  const std::string text = subject + "got " + refusal->why;
-  if (refusal->of_value) throw nb::value_error(text.c_str());
+  const std::string text = subject + "got " + refusal.why;
+  if (refusal.of_value) throw nb::value_error(text.c_str());
   throw nb::type_error(text.c_str());
 }
 
@@ -257,6 +252,18 @@ bool read_integer(nb::handle value, bool convert, T& number, nb::handle& refused
 
 }  // namespace
 
+std::string class_name(nb::handle value) {
+  return nb::cast<std::string>(nb::handle(value.type()).attr("__name__"));
+}
+
+std::string text_with(nb::handle dtype, nb::handle value) {
+  return class_name(value) + " of " + nb::cast<std::string>(nb::str(dtype));
+}
+
+bool is_real_kind(std::string_view kind) { return kind == "f" || kind == "i" || kind == "u"; }
+
+void refuse_not_real(const std::string& got, const char* name) { refuse(refusal(got), name); }
+
 bool is_plain_scalar(nb::handle value) noexcept {
   if (PyFloat_CheckExact(value.ptr()) || PyLong_CheckExact(value.ptr())) return true;
   static const PyObject* const float64 = numpy_type("float64");
@@ -270,7 +277,9 @@ bool is_plain_array(nb::handle value) noexcept {
 
 bool is_refused(nb::handle value) { return Walk("")(value).has_value(); }
 
-void require_plain(nb::handle value, const char* name) { refuse_if(Walk(name)(value), name); }
+void require_plain(nb::handle value, const char* name) {
+  if (const auto why = Walk(name)(value)) refuse(*why, name);
+}
 
 void require_plain_within(nb::handle value, const char* name) { require_plain(value, name); }
 

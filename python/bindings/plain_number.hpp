@@ -9,12 +9,23 @@
 #include <nanobind/stl/optional.h>
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 namespace polhode::python {
 
 namespace nb = nanobind;
+
+// "ndarray", of any Python object.
+std::string class_name(nb::handle value);
+// "ndarray of complex128".
+std::string text_with(nb::handle dtype, nb::handle value);
+// Whether a dtype of NumPy of this kind ("f", "c", "O") holds real numbers.
+bool is_real_kind(std::string_view kind);
+// TypeError: "t: got a bool; expected real numbers". `name` as for require_plain.
+[[noreturn]] void refuse_not_real(const std::string& got, const char* name);
 
 // A float or an int and nothing derived from them, or NumPy's own float64.
 bool is_plain_scalar(nb::handle value) noexcept;

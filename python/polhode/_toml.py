@@ -43,7 +43,7 @@ def _lines(table: Mapping[str, Any], path: str) -> list[str]:
     for key, value in table.items():
         name = _name(key, path)
         inner = f"{path}.{name}" if path else name
-        if isinstance(value, Mapping) and not _is_quantity(value):
+        if isinstance(value, Mapping) and not _is_value_with_unit(value):
             inside = _lines(value, inner)
             # tables in tables need no header of their own
             only_tables = len(inside) > 0 and inside[0] == ""
@@ -56,7 +56,7 @@ def _lines(table: Mapping[str, Any], path: str) -> list[str]:
     return lines + tables  # a key after the header of a table would belong to that table
 
 
-def _is_quantity(value: Any) -> bool:
+def _is_value_with_unit(value: Any) -> bool:
     return isinstance(value, Mapping) and "value" in value and set(value) <= {"value", "unit"}
 
 
@@ -64,7 +64,7 @@ def _is_array_of_tables(value: Any) -> bool:
     return (
         isinstance(value, (list, tuple))
         and len(value) > 0
-        and all(isinstance(x, Mapping) and not _is_quantity(x) for x in value)
+        and all(isinstance(x, Mapping) and not _is_value_with_unit(x) for x in value)
     )
 
 
