@@ -65,8 +65,13 @@ void TableCheck::unit(std::size_t column, const Read& read) const {
   double right = read.unit;
   try {
     right = at_.units.to_core(1.0, said->text, read.dimension);
-  } catch (const DomainError&) {
-    return;  // a scenario without units of length or moment: nothing to compare with
+  } catch (const DomainError& error) {
+    // A scenario without a unit of length or moment has nothing to compare with.
+    const bool of_orbit = read.dimension == Dimension::length || read.dimension == Dimension::speed;
+    if (read.dimension != Dimension::time &&
+        (of_orbit ? at_.units.length() : at_.units.moment()) == "1")
+      return;
+    throw DomainError(said->at + "column " + printable(names_.at(column)) + ": " + error.what());
   }
   if (std::fabs(read.unit - right) > same_unit * right)
     throw DomainError(said->at + "column " + printable(names_.at(column)) + " is in " +

@@ -59,7 +59,8 @@ class Parts {
     if (const auto date = behind(part, "t counts from ")) return epoch(*date);
     if (const auto date = behind(part, "epoch: ")) return epoch(*date);
     if (const auto axes = behind(part, "axes: ")) {
-      if (is_axes(*axes)) header_.axes = note(*axes);
+      // One word is a name, known or not; more are a remark.
+      if (axes->find(' ') == std::string_view::npos) header_.axes = note(*axes);
       return;
     }
     if (const auto rest = behind(part, "t in ")) return timed(*rest);

@@ -77,7 +77,8 @@ TEST_F(TableHeaders, OfThisScenarioAreTaken) {
             "no error");
   // the same instant in another scale: TAI - UTC was 37 s
   EXPECT_EQ(error_of("# epoch: 2029-04-13T00:00:37 TAI\n"), "no error");
-  EXPECT_EQ(error_of("# t counts from the epoch; axes: everywhere; t in the sky\n"), "no error");
+  EXPECT_EQ(error_of("# t counts from the epoch; axes: as in the paper; t in the sky\n"),
+            "no error");
 }
 
 TEST_F(TableHeaders, OfAnotherEpochAreRefused) {
@@ -105,6 +106,8 @@ TEST_F(TableHeaders, OfOtherAxesAreRefused) {
               HasSubstr("moon.csv:1: its axes are equator-J2000; expected axes = "
                         "\"equator-J2000\" beside the file or in [state], not \"ecliptic-J2000\""));
   EXPECT_EQ(error_of(satellite, "axes = \"equator-J2000\"\n"), "no error");
+  EXPECT_THAT(error_of("# axes: TEME\n"),
+              HasSubstr("moon.csv:1: its axes are TEME; expected axes"));
   state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\n";  // axes that nobody names
   EXPECT_THAT(error_of(satellite), HasSubstr("not \"inertial\""));
 }
@@ -122,6 +125,10 @@ TEST_F(TableHeaders, OfOtherUnitsAreRefused) {
   const std::string units =
       "# units: t [s], x [km], y [km], z [m], vx [km/s], vy [m/s], vz [km/s]\n";
   EXPECT_THAT(error_of(units + "t,x,y,z,vx,vy,vz\n"), HasSubstr("column z is in m; expected"));
+  for (const char* unit : {"deg", "furlong"})
+    EXPECT_THAT(error_of("# units: t [s], x [" + std::string(unit) + "]\nt,x,y,z,vx,vy,vz\n"),
+                HasSubstr("moon.csv:1: column x: "))
+        << unit;
   EXPECT_THAT(error_of(units + "t,x,y,z,vx,vy,vz\n",
                        "columns = [\"1\", \"2\", \"3\", \"3\", \"5\", \"6\", \"7\"]\n"),
               HasSubstr("column vy is in m/s; expected velocity_unit = \"m/s\""));
