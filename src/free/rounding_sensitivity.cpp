@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "math/detail/larger.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -47,7 +48,7 @@ double rounding_sensitivity(const FreeRotation& motion, double t) {
       const Vec3 g = nudged(s.g, component, towards);
       for (const auto& other : {rotation(nudged(moments, component, towards), s, motion.epoch()),
                                 rotation(moments, {s.q, g}, motion.epoch())}) {
-        if (other) largest = std::fmax(largest, angle_between(q, other->at(t).q));
+        if (other) largest = detail::larger(largest, angle_between(q, other->at(t).q));
       }
     }
   }

@@ -99,12 +99,12 @@ void add_sensitivity(Lines& lines, const Scenario& scenario, const FreeRotation&
   if (propagation_method(scenario) || !scenario.time || motion.regime() == Regime::rest) return;
   const SaveAt& time = *scenario.time;
   if (time.size() == 0) return;
-  const double t = time[time.size() - 1];
-  const double moved = scenario.units.from_core(rounding_sensitivity(motion, t), Dimension::angle);
-  lines.text("rounding_sensitivity", "one rounding of the input moves",
-             fmt::format("the attitude by {:.0e} {} at t = {:.10g} {}", moved,
-                         scenario.units.label(Dimension::angle),
-                         scenario.units.from_core(t, Dimension::time), scenario.units.time()));
+  const double moved = scenario.units.from_core(rounding_sensitivity(motion, time[time.size() - 1]),
+                                                Dimension::angle);
+  // Of an order of magnitude one digit is known.
+  lines.number("rounding_sensitivity", "an input rounding moves the end by",
+               scenario.units.to_core(std::stod(fmt::format("{:.0e}", moved)), Dimension::angle),
+               Dimension::angle);
 }
 
 // What moves the body, beside itself.

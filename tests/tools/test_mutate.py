@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """tools/mutate: which mutants a source has, how they are drawn, and what is compiled for them."""
 
+import pathlib
 import shutil
 import subprocess
 import sys
 
 import pytest
-from conftest import ROOT
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from mutate import (  # noqa: E402

@@ -77,7 +77,7 @@ The exact motion without torque ([guide](../../guide/free-rotation.md),
         "The motion": "FreeRotation free_rotation Regime regime_name Modulus",
         "What belongs to a motion":
             "SadovFrequencies sadov_frequencies psi_max least_period_ratio "
-            "rounding_sensitivity GeneratingFunction generating_function",
+            "rounding_sensitivity free_events GeneratingFunction generating_function",
         "Golden cases": "GoldenCase golden_cases write_golden",
     }),
     Page("frames-and-orbits", "Frames and orbits", """\
