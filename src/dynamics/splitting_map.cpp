@@ -20,8 +20,8 @@ constexpr double largest_momentum = 1e140;  // its square has room to spare
 // damping has brought to rest. Squares of its momentum would leave the range of a double.
 constexpr double slowest = 1e-28;
 constexpr double shortest_arc = 1e-20;
-// What is left of a component whose square would do so beside the others: nothing.
-constexpr double smallest_part = 1e-100;
+// What is left of a component, as a rate, whose square would do so: nothing.
+constexpr double smallest_part = 1e-150;
 
 // The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
 TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g + (now - g.hi); }
@@ -102,9 +102,9 @@ void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const 
     return;
   }
   if (!is_at_rest(s, time.hi)) {
-    const double dust = smallest_part * rate(s);
     for (int i = 0; i < 3; ++i)
-      if (std::abs(s.g.hi[i]) < dust * system_.body().moments()[i]) s.g.hi[i] = s.g.lo[i] = 0.0;
+      if (std::abs(s.g.hi[i]) < smallest_part * system_.body().moments()[i])
+        s.g.hi[i] = s.g.lo[i] = 0.0;
     const ShortFlow::Arc arc = free_.after(s.g, time.hi, time.lo);
     const Quaternion q = s.q_IB * arc.turn;
     const double f = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);

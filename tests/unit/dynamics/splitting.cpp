@@ -98,6 +98,16 @@ TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
   EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_free);
 }
 
+// What is tiny beside the middle axis grows: the body flips where the closed form flips it.
+TEST(Splitting, FlipsABodyThatIsNextToItsMiddleAxis) {
+  const Body body(1.0, 1.7, 2.1);
+  const RotorState start{{1, 0, 0, 0}, {1e-120, 1.0, 0.0}};
+  const Vec3 g = FreeRotation(body, start).at(1400.0).g;
+  const RotorState end = splitting_test::end_of(System(body), start, 0.0, 1400.0, Splitting{0.5});
+  EXPECT_LT(g.y, -0.999);
+  EXPECT_LT(end.g.y, -0.999);
+}
+
 // |g| and the kinetic energy after 1e5 drifts: no walk at all, while g itself has been rounded at
 // every step.
 TEST(Splitting, KeepsMomentumAndEnergyOfAFreeBodyBeyondDouble) {
