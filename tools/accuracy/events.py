@@ -15,15 +15,16 @@ PAGE = ROOT / "docs/accuracy/events.md"
 LOOKS = 200_000
 
 HEAD = """\
-# Events found of events there are
+# How many events are found
 
 This page is written by `tools/accuracy/events.py`.
 
 A run finds zeros of a function of time and state on the dense output of its steps, which it looks
 at as often as the body turns ([what is found](../guide/which-propagator.md#events)). *There are*
-as many as an independent count finds: changes of sign between {looks:,} equal times, of the closed
-form where the body is free, elsewhere of the states that an adaptive run at a tolerance of 1e-15
-gives at those times; a zero at the start counts. The functions are
+as many as a count without that search finds: changes of sign between {looks:,} equal times; a zero
+at the start counts. Where the body is free the states at those times are those of the closed form.
+Elsewhere they are those of our own `Adaptive` at a tolerance of 1e-15: there the count is
+independent of the search for events, but not of the integrator. The functions are
 {functions}.
 
 | body | span | there are |{methods} |
@@ -34,8 +35,8 @@ TIMES = """
 ## When
 
 The largest difference of the time of an event from that of the closed form, or of `Adaptive` at
-1e-15. What a body does next to its middle axis, or in a strong field, makes an error of the state
-larger at every turn: it is the error of the run that these times show.
+1e-15. Next to its middle axis, or in a strong field, a body makes an error of its state larger at
+every turn: these times show the error of the run.
 
 | body |{methods} |
 |---|{rule}
@@ -44,8 +45,8 @@ larger at every turn: it is the error of the run that these times show.
 FREE = """
 ## On the closed form
 
-`free_events` of the wing nut between two times, each event to the rounding of the time; the
-spacing of doubles there is beside it. Flips are half a period of the polhode apart.
+What `free_events` finds of the wing nut from a time on, each event to the rounding of the time; the
+spacing of doubles there stands beside it. Flips are half a period of the polhode apart.
 
 | from t = | turns | there are | found | uneven by (s) | spacing of doubles (s) | ms |
 |---|---|---|---|---|---|---|

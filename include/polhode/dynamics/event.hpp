@@ -6,14 +6,14 @@
 //             along its whole polhode, and of the frame), and at the end of every step.
 // Units       any; `interval` is a time.
 // Domain      a continuous function of (t, q_SB, g_B), or of a Sample, which has the rate of a
-//             damper too. Found are: every change of sign from one look to the next; two zeros
-//             between two looks, where the function turns round beyond zero; and where it turns
-//             round at zero to rounding (1e-14 of its values around), a touch, of direction 0, that
-//             rising and falling leave out. A function that turns round twice between two looks,
-//             since it varies faster than the body turns, needs an `interval`. A zero at start or
-//             stop is an event; with Problem::continues one at start is not, so that a run in two
-//             parts has it once. A function that stays zero for a while has an event where its sign
-//             is another one afterwards: when it became zero.
+//             damper too. These are found: every change of sign from one look to the next; two
+//             zeros between two looks, where the function turns round beyond zero; and a touch,
+//             where it turns round at zero to rounding (1e-14 of its values around), of direction
+//             0, that rising and falling leave out. A function that turns round twice between two
+//             looks, since it varies faster than the body turns, needs an `interval`. A zero at
+//             start or stop is an event; with Problem::continues one at start is not, so that a run
+//             in two parts has it once. A function that stays zero for a while has an event where
+//             its sign is another one afterwards: when it became zero.
 // Accuracy    the root of the dense output to rounding of t; its time is as wrong as the state
 //             there, error of g over |dg/dt|. The time of a touch: the square root of that.
 // Errors      what the function throws passes through; NaN ends the run with an outcome that says
