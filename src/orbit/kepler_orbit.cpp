@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/orbit/kepler_orbit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -44,10 +45,12 @@ double mean_motion(const KeplerElements& elements) {
   return detail::kepler_shape(elements).mean_motion.hi;
 }
 
-// The rate at the pericentre is sqrt(gm (1 + e) / q^3).
+// The rate at the pericentre is sqrt(gm (1 + e) / q^3). A passage that is shorter than a thousandth
+// of the whole, e > 0.987, does not set the step of all the rest.
 double quarter_turn(const KeplerElements& k) {
-  const double q = k.pericentre;
-  return 0.5 * std::numbers::pi * (q * std::sqrt(q / (k.gm * (1.0 + k.eccentricity))));
+  const double q = k.pericentre, shortest = 1e-3 / mean_motion(k);
+  const double passage = q * std::sqrt(q / (k.gm * (1.0 + k.eccentricity)));
+  return 0.5 * std::numbers::pi * std::max(passage, shortest);
 }
 
 void require_valid(const KeplerElements& k, const char* function) {

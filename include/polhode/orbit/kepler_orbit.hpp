@@ -46,7 +46,8 @@ constexpr double semi_major_axis(const KeplerElements& elements) {
 }
 // n = sqrt(gm / |a|^3)
 double mean_motion(const KeplerElements& elements);
-// Of a quarter of a turn at the rate of the pericentre; for every conic.
+// Of a quarter of a turn at the rate of the pericentre, at least a thousandth of one at the mean
+// rate; for every conic.
 double quarter_turn(const KeplerElements& elements);
 
 // DomainError, naming `function`, where the elements are those of no orbit.
