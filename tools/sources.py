@@ -54,6 +54,8 @@ BLIND_CPP = (
     (re.compile(
         r"\b(?:EXPECT|ASSERT)_(?:FALSE\s*\(|TRUE\s*\(\s*!)(?:[^;\"]|\"[^\"]*\")*?\s(?:>=?|<=?)\s"),
      "passes when a number is NaN; say what must hold, by EXPECT_LE or its like"),
+    (re.compile(r"\bif\s*\([^;{}]*!\s*(?:std::)?isfinite\([^;{}]*\)\s*\{?\s*continue\s*;"),
+     "passes over a NaN; take std::isinf"),
 )
 BLIND_PYTHON = (
     (re.compile(r"(?<![\w.])(?:max|min)\((?!map\(len\b)|\bnp\.(?:nanmax|nanmin|fmax|fmin)\b"),

@@ -149,6 +149,7 @@ OF_CALL = {
     "canonical_transformation": {"B_from": MATRIX, "B_to": MATRIX},
     "TumblerState.__init__": {"mode": "short_axis"},
     "mean_elements": {"J2": 1e-3},
+    "free_events": {"events": []},
     "planetary_orbit": {"centre": "earth", "last": 86400.0, "tolerance": 1e-6},
     "MassMoments.of_points": {"positions": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]},
     "HigherGravity.__init__": {"orbit_of": "attractor"},

@@ -138,7 +138,7 @@ def test_what_a_light_curve_tells_becomes_a_motion():
         polhode.to_rotor(BODY, polhode.TumblerState(1.0, 0.1, [0, 0, 1], seen.mode, 0, 0))
 
 
-def test_a_million_states_can_be_interrupted():
+def test_a_million_states_can_be_interrupted_by_ctrl_c():
     import _thread
     import threading
     motion = polhode.FreeRotation(BODY, SHORT)

@@ -93,9 +93,9 @@ def test_psi_max_as_info_prints_it_is_a_psi0(run, scenario, P_psi):
 
     table = printed_psi_max(info(0.0))
     every_digit = json.loads(info(0.0, "--json"))["psi_max"]["value"]
-    assert 0.0 <= every_digit - table <= 1e-9 * every_digit
+    assert 0.0 <= every_digit - table <= budgets.cli_printed_digits * every_digit
     for psi0 in (table, -table, every_digit, -every_digit):
-        assert abs(printed_psi_max(info(psi0)) - table) <= 1e-9 * table
+        assert abs(printed_psi_max(info(psi0)) - table) <= budgets.cli_printed_digits * table
 
 
 def test_periods_as_info_prints_them_are_read_back_next_to_the_middle_axis(run, scenario):

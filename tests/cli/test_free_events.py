@@ -63,9 +63,10 @@ def test_flips_after_a_billion_turns(run, body, tmp_path):
     first = [float(event["t"]) for event in found(events)]
     exact = (first[-1] - first[0]) / (len(first) - 1)
     ulp = math.ulp(1e9)
-    assert abs(half - exact) < 2 * ulp / 99 + 1e-14
+    allowed = budgets.cli_half_period_ulps * ulp / 99 + budgets.cli_half_period
+    assert abs(half - exact) < allowed
     for k, t in enumerate(times):
-        assert abs(t - (times[0] + k * exact)) < 3 * ulp
+        assert abs(t - (times[0] + k * exact)) < budgets.cli_flip_ulps * ulp
     for event in found(events):
         assert abs(float(event["w2"])) < budgets.event_residual
         assert int(event["direction"]) in (1, -1)

@@ -160,7 +160,7 @@ inline double log2_step(const Series& s, const TaylorSettings& settings,
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t m = s.size() - 4; m < s.size(); ++m) {
     const double top = log2_magnitude(s[m]);
-    if (!std::isfinite(top)) continue;
+    if (std::isinf(top)) continue;
     const double by_value = (tolerance + value - top) / static_cast<double>(m);
     const double by_change = (tolerance + log2_magnitude(s[1]) - top) / static_cast<double>(m - 1);
     result = smaller(result, larger(by_value, by_change));

@@ -76,7 +76,7 @@ inline double FreeTransition::log2_step_of(const Series3& s) const {
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t m = s[0].size() - 4; m < s[0].size(); ++m) {
     const double top = largest(m);
-    if (!std::isfinite(top)) continue;
+    if (std::isinf(top)) continue;
     result = smaller(result, larger((tolerance + largest(0) - top) / static_cast<double>(m),
                                     (tolerance + largest(1) - top) / static_cast<double>(m - 1)));
   }

@@ -39,7 +39,7 @@ namespace budget = polhode::budget;
 
 // --- verdicts ---
 
-enum class Verdict { held, refused, wrong, not_a_number };
+enum class Verdict { held, refused, left_out, wrong, not_a_number };
 struct Result {
   Verdict verdict = Verdict::held;
   double loss = 0.0;
@@ -47,7 +47,7 @@ struct Result {
 };
 
 // Where there is nothing to compare.
-const Result left_out{Verdict::refused, 0.0, {}};
+const Result left_out{Verdict::left_out, 0.0, {}};
 
 double half_turn_distance(const Quaternion& a, const Quaternion& b) {
   const Quaternion r = conj(normalized(a)) * normalized(b);
@@ -78,6 +78,7 @@ struct Place {
   bool needle = false;                // moments of a ratio below 1e-20
   double gap = 1.0;                   // the lesser relative difference of neighbouring moments
 };
+constexpr double least_sine = 1e-320;  // that of 0
 double double_of(const Long& x) { return static_cast<double>(x); }
 double pole_loss(double sine) {
   return smaller(budget::andoyer_pole_eps * eps / sine, budget::andoyer_pole);
@@ -89,6 +90,7 @@ class Survey {
     ++tried_;
     if (r.verdict == Verdict::held) losses_.push_back(r.loss);
     if (r.verdict == Verdict::refused) ++refused_;
+    if (r.verdict == Verdict::left_out) ++left_out_;
     if (r.verdict == Verdict::wrong || r.verdict == Verdict::not_a_number) {
       ++failed_;
       if (r.verdict == Verdict::not_a_number) ++nan_;
@@ -102,17 +104,19 @@ class Survey {
     const double worst = losses_.empty() ? 0.0 : losses_.back();
     std::array<char, 200> line{};
     std::snprintf(line.data(), line.size(),
-                  "%d tried, %d failed (%d NaN, worst %.1e), %d refused, held: median %.1e, "
-                  "worst %.1e",
-                  tried_, failed_, nan_, worst_wrong_, refused_, median, worst);
+                  "%d tried, %d failed (%d NaN, worst %.1e), %d refused, %d left out, %zu held: "
+                  "median %.1e, worst %.1e",
+                  tried_, failed_, nan_, worst_wrong_, refused_, left_out_, losses_.size(), median,
+                  worst);
     testing::Test::RecordProperty("edges_" + name, line.data());
     std::printf("%-22s %s\n", name.c_str(), line.data());
   }
+  double share_held() const { return static_cast<double>(losses_.size()) / tried_; }
 
  private:
   static constexpr int most_shown = 12;
   std::vector<double> losses_;
-  int tried_ = 0, failed_ = 0, nan_ = 0, refused_ = 0;
+  int tried_ = 0, failed_ = 0, nan_ = 0, refused_ = 0, left_out_ = 0;
   double worst_wrong_ = 0.0;
 };
 
@@ -158,6 +162,8 @@ Result euler_rates_result(const Known& k) {
 
 // --- Jacobians of the canonical charts: B of the scaled state, by the chain rule ---
 
+bool both_not_a_number(double a, double b) { return std::isnan(a) && std::isnan(b); }
+
 // B of a state in units where |g| is 2^e times smaller: entries times exact powers of two.
 Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
   const double G = norm(k.c.state.g);
@@ -170,6 +176,11 @@ Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
   const Matrix6 C = inverse_chart_jacobian(chart, k.c.state),
                 C1 = inverse_chart_jacobian(chart, unit);
   const bool pairs = chart.set == CanonicalSet::poincare;
+  const bool at_pole = k.place.J3 <= least_sine || k.place.I <= least_sine;
+  // of those that the set of this name is not made for
+  const bool at_far_pole =
+      pairs && ((k.place.J3 <= least_sine && k.c.state.g.z < 0.0) ||
+                (k.place.I <= least_sine && inertial_momentum(k.c.state).z < 0.0));
   const std::array<int, 6> coordinate = pairs ? std::array<int, 6>{0, e / 2, e / 2, e, e / 2, e / 2}
                                               : std::array<int, 6>{0, 0, 0, e, e, e};
   double worst = 0.0;
@@ -178,15 +189,19 @@ Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
     for (int j = 0; j < 6; ++j) {
       const int to = coordinate[static_cast<std::size_t>(j)];
       const double b = std::ldexp(B1(i, j), hub - to), c = std::ldexp(C1(j, i), to - hub);
+      const bool no_inverse = at_pole && both_not_a_number(C(j, i), c);
       for (const auto& [got, wanted] : {std::pair{B(i, j), b}, std::pair{C(j, i), c}}) {
-        if (got == wanted || !std::isfinite(wanted)) continue;
+        if (got == wanted || (std::isinf(wanted) && !std::isnan(got))) continue;
+        if (both_not_a_number(got, wanted) && (at_far_pole || (no_inverse && !std::isnan(b))))
+          continue;
         const double off = std::abs(got - wanted) / larger(std::abs(wanted), 1e-290);
         if (std::isnan(off)) return {Verdict::not_a_number, off, "jacobian"};
         worst = larger(worst, smaller(off, std::abs(got / wanted - 1.0)));
       }
     }
   }
-  return judged(worst, 4.0 * eps, "jacobian against that of the scaled state");
+  return judged(worst, budget::scaled_jacobian_eps * eps,
+                "jacobian against that of the scaled state");
 }
 
 // --- the flow-adapted charts ---
@@ -218,13 +233,14 @@ bool counts_as_steady(const Known& k) {
 }
 double serret_allowed(const Known& k) {
   return budget::serret_edge + pole_loss(k.place.I) +
-         smaller(10.0 * eps / k.place.J, budget::flow_pole) +
-         smaller(20.0 * eps / k.place.D2,
-                 budget::serret_beside_separatrix / std::sqrt(larger(k.place.gap, 1e-14)));
+         smaller(budget::flow_pole_eps * eps / k.place.J, budget::flow_pole) +
+         smaller(budget::serret_separatrix_eps * eps / k.place.D2,
+                 budget::serret_next_to_separatrix);
 }
 double sadov_allowed(const Known& k) {
   return budget::serret_edge + pole_loss(k.place.I) +
-         smaller(10.0 * eps / k.place.J, budget::flow_pole) + 0.1 * eps / k.place.D2;
+         smaller(budget::flow_pole_eps * eps / k.place.J, budget::flow_pole) +
+         budget::sadov_separatrix_eps * eps / k.place.D2;
 }
 
 Result refused(const std::string& message, bool rightly) {
@@ -279,6 +295,11 @@ Result sadov_result(const Known& k) {
     for (const double x : {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h})
       if (std::isnan(x)) return {Verdict::not_a_number, x, "to_sadov"};
     const RotorState back = to_rotor(k.body, s);
+    if (sadov_allowed(k) > budget::says_nothing) {  // the place on the polhode is lost
+      const RotorState still{{1.0, 0.0, 0.0, 0.0}, inertial_momentum(k.c.state)};
+      return judged(loss_of({still.q, inertial_momentum(back)}, still),
+                    budget::serret_edge + pole_loss(k.place.I), "sadov, momentum in space");
+    }
     return judged(loss_of(back, k.c.state), sadov_allowed(k), "sadov");
   } catch (const polhode::DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k));
@@ -331,10 +352,11 @@ Result tumbler_result(const Known& k) {
       // no momentum in double precision has these periods
       const bool said =
           std::string(error.what()).find("closer to the separatrix") != std::string::npos;
-      return refused(error.what(), said && (k.place.D2 < 2e-10 || k.place.needle));
+      return refused(error.what(), said && (k.place.D2 < budget::tumbler_untold || k.place.needle));
     }
     // of equal lesser moments psi is next to pi/2 in a spin across the axis
     const double tip = std::sqrt(eps / larger(k.place.gap > 0.0 ? 1.0 : k.place.short_part, eps));
+    if (tip > budget::says_nothing) return left_out;
     return judged(loss_of(back, k.c.state), budget::tumbler_edge + tip, "tumbler");
   } catch (const polhode::DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k) || !period_is_held(k));
@@ -364,16 +386,21 @@ Result flow_jacobian_result(const Known& k) {
     auto s1 = s;
     for (double* x : {&s1.I_l, &s1.I_g, &s1.I_h}) *x = std::ldexp(*x, -b);
     const Matrix6 B = chart_jacobian(k.body, s), B1 = chart_jacobian(unit, s1);
+    // where the header says that it is not finite
+    const bool singular = counts_as_steady(k) || k.place.J * k.place.J < eps ||
+                          k.place.I * k.place.I < eps || k.place.D2 < branch_zone;
     double worst = 0.0;
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) {
         const double wanted = std::ldexp(B1(i, j), (i < 3 ? 0 : b) - (j < 3 ? 0 : b));
-        if (!std::isfinite(wanted) || B(i, j) == wanted) continue;
+        if (B(i, j) == wanted || (std::isinf(wanted) && !std::isnan(B(i, j)))) continue;
+        if (singular && both_not_a_number(B(i, j), wanted)) continue;
         const double off = std::abs(B(i, j) - wanted) / larger(std::abs(wanted), 1e-290);
         if (std::isnan(off)) return {Verdict::not_a_number, off, "sadov jacobian"};
         worst = larger(worst, off);
       }
-    return judged(worst, 4.0 * eps, "sadov jacobian against that of the scaled state");
+    return judged(worst, budget::scaled_jacobian_eps * eps,
+                  "sadov jacobian against that of the scaled state");
   } catch (const polhode::DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k));
   }
@@ -381,27 +408,29 @@ Result flow_jacobian_result(const Known& k) {
 
 struct EdgeChart {
   const char* name;
+  double least_held;  // of the cases: about half of what it was when this was written
   std::function<Result(const Known&)> result;
 };
 
 const std::vector<EdgeChart>& edge_charts() {
   static const std::vector<EdgeChart> all{
-      {"euler", euler_result},
-      {"euler_rates", euler_rates_result},
-      {"andoyer", andoyer_result},
-      {"poincare", poincare_result},
-      {"modified_andoyer", modified_result},
-      {"serret", serret_result},
-      {"serret_values", serret_values},
-      {"sadov", sadov_result},
-      {"sadov_values", sadov_values},
-      {"tumbler", tumbler_result},
-      {"jacobian_euler", [](const Known& k) { return jacobian_result(k, {CanonicalSet::euler}); }},
-      {"jacobian_andoyer",
+      {"euler", 0.50, euler_result},
+      {"euler_rates", 0.46, euler_rates_result},
+      {"andoyer", 0.50, andoyer_result},
+      {"poincare", 0.50, poincare_result},
+      {"modified_andoyer", 0.47, modified_result},
+      {"serret", 0.35, serret_result},
+      {"serret_values", 0.26, serret_values},
+      {"sadov", 0.45, sadov_result},
+      {"sadov_values", 0.30, sadov_values},
+      {"tumbler", 0.30, tumbler_result},
+      {"jacobian_euler", 0.50,
+       [](const Known& k) { return jacobian_result(k, {CanonicalSet::euler}); }},
+      {"jacobian_andoyer", 0.50,
        [](const Known& k) { return jacobian_result(k, {CanonicalSet::andoyer}); }},
-      {"jacobian_poincare",
+      {"jacobian_poincare", 0.50,
        [](const Known& k) { return jacobian_result(k, {CanonicalSet::poincare}); }},
-      {"jacobian_sadov", flow_jacobian_result}};
+      {"jacobian_sadov", 0.25, flow_jacobian_result}};
   return all;
 }
 
@@ -428,12 +457,12 @@ const std::vector<Prepared>& prepared_cases() {
       const double least = smaller(I.x, I.y, I.z), most = larger(I.x, I.y, I.z);
       Place place;
       place.needle = least < 1e-20 * most;
-      place.I = larger(double_of(flow.node), 1e-320);
-      place.J = larger(double_of(flow.across), 1e-320);
-      place.D2 = larger(double_of(Long(abs(flow.D2) / (flow.G * flow.G))), 1e-320);
+      place.I = larger(double_of(flow.node), least_sine);
+      place.J = larger(double_of(flow.across), least_sine);
+      place.D2 = larger(double_of(Long(abs(flow.D2) / (flow.G * flow.G))), least_sine);
       const Vec3& g = c.state.g;
-      place.J3 = larger(std::hypot(g.x / norm(g), g.y / norm(g)), 1e-320);
-      place.theta = larger(2.0 * std::hypot(q.x, q.y) * std::hypot(q.w, q.z), 1e-320);
+      place.J3 = larger(std::hypot(g.x / norm(g), g.y / norm(g)), least_sine);
+      place.theta = larger(2.0 * std::hypot(q.x, q.y) * std::hypot(q.w, q.z), least_sine);
       std::array<double, 3> m{I.x, I.y, I.z};
       std::ranges::sort(m);
       const Vec3 along{I.x == m[2] ? g.x : 0.0, I.y == m[2] ? g.y : 0.0, I.z == m[2] ? g.z : 0.0};
@@ -462,6 +491,7 @@ TEST(ChartEdges, HoldTheStateOrSayWhyNot) {
       survey.add(p.c, r);
     }
     survey.record(chart.name);
+    EXPECT_GE(survey.share_held(), chart.least_held);
   }
 }
 

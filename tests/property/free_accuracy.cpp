@@ -129,11 +129,11 @@ TEST(FreeAccuracy, ExtremeShapesAndUnits) {
 
 // Past the edges, each class apart.
 TEST(FreeAccuracy, EdgeMiddleSpin) {
-  expect_accurate(oracle::middle_spin_case, 21, count_of(40, 1000));
+  expect_accurate(oracle::middle_spin_case, 21, count_of(12, 1000));
 }
 
 TEST(FreeAccuracy, EdgeSeparatrixOfFullMoments) {
-  expect_accurate(oracle::full_moments_case, 22, count_of(60, 1000));
+  expect_accurate(oracle::full_moments_case, 22, count_of(24, 1000));
 }
 
 TEST(FreeAccuracy, EdgeSeparatrixAfterABillionTurns) {
@@ -152,7 +152,7 @@ TEST(FreeAccuracy, EdgeHugeTimes) {
 
 TEST(FreeAccuracy, EdgeHugeTimesNextToTheSeparatrix) {
   for (const double turns : {0x1p54, 0x1p58, 1e20})
-    expect_accurate_after(oracle::full_moments_case, turns, 26, count_of(15, 200));
+    expect_accurate_after(oracle::full_moments_case, turns, 26, count_of(6, 200));
 }
 
 TEST(FreeAccuracy, AfterAMillionTurns) {

@@ -24,6 +24,8 @@ BLIND_CPP = [
     "worst = worst < x ? x : worst;",
     "EXPECT_FALSE(error > bound) << name;",
     "ASSERT_TRUE(!(error > bound));",
+    "if (!std::isfinite(wanted)) continue;",
+    "if (got == wanted || !std::isfinite(f(wanted))) {\n  continue;\n}",
 ]
 SEEING_CPP = [
     "worst.add(x);  // not std::max(worst, x)",
@@ -32,6 +34,8 @@ SEEING_CPP = [
     "EXPECT_LE(error, bound);",
     "EXPECT_FALSE(is_finite(state.at(3)->g)) << \"a > b\";",
     "if (x > 3.0) y = -1.0;",
+    "if (std::isinf(wanted)) continue;",
+    "if (!std::isfinite(top)) return {a, 0.0, 0.0};",
     "EXPECT_TRUE(std::numeric_limits<double>::max() > 0.0);",
 ]
 BLIND_PYTHON = [

@@ -109,6 +109,7 @@ TEST(Switches, TransitionsAcrossEdges) {
 // Sun is seen, so that momentum and angle are known from the times in the shadow.
 struct Mirrors {
   double period = 5400.0, radius = 0.9, rate = 1e-3, pressure = 1e-9;
+  double tilt_of_path = 0.0;  // out of the plane of the Sun: so near to the axis it comes
 
   Problem problem(double stop, const Method& method) const {
     const double tilt = 0.6;
@@ -118,8 +119,8 @@ struct Mirrors {
         {{{1.0, 0.0, 0.0}, n, 1.0, mirror}, {{-1.0, 0.0, 0.0}, {0.0, -tilt, 0.8}, 1.0, mirror}});
     const double motion = turn / period;
     // in the plane of x and z, at z > 0 first
-    const AnyOrbit path("path",
-                        KeplerOrbit({motion * motion, 1.0, 0.0, 0.25 * turn, 0.0, 0.25 * turn}));
+    const AnyOrbit path("path", KeplerOrbit({motion * motion, 1.0, 0.0, 0.25 * turn - tilt_of_path,
+                                             0.0, 0.25 * turn}));
     const AnyOrbit sun("sun", KeplerOrbit({1e-30, 1e16, 0.0, 0.25 * turn, 0.0, 0.25 * turn}));
     const SolarPressure light(blades, {pressure, 1e16}, {path}, {sun}, Shadow::cylinder(radius));
     return {System(Body(1.0, 1.0, 1.0), Frame::inertial(), {{"light", light}}),
@@ -130,9 +131,11 @@ struct Mirrors {
   }
   // u_z = 2 p A c^2 s a blade, with c = 0.8, s = 0.6, on x = +-1: x F_y.
   double torque() const { return -4.0 * pressure * 0.64 * 0.6; }
-  // Momentum and angle at t, from the phase asin(radius) of the borders.
+  // Momentum and angle at t, from the phase of the borders: asin(radius) of a path without tilt.
   std::pair<double, double> at(double t) const {
-    const double half = std::asin(radius) / turn * period;
+    const double miss = std::sin(tilt_of_path), over = larger(0.0, radius - miss);
+    const double half =
+        std::asin(std::sqrt(over * (radius + miss)) / std::cos(tilt_of_path)) / turn * period;
     double g = rate, angle = 0.0, now = 0.0;
     for (double middle = 0.5 * period; now < t; middle += period) {
       for (const auto& [end, lit] : {std::pair{middle - half, true},
@@ -166,11 +169,14 @@ TEST_P(Shadows, OfACylinderAreFound) {
 }
 INSTANTIATE_TEST_SUITE_P(Tolerances, Shadows, testing::Values(1e-6, 1e-8, 1e-12, 1e-14));
 
-// A tenth of a percent of an orbit in the dark, and an orbit that misses the shadow by as much.
+// A tenth of a percent of an orbit in the dark, a path that dips into the border of the shadow, and
+// one that misses it by as little.
 TEST(Switches, AShadowThatIsGrazed) {
-  for (const double radius : {0.003, 0.03}) {
+  for (const auto& [radius, miss] : {std::pair{0.003, 0.0}, std::pair{0.03, 0.0},
+                                     std::pair{0.5001, 0.5}, std::pair{0.4999, 0.5}}) {
     Mirrors mirrors;
     mirrors.radius = radius;
+    mirrors.tilt_of_path = std::asin(miss);
     const double stop = 10.25 * mirrors.period;
     const auto [g, angle] = mirrors.at(stop);
     const RotorState end = end_of(mirrors.problem(stop, Adaptive{}));
@@ -227,7 +233,7 @@ TEST(Switches, ATorqueThatDoesNotSayWhereItJumps) {
   for (const double tolerance : {1e-8, 1e-12, 1e-14}) {
     const RotorState end = end_of(bang.problem(bang.unnamed(), 1e5, tolerance));
     EXPECT_NEAR(end.g.z / bang.momentum(1e5), 1.0,
-                tolerance < 1e-10 ? budget::bang_unnamed : 1e3 * budget::bang_unnamed);
+                tolerance < 1e-10 ? budget::bang_unnamed : budget::bang_unnamed_loose);
   }
 }
 
@@ -300,15 +306,17 @@ Trajectory under(const AnyPerturbation& term, double stop, double tolerance) {
 
 TEST(Endless, AMomentumThatGrowsWithoutBound) {
   // dg/dt = g^2 / 8: no more after t = 8
-  const TorqueTerm grows([](const double&, const RotorState& s) {
+  const TorqueTerm engine([](const double&, const RotorState& s) {
     return Vec3{0.0, 0.0, 0.125 * s.g.z * s.g.z};
   });
   for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
-    const Trajectory run = under({"grows", grows}, 20.0, tolerance);
+    const Trajectory run = under({"engine", engine}, 20.0, tolerance);
     EXPECT_EQ(run.outcome().status, Outcome::Status::failed) << tolerance;
     EXPECT_LT(run.outcome().t, 8.1);
     EXPECT_LT(run.statistics().evaluations, 1'000'000);
-    EXPECT_THAT(run.outcome().advice, testing::AnyOf(HasSubstr("grow"), HasSubstr("grows")));
+    EXPECT_THAT(run.outcome().advice,
+                HasSubstr("below the rounding of t: is a torque or the frame discontinuous there "
+                          "again and again, or does it grow without bound?"));
   }
 }
 

@@ -164,7 +164,12 @@ TYPED_TEST(BeyondTheOrdinary, PolesAndEnds) {
   const T zero(0.0), one(1.0);
   const auto generic = any_modulus<T>(0.25);
   EXPECT_EQ(legendre_pi(one, zero, one, generic), T(HUGE_VAL));
-  // exactly at the pole: s^2 n = 1
+  // exactly at the pole, and next to it: s^2 n = 1 but for the rounding of c
+  const T half = sqrt(T(0.5));
+  for (const double m : {-3.0, 0.0, 0.25, 1.5}) {
+    EXPECT_EQ(legendre_pi(half, half, T(2.0), any_modulus<T>(m)), T(HUGE_VAL)) << m;
+    EXPECT_EQ(legendre_pi(-half, half, T(2.0), any_modulus<T>(m)), T(-HUGE_VAL)) << m;
+  }
   EXPECT_EQ(legendre_pi(T(0.5), sqrt(T(0.75)), T(4.0), any_modulus<T>(0.0)) > T(1.0), true);
   this->near(legendre_pi(one, zero, T(2.0), generic), complete_pi(T(2.0), generic), "end");
   this->near(legendre_pi(-one, zero, T(2.0), generic), -complete_pi(T(2.0), generic), "-end");

@@ -98,7 +98,12 @@ TEST(ChartEdges, SadovDoesNotDependOnTheUnitOfMomentum) {
         const Matrix6 B = chart_jacobian(body, s);
         for (int i = 0; i < 6; ++i)
           for (int j = 0; j < 6; ++j) {
-            if (!std::isfinite(B1(i, j))) continue;
+            if (std::isinf(B1(i, j))) continue;
+            if (std::isnan(B1(i, j))) {  // J = 0 and the sphere: the set is singular
+              ASSERT_TRUE(g.x == 0.0 || moments.x == moments.z) << e;
+              EXPECT_TRUE(std::isnan(B(i, j))) << e;
+              continue;
+            }
             EXPECT_EQ(B(i, j), std::ldexp(B1(i, j), (i < 3 ? 0 : e) - (j < 3 ? 0 : e)));
           }
       }

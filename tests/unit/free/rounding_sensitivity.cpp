@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "budgets.hpp"
+
 namespace {
 
 using namespace polhode;
@@ -17,15 +19,15 @@ TEST(RoundingSensitivity, OfASphereIsThatOfItsAngle) {
   const double w = 3.3 / 1.5;
   for (const double t : {1e3, 1e6, 1e9}) {
     const double moved = rounding_sensitivity(motion, t);
-    EXPECT_GE(moved, 0.25 * eps * w * t);
-    EXPECT_LE(moved, 4.0 * eps * w * t);
+    EXPECT_GE(moved, budget::sensitivity_least * eps * w * t);
+    EXPECT_LE(moved, budget::sensitivity_most * eps * w * t);
   }
 }
 
 TEST(RoundingSensitivity, IsAtLeastARoundingOfTheState) {
   const FreeRotation motion(Body(1.0, 1.7, 2.1), {{1, 0, 0, 0}, {0.3, 0.2, 1.0}});
-  EXPECT_LE(rounding_sensitivity(motion, 0.0), 4.0 * eps);
-  EXPECT_GT(rounding_sensitivity(motion, 1e6), 1e6 * 0.1 * eps);
+  EXPECT_LE(rounding_sensitivity(motion, 0.0), budget::sensitivity_most * eps);
+  EXPECT_GT(rounding_sensitivity(motion, 1e6), budget::sensitivity_of_a_turn * eps * 1e6);
 }
 
 // Beside the middle axis the next flip comes by -ln(g1)/n: a rounding of a moment moves the
@@ -34,7 +36,8 @@ TEST(RoundingSensitivity, IsEverythingWhereTheSeparatrixIsARoundingAway) {
   const FreeRotation near(Body(0.32200176517297396, 0.3789751609709488, 0.661517593383879),
                           {{1, 0, 0, 0}, {0.8233251531952871, -0.3, 0.5299161674818204}});
   const FreeRotation far(Body(1.0, 1.7, 2.1), {{1, 0, 0, 0}, {0.3, 0.2, 1.0}});
-  EXPECT_GT(rounding_sensitivity(near, 200.0), 1e9 * rounding_sensitivity(far, 200.0));
+  EXPECT_GT(rounding_sensitivity(near, 200.0),
+            budget::sensitivity_at_separatrix * rounding_sensitivity(far, 200.0));
 }
 
 TEST(RoundingSensitivity, TakesFlatBodiesAndRefusesNoTime) {

@@ -65,7 +65,7 @@ TEST(TorqueTable, CubicIsHermitesBetweenAllRows) {
       const double h = bent[k + 1].t - bent[k].t;
       const Vec3 u = table.effect(Setting{c.body, bent[k].t + x * h, c.s, c.q_IS}).u;
       for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(u[i], static_cast<double>(hermite(k, x, i)), budget::perturb_eps * eps * 16.0)
+        EXPECT_NEAR(u[i], static_cast<double>(hermite(k, x, i)), budget::cubic_table_eps * eps)
             << "row " << k << " at " << x << ", component " << i;
     }
   }
