@@ -19,8 +19,8 @@
 //             (I_l, phi_l) itself cannot hold the state: digits are lost like log10(G^2 / |D2|),
 //             and where |D2| < 1e-17 G^2 the place on the polhode. Any unit of momentum serves.
 //             chart_jacobian has no meaning where the chart is singular (J = 0 or as close as I_g -
-//             |I_l| rounds to it, I = 0, pi, the separatrix): it is rank-deficient or not finite
-//             there.
+//             |I_l| rounds to it, I = 0, pi or as close as I_g - |I_h| rounds to it, the
+//             separatrix): it is rank-deficient or not finite there.
 // Errors      to_rotor throws DomainError for actions outside the region named, a lobe that is no
 //             sign, moments of a ratio below 2^-900.
 // Cost        to_sadov under a microsecond (tens for a steady rotation); to_rotor about a hundred

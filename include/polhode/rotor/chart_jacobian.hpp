@@ -13,7 +13,8 @@
 // Domain      any state. The functions of a hub state keep all digits of a small theta, J or I that
 //             the chart itself has rounded away. The Poincare-type sets are regular at their
 //             poles. The plain sets have entries +-infinity exactly at theta, J, I = 0, pi, where
-//             they have no inverse; G = 0 is singular for all but Euler's.
+//             they have no inverse; G = 0 is singular for all but Euler's. Exactly at the pole that
+//             a Poincare-type set is not made for, entries are infinite or NaN.
 // Accuracy    docs/guide/singularities.md. Computed in double-double, rounded once: only the last
 //             bit of an entry is in doubt, except in the two functions that take B as an argument.
 // Errors      none: NaN in, NaN out.
