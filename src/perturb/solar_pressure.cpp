@@ -42,7 +42,8 @@ std::vector<double> Shadow::borders(const Vec3& to_sun, const Vec3& to_body) con
   if (!(sun_radius_ < sun) || !(radius_ < away)) return {1.0, 1.0};
   const double a = std::asin(sun_radius_ / sun), b = std::asin(radius_ / away);
   const double c = std::atan2(norm(cross(s, to_body)), ahead);
-  return {c - (a + b), c - std::fabs(a - b)};
+  // squares: c itself has a kink where the centres meet, and its dip there is no parabola
+  return {c * c - (a + b) * (a + b), c * c - (a - b) * (a - b)};
 }
 
 std::vector<double> SolarPressure::switches(const Setting& at) const {

@@ -12,7 +12,8 @@
 //             step where a switching function of a term changes its sign, and at breakpoints;
 //             VariationOfConstants at breakpoints; Splitting at neither. A pulse of a torque that
 //             names neither may lie within one step of Adaptive, and is stepped over at loose
-//             tolerances: give largest_step, or the term a time scale.
+//             tolerances; so is a dip of a switching function that is shorter than a quarter of a
+//             step and neither a parabola nor a V: give largest_step, or the term a time scale.
 // Accuracy    docs/guide/which-propagator.md: measured work and precision of each.
 // Errors      DomainError from the functions that make a method with a value out of range;
 //             integrate checks again.
@@ -34,7 +35,7 @@ struct Adaptive {
   double tolerance = 1e-12;  // of the local error of one step
   Precision precision = Precision::compensated;
   double first_step = 0.0;  // 0: chosen
-  // No step is longer. Infinite: a quarter of a turn of the fastest of what the terms follow (an
+  // No step is longer. Infinite: a quarter of the shortest period among what the terms follow (an
   // orbit, a primary that turns, the frame, the time scale that a user's term gives), and no limit
   // where no term knows one.
   double largest_step = std::numeric_limits<double>::infinity();

@@ -43,12 +43,12 @@ enum class StepOutcome {
 namespace detail {
 
 // A jump of f takes one step at the rounding of t, or two; more of them in a row are no jump.
-inline constexpr int most_crumbs = 4;
+inline constexpr int most_least_steps = 4;
 // And by a jump the state hardly moves in such a step: a solution that grows beyond all bounds
 // does.
-inline constexpr double largest_crumb = 0x1p-10;
+inline constexpr double largest_least_step = 0x1p-10;
 
-// The whole rest, half of it, or the step h that control asks for: no crumbs at the end.
+// The whole rest, half of it, or the step h that control asks for: no tiny step at the end.
 inline double step_towards(double rest, double wanted, const StepControl& control) {
   const double h = std::min(wanted, control.largest_step);
   if (h * (1.0 + 1e-9) >= rest) return rest;
@@ -86,9 +86,9 @@ class AdaptiveRungeKutta {
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
       double length = detail::step_towards(std::abs(rest.hi), h_, control_);
-      const bool crumb = length < detail::smallest_step(t_) && length < std::abs(rest.hi);
-      if (crumb) {
-        if (crumbs_ >= detail::most_crumbs || why != StepOutcome::too_small) return why;
+      const bool is_least = length < detail::smallest_step(t_) && length < std::abs(rest.hi);
+      if (is_least) {
+        if (least_steps_ >= detail::most_least_steps || why != StepOutcome::too_small) return why;
         length = std::min(detail::smallest_step(t_), std::abs(rest.hi));
       }
       trial_ = std::copysign(length, rest.hi);
@@ -99,14 +99,15 @@ class AdaptiveRungeKutta {
       const double excess =
           error / std::max(control_.tolerance,
                            8.0 * epsilon<T>() * size_(step.increment, state_.y, step.increment));
-      if (excess <= 1.0 || (crumb && std::isfinite(excess) &&
-                            size_(step.increment, state_.y, Values{}) < detail::largest_crumb)) {
+      if (excess <= 1.0 ||
+          (is_least && std::isfinite(excess) &&
+           size_(step.increment, state_.y, Values{}) < detail::largest_least_step)) {
         const bool ends = length == std::abs(rest.hi);
         state_.add(step.increment);
         t_ = ends ? DoubleDouble(stop) : t_ + trial_;
         rate_known_ = false;
         ++steps_;
-        crumbs_ = excess <= 1.0 ? 0 : crumbs_ + 1;
+        least_steps_ = excess <= 1.0 ? 0 : least_steps_ + 1;
         // A step cut short by the end says little of the next one.
         if (!ends || length > h_) h_ = length;
         h_ = h_ * accepted_factor(std::min(excess, 1.0), repeated);
@@ -114,7 +115,7 @@ class AdaptiveRungeKutta {
       }
       ++rejected_;
       why = std::isfinite(excess) ? StepOutcome::too_small : StepOutcome::not_finite;
-      if (crumb) return why;
+      if (is_least) return why;
       h_ = length * rejected_factor(excess);
     }
   }
@@ -160,7 +161,7 @@ class AdaptiveRungeKutta {
   // them or puts them back.
   template <class Visit>
   void transfer(Visit& visit) {
-    visit.all(h_, t_, state_.y, state_.carry, before_, trial_, crumbs_, steps_, rejected_,
+    visit.all(h_, t_, state_.y, state_.carry, before_, trial_, least_steps_, steps_, rejected_,
               evaluations_);
     rate_known_ = false;  // as after every step
   }
@@ -207,7 +208,7 @@ class AdaptiveRungeKutta {
   bool rate_known_ = false;
   double before_ = 0.0;  // log2 of the last error over what was asked for
   double trial_ = 0.0;
-  int crumbs_ = 0;  // steps in a row that were too long and could not be shorter
+  int least_steps_ = 0;  // steps in a row that were too long and could not be shorter
   std::int64_t steps_ = 0;
   std::int64_t rejected_ = 0;
   std::int64_t evaluations_ = 0;

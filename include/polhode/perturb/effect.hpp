@@ -151,16 +151,18 @@ concept Piecewise = Perturbation<P> && requires(const P& term) {
 };
 
 // A term that jumps, or has a kink, where one of its switching functions of time and state is zero,
-// says them: smooth near their zeros, always as many, in the same order. Its effect takes the side
-// of each from `sides` of the setting where they are given, and is smooth then on both sides of the
-// zero. A run by Adaptive ends a step at every change of sign.
+// says them: smooth, between their zeros too, never NaN, always as many, in the same order. Its
+// effect takes the side of each from `sides` of the setting where they are given, and is smooth
+// then on both sides of the zero. A run by Adaptive ends a step at every change of sign that it
+// sees: of two within a quarter of a step, those of a parabola or of a V. A dip that is shorter,
+// and neither of them, can be stepped over: give time_scale.
 template <class P>
 concept Switching = Perturbation<P> && requires(const P& term, const Setting& at) {
   { term.switches(at) } -> std::convertible_to<std::vector<double>>;
 };
 
 // A term that follows a motion of its own says how fast that is: the time of a quarter of a turn
-// where it is fastest. Without an order from its user no step of Adaptive is longer.
+// where it is fastest. Unless the user gives largest_step, no step of Adaptive is longer.
 template <class P>
 concept Timed = Perturbation<P> && requires(const P& term) {
   { term.time_scale() } -> std::convertible_to<double>;

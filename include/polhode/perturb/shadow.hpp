@@ -39,7 +39,7 @@ class Shadow {
   double sun_radius() const { return sun_radius_; }  // 0: cylinder
 
   // One for the cylinder, below zero in the dark; for the cone two: of any shade, and of that where
-  // one disc is within the other.
+  // one disc is within the other. Differences of squares: smooth where the centres meet.
   std::vector<double> borders(const Vec3& to_sun, const Vec3& to_body) const;
 
   // From 0, dark, to 1. Both vectors from the place of the observer.

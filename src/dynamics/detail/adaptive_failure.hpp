@@ -54,9 +54,8 @@ std::string failure_text(const Field& field, const DoubleDouble& t, const typena
            ": is the sign of a torque right?";
   }
   return "the step at t = " + where + " would be " + number_text(std::abs(h)) +
-         ", below the rounding of t: is a torque or the frame discontinuous there again and again, "
-         "or does it grow without bound? A term may name its switching functions; or try a larger "
-         "tolerance";
+         ", below the rounding of t: does a torque or the frame jump there repeatedly, or grow "
+         "without bound? Name the switching functions of the term, or try a larger tolerance";
 }
 
 }  // namespace detail

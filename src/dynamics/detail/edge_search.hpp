@@ -22,9 +22,11 @@ class SwitchCurve {
 struct Edge {
   std::size_t which;
   double x;
+  bool is_nan = false;  // no edge: the function is NaN there, and no edge was found before
 };
 
-// At x = 0 a function may be zero, of either sign.
+// At x = 0 a function may be zero, of either sign. A dip below zero is found where it is a parabola
+// or a V, or longer than a quarter of the step.
 std::optional<Edge> first_edge(const SwitchCurve& curve);
 
 }  // namespace detail

@@ -93,12 +93,22 @@ class StepCurve final : public SwitchCurve {
   Values chord_, begin_, end_, bow_{};
 };
 
+// A state on the way from one to the other, roughly.
+inline RotorState between(const RotorState& a, const RotorState& b) {
+  const auto middle = [](double x, double y) { return x + 0.375 * (y - x); };
+  const Quaternion q{middle(a.q.w, b.q.w), middle(a.q.x, b.q.x), middle(a.q.y, b.q.y),
+                     middle(a.q.z, b.q.z)};
+  return {normalized(q), a.g + 0.375 * (b.g - a.g)};
+}
+
 // Towards `stop`. Empty when the step was made; otherwise why not, and the solver stays.
 template <class Solver, class Field>
 std::string smooth_step(Solver& solver, const Field& field, const Breakpoints& breakpoints,
                         SwitchWatch& switches, double stop) {
   const DoubleDouble begin = solver.time();
-  switches.begin(begin, switches.is_needed() ? rounded(solver.state().y) : RotorState{});
+  const RotorState start = switches.is_needed() ? rounded(solver.state().y) : RotorState{};
+  const std::string not_begun = switches.begin(begin, start);
+  if (!not_begun.empty()) return not_begun;
   solver.field().stretch = breakpoints.stretch(begin.hi, stop);
   double end = breakpoints.end(begin.hi, stop);
   std::optional<std::size_t> crossed;  // at `end`
@@ -112,7 +122,16 @@ std::string smooth_step(Solver& solver, const Field& field, const Breakpoints& b
       std::copy_n(solver.state().y.begin(), std::min(y.size(), solver.state().y.size()), y.begin());
       return failure_text(field, begin, y, solver.trial(), outcome);
     }
-    if (crossed && solver.time().hi == end) switches.cross(*crossed);
+    if (crossed && solver.time().hi == end) {
+      const RotorState s = rounded(solver.state().y);
+      std::string refused =
+          switches.refused_jump(*crossed, solver.time(), s, {start, between(start, s)});
+      if (!refused.empty()) {
+        solver.back_to(*mark);
+        return refused;
+      }
+      switches.cross(*crossed);
+    }
     if (!mark || crossed) break;
     const StepCurve<Solver> curve(solver, *mark, switches);
     const std::optional<Edge> edge = first_edge(curve);
@@ -121,8 +140,20 @@ std::string smooth_step(Solver& solver, const Field& field, const Breakpoints& b
       break;
     }
     const double length = edge->x * solver.trial();
+    const RotorState tried = rounded(solver.state().y);
     solver.back_to(*mark);
-    if (std::abs(length) < smallest_step(begin)) {
+    if (edge->is_nan) {  // nearer, as long as there is something nearer
+      const double least = 8.0 * epsilon<double>() * std::abs(stop - begin.hi);
+      if (std::abs(length) < std::max(smallest_step(begin), least))
+        return switches.nan_text(edge->which, (begin + length).hi);
+      end = (begin + 0.5 * length).hi;
+      continue;
+    }
+    // at once: by the rounding of t, which says nothing at t = 0, or by that of the search
+    if (std::abs(length) < smallest_step(begin) || edge->x < 8.0 * epsilon<double>()) {
+      std::string refused =
+          switches.refused_jump(edge->which, begin, start, {tried, between(start, tried)});
+      if (!refused.empty()) return refused;
       if (!switches.cross_at_once(edge->which))
         return switches.text(edge->which) + " stays at zero after t = " + number_text(begin.hi) +
                ", and its torque switches to and fro: give it a dead zone, or let it change "

@@ -9,8 +9,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The quarter turn of the fastest of what the terms follow, and of the frame at the start; infinite
-// where none is known.
+// The shortest quarter of a period among what the terms follow, and of the frame at the start;
+// infinite where none is known.
 double time_scale(const Problem& problem);
 
 inline StepControl step_control(const Problem& problem, const Adaptive& method) {

@@ -315,8 +315,8 @@ TEST(Endless, AMomentumThatGrowsWithoutBound) {
     EXPECT_LT(run.outcome().t, 8.1);
     EXPECT_LT(run.statistics().evaluations, 1'000'000);
     EXPECT_THAT(run.outcome().advice,
-                HasSubstr("below the rounding of t: is a torque or the frame discontinuous there "
-                          "again and again, or does it grow without bound?"));
+                HasSubstr("below the rounding of t: does a torque or the frame jump there "
+                          "repeatedly, or grow without bound?"));
   }
 }
 
