@@ -27,7 +27,6 @@ from polhode import (
     Scenario,
     ScenarioError,
     SecularRates,
-    Splitting,
     System,
     TorqueTerm,
     andoyer_section,
@@ -119,8 +118,6 @@ def test_what_has_no_section():
         andoyer_section(tumbling(1.0), "k")
     with pytest.raises(DomainError, match="period 0"):
         andoyer_section(tumbling(1.0), period=0.0)
-    with pytest.raises(DomainError, match="a quarter of the fastest turn"):
-        andoyer_section(tumbling(1.0, Splitting(5.0)))
 
 
 def test_a_run_that_fails_keeps_its_points():

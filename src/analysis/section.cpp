@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/analysis/section.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -23,32 +22,6 @@ constexpr double turn = 2.0 * std::numbers::pi;
 double folded(double x, double period) {
   const double r = std::remainder(x, period);
   return r == -0.5 * period ? 0.5 * period : r;
-}
-
-// No angle of Andoyer's is faster in free rotation: |dg/dt| <= G / least moment, |dl/dt| less than
-// that, dh/dt = 0; a frame adds its rate.
-double fastest_turn(const Problem& problem) {
-  const Vec3& I = problem.system.body().moments();
-  const double rate = norm(problem.initial.g) / std::min({I.x, I.y, I.z}) +
-                      norm(problem.system.frame().at(problem.start).mu_S);
-  return turn / rate;
-}
-
-// A pass is a change of sign from one step to the next.
-Method with_short_steps(const Problem& problem) {
-  const double whole = fastest_turn(problem);
-  return std::visit(
-      [&](auto method) -> Method {
-        if constexpr (requires { method.largest_step; }) {
-          method.largest_step = std::fmin(method.largest_step, whole / 8.0);
-        } else if (std::fabs(method.step) > whole / 4.0) {
-          throw DomainError("andoyer_section: step " + number_text(method.step) +
-                            " must be at most " + number_text(whole / 4.0) +
-                            ", a quarter of the fastest turn: passes would be stepped over");
-        }
-        return method;
-      },
-      problem.method);
 }
 
 double AndoyerState::*field_of(AndoyerAngle angle) {
@@ -110,7 +83,6 @@ AndoyerSection passed(const Problem& problem, const AndoyerSurface& surface,
   if (!std::isfinite(surface.value))
     throw DomainError("andoyer_section: value " + number_text(surface.value) + " must be finite");
   Problem watched = without_events(problem);
-  watched.method = with_short_steps(problem);
   watched.events.push_back(
       {.name = "section",
        .function =

@@ -20,27 +20,10 @@ constexpr double looks_per_turn = 12.0;
 // Over which a slope is taken, in intervals; and in roundings of the time, where these are coarse.
 constexpr double short_while = 0x1p-16;
 constexpr double roundings = 64.0 * std::numeric_limits<double>::epsilon();
-// Looks in a step that cannot be counted would not end.
-constexpr double most_intervals = 1e15;
+// In one step, in which nobody can stop the run: minutes.
+constexpr double most_looks = 1e8;
 
-// A record, and whether it stops the run.
-struct Met {
-  EventRecord record;
-  bool stops;
-};
-
-EventWatch::Found in_order(std::vector<Met>& met, bool forward) {
-  std::stable_sort(met.begin(), met.end(), [forward](const Met& a, const Met& b) {
-    return forward ? a.record.t < b.record.t : a.record.t > b.record.t;
-  });
-  EventWatch::Found result;
-  for (Met& one : met) {
-    result.records.push_back(std::move(one.record));
-    result.stops = one.stops;
-    if (one.stops) break;
-  }
-  return result;
-}
+bool is_after(double a, double b, bool forward) { return forward ? a > b : a < b; }
 
 // The same attitude with the sign of q that is nearer: methods give it either sign, and a function
 // of the components of q is continuous in one.
@@ -59,18 +42,39 @@ EventWatch::EventWatch(const System& system, std::vector<Event> events)
 
 double EventWatch::value(std::size_t i, const Sample& at) {
   const double value = events_[i].function(at);
-  if (std::isnan(value)) nan_event_ = events_[i].name;
+  if (std::isnan(value)) nan_event_ = i;
   return value;
+}
+
+void EventWatch::refuse_nan() {
+  refusal_ = "event \"" + events_[*nan_event_].name +
+             "\" is NaN after t = " + number_text(reached_) +
+             ": mend its function, or leave it out";
+}
+
+void EventWatch::refuse_looks(double end) {
+  const auto shorter = [](const Event& a, const Event& b) {
+    return a.interval > 0.0 && !(b.interval > 0.0 && b.interval <= a.interval);
+  };
+  const Event& event = *std::min_element(events_.begin(), events_.end(), shorter);
+  refusal_ = "event \"" + event.name + "\" needs more than " + number_text(most_looks) +
+             " looks in the step from t = " + number_text(reached_) + " to " + number_text(end) +
+             ": ";
+  if (event.interval > 0.0)
+    refusal_ += "is its interval of " + number_text(event.interval) + " too short? ";
+  refusal_ += "Give the method a largest_step, or take free_events where the body is free";
 }
 
 void EventWatch::begin(const Sample& start, bool reports_start) {
   last_ = start;
+  reached_ = start.t;
   for (std::size_t i = 0; i < events_.size(); ++i) {
     Watched& w = watched_[i];
     w.value = value(i, start);
     w.at_zero = start;
     w.search.begin(start.t, w.value, reports_start);
   }
+  if (nan_event_) refuse_nan();
 }
 
 void EventWatch::transfer(StateBytes& bytes) {
@@ -98,15 +102,20 @@ EventWatch::Found EventWatch::search(const DenseStep& inside, const DenseStep& s
                                      const Sample& end, int intervals) {
   const double t0 = last_.t, h = end.t - t0;
   const bool forward = h >= 0.0;
+  reached_ = t0;
   const double apart = std::fmin(interval(last_, forward), interval(end, !forward));
-  const double n = std::fmin(std::fmax(intervals, std::ceil(std::fabs(h) / apart)), most_intervals);
+  const double n = std::fmax(intervals, std::ceil(std::fabs(h) / apart));
+  if (n > most_looks) {
+    refuse_looks(end.t);
+    return {};
+  }
   const double least = roundings * std::fmax(std::fabs(t0), std::fabs(end.t));
-  const double while_ = std::copysign(std::fmax(short_while * std::fabs(h / n), least), h);
+  const double apart_by = std::copysign(std::fmax(short_while * std::fabs(h / n), least), h);
 
+  const Looked looked{inside, step, end, forward, apart_by};
   std::vector<Look> last(events_.size());
-  const Sample after = motion_.moved(last_, while_);
-  for (std::size_t i = 0; i < events_.size(); ++i)
-    last[i] = {t0, watched_[i].value, (events_[i].function(after) - watched_[i].value) / while_};
+  const Sample after = motion_.moved(last_, apart_by);
+  for (std::size_t i = 0; i < events_.size(); ++i) last[i] = first_look(i, after, apart_by);
   std::vector<Met> met;
   bool stops = false;
   Sample at = last_;
@@ -114,31 +123,80 @@ EventWatch::Found EventWatch::search(const DenseStep& inside, const DenseStep& s
     const double t = k == n ? end.t : t0 + h * (k / n);
     if (t == at.t) continue;
     at = beside(at, k == n ? end : inside.sample(t));
-    const Sample before = motion_.moved(at, -while_);
-    for (std::size_t i = 0; i < events_.size(); ++i) {
-      Watched& w = watched_[i];
-      w.value = value(i, at);
-      if (std::isnan(w.value)) return in_order(met, forward);
-      const Look now{t, w.value, (w.value - events_[i].function(before)) / while_};
-      const TimeFunction f = [&, &function = events_[i].function](double when) {
-        return function(beside(at, inside.sample(when)));
-      };
-      std::vector<Zero> zeros;
-      w.search.between(f, last[i], now, zeros);
-      last[i] = now;
-      for (const Zero& zero : zeros) {
-        if (!is_asked_for(i, zero.direction)) continue;
-        const bool is_new = forward ? zero.t > t0 : zero.t < t0;
-        const Sample there =
-            is_new ? beside(at, zero.t == end.t ? end : step.sample(zero.t)) : w.at_zero;
-        met.push_back({{events_[i].name, zero.t, there.s, zero.direction, there.damper_rate},
-                       events_[i].stops});
-        stops = stops || events_[i].stops;
-      }
+    for (std::size_t i = 0; i < events_.size(); ++i) look(i, looked, at, last[i], met);
+    stops = std::any_of(met.begin(), met.end(), [](const Met& one) { return one.stops; });
+    if (nan_event_ && !stops_before_nan(met, forward)) {
+      std::erase_if(met, [&](const Met& one) { return is_after(one.record.t, reached_, forward); });
+      refuse_nan();
+      return in_order(met, forward);
     }
+    reached_ = t;
   }
   keep_undecided(step, at);
   return in_order(met, forward);
+}
+
+// With the slope after it; but before it where the function turns around so near that neither this
+// step nor the last would see it.
+Look EventWatch::first_look(std::size_t i, const Sample& after, double apart_by) const {
+  const auto slope = [&](const Sample& s, double time) {
+    return (events_[i].function(s) - watched_[i].value) / time;
+  };
+  Look look{last_.t, watched_[i].value, slope(after, apart_by)};
+  const bool rises = look.value * look.slope * apart_by > 0.0;
+  if (rises && std::fabs(look.value) <= std::fabs(look.slope * apart_by)) {
+    const double before = slope(motion_.moved(last_, -apart_by), -apart_by);
+    if (before * look.slope < 0.0) look.slope = before;
+  }
+  return look;
+}
+
+// One event, from the last look at it to that at `at`.
+void EventWatch::look(std::size_t i, const Looked& step, const Sample& at, Look& last,
+                      std::vector<Met>& met) {
+  const Event& event = events_[i];
+  Watched& w = watched_[i];
+  w.value = value(i, at);
+  if (std::isnan(w.value)) return;
+  const Sample before = motion_.moved(at, -step.apart_by);
+  const Look now{at.t, w.value, (w.value - event.function(before)) / step.apart_by};
+  const TimeFunction f = [&](double t) { return value(i, beside(at, step.inside.sample(t))); };
+  std::vector<Zero> zeros;
+  w.search.between(f, last, now, zeros);
+  last = now;
+  for (const Zero& zero : zeros) {
+    if (!is_asked_for(i, zero.direction)) continue;
+    const bool is_new = is_after(zero.t, last_.t, step.forward);
+    const Sample there =
+        is_new ? beside(at, zero.t == step.end.t ? step.end : step.states.sample(zero.t))
+               : w.at_zero;
+    met.push_back({{event.name, zero.t, there.s, zero.direction, there.damper_rate}, event.stops});
+  }
+}
+
+// Whether the first event that stops the run does so where none is NaN.
+bool EventWatch::stops_before_nan(const std::vector<Met>& met, bool forward) const {
+  const Met* first = nullptr;
+  for (const Met& one : met)
+    if (one.stops && (first == nullptr || is_after(first->record.t, one.record.t, forward)))
+      first = &one;
+  if (first == nullptr) return false;
+  const Sample there{first->record.t, first->record.s, first->record.damper_rate};
+  return std::none_of(events_.begin(), events_.end(),
+                      [&](const Event& event) { return std::isnan(event.function(there)); });
+}
+
+EventWatch::Found EventWatch::in_order(std::vector<Met>& met, bool forward) {
+  std::stable_sort(met.begin(), met.end(), [forward](const Met& a, const Met& b) {
+    return is_after(b.record.t, a.record.t, forward);
+  });
+  Found result;
+  for (Met& one : met) {
+    result.records.push_back(std::move(one.record));
+    result.stops = one.stops;
+    if (one.stops) break;
+  }
+  return result;
 }
 
 // The states at zeros that the next step decides about.
@@ -162,11 +220,6 @@ EventWatch::Found EventWatch::finish() {
                        events_[i].stops});
   }
   return in_order(met, true);
-}
-
-std::string nan_text(const std::string& event, double t) {
-  return "event \"" + event + "\" is NaN after t = " + number_text(t) +
-         ": mend its function, or leave it out";
 }
 
 }  // namespace detail

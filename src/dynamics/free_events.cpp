@@ -65,12 +65,9 @@ EventWatch::Found FreeEventSearch::advance(double until) {
     if (end == t_) end = std::nextafter(t_, until);
   }
   const FreeStretch stretch(motion_, system_, t_, end);
-  t_ = end;
-  return watch_.search(stretch, stretch, sample(end), intervals_at_once / 4);
-}
-
-std::string FreeEventSearch::refusal() const {
-  return watch_.nan_event().empty() ? std::string() : nan_text(watch_.nan_event(), t_);
+  EventWatch::Found found = watch_.search(stretch, stretch, sample(end), intervals_at_once / 4);
+  t_ = refusal().empty() ? end : watch_.reached();
+  return found;
 }
 
 }  // namespace detail
@@ -90,7 +87,7 @@ FreeEvents free_events(const FreeRotation& motion, const std::vector<Event>& eve
   };
   result.outcome.t = start;
   for (;;) {
-    const std::string refusal = search.refusal();
+    const std::string& refusal = search.refusal();
     if (!refusal.empty()) {
       result.outcome.status = Outcome::Status::failed;
       result.outcome.advice = refusal;
@@ -99,7 +96,7 @@ FreeEvents free_events(const FreeRotation& motion, const std::vector<Event>& eve
     if (search.t() == stop) break;
     keep(search.advance(stop));
     if (result.outcome.status == Outcome::Status::stopped_by_event) return result;
-    if (search.refusal().empty()) result.outcome.t = search.t();
+    result.outcome.t = search.t();
     if (progress) progress(search.t());
   }
   keep(search.finish());

@@ -133,7 +133,7 @@ class Run {
       if (!continued_) {
         samples_.begin(parts_.initial);
         watch_.begin(first_look_, !problem_.continues);
-        if (refused(problem_.start)) return finished();
+        if (refused()) return finished();
       }
       const std::shared_ptr<const DenseStep> dense =
           inside_step_ ? stepper_->dense(false) : nullptr;
@@ -167,7 +167,7 @@ class Run {
           watch_.search(*stepper_->inside(), *dense, end, stepper_->intervals());
       keep(found.records);
       stopped_ = found.stops;
-      if (!stopped_ && refused(parts_.outcome.t)) return false;
+      if (!stopped_ && refused()) return false;
       if (stopped_) end = sample_of(found.records.back());
     }
     if (keep_dense_) parts_.dense.push_back(dense);
@@ -244,16 +244,16 @@ class Run {
     if (power * made > left) power *= 0.1;  // its logarithm was rounded up
     fail(
         "at t = " + number_text(parts_.outcome.t) + " the last " + number_text(settled) +
-        " steps are " + number_text(made) + " each" + ", so that the end would take " +
+        " steps are " + number_text(made) + " each, so reaching the end would take " +
         number_text(power) +
         " of them and more: is the rotation, an orbit or a torque that fast, does it grow, or is a "
         "damping that stiff? Try a shorter run");
     return true;
   }
 
-  bool refused(double t) {
-    if (watch_.nan_event().empty()) return false;
-    fail(detail::nan_text(watch_.nan_event(), t));
+  bool refused() {
+    if (watch_.refusal().empty()) return false;
+    fail(watch_.refusal());
     return true;
   }
 

@@ -3,16 +3,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
 
-// Where a value beside a look is asked for, in intervals: a slope, or the sign beside a zero.
+// Where the sign beside a zero is asked for, in intervals; and in roundings of the time, where
+// these are coarse.
 constexpr double beside = 0x1p-20;
+constexpr double roundings = 4.0 * std::numeric_limits<double>::epsilon();
+// Of a time next to the lowest value of a function, relative.
+constexpr double time_grain = 2e-15;
 
 int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
+
+// The next time to ask for from `t` on, towards `to`.
+double next_to(double t, double to) {
+  const double h = to - t, length = std::fabs(h);
+  const double grain = roundings * std::fmax(std::fabs(t), std::fabs(to));
+  const double next =
+      t + std::copysign(std::fmin(std::fmax(beside * length, grain), 0.5 * length), h);
+  return next == t ? to : next;
+}
+
+// Of a function that is zero at t and not at `to`, the last zero: halved to rounding.
+double last_zero(const TimeFunction& f, double t, double to) {
+  for (int trip = 0; trip < 128; ++trip) {
+    const double m = t + 0.5 * (to - t);
+    if (m == t || m == to) break;
+    (f(m) == 0.0 ? t : to) = m;
+  }
+  return t;
+}
 
 // Whether values of different sign are those of a folded angle that jumps. Where that is not clear,
 // the interval is halved: the difference becomes a whole period, or nothing (60 trips at most).
@@ -43,7 +67,7 @@ class LowestValue {
     mid_ = at(a.t + (x > 0.01 && x < 0.99 ? x : 0.5) * h);
   }
 
-  // The lowest point, or the first found at zero or beyond; 64 trips at most, three as a rule.
+  // The lowest point, or the first found at zero or beyond; 64 trips at most, usually 3.
   Look found(double enough) {
     for (int trip = 0; trip < 64 && mid_.v > enough; ++trip) {
       const double width = high_.t - low_.t;
@@ -102,9 +126,10 @@ class LowestValue {
 
 }  // namespace
 
-// Illinois' regula falsi with a bisection at every third trip: at most 128 trips, ten as a rule.
+// Illinois' regula falsi with a bisection at every third trip: at most 128 trips, usually 10.
 std::optional<double> crossing_between(const TimeFunction& f, Look a, Look b, double period) {
   if (period > 0.0 && jumps(f, a, b, period)) return std::nullopt;
+  if (std::isnan(a.value) || std::isnan(b.value)) return std::nullopt;
   const bool rises = b.value > 0.0;
   int last_moved = -1;
   for (int trip = 0; trip < 128; ++trip) {
@@ -112,8 +137,11 @@ std::optional<double> crossing_between(const TimeFunction& f, Look a, Look b, do
     if (trip % 3 == 2 || !((t - a.t) * (b.t - t) > 0.0)) t = a.t + 0.5 * (b.t - a.t);
     if (t == a.t || t == b.t) break;  // neighbours
     const double value = f(t);
-    if (value == 0.0) return t;
-    if (std::isnan(value)) break;
+    if (std::isnan(value)) return std::nullopt;
+    if (value == 0.0) {
+      const double next = next_to(t, b.t);
+      return next != b.t && f(next) == 0.0 ? last_zero(f, next, b.t) : t;
+    }
     const int moved = (value > 0.0) == rises ? 1 : 0;
     (moved == 1 ? b : a) = {t, value, 0.0};
     if (moved == last_moved) (moved == 1 ? a : b).value *= 0.5;  // else the far end never moves
@@ -140,7 +168,7 @@ void ZeroSearch::leave_zero(int sign, std::vector<Zero>& found) {
 }
 
 void ZeroSearch::reach_zero(double t, bool stays) {
-  if (!at_zero_) t_zero_ = t;
+  t_zero_ = t;
   stretch_ = stays || at_zero_;
   at_zero_ = true;
 }
@@ -151,14 +179,20 @@ void ZeroSearch::cross(double t, int sign, std::vector<Zero>& found) {
 }
 
 // Between values of one sign.
-void ZeroSearch::turn_round(const TimeFunction& f, const Look& a, const Look& b,
-                            std::vector<Zero>& found) {
+void ZeroSearch::turn_around(const TimeFunction& f, const Look& a, const Look& b,
+                             std::vector<Zero>& found) {
   const double h = b.t - a.t, va = sign_ * a.value, vb = sign_ * b.value;
   const double falls = sign_ * a.slope * h, rises = sign_ * b.slope * h;
   if (!(falls < 0.0 && rises > 0.0)) return;
   if (va + 2.0 * falls > 0.0 && vb - 2.0 * rises > 0.0)
     return;  // twice as steep, it comes not near
-  const double enough = touching * std::max(va, vb);
+  // near its lowest value f is a parabola, asked for at times as coarse as doubles are there
+  const double grain = time_grain * std::fabs(b.t / h);
+  const double enough = touching * std::max(va, vb) + 0.5 * (rises - falls) * grain * grain;
+  if (va <= enough || vb <= enough) {  // at a look: of this interval, by the slope there
+    found.push_back({va <= enough ? std::nextafter(a.t, b.t) : b.t, 0});
+    return;
+  }
   const Look m = LowestValue(f, sign_, a, b).found(enough);
   const double lowest = sign_ * m.value;
   if (lowest < -enough) {
@@ -171,10 +205,11 @@ void ZeroSearch::turn_round(const TimeFunction& f, const Look& a, const Look& b,
 }
 
 void ZeroSearch::between(const TimeFunction& f, Look a, Look b, std::vector<Zero>& found) {
-  const double h = b.t - a.t;
+  const double t_a = a.t, t_b = b.t;
   if (a.value == 0.0) {
-    a.t += beside * h;
+    a.t = next_to(t_a, t_b);
     a.value = f(a.t);
+    if (std::isnan(a.value)) return;
     if (a.value == 0.0) {
       stretch_ = true;
     } else {
@@ -182,13 +217,14 @@ void ZeroSearch::between(const TimeFunction& f, Look a, Look b, std::vector<Zero
     }
   }
   const bool ends_at_zero = b.value == 0.0;
-  const double t_b = b.t;
   if (ends_at_zero) {
-    b.t -= beside * h;
+    b.t = next_to(t_b, t_a);
     b.value = f(b.t);
+    if (std::isnan(b.value)) return;
   }
   const int before = sign_of(a.value), after = sign_of(b.value);
   if (before == 0 && after != 0) {
+    if (sign_ != 0 && sign_ != after) t_zero_ = last_zero(f, a.t, b.t);
     leave_zero(after, found);
   } else if (before != 0 && after == 0) {
     reach_zero(b.t, true);
@@ -196,7 +232,7 @@ void ZeroSearch::between(const TimeFunction& f, Look a, Look b, std::vector<Zero
     if (const auto t = crossing_between(f, a, b, period_)) found.push_back({*t, after});
     sign_ = after;
   } else if (before != 0) {
-    turn_round(f, a, b, found);
+    turn_around(f, a, b, found);
   }
   if (ends_at_zero) reach_zero(t_b, after == 0);
 }
@@ -204,25 +240,6 @@ void ZeroSearch::between(const TimeFunction& f, Look a, Look b, std::vector<Zero
 void ZeroSearch::end(std::vector<Zero>& found) {
   if (at_zero_ && !stretch_) found.push_back({t_zero_, -sign_});
   at_zero_ = false;
-}
-
-std::vector<Zero> zeros_between(const TimeFunction& f, double t0, double t1, int intervals) {
-  const double h = (t1 - t0) / intervals;
-  const auto look = [&](double t, double side) {
-    const double value = f(t), move = side * (0x1p-10 * h);
-    return Look{t, value, (f(t + move) - value) / move};
-  };
-  std::vector<Zero> found;
-  ZeroSearch search;
-  Look a = look(t0, 1.0);
-  search.begin(t0, a.value, false);
-  for (int k = 1; k <= intervals; ++k) {
-    const Look b = look(k == intervals ? t1 : t0 + k * h, k == intervals ? -1.0 : 1.0);
-    search.between(f, a, b, found);
-    a = b;
-  }
-  search.end(found);
-  return found;
 }
 
 }  // namespace detail

@@ -90,12 +90,16 @@ class VariationPieces final : public DenseStep {
       const DoubleDouble from = t0 + (h * (static_cast<double>(i) / pieces));
       const auto step = collocation_step<rotor_size<double>>(
           field_, RotorErrorSize{}, from, c.y, h / pieces, 0.5 * epsilon<double>(), &series_[i]);
+      is_made_ = is_made_ && step.status == Step::Status::made;
       begin_[i] = from;
       constants_[i] = c;
       c.add(step.increment);
     }
     length_ = h / pieces;
   }
+
+  // Where the terms are too rough for so small a change, it is no polynomial.
+  bool is_made() const { return is_made_; }
 
   RotorState at(double t) const override {
     const double share = (DoubleDouble(t) - begin_[0]).hi / length_;
@@ -107,9 +111,11 @@ class VariationPieces final : public DenseStep {
   }
 
  private:
+  using Step = CollocationStep<rotor_size<double>>;
   static constexpr std::size_t pieces = 4;
 
   VariationField field_;
+  bool is_made_ = true;
   double length_ = 0.0;
   std::array<DoubleDouble, pieces> begin_;
   std::array<Constants, pieces> constants_;
@@ -150,7 +156,8 @@ class VariationStepper final : public Stepper {
     return std::make_shared<const VariationDense>(before_, begin_, start_, time(), state());
   }
   std::shared_ptr<const DenseStep> inside() override {
-    return std::make_shared<const VariationPieces>(before_, begin_, start_, solver_.time());
+    auto pieces = std::make_shared<const VariationPieces>(before_, begin_, start_, solver_.time());
+    return pieces->is_made() ? pieces : dense(false);
   }
   // As many as the step's polynomial has degrees: terms may act faster than the body turns.
   int intervals() const override { return static_cast<int>(gauss_nodes); }

@@ -161,9 +161,9 @@ class FreeRun {
   bool events_until(double t) {
     if (!search_) return true;
     for (;;) {
-      const std::string refusal = search_->refusal();
-      if (!refusal.empty()) {
-        report_.outcome = {Outcome::Status::failed, search_->t(), refusal};
+      if (!search_->refusal().empty()) {
+        report_.outcome = {Outcome::Status::failed, search_->t(), search_->refusal()};
+        write(times_until(search_->t()));
         return false;
       }
       if (search_->t() == t) return true;
@@ -172,7 +172,7 @@ class FreeRun {
         write_to_the_end();
         return false;
       }
-      if (search_->t() == t) continue;
+      if (search_->t() == t || !search_->refusal().empty()) continue;
       offer_state(search_->t());
       if (control_.progress) control_.progress(search_->t());
     }
@@ -190,9 +190,8 @@ class FreeRun {
       report_.outcome = {Outcome::Status::stopped_by_event, found.records.back().t, {}};
   }
 
-  // Rows before the event that has stopped the run, and one more there.
-  void write_to_the_end() {
-    const double end = report_.outcome.t;
+  // Of rows not yet written.
+  std::vector<double> times_until(double end) const {
     const bool forward = rows_[0] <= rows_[rows_.size() - 1];
     std::vector<double> times;
     for (std::int64_t k = writer_.rows(); k < rows_.size(); ++k) {
@@ -200,6 +199,13 @@ class FreeRun {
       if (forward ? t > end : t < end) break;
       times.push_back(t);
     }
+    return times;
+  }
+
+  // Rows before the event that has stopped the run, and one more there.
+  void write_to_the_end() {
+    const double end = report_.outcome.t;
+    std::vector<double> times = times_until(end);
     const double latest =
         !times.empty() ? times.back() : rows_[std::max<std::int64_t>(writer_.rows() - 1, 0)];
     if (latest != end || (times.empty() && writer_.rows() == 0)) times.push_back(end);

@@ -17,14 +17,11 @@
 //             axes, an ellipse with e > 0, and need not be what acts. Passes are events: two of
 //             them within a step are found too (event.hpp).
 // Accuracy    that of the method; passes are roots of its dense output, times of pericentres have
-//             two roundings at most. Where passes are looked for, steps of Adaptive and
-//             VariationOfConstants are kept below an eighth of the fastest turn of the free body
-//             at the start, so that none is stepped over; a body that spins up more than fourfold
-//             needs a largest_step of its own.
-// Errors      DomainError for what is no problem, a value, period or orbit out of the domain, and a
-//             Splitting whose step is longer than a quarter of that turn. A run that cannot go on:
-//             an outcome that says why, with the points so far. What a term, the sink or `progress`
-//             throws passes through.
+//             two roundings at most. Passes are found in steps of any length, as often as the body
+//             turns there (event.hpp).
+// Errors      DomainError for what is no problem, a value, period or orbit out of the domain. A run
+//             that cannot go on: an outcome that says why, with the points so far. What a term, the
+//             sink or `progress` throws passes through.
 // Cost        the run; some ten evaluations of the dense output per pass.
 #pragma once
 

@@ -6,18 +6,18 @@
 //             along its whole polhode, and of the frame), and at the end of every step.
 // Units       any; `interval` is a time.
 // Domain      a continuous function of (t, q_SB, g_B), or of a Sample, which has the rate of a
-//             damper too. These are found: every change of sign from one look to the next; two
-//             zeros between two looks, where the function turns round beyond zero; and a touch,
-//             where it turns round at zero to rounding (1e-14 of its values around), of direction
-//             0, that rising and falling leave out. A function that turns round twice between two
+//             damper too. It finds every change of sign from one look to the next; two zeros
+//             between two looks, where the function turns around beyond zero; and a touch, where it
+//             turns around at zero to rounding (1e-14 of its values around, and of t), of direction
+//             0, that rising and falling leave out. A function that turns around twice between two
 //             looks, since it varies faster than the body turns, needs an `interval`. A zero at
 //             start or stop is an event; with Problem::continues one at start is not, so that a run
-//             in two parts has it once. A function that stays zero for a while has an event where
-//             its sign is another one afterwards: when it became zero.
+//             in two parts has it once. A function that stays zero for a while counts once, if its
+//             sign differs afterwards: where it leaves zero.
 // Accuracy    the root of the dense output to rounding of t; its time is as wrong as the state
 //             there, error of g over |dg/dt|. The time of a touch: the square root of that.
-// Errors      what the function throws passes through; NaN ends the run with an outcome that says
-//             so.
+// Errors      what the function throws passes through. NaN, or a step in which more than 1e8 looks
+//             would be needed, ends the run with an outcome that says so.
 // Cost        two calls per look, some ten per event. docs/accuracy/events.md.
 #pragma once
 
@@ -70,7 +70,7 @@ struct Event {
   double interval = 0.0;
 };
 
-// DomainError for an event without a function, or a period or interval that is none.
+// DomainError for an event without a function, or an invalid period or interval.
 void require_valid(const Event& event);
 
 }  // namespace v0

@@ -8,9 +8,9 @@
 //             it.
 // Accuracy    times to rounding of t, and that of FreeRotation: error of the function over its rate
 //             (docs/accuracy/events.md).
-// Errors      DomainError for a start or stop that is not finite and an event that is none. An
-//             event that is NaN ends the search with Outcome::failed and a sentence. What a
-//             function or `progress` throws passes through.
+// Errors      DomainError for a start or stop that is not finite and an invalid event. An event
+//             that is NaN ends the search with Outcome::failed, a sentence, and the time of the
+//             last look before. What a function or `progress` throws passes through.
 // Cost        a microsecond or two per turn between start and stop, and two calls of every function
 //             per look; `progress` is told every few turns.
 #pragma once

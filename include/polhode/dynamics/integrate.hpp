@@ -39,7 +39,7 @@ struct Problem {
   Method method = Adaptive{};
   std::vector<Event> events = {};
   Vec3 damper_rate = {};  // of the system's damper relative to the body, at `start`
-  // Of a run that has ended at `start`: an event there is that run's.
+  // This run continues one that ended at `start`, which has already reported any event there.
   bool continues = false;
 };
 

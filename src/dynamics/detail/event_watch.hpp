@@ -3,6 +3,7 @@
 // they meet there.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,10 @@ class EventWatch {
   Found finish();
   // Between two looks from a state on.
   double interval(const Sample& from, bool forward) const;
-  // Of the event whose value was NaN last.
-  const std::string& nan_event() const { return nan_event_; }
+  // Why the run cannot go on: an event is NaN, or a step would need too many looks; else empty.
+  const std::string& refusal() const { return refusal_; }
+  // Up to where events are known.
+  double reached() const { return reached_; }
   void transfer(StateBytes& bytes);
 
  private:
@@ -45,19 +48,37 @@ class EventWatch {
     double value = 0.0;  // at the last look
     Sample at_zero{};    // where the last zero is that is not decided about
   };
+  // A record, and whether it stops the run.
+  struct Met {
+    EventRecord record;
+    bool stops;
+  };
+  // A step, and the time over which slopes are taken in it.
+  struct Looked {
+    const DenseStep& inside;
+    const DenseStep& states;
+    const Sample& end;
+    bool forward;
+    double apart_by;
+  };
+  static Found in_order(std::vector<Met>& met, bool forward);
   double value(std::size_t i, const Sample& at);
+  void look(std::size_t i, const Looked& step, const Sample& at, Look& last, std::vector<Met>& met);
+  Look first_look(std::size_t i, const Sample& after, double apart_by) const;
+  bool stops_before_nan(const std::vector<Met>& met, bool forward) const;
+  void refuse_nan();
+  void refuse_looks(double end);
   void keep_undecided(const DenseStep& step, const Sample& end);
   bool is_asked_for(std::size_t i, int direction) const;
 
   std::vector<Event> events_;
   SampleMotion motion_;
   std::vector<Watched> watched_;
-  Sample last_{};  // the end of the last step
-  std::string nan_event_;
+  Sample last_{};                         // the end of the last step
+  std::optional<std::size_t> nan_event_;  // whose value was NaN last
+  std::string refusal_;
+  double reached_ = 0.0;
 };
-
-// The sentence of an event whose value is NaN.
-std::string nan_text(const std::string& event, double t);
 
 }  // namespace detail
 }  // namespace v0

@@ -19,13 +19,13 @@ class FreeEventSearch {
   FreeEventSearch(const FreeRotation& motion, const Frame& frame, std::vector<Event> events,
                   double start);
 
-  double t() const { return t_; }  // how far it has come
+  double t() const { return t_; }  // how far it has come: where it cannot go on, up to there
   // On towards `until`, by some turns at most.
   EventWatch::Found advance(double until);
   // A zero where it has come to.
   EventWatch::Found finish() { return watch_.finish(); }
   // Why it cannot go on; empty where it can.
-  std::string refusal() const;
+  const std::string& refusal() const { return watch_.refusal(); }
   Sample sample(double t) const;
   void transfer(StateBytes& bytes) {
     bytes(t_);

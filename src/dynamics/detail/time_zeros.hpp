@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The zeros of a function of time, from looks at it: values and slopes at times so close that the
-// function turns round at most once between two of them.
+// function turns around at most once between two of them.
 #pragma once
 
 #include <functional>
@@ -26,11 +26,13 @@ struct Zero {
 
 // Goes from look to look, either way in time. Between two looks it finds
 //  - a change of sign;
-//  - two, where the function turns round beyond zero: its slopes point at zero from both sides;
-//  - a touch, where it turns round at zero to rounding (`touching` of the values around).
+//  - two, where the function turns around beyond zero: its slopes point at zero from both sides;
+//  - a touch, where it turns around at zero to rounding (`touching` of the values around, and of
+//  the
+//    time).
 // A look that is zero is a zero as its neighbours say: they are on different sides (or it is where
 // the search begins or ends), or it is a touch. A stretch of zeros is none, unless the function
-// changes its sign over it: then the first of them.
+// changes its sign over it: then the last of them. Where f is NaN it stops: zeros up to there.
 class ZeroSearch {
  public:
   static constexpr double touching = 1e-14;
@@ -60,7 +62,7 @@ class ZeroSearch {
   void leave_zero(int sign, std::vector<Zero>& found);
   void reach_zero(double t, bool stays);
   void cross(double t, int sign, std::vector<Zero>& found);
-  void turn_round(const TimeFunction& f, const Look& a, const Look& b, std::vector<Zero>& found);
+  void turn_around(const TimeFunction& f, const Look& a, const Look& b, std::vector<Zero>& found);
 
   double period_;
   int sign_ = 0;          // of the last value that was not zero; 0: none yet
@@ -70,11 +72,9 @@ class ZeroSearch {
 };
 
 // A zero between a and b, whose values have different signs: the first time in the direction of b
-// at which the sign is that of b, to rounding. Nothing for the jump of a folded angle.
+// at which the sign is that of b, to rounding. Nothing for the jump of a folded angle, or where f
+// is NaN.
 std::optional<double> crossing_between(const TimeFunction& f, Look a, Look b, double period = 0.0);
-
-// Of a function alone, with that many equal intervals between looks: its zeros in (t0, t1].
-std::vector<Zero> zeros_between(const TimeFunction& f, double t0, double t1, int intervals);
 
 }  // namespace detail
 }  // namespace v0

@@ -19,12 +19,12 @@ namespace detail {
 struct RunState {
   static constexpr int way = 0;   // to the first row, from t = 0
   static constexpr int rows = 1;  // integrated
-  static constexpr int free = 2;  // exact: the number of the row says it all
+  static constexpr int free = 2;  // exact: by the number of rows, and the search for events
 
   int stage = way;
   double t = 0.0;
   std::int64_t pushed = 0;  // rows, into the sinks
-  std::string integration;  // bytes of a Checkpoint
+  std::string integration;  // bytes of a Checkpoint, or of that search
   Statistics before{};      // of the way
   Sample first{};           // where the rows start
   Sample latest{};          // of the rows pushed

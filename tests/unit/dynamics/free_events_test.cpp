@@ -80,6 +80,34 @@ TEST(FreeEvents, AreThoseOfARunBySteps) {
   }
 }
 
+// 8e8: seconds since J2000.
+TEST(FreeEvents, AtStartAndStopTheyCountAtAnyTime) {
+  const Event across{"across", [](double, const RotorState& s) { return s.q.x; }};
+  for (const double t0 : {0.0, 1e6, 1e8, 8e8, 1e10}) {
+    const double stop = t0 + 0.125;
+    const FreeRotation fast(Body(1.0, 1.7, 2.1), {{1.0, 0.0, 0.0, 0.0}, {10.0, 40.0, 8.0}}, t0);
+    const Event end{"end", [stop](double t, const RotorState&) { return t - stop; }};
+    const FreeEvents found = free_events(fast, {across, end}, t0, stop);
+    ASSERT_EQ(found.events.size(), 2U) << t0;
+    EXPECT_EQ(found.events[0].t, t0);
+    EXPECT_EQ(found.events[1].t, stop);
+  }
+}
+
+TEST(FreeEvents, AStretchOfZerosIsLeftOnce) {
+  const Event stretch{
+      .name = "stretch",
+      .function = [](double t,
+                     const RotorState&) { return t < 1.0 ? t - 1.0 : (t < 50.0 ? 0.0 : t - 50.0); },
+      .stops = true};
+  const Event other{"other", [](double t, const RotorState&) { return std::sin(t); }};
+  const FreeEvents found = free_events(motion, {stretch, other}, 0.1, 100.0);
+  ASSERT_EQ(found.events.size(), 16U);  // 15 half turns
+  EXPECT_NEAR(found.outcome.t, 50.0, budget::time_of_zero * 50.0);
+  for (std::size_t i = 1; i < found.events.size(); ++i)
+    EXPECT_LT(found.events[i - 1].t, found.events[i].t);
+}
+
 TEST(FreeEvents, TheFirstThatStopsIsTheLast) {
   Event end = flip;
   end.stops = true;
@@ -103,6 +131,8 @@ TEST(FreeEvents, WhatCannotBeSaysWhy) {
   EXPECT_EQ(found.outcome.status, Outcome::Status::failed);
   EXPECT_THAT(found.outcome.advice, HasSubstr("event \"root\" is NaN after t = "));
   EXPECT_LE(found.outcome.t, 5.0);
+  EXPECT_GT(found.outcome.t, 4.5);  // the look before
+  EXPECT_THAT(found.outcome.advice, HasSubstr("after t = 4."));
   EXPECT_THAT(message_of([] { free_events(motion, {flip}, 0.0, std::nan("")); }),
               HasSubstr("stop nan must be finite"));
   EXPECT_THAT(message_of([] {

@@ -268,12 +268,12 @@ TEST(Integrate, TwoGravityGradientsAtOnceAreOneOfTheSum) {
 TEST(Integrate, ARunThatWouldNeverEndSaysSo) {
   const Trajectory slow = integrate(free_problem(Splitting{1e-9}, 0.0, 1e9), {.dense = false});
   EXPECT_EQ(slow.outcome().status, Outcome::Status::failed);
-  EXPECT_THAT(slow.outcome().advice, HasSubstr("so that the end would take 1e+17 of them"));
+  EXPECT_THAT(slow.outcome().advice, HasSubstr("so reaching the end would take 1e+17 of them"));
   Problem fast = free_problem(Adaptive{}, 0.0, 3600.0);
   fast.initial.g = {1e20, 2e20, 3e20};
   const Trajectory run = integrate(fast, {.dense = false});
   EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
-  EXPECT_THAT(run.outcome().advice, HasSubstr("so that the end would take"));
+  EXPECT_THAT(run.outcome().advice, HasSubstr("so reaching the end would take"));
 }
 
 TEST(Integrate, ARunOfNoLengthIsItsStart) {

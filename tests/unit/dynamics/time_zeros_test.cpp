@@ -19,6 +19,26 @@ using testing::IsEmpty;
 
 constexpr double pi = std::numbers::pi;
 
+// With that many equal intervals between looks: zeros in (t0, t1].
+std::vector<Zero> zeros_between(const TimeFunction& f, double t0, double t1, int intervals) {
+  const double h = (t1 - t0) / intervals;
+  const auto look = [&](double t, double side) {
+    const double value = f(t), move = side * (0x1p-10 * h);
+    return Look{t, value, (f(t + move) - value) / move};
+  };
+  std::vector<Zero> found;
+  ZeroSearch search;
+  Look a = look(t0, 1.0);
+  search.begin(t0, a.value, false);
+  for (int k = 1; k <= intervals; ++k) {
+    const Look b = look(k == intervals ? t1 : t0 + k * h, k == intervals ? -1.0 : 1.0);
+    search.between(f, a, b, found);
+    a = b;
+  }
+  search.end(found);
+  return found;
+}
+
 void expect_zeros(const std::vector<Zero>& found, const std::vector<Zero>& wanted) {
   ASSERT_EQ(found.size(), wanted.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -64,6 +84,10 @@ TEST(TimeZeros, AMissIsNoZeroAndATouchIsOne) {
       EXPECT_THAT(zeros_between(over(lowest), -1.0, 3.0, 4), IsEmpty()) << centre << " " << lowest;
     expect_zeros(zeros_between(over(0.0), -1.0, 3.0, 4), {{centre, 0}});
   }
+  // a rounding beside a look
+  for (const double centre : {std::nextafter(3.0, 2.0), std::nextafter(3.0, 4.0)})
+    expect_zeros(zeros_between([=](double t) { return (t - centre) * (t - centre); }, 1.0, 5.0, 4),
+                 {{centre, 0}});
 }
 
 TEST(TimeZeros, AZeroAtALookIsFoundOnce) {
@@ -91,11 +115,34 @@ TEST(TimeZeros, AZeroAtTheStartCountsWhereItIsAskedFor) {
   }
 }
 
+// Where looks are only some doubles apart.
+TEST(TimeZeros, AtLargeTimesAZeroAtAnEndIsNoStretch) {
+  for (const double t0 : {1e6, 8e8, -8e8, 1e15}) {
+    const double ulp = std::nextafter(std::fabs(t0), 2e15) - std::fabs(t0);
+    for (const double ulps : {1.0, 2.0, 3.0, 4.0, 1e3}) {
+      const double t1 = t0 + ulps * ulp;
+      for (const double at : {t0, t1}) {
+        const TimeFunction f = [at](double t) { return t - at; };
+        ZeroSearch search;
+        std::vector<Zero> found;
+        search.begin(t0, f(t0));
+        search.between(f, {t0, f(t0), 1.0}, {t1, f(t1), 1.0}, found);
+        search.end(found);
+        ASSERT_EQ(found.size(), 1U) << t0 << " " << ulps;
+        EXPECT_EQ(found[0].t, at);
+        EXPECT_EQ(found[0].direction, 1);
+      }
+    }
+  }
+}
+
 TEST(TimeZeros, AStretchOfZerosCountsWhereTheSignChangesOverIt) {
   const auto pulse = [](double rest) {
     return [rest](double t) { return t < 1.5 ? t - 1.5 : (t < 3.5 ? 0.0 : rest * (t - 3.5)); };
   };
-  EXPECT_EQ(zeros_between(pulse(1.0), 0.0, 6.0, 6).size(), 1U);
+  // where the function leaves zero, whichever looks meet the stretch: also none
+  for (const int intervals : {1, 2, 3, 6, 60})
+    expect_zeros(zeros_between(pulse(1.0), 0.0, 6.0, intervals), {{3.5, 1}});
   EXPECT_THAT(zeros_between(pulse(-1.0), 0.0, 6.0, 6), IsEmpty());
   EXPECT_THAT(zeros_between([](double) { return 0.0; }, 0.0, 6.0, 6), IsEmpty());
 }
@@ -120,6 +167,8 @@ TEST(TimeZeros, TheJumpOfAFoldedAngleIsNone) {
 TEST(TimeZeros, NaNIsNoZero) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(zeros_between([nan](double) { return nan; }, 0.0, 1.0, 4), IsEmpty());
+  const TimeFunction gap = [nan](double t) { return std::fabs(t - 0.5) < 0.1 ? nan : t - 0.5; };
+  EXPECT_THAT(zeros_between(gap, 0.0, 1.0, 1), IsEmpty());
 }
 
 }  // namespace
