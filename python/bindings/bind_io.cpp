@@ -111,6 +111,7 @@ void bind_io(nb::module_& m) {
     const nb::object step = s.step() == 0.0 ? nb::none() : nb::object(nb::float_(s.step()));
     return nb::make_tuple(s.start(), s.stop(), step);
   });
+  m.def("_shown_number", &shown_number);
   m.def("_column_names", [] { return names_list(column_names()); });
   m.def("_column_group_names", [] { return names_list(column_group_names()); });
 }

@@ -181,7 +181,7 @@ interval : no two looks at the function are farther apart: for one that varies f
     turns. 0: looks follow the rotation.
 
 The function is looked at inside every step, twelve times in the fastest turn at least, with its
-slope. Found are changes of sign, two zeros between two looks where it turns round beyond zero, and
+slope. It finds changes of sign, two zeros between two looks where it turns around beyond zero, and
 touches (direction 0, with crossing both); zeros at start and stop too. Each is solved on the dense
 output to rounding. What the function raises ends the run and passes through; NaN ends it with an
 outcome that says so.)",

@@ -7,6 +7,8 @@ import html
 from collections.abc import Iterable
 from typing import Union
 
+from polhode._core import _shown_number
+
 Value = Union[float, "tuple[float, ...]", str]
 Line = tuple[str, str, list[float], str, str]
 
@@ -47,7 +49,7 @@ class Summary(dict[str, Value]):
         cells = []
         for key, value in self.items():
             numbers = value if isinstance(value, tuple) else (value,)
-            text = ", ".join(x if isinstance(x, str) else f"{x:.10g}" for x in numbers)
+            text = ", ".join(x if isinstance(x, str) else _shown_number(key, x) for x in numbers)
             unit = self.units.get(key, "")
             cells.append((self.labels[key], f"{text} {unit}" if unit else text))
         return cells

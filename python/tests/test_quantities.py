@@ -199,7 +199,11 @@ def of_elliptic():
     values = {"m": 0.25, "m1": 0.75}
     functions = {name: getattr(elliptic, name) for name in elliptic.__all__}
     return {
-        name: (function, {p: values.get(p, 0.5) for p in inspect.signature(function).parameters}, {})
+        name: (
+            function,
+            {p: values.get(p, 0.5) for p in inspect.signature(function).parameters},
+            {},
+        )
         for name, function in functions.items()
         if inspect.isfunction(function)
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "math/detail/larger.hpp"
@@ -42,6 +43,10 @@ double rounding_sensitivity(const FreeRotation& motion, double t) {
   const Vec3 moments = motion.body().moments();
   const RotorState s = motion.initial_state();
   const Quaternion q = motion.at(t).q;
+  // Beyond 1/eps rad a rounding of the rate is whole turns.
+  const Vec3 w = angular_velocity(motion.body(), s);
+  const double turned = std::hypot(w.x, w.y, w.z) * std::abs(t - motion.epoch());
+  if (!(turned < 1.0 / std::numeric_limits<double>::epsilon())) return std::numbers::pi;
   double largest = 0.0;
   for (int component = 0; component < 3; ++component) {
     for (const double towards : {-infinity, infinity}) {

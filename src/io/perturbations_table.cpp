@@ -60,6 +60,7 @@ std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
     for (std::size_t k = 1; k < columns.size(); ++k)
       check.unit(k, {"torque_unit", torque, Dimension::torque});
     check.epoch();
+    check.torque_axes(word(at.values, at.key("axes")));
     return read;
   });
   std::vector<TorqueRow> rows;

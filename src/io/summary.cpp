@@ -57,14 +57,6 @@ class Lines {
   std::vector<SummaryLine> lines_;
 };
 
-// Ten digits; of a bound none above it, so that the number printed is one that is allowed.
-std::string shown(double number, bool bound) {
-  const std::string nearest = fmt::format("{:.10g}", number);
-  if (!bound || !(number > 0.0) || !(std::stod(nearest) > number)) return nearest;
-  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 9.0);
-  return fmt::format("{:.10g}", std::stod(nearest) - unit);
-}
-
 double largest(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
 
 std::string crossing_text(Crossing crossing) {
@@ -231,6 +223,13 @@ std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport&
   return lines.take();
 }
 
+std::string shown_number(const std::string& key, double number) {
+  const std::string nearest = fmt::format("{:.10g}", number);
+  if (key != "psi_max" || !(number > 0.0) || !(std::stod(nearest) > number)) return nearest;
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 9.0);
+  return fmt::format("{:.10g}", std::stod(nearest) - unit);
+}
+
 std::string summary_table(const std::vector<SummaryLine>& lines) {
   std::size_t width = 0;
   for (const SummaryLine& line : lines) width = std::max(width, line.label.size());
@@ -238,7 +237,7 @@ std::string summary_table(const std::vector<SummaryLine>& lines) {
   for (const SummaryLine& line : lines) {
     std::string value = line.text;
     for (const double number : line.numbers)
-      value += (value.empty() ? "" : ", ") + shown(number, line.key == "psi_max");
+      value += (value.empty() ? "" : ", ") + shown_number(line.key, number);
     table += fmt::format("{:<{}}  {}{}{}\n", line.label, width, value, line.unit.empty() ? "" : " ",
                          line.unit);
   }

@@ -81,9 +81,23 @@ void TableCheck::unit(std::size_t column, const Read& read) const {
 
 void TableCheck::axes(const std::string& used) const {
   if (!header_.axes || header_.axes->text == used) return;
-  throw DomainError(header_.axes->at + "its axes are " + header_.axes->text +
-                    "; expected axes = " + quoted(header_.axes->text) +
+  const std::string its = header_.axes->at + "its axes are " + printable(header_.axes->text) + "; ";
+  if (!is_axes(header_.axes->text))
+    throw DomainError(
+        its +
+        "expected \"inertial\", \"ecliptic-J2000\" or \"equator-J2000\": turn the "
+        "table into one of them, or take the line out if it is one of them by another "
+        "name");
+  throw DomainError(its + "expected axes = " + quoted(header_.axes->text) +
                     " beside the file or in [state], not " + quoted(used));
+}
+
+void TableCheck::torque_axes(const std::string& used) const {
+  if (!header_.axes || header_.axes->text == used) return;
+  if (used == "inertial") return axes(word(at_.values, "state.axes"));
+  throw DomainError(header_.axes->at + "its axes are " + printable(header_.axes->text) +
+                    "; expected torques along " + quoted(header_.axes->text) +
+                    ", not axes = " + quoted(used));
 }
 
 void TableCheck::epoch() const {

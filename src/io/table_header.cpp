@@ -20,19 +20,20 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// What stands behind `lead`; nothing where the text does not begin so.
+char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// What stands behind `lead`, in small or capital letters; nothing where the text does not begin so.
 std::optional<std::string_view> behind(std::string_view text, std::string_view lead) {
-  if (!text.starts_with(lead)) return std::nullopt;
+  const bool begins =
+      text.size() >= lead.size() && std::equal(lead.begin(), lead.end(), text.begin(),
+                                               [](char a, char b) { return small(a) == small(b); });
+  if (!begins) return std::nullopt;
   return trimmed(text.substr(lead.size()));
 }
 
 bool is_date(std::string_view text) {
   return text.starts_with("JD ") ||
          (!text.empty() && (text.front() == '-' || (text.front() >= '0' && text.front() <= '9')));
-}
-
-bool is_axes(std::string_view text) {
-  return std::find(known_axes.begin(), known_axes.end(), text) != known_axes.end();
 }
 
 // "t [s], x [km], phi [deg]"
@@ -118,14 +119,19 @@ void read_banner(TableHeader& header, std::string_view line, const std::string& 
     header.length = note(au ? "au" : "km");
     header.speed = note(std::string(au ? "au" : "km") + (per_day ? "/d" : "/s"));
   } else if (key == "Reference frame" || key == "Coordinate systm") {
-    if (value.starts_with("Ecliptic"))
+    const bool of_date = value.ends_with("of date") || value.ends_with("of-date");
+    if (value.starts_with("Ecliptic") && !of_date)
       header.axes = note("ecliptic-J2000");
-    else if (value.starts_with("ICRF") && !header.axes)
-      header.axes = note("equator-J2000");
+    else if (!header.axes)  // "Coordinate systm" may follow "Reference frame : ICRF"
+      header.axes = note(value.starts_with("ICRF") ? "equator-J2000" : value);
   }
 }
 
 }  // namespace
+
+bool is_axes(std::string_view text) {
+  return std::find(known_axes.begin(), known_axes.end(), text) != known_axes.end();
+}
 
 TableHeader header_of(const NumberTable& table) {
   TableHeader header;

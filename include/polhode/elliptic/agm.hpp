@@ -104,6 +104,7 @@ bool cel_within(const T& kc, const T& p, const T& a, const T& b) {
 
 template <Real T>
 T agm(T a, T b) {
+  if (a < T(0.0) || b < T(0.0)) return T(std::numeric_limits<double>::quiet_NaN()) * (a * b);
   if constexpr (detail::NarrowRange<T>) {
     if (!detail::within(0x1p-480, 0x1p480, a, b)) {
       return detail::Widening<T>::narrowed(

@@ -37,7 +37,10 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
 std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report,
                                       const std::string& events);
 
-// For people: one aligned line each, ten digits.
+// A number of the line `key` for people: ten digits; of psi_max, a bound, none above it, so that
+// the number printed is one that is allowed.
+std::string shown_number(const std::string& key, double number);
+// For people: one aligned line each.
 std::string summary_table(const std::vector<SummaryLine>& lines);
 // For programs: { "precession_period": { "value": ..., "unit": "h" }, ... }, every digit.
 std::string summary_json(const std::vector<SummaryLine>& lines);

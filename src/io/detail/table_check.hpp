@@ -36,6 +36,8 @@ class TableCheck {
   };
   void unit(std::size_t column, const Read& read) const;
   void axes(const std::string& used) const;
+  // Of a torque table, whose key axes is "body" or "inertial".
+  void torque_axes(const std::string& used) const;
   // Of times that count from an epoch: that it is the one of the state.
   void epoch() const;
   // Of times that are dates.

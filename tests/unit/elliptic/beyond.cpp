@@ -257,6 +257,14 @@ class BeyondDerivatives : public ::testing::Test {
   WorstUnits<double> worst_;
 };
 
+TEST(AgmOutsideItsDomain, IsNotANumber) {
+  for (const double a : {-1.0, 2.0, -HUGE_VAL, -1e-320})
+    for (const double b : {-1.0, -2.0, -1e300}) {
+      EXPECT_TRUE(std::isnan(agm(a, b)) && std::isnan(agm(b, a))) << a << " " << b;
+    }
+  EXPECT_EQ(agm(0.0, 2.0), 0.0);
+}
+
 TEST_F(BeyondDerivatives, AnyModulus) {
   oracle::Draw draw(205, 0);
   for (int i = 0; i < 24; ++i) {

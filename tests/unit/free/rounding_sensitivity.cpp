@@ -40,6 +40,12 @@ TEST(RoundingSensitivity, IsEverythingWhereTheSeparatrixIsARoundingAway) {
             budget::sensitivity_at_separatrix * rounding_sensitivity(far, 200.0));
 }
 
+TEST(RoundingSensitivity, IsHalfATurnWhereNoPhaseIsLeft) {
+  const Body body(1.0, 2.0, 3.0);
+  for (const Vec3& g : {Vec3{1e30, 0.0, 0.0}, Vec3{1e30, 2.0, 3.0}, Vec3{0.3, 0.2, 1.0}})
+    EXPECT_EQ(rounding_sensitivity(FreeRotation(body, {{1, 0, 0, 0}, g}), 1e30), std::acos(-1.0));
+}
+
 TEST(RoundingSensitivity, TakesFlatBodiesAndRefusesNoTime) {
   const FreeRotation flat(Body(1.0, 2.0, 3.0), {{1, 0, 0, 0}, {0.3, 0.2, 1.0}});
   EXPECT_TRUE(std::isfinite(rounding_sensitivity(flat, 10.0)));

@@ -107,7 +107,8 @@ TEST_F(TableHeaders, OfOtherAxesAreRefused) {
                         "\"equator-J2000\" beside the file or in [state], not \"ecliptic-J2000\""));
   EXPECT_EQ(error_of(satellite, "axes = \"equator-J2000\"\n"), "no error");
   EXPECT_THAT(error_of("# axes: TEME\n"),
-              HasSubstr("moon.csv:1: its axes are TEME; expected axes"));
+              HasSubstr("moon.csv:1: its axes are TEME; expected \"inertial\", "));
+  EXPECT_THAT(error_of("# AXES: equator-J2000; Epoch: 2029-04-14\n"), HasSubstr("its axes are"));
   state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\n";  // axes that nobody names
   EXPECT_THAT(error_of(satellite), HasSubstr("not \"inertial\""));
 }
@@ -149,6 +150,9 @@ TEST_F(TableHeaders, OfHorizonsAreHeldAgainstTheScenario) {
   EXPECT_THAT(error_of(banner("AU-D", "ICRF"), keys),
               HasSubstr("moon.csv:2: column X is in au; expected length_unit = \"au\""));
   EXPECT_EQ(error_of(banner("AU-D", "ICRF"), keys + "length_unit = \"au\"\n"), "no error");
+  for (const char* frame : {"FK4/B1950", "Earth mean equator of date", "Ecliptic of date"})
+    EXPECT_THAT(error_of(banner("KM-S", frame), keys),
+                HasSubstr("its axes are " + std::string(frame)));
   EXPECT_THAT(error_of(banner("KM-S", "Ecliptic of J2000.0"), keys),
               HasSubstr("moon.csv:3: its axes are ecliptic-J2000; expected axes"));
   EXPECT_THAT(error_of(banner("KM-S", "ICRF"),
@@ -170,6 +174,13 @@ TEST_F(TableHeaders, OfTorquesAreHeldAgainstTheScenario) {
   write("# units: t [s], u1 [N m], u2 [kg km2/s2]\nt,u1,u2,u3\n" + rows_);
   EXPECT_THAT(error_of_keys(term),
               HasSubstr("column u2 is in kg km2/s2; expected torque_unit = \"kg km2/s2\""));
+  write("# axes: equator-J2000\nt,u1,u2,u3\n" + rows_);
+  EXPECT_THAT(error_of_keys(term),
+              HasSubstr("moon.csv:1: its axes are equator-J2000; expected "
+                        "torques along \"equator-J2000\", not axes = \"body\""));
+  EXPECT_EQ(error_of_keys(term + "axes = \"inertial\"\n"), "no error");
+  write("# axes: body\nt,u1,u2,u3\n" + rows_);
+  EXPECT_EQ(error_of_keys(term), "no error");
 }
 
 }  // namespace
