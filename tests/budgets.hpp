@@ -131,6 +131,10 @@ inline constexpr double free_attitude = 1e-14;
 // --- angles beyond the 32-digit reduction (tests/unit/math) ---
 inline constexpr double large_angle = 2e-16;
 
+// --- light on a turning plate (python/tests/test_switches.py) ---
+// What a weak torque adds to g, relative, at loose tolerances: some roundings of g.
+inline constexpr double turning_plate = 1e-6;
+
 // --- text and files (tests/unit/io) ---
 // A state read from text against the same state built directly; momentum of order ten.
 inline constexpr double io_state = 4e-15;

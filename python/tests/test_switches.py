@@ -140,3 +140,20 @@ def test_a_shadow_does_not_stop_a_run(days, tolerance):
     best = end(1e-15)
     error = np.linalg.norm(end(tolerance) - best) / np.linalg.norm(best)
     assert error < budgets.cylinder_per_tolerance * tolerance + budgets.time_scale
+
+
+def turned_by_light(tolerance):
+    plate = Surface.of_plate([1, 0, 0], [0, 0.3, 0], 2)
+    far = KeplerOrbit(KeplerElements(gm=1e-6, pericentre=1e3, eccentricity=0.0))
+    light = SolarPressure(plate, 1e-12, 1e6, far, sun=lambda t: [1e6, 0, 0])
+    start = RotorState([1, 0, 0, 0], [0, 0, 1.5])
+    turning = Problem(
+        System(Body(1.0, 1.0, 1.5), terms=light), start, 0.0, 300.0, Adaptive(tolerance)
+    )
+    return integrate(turning, dense=False).states.g[-1, 2] - 1.5
+
+
+def test_a_plate_that_turns_is_lit_from_the_front_alone_at_any_tolerance():
+    exact = turned_by_light(1e-13)
+    for tolerance in (1e-2, 1e-3, 1e-4):
+        assert abs(turned_by_light(tolerance) / exact - 1) <= budgets.turning_plate

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "math/detail/larger.hpp"
@@ -80,6 +81,12 @@ double SwitchWatch::rounding(std::size_t which) const {
   return 64.0 * epsilon<double>() * largest_[which];
 }
 
+double SwitchWatch::longest_step(const RotorState& s) const {
+  constexpr double turn = 1.5;  // rad; a side of a facet lasts about half a turn
+  const double rate = norm(polhode::angular_velocity(system_.body(), s));
+  return rate > 0.0 ? turn / rate : std::numeric_limits<double>::infinity();
+}
+
 void SwitchWatch::cross(std::size_t which) {
   SwitchSides next = *sides_;
   next.values[which] = -next.values[which];
@@ -152,8 +159,8 @@ std::string SwitchWatch::refused_jump(std::size_t which, const DoubleDouble& t, 
   const bool torque = norm(here.u) > part * u;
   if (!torque && !(norm(here.v) > part * v)) return {};
   return std::string("the ") + (torque ? "torque" : "rate") + " of term \"" +
-         system_.terms()[term_of(which)].name() + "\" jumps where the state says so, at t = " +
-         number_text(t.hi) + ": " + jumps_;
+         system_.terms()[term_of(which)].name() +
+         "\" jumps where the state says so, at t = " + number_text(t.hi) + ": " + jumps_;
 }
 
 void SwitchWatch::transfer(StateBytes& bytes) {

@@ -111,6 +111,10 @@ std::string smooth_step(Solver& solver, const Field& field, const Breakpoints& b
   if (!not_begun.empty()) return not_begun;
   solver.field().stretch = breakpoints.stretch(begin.hi, stop);
   double end = breakpoints.end(begin.hi, stop);
+  if (switches.size() > 0) {
+    const double longest = switches.longest_step(start);
+    if (std::abs(end - begin.hi) > longest) end = begin.hi + std::copysign(longest, end - begin.hi);
+  }
   std::optional<std::size_t> crossed;  // at `end`
   for (;;) {
     solver.field().sides = switches.sides();

@@ -33,6 +33,10 @@ class SwitchWatch {
   // quaternion. DomainError when a term does not have as many as before.
   std::vector<double> values(const DoubleDouble& t, const RotorState& s) const;
 
+  // In which the body turns little enough that a facet that turns away and back is seen: within a
+  // step the sides are frozen, and light or air would go on from behind.
+  double longest_step(const RotorState& s) const;
+
   // A step has ended where function `which` is zero: its other side holds.
   void cross(std::size_t which);
   // The same without a step between. False when that is said repeatedly: the motion is held
