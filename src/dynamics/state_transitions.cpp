@@ -58,8 +58,8 @@ struct Transitions {
       throw DomainError("state_transitions: tolerance " + number_text(method.tolerance) +
                         " must be from 1e-15: derivatives are carried in double");
     const detail::Breakpoints breakpoints(problem.system);
-    detail::SwitchWatch switches(
-        problem.system, "its transition matrix is not known; take differences of runs");
+    detail::SwitchWatch switches(problem.system,
+                                 "its transition matrix is not known; take differences of runs");
     using Field = detail::RotorField<Tangent>;
     AdaptiveRungeKutta<Verner98, Tangent, 7, detail::SmoothField<Field>, detail::RotorErrorSize>
         solver({std::make_shared<const Field>(problem.system)}, {}, problem.start,

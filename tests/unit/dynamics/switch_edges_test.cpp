@@ -54,9 +54,8 @@ TEST(EdgeSearch, FindsADipWhereverItLies) {
       const double middle = 1.1 * width + (1.0 - 2.2 * width) * k / 1000.0;
       const Curve vee([&](double x) { return std::fabs(x - middle) - width; });
       const Curve round([&](double x) { return (x - middle) * (x - middle) - width * width; });
-      const Curve uneven([&](double x) {
-        return (x < middle ? 3.0 * (middle - x) : 0.5 * (x - middle)) - width;
-      });
+      const Curve uneven(
+          [&](double x) { return (x < middle ? 3.0 * (middle - x) : 0.5 * (x - middle)) - width; });
       for (const auto& edge : {detail::first_edge(vee), detail::first_edge(round)}) {
         ASSERT_TRUE(edge) << width << " " << middle;
         EXPECT_NEAR(edge->x, middle - width, budget::bang_floor);
@@ -245,8 +244,8 @@ TEST(Switches, AJumpByTheTimeAloneHasATransition) {
   EXPECT_NEAR(rows[0].transition(5, 5), 1.0, budget::bang_floor);
   EXPECT_NEAR(rows[0].transition(5, 2), 0.0, budget::bang_floor);
   for (const bool neighbour : {false, true})
-    EXPECT_TRUE(chaos_indicator(bang(clock), SaveAt::times({3.0}), {.neighbour = neighbour})
-                    .outcome.ok());
+    EXPECT_TRUE(
+        chaos_indicator(bang(clock), SaveAt::times({3.0}), {.neighbour = neighbour}).outcome.ok());
 }
 
 // A plate with two faces that turns in the light: kinks, twice a turn.
@@ -254,12 +253,11 @@ TEST(Switches, KinksByTheStateHaveDeviations) {
   const Surface plate = Surface::of_plate({0.5, 0.3, 0.0}, {0.0, 0.1, 1.0}, 1.0, {}, false);
   const AnyOrbit path("path", KeplerOrbit(KeplerElements{1e-6, 1.0, 0.0}));
   const SolarPressure light(plate, {1e-2, 1.0}, {path});
-  const Problem problem{
-      System(Body(1.0, 1.2, 1.5), Frame::inertial(), {{"light", light}}),
-      {{}, {1.0, 0.2, 0.1}},
-      0.0,
-      40.0,
-      Adaptive{}};
+  const Problem problem{System(Body(1.0, 1.2, 1.5), Frame::inertial(), {{"light", light}}),
+                        {{}, {1.0, 0.2, 0.1}},
+                        0.0,
+                        40.0,
+                        Adaptive{}};
   EXPECT_EQ(state_transitions(problem, SaveAt::times({40.0})).size(), 1U);
   for (const bool neighbour : {false, true}) {
     const auto result = chaos_indicator(problem, SaveAt::times({40.0}), {.neighbour = neighbour});
