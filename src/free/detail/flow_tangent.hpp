@@ -52,25 +52,27 @@ std::array<FlowTangent<T>, static_cast<std::size_t>(N)> flow_tangents(
   const BasicVec3<T> g = value(flow.g), start = value(g0);
   const T G2 = dot(start, start);
   std::array<FlowTangent<T>, static_cast<std::size_t>(N)> tangents;
-  double terms = 0.0, sums = 0.0;  // of the attitude along g
+  constexpr bool wide = RealTraits<T>::epsilon() < 1e-20;  // a whole motion, not one short arc
+  [[maybe_unused]] double terms = 0.0, sums = 0.0;         // of the attitude along g
   for (std::size_t j = 0; j < tangents.size(); ++j) {
     const BasicVec3<T> dg0 = slope(g0, j);
     BasicVec3<T> dg = slope(flow.g, j);
     // |g| is constant: g . dg = g0 . dg0. Next to the separatrix dg along g is otherwise what is
     // left of terms that are exp(nt) times larger.
-    if constexpr (RealTraits<T>::epsilon() < 1e-20)
-      dg = dg + ((dot(start, dg0) - dot(g, dg)) / G2) * g;
+    if constexpr (wide) dg = dg + ((dot(start, dg0) - dot(g, dg)) / G2) * g;
     const BasicVec3<T> across = (T(1.0) / G2) * cross(g, to_end(dg0) - dg);
     const T node0 = turn_of_node(start, dg0, flow.pole), node = turn_of_node(g, dg, flow.pole);
     const T along = turn.derivative[j] + node0 - node;
-    terms = std::fmax(terms, std::abs(to_double(node)));
-    sums = std::fmax(sums, std::abs(to_double(node0)));
     tangents[j] = {dg, across + (along / sqrt(G2)) * g};
-    sums = std::fmax(sums, std::abs(to_double(norm(tangents[j].attitude))));
+    if constexpr (wide) {
+      const double sum = to_double(norm(tangents[j].attitude)), first = to_double(node0);
+      terms = std::fmax(terms, std::abs(to_double(node)));
+      sums = std::fmax(sums, std::fmax(std::abs(first), std::abs(sum)));
+    }
   }
   // Where a flip takes back what grew like exp(nt), the terms may leave no digit: not a number
   // then.
-  if constexpr (RealTraits<T>::epsilon() < 1e-20) {
+  if constexpr (wide) {
     if (terms * epsilon<T>() > 1e-9 * sums)
       for (FlowTangent<T>& t : tangents) t.attitude = T(std::nan("")) * t.attitude;
   }
