@@ -23,8 +23,7 @@ class AdaptiveDeviation final : public DeviationRun {
   AdaptiveDeviation(const Problem& problem, const Adaptive& method, const ChaosOptions& options)
       : clock_(clock_of(problem, options)),
         breakpoints_(problem.system),
-        switches_(problem.system,
-                  "how a deviation crosses that is not known; take differences of runs"),
+        switches_(problem.system, unknown_jump),
         target_(is_linear ? 1.0 : options.distance),
         solver_({std::make_shared<const Field>(problem.system, clock_,
                                                problem.stop < problem.start ? -1.0 : 1.0)},

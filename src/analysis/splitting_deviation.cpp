@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "analysis/detail/deviation_run.hpp"
 #include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/splitting_map.hpp"
+#include "dynamics/detail/step_jumps.hpp"
 #include "math/detail/number_text.hpp"
 
 namespace polhode {
@@ -35,6 +37,7 @@ class SplittingDeviation final : public DeviationRun {
         target_(by == DeviationBy::variational ? 1.0 : options.distance),
         step_(method.step),
         start_(problem.start),
+        jumps_(problem.system, unknown_jump),
         grid_(brought_back({map_.start(problem.start, problem.initial), options.deviation})),
         now_(grid_) {}
 
@@ -56,11 +59,15 @@ class SplittingDeviation final : public DeviationRun {
         !std::isfinite(next.growth))
       return "the state or its deviation is not finite near t = " + number_text(t) +
              ": take a smaller step, or see whether a term is finite there";
+    const bool is_whole = !last || std::abs(std::abs(h) - step_) <= stretch * step_;
+    std::string refused = is_whole ? jumps_.seen(map_, grid_.motion, h, next.motion)
+                                   : StepJumps(jumps_).seen(map_, grid_.motion, h, next.motion);
+    if (!refused.empty()) return refused;
     ++steps_;
     if (last) next.motion.t = {t, 0.0};
     if (next.neighbour) next.neighbour->t = next.motion.t;
     now_ = next;
-    if (!last || std::abs(std::abs(h) - step_) <= stretch * step_) grid_ = now_;
+    if (is_whole) grid_ = now_;
     return {};
   }
   double time() const override { return now_.motion.t.hi; }
@@ -128,7 +135,8 @@ class SplittingDeviation final : public DeviationRun {
   double target_;
   double step_;
   double start_;
-  Place grid_;  // after whole steps
+  StepJumps jumps_;  // after whole steps
+  Place grid_;       // after whole steps
   Place now_;
   std::int64_t steps_ = 0;
 };

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/detail/falling_root.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -28,27 +30,6 @@ struct Crossing {
   double guess;
 };
 
-// f is taken for positive at a; it is negative at b. x is the first try, `slope` that of f there or
-// NaN. Secants, and a bisection where they leave the bracket and at every fourth trip: at most 200,
-// and three as a rule.
-template <class F>
-double root(const F& f, double a, double b, double x, double slope, double close) {
-  if (!(a < x && x < b)) x = 0.5 * (a + b);
-  double last = x, f_last = 0.0;
-  for (int trip = 0; trip < 200; ++trip) {
-    const double y = f(x);
-    if (y == 0.0) return x;
-    (y < 0.0 ? b : a) = x;
-    if (trip > 0) slope = (y - f_last) / (x - last);
-    double next = x - y / slope;
-    if (trip % 4 == 3 || !(a < next && next < b)) next = 0.5 * (a + b);
-    if (std::fabs(next - x) <= close || b - a <= close) return next;
-    last = std::exchange(x, next);
-    f_last = y;
-  }
-  return x;
-}
-
 class Search {
  public:
   explicit Search(const SwitchCurve& curve) : curve_(curve) {
@@ -67,7 +48,7 @@ class Search {
       const double step = 0.01 * (c.beyond - c.before), x = c.guess;
       const double slope = (rough(c.which, x + step) - rough(c.which, x)) / step;
       const auto truth = [&](double at) { return curve_.truly(c.which, at); };
-      return Edge{c.which, root(truth, c.before, c.beyond, x, slope, closely)};
+      return Edge{c.which, falling_root(truth, c.before, c.beyond, x, slope, closely)};
     }
     return nan;
   }
@@ -104,7 +85,7 @@ class Search {
     const auto f = [&](double x) { return rough(c.which, x); };
     // from the middle: at the beginning a step has the zero that the last one ended at
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    c.guess = root(f, c.before, c.beyond, 0.5 * (c.before + c.beyond), unknown, roughly);
+    c.guess = falling_root(f, c.before, c.beyond, 0.5 * (c.before + c.beyond), unknown, roughly);
     found.push_back(c);
   }
 

@@ -9,6 +9,7 @@
 #include "dynamics/detail/smooth_step.hpp"
 #include "dynamics/detail/splitting_map.hpp"
 #include "dynamics/detail/step_control.hpp"
+#include "dynamics/detail/step_jumps.hpp"
 #include "free/detail/hub_tangent.hpp"
 #include "math/detail/number_text.hpp"
 #include "polhode/dynamics/integrate.hpp"
@@ -43,6 +44,8 @@ void require_finite(const TransitionSample& row) {
                     ": take a smaller step, or see whether a term is finite there");
 }
 
+constexpr const char* unknown_jump = "its transition matrix is not known; take differences of runs";
+
 // By the variational equations, which are those of a dual state.
 struct Transitions {
   const Problem& problem;
@@ -58,8 +61,7 @@ struct Transitions {
       throw DomainError("state_transitions: tolerance " + number_text(method.tolerance) +
                         " must be from 1e-15: derivatives are carried in double");
     const detail::Breakpoints breakpoints(problem.system);
-    detail::SwitchWatch switches(problem.system,
-                                 "its transition matrix is not known; take differences of runs");
+    detail::SwitchWatch switches(problem.system, unknown_jump);
     using Field = detail::RotorField<Tangent>;
     AdaptiveRungeKutta<Verner98, Tangent, 7, detail::SmoothField<Field>, detail::RotorErrorSize>
         solver({std::make_shared<const Field>(problem.system)}, {}, problem.start,
@@ -84,6 +86,13 @@ struct Transitions {
     detail::SplittingState now = map.start(problem.start, problem.initial);
     const double step = std::copysign(method.step, problem.stop - problem.start);
     Matrix6 transition = Matrix6::identity();
+    detail::StepJumps jumps(problem.system, unknown_jump);
+    const auto stepped = [&](double h, detail::StepJumps& watch) {
+      detail::SplittingState next = map.stepped(now, h);
+      const std::string refused = watch.seen(map, now, h, next);
+      if (!refused.empty()) throw DomainError("state_transitions: " + refused);
+      return next;
+    };
     std::vector<TransitionSample> rows;
     for (const double t : times) {
       const auto rest = [&] { return (t - now.t.hi) - now.t.lo; };
@@ -91,12 +100,14 @@ struct Transitions {
         if (now.t.hi + step == now.t.hi)
           throw DomainError("state_transitions: step " + number_text(method.step) +
                             " is below the rounding of t = " + number_text(now.t.hi));
+        const detail::SplittingState next = stepped(step, jumps);
         transition = map.step_transition(now, step) * transition;
-        now = map.stepped(now, step);
+        now = next;
         tell(now.t.hi);
       }
-      rows.push_back(
-          {t, map.state(map.stepped(now, rest())), map.step_transition(now, rest()) * transition});
+      detail::StepJumps until_there = jumps;
+      const detail::SplittingState there = stepped(rest(), until_there);
+      rows.push_back({t, map.state(there), map.step_transition(now, rest()) * transition});
       require_finite(rows.back());
       tell(t);
     }

@@ -11,6 +11,10 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// Why a run with a deviation ends at a jump of a torque that the state decides.
+inline constexpr const char* unknown_jump =
+    "how a deviation crosses that is not known; take differences of runs";
+
 class DeviationRun {
  public:
   virtual ~DeviationRun() = default;

@@ -201,51 +201,70 @@ TEST(Switches, HeldAtZeroFromTheStart) {
 
 // ---- derivatives across a jump ----
 
-// The sign of `switches` times a torque about axis 3.
-template <class S>
-Problem bang(const S& switches) {
-  const auto torque = [](const auto&, const auto& s, std::span<const double> sides) {
-    using T = std::decay_t<decltype(s.g.x)>;
-    return BasicVec3<T>{T(0.0), T(0.0), T(0.1 * sides[0])};
-  };
-  return {System(Body(1.0, 1.0, 1.5), Frame::inertial(),
-                 {{"bang", SwitchedTorqueTerm(torque, switches)}}),
+// The sign of `value` times a torque about axis 3.
+using AngleOrTime = double (*)(double, const RotorState&);
+struct Bang {
+  static constexpr bool kick = true;
+  AngleOrTime value;
+  std::vector<double> switches(const Setting& at) const { return {value(at.t, at.s)}; }
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const RotorState s{
+        {to_double(at.s.q.w), to_double(at.s.q.x), to_double(at.s.q.y), to_double(at.s.q.z)}, {}};
+    const double side = at.sides.empty() ? side_of(value(to_double(at.t), s)) : at.sides[0];
+    return {{}, {T(0.0), T(0.0), T(0.1 * side)}};
+  }
+};
+Problem bang(AngleOrTime value, const Method& method = Adaptive{}) {
+  return {System(Body(1.0, 1.0, 1.5), Frame::inertial(), {{"bang", Bang{value}}}),
           {{}, {0.0, 0.0, 1.5}},
           0.0,
           3.0,
-          Adaptive{}};
+          method};
 }
+double half_turned(double, const RotorState& s) { return s.q.w * s.q.w - s.q.z * s.q.z; }
+double clock_value(double t, const RotorState&) { return std::cos(2.0 * t); }
 
 TEST(Switches, AJumpByTheStateHasNoKnownTransition) {
-  const auto angle = [](double, const RotorState& s) {
-    return std::vector{s.q.w * s.q.w - s.q.z * s.q.z};
-  };
-  const Problem problem = bang(angle);
-  EXPECT_THAT([&] { state_transitions(problem, SaveAt::times({3.0})); },
-              testing::ThrowsMessage<DomainError>(testing::AllOf(
-                  HasSubstr("state_transitions: the torque of term \"bang\" jumps where the state "
-                            "says so, at t = "),
-                  HasSubstr("its transition matrix is not known; take differences of runs"))));
-  EXPECT_EQ(state_transitions(problem, SaveAt::times({1.0})).size(), 1U);  // no jump until there
-  for (const bool neighbour : {false, true}) {
-    const ChaosIndicator result =
-        chaos_indicator(problem, SaveAt::times({3.0}), {.neighbour = neighbour});
-    EXPECT_EQ(result.outcome.status, Outcome::Status::failed);
-    EXPECT_THAT(result.outcome.advice,
-                HasSubstr("the torque of term \"bang\" jumps where the state says so, at t = "));
-    EXPECT_THAT(result.outcome.advice, HasSubstr("how a deviation crosses that is not known"));
+  for (const Method& method : {Method(Adaptive{}), Method(Splitting{.step = 0.03})}) {
+    const Problem problem = bang(half_turned, method);
+    EXPECT_THAT([&] { state_transitions(problem, SaveAt::times({3.0})); },
+                testing::ThrowsMessage<DomainError>(testing::AllOf(
+                    HasSubstr("state_transitions: the torque of term \"bang\" jumps where the "
+                              "state says so, at t = 1.4961"),
+                    HasSubstr("its transition matrix is not known; take differences of runs"))));
+    EXPECT_EQ(state_transitions(problem, SaveAt::times({1.0})).size(), 1U);  // no jump until there
+    for (const bool neighbour : {false, true}) {
+      const ChaosIndicator result =
+          chaos_indicator(problem, SaveAt::times({0.5, 3.0}), {.neighbour = neighbour});
+      EXPECT_EQ(result.outcome.status, Outcome::Status::failed);
+      EXPECT_THAT(
+          result.outcome.advice,
+          HasSubstr("the torque of term \"bang\" jumps where the state says so, at t = 1.4961"));
+      EXPECT_THAT(result.outcome.advice, HasSubstr("how a deviation crosses that is not known"));
+    }
   }
 }
 
+// The last part of a step, up to a sample, is looked at too.
+TEST(Switches, AJumpInTheLastPartOfAStepHasNoKnownTransition) {
+  const Problem problem = bang(half_turned, Splitting{.step = 0.9});
+  EXPECT_THROW(state_transitions(problem, SaveAt::times({1.6})), DomainError);
+  EXPECT_EQ(chaos_indicator(problem, SaveAt::times({1.6})).outcome.status, Outcome::Status::failed);
+}
+
 TEST(Switches, AJumpByTheTimeAloneHasATransition) {
-  const auto clock = [](double t, const RotorState&) { return std::vector{std::cos(2.0 * t)}; };
-  const auto rows = state_transitions(bang(clock), SaveAt::times({3.0}));
+  const auto rows = state_transitions(bang(clock_value), SaveAt::times({3.0}));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_NEAR(rows[0].transition(5, 5), 1.0, budget::bang_floor);
   EXPECT_NEAR(rows[0].transition(5, 2), 0.0, budget::bang_floor);
-  for (const bool neighbour : {false, true})
-    EXPECT_TRUE(
-        chaos_indicator(bang(clock), SaveAt::times({3.0}), {.neighbour = neighbour}).outcome.ok());
+  for (const Method& method : {Method(Adaptive{}), Method(Splitting{.step = 0.03})}) {
+    const Problem problem = bang(clock_value, method);
+    EXPECT_EQ(state_transitions(problem, SaveAt::times({3.0})).size(), 1U);
+    for (const bool neighbour : {false, true})
+      EXPECT_TRUE(
+          chaos_indicator(problem, SaveAt::times({3.0}), {.neighbour = neighbour}).outcome.ok());
+  }
 }
 
 // A plate with two faces that turns in the light: kinks, twice a turn.
@@ -253,15 +272,18 @@ TEST(Switches, KinksByTheStateHaveDeviations) {
   const Surface plate = Surface::of_plate({0.5, 0.3, 0.0}, {0.0, 0.1, 1.0}, 1.0, {}, false);
   const AnyOrbit path("path", KeplerOrbit(KeplerElements{1e-6, 1.0, 0.0}));
   const SolarPressure light(plate, {1e-2, 1.0}, {path});
-  const Problem problem{System(Body(1.0, 1.2, 1.5), Frame::inertial(), {{"light", light}}),
-                        {{}, {1.0, 0.2, 0.1}},
-                        0.0,
-                        40.0,
-                        Adaptive{}};
-  EXPECT_EQ(state_transitions(problem, SaveAt::times({40.0})).size(), 1U);
-  for (const bool neighbour : {false, true}) {
-    const auto result = chaos_indicator(problem, SaveAt::times({40.0}), {.neighbour = neighbour});
-    EXPECT_TRUE(result.outcome.ok()) << result.outcome.advice;
+  Problem problem{System(Body(1.0, 1.2, 1.5), Frame::inertial(), {{"light", light}}),
+                  {{}, {1.0, 0.2, 0.1}},
+                  0.0,
+                  40.0,
+                  Adaptive{}};
+  for (const Method& method : {Method(Adaptive{}), Method(Splitting{.step = 0.05})}) {
+    problem.method = method;
+    EXPECT_EQ(state_transitions(problem, SaveAt::times({40.0})).size(), 1U);
+    for (const bool neighbour : {false, true}) {
+      const auto result = chaos_indicator(problem, SaveAt::times({40.0}), {.neighbour = neighbour});
+      EXPECT_TRUE(result.outcome.ok()) << result.outcome.advice;
+    }
   }
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// StepJumps: torques that jump within the steps of a splitting, whose derivative does not know it.
+#pragma once
+
+#include <string>
+
+#include "dynamics/detail/splitting_map.hpp"
+#include "dynamics/detail/switch_watch.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class StepJumps {
+ public:
+  // `why` ends the sentence that refuses a jump.
+  StepJumps(const System& system, const char* why) : switches_(system, why) {}
+
+  // After a step by h. Empty, or where a torque jumps because the state says so. A function that
+  // changes its sign and back within the step is not seen: neither is its torque.
+  std::string seen(const SplittingMap& map, const SplittingState& from, double h,
+                   const SplittingState& to);
+
+ private:
+  SwitchWatch switches_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
