@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "budgets.hpp"
 #include "polhode/dynamics/integrate.hpp"
@@ -81,6 +82,23 @@ TEST(Breakpoints, BackwardsIsTheSameWay) {
 }
 
 // Kinks of straight lines: the momentum in space is the integral of the table, whatever turns.
+// A step that a breakpoint cuts short says little of the next one, in either direction.
+TEST(Breakpoints, BackwardsTakesNoMoreStepsOfVariation) {
+  std::vector<TorqueRow> rows;
+  for (int k = 0; k <= 40; ++k)
+    rows.push_back({0.25 * k + (k % 2 == 0 ? 0.0 : 0.01), {0.0, 0.0, k % 2 == 0 ? 1e-4 : -1e-4}});
+  const System system(Body(1.0, 1.5, 2.0), Frame::inertial(),
+                      {{"thruster", TorqueTable(rows, {Between::step, Outside::zero, {}})}});
+  const auto steps = [&](double start, double stop) {
+    return integrate({system, {{}, {0.1, 0.4, 2.5}}, start, stop, VariationOfConstants{}})
+        .statistics()
+        .steps;
+  };
+  const auto there = steps(-50.0, 60.0), back = steps(60.0, -50.0);
+  EXPECT_LE(back, there + there / 10);
+  EXPECT_LE(there, back + back / 10);
+}
+
 TEST(Breakpoints, TumblerUnderATableInSpace) {
   const TorqueTable table({{1.0, {0.0, 0.0, 0.0}},
                            {2.0, {0.3, -0.2, 0.1}},

@@ -276,6 +276,12 @@ TEST(Integrate, ARunThatWouldNeverEndSaysSo) {
   EXPECT_THAT(run.outcome().advice, HasSubstr("so reaching the end would take"));
 }
 
+// What is left counts, not how far from the epoch it is.
+TEST(Integrate, ALateRunIsNotEndless) {
+  const Trajectory run = integrate(free_problem(Splitting{1.0}, 1e14, 1e14 + 1500.0));
+  EXPECT_EQ(run.outcome().status, Outcome::Status::completed) << run.outcome().advice;
+}
+
 TEST(Integrate, ARunOfNoLengthIsItsStart) {
   const Trajectory run = integrate(problem(Adaptive{}, 3.0, 3.0));
   EXPECT_EQ(run.samples().size(), 1U);

@@ -231,6 +231,16 @@ TEST(KaneDamperRun, TurnsWithABodyThatSpins) {
   EXPECT_EQ(run.samples().back().s.g, p.initial.g);
 }
 
+TEST(KaneDamperRun, RestsWithABodyAtRest) {
+  Problem p = problem(50.0);
+  p.initial.g = {};
+  p.damper_rate = {};
+  const Trajectory run = integrate(p);
+  EXPECT_EQ(run.outcome().status, Outcome::Status::completed) << run.outcome().advice;
+  EXPECT_EQ(run.samples().back().s, p.initial);
+  EXPECT_EQ(run.samples().back().damper_rate, Vec3{});
+}
+
 TEST(KaneDamperRun, GoesBackToItsStart) {
   Problem p = problem(3.0, sharp, Frame::inertial(), {thruster()});
   const Sample there = integrate(p).sample(3.0);

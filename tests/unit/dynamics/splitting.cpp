@@ -90,6 +90,21 @@ TEST(Splitting, AndVariationOfConstantsTakeRatesOfAnyUnitOfTime) {
   }
 }
 
+TEST(Splitting, TakesMomentaOfAnyUnitOfMass) {
+  const Vec3 I = splitting_test::workload_body().moments();
+  for (const double unit : {1e-120, 1e120}) {
+    const System system(Body(unit * I.x, unit * I.y, unit * I.z));
+    RotorState s = splitting_test::workload_state();
+    s.g = unit * s.g;
+    const RotorState exact = FreeRotation(system.body(), s).at(3.0);
+    const RotorState end = splitting_test::end_of(system, s, 0.0, 3.0, Splitting{0.01});
+    EXPECT_LE(
+        splitting_test::distance({end.q, (1.0 / unit) * end.g}, {exact.q, (1.0 / unit) * exact.g}),
+        budget::splitting_free)
+        << unit;
+  }
+}
+
 TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
   const System system(splitting_test::workload_body());
   const RotorState exact = FreeRotation(system.body(), splitting_test::workload_state()).at(10.0);

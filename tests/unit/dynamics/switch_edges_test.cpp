@@ -287,6 +287,28 @@ TEST(Switches, KinksByTheStateHaveDeviations) {
   }
 }
 
+// A kink whose torque is zero at both ends of a step that leads from one to the next.
+struct Gate {
+  static constexpr bool kick = true;
+  double value(const RotorState& s) const { return s.q.z * s.q.z - 2e-3; }
+  std::vector<double> switches(const Setting& at) const { return {value(at.s)}; }
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const T depth = at.s.q.z * at.s.q.z - T(2e-3);
+    const double side = at.sides.empty() ? side_of(to_double(depth)) : at.sides[0];
+    return {{}, {T(0.0), T(0.0), side < 0.0 ? T(0.1) * depth : T(0.0)}};
+  }
+};
+
+TEST(Switches, AKinkFromZeroToZeroHasDeviations) {
+  const Problem problem{System(Body(1.0, 1.0, 1.5), Frame::inertial(), {{"gate", Gate{}}}),
+                        {rotation_z(-0.7), {0.0, 0.0, 1.5}},
+                        0.0,
+                        3.0,
+                        Adaptive{.tolerance = 1e-9}};
+  EXPECT_EQ(state_transitions(problem, SaveAt::times({3.0})).size(), 1U);
+}
+
 // ---- a pericentre beyond use ----
 
 // A pericentre of 1e-13 is passed in 1e-20: a run at that pace would never get there.

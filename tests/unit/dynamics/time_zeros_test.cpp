@@ -72,6 +72,22 @@ TEST(TimeZeros, DoubleZerosBetweenTwoLooks) {
   }
 }
 
+// Symmetric about the middle as far as its ends and their slopes tell: the parabola's vertex is
+// where the search stands already, and the dip lies beside it.
+TEST(TimeZeros, ADipBesideAParabolasVertex) {
+  for (const double tilt : {0.3, -0.3}) {
+    const TimeFunction f = [tilt](double t) {
+      const double rest = 1.0 - t * t;
+      return 0.02 + t * t + tilt * t * rest * rest;
+    };
+    const std::vector<Zero> found = zeros_between(f, -1.0, 1.0, 1);
+    ASSERT_EQ(found.size(), 2U);
+    for (const Zero& zero : found) EXPECT_NEAR(f(zero.t), 0.0, budget::time_of_zero);
+    EXPECT_EQ(found[0].direction, -1);
+    EXPECT_EQ(found[1].direction, 1);
+  }
+}
+
 TEST(TimeZeros, AMissIsNoZeroAndATouchIsOne) {
   for (double centre = 0.02; centre < 1.0; centre += 0.0571) {
     const auto over = [centre](double lowest) {

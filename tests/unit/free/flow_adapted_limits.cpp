@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string_view>
 
 #include "budgets.hpp"
@@ -155,6 +156,21 @@ TEST(FlowAdaptedLimits, MomentumAlongTheThirdInertialAxisHasNoNode) {
       EXPECT_EQ(serret.h, 0.0) << m.name << " " << down;
       EXPECT_EQ(serret.H, down ? -serret.G : serret.G) << m.name << " " << down;
     }
+  }
+}
+
+// So near to I = 0 that H is G to rounding, it is that of the set, bit by bit.
+TEST(FlowAdaptedLimits, HIsExactlyGWhereItIsToRounding) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> component(-1.0, 1.0);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 g{component(random), component(random), component(random)};
+    const Vec3 axis = (1.0 / norm(g)) * g;
+    const Quaternion upright = normalized(Quaternion{1.0 + axis.z, axis.y, -axis.x, 0.0});
+    const Quaternion tilted = normalized(Quaternion{1.0, 1e-10, 0.0, 0.0});
+    const FreeRotation motion(Body(1.0, 1.7, 2.1), {tilted * upright, g});
+    const SadovState sadov = to_sadov(motion, 0.0);
+    EXPECT_EQ(sadov.I_h, sadov.I_g) << k;
   }
 }
 

@@ -142,6 +142,17 @@ TEST(KeplerEquation, NeverFails) {
   }
 }
 
+// e rounds to 1, and its complement says how far from it: an ellipse, E - sin E = M to 1e-20.
+TEST(KeplerEquation, EccentricityThatRoundsToOneIsAnEllipse) {
+  for (const double M : {1e-6, 0.3, 1.0, 3.0}) {
+    const Wide E = oracle::kepler_root(M, 1 - Wide("1e-20"));
+    const auto error = [&](const KeplerAnomaly& x) {
+      return static_cast<double>(abs(Wide(x.anomaly) - E) / E) / epsilon<double>();
+    };
+    EXPECT_LE(error(eccentric_anomaly(M, {1.0, 1e-20})), budget::kepler_anomaly_eps) << M;
+  }
+}
+
 TEST(KeplerEquation, NotANumberOutsideTheDomain) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = HUGE_VAL;
   for (const double e : {1.0, -0.1, nan, infinite}) {

@@ -215,6 +215,13 @@ TEST(TableOrbit, WhatIsNoTableIsRefused) {
   EXPECT_THAT(error(holed), HasSubstr("row 1: position and velocity must be finite"));
 }
 
+TEST(TableOrbit, AsManyRowsAsTheOrderNeedsAreEnough) {
+  EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 8), wave, wave_slope, false), 8).order(), 8);
+  EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 4), wave, wave_slope, true), 8).order(), 8);
+  EXPECT_THROW(TableOrbit(sampled(even_times(0, 1, 7), wave, wave_slope, false), 8), DomainError);
+  EXPECT_THROW(TableOrbit(sampled(even_times(0, 1, 3), wave, wave_slope, true), 8), DomainError);
+}
+
 TEST(TableOrbit, FewRowsMakeALowOrder) {
   EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 5), wave, wave_slope, false)).order(), 4);
   EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 50), wave, wave_slope, false)).order(), 10);

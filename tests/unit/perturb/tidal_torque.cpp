@@ -117,6 +117,15 @@ TEST(TidalTorque, InAListOfTerms) {
             term.effect(drawn_case(1003, 0).on<double>()).u);
 }
 
+// Nothing lags, or nothing is raised: a body may have either.
+TEST(TidalTorque, IsZeroWithoutALagOrALoveNumber) {
+  const KeplerOrbit orbit({1.0, 1.0, 0.1});
+  for (const TidalBody& of : {TidalBody{0.3, 0.0, 0.5}, TidalBody{0.0, 0.1, 0.5}}) {
+    const Case c = drawn_case(1003, 0);
+    EXPECT_EQ(TidalTorque(1.0, 1.0, orbit, of).effect(c.on<double>()).u, Vec3{});
+  }
+}
+
 TEST(TidalTorque, RefusesWhatIsNoTide) {
   EXPECT_EQ(refusal([] {
               TidalTorque(1.0, 0.0, Curve{}, {0.3, 0.1, 0.5});

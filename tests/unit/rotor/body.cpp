@@ -97,6 +97,18 @@ TEST(Body, DiagonalTensorKeepsItsOrderAndHasNoRotation) {
   EXPECT_EQ(body.q_FB(), Quaternion{});
 }
 
+// The eigenvalues of a solver would be a rounding off.
+TEST(Body, DiagonalTensorKeepsEveryBit) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> moment(1.0, 1.5);
+  for (int k = 0; k < 100; ++k) {
+    const Vec3 I{moment(random), moment(random), moment(random)};
+    const Body body = Body::from_tensor({{{I.x, 0.0, 0.0}, {0.0, I.y, 0.0}, {0.0, 0.0, I.z}}});
+    EXPECT_EQ(body.moments(), I);
+    EXPECT_EQ(body.q_FB(), Quaternion{});
+  }
+}
+
 TEST(Body, TensorGivesMomentsAndTheRotationToPrincipalAxes) {
   std::mt19937_64 engine(11);
   std::normal_distribution<double> n;

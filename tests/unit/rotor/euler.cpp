@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
@@ -71,6 +73,22 @@ TEST(EulerState, ThetaOutsideItsRangeIsAnAngleLikeAnyOther) {
   EXPECT_TRUE(in_range(f.phi, f.theta, f.psi));
   EXPECT_LE(hub_difference(to_rotor(f), to_rotor(e)), budget::chart_rounding);
   EXPECT_NEAR(f.theta, 0.4, budget::chart_rounding);
+}
+
+// theta = -(pi - d) is the mirrored pole: Phi + Psi is what is divided there, not Phi - Psi.
+TEST(EulerState, NextToAPoleOutsideTheRangeAsWithin) {
+  Sampler sample(2);
+  for (int k = 0; k < 100; ++k) {
+    EulerState e = to_euler(sample.generic());
+    const double rest = std::pow(10.0, sample.uniform(-6.0, -1.0));
+    e.theta = std::numbers::pi - rest;
+    e.Phi = -e.Psi + rest * sample.uniform(-1.0, 1.0);
+    // turned by half a turn about the node's normal: (phi + pi, -theta, psi + pi)
+    const Vec3 g = to_rotor(e).g;
+    const EulerState mirrored{e.phi, -e.theta, e.psi, e.Phi, -e.Theta, e.Psi};
+    const Vec3 m = to_rotor(mirrored).g;
+    EXPECT_LE(norm(Vec3{-m.x, -m.y, m.z} - g), budget::chart_rounding * norm(g)) << k;
+  }
 }
 
 // At a pole the node goes along the transverse momentum: nothing is lost.
