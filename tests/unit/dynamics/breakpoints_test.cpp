@@ -85,8 +85,10 @@ TEST(Breakpoints, BackwardsIsTheSameWay) {
 // A step that a breakpoint cuts short says little of the next one, in either direction.
 TEST(Breakpoints, BackwardsTakesNoMoreStepsOfVariation) {
   std::vector<TorqueRow> rows;
-  for (int k = 0; k <= 40; ++k)
-    rows.push_back({0.25 * k + (k % 2 == 0 ? 0.0 : 0.01), {0.0, 0.0, k % 2 == 0 ? 1e-4 : -1e-4}});
+  for (int k = 0; k <= 20; ++k) {  // a millisecond every two seconds
+    rows.push_back({2.0 * k, {0.0, 0.0, 1e-3}});
+    rows.push_back({2.0 * k + 1e-3, {}});
+  }
   const System system(Body(1.0, 1.5, 2.0), Frame::inertial(),
                       {{"thruster", TorqueTable(rows, {Between::step, Outside::zero, {}})}});
   const auto steps = [&](double start, double stop) {

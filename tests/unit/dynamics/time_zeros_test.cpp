@@ -77,10 +77,10 @@ TEST(TimeZeros, DoubleZerosBetweenTwoLooks) {
 TEST(TimeZeros, ADipBesideAParabolasVertex) {
   for (const double tilt : {0.3, -0.3}) {
     const TimeFunction f = [tilt](double t) {
-      const double rest = 1.0 - t * t;
-      return 0.02 + t * t + tilt * t * rest * rest;
+      const double x = t - 4.0, rest = 1.0 - x * x;
+      return 0.01 + x * x + tilt * x * std::pow(rest, 6);
     };
-    const std::vector<Zero> found = zeros_between(f, -1.0, 1.0, 1);
+    const std::vector<Zero> found = zeros_between(f, 3.0, 5.0, 1);
     ASSERT_EQ(found.size(), 2U);
     for (const Zero& zero : found) EXPECT_NEAR(f(zero.t), 0.0, budget::time_of_zero);
     EXPECT_EQ(found[0].direction, -1);
