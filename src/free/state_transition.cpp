@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The state transition matrix of the free flow, in the tangent of the hub.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include "free/detail/flow_tangent.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "rotor/detail/squared_moments.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -47,8 +47,7 @@ Columns resting_columns(const DDVec3& moments, const DD& time) {
 
 Matrix6 FreeRotation::state_transition(double t) const {
   const Vec3 I = body_.moments();
-  const double thinnest = std::min({I.x, I.y, I.z}) / std::max({I.x, I.y, I.z});
-  if (!std::isfinite(t) || thinnest < 1e-150) {  // squares of moments are no doubles
+  if (!std::isfinite(t) || !detail::squared_moments_are_doubles(body_)) {
     Matrix6 none;
     for (auto& row : none.a) row.fill(std::numeric_limits<double>::quiet_NaN());
     return none;
