@@ -161,7 +161,8 @@ RotorState to_rotor(const Body& body, const SadovState& s) {
 
 Matrix6 chart_jacobian(const Body& body, const SadovState& given) {
   require_actions(body, given);
-  const int e = unit_exponent(given);
+  // derivatives by the actions, of a needle or next to a spin, need the whole range of exponents
+  const int e = detail::exponent_of_largest({given.I_g, 0.0, 0.0});
   const SadovState s = in_units(given, e);
   using Dual6 = Dual<DD, 6>;
   const double c[6] = {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};

@@ -111,6 +111,43 @@ TEST(ChartEdges, SadovDoesNotDependOnTheUnitOfMomentum) {
   }
 }
 
+// Derivatives by the actions, of a needle or next to a spin, that double-double holds for I_g of
+// order 1 alone.
+TEST(ChartEdges, SadovJacobianOfNeedlesAndSpinsInAnyUnit) {
+  const double after_1 = std::nextafter(1.0, 2.0);
+  struct Case {
+    Vec3 moments, g;
+    int exponent;
+  };
+  for (const auto& [moments, g, e] :
+       {Case{{3.0, 4.0, 6.0}, {1.0, 0.0, 0.0}, 332}, Case{{1.0, 0.58, 0.99}, {0.0, -1.0, 0.0}, 399},
+        Case{{1e-250, 1.0, after_1}, {0.03, 0.3, 0.9}, -333},
+        Case{{1e-250, 1.0, after_1}, {-1e-100, 1.0, 1e-101}, -333}}) {
+    const Body body(moments.x, moments.y, moments.z);
+    const SadovState unit = to_sadov(FreeRotation(body, {attitude, g}), 0.0);
+    SadovState s = unit;
+    for (double* action : {&s.I_l, &s.I_g, &s.I_h}) *action = std::ldexp(*action, e);
+    const Matrix6 B1 = chart_jacobian(body, unit), B = chart_jacobian(body, s);
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        EXPECT_EQ(B(i, j), std::ldexp(B1(i, j), (i < 3 ? 0 : e) - (j < 3 ? 0 : e)))
+            << moments.x << " " << e << ", entry " << i << ", " << j;
+  }
+}
+
+// Next to the spin about the long axis the momentum along the short one is like sqrt(I_l I_g).
+TEST(ChartEdges, SadovJacobianNextToASpinIsThatOfARoot) {
+  const Body body(3.0, 4.0, 6.0);
+  for (const double size : {1.0, 1e100, 1e-60, 1e300}) {
+    const SadovState s =
+        to_sadov(FreeRotation(body, {attitude, times(size, Vec3{1.0, 0.0, 1e-120})}), 0.0);
+    const Matrix6 B = chart_jacobian(body, s);
+    const double across = to_rotor(body, s).g.z;
+    EXPECT_LE(relative(B(5, 3), 0.5 * across / s.I_l), budget::scaled_jacobian_eps * eps) << size;
+    EXPECT_LE(relative(B(5, 4), 0.5 * across / s.I_g), budget::scaled_jacobian_eps * eps) << size;
+  }
+}
+
 // Spins of a momentum so small that the displacement of a limit would underflow.
 TEST(ChartEdges, SpinsOfAnyMomentumHaveTheirLimits) {
   const Body body(1.0, 1.7, 2.1);
