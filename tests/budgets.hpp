@@ -104,6 +104,8 @@ inline constexpr double given_jacobian_eps = 4.0;
 // Entries of B, relative, and what a zero of the differences may be.
 inline constexpr double jacobian_eps = 1.0;
 inline constexpr double jacobian_zero = 1e-30;
+// Within 2^-40 of a pole of the chart; the entries that grow or stay.
+inline constexpr double pole_jacobian_eps = 4.0;
 
 // --- the oracle of free rotation, 76 digits (tests/oracle) ---
 // Against typed digits of another program (30 of them).

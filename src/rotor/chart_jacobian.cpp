@@ -9,6 +9,8 @@
 
 #include "polhode/math/double_double.hpp"
 #include "rotor/detail/chart_jacobian_kernel.hpp"
+#include "rotor/detail/poincare_jacobian_kernel.hpp"
+#include "rotor/detail/pole_terms.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -56,16 +58,77 @@ Matrix6 rounded(const WideMatrix6& m, const Exponents& row = {}, const Exponents
   return r;
 }
 
+WideMatrix6 jacobian(const detail::EulerAxes<Wide>& e) {
+  return detail::sum_of_terms(e.s, Wide(1.0),
+                              [&](const auto& by) { return detail::chart_jacobian(e, by); });
+}
+WideMatrix6 jacobian(const detail::AndoyerAxes<Wide>& a) {
+  return detail::sum_of_terms(a.J.im, a.I.im,
+                              [&](const auto& by) { return detail::chart_jacobian(a, by); });
+}
+WideMatrix6 jacobian(const detail::PoincareFactors<Wide>& f) {
+  return detail::sum_of_terms(f.p1.w, f.p2.w,
+                              [&](const auto& by) { return detail::chart_jacobian(f, by); });
+}
+
 WideMatrix6 wide_jacobian(const CanonicalChart& chart, const WideState& s) {
   switch (chart.set) {
     case CanonicalSet::euler:
-      return detail::chart_jacobian(detail::euler_axes(s));
+      return jacobian(detail::euler_axes(s));
     case CanonicalSet::andoyer:
-      return detail::chart_jacobian(detail::andoyer_axes(s));
+      return jacobian(detail::andoyer_axes(s));
     case CanonicalSet::poincare:
       break;
   }
-  return detail::chart_jacobian(detail::poincare_factors(s, chart.pole_J, chart.pole_I));
+  return jacobian(detail::poincare_factors(s, chart.pole_J, chart.pole_I));
+}
+
+// Nearer to a pole than this, theta x g + dg cancels more than double-double has to spare.
+bool is_near(const Wide& sine, double unit = 1.0) {
+  return sine.hi > 0.0 && sine.hi < 0x1p-40 * unit;
+}
+
+WideMatrix6 wide_inverse(const CanonicalChart& chart, const WideState& s) {
+  if (chart.set == CanonicalSet::andoyer) {
+    const detail::AndoyerAxes<Wide> a = detail::andoyer_axes(s);
+    if (is_near(a.J.im) || is_near(a.I.im))
+      return detail::inverse_of_columns(detail::sum_of_terms(
+          a.J.im, a.I.im, [&](const auto& by) { return detail::inertial_columns(a, by); }));
+  }
+  if (chart.set == CanonicalSet::poincare) {
+    const detail::PoincareFactors<Wide> f = detail::poincare_factors(s, chart.pole_J, chart.pole_I);
+    const double unit = std::sqrt(f.G.hi);
+    if (is_near(f.p1.w, unit) || is_near(f.p2.w, unit))
+      return detail::inverse_of_columns(detail::sum_of_terms(
+          f.p1.w, f.p2.w, [&](const auto& by) { return detail::inertial_columns(f, by); }));
+  }
+  return detail::inverse_chart_jacobian(wide_jacobian(chart, s), s.g);
+}
+
+// Powers of two that bring a row or a column next to a pole to order 1, where its products with
+// others are in the range of double-double; 0 for most.
+template <class Entry>
+int pole_exponent(const Entry& entry) {
+  double largest = 0.0;
+  for (int k = 0; k < 6; ++k) largest = std::max(largest, std::abs(entry(k).hi));
+  return largest > 0x1p400 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+}
+
+WideMatrix6 product(WideMatrix6 a, WideMatrix6 b) {
+  Exponents row{}, column{};
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    row[at] = pole_exponent([&](int k) { return a(i, k); });
+    column[at] = pole_exponent([&](int k) { return b(k, i); });
+    for (int k = 0; k < 6; ++k) {
+      a(i, k) = ldexp(a(i, k), -row[at]);
+      b(k, i) = ldexp(b(k, i), -column[at]);
+    }
+  }
+  WideMatrix6 m = a * b;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) m.a[i][j] = ldexp(m.a[i][j], row[i] + column[j]);
+  return m;
 }
 
 // The size of a chart's coordinates where the momentum has size G: what makes entries comparable.
@@ -103,15 +166,14 @@ Matrix6 chart_jacobian(const EulerState& s) {
   const auto scaled = [&](double p) { return Wide(std::ldexp(p, -e)); };
   const BasicEulerState<Wide> w{s.phi,         s.theta,         s.psi,
                                 scaled(s.Phi), scaled(s.Theta), scaled(s.Psi)};
-  return rounded(detail::chart_jacobian(detail::euler_axes(w)), hub_exponents(e), hub_exponents(e));
+  return rounded(jacobian(detail::euler_axes(w)), hub_exponents(e), hub_exponents(e));
 }
 
 Matrix6 chart_jacobian(const AndoyerState& s) {
   const int e = unit_exponent({s.G});
   const auto scaled = [&](double p) { return Wide(std::ldexp(p, -e)); };
   const BasicAndoyerState<Wide> w{s.l, s.g, s.h, scaled(s.L), scaled(s.G), scaled(s.H)};
-  return rounded(detail::chart_jacobian(detail::andoyer_axes(w)), hub_exponents(e),
-                 hub_exponents(e));
+  return rounded(jacobian(detail::andoyer_axes(w)), hub_exponents(e), hub_exponents(e));
 }
 
 Matrix6 chart_jacobian(const PoincareState& s) {
@@ -119,7 +181,7 @@ Matrix6 chart_jacobian(const PoincareState& s) {
   const auto pair = [&](double p) { return Wide(std::ldexp(p, -e / 2)); };
   const BasicPoincareState<Wide> w{s.sigma,    pair(s.Q1), pair(s.Q2), std::ldexp(s.G, -e),
                                    pair(s.P1), pair(s.P2), s.pole_J,   s.pole_I};
-  return rounded(detail::chart_jacobian(detail::poincare_factors(w)), hub_exponents(e),
+  return rounded(jacobian(detail::poincare_factors(w)), hub_exponents(e),
                  coordinate_exponents(CanonicalSet::poincare, e));
 }
 
@@ -131,9 +193,8 @@ Matrix6 chart_jacobian(const CanonicalChart& chart, const RotorState& s) {
 
 Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s) {
   const int e = unit_exponent(s.g);
-  const WideState w = wide(in_units(s, e));
-  return rounded(detail::inverse_chart_jacobian(wide_jacobian(chart, w), w.g),
-                 coordinate_exponents(chart.set, e), hub_exponents(e));
+  return rounded(wide_inverse(chart, wide(in_units(s, e))), coordinate_exponents(chart.set, e),
+                 hub_exponents(e));
 }
 
 Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
@@ -143,8 +204,7 @@ Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChar
   const RotorState scaled = in_units(s, e);
   const WideState w = wide(scaled);
   const double G = norm(scaled.g);
-  WideMatrix6 m =
-      detail::inverse_chart_jacobian(wide_jacobian(to, w), w.g) * wide_jacobian(from, w);
+  WideMatrix6 m = product(wide_inverse(to, w), wide_jacobian(from, w));
   clean(m, coordinate_sizes(to, G), coordinate_sizes(from, G));
   return rounded(m, coordinate_exponents(to.set, e), coordinate_exponents(from.set, e));
 }

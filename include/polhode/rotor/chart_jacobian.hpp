@@ -17,6 +17,8 @@
 //             a Poincare-type set is not made for, entries are infinite or NaN.
 // Accuracy    docs/guide/singularities.md. Computed in double-double, rounded once: only the last
 //             bit of an entry is in doubt, except in the two functions that take B as an argument.
+//             Entries below 1e-28 of others in their row or column may be rounding, and where q and
+//             g leave of sin I less than 1e-13 by cancelling, its last digits are lost.
 // Errors      none: NaN in, NaN out.
 // Cost        a few microseconds; the functions that take B: a few hundred flops.
 #pragma once

@@ -2,6 +2,8 @@
 // The chart Jacobians B = d(dtheta_B, dg_B)/d(chart) on any Real: columns in closed form.
 #pragma once
 
+#include <array>
+
 #include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -36,6 +38,19 @@ BasicVec3<T> combined(const BasicVec3<T>& a, const BasicVec3<T>& b) {
   };
   return {sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)};
 }
+
+// What the entries of a chart are divided by at its poles: two sines, or the w of two pairs. Next
+// to a pole the quotients and the terms without one are apart by more than any number type holds,
+// and are computed one at a time: an infinite divisor leaves its quotients out, not whole leaves
+// out the rest.
+template <Real T>
+struct PoleDivisors {
+  T J;
+  T I;
+  bool whole = true;
+
+  BasicVec3<T> kept(const BasicVec3<T>& v) const { return whole ? v : BasicVec3<T>{}; }
+};
 
 template <Real T>
 Phasor<T> unit_direction(const Phasor<T>& a) {
@@ -94,16 +109,16 @@ AndoyerAxes<T> andoyer_axes(const BasicAndoyerState<T>& s) {
 // [SA (dr1)]: s3 dh + i dI + k dg + j dJ + b3 dl, dJ = (cJ dG - dL)/(G sJ), dI = (cI dG - dH)/(G
 // sI)
 template <Real T>
-BasicMatrix6<T> chart_jacobian(const AndoyerAxes<T>& a) {
-  const T sJ = a.J.im, cJ = a.J.re, zero(0.0);
+BasicMatrix6<T> chart_jacobian(const AndoyerAxes<T>& a, const PoleDivisors<T>& by) {
+  const T sJ = by.J, cJ = a.J.re, zero(0.0);
   const BasicVec3<T> across{a.l.im, a.l.re, zero};  // direction of the transverse momentum
   const BasicVec3<T> j{a.l.re, -a.l.im, zero}, b3{zero, zero, T(1.0)}, none{};
-  const BasicVec3<T> j_per_L = divided(j, T(a.G * sJ)), i_per_H = divided(a.i, T(a.G * a.I.im));
+  const BasicVec3<T> j_per_L = divided(j, T(a.G * sJ)), i_per_H = divided(a.i, T(a.G * by.I));
   BasicMatrix6<T> B;
-  set_column(B, 0, b3, {a.g.y, -a.g.x, zero});
-  set_column(B, 1, divided(a.g, a.G), none);
-  set_column(B, 2, a.s3, none);
-  set_column(B, 3, -j_per_L, divided(-cJ * across, sJ) + b3);
+  set_column(B, 0, by.kept(b3), by.kept({a.g.y, -a.g.x, zero}));
+  set_column(B, 1, by.kept(divided(a.g, a.G)), none);
+  set_column(B, 2, by.kept(a.s3), none);
+  set_column(B, 3, -j_per_L, divided(-cJ * across, sJ) + by.kept(b3));
   set_column(B, 4, combined(cJ * j_per_L, a.I.re * i_per_H), divided(across, sJ));
   set_column(B, 5, -i_per_H, none);
   return B;
@@ -130,126 +145,73 @@ EulerAxes<T> euler_axes(const BasicEulerState<T>& s) {
           to_rotor(s).g};
 }
 
-// s3 dphi + node dtheta + b3 dpsi; momenta of [SA (25)-(27)]
+// s3 dphi + node dtheta + b3 dpsi; momenta of [SA (25)-(27)]. The one divisor is in the place of J.
 template <Real T>
-BasicMatrix6<T> chart_jacobian(const EulerAxes<T>& e) {
+BasicMatrix6<T> chart_jacobian(const EulerAxes<T>& e, const PoleDivisors<T>& by) {
   const T zero(0.0);
   const BasicVec3<T> m{e.psi.im, e.psi.re, zero}, n{e.psi.re, -e.psi.im, zero};
   const BasicVec3<T> b3{zero, zero, T(1.0)}, none{};
-  const T across = dot(e.g, m);
+  const T across = dot(e.g, m), axial = by.whole ? e.g.z : zero;
   BasicMatrix6<T> B;
-  set_column(B, 0, e.s * m + e.c * b3, none);
-  set_column(B, 1, n, T(e.g.z - quotient(T(across * e.c), e.s)) * m);
-  set_column(B, 2, b3, {e.g.y, -e.g.x, zero});
-  set_column(B, 3, none, divided(m, e.s));
-  set_column(B, 4, none, n);
-  set_column(B, 5, none, divided(-e.c * m, e.s) + b3);
+  set_column(B, 0, by.kept(e.s * m + e.c * b3), none);
+  set_column(B, 1, by.kept(n), T(axial - quotient(T(across * e.c), by.J)) * m);
+  set_column(B, 2, by.kept(b3), by.kept({e.g.y, -e.g.x, zero}));
+  set_column(B, 3, none, divided(m, by.J));
+  set_column(B, 4, none, by.kept(n));
+  set_column(B, 5, none, divided(-e.c * m, by.J) + by.kept(b3));
   return B;
 }
 
-// q = A_I qz(sigma) A_J, each outer factor a polynomial in its pair.
+// B with the change of momentum in inertial axes, seen in body axes, theta x g + dg, in place of
+// dg.
 template <Real T>
-struct PoincareFactors {
-  T G;
-  PoincarePair<T> p1;
-  PoincarePair<T> p2;
-  Pole pole_J;
-  Pole pole_I;
-  Phasor<T> half;  // e^{sigma/2}
-  BasicVec3<T> g;
-};
-
-template <Real T>
-PoincareFactors<T> poincare_factors(const BasicRotorState<T>& s, Pole pole_J, Pole pole_I) {
-  const InvariablePlane<T> p = invariable_plane(s.q, s.g);
-  const PoincarePair<T> p1 = poincare_pair(pole_J, p.k_B.z, p.node_l, p.G);
-  const PoincarePair<T> p2 = poincare_pair(pole_I, p.k_I.z, p.node_h, p.G);
-  const Phasor<T> half =
-      half_sigma(outer_factor(pole_I, p2), phasor_pair(p.q), inner_factor(pole_J, p1));
-  return {p.G, p1, p2, pole_J, pole_I, unit_direction(half), s.g};
-}
-
-template <Real T>
-PoincareFactors<T> poincare_factors(const BasicPoincareState<T>& s) {
-  return {s.G,
-          poincare_pair(s.Q1, s.P1, s.G),
-          poincare_pair(s.Q2, s.P2, s.G),
-          s.pole_J,
-          s.pole_I,
-          phasor(T(T(0.5) * s.sigma)),
-          to_rotor(s).g};
-}
-
-// The rotation vectors of A^-1 dA for a factor A(Q, P, G), in the axes after A.
-template <Real T>
-struct FactorTurns {
-  BasicVec3<T> Q;
-  BasicVec3<T> P;
-  BasicVec3<T> G;
-};
-
-template <Real T>
-FactorTurns<T> factor_turns(const PhasorPair<T>& a, const PhasorPair<T>& dQ,
-                            const PhasorPair<T>& dP, const PhasorPair<T>& dG, const T& G) {
-  // |a|^2 = 4 G
-  const auto turn = [&](const PhasorPair<T>& d) {
-    const BasicQuaternion<T> p = conj(quaternion(a)) * quaternion(d);
-    return T(T(0.5) / G) * BasicVec3<T>{p.x, p.y, p.z};
-  };
-  return {turn(dQ), turn(dP), turn(dG)};
-}
-
-template <Real T>
-BasicMatrix6<T> chart_jacobian(const PoincareFactors<T>& f) {
-  const T zero(0.0), one(1.0), two(2.0);
-  const PoincarePair<T>&p1 = f.p1, &p2 = f.p2;
-  // derivatives of (Q, P, w) by Q, P, G; w = sqrt(4 G - Q^2 - P^2)
-  const auto by_Q = [&](const PoincarePair<T>& p) {
-    return PoincarePair<T>{one, zero, -p.Q / p.w};
-  };
-  const auto by_P = [&](const PoincarePair<T>& p) {
-    return PoincarePair<T>{zero, one, -p.P / p.w};
-  };
-  const auto by_G = [&](const PoincarePair<T>& p) {
-    return PoincarePair<T>{zero, zero, two / p.w};
-  };
-  const auto inner = [&](const PoincarePair<T>& p) { return inner_factor(f.pole_J, p); };
-  const auto outer = [&](const PoincarePair<T>& p) { return outer_factor(f.pole_I, p); };
-  const FactorTurns<T> J =
-      factor_turns(inner(p1), inner(by_Q(p1)), inner(by_P(p1)), inner(by_G(p1)), f.G);
-  const FactorTurns<T> I =
-      factor_turns(outer(p2), outer(by_Q(p2)), outer(by_P(p2)), outer(by_G(p2)), f.G);
-  // A_I turns before qz(sigma) A_J: its vectors are seen through them
-  const BasicQuaternion<T> after =
-      normalized(quaternion(PhasorPair<T>{f.half, {zero, zero}} * inner(p1)));
-  const auto seen = [&after](const BasicVec3<T>& v) { return rotate(conj(after), v); };
-  // g = (-+Q w/2, P w/2, +-(G - (Q^2 + P^2)/2))
-  const T sign = f.pole_J == Pole::zero ? one : T(-one);
-  const T half_w = T(0.5) * p1.w, Q = p1.Q, P = p1.P, w2 = two * p1.w;
-  BasicMatrix6<T> B;
-  set_column(B, 0, divided(f.g, f.G), {});
-  set_column(B, 1, J.Q, {-sign * (half_w - Q * Q / w2), -(P * Q / w2), -sign * Q});
-  set_column(B, 2, seen(I.Q), {});
-  set_column(B, 3, J.G + seen(I.G), {-sign * (Q / p1.w), P / p1.w, sign});
-  set_column(B, 4, J.P, {sign * (Q * P / w2), half_w - P * P / w2, -sign * P});
-  set_column(B, 5, seen(I.P), {});
-  return B;
-}
-
-// B^-1 = Jc B^T Pi^-1: column j of B, times Pi^-1 from the right, is (theta x g + dg, -theta).
-template <Real T>
-BasicMatrix6<T> inverse_chart_jacobian(const BasicMatrix6<T>& B, const BasicVec3<T>& g_B) {
-  BasicMatrix6<T> inverse;
+BasicMatrix6<T> inertial_columns(const BasicMatrix6<T>& B, const BasicVec3<T>& g_B) {
+  BasicMatrix6<T> m;
   for (int j = 0; j < 6; ++j) {
     const BasicVec3<T> theta{B(0, j), B(1, j), B(2, j)}, g{B(3, j), B(4, j), B(5, j)};
-    const BasicVec3<T> left = cross(theta, g_B) + g;
+    set_column(m, j, theta, cross(theta, g_B) + g);
+  }
+  return m;
+}
+
+// The same without the differences that cancel next to J = 0, pi: those in the columns of the plane
+// that the body has about its momentum, which leave the momentum in space as it is, and of G, whose
+// change in space is given.
+template <Real T>
+BasicMatrix6<T> inertial_columns(const BasicMatrix6<T>& B, const BasicVec3<T>& g_B,
+                                 const std::array<int, 3>& in_body, int G_column,
+                                 const BasicVec3<T>& by_G) {
+  BasicMatrix6<T> m = inertial_columns(B, g_B);
+  for (int i = 0; i < 3; ++i) {
+    for (const int j : in_body) m(i + 3, j) = T(0.0);
+    m(i + 3, G_column) = by_G[i];
+  }
+  return m;
+}
+template <Real T>
+BasicMatrix6<T> inertial_columns(const AndoyerAxes<T>& a, const PoleDivisors<T>& by) {
+  // by G alone the momentum grows in the inertial plane
+  return inertial_columns(chart_jacobian(a, by), a.g, {0, 1, 3}, 4,
+                          divided(cross(a.i, a.s3), by.I));
+}
+
+// B^-1 = Jc B^T Pi^-1: a column of B, times Pi^-1 from the right, is (theta x g + dg, -theta).
+template <Real T>
+BasicMatrix6<T> inverse_of_columns(const BasicMatrix6<T>& inertial) {
+  BasicMatrix6<T> inverse;
+  for (int j = 0; j < 6; ++j) {
     const int row = j < 3 ? j + 3 : j - 3;
     for (int i = 0; i < 3; ++i) {
-      inverse(row, i) = j < 3 ? T(-left[i]) : left[i];
-      inverse(row, i + 3) = j < 3 ? theta[i] : T(-theta[i]);
+      const T theta = inertial(i, j), left = inertial(i + 3, j);
+      inverse(row, i) = j < 3 ? T(-left) : left;
+      inverse(row, i + 3) = j < 3 ? theta : T(-theta);
     }
   }
   return inverse;
+}
+template <Real T>
+BasicMatrix6<T> inverse_chart_jacobian(const BasicMatrix6<T>& B, const BasicVec3<T>& g_B) {
+  return inverse_of_columns(inertial_columns(B, g_B));
 }
 
 }  // namespace detail
