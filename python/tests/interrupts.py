@@ -8,9 +8,10 @@ import time
 
 import pytest
 
-LATEST = 0.5 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
-"""Seconds from the signal to the exception: five times what is promised, for busy machines; and
-longer under sanitizers."""
+SLOWDOWN = float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+"""Limits of time are that many times as long: on busy machines, and under sanitizers."""
+LATEST = 0.5 * SLOWDOWN
+"""Seconds from the signal to the exception: five times what is promised, for busy machines."""
 
 
 def seconds_from_signal(call) -> float:

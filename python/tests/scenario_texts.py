@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 
 import pytest
+from interrupts import SLOWDOWN
 from polhode import _core
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -32,6 +33,6 @@ def command_line(*arguments: object) -> str:
         pytest.skip("an installed package has no command line beside it")
     done = subprocess.run(
         [program, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-        check=True, timeout=120,
+        check=True, timeout=120 * SLOWDOWN,
     )
     return done.stdout

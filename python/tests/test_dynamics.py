@@ -16,7 +16,7 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from interrupts import LATEST, seconds_from_signal
+from interrupts import LATEST, SLOWDOWN, seconds_from_signal
 from polhode import (
     Adaptive,
     Body,
@@ -468,7 +468,7 @@ def test_sigint_from_outside_ends_a_script():
     time.sleep(0.1)
     sent = time.perf_counter()
     child.send_signal(signal.SIGINT)
-    _, err = child.communicate(timeout=30)
+    _, err = child.communicate(timeout=30 * SLOWDOWN)
     assert time.perf_counter() - sent < 2 * LATEST  # and Python's own end
     assert child.returncode != 0 and "KeyboardInterrupt" in err
 

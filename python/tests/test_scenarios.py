@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 import polhode
 import pytest
-from interrupts import LATEST, seconds_from_signal
+from interrupts import LATEST, SLOWDOWN, seconds_from_signal
 from polhode import OutputError, Scenario, ScenarioError, Units, load
 from scenario_texts import (
     BODY,
@@ -380,5 +380,5 @@ def test_a_script_is_stopped_from_outside(tmp_path):
     assert child.stdout.readline() == "running\n"
     time.sleep(0.1)
     child.send_signal(signal.SIGINT)
-    _, err = child.communicate(timeout=30)
+    _, err = child.communicate(timeout=30 * SLOWDOWN)
     assert child.returncode != 0 and "KeyboardInterrupt" in err

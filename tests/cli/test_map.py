@@ -11,6 +11,8 @@ import h5py
 import numpy
 import pytest
 
+SECONDS = 60 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+
 MAP = """
 [map]
 kind = "chaos"
@@ -149,7 +151,7 @@ def test_a_signal_stops_a_map_in_order(polhode, run, slow_map, tmp_path, by, sta
     out, cells = tmp_path / "m.csv", tmp_path / "m.csv.cells"
     process = begun(polhode, slow_map, out)
     process.send_signal(by)
-    err = process.communicate(timeout=60)[1]
+    err = process.communicate(timeout=SECONDS)[1]
     assert process.returncode == status and not out.exists()
     line = err.splitlines()[-1]
     assert line.startswith("body.toml: stopped after ") and line.endswith(
@@ -264,7 +266,7 @@ def test_a_pipe_gets_one_head(run, polhode, map_file, tmp_path):
     whole = tmp_path / "whole.csv"
     assert run("map", map_file, "--out", whole).returncode == 0
     done = subprocess.run([polhode, "map", map_file, "--out", "/dev/stdout"], capture_output=True,
-                          timeout=60)
+                          timeout=SECONDS)
     assert done.returncode == 0 and done.stdout.startswith(whole.read_bytes())
 
 
