@@ -147,13 +147,18 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc
     s.rate_long = s.rate_short = user_rate(2.0 * k.half_precession.hi);
     return s;
   }
-  const detail::FamilyMember<T> member{c.r2, c.kp2};
   s.long_axis = c.long_axis;
   s.sign_g1 = static_cast<int>(c.long_axis ? arc.s3 : arc.s1);
   s.sign_g3 = static_cast<int>(c.long_axis ? arc.s1 : arc.s3);
-  s.deficit = k.G * to_double(detail::action_deficit(c.kap2, member));
-  s.action =
-      c.r2 < T(1.0) ? k.G - s.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
+  if (detail::is_across(c)) {
+    s.action = k.G * to_double(detail::action_ratio_across(c));
+    s.deficit = k.G - s.action;
+  } else {
+    const detail::FamilyMember<T> member{c.r2, c.kp2};
+    s.deficit = k.G * to_double(detail::action_deficit(c.kap2, member));
+    s.action =
+        c.r2 < T(1.0) ? k.G - s.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
+  }
   s.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
   if (!c.separatrix) {
     const T x_rate = abs(detail::phase_rate(c));

@@ -33,8 +33,9 @@ inline Discriminants<DoubleDouble> discriminants(const Vec3& moments, const Vec3
   const DD I1 = moments.x, I2 = moments.y, I3 = moments.z;
   const DD g1 = DD::product(g.x, g.x), g2 = DD::product(g.y, g.y), g3 = DD::product(g.z, g.z);
   const DD I21 = I2 - I1, I31 = I3 - I1, I32 = I3 - I2;
+  constexpr double tiny = 0x1p-450;  // a needle makes a square that double-double loses large again
   return {g2 * I21 / I2 + g3 * I31 / I3, separatrix_discriminant(BasicVec3<DD>{I1, I2, I3}, g1, g3),
-          g1 * I31 / I1 + g2 * I32 / I2};
+          (std::abs(g.x) < tiny ? I31 / I1 * g.x * g.x : g1 * I31 / I1) + g2 * I32 / I2};
 }
 
 template <Real T>
@@ -50,10 +51,17 @@ struct PolhodeCurve {
   T a1, a2, a3;             // amplitudes: g' = (a1 cn u, a2 sn u, a3 dn u)  [SA (A24)]
   T n;                      // du/dt, negative in long-axis mode  [SA (A35)]
   T k2, kp2;                // modulus squared and its complement
-  T kap2, r2;  // kappa^2 and lambda^2 / kappa^2 (primed), k2 = kap2 r2  [SA "SadovPar"]
+  T kap2, r2;  // kappa^2 and lambda^2 / kappa^2 (primed), k2 = kap2 r2  [SA "SadovPar"]; r2 =
+               // (a1/a3)^2, which may be infinite for a needle
   T K, Kp;     // complete integrals of k and k'; Kp is not set when k2 = 0
   T kp2_mantissa = T(0.0);
 };
+
+// The momentum is so nearly across the axis of circulation that r2 has no room for sums.
+template <Real T>
+bool is_across(const PolhodeCurve<T>& c) {
+  return !(to_double(c.r2) < 0x1p800);
+}
 
 // Below this exponent of kp2 what K leaves of kp2 itself, kp2 K / 4, is far below the last digit.
 inline constexpr int merging_exponent = -200;
@@ -64,6 +72,15 @@ T merging_k(const T& kp2_mantissa, int kp2_exponent) {
   using std::log;
   const T two_log2 = T(2.0) * log(T(2.0));
   return T(0.5) * (two_log2 * T(2.0 - 0.5 * kp2_exponent) - log(kp2_mantissa));
+}
+
+// sqrt(x y / z) of a moment, a discriminant and a difference of moments; of a needle x y may be
+// below double-double.
+template <Real T>
+T root_of_product(const T& x, const T& y, const T& z) {
+  using std::sqrt;
+  const T product = x * y;
+  return product > T(0x1p-900) ? T(sqrt(product / z)) : T(sqrt(x / z) * sqrt(y));
 }
 
 // Moments sorted. on_middle_axis: g is along b2, where u is infinite.
@@ -87,9 +104,9 @@ PolhodeCurve<T> polhode_curve(const BasicVec3<T>& I, const T& G, const Discrimin
   c.steady = !(CB > T(0.0)) || !(c.DA > T(0x1p-900)) || on_middle_axis;
   if (c.steady) return c;
   const T scale = CB * c.DA;
-  c.a1 = sqrt(c.A * c.DC / CA);
+  c.a1 = root_of_product(c.A, c.DC, CA);
   c.a2 = sqrt(c.B * c.DC / CB);
-  c.a3 = sqrt(c.C * c.DA / CA);
+  c.a3 = root_of_product(c.C, c.DA, CA);
   // Of a needle n^2 is like 1/C^2, which soon is beyond double-double.
   c.n = c.C < T(0x1p-200) ? T(sqrt(scale / (c.A * c.B)) / sqrt(c.C))
                           : T(sqrt(scale / (c.A * c.B * c.C)));
@@ -99,7 +116,8 @@ PolhodeCurve<T> polhode_curve(const BasicVec3<T>& I, const T& G, const Discrimin
   c.kp2_exponent = D.D2_exponent;
   c.kp2 = c.kp2_mantissa * T(std::ldexp(1.0, c.kp2_exponent));
   c.kap2 = c.C * BA / (c.A * CB);
-  c.r2 = c.A * c.DC / (c.C * c.DA);
+  const T across = c.C * c.DA;
+  c.r2 = across > T(0x1p-900) ? T(c.A * c.DC / across) : T(c.A / c.C * (c.DC / c.DA));
   c.separatrix = !(c.kp2_mantissa > T(0.0));
   c.merging =
       c.separatrix || std::ilogb(to_double(c.kp2_mantissa)) + c.kp2_exponent < merging_exponent;

@@ -104,6 +104,15 @@ T action_ratio(const T& kap2, const FamilyMember<T>& f) {
   return T(2.0) / pi<T>() * sqrt((one + kap2) / (one + f.r2)) * integral;
 }
 
+// The same of a polhode whose r2 is beyond sums.
+template <Real T>
+T action_ratio_across(const PolhodeCurve<T>& c) {
+  using std::sqrt;
+  const T one(1.0);
+  const T integral = cel(sqrt(c.kp2), one + c.kap2, one, c.kp2);
+  return T(2.0) / pi<T>() * sqrt(one + c.kap2) * (c.a3 / c.a1) * integral;
+}
+
 // d(action_deficit)/dr2 = sqrt(1 + kap2) K / (pi (1 + r2)^(3/2))  [SA "dI_l/dlambda"]
 template <Real T>
 T action_deficit_slope(const T& kap2, const FamilyMember<T>& f) {

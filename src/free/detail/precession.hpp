@@ -35,6 +35,9 @@ T polhode_mean(const PolhodeCurve<T>& c, const T& b, const T& p) {
 // from the other, which would cancel for a needle.
 template <Real T>
 T precession_of_axis1(const PolhodeCurve<T>& c) {
+  // C/A + (1 - C/A) Pi(-r2)/K, and Pi is pi/(2 r) but for 1/r of itself
+  if (is_across(c))
+    return c.G / c.A + c.G * (c.A - c.C) / c.A * (T(0.5) * pi<T>() / c.K * (c.a3 / c.a1) / c.C);
   return c.G / c.C * polhode_mean(c, T(T(1.0) + c.r2 * (c.C / c.A)), T(T(1.0) + c.r2));
 }
 template <Real T>
