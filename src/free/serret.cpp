@@ -12,6 +12,7 @@
 #include "free/detail/precession.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "math/detail/number_text.hpp"
+#include "polhode/elliptic/jacobi.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
@@ -79,6 +80,12 @@ T energy_ratio(const BasicSerretState<T>& c) {
 constexpr double untold_distance = 2.0 * 0x1p-52;
 constexpr double untold_complement = 0x1p-10;
 
+// Another value, the same derivatives.
+template <Real T>
+T moved_to(const T& x, const DD& value) {
+  return x + T(value - detail::value_of(x));
+}
+
 template <Real T>
 detail::PolhodeCurve<T> curve_of(const Body& body, const BasicSerretState<T>& c) {
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
@@ -88,8 +95,12 @@ detail::PolhodeCurve<T> curve_of(const Body& body, const BasicSerretState<T>& c)
   if (std::abs(D2) <= untold_distance) {
     const double DA = D2 < 0.0 ? to_double(d.D3) : to_double(d.D1);
     const double gap = to_double(D2 < 0.0 ? I.y - I.x : I.z - I.y);
-    if (to_double(I.z - I.x) * std::abs(D2) < untold_complement * gap * DA)
-      d.D2 = d.D2 - T(detail::value_of(d.D2));
+    if (to_double(I.z - I.x) * std::abs(D2) < untold_complement * gap * DA) {
+      // all three those of the separatrix: beside equal moments D1 or D3 has no other digits
+      d.D1 = moved_to(d.D1, (sorted.y - sorted.x) / sorted.y);
+      d.D2 = moved_to(d.D2, DD(0.0));
+      d.D3 = moved_to(d.D3, (sorted.z - sorted.y) / sorted.y);
+    }
   }
   return detail::polhode_curve(I, T(1.0), d, false);
 }
@@ -159,10 +170,12 @@ SerretState standing_still(const FreeRotation& m, double t, SerretState s) {
   return s;
 }
 
-// |D2| / G^2 to the rounding of double, from the state: for decisions.
-double rough_distance(const Body& body, const RotorState& s) {
-  const detail::AxisOrder order = detail::ascending_order(body.moments());
-  const Vec3 I = detail::sorted_doubles(body), g = detail::reordered(order, s.g);
+// |D2| / G^2 to the rounding of double: for decisions. From the given state: of a needle the
+// rounding of another, far below the rounding of |g|, may be all of D2.
+double rough_distance(const FreeRotation& m) {
+  const detail::AxisOrder order = detail::ascending_order(m.body().moments());
+  const Vec3 I = detail::sorted_doubles(m.body());
+  const Vec3 g = detail::reordered(order, m.initial_state().g);
   const double G = norm(g), x = g.x / G, z = g.z / G;
   return std::abs(z * z * ((I.z - I.y) / I.z) - x * x * ((I.y - I.x) / I.x));
 }
@@ -170,6 +183,35 @@ double rough_distance(const Body& body, const RotorState& s) {
 // Nearer than this to the separatrix T and G hold less than 1e-4 of a place half a period away:
 // both signs then tell the branch, and t0 is no further than a quarter of the period.
 constexpr double branch_distance = 0x1p-40;
+
+// The momentum along the sorted axes at a time, scaled: each component to its own digits, which a
+// needle needs and the state in doubles does not have.
+BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
+  const detail::PrimedArc<DD> arc = detail::primed_arc<DD>(m.body(), m.initial_state().g);
+  const detail::PolhodeCurve<DD>& c = arc.curve;
+  const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
+  const DD u = m.kernel().form == FreeKernel::Form::trigonometric
+                   ? DD(2.0) / DD::pi() * phase.x * c.K
+                   : phase.u;
+  const Jacobi<DD> f = jacobi(u, BasicModulus<DD>::from_ratio(c.k2, c.kp2));
+  return detail::restored(detail::primed_axes(c.long_axis, arc.s1, arc.s3),
+                          BasicVec3<DD>{c.a1 * f.cn, c.a2 * f.sn, c.a3 * f.dn});
+}
+
+// Argument of the place on a polhode where a momentum along its primed axes is, k.x and k.z >= 0;
+// on the separatrix, which may pass beside it, that of the nearest.
+DD place_on(const detail::PolhodeCurve<DD>& c, const BasicVec3<DD>& k) {
+  if (c.separatrix) {
+    const DD least = 0x1p-440, one = 1.0;
+    const DD sech = (k.x * c.a1 + k.z * c.a3) / (c.a1 * c.a1 + c.a3 * c.a3);
+    const DD x = sech < least ? least : sech < one ? sech : one;
+    const DD u = log((one + sqrt(one - x * x)) / x);
+    return k.y < DD(0.0) ? -u : u;
+  }
+  const DD across = k.x / c.a1, along = k.y / c.a2, r2 = across * across + along * along;
+  const DD c2 = across * across / r2, s2 = along * along / r2;
+  return along / sqrt(r2) * carlson_rf(c2, c2 + c.kp2 * s2, DD(1.0));
+}
 
 // A place on the polhode and the mean frame there, read back from a state by the curve that T and G
 // hold: of moments that are equal but for rounding this differs from the true one.
@@ -179,17 +221,15 @@ SerretState on_held_curve(const FreeRotation& m, double t, SerretState s) {
   const Units units = units_of(body, s.G);
   const detail::PolhodeCurve<DD> c = curve_of(body, widened(in_units(units, s, t).s));
   if (c.steady || !(c.DC > DD(0.0))) return standing_still(m, t, s);
-  const Vec3 g = detail::reordered(detail::ascending_order(body.moments()), now.g);
-  s.sign_g1 = g.x < 0.0 ? -1 : 1;
-  s.sign_g3 = g.z < 0.0 ? -1 : 1;
+  const BasicVec3<DD> g = sorted_momentum(m, t);
+  s.sign_g1 = g.x < DD(0.0) ? -1 : 1;
+  s.sign_g3 = g.z < DD(0.0) ? -1 : 1;
   const detail::PrimedSense sense = detail::primed_sense(c.long_axis, s.sign_g1, s.sign_g3);
+  const detail::AxisOrder to_primed = detail::primed_axes(sense.long_axis, sense.s1, sense.s3);
   const detail::AxisOrder primed =
-      detail::composed(detail::ascending_order(body.moments()),
-                       detail::primed_axes(sense.long_axis, sense.s1, sense.s3));
-  const Vec3 k = detail::reordered(primed, detail::scaled(now.g, units.momentum));
-  const DD across = DD(k.x) / c.a1, along = DD(k.y) / c.a2, r2 = across * across + along * along;
-  const DD c2 = across * across / r2, s2 = along * along / r2;
-  const DD u = along / sqrt(r2) * carlson_rf(c2, c2 + c.kp2 * s2, DD(1.0));
+      detail::composed(detail::ascending_order(body.moments()), to_primed);
+  const BasicVec3<DD> k = detail::reordered(to_primed, g);
+  const DD u = place_on(c, k);
   const BasicQuaternion<DD> p =
       normalized(detail::primed_attitude(c, detail::cayley_klein_series(c), u));
   const BasicQuaternion<DD> q{now.q.w, now.q.x, now.q.y, now.q.z};
@@ -203,16 +243,25 @@ SerretState on_held_curve(const FreeRotation& m, double t, SerretState s) {
   return s;
 }
 
-// What G and T cannot hold at all is no set of elements.
-void require_held_state(const FreeRotation& m, double t, const SerretState& s) {
+// How far the state of these elements at this time is from that of the motion.
+double missed_by(const FreeRotation& m, double t, const SerretState& s) {
   const RotorState now = m.at(t), back = to_rotor(m.body(), s, t);
   const Quaternion r = conj(normalized(now.q)) * normalized(back.q);
-  const double off = std::hypot(2.0 * norm(Vec3{r.x, r.y, r.z}), norm(now.g - back.g) / s.G);
-  if (off <= 1e-4) return;
+  return std::hypot(2.0 * norm(Vec3{r.x, r.y, r.z}), norm(now.g - back.g) / s.G);
+}
+
+// The better of two sets beside the separatrix: that of the phase of the motion, if it holds the
+// state, or that of the nearest place on the curve that G and T hold. What neither holds is
+// refused.
+constexpr double held_state = 1e-6;
+SerretState better_held(const FreeRotation& m, double t, const SerretState& by_phase) {
+  if (missed_by(m, t, by_phase) <= held_state) return by_phase;
+  const SerretState s = on_held_curve(m, t, by_phase);
+  if (missed_by(m, t, s) <= held_state) return s;
   throw DomainError("to_serret: (G, T) = " + detail::tuple_text({s.G, s.T}) +
                     " in double precision must hold the distance from the separatrix, |1 - 2 T I2 "
                     "/ G^2| = " +
-                    detail::number_text(rough_distance(m.body(), now)) +
+                    detail::number_text(rough_distance(m)) +
                     "; these elements would be those of another state");
 }
 
@@ -264,11 +313,10 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const bool periodic = m.regime() != Regime::separatrix;
-  const bool beside = rough_distance(body, m.at(t)) < branch_distance;
+  const bool beside = rough_distance(m) < branch_distance;
   if (beside && m.modulus().m1() > untold_complement) {
     s = on_held_curve(m, t, s);
-    if (!is_symmetric(body)) require_held_state(m, t, s);
-    return s;
+    return is_symmetric(body) ? s : better_held(m, t, s);
   }
   const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
   // u = 0 of the elements is where the node sign is positive, half a polhode away if it is not now;
@@ -297,8 +345,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
       detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(start) + half_turn);
   s.sign_g1 = static_cast<int>(long_axis ? start.s3 : start.s1);
   s.sign_g3 = static_cast<int>(long_axis ? start.s1 : start.s3);
-  if (beside) require_held_state(m, t, s);
-  return s;
+  return beside ? better_held(m, t, s) : s;
 }
 
 RotorState to_rotor(const Body& body, const SerretState& s, double t) {

@@ -18,14 +18,15 @@
 //             the separatrix itself.
 // Accuracy    budgets flow_round_trip, flow_round_trip_eps, flow_canonical_eps and
 //             serret_separatrix in tests/budgets.hpp; measured: docs/accuracy/charts.md. T and G
-//             hold the distance to the separatrix and to the axes only to eps G^2: near an axis the
-//             hub loses up to sqrt(eps), near the separatrix about eps G^2 / |D2|, half a period
-//             from t0 the most, and within 2^-40 G^2 of it up to 1e-6. t0 holds a place on the
-//             polhode to eps |t0| times the rate. chart_jacobian has no meaning where the chart is
-//             singular (J = 0 or as close as T rounds to it, I = 0, pi, steady rotations): it is
+//             hold the distance to the separatrix and to the axes only to eps G^2: near an axis of
+//             moment I the hub loses eps I / (J dI), dI the least difference to another moment, and
+//             up to sqrt(eps I / dI); near the separatrix about eps G^2 / |D2|, half a period from
+//             t0 the most, and within 2^-40 G^2 of it up to 1e-6. t0 holds a place on the polhode
+//             to eps |t0| times the rate. chart_jacobian has no meaning where the chart is singular
+//             (J = 0 or as close as T rounds to it, I = 0, pi, steady rotations): it is
 //             rank-deficient or not finite there.
 // Errors      to_serret throws DomainError where T is beyond double range, and where moments are
-//             equal but for rounding so that G and T do not hold the state.
+//             equal but for rounding so that G and T do not hold the state to 1e-6.
 //             to_rotor throws DomainError for a T or G / I beyond double range, moments of a ratio
 //             below 2^-900, G <= 0 (rest has no elements), |H| > G, T outside
 //             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.
