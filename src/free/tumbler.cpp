@@ -102,8 +102,10 @@ detail::PolhodeCurve<DD> curve_with_ratio(const Body& body, bool long_axis, cons
     return r.precession / (ratio * r.rotation) - DD(1.0);
   };
   // A double ratio tells no polhode smaller than J^2 = 1e-18 from a point, but next to the
-  // separatrix it holds the logarithm of the distance: k'^2 down to 1e-220.
-  return curve(detail::family_root(excess, DD(-50.0), detail::family_end(kap2, 1e220, 600.0)));
+  // separatrix it holds the logarithm of the distance: k'^2 down to 1e-220. Where equal lesser
+  // moments make kappa^2 large, polhodes of that size have a k^2 that the ratio tells.
+  const DD start = kap2.hi > 1e4 ? DD(-50.0) - log(kap2) : DD(-50.0);
+  return curve(detail::family_root(excess, start, detail::family_end(kap2, 1e220, 600.0)));
 }
 
 // sin^2 psi = k_x^2 / (k_x^2 + k_y^2) is largest where k_z = 0, at sn = +-1: a2^2/(a2^2 + a3^2

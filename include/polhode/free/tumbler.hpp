@@ -20,8 +20,10 @@
 //             Limit: in to_tumbler a pole along the third inertial axis, to rounding, has
 //             longitude 0, and phi0 holds all of the turn.
 // Accuracy    budget tumbler_round_trip for |psi| <= 0.9 psi_max; psi0 loses half its digits at
-//             psi_max, and more where equal lesser moments put psi_max next to pi/2. Next to the
-//             middle axis psi0 = psi_max holds the state down to k'^2 = 1e-220.
+//             psi_max, and more where nearly equal lesser moments put psi_max next to pi/2:
+//             sqrt(2 eps / (k + b/k)) of the momentum, k its part along the short axis and
+//             b = (I2 - I1)/(I3 - I1). Next to the middle axis psi0 = psi_max holds the state down
+//             to k'^2 = 1e-220.
 // Errors      DomainError: periods that no motion of this body in this mode has (with the bound of
 //             P_psi/P_phi) or that lie too close to the separatrix to be held, |psi0| > psi_max
 //             modulo a turn and rounding (with psi_max), non-positive periods or ones beyond double
