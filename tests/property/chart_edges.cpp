@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "oracle/chart_conditioning.hpp"
 #include "oracle/flow_charts.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
@@ -77,6 +78,7 @@ struct Place {
   double short_part = 1.0;            // of the momentum along the short axis
   bool needle = false;                // moments of a ratio below 1e-20
   double gap = 1.0;                   // the lesser relative difference of neighbouring moments
+  double lower_part = 1.0;            // (I2 - I1) / (I3 - I1), 0 for a sphere
 };
 constexpr double least_sine = 1e-320;  // that of 0
 double double_of(const Long& x) { return static_cast<double>(x); }
@@ -225,6 +227,7 @@ bool energy_is_held(const Known& k) {
 }
 // Beside the separatrix, nearer than this, G and T hold the branch and the place on it.
 constexpr double branch_zone = 1e-12;
+constexpr double branch_distance = 0x1p-40;
 // Within 1e-130 of an axis, where the limit of the axis is returned, and across an axis of
 // symmetry, where T does not tell the rate.
 bool counts_as_steady(const Known& k) {
@@ -243,6 +246,34 @@ double sadov_allowed(const Known& k) {
          budget::sadov_separatrix_eps * eps / k.place.D2;
 }
 
+// What the six doubles can hold, asked only where the plain bound does not do: a few half ulps of
+// each. Next to an axis, where a number holds J^2, the root of what it holds of that. Nearer to the
+// separatrix than 2^-40 the headers promise more.
+double held_by_doubles(const Known& k, const std::array<double, 6>& held, int halves, bool serret) {
+  if (!k.flow.moves || k.flow.K == 0 || (serret && k.place.D2 < branch_distance)) return 0.0;
+  const double moved = oracle::moved_by_half_ulps(
+      k.body.moments(), k.c.state, serret ? oracle::serret_numbers : oracle::sadov_numbers, halves,
+      held);
+  return budget::chart_half_ulps * smaller(moved, std::sqrt(2.0 * k.place.J * moved));
+}
+// From the half period of the oracle to that of these elements.
+int halves_between(const Known& k, double t0) {
+  if (!k.flow.moves || k.flow.K == 0) return 0;
+  const Long off = (Long(k.c.t) - Long(t0) - k.flow.elapsed) * k.flow.n / (2 * k.flow.K);
+  return static_cast<int>(static_cast<double>(Long(round(off))));
+}
+// eps |t0| times the rate of the phase, for spin about the middle axis that beside it.
+bool place_is_lost(const Known& k, double t0) {
+  double n = double_of(k.flow.n);
+  if (!k.flow.moves) {
+    std::array<double, 3> m{k.body.moments().x, k.body.moments().y, k.body.moments().z};
+    std::ranges::sort(m);
+    n = norm(k.c.state.g) / m[1] * std::sqrt((m[1] - m[0]) / m[0]) *
+        std::sqrt((m[2] - m[1]) / m[2]);
+  }
+  return !(eps * std::abs(t0) * n <= budget::says_nothing);
+}
+
 Result refused(const std::string& message, bool rightly) {
   return {rightly ? Verdict::refused : Verdict::wrong, 0.0, "refused: " + message};
 }
@@ -256,12 +287,18 @@ Result serret_result(const Known& k) {
     for (const double x : {s.g0, s.h, s.t0, s.G, s.H, s.T})
       if (std::isnan(x)) return {Verdict::not_a_number, x, "to_serret"};
     const double loss = loss_of(to_rotor(k.body, s, k.c.t), k.c.state);
-    if (k.place.gap == 0.0 && k.place.D2 < branch_zone) {  // across an axis of symmetry: l is lost
+    // across an axis of symmetry l is lost, and what t0 does not tell
+    if ((k.place.gap == 0.0 && k.place.D2 < branch_zone) || place_is_lost(k, s.t0)) {
       const Vec3 g = inertial_momentum(to_rotor(k.body, s, k.c.t));
       const RotorState still{{1.0, 0.0, 0.0, 0.0}, inertial_momentum(k.c.state)};
       return judged(loss_of({still.q, g}, still), serret_allowed(k), "serret, momentum in space");
     }
-    return judged(loss, serret_allowed(k), "serret");
+    double allowed = serret_allowed(k);
+    if (loss > allowed) {
+      const std::array<double, 6> held{s.g0, s.h, s.t0, s.G, s.H, s.T};
+      allowed = larger(allowed, held_by_doubles(k, held, halves_between(k, s.t0), true));
+    }
+    return judged(loss, smaller(allowed, budget::says_nothing), "serret");
   } catch (const polhode::DomainError& error) {
     // moments equal but for rounding: T tells nothing
     const bool untold = k.place.D2 < branch_zone && k.place.gap < branch_zone;
@@ -295,12 +332,17 @@ Result sadov_result(const Known& k) {
     for (const double x : {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h})
       if (std::isnan(x)) return {Verdict::not_a_number, x, "to_sadov"};
     const RotorState back = to_rotor(k.body, s);
-    if (sadov_allowed(k) > budget::says_nothing) {  // the place on the polhode is lost
+    double allowed = sadov_allowed(k);
+    if (loss_of(back, k.c.state) > allowed) {
+      const std::array<double, 6> held{s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h};
+      allowed = larger(allowed, held_by_doubles(k, held, 0, false));
+    }
+    if (allowed > budget::says_nothing) {  // the place on the polhode is lost
       const RotorState still{{1.0, 0.0, 0.0, 0.0}, inertial_momentum(k.c.state)};
       return judged(loss_of({still.q, inertial_momentum(back)}, still),
                     budget::serret_edge + pole_loss(k.place.I), "sadov, momentum in space");
     }
-    return judged(loss_of(back, k.c.state), sadov_allowed(k), "sadov");
+    return judged(loss_of(back, k.c.state), allowed, "sadov");
   } catch (const polhode::DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k));
   }
@@ -324,6 +366,16 @@ bool period_is_held(const Known& k) {
   return !k.flow.moves || k.flow.K == 0 ||
          (k.flow.P_psi > Long(std::numeric_limits<double>::min()) &&
           k.flow.P_psi < Long(std::numeric_limits<double>::max()));
+}
+
+// At the tip of a polhode in SAM k_z = 0, psi = psi_max, and an error e of psi is sqrt(2 e / w) in
+// k_z: k_y = cot(psi) k_x and k_y^2 + (1 - m) k_x^2 = const give w = k_y + (1 - m) / k_y next to
+// pi/2, with k_y along the short axis and 1 - m = (I2 - I1) / (I3 - I1). Nearly equal lesser
+// moments make it small. psi0 and psi_max, both rounded, are up to e = eps apart.
+double tip_width(const Known& k) {
+  const double y = k.place.short_part, beta = k.place.lower_part;
+  if (y == 0.0) return beta > 0.0 ? 1.0 : eps;
+  return smaller(1.0, larger(y + beta / y, eps));
 }
 
 Result tumbler_result(const Known& k) {
@@ -354,8 +406,7 @@ Result tumbler_result(const Known& k) {
           std::string(error.what()).find("closer to the separatrix") != std::string::npos;
       return refused(error.what(), said && (k.place.D2 < budget::tumbler_untold || k.place.needle));
     }
-    // of equal lesser moments psi is next to pi/2 in a spin across the axis
-    const double tip = std::sqrt(eps / larger(k.place.gap > 0.0 ? 1.0 : k.place.short_part, eps));
+    const double tip = std::sqrt(2.0 * eps / tip_width(k));
     if (tip > budget::says_nothing) return left_out;
     return judged(loss_of(back, k.c.state), budget::tumbler_edge + tip, "tumbler");
   } catch (const polhode::DomainError& error) {
@@ -468,6 +519,7 @@ const std::vector<Prepared>& prepared_cases() {
       const Vec3 along{I.x == m[2] ? g.x : 0.0, I.y == m[2] ? g.y : 0.0, I.z == m[2] ? g.z : 0.0};
       place.short_part = norm(along) / norm(g);
       place.gap = smaller((m[1] - m[0]) / m[1], (m[2] - m[1]) / m[2]);
+      place.lower_part = m[2] > m[0] ? (m[1] - m[0]) / (m[2] - m[0]) : 0.0;
       cases.push_back({c, flow, place});
     }
     return cases;

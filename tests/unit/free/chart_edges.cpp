@@ -194,6 +194,126 @@ TEST(ChartEdges, NeedlesOfAnyRatioThatDoublesHold) {
               HasSubstr("must have a ratio of at least 2^-900"));
 }
 
+// A momentum component at the very end of double range, beside the middle axis of a small body.
+TEST(ChartEdges, SubnormalComponentBesideTheMiddleAxis) {
+  const double up = 0x1p525;
+  for (const auto& [body, g] :
+       {std::pair{Body(6e-158, 3e-158, 4e-158), Vec3{-1e-318, 0.0, -1e-158}},
+        std::pair{Body(1e-158, 0.5e-158, 0.7e-158), Vec3{1e-318, 0.0, 1e-158}},
+        std::pair{Body(3e-158, 4e-158, 6e-158), Vec3{0.0, -1e-158, 1e-320}}}) {
+    const RotorState s{attitude, g};
+    const FreeRotation motion(body, s, 2.0);
+    const auto off = [&](const RotorState& r) {
+      return difference({r.q, times(up, r.g)}, {s.q, times(up, g)});
+    };
+    EXPECT_LE(off(motion.at(2.0)), budget::free_state) << g.x << " " << g.z;
+    EXPECT_LE(off(to_rotor(body, to_serret(motion, 2.0), 2.0)), budget::serret_next_to_separatrix);
+    EXPECT_TRUE(std::isfinite(to_sadov(motion, 2.0).phi_g));
+    EXPECT_TRUE(std::isfinite(to_tumbler(motion, 2.0).phi0));
+  }
+}
+
+// The square of the momentum along the long axis is beyond double-double, and yet, over the moment,
+// a rotation. The body spins about that axis while it precesses with it.
+TEST(ChartEdges, NeedleWithTheMomentumAcross) {
+  const double I1 = 1e-200, g1 = 1e-200;
+  const Body body(I1, 1.0, 1.0);
+  const RotorState s{attitude, {g1, 0.6, -0.8}};
+  const FreeRotation motion(body, s);
+  EXPECT_LE(relative(motion.polhode_period(), 2.0 * pi), budget::flow_values);
+  EXPECT_LE(relative(motion.precession_rate_long(), 1.0), budget::flow_values);
+  EXPECT_LE(relative(motion.precession_rate_short(), 2.0), budget::flow_values);
+  const Vec3 about = inertial_momentum(s);
+  for (const double t : {0.0, 0.4, 3.0, 50.0}) {
+    const double c = std::cos(0.5 * t), sine = std::sin(0.5 * t) / norm(about);
+    const Quaternion precession{c, sine * about.x, sine * about.y, sine * about.z};
+    const Quaternion expected = precession * normalized(attitude) * polhode::rotation_x(t);
+    const RotorState r = motion.at(t);
+    EXPECT_LE(difference(r, {expected,
+                             {g1, 0.6 * std::cos(t) - 0.8 * std::sin(t),
+                              -0.8 * std::cos(t) - 0.6 * std::sin(t)}}),
+              budget::free_state)
+        << t;
+  }
+  for (const double ratio : {1e-50, 1e-120, 1e-200}) {
+    const Body needle(ratio, 1.0, 1.0);
+    const RotorState across{attitude, {-1e-160 * std::sqrt(ratio / 1e-50), 0.6, -0.8}};
+    const FreeRotation m(needle, across);
+    EXPECT_LE(difference(m.at(0.0), across), budget::free_state) << ratio;
+    EXPECT_LE(difference(to_rotor(needle, to_sadov(m, 0.0)), across), budget::serret_edge);
+    EXPECT_LE(relative(to_tumbler(m, 0.0).precession_period, 2.0 * pi), budget::flow_values);
+  }
+}
+
+// The momentum along a needle, far below the rounding of |g|, is what sets its rate and its sign.
+TEST(ChartEdges, SerretReadsANeedleFromTheMotion) {
+  const Body body(1e-152, 1.0, 1.0);
+  const double along = 5.93e-82, rate = along / 1e-152;
+  for (const double side : {1.0, -1.0}) {
+    for (int i = 0; i < 24; ++i) {
+      const double turned = 0.1 + 0.25 * i, t = 1e-71;
+      const Vec3 g{side * along, std::sin(turned), std::cos(turned)};
+      const SerretState e = to_serret(FreeRotation(body, {attitude, g}, t), t);
+      EXPECT_EQ(e.sign_g1, side) << i;
+      EXPECT_LE(std::abs(std::remainder(rate * (t - e.t0) - side * turned, pi)),
+                budget::flow_values)
+          << i;
+    }
+  }
+}
+
+// Moments one ulp apart: G and T hold the state, or say that they do not.
+TEST(ChartEdges, SerretOfNeedlesWithMomentsEqualButForRounding) {
+  const double above = std::nextafter(1.0, 2.0);
+  int held = 0;
+  for (const auto& [body, g] : {std::pair{Body(1e-152, 1.0, above), Vec3{1.45e-84, 0.234, -0.972}},
+                                std::pair{Body(above, 1e-160, 1.0), Vec3{-0.708, 1.06e-188, 0.706}},
+                                std::pair{Body(1e-250, above, 1.0), Vec3{1.41e-135, -1.41e-5, 1.0}},
+                                std::pair{Body(1e-250, above, 1.0), Vec3{1e-150, -0.6, 0.8}}}) {
+    const RotorState s{attitude, g};
+    const FreeRotation motion(body, s);
+    const std::string said = message_of([&] {
+      if (!(difference(to_rotor(body, to_serret(motion, 0.0), 0.0), s) <=
+            budget::serret_next_to_separatrix))
+        throw polhode::DomainError("another state");
+      ++held;
+    });
+    EXPECT_THAT(said, AnyOf("no error", HasSubstr("must hold the distance from the separatrix")));
+  }
+  EXPECT_GT(held, 0);
+}
+
+// The smaller the difference of two moments, the more of it T loses: then the place on the curve
+// that T means is not that of the phase.
+TEST(ChartEdges, SerretOfMomentsThatDifferBySomeRoundings) {
+  for (const double gap : {1e-13, 1e-12, 1e-11, 1e-10, 1e-8, 1e-6}) {
+    for (const auto& [body, side] :
+         {std::pair{Body(0.8, 1.0 - gap, 1.0), 1.0}, std::pair{Body(0.8, 0.8 + gap, 1.0), -1.0}}) {
+      for (const Vec3& g : {Vec3{1e-20, side, 2e-20}, Vec3{0.0, side, 1e-9},
+                            Vec3{1e-9 * std::sqrt(gap), side, 3e-10}}) {
+        const RotorState s{attitude, g};
+        EXPECT_LE(difference(to_rotor(body, to_serret(FreeRotation(body, s), 0.0), 0.0), s),
+                  budget::serret_next_to_separatrix)
+            << gap << " " << side << " " << g.z;
+      }
+    }
+  }
+}
+
+// Spin about the long axis where the lesser moments are equal but for rounding: its polhodes are so
+// long that the periods tell a small one.
+TEST(ChartEdges, TumblersWithLesserMomentsEqualButForRounding) {
+  for (const double a : {0.63, 0.84, 0.92}) {
+    const Body body(std::nextafter(a, 1.0), a, 1.0);
+    for (const double across : {1e-20, 1e-10}) {
+      const RotorState s{attitude, {-across, 1.0, 0.0}};
+      EXPECT_LE(difference(to_rotor(body, to_tumbler(FreeRotation(body, s), 0.0)), s),
+                budget::tumbler_edge)
+          << a << " " << across;
+    }
+  }
+}
+
 // Half a period of a tumbler beside the middle axis is 140 / n: its own description has a state.
 TEST(ChartEdges, TumblersNextToTheMiddleAxisComeBack) {
   const Body body(1.0, 1.7, 2.1);
