@@ -184,6 +184,13 @@ double rough_distance(const FreeRotation& m) {
 // both signs then tell the branch, and t0 is no further than a quarter of the period.
 constexpr double branch_distance = 0x1p-40;
 
+// A slow polhode of a body with large moments.
+void require_held_time(double t0, double t) {
+  if (std::isfinite(t0) || !std::isfinite(t)) return;
+  throw DomainError("to_serret: t0 = " + detail::number_text(t0) +
+                    " must be within double range: take a unit of time in which the period is");
+}
+
 // The momentum along the sorted axes at a time, scaled: each component to its own digits, which a
 // needle needs and the state in doubles does not have.
 BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
@@ -235,9 +242,12 @@ SerretState on_held_curve(const FreeRotation& m, double t, SerretState s) {
   const BasicQuaternion<DD> q{now.q.w, now.q.x, now.q.y, now.q.z};
   const BasicQuaternion<DD> f = q * conj(detail::quaternion_of<DD>(primed)) * conj(p);
   const detail::FrameAngles frame = detail::frame_angles({f.w.hi, f.x.hi, f.y.hi, f.z.hi});
-  const DD elapsed = u / c.n;  // in units of momentum 1
+  const DD G = std::ldexp(s.G, -units.momentum);
+  s.t0 = (DD(t) - ldexp(u / c.n / G, units.time)).hi;
+  require_held_time(s.t0, t);
+  // since t0 as it is rounded: a slow polhode may lie many turns back
+  const DD elapsed = ldexp(DD::sum(t, -s.t0), -units.time) * G;  // in units of momentum 1
   const DD swept = detail::wrapped(detail::precession_of_axis1(c) * elapsed);
-  s.t0 = (DD(t) - ldexp(elapsed / DD(std::ldexp(s.G, -units.momentum)), units.time)).hi;
   s.h = frame.h;
   s.g0 = detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(sense));
   return s;
@@ -290,6 +300,11 @@ SerretState of_steady_rotation(const FreeRotation& m, double t, SerretState s) {
   s.g0 = limit.g0;
   s.h = limit.h;
   s.t0 = e == 0 ? limit.t0 : t + std::ldexp(limit.t0, -e);
+  require_held_time(s.t0, t);
+  if (e != 0) {  // what t0 loses by its rounding is a turn about the momentum
+    const DD lost = DD::sum(s.t0, -t) - DD(std::ldexp(limit.t0, -e));
+    s.g0 = detail::wrapped(limit.g0 + m.precession_rate_long() * lost.hi);
+  }
   s.sign_g1 = limit.sign_g1;
   s.sign_g3 = limit.sign_g3;
   return s;
@@ -339,6 +354,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const DD swept = detail::wrapped(DD(2.0) * k.half_precession * elapsed);
   const double half_turn = from_other_side ? 2.0 * half_pi : 0.0;
   s.t0 = (DD(t) - ldexp(elapsed, -std::ilogb(k.time_scale))).hi;
+  require_held_time(s.t0, t);
   s.h = frame.h;
   s.H = detail::third_momentum(m, frame);
   s.g0 =

@@ -25,8 +25,8 @@
 //             to eps |t0| times the rate. chart_jacobian has no meaning where the chart is singular
 //             (J = 0 or as close as T rounds to it, I = 0, pi, steady rotations): it is
 //             rank-deficient or not finite there.
-// Errors      to_serret throws DomainError where T is beyond double range, and where moments are
-//             equal but for rounding so that G and T do not hold the state to 1e-6.
+// Errors      to_serret throws DomainError where T or t0 is beyond double range, and where moments
+//             are equal but for rounding so that G and T do not hold the state to 1e-6.
 //             to_rotor throws DomainError for a T or G / I beyond double range, moments of a ratio
 //             below 2^-900, G <= 0 (rest has no elements), |H| > G, T outside
 //             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.
