@@ -217,9 +217,9 @@ inline constexpr double flow_pole_eps = 10.0;
 inline constexpr double serret_separatrix_eps = 20.0;
 inline constexpr double serret_next_to_separatrix = 1e-6;
 inline constexpr double sadov_separatrix_eps = 0.1;
-// Half ulps of each number of a set (tests/oracle/chart_conditioning.hpp): the rounding of the six,
-// of the state that is read back, and what the library itself loses.
-inline constexpr double chart_half_ulps = 4.0;
+// Half ulps of each number of a set (tests/oracle/chart_conditioning.hpp): what is read is within
+// an ulp of the number.
+inline constexpr double chart_half_ulps = 2.0;
 // Periods tell no tumbler nearer to the separatrix; a bound beyond the second says nothing.
 inline constexpr double tumbler_untold = 2e-10;
 inline constexpr double says_nothing = 0.1;

@@ -152,6 +152,8 @@ Result poincare_result(const Known& k) {
 Result euler_rates_result(const Known& k) {
   const Vec3 w = angular_velocity(k.body, k.c.state);
   if (!std::isnormal(norm(w))) return left_out;
+  for (int i = 0; i < 3; ++i)  // a needle: a subnormal rate lacks digits of a large momentum
+    if (w[i] != 0.0 && !std::isnormal(w[i])) return left_out;
   const RotorState back = to_rotor(k.body, to_euler_rates(k.body, k.c.state));
   const Vec3 I = k.body.moments();
   // the component along axis 3 is a difference of rates about the third axes
@@ -302,7 +304,10 @@ Result serret_result(const Known& k) {
   } catch (const polhode::DomainError& error) {
     // moments equal but for rounding: T tells nothing
     const bool untold = k.place.D2 < branch_zone && k.place.gap < branch_zone;
-    return refused(error.what(), sphere || untold || !rate_is_in_range(k) || !energy_is_held(k));
+    const bool t0_is_held = !k.flow.moves || k.flow.K == 0 ||
+                            2 * k.flow.K / k.flow.n < Long(std::numeric_limits<double>::max());
+    return refused(error.what(),
+                   sphere || untold || !rate_is_in_range(k) || !energy_is_held(k) || !t0_is_held);
   }
 }
 

@@ -300,6 +300,32 @@ TEST(ChartEdges, SerretOfMomentsThatDifferBySomeRoundings) {
   }
 }
 
+// A polhode so slow that it began 1e10 turns ago: the rounding of t0 is then a turn of the body.
+TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
+  for (const double size : {1.0, 0x1p505, 0x1p-505}) {
+    const Body body(0.8 * size, size, std::nextafter(size, 2.0 * size));
+    for (const double t : {0.0, -1.89, 7.76}) {
+      const RotorState s{attitude, {0.0, 1.25 * size, 0.0}};
+      const FreeRotation motion(body, s, t);
+      RotorState back{};
+      const std::string said = message_of([&] { back = to_rotor(body, to_serret(motion, t), t); });
+      if (said == "no error") {
+        EXPECT_LE(difference({back.q, times(1.0 / size, back.g)}, {s.q, times(1.0 / size, s.g)}),
+                  budget::serret_next_to_separatrix)
+            << size << " " << t;
+      } else {
+        EXPECT_THAT(said, HasSubstr("must hold the distance from the separatrix"));
+      }
+    }
+  }
+}
+
+TEST(ChartEdges, SerretNeedsATimeThatADoubleHolds) {
+  const FreeRotation slow(Body(0.8e300, 1e300, 1e300), {attitude, {-9e-21, -1.0, -4e-21}});
+  EXPECT_THAT(message_of([&] { static_cast<void>(to_serret(slow, 0.0)); }),
+              AllOf(HasSubstr("to_serret: t0 = "), HasSubstr("must be within double range")));
+}
+
 // Spin about the long axis where the lesser moments are equal but for rounding: its polhodes are so
 // long that the periods tell a small one.
 TEST(ChartEdges, TumblersWithLesserMomentsEqualButForRounding) {
