@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "stop_signals.hpp"
 
+#include <atomic>
+
 namespace polhode::cli {
 namespace {
 
-volatile sig_atomic_t signal_that_came = 0;
+// The threads of a map read it, too. A handler may write an atomic that needs no lock.
+std::atomic<int> signal_that_came = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void note(int signal) { signal_that_came = signal; }
 

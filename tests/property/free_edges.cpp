@@ -41,7 +41,7 @@ TEST(FreeEdges, AsNearToTheSeparatrixAsDoublesCome) {
                          {0.8233251531952871, -0.3, 0.5299161674818204}, turns));
 }
 
-// The phase loses 2^-104 of itself, and no half period.
+// The phase loses some 2^-104 of itself, and no half period.
 TEST(FreeEdges, BeyondTheIntegersThatADoubleCounts) {
   for (const double turns : {1e16, -3e17, 1e18, 0.7e19, -1e20})
     expect_exact(

@@ -10,7 +10,7 @@
 // Domain      any Body, any finite state with a non-zero quaternion, any finite time; G = 0 rests.
 //             Units are rescaled by powers of two inside; the rate g / I must be in double range,
 //             the least moment at least 2^-900 of the greatest.
-//             Beyond 2^52 periods the phase loses digits (2^-104 of it); beyond 2^90 rad it is
+//             Beyond 2^52 periods the phase loses digits (some 2^-104 of it); beyond 2^90 rad it is
 //             lost, and the state is some state of the same orbit.
 // Accuracy    budgets free_* in tests/budgets.hpp; measured table docs/accuracy/free-rotation.md.
 //             Rates are prepared, and long phases reduced, in double-double, so that accuracy does
