@@ -116,7 +116,8 @@ symmetric bodies. A state is held when its loss is within the bounds that the he
 gives there (next to a pole up to half the digits). The numbers of Serret's and Sadov's sets and the
 periods of tumblers are held when they are those of an oracle of 1000 digits. A refusal counts as
 right only where the header announces it: where a rate, a period or a number of the set has no
-double. Left out are cases with nothing to compare, such as the period of a body at rest.
+double. Left out are cases with nothing to compare, such as the period of a body at rest. Jacobians
+are compared with those of the same state in units in which it is of order one: 0 is bit for bit.
 
 | set | tried | failed | held | refused | left out | loss or error, median |
 |---|---|---|---|---|---|---|
@@ -166,7 +167,7 @@ def edges(results):
     for name, title in EDGES.items():
         tried, failed, refused, left, held, median = EDGE_LINE.match(
             recorded[f"edges_{name}"]).groups()
-        rows += f"| {title} | {tried} | {failed} | {held} | {refused} | {left} | {median} |\n"
+        rows += f"| {title} | {tried} | {failed} | {held} | {refused} | {left} | {float(median):.2g} |\n"
     return rows
 
 
