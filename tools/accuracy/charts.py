@@ -167,7 +167,8 @@ def edges(results):
     for name, title in EDGES.items():
         tried, failed, refused, left, held, median = EDGE_LINE.match(
             recorded[f"edges_{name}"]).groups()
-        rows += f"| {title} | {tried} | {failed} | {held} | {refused} | {left} | {float(median):.2g} |\n"
+        cells = [title, tried, failed, held, refused, left, f"{float(median):.2g}"]
+        rows += f"| {' | '.join(cells)} |\n"
     return rows
 
 
