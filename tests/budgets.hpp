@@ -599,6 +599,8 @@ inline constexpr double tidal_lag = 1e-6;
 inline constexpr double tidal_average = 1e-12;
 
 // --- torque tables and internal damping along a run (tests/unit/dynamics/breakpoints_test.cpp) ---
+// Steps backwards over those forwards: other places are cut short.
+inline constexpr double steps_of_either_direction = 0.1;
 // A second of torque in a day of 24 turns at the default tolerance.
 inline constexpr double pulse_momentum = 1e-12;
 inline constexpr double pulse_angle = 1e-8;

@@ -27,14 +27,14 @@ struct Run {
   bool complete = false;         // nothing was left to do
 };
 
-// No page of it is touched before its rows come. What no process can address is not asked for:
-// AddressSanitizer ends a process that does.
+// No page of it is touched before its rows come. More than 64 TiB is not asked for:
+// AddressSanitizer would end the process.
 void reserve(Run& run, std::int64_t rows) {
-  constexpr double addressable = 0x1p46;
+  constexpr double most_bytes = 0x1p46;
   const double bytes =
       static_cast<double>(rows) * static_cast<double>(run.width) * double{sizeof(double)};
   try {
-    if (bytes > addressable) throw std::bad_alloc();
+    if (bytes > most_bytes) throw std::bad_alloc();
     run.rows.reserve(static_cast<std::size_t>(rows) * run.width);
   } catch (const std::bad_alloc&) {
     PyErr_Format(PyExc_MemoryError,

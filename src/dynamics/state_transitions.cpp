@@ -37,10 +37,9 @@ TransitionSample sample_at(double t, const detail::RotorValues<Tangent>& y) {
           detail::hub_tangent(s)};
 }
 
-void require_finite(const TransitionSample& row) {
-  if (detail::is_finite(row.s.g) && std::isfinite(row.s.q.w + row.s.q.x + row.s.q.y + row.s.q.z))
-    return;
-  throw DomainError("state_transitions: the state is not finite at t = " + number_text(row.t) +
+void require_finite(double t, const RotorState& s) {
+  if (detail::is_finite(s.g) && std::isfinite(s.q.w + s.q.x + s.q.y + s.q.z)) return;
+  throw DomainError("state_transitions: the state is not finite at t = " + number_text(t) +
                     ": take a smaller step, or see whether a term is finite there");
 }
 
@@ -89,6 +88,7 @@ struct Transitions {
     detail::StepJumps jumps(problem.system, unknown_jump);
     const auto stepped = [&](double h, detail::StepJumps& watch) {
       detail::SplittingState next = map.stepped(now, h);
+      require_finite(next.t.hi, map.state(next));
       const std::string refused = watch.seen(map, now, h, next);
       if (!refused.empty()) throw DomainError("state_transitions: " + refused);
       return next;
@@ -108,7 +108,6 @@ struct Transitions {
       detail::StepJumps until_there = jumps;
       const detail::SplittingState there = stepped(rest(), until_there);
       rows.push_back({t, map.state(there), map.step_transition(now, rest()) * transition});
-      require_finite(rows.back());
       tell(t);
     }
     return rows;

@@ -35,7 +35,7 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
     if (!refused.empty()) return refused;
     switches_.cross(i);
   }
-  switches_.see(switches_.values(time(to), end));
+  switches_.see(values);
   return {};
 }
 

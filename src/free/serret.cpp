@@ -170,8 +170,8 @@ SerretState standing_still(const FreeRotation& m, double t, SerretState s) {
   return s;
 }
 
-// |D2| / G^2 to the rounding of double: for decisions. From the given state: of a needle the
-// rounding of another, far below the rounding of |g|, may be all of D2.
+// |D2| / G^2 to the rounding of double: for decisions. Taken from the state given: for a needle,
+// the rounding of the state at another time, though far below that of |g|, may be as large as D2.
 double rough_distance(const FreeRotation& m) {
   const detail::AxisOrder order = detail::ascending_order(m.body().moments());
   const Vec3 I = detail::sorted_doubles(m.body());
@@ -260,19 +260,23 @@ double missed_by(const FreeRotation& m, double t, const SerretState& s) {
   return std::hypot(2.0 * norm(Vec3{r.x, r.y, r.z}), norm(now.g - back.g) / s.G);
 }
 
-// The better of two sets beside the separatrix: that of the phase of the motion, if it holds the
-// state, or that of the nearest place on the curve that G and T hold. What neither holds is
-// refused.
 constexpr double held_state = 1e-6;
-SerretState better_held(const FreeRotation& m, double t, const SerretState& by_phase) {
-  if (missed_by(m, t, by_phase) <= held_state) return by_phase;
-  const SerretState s = on_held_curve(m, t, by_phase);
+
+// Refuses elements that are those of another state.
+SerretState held(const FreeRotation& m, double t, const SerretState& s) {
   if (missed_by(m, t, s) <= held_state) return s;
   throw DomainError("to_serret: (G, T) = " + detail::tuple_text({s.G, s.T}) +
                     " in double precision must hold the distance from the separatrix, |1 - 2 T I2 "
                     "/ G^2| = " +
                     detail::number_text(rough_distance(m)) +
                     "; these elements would be those of another state");
+}
+
+// Beside the separatrix: the set of the phase of the motion, if it holds the state, or that of the
+// nearest place on the curve that G and T hold.
+SerretState held_by_either(const FreeRotation& m, double t, const SerretState& by_phase) {
+  if (missed_by(m, t, by_phase) <= held_state) return by_phase;
+  return held(m, t, on_held_curve(m, t, by_phase));
 }
 
 bool is_symmetric(const Body& body) {
@@ -328,10 +332,10 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const bool periodic = m.regime() != Regime::separatrix;
-  const bool beside = rough_distance(m) < branch_distance;
+  const bool beside = std::isfinite(t) && rough_distance(m) < branch_distance;
   if (beside && m.modulus().m1() > untold_complement) {
     s = on_held_curve(m, t, s);
-    return is_symmetric(body) ? s : better_held(m, t, s);
+    return is_symmetric(body) ? s : held(m, t, s);
   }
   const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
   // u = 0 of the elements is where the node sign is positive, half a polhode away if it is not now;
@@ -361,7 +365,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
       detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(start) + half_turn);
   s.sign_g1 = static_cast<int>(long_axis ? start.s3 : start.s1);
   s.sign_g3 = static_cast<int>(long_axis ? start.s1 : start.s3);
-  return beside ? better_held(m, t, s) : s;
+  return beside ? held_by_either(m, t, s) : s;
 }
 
 RotorState to_rotor(const Body& body, const SerretState& s, double t) {

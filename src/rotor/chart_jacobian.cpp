@@ -94,6 +94,7 @@ WideMatrix6 wide_inverse(const CanonicalChart& chart, const WideState& s) {
     if (is_near(a.J.im) || is_near(a.I.im))
       return detail::inverse_of_columns(detail::sum_of_terms(
           a.J.im, a.I.im, [&](const auto& by) { return detail::inertial_columns(a, by); }));
+    return detail::inverse_chart_jacobian(jacobian(a), s.g);
   }
   if (chart.set == CanonicalSet::poincare) {
     const detail::PoincareFactors<Wide> f = detail::poincare_factors(s, chart.pole_J, chart.pole_I);
@@ -101,14 +102,15 @@ WideMatrix6 wide_inverse(const CanonicalChart& chart, const WideState& s) {
     if (is_near(f.p1.w, unit) || is_near(f.p2.w, unit))
       return detail::inverse_of_columns(detail::sum_of_terms(
           f.p1.w, f.p2.w, [&](const auto& by) { return detail::inertial_columns(f, by); }));
+    return detail::inverse_chart_jacobian(jacobian(f), s.g);
   }
-  return detail::inverse_chart_jacobian(wide_jacobian(chart, s), s.g);
+  return detail::inverse_chart_jacobian(jacobian(detail::euler_axes(s)), s.g);
 }
 
 // Powers of two that bring a row or a column next to a pole to order 1, where its products with
 // others are in the range of double-double; 0 for most.
 template <class Entry>
-int pole_exponent(const Entry& entry) {
+int line_exponent(const Entry& entry) {
   double largest = 0.0;
   for (int k = 0; k < 6; ++k) largest = std::max(largest, std::abs(entry(k).hi));
   return largest > 0x1p400 && std::isfinite(largest) ? std::ilogb(largest) : 0;
@@ -118,8 +120,8 @@ WideMatrix6 product(WideMatrix6 a, WideMatrix6 b) {
   Exponents row{}, column{};
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    row[at] = pole_exponent([&](int k) { return a(i, k); });
-    column[at] = pole_exponent([&](int k) { return b(k, i); });
+    row[at] = line_exponent([&](int k) { return a(i, k); });
+    column[at] = line_exponent([&](int k) { return b(k, i); });
     for (int k = 0; k < 6; ++k) {
       a(i, k) = ldexp(a(i, k), -row[at]);
       b(k, i) = ldexp(b(k, i), -column[at]);

@@ -116,8 +116,12 @@ symmetric bodies. A state is held when its loss is within the bounds that the he
 gives there (next to a pole up to half the digits). The numbers of Serret's and Sadov's sets and the
 periods of tumblers are held when they are those of an oracle of 1000 digits. A refusal counts as
 right only where the header announces it: where a rate, a period or a number of the set has no
-double. Left out are cases with nothing to compare, such as the period of a body at rest. Jacobians
-are compared with those of the same state in units in which it is of order one: 0 is bit for bit.
+double, or where doubles do not tell its distance from the separatrix. Where a loss is beyond the
+plain bound, half an ulp of each of the six numbers, carried through the oracle, is what the state
+may lose, twice; where they lose the place on the polhode, the momentum in space is compared. Left
+out are cases with nothing to compare, such as the period of a body at rest or a rate below 1e-308,
+and those whose bound says nothing. Jacobians are compared with those of the same state in units in
+which it is of order one: 0 is bit for bit.
 
 | set | tried | failed | held | refused | left out | loss or error, median |
 |---|---|---|---|---|---|---|

@@ -18,7 +18,7 @@
 // Accuracy    docs/guide/singularities.md. Computed in double-double, rounded once: only the last
 //             bit of an entry is in doubt, except in the two functions that take B as an argument.
 //             Entries below 1e-28 of others in their row or column may be rounding, and where q and
-//             g leave of sin I less than 1e-13 by cancelling, its last digits are lost.
+//             g cancel so far that sin I is below 1e-13, its last digits are lost.
 // Errors      none: NaN in, NaN out.
 // Cost        a few microseconds; the functions that take B: a few hundred flops.
 #pragma once

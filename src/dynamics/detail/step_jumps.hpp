@@ -17,7 +17,8 @@ class StepJumps {
   StepJumps(const System& system, const char* why) : switches_(system, why) {}
 
   // After a step by h. Empty, or where a torque jumps because the state says so. A function that
-  // changes its sign and back within the step is not seen: neither is its torque.
+  // changes its sign and back within one step is not seen, though kicks inside the step may feel
+  // the torque between: steps must be shorter than that.
   std::string seen(const SplittingMap& map, const SplittingState& from, double h,
                    const SplittingState& to);
 

@@ -51,9 +51,9 @@ struct PolhodeCurve {
   T a1, a2, a3;             // amplitudes: g' = (a1 cn u, a2 sn u, a3 dn u)  [SA (A24)]
   T n;                      // du/dt, negative in long-axis mode  [SA (A35)]
   T k2, kp2;                // modulus squared and its complement
-  T kap2, r2;  // kappa^2 and lambda^2 / kappa^2 (primed), k2 = kap2 r2  [SA "SadovPar"]; r2 =
-               // (a1/a3)^2, which may be infinite for a needle
-  T K, Kp;     // complete integrals of k and k'; Kp is not set when k2 = 0
+  T kap2;                   // kappa^2 (primed); k2 = kap2 r2  [SA "SadovPar"]
+  T r2;                     // lambda^2 / kappa^2 = (a1/a3)^2; may be infinite for a needle
+  T K, Kp;                  // complete integrals of k and k'; Kp is not set when k2 = 0
   T kp2_mantissa = T(0.0);
 };
 

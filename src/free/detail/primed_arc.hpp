@@ -88,7 +88,7 @@ T merging_argument(const PolhodeCurve<T>& curve, double g1, int g_exponent) {
   e -= g_exponent;
   const int half = curve.kp2_exponent / 2;
   const int common = g1 == 0.0 || (!curve.separatrix && half > e) ? half : e;
-  // of no g1 the exponent means nothing, and 2^(e - common) may be beyond double
+  // without a g1 the exponent means nothing, and 2^(e - common) may overflow
   const T x = g1 == 0.0 ? T(0.0) : T(c * T(std::ldexp(1.0, e - common)));
   const T y2 = x * x + curve.kp2_mantissa * T(std::ldexp(1.0, curve.kp2_exponent - 2 * common));
   return log(T(2.0)) * T(2.0 - common) - log(T(x + sqrt(y2)));

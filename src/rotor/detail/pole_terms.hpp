@@ -15,7 +15,8 @@ namespace detail {
 
 // Powers of two that bring a divisor next to a pole to [1, 2); 0 farther off and exactly at it.
 inline int pole_exponent(const DoubleDouble& divisor) {
-  return divisor.hi > 0.0 && divisor.hi < 0x1p-300 ? -std::ilogb(divisor.hi) : 0;
+  const double size = std::abs(divisor.hi);
+  return size > 0.0 && size < 0x1p-300 ? -std::ilogb(size) : 0;
 }
 
 // m += terms 2^exponent; opposite infinities, at J and I both at a pole, leave that of m.

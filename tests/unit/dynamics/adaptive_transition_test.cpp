@@ -69,6 +69,28 @@ TEST(StateTransitions, WithoutTorqueAreThoseOfTheFreeRotation) {
   }
 }
 
+// Powers of two scale every number of the run, and so no bit of its steps.
+TEST(StateTransitions, DoNotDependOnTheUnitOfMass) {
+  const auto transition = [](double unit) {
+    const Problem problem{System(Body(unit, 1.5 * unit, 2.25 * unit)),
+                          {{}, {0.25 * unit, 0.5 * unit, 1.75 * unit}},
+                          0.0,
+                          20.0,
+                          Adaptive{.tolerance = 1e-9}};
+    return state_transitions(problem, SaveAt::times({20.0}))[0].transition;
+  };
+  const Matrix6 one = transition(1.0);
+  for (const double unit : {0x1p-40, 0x1p40}) {
+    const Matrix6 other = transition(unit);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        EXPECT_EQ(other(i, j), one(i, j));
+        EXPECT_EQ(other(i, j + 3) * unit, one(i, j + 3));
+        EXPECT_EQ(other(i + 3, j + 3), one(i + 3, j + 3));
+      }
+  }
+}
+
 TEST(StateTransitions, OfAGravityGradientAreTheDifferencesOfRuns) {
   const double stop = 3.0, h = 1e-4;
   const auto rows = state_transitions(w1(tight, 0.0, stop), SaveAt::times({stop}));

@@ -81,7 +81,6 @@ TEST(Breakpoints, BackwardsIsTheSameWay) {
   EXPECT_LE(2.0 * std::abs(s.q.z / s.q.w), budget::pulse_angle);
 }
 
-// Kinks of straight lines: the momentum in space is the integral of the table, whatever turns.
 // A step that a breakpoint cuts short says little of the next one, in either direction.
 TEST(Breakpoints, BackwardsTakesNoMoreStepsOfVariation) {
   std::vector<TorqueRow> rows;
@@ -97,10 +96,11 @@ TEST(Breakpoints, BackwardsTakesNoMoreStepsOfVariation) {
         .steps;
   };
   const auto there = steps(-50.0, 60.0), back = steps(60.0, -50.0);
-  EXPECT_LE(back, there + there / 10);
-  EXPECT_LE(there, back + back / 10);
+  EXPECT_NEAR(static_cast<double>(back) / static_cast<double>(there), 1.0,
+              budget::steps_of_either_direction);
 }
 
+// Kinks of straight lines: the momentum in space is the integral of the table, whatever turns.
 TEST(Breakpoints, TumblerUnderATableInSpace) {
   const TorqueTable table({{1.0, {0.0, 0.0, 0.0}},
                            {2.0, {0.3, -0.2, 0.1}},

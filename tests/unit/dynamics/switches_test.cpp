@@ -14,6 +14,7 @@
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
+#include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
@@ -234,6 +235,21 @@ TEST(Switches, ATorqueThatDoesNotSayWhereItJumps) {
     const RotorState end = end_of(bang.problem(bang.unnamed(), 1e5, tolerance));
     EXPECT_NEAR(end.g.z / bang.momentum(1e5), 1.0,
                 tolerance < 1e-10 ? budget::bang_unnamed : budget::bang_unnamed_loose);
+  }
+}
+
+// A term that switches adds to the others, whatever their order.
+TEST(Switches, AddToOtherTerms) {
+  const AnyPerturbation constant("constant", ConstantTorque::in_body({0.0, 0.0, 0.05}));
+  const auto jet = [](const double&, const RotorState&, std::span<const double> sides) {
+    return Vec3{0.0, 0.0, sides[0] > 0.0 ? 0.25 : 0.0};
+  };
+  const auto first = [](double t, const RotorState&) { return std::vector{2.0 - t}; };
+  const AnyPerturbation switched("jet", SwitchedTorqueTerm(jet, first));
+  for (const auto& terms : {std::vector{constant, switched}, {switched, constant}}) {
+    const System system(Body(1.0, 1.5, 2.0), Frame::inertial(), terms);
+    const RotorState end = end_of({system, {{}, {0.0, 0.0, 1.0}}, 0.0, 10.0, Adaptive{}});
+    EXPECT_NEAR(end.g.z, 1.0 + 10.0 * 0.05 + 2.0 * 0.25, budget::bang_floor);
   }
 }
 

@@ -302,6 +302,7 @@ TEST(ChartEdges, SerretOfMomentsThatDifferBySomeRoundings) {
 
 // A polhode so slow that it began 1e10 turns ago: the rounding of t0 is then a turn of the body.
 TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
+  int held = 0;
   for (const double size : {1.0, 0x1p505, 0x1p-505}) {
     const Body body(0.8 * size, size, std::nextafter(size, 2.0 * size));
     for (const double t : {0.0, -1.89, 7.76}) {
@@ -310,6 +311,7 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
       RotorState back{};
       const std::string said = message_of([&] { back = to_rotor(body, to_serret(motion, t), t); });
       if (said == "no error") {
+        ++held;
         EXPECT_LE(difference({back.q, times(1.0 / size, back.g)}, {s.q, times(1.0 / size, s.g)}),
                   budget::serret_next_to_separatrix)
             << size << " " << t;
@@ -318,6 +320,28 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
       }
     }
   }
+  EXPECT_GT(held, 0);
+}
+
+// |I_l| and |I_h| may be above I_g by a rounding or two, as sums of other programs are.
+TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
+  const Body body(1.0, 1.7, 2.1);
+  const double above = 1.0 + 4.0 * polhode::epsilon<double>();
+  const FreeRotation spin(body, {attitude, {0.0, 0.0, 1.0}});
+  polhode::SadovState s = to_sadov(spin, 0.0);
+  s.I_l *= above;
+  EXPECT_LE(difference(to_rotor(body, s), spin.at(0.0)), budget::free_invariants);
+  s.I_h = s.I_g * above;
+  EXPECT_EQ(message_of([&] { static_cast<void>(to_rotor(body, s)); }), "no error");
+  s.I_h = s.I_g * (1.0 + 64.0 * polhode::epsilon<double>());
+  EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, s)); }), HasSubstr("|I_h| <= I_g"));
+}
+
+// NaN in, NaN out: beside the separatrix, too.
+TEST(ChartEdges, SerretAtATimeThatIsNoNumber) {
+  const FreeRotation beside(Body(1.0, 1.7, 2.1), {attitude, {1e-9, 1.0, 1e-10}});
+  for (const double t : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    EXPECT_TRUE(std::isnan(to_serret(beside, t).g0)) << t;
 }
 
 TEST(ChartEdges, SerretNeedsATimeThatADoubleHolds) {

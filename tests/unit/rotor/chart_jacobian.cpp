@@ -88,6 +88,20 @@ TEST(ChartJacobian, NextToAPoleOfTheta) {
   }
 }
 
+// theta of either sign: the same divisor but for its sign.
+TEST(ChartJacobian, NextToAPoleOfThetaOnEitherSide) {
+  for (const double theta : {0x1p-990, 0x1p-1000, 0x1p-1015}) {
+    const polhode::EulerState s{0.3, theta, 0.7, 0.4, 0.2, 0.4};
+    polhode::EulerState other = s;
+    other.theta = -theta;
+    const Matrix6 B = chart_jacobian(s), C = chart_jacobian(other);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_TRUE(std::isfinite(B(i + 3, 3))) << theta;
+      EXPECT_EQ(C(i + 3, 3), -B(i + 3, 3)) << theta;
+    }
+  }
+}
+
 // What turns the body about its momentum leaves the momentum in space alone, and by G it grows in
 // the inertial plane, 1/sin I, or along half the way to it: the derivatives of the conjugates by
 // the attitude are 0 and of this length.
