@@ -128,6 +128,9 @@ TYPED_TEST(BeyondTheOrdinary, HeumanNextToTheQuarter) {
   }
   this->near(heuman_lambda0(one, T(1e-170), any_modulus<T>(0.25)), one, "m = 0.25");
   this->near(heuman_lambda0(one, T(1e-170), any_modulus<T>(0.0)), one, "m = 0");
+  // next to m = 0 and pi/2 it is a function of m / cos^2 psi
+  this->near(heuman_lambda0(one, T(0x1p-500), any_modulus<T>(0x3p-1000)),
+             heuman_lambda0(one, T(0x1p-400), any_modulus<T>(0x3p-800)), "m = 3 cos^2");
   EXPECT_TRUE(std::isnan(to_double(heuman_lambda0(one, any_modulus<T>(2.0)))));
   EXPECT_TRUE(std::isnan(to_double(heuman_lambda0(one, any_modulus<T>(-2.0)))));
 }

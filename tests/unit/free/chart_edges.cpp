@@ -323,6 +323,16 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
   EXPECT_GT(held, 0);
 }
 
+// The action about the axis that the momentum is nearly across is small, and not negative.
+TEST(ChartEdges, SadovOfANeedleAcrossItsAxis) {
+  for (const double g1 : {1e-130, -1e-130}) {
+    const FreeRotation motion(Body(1e-50, 1.0, 1.0), {attitude, {g1, 0.8, 0.6}});
+    const polhode::SadovState s = to_sadov(motion, 0.0);
+    EXPECT_GT(s.I_l, 0.0) << g1;
+    EXPECT_EQ(s.lobe < 0, g1 < 0.0);
+  }
+}
+
 // |I_l| and |I_h| may be above I_g by a rounding or two, as sums of other programs are.
 TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
   const Body body(1.0, 1.7, 2.1);

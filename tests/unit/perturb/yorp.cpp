@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "budgets.hpp"
@@ -98,8 +99,11 @@ TEST(Yorp, SymmetriesAndAxes) {
   EXPECT_NEAR(near.spin, far.spin, budget::yorp_quadrature * 10.0);
   EXPECT_NEAR(near.obliquity, -far.obliquity, budget::yorp_quadrature * 10.0);
   const double h = std::sqrt(0.5);  // and axis 3 to axis 1 and to axis 2
-  for (const Quaternion& q : {drawn_case(921, 0).s.q, {h, 0.0, h, 0.0}, {h, -h, 0.0, 0.0}}) {
-    const Vec3 axis = rotate(q, Vec3{0, 0, 2});
+  const Quaternion drawn = drawn_case(921, 0).s.q;
+  const std::pair<Quaternion, Vec3> turns[] = {{drawn, rotate(drawn, Vec3{0, 0, 2})},
+                                               {{h, 0.0, h, 0.0}, {2, 0, 0}},
+                                               {{h, -h, 0.0, 0.0}, {0, 2, 0}}};
+  for (const auto& [q, axis] : turns) {
     EXPECT_LE(distance(yorp_torque(surface.along(conj(q)), 0.7, axis), yorp_torque(surface, 0.7)),
               budget::yorp_quadrature * 10.0);
   }
