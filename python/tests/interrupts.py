@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Ctrl-C in the middle of a call, and how long the call takes to stop."""
 
-import os
 import signal
 import threading
 import time
 
 import pytest
+from slowdown import SLOWDOWN
 
-SLOWDOWN = float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
-"""Limits of time are that many times as long: on busy machines, and under sanitizers."""
 LATEST = 0.5 * SLOWDOWN
 """Seconds from the signal to the exception: five times what is promised, for busy machines."""
 

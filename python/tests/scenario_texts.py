@@ -5,8 +5,8 @@ import pathlib
 import subprocess
 
 import pytest
-from interrupts import SLOWDOWN
 from polhode import _core
+from slowdown import SLOWDOWN
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))

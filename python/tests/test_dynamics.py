@@ -16,7 +16,7 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from interrupts import LATEST, SLOWDOWN, seconds_from_signal
+from interrupts import LATEST, seconds_from_signal
 from polhode import (
     Adaptive,
     Body,
@@ -40,6 +40,7 @@ from polhode import (
     integrate,
     state_transitions,
 )
+from slowdown import SLOWDOWN
 
 BODY = Body(1.0, 2.0, 2.7)
 START = RotorState([0.5, 0.5, -0.5, 0.5], [0.8, 1.9, 0.3])

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 import polhode
 import pytest
-from interrupts import LATEST, SLOWDOWN, seconds_from_signal
+from interrupts import LATEST, seconds_from_signal
 from polhode import OutputError, Scenario, ScenarioError, Units, load
 from scenario_texts import (
     BODY,
@@ -27,6 +27,7 @@ from scenario_texts import (
     STATE,
     command_line,
 )
+from slowdown import SLOWDOWN
 
 EVENTS = (
     BODY + STATE + "[[event]]\nname = \"up\"\ncolumn = \"g1\"\n"

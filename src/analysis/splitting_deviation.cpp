@@ -61,7 +61,7 @@ class SplittingDeviation final : public DeviationRun {
              ": take a smaller step, or see whether a term is finite there";
     const bool is_whole = !last || std::abs(std::abs(h) - step_) <= stretch * step_;
     std::string refused = is_whole ? jumps_.seen(map_, grid_.motion, h, next.motion)
-                                   : StepJumps(jumps_).seen(map_, grid_.motion, h, next.motion);
+                                   : jumps_.seen_in_part(map_, grid_.motion, h, next.motion);
     if (!refused.empty()) return refused;
     ++steps_;
     if (last) next.motion.t = {t, 0.0};

@@ -86,12 +86,13 @@ struct Transitions {
     const double step = std::copysign(method.step, problem.stop - problem.start);
     Matrix6 transition = Matrix6::identity();
     detail::StepJumps jumps(problem.system, unknown_jump);
-    const auto stepped = [&](double h, detail::StepJumps& watch) {
-      detail::SplittingState next = map.stepped(now, h);
+    const auto stepped = [&](double h) {
+      const detail::SplittingState next = map.stepped(now, h);
       require_finite(next.t.hi, map.state(next));
-      const std::string refused = watch.seen(map, now, h, next);
-      if (!refused.empty()) throw DomainError("state_transitions: " + refused);
       return next;
+    };
+    const auto require_none = [](const std::string& jump) {
+      if (!jump.empty()) throw DomainError("state_transitions: " + jump);
     };
     std::vector<TransitionSample> rows;
     for (const double t : times) {
@@ -100,13 +101,14 @@ struct Transitions {
         if (now.t.hi + step == now.t.hi)
           throw DomainError("state_transitions: step " + number_text(method.step) +
                             " is below the rounding of t = " + number_text(now.t.hi));
-        const detail::SplittingState next = stepped(step, jumps);
+        const detail::SplittingState next = stepped(step);
+        require_none(jumps.seen(map, now, step, next));
         transition = map.step_transition(now, step) * transition;
         now = next;
         tell(now.t.hi);
       }
-      detail::StepJumps until_there = jumps;
-      const detail::SplittingState there = stepped(rest(), until_there);
+      const detail::SplittingState there = stepped(rest());
+      require_none(jumps.seen_in_part(map, now, rest(), there));
       rows.push_back({t, map.state(there), map.step_transition(now, rest()) * transition});
       tell(t);
     }

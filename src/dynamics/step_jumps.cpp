@@ -39,6 +39,12 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
   return {};
 }
 
+std::string StepJumps::seen_in_part(const SplittingMap& map, const SplittingState& from, double h,
+                                    const SplittingState& to) const {
+  if (!switches_.is_needed()) return {};  // without a copy
+  return StepJumps(*this).seen(map, from, h, to);
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -5,9 +5,10 @@ import os
 import subprocess
 
 import pytest
+from slowdown import SLOWDOWN
 
 ENVIRONMENT = {"PATH": os.environ["PATH"], "LANG": "C.UTF-8"}
-SECONDS = 120 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+SECONDS = 120 * SLOWDOWN
 
 
 @pytest.fixture(scope="session")

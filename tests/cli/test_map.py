@@ -10,8 +10,9 @@ import budgets
 import h5py
 import numpy
 import pytest
+from slowdown import SLOWDOWN
 
-SECONDS = 60 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+SECONDS = 60 * SLOWDOWN
 
 MAP = """
 [map]

@@ -8,8 +8,9 @@ import select
 import subprocess
 
 import pytest
+from slowdown import SLOWDOWN
 
-SECONDS = 30 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+SECONDS = 30 * SLOWDOWN
 BAR = re.compile(r"\[[#.]{8,40}\] (.*)")
 LINE = re.compile(r" *\d+ %, t = \S+ s, \S+ s per second, \S+ (s|min|h|d) left")
 

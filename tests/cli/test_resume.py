@@ -10,10 +10,11 @@ import time
 import budgets
 import killed_runs
 import pytest
+from slowdown import SLOWDOWN
 
 KILLS = 8
 SEED = 20260101
-SECONDS = 60 * float(os.environ.get("POLHODE_TEST_SLOWDOWN", "1"))
+SECONDS = 60 * SLOWDOWN
 SHORT = "stop = 3000\nstep = 0.1"
 DAMPED = ('[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n'
           '[[perturbation]]\nkind = "damping"\ncoefficients = [1e-9, 1e-9, 1e-9]')

@@ -21,6 +21,9 @@ class StepJumps {
   // the torque between: steps must be shorter than that.
   std::string seen(const SplittingMap& map, const SplittingState& from, double h,
                    const SplittingState& to);
+  // The same after a part of a step, up to a sample, which the run does not keep.
+  std::string seen_in_part(const SplittingMap& map, const SplittingState& from, double h,
+                           const SplittingState& to) const;
 
  private:
   SwitchWatch switches_;

@@ -29,11 +29,12 @@ struct TableHeader {
   std::map<std::string, Note, std::less<>> columns;  // units by name
 };
 
+// The axes that a scenario knows by name.
+bool is_axes(std::string_view text);
+
 // "# t counts from 2029-04-13T00:00:00 UTC; axes: equator-J2000", "# units: t [s], x [km]",
 // "# ISS, SGP4; t in s after 2029-04-13T00:00:00.000 UTC; km; equator-J2000", and of Horizons
 // "Output units : KM-S", "Reference frame : ICRF".
-// The axes that a scenario knows by name.
-bool is_axes(std::string_view text);
 TableHeader header_of(const NumberTable& table);
 
 // The time scale that the name of a column of dates says: "JDTDB", "Calendar Date (TDB)".
