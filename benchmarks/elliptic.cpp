@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elliptic kernels beside Boost.Math and GSL: time per call, and error against 50 digits.
+// Elliptic kernels next to Boost.Math and GSL: time per call, and error against 50 digits.
 //
 // Everyone is given the same modulus (m, m1), in the form that the function takes: polhode the
 // pair, the others k or m rounded from it. error is the largest over 64 arguments: relative for F,

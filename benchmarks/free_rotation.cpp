@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One state of a free rotation: FreeRotation::at beside the textbook form (Jacobi functions and an
+// One state of a free rotation: FreeRotation::at next to the textbook form (Jacobi functions and an
 // incomplete integral of the third kind per state) with Boost.Math and with GSL; then preparation
 // and the transition matrix. Short-axis mode, times up to 1e4 rad of rotation. `error` is the
 // largest angle (rad) from the textbook form at 50 digits, over 64 times; `k` is the modulus.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // W1, a thousand orbits of a tumbling body under the gravity gradient (moments 0.9, 1, 1.1; e =
-// 0.1; 9.9 turns an orbit): CPU seconds beside `error`, the angle (rad) from the end of an 80-bit
+// 0.1; 9.9 turns an orbit): CPU seconds next to `error`, the angle (rad) from the end of an 80-bit
 // Taylor integration, for every method; and Boost.Odeint on the state (q, omega, position,
 // velocity). One run each: what spreads is the error of neighbouring tolerances.
 #include <benchmark/benchmark.h>

@@ -115,8 +115,8 @@ the C++ is `benchmarks/batch_conversions.cpp`, compiled alike.
 |---|---|
 {scalar}
 
-`import polhode` takes {more:.2f} s more than `import numpy` ({numpy_import:.2f} s); beside
-NumPy it imports tomlkit alone. What is behind the numbers is in
+`import polhode` takes {more:.2f} s more than `import numpy` ({numpy_import:.2f} s); apart from
+NumPy it imports only tomlkit. What is behind the numbers is in
 [the design of the package](../design/0006-python.md).
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Apophis: runs the scenario beside this file, says how it tumbles, and draws it.
+"""Apophis: runs the scenario next to this file, says how it tumbles, and draws it.
 
     python apophis.py [PATH.png]
 """

@@ -335,7 +335,7 @@ inline constexpr double time_of_touch = 1e-7;
 // state some thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
 inline constexpr double event_time = 1e-7;
 inline constexpr double event_time_loose = 1e-2;
-// And beside an orbit; at 1e-6; by a splitting of order 2.
+// And next to an orbit; at 1e-6; by a splitting of order 2.
 inline constexpr double event_time_beside_orbit = 1e-8;
 inline constexpr double event_time_beside_orbit_loose = 1e-2;
 // What an event function is at its event, also inside a splitting's step of seven turns.
@@ -552,7 +552,7 @@ inline constexpr double gallery_run = 1e-8;
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.
 inline constexpr double figure_sampled = 2e-5;
-// Products of lengths in pixels, small beside where they are.
+// Products of lengths in pixels, small compared with where they are.
 inline constexpr double numpy_pixels = 4e-13;
 
 // --- instantaneous ellipses (python/tests/test_figures_ellipses.py), in the orbit's own units ---
@@ -575,7 +575,7 @@ inline constexpr double run_memory = 1.2;
 inline constexpr double aem_difference = 1e-4;
 
 // --- Apophis in 2029 (python/tests/test_apophis_2029.py) ---
-// deg: between the plane or pericentre of the example and those of either orbit beside it.
+// deg: between the plane or pericentre of the example and those of either orbit next to it.
 inline constexpr double apophis_plane = 2.0;
 // Against SciPy's DOP853 after 96 h.
 inline constexpr double apophis_scipy = 1e-9;

@@ -64,7 +64,7 @@ def paper_labels():
 
 
 def labels_of(tag, known):
-    """The equations that one tag names; a label that is none of the paper's comes back as it is."""
+    """The equations that one tag names; a label that is not the paper's comes back as it is."""
     for first, last, single, word, section in PART.findall(re.sub(r"\s*\n\s*//\s*", " ", tag)):
         if first and split_number(first) and split_number(last):
             yield from (label for label in span(first, last) if label in known)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Libration of Phobos, beside the direction to Mars."""
+"""Libration of Phobos, next to the direction to Mars."""
 
 import pathlib
 

@@ -6,7 +6,7 @@ one that spins about its intermediate axis and turns over (bottom). Error of att
 kinetic energy and of the angular momentum in space against the exact motion, for three of its
 integrators and two steps. Black dots: polhode's FreeRotation against the golden states. 16 and
 18 turns; a step of 0.01 is about 0.01 rad. Errors below 1e-17 are drawn there. What to
-conclude, and a table: [polhode beside MuJoCo](mujoco.md)."""
+conclude, and a table: [polhode next to MuJoCo](mujoco.md)."""
 
 import mujoco
 import numpy as np

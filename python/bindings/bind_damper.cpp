@@ -40,7 +40,7 @@ void def_functions(nb::class_<K>& c) {
        },
        nb::arg("body"), nb::arg("rate"),
        nb::sig(("def rate_of_body(self, body: Body, rate" + given + ") -> " + array).c_str()),
-       "(..., 3): what body and sphere turn with beside I^-1 g, v = -J I^-1 rate.")
+       "(..., 3): what body and sphere turn with in addition to I^-1 g, v = -J I^-1 rate.")
       .def(
           "energy",
           [](const K& damper, const Body& body, nb::handle rate) {
@@ -51,7 +51,7 @@ void def_functions(nb::class_<K>& c) {
           },
           nb::arg("body"), nb::arg("rate"),
           nb::sig(("def energy(self, body: Body, rate" + given + ") -> float | " + array).c_str()),
-          "What the kinetic energy has beside (1/2) g . I^-1 g: (1/2) J rate . (1 - J/I) rate.")
+          "The kinetic energy in addition to (1/2) g . I^-1 g: (1/2) J rate . (1 - J/I) rate.")
       .def(
           "acceleration",
           [](const K& damper, const Body& body, nb::handle g, nb::handle dg, nb::handle rate) {
@@ -115,7 +115,7 @@ moment : J, of the sphere.
 friction : c, torque per rate.
 
 ValueError for a moment that is not positive or a friction that is negative; System refuses a
-moment that leaves no body beside it.)");
+moment that leaves no body next to it.)");
   c.def(nb::init<double, double>(), nb::arg("moment"), nb::arg("friction"))
       .def_prop_ro("moment", &K::moment, "J, of the sphere.")
       .def_prop_ro("friction", &K::friction, "c, torque per rate.")

@@ -130,7 +130,7 @@ std::vector<TorqueRow> rows_of(nb::handle times, nb::handle torques) {
   Numbers both[] = {Numbers(times, "times"), Numbers(torques, "torques", {3})};
   if (both[0].shape().size() != 1 || both[0].shape() != both[1].shape())
     throw nb::value_error(("TorqueTable: torques: got shape " + text_of(both[1].shape()) +
-                           " x 3 beside times of shape " + text_of(both[0].shape()) +
+                           " x 3 with times of shape " + text_of(both[0].shape()) +
                            "; expected (n, 3) and (n,)")
                               .c_str());
   const Shape shape = broadcast(both);

@@ -104,8 +104,8 @@ void bind_higher(nb::module_& m) {
   nb::class_<C, PythonTerm> c(m, "HigherGravity",
                               R"(What a point mass does to a body's moments of degree 3 and 4.
 
-From H' = -gm integral dm / |r - x|, degrees 3 and 4 of the series in 1/r. Degree 2 is not here: put
-GravityGradient beside it.
+From H' = -gm integral dm / |r - x|, degrees 3 and 4 of the series in 1/r. Degree 2 is not here: add
+GravityGradient as well.
 
 Parameters
 ----------
@@ -172,7 +172,7 @@ void bind_oblate(nb::module_& m) {
                               R"(What the J2 of the attracting body adds to the gravity gradient.
 
 The field is -gm / r (1 - J2 (R / r)^2 P2(sin latitude)); its part in J2 acts on the moments of
-inertia. The point mass is not here: put GravityGradient beside it.
+inertia. The point mass is not here: add GravityGradient as well.
 
 Parameters
 ----------

@@ -72,7 +72,7 @@ void bind_rates(nb::module_& m) {
   using R = SecularRates;
   nb::class_<R> c(m, "SecularRates",
                   "Uniform rates (rad per time) of node, argument of the pericentre and mean "
-                  "anomaly; the last beside the mean motion.");
+                  "anomaly; the last in addition to the mean motion.");
   c.def(
        "__init__",
        [](R* self, double node, double argument, double mean_anomaly) {
@@ -82,7 +82,7 @@ void bind_rates(nb::module_& m) {
       .def_ro("node", &R::node, "Of the node, rad per time.")
       .def_ro("argument", &R::argument, "Of the argument of the pericentre, rad per time.")
       .def_ro("mean_anomaly", &R::mean_anomaly,
-              "Of the mean anomaly beside the mean motion, rad per time.")
+              "Of the mean anomaly in addition to the mean motion, rad per time.")
       .def("__repr__", [](const R& r) {
         return "SecularRates(node=" + number_text(r.node) +
                ", argument=" + number_text(r.argument) +

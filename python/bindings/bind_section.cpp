@@ -16,7 +16,7 @@ namespace polhode::python {
 
 namespace {
 
-// The points are beside the rest: arrays keep what they look at, and no more.
+// The points are next to the rest: arrays keep what they look at, and no more.
 template <class Point>
 struct PythonSection {
   std::shared_ptr<const std::vector<Point>> points;

@@ -14,7 +14,7 @@ namespace polhode::python {
 
 namespace {
 
-// A map that can be told to stop, from any thread.
+// A map that can be asked to stop, from any thread.
 struct PythonMap {
   explicit PythonMap(const Scenario& scenario)
       : map(scenario.text,

@@ -30,7 +30,7 @@ using AnyPythonOrbit =
 AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
                         std::vector<SharedFunction>& functions);
 
-// Dates and planets, bound beside the orbits.
+// Dates and planets, bound with the orbits.
 void bind_ephemeris(nb::module_& m);
 
 }  // namespace polhode::python

@@ -70,7 +70,7 @@ nb::object attribute(nb::handle value, PyObject* name) {
   return nb::none();
 }
 
-// Of a type whose numbers have nothing beside them but a dtype.
+// Of a type whose numbers carry nothing but a dtype.
 bool is_numpy_scalar(nb::handle value) {
   PyObject* const generic = names().generic;
   return generic != nullptr && PyObject_IsInstance(value.ptr(), generic) == 1;

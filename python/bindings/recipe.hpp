@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Python object was made from, kept beside the C++ value that does not tell: for its
+// What a Python object was made from, kept with the C++ value, which does not say: for its
 // properties, for pickles, equality and repr, and for the garbage collector.
 #pragma once
 

@@ -307,8 +307,8 @@ void bind_rates(nb::module_& m) {
                   "(104)-(107), (111), (118)-(122)]");
   def_of_chart<3>(m, "convective_term", convective_term,
                   "What the perturbation adds to the rates of the three coordinates of a chart, "
-                  "beside the unperturbed function of the same variables: (..., 3). Of the Euler "
-                  "angles it is Phi of [SA (107), (111)].");
+                  "in addition to the unperturbed function of the same variables: (..., 3). Of the "
+                  "Euler angles it is Phi of [SA (107), (111)].");
 }
 
 // Three axes at every state: the AxisAngles of each are views of one block.

@@ -10,7 +10,7 @@
 
 namespace polhode::python {
 
-// The samples are beside the rest, and not in it: arrays keep what they look at, and the garbage
+// The samples are next to the rest, and not in it: arrays keep what they look at, and the garbage
 // collector does not see into arrays. One that kept the terms would keep, through a term in Python,
 // the globals of a script, hence itself.
 struct PythonTrajectory {

@@ -63,7 +63,7 @@ class _Tables:
                 "scenario cannot say; expected SpaceAxes.inertial"
             )
 
-    # Gravity: the file has one table for a point mass and what is beside it.
+    # Gravity: the file has one table for a point mass and what comes with it.
 
     def _GravityGradient(self, term: Any, given: dict[str, Any]) -> None:
         name = self._orbit_name(term, term.orbit)

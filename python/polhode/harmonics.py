@@ -86,7 +86,7 @@ def harmonic_fit(
     the rows do not tell apart, and corrections of periods that do not come to an end. Terms are
     apart where an error of the rows is at most twice as large in their amplitudes as it would be
     without the other terms: two periods need a span of half their beat (all of it is safe), a
-    period beside a mean and a rate nearly a turn.
+    period together with a mean and a rate nearly a turn.
     """
     times, series = _series(t, y)
     P = _periods(periods)
@@ -173,25 +173,25 @@ def _indistinct(columns: Array, P: Array, span: float) -> ValueError:
     share = vt[-1] ** 2  # of each column in the combination that vanishes, nearly
     of_terms = share[-2 * J : -J] + share[-J:] if J else np.empty(0)
     terms = np.argsort(of_terms)[::-1]
-    told = "harmonic_fit: the rows do not tell apart"
+    start = "harmonic_fit: the rows do not tell apart"
     if J == 0 or of_terms[terms[0]] < 0.01:
-        return ValueError(f"{told} the powers of the polynomial: their span is {span:g}; expected "
+        return ValueError(f"{start} the powers of the polynomial: their span is {span:g}; expected "
                           "more times, or a smaller degree")  # fmt: skip
     alike = "at these times they are alike; expected denser or uneven times, or fewer terms"
     first = P[terms[0]]
     if J == 1 or of_terms[terms[1]] < 0.1 * of_terms[terms[0]]:
-        told += f" the period {float(first)!r} and the polynomial: "
+        start += f" the period {float(first)!r} and the polynomial: "
         enough = 1.5 * first
-        return ValueError(told + (alike if span > enough else f"their span is {span:g}; expected "
+        return ValueError(start + (alike if span > enough else f"their span is {span:g}; expected "
                                   f"a span of {enough:g}, or fewer terms"))  # fmt: skip
     first, second = P[np.sort(terms[:2])]
     pair = f"the periods {float(first)!r} and {float(second)!r}"
     turns = abs(1.0 / first - 1.0 / second)
     if turns * span > 1.0:
-        return ValueError(f"{told} {pair}: {alike}")
+        return ValueError(f"{start} {pair}: {alike}")
     if turns == 0.0:
-        return ValueError(f"{told} {pair}: expected one of them")
-    return ValueError(f"{told} {pair}: their span is {span:g}; expected a span of their beat, "
+        return ValueError(f"{start} {pair}: expected one of them")
+    return ValueError(f"{start} {pair}: their span is {span:g}; expected a span of their beat, "
                       f"{1.0 / turns:g}, or one of the two")  # fmt: skip
 
 

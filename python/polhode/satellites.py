@@ -134,8 +134,8 @@ class Satellite:
 def satellite_from_tle(line1: str, line2: str, name: str | None = None) -> Satellite:
     """The satellite of two lines of elements.
 
-    ValueError for lines that are none, or whose checksum is wrong: it names the line and both
-    digits.
+    ValueError for lines that are not element sets, or whose checksum is wrong: it names the
+    line and both digits.
     """
     lines = [line1.rstrip(), line2.rstrip()]
     for number, line in enumerate(lines, 1):

@@ -81,7 +81,7 @@ class Scenario:
     def from_text(cls, text: str | bytes, name: str = "scenario.toml") -> Scenario:
         """The scenario in a text; `name` stands for the file in messages and outputs.
 
-        Files that it names (tables, meshes) are looked for beside `name`: with the default, in the
+        Files that it names (tables, meshes) are looked for next to `name`: with the default, in the
         current folder.
         """
         if not isinstance(text, (str, bytes)):
@@ -160,7 +160,7 @@ class Scenario:
     def save(self, path: Path, *, overwrite: bool = False) -> None:
         """Writes the text to a file, as PATH.part until it is complete.
 
-        Files that it names by relative paths have to lie beside the new file too.
+        Files that it names by relative paths have to lie next to the new file too.
 
         FileExistsError for a file that is there, unless `overwrite`: it may be written by hand.
         (Results.write and run replace the files that they write.)

@@ -40,7 +40,7 @@ def write_ck(
 ) -> Kernels:
     """The attitudes and angular velocities of a run as a CK of type 3, with its clock and frame.
 
-    PATH.bc is written as PATH.bc.part and renamed when it is complete; beside it PATH.tsc, a clock
+    PATH.bc is written as PATH.bc.part and renamed when it is complete; next to it PATH.tsc, a clock
     of a microsecond per tick that runs with TDB, and PATH.tf, which names the frame. SPICE turns
     linearly between the rows: take them close enough.
 

@@ -30,7 +30,7 @@ def command_line(*arguments: object) -> str:
     """What the `polhode` of the same build prints."""
     program = pathlib.Path(_core.__file__).resolve().parents[2] / "polhode"
     if not program.exists():
-        pytest.skip("an installed package has no command line beside it")
+        pytest.skip("an installed package has no command line with it")
     done = subprocess.run(
         [program, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
         check=True, timeout=120 * SLOWDOWN,

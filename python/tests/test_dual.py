@@ -121,7 +121,7 @@ def test_arrays_of_duals_are_arrays():
     assert [c.value for c in cross] == [2.0, -1.0, 0.0]
     assert (np.eye(3) @ v).shape == (3,)
     assert [x.value for x in np.sin(v)] == [math.sin(k) for k in (1.0, 2.0, 3.0)]
-    # an array beside a Dual makes an array
+    # an array combined with a Dual makes an array
     assert isinstance(np.sum(v), Dual) and isinstance(np.multiply(2.0, v[0]), Dual)
     assert np.arctan2(v, v[0]).shape == np.add.outer(v, [1.0]).ravel().shape == (3,)
     assert np.less(v[0], 2.0) and np.maximum(v[0], 2.0) == 2.0

@@ -81,7 +81,7 @@ def test_units_are_values():
     assert pickle.loads(pickle.dumps(units)) == units == copy.copy(units) == eval(repr(units))
 
 
-@pytest.mark.parametrize(("call", "told"), [
+@pytest.mark.parametrize(("call", "message"), [
     (lambda: Units("hours"), "did you mean h?"),
     (lambda: Units(angle="km"), "is not a unit of angle"),
     (lambda: Units().to_core("3 deg", "time"), "is not a unit of time"),
@@ -90,7 +90,7 @@ def test_units_are_values():
     (lambda: Units().to_core("3 " + "h" * 300, "time"), "more than 200 letters"),
     (lambda: Units().to_core(3, "tiem"), "expected one of number time angle"),
 ])
-def test_wrong_units_say_what_was_expected(call, told):
+def test_wrong_units_say_what_was_expected(call, message):
     with pytest.raises(ValueError) as error:
         call()
-    assert told in str(error.value)
+    assert message in str(error.value)

@@ -141,7 +141,7 @@ def test_periods_that_even_rows_cannot_separate_are_named(periods):
 @pytest.mark.parametrize("beats", [0.02, 0.1, 0.3, 0.4, 0.6, 1.0, 3.0])
 @pytest.mark.parametrize("period", [1.0, 3.7, 11.0])
 def test_noise_is_at_most_doubled_or_the_fit_is_refused(beats, period):
-    """The scatter of amplitudes over many draws of noise, beside that of the term alone."""
+    """The scatter of amplitudes over many draws of noise, next to that of the term alone."""
     other = 1.0 / (1.0 / period + beats / 30.0)
     noise = np.random.default_rng(10).normal(size=(len(SPAN), 2000))
     alone = harmonic_fit(SPAN, noise, [period])

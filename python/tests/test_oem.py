@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Orbit Ephemeris Messages: read_oem beside the package `oem`, and as the orbit of a scenario."""
+"""Orbit Ephemeris Messages: read_oem against the package `oem`, and as the orbit of a scenario."""
 
 import budgets
 import numpy as np

@@ -73,7 +73,7 @@ def test_it_is_a_mapping(apophis):
     assert apophis.units["t"] == "h" and apophis.groups and apophis.events == []
 
 
-@pytest.mark.parametrize(("name", "told"), [
+@pytest.mark.parametrize(("name", "message"), [
     ("thetta", "no column \"thetta\"; did you mean theta"),
     ("w1_rel", "no column \"w1_rel\": [output] columns must name it; these results have t, qw"),
     ("omega", "\"omega\" is a group of columns: results.groups[\"omega\"], or w1, w2, w3"),
@@ -81,10 +81,10 @@ def test_it_is_a_mapping(apophis):
     (3, "got 3; expected the name of a column"),
     (["t"], "got ['t']; expected the name of a column"),
 ])
-def test_a_missing_column_says_what_there_is(apophis, name, told):
+def test_a_missing_column_says_what_there_is(apophis, name, message):
     with pytest.raises(KeyError) as error:
         apophis[name]
-    assert str(error.value).startswith(told)
+    assert str(error.value).startswith(message)
 
 
 def test_states_are_those_of_the_motion():

@@ -176,10 +176,10 @@ def test_resume_goes_on_to_the_same_bits(method):
 
 
 def test_progress_of_integrate():
-    told = []
+    reported = []
     polhode.integrate(problem(polhode.Splitting(0.001)), [300.0], dense=False,
-                      progress=told.append)
-    assert told == sorted(told) and (not told or 0 < told[0] < 300)
+                      progress=reported.append)
+    assert reported == sorted(reported) and (not reported or 0 < reported[0] < 300)
 
     def stop(t):
         raise Stop(t)

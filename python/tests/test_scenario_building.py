@@ -194,11 +194,11 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("system", "told"), REFUSED)
-def test_what_has_no_place_in_a_file_is_named(system, told):
+@pytest.mark.parametrize(("system", "message"), REFUSED)
+def test_what_has_no_place_in_a_file_is_named(system, message):
     with pytest.raises(ValueError) as error:
         Scenario.build(system, STATES[0])
-    assert told in str(error.value)
+    assert message in str(error.value)
 
 
 def test_axes_of_a_frame_at_rest_are_inertial():

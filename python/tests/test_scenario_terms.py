@@ -249,11 +249,11 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("terms", "told"), REFUSED)
-def test_what_a_file_cannot_say_is_named(terms, told):
+@pytest.mark.parametrize(("terms", "message"), REFUSED)
+def test_what_a_file_cannot_say_is_named(terms, message):
     with pytest.raises(ValueError) as error:
         Scenario.build(System(BODY, terms=terms), START)
-    assert told in str(error.value)
+    assert message in str(error.value)
 
 
 def test_objects_of_python_become_tables_of_their_kind():

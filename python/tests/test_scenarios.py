@@ -61,9 +61,9 @@ def test_an_example_gives_the_files_of_the_command_line(path, tmp_path):
 def test_summary_and_citations_are_those_of_the_command_line(path):
     scenario = load(path)
     assert str(scenario.summary) + "\n" == command_line("info", path)
-    told = json.loads(command_line("info", "--json", path))
-    assert list(told) == list(scenario.summary)
-    for key, value in told.items():
+    shown = json.loads(command_line("info", "--json", path))
+    assert list(shown) == list(scenario.summary)
+    for key, value in shown.items():
         mine = scenario.summary[key]
         if isinstance(value, str):
             assert mine == value
@@ -134,7 +134,7 @@ def test_scenarios_are_values():
 # Wrong files.
 
 
-@pytest.mark.parametrize(("text", "told"), [
+@pytest.mark.parametrize(("text", "message"), [
     (FREE.replace("[1, 2, 2.5]", "[1, 1, 3]"), "f.toml:3:11: body.moments: got"),
     (FREE.replace("step", "stpe"), "did you mean step?"),
     (FREE + "[output]\ncolumns = [\"omgea\"]\n", "did you mean \"omega\"?"),
@@ -142,10 +142,10 @@ def test_scenarios_are_values():
     (b"\xff\xfe", "f.toml:1:1"),
     ("schema = 1\n\x00", "f.toml:2:1"),
 ])
-def test_a_wrong_scenario_says_where(text, told):
+def test_a_wrong_scenario_says_where(text, message):
     with pytest.raises(ScenarioError) as error:
         Scenario.from_text(text, "f.toml")
-    assert told in str(error.value)
+    assert message in str(error.value)
     assert isinstance(error.value, ValueError) and isinstance(error.value, polhode.DomainError)
 
 
@@ -342,16 +342,16 @@ def test_from_dict_takes_what_toml_has():
     assert Scenario.from_dict(again, "here.toml") == s
 
 
-@pytest.mark.parametrize(("value", "told"), [
+@pytest.mark.parametrize(("value", "message"), [
     (None, "body.moments: got None"),
     (polhode.Regime.rest, "body.moments: got "),
     ([1, object(), 2], "body.moments: got <object"),
     (1j, "body.moments: got 1j"),
 ])
-def test_from_dict_refuses_what_toml_has_not(value, told):
+def test_from_dict_refuses_what_toml_has_not(value, message):
     with pytest.raises(TypeError) as error:
         Scenario.from_dict({"schema": 1, "body": {"moments": value}})
-    assert str(error.value).startswith(told)
+    assert str(error.value).startswith(message)
     with pytest.raises(TypeError, match="body: got a key 3"):
         Scenario.from_dict({"schema": 1, "body": {3: value}})
     with pytest.raises(ScenarioError, match="title: got .* without control characters"):

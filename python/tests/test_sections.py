@@ -198,10 +198,10 @@ def test_a_map_of_sections_has_the_points_of_each_start():
 def test_threads_and_files(tmp_path):
     scenario = Scenario.from_text(SECTION)
     one, two = tmp_path / "one.csv", tmp_path / "two.csv"
-    told = []
-    first = scenario.map(one, threads=1, progress=lambda k, of: told.append((k, of)))
+    reported = []
+    first = scenario.map(one, threads=1, progress=lambda k, of: reported.append((k, of)))
     second = scenario.map([two, tmp_path / "two.h5"], threads=4)
-    assert told == [(k, 15) for k in range(1, 16)]
+    assert reported == [(k, 15) for k in range(1, 16)]
     assert first == second and one.read_bytes() == two.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["one.csv", "two.csv", "two.h5"]
 
@@ -227,9 +227,9 @@ def test_a_map_goes_on_where_it_was_stopped(tmp_path):
         scenario.map(out)
     with pytest.raises(ValueError, match="map: got resume=True and restart=True"):
         scenario.map(out, resume=True, restart=True)
-    told = []
-    assert scenario.map(out, resume=True, progress=lambda k, of: told.append(k)) == whole
-    assert told[0] == 8 and out.exists() and not (tmp_path / "map.csv.cells").exists()
+    reported = []
+    assert scenario.map(out, resume=True, progress=lambda k, of: reported.append(k)) == whole
+    assert reported[0] == 8 and out.exists() and not (tmp_path / "map.csv.cells").exists()
 
 
 def test_ctrl_c_ends_a_map(tmp_path):

@@ -115,7 +115,7 @@ def light(p, to_sun):
 
 
 def light_in_the_open(p, sun, radius=600 * KM):
-    """Nothing of the Sun's disc is behind the centre of the orbit: seen far beside it."""
+    """Nothing of the Sun's disc is behind the centre of the orbit: seen far from its axis."""
     to_sun, to_centre = sun - p.x, -p.x
     distance = np.linalg.norm(to_centre)
     apart = np.arccos(unit(to_sun) @ unit(to_centre))

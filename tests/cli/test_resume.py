@@ -137,9 +137,9 @@ def test_no_output_of_an_unfinished_run_is_overwritten(polhode, run, long, scena
     for other in (second, events):
         done = run("run", short, "--out", other, cwd=tmp_path)
         assert done.returncode == 2 and done.stderr.count("\n") == 1
-        place, told = done.stderr.split(": an unfinished run is there ")
+        place, rest = done.stderr.split(": an unfinished run is there ")
         assert checkpoint.samefile(place)
-        assert "rows, in p.csv, p.h5, e.csv); --resume continues it, --restart begins anew" in told
+        assert "rows, in p.csv, p.h5, e.csv); --resume continues it, --restart begins anew" in rest
     done = run("run", long, "--out", "b/p.h5", "--resume", cwd=tmp_path)
     assert done.returncode == 2 and "outputs was" in done.stderr
     assert (folders[1] / "p.h5.part").read_bytes() == before

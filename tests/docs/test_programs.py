@@ -28,8 +28,8 @@ def printed(program, folder, build):
 def test_an_example_prints_what_it_says(program, tmp_path, build):
     mark = "//" if program.suffix == ".cpp" else "#"
     text = program.read_text(encoding="utf-8")
-    told = text.split(f"{mark} Prints:\n")[1].splitlines()
-    expected = "\n".join(line.removeprefix(mark) for line in told)
+    lines = text.split(f"{mark} Prints:\n")[1].splitlines()
+    expected = "\n".join(line.removeprefix(mark) for line in lines)
     assert difference(printed(program, tmp_path, build), expected) is None
 
 

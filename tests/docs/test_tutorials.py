@@ -36,9 +36,9 @@ def changed(drawn: np.ndarray, shown: np.ndarray) -> float:
     return largest(np.abs(blocks).max(), grey.mean())
 
 
-def untold(text: str, told: str) -> list[str]:
-    """The decimals of a text that round no number of what was told."""
-    known = [float(n) for n in NUMBER.findall(told)]
+def unsupported(text: str, shown: str) -> list[str]:
+    """The decimals of a text that round no number of what was printed."""
+    known = [float(n) for n in NUMBER.findall(shown)]
     wrong = []
     for number in re.findall(r"\d+\.\d+", LINK_TARGET.sub("]", text)):
         half = 0.5 * 10.0 ** -len(number.partition(".")[2])
@@ -78,10 +78,10 @@ def test_a_cell_prints_and_draws_what_the_page_shows(script, tmp_path, build):
 def test_a_number_in_the_text_stands_in_the_code_or_in_the_output(script):
     found = tutorials.cells(script.read_text(encoding="utf-8"))
     code = [cell for cell in found if isinstance(cell, tutorials.Code)]
-    told = "\n".join(cell.source + cell.printed for cell in code)
+    shown = "\n".join(cell.source + cell.printed for cell in code)
     said = [cell.text for cell in found if isinstance(cell, tutorials.Text)]
     said += [caption for cell in code for caption in cell.figures.values()]
-    assert untold("\n".join(said), told) == []
+    assert unsupported("\n".join(said), shown) == []
 
 
 def test_the_satellite_is_that_of_the_example():
@@ -130,8 +130,8 @@ def test_cells_of_a_script():
 
 
 def test_a_number_that_nothing_printed_is_seen():
-    assert untold("0.50 and 0.5 of [it](b-7.7.md), 3 of 4", "x = 0.4996") == []
-    assert untold("0.51", "x = 0.5") == ["0.51"]
+    assert unsupported("0.50 and 0.5 of [it](b-7.7.md), 3 of 4", "x = 0.4996") == []
+    assert unsupported("0.51", "x = 0.5") == ["0.51"]
 
 
 def test_a_line_that_moved_is_seen():

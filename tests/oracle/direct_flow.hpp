@@ -2,7 +2,7 @@
 // The plainest integration of free rotation, to check the oracle itself: Taylor series of
 // dg/dt = g x omega and dq/dt = (1/2) q (0, omega), step by step, nothing else.
 //
-// Domain      moderate arcs: rounding grows beside the middle axis as the physics does.
+// Domain      moderate arcs: rounding grows next to the middle axis as the physics does.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 //                 p = a g_hi + b g_lo, m = a g_hi - b g_lo, g_mid,
 //                 a^2 = (I_hi - I_mid)/I_hi, b^2 = (I_mid - I_lo)/I_lo,
 //                 dp/dt = lambda g_mid p, dm/dt = -lambda g_mid m, p m = G^2 - 2 T I_mid,
-//             so that the fast growth and decay beside the middle axis keep relative accuracy; on
+//             so that the fast growth and decay next to the middle axis keep relative accuracy; on
 //             the separatrix one of p, m is exactly 0.
 // Accuracy    every unknown keeps relative accuracy, however small, since the equations are
 //             bilinear.

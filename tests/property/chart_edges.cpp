@@ -264,7 +264,7 @@ int halves_between(const Known& k, double t0) {
   const Long off = (Long(k.c.t) - Long(t0) - k.flow.elapsed) * k.flow.n / (2 * k.flow.K);
   return static_cast<int>(static_cast<double>(Long(round(off))));
 }
-// eps |t0| times the rate of the phase, for spin about the middle axis that beside it.
+// eps |t0| times the rate of the phase, for spin about the middle axis that next to it.
 bool place_is_lost(const Known& k, double t0) {
   double n = double_of(k.flow.n);
   if (!k.flow.moves) {
@@ -302,7 +302,7 @@ Result serret_result(const Known& k) {
     }
     return judged(loss, smaller(allowed, budget::says_nothing), "serret");
   } catch (const polhode::DomainError& error) {
-    // moments equal but for rounding: T tells nothing
+    // moments equal but for rounding: T says nothing
     const bool untold = k.place.D2 < branch_zone && k.place.gap < branch_zone;
     const bool t0_is_held = !k.flow.moves || k.flow.K == 0 ||
                             2 * k.flow.K / k.flow.n < Long(std::numeric_limits<double>::max());

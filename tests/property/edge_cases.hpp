@@ -95,7 +95,7 @@ inline EdgeCase drawn_edge_case(std::uint64_t index) {
   const double distance = picked(draw, distances);
   if (place < 3) {
     k = unit_direction_near(draw, place, distance);
-  } else if (place == 3) {  // beside the separatrix
+  } else if (place == 3) {  // next to the separatrix
     const double A = (I[2] - I[1]) / I[2], C = (I[1] - I[0]) / I[0];
     const double middle = draw.index(2) == 0 ? draw.uniform(-0.9, 0.9) : 1.0 - distance;
     const double across = 1.0 - middle * middle, D2 = draw.sign() * distance * across;
@@ -111,7 +111,7 @@ inline EdgeCase drawn_edge_case(std::uint64_t index) {
     const Vec3 g = sample.generic().g;
     k = {g.x, g.y, g.z};
   }
-  if (place == 5) {  // I beside 0 or pi, or at pi/2
+  if (place == 5) {  // I next to 0 or pi, or at pi/2
     const RotorState tilted =
         inclined_state({sample.uniform(0.2, 1.5), sample.coin(), distance, sample.coin()},
                        sample.angle(), sample.angle(), sample.angle());

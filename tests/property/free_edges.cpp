@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FreeRotation where digits are easily lost without a word: beside the middle axis down to the
+// FreeRotation where digits are easily lost without a word: next to the middle axis down to the
 // smallest double, as near to the separatrix as doubles come, after 1e9 turns there, and beyond
 // 2^52 periods.
 #include <gtest/gtest.h>

@@ -46,7 +46,7 @@ FREE = """
 ## On the closed form
 
 What `free_events` finds of the wing nut from a time on, each event to the rounding of the time; the
-spacing of doubles there stands beside it. Flips are half a period of the polhode apart.
+spacing of doubles there stands next to it. Flips are half a period of the polhode apart.
 
 | from t = | turns | there are | found | uneven by (s) | spacing of doubles (s) | ms |
 |---|---|---|---|---|---|---|
@@ -89,7 +89,7 @@ CASES = {
         System(WING_NUT), RotorState([1, 0, 0, 0], [0.3053, 526.7036, 0]), 20.0),
     "tumbler, free": (System(TUMBLER), RotorState([0.5, 0.5, -0.5, 0.5], [0.3, 0.5, 0.9]), 200.0),
     "W1, ten orbits": (gravity(W1, 1.0), RotorState([1, 0, 0, 0], [4.5, 4.0, 8.25]), 62.8),
-    "tumbler beside an orbit, from a turning frame": (
+    "tumbler in a gravity gradient, from a turning frame": (
         gravity(TUMBLER, 0.01, polhode.Frame.precessing([0, 0, 1], 0.5, 0.0)),
         RotorState([0.5, 0.5, -0.5, 0.5], [0.2, 0.3, 0.9]), 200.0),
     "libration in the gravity gradient": (

@@ -144,18 +144,18 @@ def compare_tables(old, new):
         done = subprocess.run(["h5diff", "--verbose", old, new], capture_output=True, text=True)
     except FileNotFoundError:
         raise Failed("h5diff is not there: it is in the package hdf5-tools") from None
-    told = (done.stdout + done.stderr).strip()
-    if done.returncode != 0 and not told:
+    printed = (done.stdout + done.stderr).strip()
+    if done.returncode != 0 and not printed:
         raise Failed(f"h5diff {old} {new}: status {done.returncode}, without a word")
     said, about = [], ""
-    for line in told.splitlines():
+    for line in printed.splitlines():
         if line.startswith(("dataset:", "attribute:", "group")):
             about = line.split(" and ")[0]
         elif line.endswith("differences found") and not line.startswith("0 "):
             said.append((about, line))
     if not said:
         said = [("bytes", "h5diff finds no other value" if done.returncode == 0 else
-                 told.splitlines()[-1])]
+                 printed.splitlines()[-1])]
     return Comparison(1, [Difference(new.name, about, MISSING, text, None)
                           for about, text in said])
 

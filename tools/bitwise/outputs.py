@@ -101,7 +101,7 @@ def run_group(side, group, folder):
 
 
 def digest(group):
-    """Of all that the outputs of a revision depend on beside the revision."""
+    """Of all that the outputs of a revision depend on in addition to the revision."""
     text = hashlib.sha256()
     inputs = [PROBES / "outputs.py", PROBES / "revision.py", *GROUPS[group]()]
     if group in ("examples", "maps"):

@@ -70,11 +70,11 @@ def main():
          f"{len(tests) - len(passed)} are left out")
     chosen = {n: m for n, m in kept.items() if not a.only or m.key in a.only.split(",")}
     results = campaign.run(folder, chosen, passed, place / "results.jsonl", state, a.jobs)
-    told = list(kept.values()), dropped, results, reasons, a.seed
-    (place / "report.md").write_text(report.text(*told))
-    print("\n".join(report.summary(*told)))
+    parts = list(kept.values()), dropped, results, reasons, a.seed
+    (place / "report.md").write_text(report.text(*parts))
+    print("\n".join(report.summary(*parts)))
     if a.page:
-        a.page.write_text(report.put_into(a.page.read_text(), report.summary(*told)))
+        a.page.write_text(report.put_into(a.page.read_text(), report.summary(*parts)))
     step("build/mutate/report.md: every survivor")
     return 0
 

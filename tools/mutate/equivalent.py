@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Mutants shown to be equivalent, each with its reason: equivalent.toml beside this file."""
+"""Mutants shown to be equivalent, each with its reason: equivalent.toml next to this file."""
 
 import tomllib
 

@@ -39,7 +39,7 @@ def difference(m):
             f"- {m.original}", f"+ {m.mutated}", "```", ""]
 
 
-def told_of(mutants, results, reasons):
+def judged_of(mutants, results, reasons):
     """(mutant, result, outcome) of all that have run."""
     return [(m, results[m.key], outcome(m, results[m.key], reasons))
             for m in mutants if m.key in results]
@@ -47,30 +47,30 @@ def told_of(mutants, results, reasons):
 
 def summary(mutants, dropped, results, reasons, seed):
     """What was drawn, and the two tables."""
-    told = told_of(mutants, results, reasons)
-    missing = len(mutants) - len(told)
+    judged = judged_of(mutants, results, reasons)
+    missing = len(mutants) - len(judged)
     lines = [f"Seed {seed}: {len(mutants) + len(dropped)} mutants drawn, {len(dropped)} of them do "
-             f"not compile, {len(told)} ran" + (f", {missing} not yet." if missing else "."), ""]
-    lines += table("layer", sites.LAYERS, [(m.layer, what, r.get("how")) for m, r, what in told])
+             f"not compile, {len(judged)} ran" + (f", {missing} not yet." if missing else "."), ""]
+    lines += table("layer", sites.LAYERS, [(m.layer, what, r.get("how")) for m, r, what in judged])
     lines += [""]
     lines += table("operator", operators.NAMES,
-                   [(m.operator, what, r.get("how")) for m, r, what in told])
+                   [(m.operator, what, r.get("how")) for m, r, what in judged])
     return lines
 
 
 def text(mutants, dropped, results, reasons, seed):
-    told = told_of(mutants, results, reasons)
+    judged = judged_of(mutants, results, reasons)
     lines = ["# Mutants", "", *summary(mutants, dropped, results, reasons, seed)]
-    false = [m for m, r, what in told if what == "caught" and equivalent.reason(reasons, m)]
+    false = [m for m, r, what in judged if what == "caught" and equivalent.reason(reasons, m)]
     for title, chosen in (
-            ("Survivors", [m for m, _, what in told if what == "survived"]),
-            ("Reached by no test", [m for m, _, what in told if what == "no test"]),
+            ("Survivors", [m for m, _, what in judged if what == "survived"]),
+            ("Reached by no test", [m for m, _, what in judged if what == "no test"]),
             ("Named equivalent, but caught", false)):
         if chosen:
             lines += ["", f"## {title}", ""]
             for m in sorted(chosen, key=lambda m: (m.file, m.line)):
                 lines += difference(m)
-    named = [m for m, _, what in told if what == "equivalent"]
+    named = [m for m, _, what in judged if what == "equivalent"]
     if named:
         lines += ["", "## Equivalent", ""]
         for m in sorted(named, key=lambda m: (m.file, m.line)):

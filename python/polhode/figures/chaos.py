@@ -97,7 +97,7 @@ def _grid(
 
 @styled
 def chaos_growth(runs: Any, ax: Any = None, *, unit: str = "", scale: float = 1.0) -> Any:
-    """Lyapunov indicator and mean MEGNO against time, regular runs beside chaotic ones.
+    """Lyapunov indicator and mean MEGNO against time, regular runs next to chaotic ones.
 
     Parameters
     ----------

@@ -156,7 +156,7 @@ def _name_arrow(
     name: str,
     color: str,
 ) -> None:
-    """A name beside the tip, on the side away from another arrow."""
+    """A name next to the tip, on the side away from another arrow."""
     along = (tip - tail) / np.linalg.norm(tip - tail)
     across = np.array([-along[1], along[0]])
     across = -across if across @ other > 0.0 else across

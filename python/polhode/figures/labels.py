@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where labels go: beside what they name, clear of the lines and of one another."""
+"""Where labels go: next to what they name, clear of the lines and of one another."""
 
 from __future__ import annotations
 

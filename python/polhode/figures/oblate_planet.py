@@ -68,7 +68,7 @@ class OblatePlanet:
         z = np.concatenate([_numbers(r, "r"), _numbers(p, "p")])
         edges, pieces = [0.0], []
         while edges[-1] < stop:
-            # short beside the time in which the satellite would fall: the iteration contracts
+            # short compared with the time of the satellite's fall: the iteration contracts
             step = 0.35 * np.sqrt(np.linalg.norm(z[:3]) ** 3 / self.gm)
             end = min(stop, edges[-1] + step)
             pieces.append(piece(self.rates, z, end - edges[-1]))

@@ -30,7 +30,7 @@ DOUBLE_COLUMN = 170 / 25.4
 """Width (inches) of two columns, 170 mm."""
 PRINT_DPI = 300
 
-# Okabe and Ito (2008): told apart with every common colour vision deficiency.
+# Okabe and Ito (2008): distinguished with every common colour vision deficiency.
 BLACK = "#000000"
 BLUE = "#0072B2"
 VERMILLION = "#D55E00"
@@ -93,7 +93,7 @@ SERIES: tuple[Look, ...] = (
     Look(ORANGE, (0, (3, 1, 1, 1, 1, 1)), 1.2, "P"),
     Look(SKY, (0, (2, 1)), 1.4, "X"),
 )
-"""Looks of curves that stand beside one another, in this order; `series(k)` goes round."""
+"""Looks of curves that stand next to one another, in this order; `series(k)` goes round."""
 
 SETTINGS: Mapping[str, Any] = MappingProxyType(
     {

@@ -26,7 +26,7 @@ const RotorState spinning{{1.0, 0.0, 0.0, 0.0}, {0.01 * 30.53, 6.28 * 83.87, 0.0
 const FreeRotation motion(wing_nut, spinning);
 const Event flip{"flip", [](double, const RotorState& s) { return s.g.y; }};
 
-// g2 vanishes twice in a period. Between the doubles beside the time found it changes its sign.
+// g2 vanishes twice in a period. Between the doubles next to the time found it changes its sign.
 TEST(FreeEvents, AreThereAfterAnyNumberOfTurns) {
   const double half = 0.5 * motion.polhode_period();
   for (const double start : {0.0, 1e3, 1e6, 1e9, -1e9, 1e12}) {

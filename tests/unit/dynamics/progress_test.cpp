@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run tells how far it has come, and can be stopped from outside: the same for every method.
+// A run reports how far it has come, and can be stopped from outside: the same for every method.
 #include "polhode/trajectory/progress.hpp"
 
 #include <gmock/gmock.h>
@@ -37,15 +37,16 @@ class ProgressOf : public testing::TestWithParam<Method> {};
 
 TEST_P(ProgressOf, EveryStepIsToldInOrder) {
   for (const double sign : {1.0, -1.0}) {
-    std::vector<double> told;
+    std::vector<double> reported;
     const Trajectory run = integrate(problem(GetParam(), 1.0, 1.0 + 10.0 * sign), {},
-                                     [&](double t) { told.push_back(t); });
-    ASSERT_EQ(told.size(), static_cast<std::size_t>(run.statistics().steps));
-    for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(told[k], run.samples()[k + 1].t);
+                                     [&](double t) { reported.push_back(t); });
+    ASSERT_EQ(reported.size(), static_cast<std::size_t>(run.statistics().steps));
+    for (std::size_t k = 0; k < reported.size(); ++k)
+      EXPECT_EQ(reported[k], run.samples()[k + 1].t);
   }
 }
 
-// A step may hold millions of samples: they are told one by one.
+// A step may hold millions of samples: they are reported one by one.
 TEST_P(ProgressOf, SamplesInsideAStepAreTold) {
   std::size_t calls = 0;
   double latest = 0.0;
@@ -89,11 +90,11 @@ TEST_P(ProgressOf, ItChangesNoBit) {
 }
 
 TEST_P(ProgressOf, StateTransitionsTellAndStop) {
-  std::vector<double> told;
+  std::vector<double> reported;
   state_transitions(problem(GetParam(), 0.0, 5.0), SaveAt::count(0.0, 5.0, 6),
-                    [&](double t) { told.push_back(t); });
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  for (const double t : {1.0, 2.0, 3.0, 4.0, 5.0}) EXPECT_THAT(told, testing::Contains(t));
+                    [&](double t) { reported.push_back(t); });
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  for (const double t : {1.0, 2.0, 3.0, 4.0, 5.0}) EXPECT_THAT(reported, testing::Contains(t));
   const Progress stops = [](double t) {
     if (t > 4.0) throw Interrupt{t};
   };

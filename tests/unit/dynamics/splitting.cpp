@@ -113,7 +113,7 @@ TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
   EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_free);
 }
 
-// What is tiny beside the middle axis grows: the body flips where the closed form flips it.
+// What is tiny next to the middle axis grows: the body flips where the closed form flips it.
 TEST(Splitting, FlipsABodyThatIsNextToItsMiddleAxis) {
   const Body body(1.0, 1.7, 2.1);
   const RotorState start{{1, 0, 0, 0}, {1e-120, 1.0, 0.0}};
@@ -207,7 +207,7 @@ TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder4InAStrongTorque) {
   }
 }
 
-// Two kinds of flows beside each other: kicks are then compositions themselves.
+// Two kinds of flows together: kicks are then compositions themselves.
 TEST(Splitting, KeepsItsOrderWhereFlowsDoNotCommute) {
   const System system(splitting_test::workload_body(), Frame::inertial(),
                       {AnyPerturbation("damping", Damping{0.7}),

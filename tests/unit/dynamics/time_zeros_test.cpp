@@ -73,7 +73,7 @@ TEST(TimeZeros, DoubleZerosBetweenTwoLooks) {
 }
 
 // Symmetric about the middle as far as its ends and their slopes tell: the parabola's vertex is
-// where the search stands already, and the dip lies beside it.
+// where the search stands already, and the dip lies next to it.
 TEST(TimeZeros, ADipBesideAParabolasVertex) {
   for (const double tilt : {0.3, -0.3}) {
     const TimeFunction f = [tilt](double t) {
@@ -102,7 +102,7 @@ TEST(TimeZeros, AMissIsNoZeroAndATouchIsOne) {
       EXPECT_THAT(zeros_between(over(lowest), -1.0, 3.0, 4), IsEmpty()) << centre << " " << lowest;
     expect_zeros(zeros_between(over(0.0), -1.0, 3.0, 4), {{centre, 0}});
   }
-  // a rounding beside a look
+  // a rounding away from a look
   for (const double centre : {std::nextafter(3.0, 2.0), std::nextafter(3.0, 4.0)})
     expect_zeros(zeros_between([=](double t) { return (t - centre) * (t - centre); }, 1.0, 5.0, 4),
                  {{centre, 0}});
@@ -116,7 +116,7 @@ TEST(TimeZeros, AZeroAtALookIsFoundOnce) {
   // between two runs: it is that of the run that ends there
   expect_zeros(zeros_between(line, 0.0, 2.0, 2), {{2.0, 1}});
   EXPECT_THAT(zeros_between(line, 2.0, 4.0, 2), IsEmpty());
-  // a look that is zero hides none beside it
+  // a look that is zero hides none next to it
   const TimeFunction cubic = [](double t) { return t * (t - 0.9) * (t - 3.5); };
   expect_zeros(zeros_between(cubic, -1.0, 4.0, 5), {{0.0, 1}, {0.9, -1}, {3.5, 1}});
 }

@@ -127,7 +127,7 @@ TEST(Ephemeris, BodiesHaveNames) {
   EXPECT_EQ(planetary("moon"), moon);
   EXPECT_EQ(planetary("pluto"), std::nullopt);
   EXPECT_EQ(name(uranus), "uranus");
-  // the mass of the Earth beside that of the Moon, 81.3
+  // the mass of the Earth relative to that of the Moon, 81.3
   EXPECT_NEAR(planetary_gm(earth) / planetary_gm(moon), 81.3006, budget::ephemeris_gm);
 }
 

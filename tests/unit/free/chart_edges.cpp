@@ -26,7 +26,7 @@ namespace budget = polhode::budget;
 const Quaternion attitude{0.5, -0.5, 0.1, 0.7};
 Vec3 times(double size, const Vec3& v) { return {size * v.x, size * v.y, size * v.z}; }
 
-// Neither side of the separatrix is told by G and T, and yet the state is.
+// Neither side of the separatrix is given by G and T, and yet the state is.
 TEST(ChartEdges, SerretNextToTheMiddleAxis) {
   for (const auto& [body, across] :
        {std::pair{Body(1.0, 1.7, 2.1), 1e-20}, std::pair{Body(2.1, 1.7, 1.0), 1e-20},
@@ -194,7 +194,7 @@ TEST(ChartEdges, NeedlesOfAnyRatioThatDoublesHold) {
               HasSubstr("must have a ratio of at least 2^-900"));
 }
 
-// A momentum component at the very end of double range, beside the middle axis of a small body.
+// A momentum component at the very end of double range, next to the middle axis of a small body.
 TEST(ChartEdges, SubnormalComponentBesideTheMiddleAxis) {
   const double up = 0x1p525;
   for (const auto& [body, g] :
@@ -347,7 +347,7 @@ TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
   EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, s)); }), HasSubstr("|I_h| <= I_g"));
 }
 
-// NaN in, NaN out: beside the separatrix, too.
+// NaN in, NaN out: next to the separatrix, too.
 TEST(ChartEdges, SerretAtATimeThatIsNoNumber) {
   const FreeRotation beside(Body(1.0, 1.7, 2.1), {attitude, {1e-9, 1.0, 1e-10}});
   for (const double t : {std::nan(""), HUGE_VAL, -HUGE_VAL})
@@ -374,7 +374,7 @@ TEST(ChartEdges, TumblersWithLesserMomentsEqualButForRounding) {
   }
 }
 
-// Half a period of a tumbler beside the middle axis is 140 / n: its own description has a state.
+// Half a period of a tumbler close to the middle axis is 140 / n: its own description has a state.
 TEST(ChartEdges, TumblersNextToTheMiddleAxisComeBack) {
   const Body body(1.0, 1.7, 2.1);
   for (const double z : {1e-10, 1e-20, 1e-60, 1e-100}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A PartFile belongs to one writer until it has its name, and what keeps it from being written is
-// told apart: a path that cannot be, or a machine that cannot.
+// distinguished: a path that cannot be, or a machine that cannot.
 #include "io/detail/part_file.hpp"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scenario's run tells how far it has come, and can be stopped from outside.
+// A scenario's run reports how far it has come, and can be stopped from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,10 +54,10 @@ const std::string turning = "[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n";
 TEST(ScenarioProgress, FreeRotationTellsAfterEveryBlockOfRows) {
   for (const std::string& frame : {std::string(), turning}) {
     Counted counted;
-    std::vector<double> told;
+    std::vector<double> reported;
     run_into(scenario(frame + "[time]\nstop = 2999\ncount = 3000\n"), counted,
-             [&](double t) { told.push_back(t); });
-    EXPECT_THAT(told, testing::ElementsAre(1023.0, 2047.0, 2999.0));
+             [&](double t) { reported.push_back(t); });
+    EXPECT_THAT(reported, testing::ElementsAre(1023.0, 2047.0, 2999.0));
   }
 }
 

@@ -288,7 +288,7 @@ TEST_F(ScenarioOrbits, NumbersMayMissTheEndsOfTheRunByTheirRounding) {
   EXPECT_THAT(error_of(table, "[time]\nstop = 420.000001\ncount = 3\n"), HasSubstr("it covers"));
 }
 
-// Of Kepler orbits by few rows: the estimate beside the error.
+// Of Kepler orbits by few rows: the estimate next to the error.
 TEST_F(ScenarioOrbits, ACoarseTableIsCalledOne) {
   for (const double e : {0.0, 0.3})
     for (const bool slopes : {false, true})

@@ -122,7 +122,7 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
   }
 }
 
-// Keys of one kind: refused beside another, required beside their own.
+// Keys of one kind: refused with another, required with their own.
 constexpr Key kinded_keys[] = {
     {.path = "term[]", .help = "Terms."},
     {.path = "term[].kind",
