@@ -140,7 +140,7 @@ std::array<double, 6> coordinate_sizes(const CanonicalChart& chart, double G) {
   return {1.0, pair, pair, G, pair, pair};
 }
 
-// Puts 0 for entries that are nothing beside all others of their row or column: the rounding of
+// Puts 0 for entries that are nothing next to all others of their row or column: the rounding of
 // double-double where the entry of the transformation is 0.
 void clean(WideMatrix6& m, const std::array<double, 6>& to, const std::array<double, 6>& from) {
   constexpr double negligible = 0x1p-62;

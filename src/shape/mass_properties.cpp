@@ -12,7 +12,7 @@ inline namespace v0 {
 namespace {
 
 // Six points of a triangle by their weights of two corners, the third weight being what is left
-// beside two equal ones; exact to degree 4, weights positive.
+// next to two equal ones; exact to degree 4, weights positive.
 struct TriangleRule {
   double equal[2];   // of two corners
   double other[2];   // of the third

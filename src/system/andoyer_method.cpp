@@ -40,7 +40,7 @@ double bracket_size(const Pair& a, const Pair& b, const Vec3& g) {
   return dot(ta, magnitudes(b.g)) + dot(magnitudes(a.g), tb) + dot(ta, moment);
 }
 
-// The row at or below c whose entry in column c is largest beside the rest of its row.
+// The row at or below c whose entry in column c is largest relative to the rest of its row.
 std::size_t pivot_row(const Matrix6& A, const Six& row_size, std::size_t c) {
   std::size_t best = c;
   for (std::size_t i = c + 1; i < 6; ++i)

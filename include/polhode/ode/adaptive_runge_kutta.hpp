@@ -154,7 +154,7 @@ class AdaptiveRungeKutta {
   std::int64_t steps() const { return steps_; }
   std::int64_t rejected() const { return rejected_; }
   std::int64_t evaluations() const { return evaluations_; }
-  // Calls of f that its owner made beside the steps.
+  // Calls of f that its owner made in addition to the steps.
   void count(std::int64_t evaluations) { evaluations_ += evaluations; }
 
   // Every number that the steps to come depend on, between two steps, by reference: `visit` keeps

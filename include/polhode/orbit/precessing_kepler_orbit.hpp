@@ -29,7 +29,7 @@ inline namespace v0 {
 struct SecularRates {
   double node = 0.0;
   double argument = 0.0;
-  double mean_anomaly = 0.0;  // beside the mean motion
+  double mean_anomaly = 0.0;  // in addition to the mean motion
 
   constexpr bool operator==(const SecularRates&) const = default;
 };

@@ -155,7 +155,7 @@ class AnyPerturbation {
   bool is_kick() const { return kick_; }
   // v = 0, and u is c - A g with c and A of time and attitude alone; A = 0 for a kick.
   bool is_affine() const { return affine_; }
-  // DoubleDouble and Tangent beside double.
+  // DoubleDouble and Tangent in addition to double.
   bool supports_any_real() const { return any_real_; }
 
   // T = double, DoubleDouble or Tangent.

@@ -90,7 +90,7 @@ class GravityGradient {
     BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
     const BasicQuaternion<T>& q = at.s.q;
     const T r2 = dot(x, x), q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    // one root and one division, beside the turn of x and not after it: an integrator waits for
+    // one root and one division, next to the turn of x and not after it: an integrator waits for
     // them
     const T strength = T(gm_) / ((r2 * sqrt(r2)) * (r2 * (q2 * q2)));
     const bool is_turned = !(at.q_IS == BasicQuaternion<T>{});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // HigherGravity: what a point mass does to the third- and fourth-degree inertia integrals of a
-// body. It has nothing of degree 2: that is GravityGradient, which stands beside it.
+// body. It has nothing of degree 2: that is GravityGradient, which goes with it.
 //
 // Equations   from H' = -gm integral dm / |r - x|, |r - x|^-1 = sum |x|^k P_k(cos) / r^(k + 1), n =
 //             r / |r| in body axes from the body to the point mass:

@@ -34,11 +34,11 @@ class KaneDamper {
   double friction() const { return friction_; }  // c
   constexpr bool operator==(const KaneDamper&) const = default;
 
-  // What body and sphere turn with beside I^-1 g, at the relative rate s: v.
+  // What body and sphere turn with in addition to I^-1 g, at the relative rate s: v.
   Vec3 rate_of_body(const Body& body, const Vec3& s) const;
   // ds/dt at the momentum g, of which the rate in body axes is dg.
   Vec3 acceleration(const Body& body, const Vec3& g, const Vec3& dg, const Vec3& s) const;
-  // What the kinetic energy has beside (1/2) g.I^-1 g.
+  // The kinetic energy in addition to (1/2) g.I^-1 g.
   double energy(const Body& body, const Vec3& s) const;
   // Momentum of the sphere about its centre, in body axes; and the relative rate that has it.
   Vec3 momentum(const Body& body, const Vec3& g, const Vec3& s) const;

@@ -13,7 +13,8 @@
 // Accuracy    a few roundings of the field.
 // Errors      DomainError for numbers that are not finite, a pole of no length, a radius that is
 //             not positive.
-// Cost        a dipole some 28 ns beside the orbit; with its rate 57 ns (benchmarks/magnetic.cpp).
+// Cost        a dipole some 28 ns in addition to the orbit; with its rate 57 ns
+//             (benchmarks/magnetic.cpp).
 #pragma once
 
 #include <cmath>

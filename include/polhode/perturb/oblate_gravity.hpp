@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // OblateGravity: what the oblateness (J2) of the attracting body adds to the gravity gradient. It
-// has nothing of the point mass: that is GravityGradient, which stands beside it.
+// has nothing of the point mass: that is GravityGradient, which goes with it.
 //
 // Equations   the field is U = -gm / r (1 - J2 (R / r)^2 P2(n.k)), n = r / |r|, k the pole; of its
 //             part U' in J2, H' = (1/2) U'_ij integral of x_i x_j dm = -(1/2) U'_ij I_ij, since U'

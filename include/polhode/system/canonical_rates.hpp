@@ -71,7 +71,7 @@ struct EulerPhaseRates {
 EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorState& s);
 
 // The convective term: what the perturbation adds to the rates of the chart's three coordinates,
-// beside the unperturbed function of the same variables. Of the Euler angles it is Phi of
+// in addition to the unperturbed function of the same variables. Of the Euler angles it is Phi of
 // [SA (107), (111)], zero unless H' depends on the momentum; as a vector it is effect(system, t,
 // s).v.
 std::array<double, 3> convective_term(const CanonicalChart& chart, const System& system, double t,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Progress: how far a run has come, told while it goes on. A caller watches a long run by it, and
-// stops it: what it throws ends the run.
+// Progress: how far a run has come, reported while it goes on. A caller watches a long run by it,
+// and stops it: what it throws ends the run.
 //
 // Equations   none.
 // Units       the unit of time of the run.

@@ -16,7 +16,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// x and y are analytic in M up to acosh(1/e) - sqrt(1 - e^2) beside the real axis: a turn in 128
+// x and y are analytic in M up to acosh(1/e) - sqrt(1 - e^2) from the real axis: a turn in 128
 // (e <= 0.2), 256 (0.36) or 512 (0.5) intervals, each with two polynomials of degree 7 about its
 // middle, leaves less than a tenth of a rounding. The leading coefficient, with a rest, is added
 // last, so that x and y are rounded about once.
