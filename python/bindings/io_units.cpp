@@ -18,7 +18,8 @@ nb::object in_core(const Units& units, nb::handle value, nb::handle dimension,
                    const std::optional<std::string>& unit) {
   const Dimension d = choice<Dimension>(dimension, "dimension");
   if (nb::isinstance<nb::str>(value)) {
-    if (unit) throw nb::value_error("to_core: a text has its own unit; expected no unit beside it");
+    if (unit)
+      throw nb::value_error("to_core: a text has its own unit; expected no unit in addition");
     const std::string text = nb::cast<std::string>(value);
     if (text.size() > most_text)
       throw nb::value_error("to_core: a text of more than 200 letters; expected one like \"3 h\"");

@@ -87,8 +87,8 @@ class _Tables:
             last.get(name) != own.get(name) for name in ("orbit", "gm")
         ):
             raise ValueError(
-                f"build: term \"{term.name}\" ({type(term).__name__}): a scenario has it beside "
-                "the point mass alone; expected it right after the GravityGradient of the same gm "
+                f"build: term \"{term.name}\" ({type(term).__name__}): a scenario has it only with "
+                "the point mass; expected it right after the GravityGradient of the same gm "
                 "and orbit"
             )
         return last

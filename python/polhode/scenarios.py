@@ -270,7 +270,7 @@ class Scenario:
         if threads is not None and threads < 1:
             raise ValueError(f"map: threads: got {threads!r}; expected a whole number from 1")
         if resume and not paths:
-            raise ValueError("map: got resume=True; expected it beside outputs")
+            raise ValueError("map: got resume=True; expected it with outputs")
         return run_map(self, paths, threads, resume, restart, progress)
 
     @property

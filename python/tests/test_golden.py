@@ -86,7 +86,7 @@ def test_units_are_values():
     (lambda: Units(angle="km"), "is not a unit of angle"),
     (lambda: Units().to_core("3 deg", "time"), "is not a unit of time"),
     (lambda: Units().to_core("3", "time"), "a number without its unit"),
-    (lambda: Units().to_core("3 h", "time", "h"), "expected no unit beside it"),
+    (lambda: Units().to_core("3 h", "time", "h"), "expected no unit in addition"),
     (lambda: Units().to_core("3 " + "h" * 300, "time"), "more than 200 letters"),
     (lambda: Units().to_core(3, "tiem"), "expected one of number time angle"),
 ])

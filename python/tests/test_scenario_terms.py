@@ -234,9 +234,9 @@ HIGHER = HigherGravity(0.7, ORBIT, MassMoments(np.ones(10), np.ones(15)), "body"
 OBLATE = OblateGravity(0.7, ORBIT, Oblateness(0.1, 0.5))
 PLATE = Surface.of_plate((1, 0, 0), (0, 1, 0), 1.0)
 REFUSED = [
-    ([HIGHER], "term \"higher\" (HigherGravity): a scenario has it beside the point mass alone"),
+    ([HIGHER], "term \"higher\" (HigherGravity): a scenario has it only with the point mass"),
     ([POINT, HIGHER, HIGHER], "right after the GravityGradient of the same gm and orbit"),
-    ([GravityGradient(0.8, ORBIT), OBLATE], "(OblateGravity): a scenario has it beside"),
+    ([GravityGradient(0.8, ORBIT), OBLATE], "(OblateGravity): a scenario has it only with"),
     ([SolarPressure(PLATE, 1.0, 1.0, ORBIT),
       SolarPressure(PLATE + PLATE, 1.0, 1.0, ORBIT, name="second")],
      "term \"second\": a scenario has one surface"),

@@ -243,7 +243,7 @@ def test_what_is_no_map(tmp_path):
     scenario = Scenario.from_text(CHAOS)
     for arguments, text in (
         ({"threads": 0}, "threads: got 0"),
-        ({"resume": True}, "beside outputs"),
+        ({"resume": True}, "with outputs"),
         ({"outputs": "-"}, 'map: got "-"'),
         ({"outputs": tmp_path / "map.txt"}, "map.txt"),
     ):

@@ -257,9 +257,9 @@ rate = 2
     assert_allclose(got.u, want.u, rtol=budgets.numpy_formula)
     assert_allclose(got.v, want.v, rtol=budgets.numpy_formula)
     for gone, message in [
-        ('orbit_of = "body"\n', "expected a key orbit_of beside it"),
-        ("primary_radius = 3\n", "expected a key primary_radius beside it"),
-        ("J2 = 0.1\n", "expected a key J2 beside it"),
+        ('orbit_of = "body"\n', "expected a key orbit_of as well"),
+        ("primary_radius = 3\n", "expected a key primary_radius as well"),
+        ("J2 = 0.1\n", "expected a key J2 as well"),
     ]:
         with pytest.raises(polhode.DomainError, match=message):
             polhode.Scenario.from_text(text + extra.replace(gone, ""))
@@ -290,7 +290,7 @@ def test_torque_table_of_a_scenario(tmp_path):
     for text, message in [
         (inline.replace("[0.25, 0]", "[0.25]"), "expected 2 numbers, as many as times has"),
         (inline.replace("[1, 2]", "[2, 1]"), "must be later than 2"),
-        (inline + 'time_unit = "s"\n', "expected a key file beside it"),
+        (inline + 'time_unit = "s"\n', "expected a key file as well"),
         (TABLE, "expected exactly one of times, file"),
     ]:
         with pytest.raises(polhode.DomainError, match=message):

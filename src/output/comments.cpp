@@ -23,7 +23,7 @@ struct Origin {
   std::vector<std::string> files;
 };
 
-// From lines of comments, up to the first line that is none.
+// From lines of comments, up to the first line that is not a comment.
 Origin origin_in(std::istream& lines, const CommentStyle& style) {
   Origin origin;
   std::string line;
@@ -58,7 +58,7 @@ Origin origin_of_hdf5(const std::string& path) {
 std::string difference(const Origin& found, const Origin& wanted) {
   if (found.scenario.empty()) return "and does not say of which scenario";
   if (found.scenario != wanted.scenario) return "of another scenario";
-  return found.files == wanted.files ? "" : "of this scenario with other files beside it";
+  return found.files == wanted.files ? "" : "of this scenario with other files";
 }
 
 Origin as_text(const Provenance& provenance, const CommentStyle& style) {

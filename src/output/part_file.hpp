@@ -76,7 +76,7 @@ class PartFile {
   std::int64_t bytes_ = 0;
 };
 
-// A file of our own beside an output, as a whole or not at all: its path is no input, so that
+// A file of our own next to an output, as a whole or not at all: its path is no input, so that
 // whatever keeps it from being written is an OutputError.
 void replace_file(const std::string& path, std::string_view bytes);
 

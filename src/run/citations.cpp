@@ -192,7 +192,7 @@ struct MethodParts {
 };
 
 // Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
-// sources of its orbits, and what it asks for beside rows.
+// sources of its orbits, and what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = scenario.columns;
   parts.push_back(scenario.chart);

@@ -112,7 +112,7 @@ bool is_complete(const ScenarioMap& map, std::span<const std::string> outputs,
                  const BeginWords& words) {
   const std::string cells = cells_path(outputs);
   if (cells.empty())
-    throw DomainError("map: got " + words.resume + "; expected it beside outputs that are files");
+    throw DomainError("map: got " + words.resume + "; expected it with outputs that are files");
   std::error_code ignored;
   return !std::filesystem::exists(cells, ignored) &&
          detail::are_complete(outputs, provenance(map.scenario()), words);

@@ -99,7 +99,7 @@ void add_sensitivity(Lines& lines, const Scenario& scenario, const FreeRotation&
                Dimension::angle);
 }
 
-// What moves the body, beside itself.
+// What moves the body, apart from its own spin.
 void add_motion(Lines& lines, const Scenario& scenario) {
   if (!scenario.frame.is_inertial()) lines.text("frame", "reference frame", scenario.frame_text);
   for (const ScenarioOrbit& orbit : scenario.orbits) {

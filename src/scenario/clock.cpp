@@ -21,7 +21,7 @@ Clock clock_of(const Values& values, const Units& units, std::string_view path,
   const Date epoch = built(values, "state.epoch", name, [&] {
     const Date own = epoch_date(word(values, "state.epoch"));
     if (own.scale == TimeScale::UT1 && !dut1)
-      throw DomainError("expected a key state.dut1 beside it: UT1 - UTC, which is observed");
+      throw DomainError("expected a key state.dut1 as well: UT1 - UTC, which is observed");
     return converted(own, TimeScale::TT, dut1);
   });
   return {epoch, dut1, second};

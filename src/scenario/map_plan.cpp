@@ -74,7 +74,7 @@ SectionSurface surface_of(const Values& values, const std::string& name) {
   for (const char* const key : {"map.value", "map.crossing", "map.epoch"})
     if (given(values, key) && by_period != (std::string_view(key) == "map.epoch"))
       refuse(values, key, name,
-             by_period ? "expected beside angle only" : "expected beside period only");
+             by_period ? "expected only with angle" : "expected only with period");
   if (!by_period) {
     const std::string& angle = word(values, "map.angle");
     return AndoyerSurface{angle == "l"   ? AndoyerAngle::l
@@ -148,7 +148,7 @@ MapPlan map_plan(const Values& values, const Units& units, const Scenario& scena
       refuse(values, path + ".count", name, "expected a map of at most 1e9 cells");
     plan.axes.push_back(std::move(axis));
   }
-  if (!scenario.time) refuse(values, "map", name, "expected a table [time] beside it");
+  if (!scenario.time) refuse(values, "map", name, "expected a table [time] as well");
   const SaveAt& rows = *scenario.time;
   const double first = rows[0], last = rows[rows.size() - 1];
   if (last == 0.0 || first * last < 0.0 || rows.is_list())

@@ -44,7 +44,7 @@ constexpr std::size_t largest_file = std::size_t{16} << 20;
 Body body_of(const Values& values, const std::optional<ScenarioShape>& shape,
              const std::string& name) {
   if (there(values, "body.column_axes") && !there(values, "body.moments"))
-    detail::refuse(values, "body.column_axes", name, "expected a key moments beside it");
+    detail::refuse(values, "body.column_axes", name, "expected a key moments as well");
   if (shape) return built(values, "body.shape", name, [&] { return polhode::body(shape->inside); });
   if (there(values, "body.moments"))
     return built(values, "body.moments", name, [&] {
@@ -154,11 +154,11 @@ SadovState sadov_of(const Values& values, const Body& body) {
     return number(values, std::string("state.sadov.") + key);
   };
   const double I_l = value("I_l"), I_g = value("I_g");
-  const bool told = there(values, "state.sadov.region");
+  const bool is_given = there(values, "state.sadov.region");
   const SadovRegion region =
-      told ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
-                                                          : SadovRegion::long_axis)
-           : detail::sadov_region(body, I_l, I_g);
+      is_given ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
+                                                              : SadovRegion::long_axis)
+               : detail::sadov_region(body, I_l, I_g);
   return {value("phi_l"),
           value("phi_g"),
           value("phi_h"),
@@ -200,7 +200,7 @@ std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
   if (there(values, "time.at")) {
     if (given(values, "time.start"))
       return built(values, "time.start", name, []() -> std::optional<SaveAt> {
-        throw DomainError("expected no start beside at, which lists every time");
+        throw DomainError("expected no start together with at, which lists every time");
       });
     return SaveAt::times(value_at(values, "time.at").numbers);
   }

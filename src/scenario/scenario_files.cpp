@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files beside a scenario, told apart by their bytes.
+// The files that a scenario names, recognised by their bytes.
 #include <array>
 #include <filesystem>
 #include <fstream>

@@ -27,7 +27,7 @@ FacetShape mesh_of(const Values& values, const std::string& path, const std::str
 std::optional<ScenarioShape> shape_of(const Values& values, const std::string& name) {
   if (!there(values, "body.shape")) {
     if (there(values, "body.scale"))
-      refuse(values, "body.scale", name, "expected a key shape beside it, which it scales");
+      refuse(values, "body.scale", name, "expected a key shape as well, which it scales");
     return std::nullopt;
   }
   FacetShape mesh = mesh_of(values, "body", name);

@@ -13,7 +13,7 @@ struct ToMotion {
   const Body& body;
   const Quaternion& q_file;
   FrameMotion frame;        // at t = 0
-  Vec3 momentum_of_damper;  // beside I w, body axes
+  Vec3 momentum_of_damper;  // in addition to I w, body axes
 
   FreeRotation operator()(const TumblerState& s) const {
     return FreeRotation(body, to_rotor(body, s));

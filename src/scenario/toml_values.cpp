@@ -383,8 +383,7 @@ bool Reader::is_foreign(const Key& key, const toml::table& table, const std::str
     if (belongs(*other, kind)) own.push_back(key_name(other->path));
   diagnostics_.add(position(table.find(name)->first.source()), joined(path, name),
                    "a key of kind " + one_of(separated(key.kinds, '|'), "\"") +
-                       "; expected beside kind = \"" + std::string(kind) + "\" only " +
-                       one_of(own));
+                       "; expected with kind = \"" + std::string(kind) + "\" only " + one_of(own));
   return true;
 }
 

@@ -147,14 +147,15 @@ void AemReader::choose_layout() {
   const std::string a = lines_.optional("REF_FRAME_A");
   const std::string frame = lines_.optional("RATE_FRAME") + lines_.optional("ANGVEL_FRAME");
   rate_in_a_ = frame == "REF_FRAME_A" || (frame == a && frame != lines_.optional("REF_FRAME_B"));
-  const bool told = rate_in_a_ || frame == "REF_FRAME_B" || frame == lines_.optional("REF_FRAME_B");
-  if (layout_.rates == Rates::angular_velocity && !told)
+  const bool is_named =
+      rate_in_a_ || frame == "REF_FRAME_B" || frame == lines_.optional("REF_FRAME_B");
+  if (layout_.rates == Rates::angular_velocity && !is_named)
     lines_.refuse("the frame of the angular velocity", frame,
                   "REF_FRAME_A, REF_FRAME_B or the name of either");
   if (layout_.rates == Rates::angular_velocity && body_to_frame_)
     lines_.fail(
         "ATTITUDE_DIR: got B2A with angular velocities; which of the two frames turns "
-        "relative to the other is then not told: read is A2B");
+        "relative to the other is then unknown: read is A2B");
   if (layout_.angles == Angles::euler) choose_sequence();
 }
 

@@ -114,9 +114,9 @@ Row to_serret_row(const RotorState& s, const Origin& o) {
 // The column lobe is 0 in the short-axis region.
 RotorState from_sadov(const Row& x, const Origin& o) {
   SadovState a{x[0], x[1], x[2], x[3], x[4], x[5]};
-  const bool told = !std::isnan(x[6]);
-  a.region = told ? (x[6] == 0.0 ? SadovRegion::short_axis : SadovRegion::long_axis)
-                  : sadov_region(*o.body, a.I_l, a.I_g);
+  const bool is_given = !std::isnan(x[6]);
+  a.region = is_given ? (x[6] == 0.0 ? SadovRegion::short_axis : SadovRegion::long_axis)
+                      : sadov_region(*o.body, a.I_l, a.I_g);
   if (x[6] != 0.0) a.lobe = sign_of(x[6], 1);
   return to_rotor(*o.body, a);
 }

@@ -295,7 +295,7 @@ def test_a_complete_file_with_another_table_is_not_ours(run, scenario, tmp_path,
     assert "nothing to do" in run("run", body, "--out", path, "--resume").stdout
     burn(tmp_path, 2e-3)
     other = run("run", body, "--out", path, "--resume")
-    assert other.returncode == 2 and "with other files beside it" in other.stderr
+    assert other.returncode == 2 and "with other files" in other.stderr
 
 
 def test_what_cannot_be_continued(run, scenario):

@@ -78,7 +78,7 @@ T cel_loop(T kc, T p, T a, T b) {
   return T(0.5) * pi<T>() * (b + a * mean) / (mean * (mean + p));
 }
 
-// kc small and b small beside a, with derivatives. The part of a has a small slope in kc, which
+// kc small and b small next to a, with derivatives. The part of a has a small slope in kc, which
 // the loop would find as a difference of slopes of order 1/kc: it has a closed rule instead,
 // d cel(kc, p, 1, 0)/d kc = -kc (D - cel(kc, p, 1, 0))/(p - kc^2).
 template <class T, int N>

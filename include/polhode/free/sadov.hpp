@@ -18,7 +18,7 @@
 //             tests/budgets.hpp; measured: docs/accuracy/charts.md. Next to the separatrix the pair
 //             (I_l, phi_l) itself cannot hold the state: digits are lost like log10(G^2 / |D2|),
 //             and where |D2| < 1e-17 G^2 the place on the polhode. A needle loses it too where the
-//             momentum along its axis, g1, is lost beside I_g: I_l = I_g - |g1| then holds g1 to
+//             momentum along its axis, g1, is lost next to I_g: I_l = I_g - |g1| then holds g1 to
 //             eps I_g / |g1| only. Any unit of momentum serves.
 //             chart_jacobian has no meaning where the chart is singular (J = 0 or as close as I_g -
 //             |I_l| rounds to it, I = 0, pi or as close as I_g - |I_h| rounds to it, the

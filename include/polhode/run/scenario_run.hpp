@@ -5,7 +5,7 @@
 // Units       t in core units; rows in those of the scenario.
 // Domain      a scenario with [time]. While it goes on, a small file FIRST_OUTPUT.checkpoint says
 //             how to go on: it is replaced every few seconds, and removed when the run is complete
-//             or has failed for good; PATH.checkpoint beside the other outputs says where it is.
+//             or has failed for good; PATH.checkpoint next to the other outputs says where it is.
 //             Outputs that are not files ("-", a pipe, a device) make a run without checkpoints.
 // Accuracy    a run that was stopped at any moment and continued, however often, leaves the files
 //             of the straight run: text files byte for byte, HDF5 with the same contents (same

@@ -59,7 +59,7 @@ struct Key {
   std::string_view example = {};    // as TOML, what `polhode init` writes
   std::string_view help = {};       // one sentence
   std::string_view kinds = {};      // words of `kind` in its table that it belongs to; empty: all
-  std::string_view needed_by = {};  // those that an optional key must stand beside
+  std::string_view needed_by = {};  // those that an optional key must come with
   bool is_file = false;             // a text: the path of a file, from the folder of the scenario
 };
 
@@ -81,7 +81,7 @@ std::string_view key_name(std::string_view path);
 std::string_view key_table(std::string_view path);
 // The keys directly inside a table, in the order of the schema.
 std::vector<const Key*> keys_of(const Schema& schema, std::string_view table);
-// Whether a key of a table stands beside kind = "..." there.
+// Whether a key of a table goes with kind = "..." there.
 bool belongs(const Key& key, std::string_view kind);
 bool belongs(const Alternatives& row, std::string_view kind);
 // Whether it must stand there.

@@ -9,10 +9,10 @@
 //             textures, groups, materials, curves) is skipped. Comments, CRLF, lines continued
 //             by a backslash.
 // Accuracy    the nearest double.
-// Errors      DomainError in one line, "FILE:LINE: ...": a number that is none or not finite, an
+// Errors      DomainError in one line, "FILE:LINE: ...": text for a number, one not finite, an
 //             index 0 or of no vertex, a facet with fewer than three corners or with no area, a
 //             word that OBJ does not know; "FILE: ..." for a file that cannot be read, is too
-//             large, or has no facets. A mesh with holes is read: FacetShape::open_edge tells.
+//             large, or has no facets. A mesh with holes is read: FacetShape::open_edge names it.
 // Cost        some 100 ns per line.
 #pragma once
 

@@ -89,7 +89,7 @@ def unbroken(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """A wrapped angle as a line to draw: cut (by NaN) at each wrap, both ends on the edges.
 
-    An angle that is not wrapped (it leaves the range of one turn) and a column that is none
+    An angle that is not wrapped (it leaves the range of one turn) and a column that is no angle
     (turn None) are returned as they are."""
     finite = values[np.isfinite(values)]
     if turn is None or finite.size == 0 or np.ptp(finite) > turn * (1 + 1e-9):

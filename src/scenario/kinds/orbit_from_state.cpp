@@ -35,7 +35,7 @@ ScenarioOrbit state_orbit(const OrbitPlace& at) {
     return {std::string(key_name(at.path)),
             from(in_other_axes(x, axes, of_state), in_other_axes(v, axes, of_state)), gm};
   if (!there(values, at.key("radius")))
-    refuse(values, at.key("J2"), at.name(), "expected a key radius beside it");
+    refuse(values, at.key("J2"), at.name(), "expected a key radius as well");
   const double radius = number(values, at.key("radius"));
   if (!(radius > 0.0)) refuse(values, at.key("radius"), at.name(), "expected a positive length");
   const KeplerElements osculating = from(x, v).elements();

@@ -69,7 +69,7 @@ FieldReader time_reader(const OrbitPlace& at) {
     return [unit](std::string_view field) { return unit * number_from_field(field); };
   }
   if (there(at.values(), at.key("time_unit")))
-    refuse(at.values(), at.key("time_unit"), at.name(), "expected no unit beside dates");
+    refuse(at.values(), at.key("time_unit"), at.name(), "expected no unit together with dates");
   const Clock clock = clock_of(at.values(), at.file.units, at.key("time_format"), at.name());
   const TimeScale scale = *time_scale(word(at.values(), at.key("time_scale")));
   if (format == "date")
@@ -120,7 +120,7 @@ PositionTable own_table(const OrbitPlace& at) {
   for (const char* own :
        {"columns", "time_format", "time_scale", "time_unit", "length_unit", "velocity_unit"})
     if (given(at.values(), at.key(own)))
-      refuse(at.values(), at.key(own), at.name(), "expected a key file beside it, not times");
+      refuse(at.values(), at.key(own), at.name(), "expected a key file as well, not times");
   PositionTable table{value_at(at.values(), at.key("times")).numbers, {}, {}};
   table.positions = own_rows(at, {"x", "y", "z"}, table.times.size());
   constexpr std::array<const char*, 3> slopes = {"vx", "vy", "vz"};
@@ -171,7 +171,7 @@ ScenarioOrbit file_orbit(const OrbitPlace& at, int order) {
   const std::string path = file_path(at);
   for (const char* own : {"vx", "vy", "vz"})
     if (there(at.values(), at.key(own)))
-      refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z beside it");
+      refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z as well");
   if (path.ends_with(".oem")) return oem_orbit(at, path, order);
   const std::vector<std::string> columns = columns_of(at, path);
   const NumberTable file = read_number_table(path, columns, time_reader(at));

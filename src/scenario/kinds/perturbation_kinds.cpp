@@ -50,7 +50,7 @@ double gm_at(const TermPlace& at) {
   const std::optional<double> gm = own ? number(at.values, key) : orbit_at(at).gm;
   if (!gm)
     refuse(at.values, at.key("orbit"), at.name,
-           "expected a key gm beside it, since this orbit tells none");
+           "expected a key gm as well, since this orbit has none");
   if (!(*gm > 0.0)) refuse(at.values, key, at.name, "expected a positive gravitational parameter");
   return *gm;
 }

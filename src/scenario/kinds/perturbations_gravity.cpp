@@ -40,10 +40,9 @@ std::optional<MassMoments> moments_at(const TermPlace& at) {
 OrbitOf orbit_of_at(const TermPlace& at) {
   const std::string key = at.key("orbit_of");
   if (there(at.values, at.key("third_moments")) && !given(at.values, key))
-    refuse(
-        at.values, at.key("third_moments"), at.name,
-        "expected a key orbit_of beside it, \"body\" or \"attractor\": whose path the orbit is as "
-        "seen from the other, since gravity of degree 3 changes sign with it");
+    refuse(at.values, at.key("third_moments"), at.name,
+           "expected a key orbit_of as well, \"body\" or \"attractor\": whose path the orbit is as "
+           "seen from the other, since gravity of degree 3 changes sign with it");
   return word(at.values, key) == "body" ? OrbitOf::body : OrbitOf::attractor;
 }
 
@@ -51,11 +50,11 @@ std::optional<Oblateness> oblateness_at(const TermPlace& at) {
   const bool any = there(at.values, at.key("J2"));
   for (const char* own : {"primary_radius", "pole"})
     if (!any && given(at.values, at.key(own)))
-      refuse(at.values, at.key(own), at.name, "expected a key J2 beside it");
+      refuse(at.values, at.key(own), at.name, "expected a key J2 as well");
   if (!any) return std::nullopt;
   if (!there(at.values, at.key("primary_radius")))
     refuse(at.values, at.key("J2"), at.name,
-           "expected a key primary_radius beside it, the equatorial radius that J2 belongs to");
+           "expected a key primary_radius as well, the equatorial radius that J2 belongs to");
   Oblateness of{number(at.values, at.key("J2")), number(at.values, at.key("primary_radius"))};
   if (there(at.values, at.key("pole"))) of.pole = vector(at.values, at.key("pole"));
   return of;
@@ -63,7 +62,7 @@ std::optional<Oblateness> oblateness_at(const TermPlace& at) {
 
 }  // namespace
 
-// Degree 2 once, and beside it what else the table has.
+// Degree 2 once, and what else the table has.
 std::vector<AnyPerturbation> gravity_terms(const TermPlace& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
   const double gm = gm_at(at);
@@ -108,7 +107,7 @@ AnyPerturbation internal_damping_term(const TermPlace& at) {
     return built(at.values, at.key("k"), at.name, [&]() -> AnyPerturbation {
       return {"internal damping", InternalDamping(vector(at.values, at.key("k")), grows)};
     });
-  if (grows) refuse(at.values, at.key("grows"), at.name, "expected a key k beside it");
+  if (grows) refuse(at.values, at.key("grows"), at.name, "expected a key k as well");
   const Vec3& I = at.scenario.body.moments();
   const double rate = positive_at(at, "rate"), time = positive_at(at, "wobble_time");
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {

@@ -33,7 +33,7 @@ Finish finish_of(const Values& values, const std::string& path, const std::strin
 Surface mesh_surface(const Scenario& scenario, const Values& values, const std::string& path,
                      const std::string& name) {
   if (given(values, path + ".sides"))
-    refuse(values, path + ".sides", name, "expected no sides beside a shape");
+    refuse(values, path + ".sides", name, "expected no sides together with a shape");
   Vec3 centre;
   if (there(values, path + ".centre_of_mass"))
     centre = vector(values, path + ".centre_of_mass");
@@ -46,8 +46,7 @@ Surface mesh_surface(const Scenario& scenario, const Values& values, const std::
 
 Surface plate_surface(const Values& values, const std::string& path, const std::string& name) {
   for (const char* own : {".scale", ".centre_of_mass"})
-    if (there(values, path + own))
-      refuse(values, path + own, name, "expected a key shape beside it");
+    if (there(values, path + own)) refuse(values, path + own, name, "expected a key shape as well");
   const Vec3 normal = vector(values, path + ".normal");
   const double area = number(values, path + ".area");
   if (!(norm(normal) > 0.0))
@@ -71,9 +70,9 @@ DirectedPath path_at(const TermPlace& at) {
   return {any_orbit(orbit_at(at)), word(at.values, at.key("orbit_of")) == "attractor"};
 }
 
-double length_at(const TermPlace& at, const char* own, const char* beside) {
+double length_at(const TermPlace& at, const char* own, const char* with) {
   if (!there(at.values, at.key(own)))
-    refuse(at.values, at.key(beside), at.name, std::string("expected a key ") + own + " beside it");
+    refuse(at.values, at.key(with), at.name, std::string("expected a key ") + own + " as well");
   const double x = number(at.values, at.key(own));
   if (!(x > 0.0)) refuse(at.values, at.key(own), at.name, "expected a positive length");
   return x;
@@ -84,7 +83,7 @@ std::optional<Shadow> shadow_at(const TermPlace& at) {
   if (shape == "none") return std::nullopt;
   if (!there(at.values, at.key("sun")))
     refuse(at.values, at.key("shadow"), at.name,
-           "expected a key sun beside it: without it the body goes round the Sun itself");
+           "expected a key sun as well: without it the body goes round the Sun itself");
   const double radius = length_at(at, "shadow_radius", "shadow");
   if (shape == "cylinder") return Shadow::cylinder(radius);
   return Shadow::cone(radius, length_at(at, "sun_radius", "shadow"));
@@ -143,7 +142,7 @@ AnyPerturbation drag_term(const TermPlace& at) {
     air.scale_height = length_at(at, "scale_height", "scale_height");
     air.radius = length_at(at, "density_radius", "scale_height");
   } else if (there(at.values, at.key("density_radius"))) {
-    refuse(at.values, at.key("density_radius"), at.name, "expected a key scale_height beside it");
+    refuse(at.values, at.key("density_radius"), at.name, "expected a key scale_height as well");
   }
   const double exit_speed = number(at.values, at.key("exit_speed"));
   if (!(exit_speed >= 0.0))

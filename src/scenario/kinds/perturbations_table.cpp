@@ -75,10 +75,10 @@ std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
 void require_one_way(const TermPlace& at, bool by_file) {
   for (const char* own : {"columns", "time_unit", "torque_unit"})
     if (!by_file && given(at.values, at.key(own)))
-      refuse(at.values, at.key(own), at.name, "expected a key file beside it");
+      refuse(at.values, at.key(own), at.name, "expected a key file as well");
   for (const char* own : {"torque_1", "torque_2", "torque_3"})
     if (by_file && given(at.values, at.key(own)))
-      refuse(at.values, at.key(own), at.name, "expected a key times beside it, not file");
+      refuse(at.values, at.key(own), at.name, "expected a key times as well, not file");
 }
 
 }  // namespace

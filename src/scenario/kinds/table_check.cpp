@@ -77,7 +77,7 @@ void TableCheck::unit(std::size_t column, const Read& read) const {
   if (std::fabs(read.unit - right) > same_unit * right)
     throw DomainError(said->at + "column " + printable(names_.at(column)) + " is in " +
                       printable(said->text) + "; expected " + read.key + " = " +
-                      quoted(said->text) + " beside the file");
+                      quoted(said->text) + " with the file");
 }
 
 void TableCheck::axes(const std::string& used) const {
@@ -90,7 +90,7 @@ void TableCheck::axes(const std::string& used) const {
         "table into one of them, or take the line out if it is one of them by another "
         "name");
   throw DomainError(its + "expected axes = " + quoted(header_.axes->text) +
-                    " beside the file or in [state], not " + quoted(used));
+                    " with the file or in [state], not " + quoted(used));
 }
 
 void TableCheck::torque_axes(const std::string& used) const {
@@ -119,7 +119,7 @@ void TableCheck::scale(const std::string& used) const {
   const std::optional<std::string_view> said = scale_of_column(names_.at(0));
   if (!said || *said == used) return;
   throw DomainError("its column " + quoted(names_.at(0)) + " holds dates in " + std::string(*said) +
-                    "; expected time_scale = " + quoted(*said) + " beside the file, not " +
+                    "; expected time_scale = " + quoted(*said) + " with the file, not " +
                     quoted(used));
 }
 

@@ -11,7 +11,7 @@ namespace {
 double wild(oracle::Draw& draw) { return draw.sign() * draw.power_of_ten(-60.0, 60.0); }
 
 // Neighbours in magnitude, where rounding errors are not zero.
-double beside(oracle::Draw& draw, double x) {
+double close_to(oracle::Draw& draw, double x) {
   return draw.sign() * x *
          std::ldexp(draw.uniform(1.0, 2.0), static_cast<int>(draw.index(60)) - 30);
 }
@@ -20,7 +20,7 @@ TEST(ErrorFree, SumsAreExact) {
   oracle::Draw draw(11, 0);
   int inexact = 0;
   for (int i = 0; i < 2000; ++i) {
-    const double a = wild(draw), b = beside(draw, a);
+    const double a = wild(draw), b = close_to(draw, a);
     const TwoTerms<double> s = two_sum(a, b);
     EXPECT_EQ(s.hi, a + b);
     EXPECT_EQ(exact(s.hi) + exact(s.lo), exact(a) + exact(b)) << a << ' ' << b;

@@ -59,16 +59,16 @@ TEST(ShadowBorders, GivenSidesHoldBeyondThem) {
   const Vec3 sun{0.0, 0.0, 40.0};
   const std::vector<double> lit{1.0, 1.0}, part{-1.0, 1.0}, umbra{-1.0, -1.0};
   const Shadow cylinder = Shadow::cylinder(1.0), cone = Shadow::cone(1.0, 3.0);
-  const auto beside = [](double x) { return Vec3{x, 0.0, 5.0}; };
-  EXPECT_EQ(cylinder.visible(sun, beside(0.99), std::vector{1.0}), 1.0);
-  EXPECT_EQ(cylinder.visible(sun, beside(1.01), std::vector{-1.0}), 0.0);
+  const auto off_axis = [](double x) { return Vec3{x, 0.0, 5.0}; };
+  EXPECT_EQ(cylinder.visible(sun, off_axis(0.99), std::vector{1.0}), 1.0);
+  EXPECT_EQ(cylinder.visible(sun, off_axis(1.01), std::vector{-1.0}), 0.0);
   // past the borders of the cone: 1 and 0 go on, and what lies between ends at them
-  EXPECT_EQ(cone.visible(sun, beside(1.3), lit), 1.0);
-  EXPECT_LT(cone.visible(sun, beside(1.3)), 1.0);
-  EXPECT_EQ(cone.visible(sun, beside(1.5), part), 1.0);
-  EXPECT_EQ(cone.visible(sun, beside(0.5), part), 0.0);
-  EXPECT_EQ(cone.visible(sun, beside(0.7), umbra), 0.0);
-  EXPECT_GT(cone.visible(sun, beside(0.7)), 0.0);
+  EXPECT_EQ(cone.visible(sun, off_axis(1.3), lit), 1.0);
+  EXPECT_LT(cone.visible(sun, off_axis(1.3)), 1.0);
+  EXPECT_EQ(cone.visible(sun, off_axis(1.5), part), 1.0);
+  EXPECT_EQ(cone.visible(sun, off_axis(0.5), part), 0.0);
+  EXPECT_EQ(cone.visible(sun, off_axis(0.7), umbra), 0.0);
+  EXPECT_GT(cone.visible(sun, off_axis(0.7)), 0.0);
 }
 
 TEST(FacetEdges, OneForADirectionAndItsOpposite) {

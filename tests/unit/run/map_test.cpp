@@ -197,8 +197,8 @@ TEST(ScenarioMap, WhatIsNoSection) {
   EXPECT_THAT(andoyer("angle = \"g\"\nperiod = 1"), HasSubstr("got angle, period"));
   EXPECT_THAT(andoyer("angle = \"k\""), HasSubstr("m.toml:10:9: map.angle: got \"k\""));
   EXPECT_THAT(andoyer("period = 0"), HasSubstr("map.period: got 0; expected a positive time"));
-  EXPECT_THAT(andoyer("period = 1\nvalue = 2"), HasSubstr("expected beside angle only"));
-  EXPECT_THAT(andoyer("angle = \"h\"\nepoch = 2"), HasSubstr("expected beside period only"));
+  EXPECT_THAT(andoyer("period = 1\nvalue = 2"), HasSubstr("expected only with angle"));
+  EXPECT_THAT(andoyer("angle = \"h\"\nepoch = 2"), HasSubstr("expected only with period"));
   EXPECT_THAT(andoyer("angle = \"h\"\norbit = \"planet\""),
               HasSubstr("a key of kind \"spin-orbit-section\""));
   const auto pericentres = [](std::string text, const std::string& keys) {

@@ -231,7 +231,7 @@ TEST(ScenarioMotion, UnknownOrbitsNameTheNearest) {
 TEST(ScenarioMotion, KeysOfAnotherKindAreRefused) {
   EXPECT_THAT(error_of(orbit + gravity + "torque = [1, 2, 3]\n"),
               StartsWith("f.toml:13:1: perturbation[0].torque: a key of kind \"constant-torque\"; "
-                         "expected beside kind = \"gravity-gradient\" only kind, orbit, gm, "));
+                         "expected with kind = \"gravity-gradient\" only kind, orbit, gm, "));
   EXPECT_THAT(error_of("[[perturbation]]\nkind = \"damping\"\n"),
               StartsWith("f.toml:7:1: perturbation[0].coefficients: got nothing; expected"));
   EXPECT_THAT(error_of("[[perturbation]]\ntorque = [1, 2, 3]\n"),
@@ -306,7 +306,7 @@ TEST(ScenarioMotion, MethodsOutOfRangeSayTheRange) {
   EXPECT_THAT(error("kind = \"splitting\"\n"), HasSubstr("method.step: got nothing; expected"));
   EXPECT_THAT(error("kind = \"splitting\"\nstep = 1\ntolerance = 1e-9\n"),
               StartsWith("f.toml:10:1: method.tolerance: a key of kind \"adaptive\" or "
-                         "\"variation-of-constants\"; expected beside kind = \"splitting\" only"));
+                         "\"variation-of-constants\"; expected with kind = \"splitting\" only"));
   EXPECT_THAT(error("kind = \"adaptive\"\nlargest_step = 0\n"),
               StartsWith("f.toml:9:16: method.largest_step: got 0; expected a positive time"));
 }

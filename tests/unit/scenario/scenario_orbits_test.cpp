@@ -104,7 +104,7 @@ TEST_F(ScenarioOrbits, AnOblatePrimaryKeepsItNear) {
 }
 
 TEST_F(ScenarioOrbits, StatesThatCannotBeSayWhy) {
-  EXPECT_THAT(error_of(leo + "J2 = 1e-3\n"), HasSubstr("expected a key radius beside it"));
+  EXPECT_THAT(error_of(leo + "J2 = 1e-3\n"), HasSubstr("expected a key radius as well"));
   EXPECT_THAT(error_of(leo + "J2 = 1e-3\nradius = -1\n"), HasSubstr("expected a positive length"));
   EXPECT_THAT(error_of("kind = \"state\"\ngm = 1\nposition = [1, 0, 0]\nvelocity = [1, 0, 0]\n"),
               HasSubstr("the motion not along one line"));
@@ -188,7 +188,7 @@ TEST_F(ScenarioOrbits, TablesThatCannotServeSayWhy) {
   EXPECT_THAT(error_of(table + "time_unit = \"km\"\n"), HasSubstr("orbit.moon.time_unit"));
   EXPECT_THAT(error_of("kind = \"table\"\n"), HasSubstr("orbit.moon: got none of them"));
   EXPECT_THAT(error_of(table, "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"),
-              HasSubstr("expected a key gm beside it"));
+              HasSubstr("expected a key gm as well"));
 }
 
 // Rows in the scenario itself are those of a file, to the bit.
@@ -206,13 +206,13 @@ TEST_F(ScenarioOrbits, AFewRowsMayStandInTheScenario) {
   const std::string along = "axes = \"ecliptic-J2000\"\n";
   EXPECT_EQ(table(rows + slopes + along), table("kind = \"table\"\nfile = \"moon.csv\"\n" + along));
   EXPECT_THAT(error_of(rows + "vx = [1, 1, 1, 1]\n"), HasSubstr("expected vx, vy and vz, or none"));
-  EXPECT_THAT(error_of(rows + "time_unit = \"s\"\n"), HasSubstr("expected a key file beside it"));
+  EXPECT_THAT(error_of(rows + "time_unit = \"s\"\n"), HasSubstr("expected a key file as well"));
   EXPECT_THAT(error_of("kind = \"table\"\ntimes = [0, 1]\nx = [1, 2]\n"),
               HasSubstr("got times, x; expected exactly one of times with x with y with z, file"));
   EXPECT_THAT(error_of("kind = \"table\"\ntimes = [0, 1, 2, 3]\nx = [1, 2]\ny = [1]\nz = [1]\n"),
               HasSubstr("orbit.moon.x: got [1, 2]; expected 4 numbers, as many as times has"));
   EXPECT_THAT(error_of("kind = \"table\"\nfile = \"moon.csv\"\nvz = [1, 1, 1, 1]\n"),
-              HasSubstr("expected keys times, x, y and z beside it"));
+              HasSubstr("expected keys times, x, y and z as well"));
   EXPECT_THAT(error_of(rows, "[time]\nstop = 20\ncount = 3\n"),
               HasSubstr("orbit.moon.times: got [0, 1, 2, 3.5]; it covers the times 0 to 3.5"));
 }
@@ -416,7 +416,7 @@ TEST_F(ScenarioOrbits, EphemeridesThatCannotBeSayWhy) {
   EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a unit of length"));
   state_ = "epoch = \"2013-01-05 UT1\"\naxes = \"equator-J2000\"\n";
   units_ = "[units]\nlength = \"km\"\n";
-  EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a key state.dut1 beside it"));
+  EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a key state.dut1 as well"));
   state_ += "dut1 = 0.27\n";
   EXPECT_EQ(error_of(moon, ten_days), "no error");
 }
@@ -430,7 +430,8 @@ TEST_F(ScenarioOrbits, DatesOfTablesKnowLeapSeconds) {
         "t,x,y,z\n2016-12-31T23:59:58,0,1,2\n2016-12-31T23:59:59,1,1,2\n"
         "2016-12-31T23:59:60,2,1,2\n2017-01-01T00:00:00.0Z,3,1,2\n2017-01-01 00:00:01,4,1,2\n");
   EXPECT_NEAR(at(read(table), 3.5).x, 3.5, budget::date_second * 1e3);
-  EXPECT_THAT(error_of(table + "time_unit = \"s\"\n"), HasSubstr("expected no unit beside dates"));
+  EXPECT_THAT(error_of(table + "time_unit = \"s\"\n"),
+              HasSubstr("expected no unit together with dates"));
   // TT is 69.184 s ahead of UTC after that second
   const std::string julian =
       "kind = \"table\"\nfile = \"moon.csv\"\ntime_format = \"JD\"\ntime_scale = \"TT\"\n";

@@ -145,7 +145,7 @@ TEST(Scenario, ColumnAxesTurnNothingElse) {
   EXPECT_THAT(error_of("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n"
                        "column_axes = [1, 0, 0, 0]\n" +
                        rest),
-              HasSubstr("body.column_axes: got [1, 0, 0, 0]; expected a key moments beside it"));
+              HasSubstr("body.column_axes: got [1, 0, 0, 0]; expected a key moments as well"));
 }
 
 TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {

@@ -161,7 +161,7 @@ TEST(Schema, KeysMayBelongToAKind) {
     return "no error";
   };
   EXPECT_EQ(error("[[term]]\nkind = \"b\"\nx = 1\n"),
-            "f:3:1: term[0].x: a key of kind \"a\"; expected beside kind = \"b\" only kind or y");
+            "f:3:1: term[0].x: a key of kind \"a\"; expected with kind = \"b\" only kind or y");
   EXPECT_EQ(error("[[term]]\nkind = \"a\"\n"), "f:1:1: term[0].x: got nothing; expected a number");
   EXPECT_THAT(json_schema(kinded), HasSubstr("\"const\": \"a\""));
 }

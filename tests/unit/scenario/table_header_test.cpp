@@ -104,7 +104,7 @@ TEST_F(TableHeaders, OfOtherAxesAreRefused) {
   state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\naxes = \"ecliptic-J2000\"\n";
   EXPECT_THAT(error_of(satellite),
               HasSubstr("moon.csv:1: its axes are equator-J2000; expected axes = "
-                        "\"equator-J2000\" beside the file or in [state], not \"ecliptic-J2000\""));
+                        "\"equator-J2000\" with the file or in [state], not \"ecliptic-J2000\""));
   EXPECT_EQ(error_of(satellite, "axes = \"equator-J2000\"\n"), "no error");
   EXPECT_THAT(error_of("# axes: TEME\n"),
               HasSubstr("moon.csv:1: its axes are TEME; expected \"inertial\", "));
@@ -116,7 +116,7 @@ TEST_F(TableHeaders, OfOtherAxesAreRefused) {
 TEST_F(TableHeaders, OfOtherUnitsAreRefused) {
   units_ = "time = \"h\"\nlength = \"km\"\n";
   EXPECT_THAT(error_of(satellite), HasSubstr("moon.csv:1: column t is in s; expected time_unit = "
-                                             "\"s\" beside the file"));
+                                             "\"s\" with the file"));
   EXPECT_EQ(error_of(satellite, "time_unit = \"s\"\n"), "no error");
   units_ = "time = \"s\"\nlength = \"m\"\n";
   EXPECT_THAT(error_of(satellite), HasSubstr("column x is in km; expected length_unit = \"km\""));
