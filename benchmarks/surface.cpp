@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "polhode/dynamics/integrate.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/yorp.hpp"
 #include "polhode/shape/mass_properties.hpp"

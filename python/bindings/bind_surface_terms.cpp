@@ -2,6 +2,7 @@
 // Sunlight and air on the facets of a body.
 #include "choice.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 #include "term_binding.hpp"

@@ -6,6 +6,7 @@
 
 #include "frame_value.hpp"
 #include "io_parts.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/higher_gravity.hpp"

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "run/detail/earlier_run.hpp"

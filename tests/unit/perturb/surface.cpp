@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "budgets.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
@@ -182,7 +183,7 @@ TEST(SolarPressure, FollowsSunAndAxes) {
 TEST(SolarPressure, TangentOfTheTorque) {
   const SolarPressure term(drawn_surface(915, 6), {1.0, 1.0}, still({0.3, 0.5, -0.7}));
   const Case c = drawn_case(916, 3);
-  const auto at = polhode::detail::with_variables(c.on<double>());
+  const auto at = polhode::with_variables(c.on<double>());
   const auto u = term.effect(at).u;
   for (int k = 0; k < 3; ++k) {
     constexpr double h = 1e-6;
