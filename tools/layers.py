@@ -29,7 +29,7 @@ LAYERS = {
     "system": "math rotor free frame perturb",
     "trajectory": "math rotor",
     "dynamics": "math ode rotor free orbit frame perturb system trajectory",
-    "average": "*",
+    "secular": "*",
     "analysis": "*",
     "ephemeris": "math orbit frame",
     "ensemble": "*",

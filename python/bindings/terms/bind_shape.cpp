@@ -4,7 +4,7 @@
 
 #include "interface/arrays.hpp"
 #include "polhode/error.hpp"
-#include "polhode/perturb/yorp.hpp"
+#include "polhode/secular/yorp.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "polhode/shape/surface.hpp"
 #include "polhode/tables/obj.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // YORP: quadrature over attitudes, the series in Legendre's polynomials, and what symmetry says.
-#include "polhode/perturb/yorp.hpp"
+#include "polhode/secular/yorp.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,8 +16,10 @@
 #include "unit/perturb/surfaces.hpp"
 #include "unit/shape/solids.hpp"
 
-namespace perturb_test {
+namespace secular_test {
 namespace {
+
+using namespace perturb_test;
 
 using polhode::FacetShape;
 using polhode::FacetStream;
@@ -26,6 +29,7 @@ using polhode::light_law;
 using polhode::mean_pressure;
 using polhode::yorp_torque;
 using polhode::YorpTorque;
+using testing::HasSubstr;
 namespace budget = polhode::budget;
 
 constexpr double pi = std::numbers::pi;
@@ -207,5 +211,11 @@ TEST(Yorp, IsItsSeriesInLegendrePolynomials) {
   }
 }
 
+TEST(Yorp, Refuses) {
+  const Surface plate = Surface::of_plate({}, {1, 0, 0}, 1.0, {});
+  EXPECT_THAT(refusal([&] { yorp_torque(plate, 0.0, {}); }), HasSubstr("axis (0, 0, 0)"));
+  EXPECT_THAT(refusal([&] { mean_pressure({1, 1}, 1.0, 1.0); }), HasSubstr("eccentricity 1"));
+}
+
 }  // namespace
-}  // namespace perturb_test
+}  // namespace secular_test

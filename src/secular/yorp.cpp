@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/perturb/yorp.hpp"
+#include "polhode/secular/yorp.hpp"
 
 #include <algorithm>
 #include <array>
