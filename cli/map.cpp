@@ -100,7 +100,7 @@ std::string done_of(const ScenarioMap& map, const MapRows& rows) {
 void announce(const ScenarioMap& map, const MapRows& rows) {
   const std::string text = rows.size() > 0 ? ": continues after " + done_of(map, rows)
                                            : ": no cells to continue from, starts anew";
-  std::fputs((map.scenario().name + text + "\n").c_str(), stderr);
+  std::fputs((map.scenario().document.name + text + "\n").c_str(), stderr);
 }
 
 std::vector<std::string> command_of(const MapOptions& options) {
@@ -113,14 +113,15 @@ std::vector<std::string> command_of(const MapOptions& options) {
 
 void make_map(const MapOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
-  const ScenarioMap map(scenario.text, options.scenario == "-" ? "<stdin>" : options.scenario);
+  const ScenarioMap map(scenario.document.text,
+                        options.scenario == "-" ? "<stdin>" : options.scenario);
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   for (auto path = out.begin(); path != out.end(); ++path)
     if (std::find(out.begin(), path, *path) != path)
       throw DomainError("map: " + *path + " is there twice");
   if (options.begin.resume && is_complete(map, out, begin_words()))
-    return print_nothing_to_do(scenario.name, out);
+    return print_nothing_to_do(scenario.document.name, out);
   const StopSignals signals;
   MapRows rows(map, out, options.begin.begin(), begin_words());
   if (options.begin.resume) announce(map, rows);
@@ -128,7 +129,7 @@ void make_map(const MapOptions& options) {
     compute_cells(options, map, rows);
   } catch (const Stopped&) {
     throw Interrupted(StopSignals::came(),
-                      scenario.name + ": stopped after " + done_of(map, rows) +
+                      scenario.document.name + ": stopped after " + done_of(map, rows) +
                           how_to_continue(command_of(options), rows.are_kept()));
   }
   rows.finish();

@@ -29,8 +29,8 @@ constexpr std::size_t longest_line = 65536;
 constexpr std::size_t numbers_per_block = 65536;
 
 std::string head_of(const ScenarioMap& map) {
-  std::string read = map.scenario().text;
-  for (const ScenarioFile& file : map.scenario().files) read += file_note(file) + "\n";
+  std::string read = map.scenario().document.text;
+  for (const ScenarioFile& file : map.scenario().document.files) read += file_note(file) + "\n";
   return "polhode " + std::string(version()) + " map of " + std::to_string(map.size()) +
          " cells, scenario " + std::to_string(detail::fingerprint(read)) + "\n";
 }

@@ -51,14 +51,13 @@ struct Identity {
 // What acts on the body, at some times of the run: the same text and files may mean something else
 // to another build.
 std::string mark_of_surroundings(const Scenario& scenario) {
-  const System system = at_damper_rate(rotor_system(scenario), scenario.damper_rate);
-  const RotorState s = initial_state(scenario);
-  const double last = (*scenario.time)[scenario.time->size() - 1];
+  const Problem problem = rotor_problem(scenario);
+  const System system = at_damper_rate(problem.system, problem.damper_rate);
   detail::StateBytes bytes;
   for (int i = 0; i < 16; ++i) {
-    const double t = last * (i / 15.0);
+    const double t = problem.stop * (i / 15.0);
     try {
-      Effect e = effect(system, t, s);
+      Effect e = effect(system, t, problem.initial);
       bytes.all(e.v, e.u);
     } catch (const std::exception&) {  // the run will say so
       double none = t;
@@ -71,12 +70,12 @@ std::string mark_of_surroundings(const Scenario& scenario) {
 Identity identity_of(const Scenario& scenario, const RunFiles& files) {
   Identity result;
   result.version = provenance(scenario).version;
-  for (const std::string& column : scenario.columns) result.columns += column + " ";
+  for (const std::string& column : scenario.output.columns) result.columns += column + " ";
   for (const std::string& path : files.outputs) result.outputs += file_name(path) + " ";
   if (!files.events.empty()) result.outputs += "events " + file_name(files.events);
-  result.scenario = scenario.name + " " + std::to_string(scenario.text.size()) + " bytes, mark " +
-                    std::to_string(detail::fingerprint(scenario.text));
-  for (const ScenarioFile& file : scenario.files)
+  result.scenario = scenario.document.name + " " + std::to_string(scenario.document.text.size()) +
+                    " bytes, mark " + std::to_string(detail::fingerprint(scenario.document.text));
+  for (const ScenarioFile& file : scenario.document.files)
     result.files += (result.files.empty() ? "" : "; ") + file_note(file);
   result.surroundings = mark_of_surroundings(scenario);
   return result;
@@ -310,16 +309,16 @@ class ScenarioRun::Parts {
     control.keep = [this](const detail::RunState& state) {
       if (keeps_) keep(state);
       if (stopping_)
-        throw RunInterrupted(scenario_.name + ": stopped at t = " + time_text(state.t), state.t,
-                             keeps_);
+        throw RunInterrupted(scenario_.document.name + ": stopped at t = " + time_text(state.t),
+                             state.t, keeps_);
     };
     if (continued_) control.from = &from_;
     return control;
   }
 
   std::string time_text(double t) const {
-    return detail::number_text(scenario_.units.from_core(t, Dimension::time)) + " " +
-           scenario_.units.time();
+    return detail::number_text(scenario_.units().from_core(t, Dimension::time)) + " " +
+           scenario_.units().time();
   }
 
   void keep(const detail::RunState& state) {
@@ -333,8 +332,9 @@ class ScenarioRun::Parts {
     }
     if (!keeps_) return;
     const std::vector<std::string> all = paths();
-    std::string told = detail::printable(scenario_.name, 200) + " at t = " + time_text(state.t) +
-                       ", " + std::to_string(state.pushed) + " rows, in ";
+    std::string told = detail::printable(scenario_.document.name, 200) +
+                       " at t = " + time_text(state.t) + ", " + std::to_string(state.pushed) +
+                       " rows, in ";
     for (const std::string& path : all)
       told += (path == all.front() ? "" : ", ") + detail::printable(file_name(path), 200);
     const std::string checkpoint = detail::checkpoint_path(all.front());
@@ -356,8 +356,8 @@ class ScenarioRun::Parts {
 
   RunReport complete_report() const {
     RunReport report;
-    report.rows = scenario_.time->size();
-    report.outcome.t = (*scenario_.time)[report.rows - 1];
+    report.rows = scenario_.rotation().time->size();
+    report.outcome.t = (*scenario_.rotation().time)[report.rows - 1];
     return report;
   }
 
@@ -378,7 +378,8 @@ class ScenarioRun::Parts {
 };
 
 ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions options) {
-  if (!scenario.time) throw DomainError(scenario.name + ": time: got nothing; expected [time]");
+  if (!scenario.rotation().time)
+    throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
   parts_ = std::make_unique<Parts>(scenario, std::move(files), std::move(options));
 }
 ScenarioRun::~ScenarioRun() = default;

@@ -44,6 +44,7 @@ class ScenarioMap {
  public:
   // `name` stands for the file in messages and outputs.
   ScenarioMap(std::string_view text, const std::string& name);
+  explicit ScenarioMap(Scenario scenario);
   ~ScenarioMap();
   ScenarioMap(const ScenarioMap&) = delete;
   ScenarioMap& operator=(const ScenarioMap&) = delete;
