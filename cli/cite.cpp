@@ -3,7 +3,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "polhode/io/citations.hpp"
+#include "polhode/run/citations.hpp"
 
 namespace polhode::cli {
 

@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/sink.hpp"
+#include "polhode/output/sink.hpp"
 #include "polhode/version.hpp"
 #include "stop_signals.hpp"
 

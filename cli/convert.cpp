@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/convert.hpp"
+#include "polhode/tables/convert.hpp"
 
 #include <unistd.h>
 
@@ -14,8 +14,8 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/aem.hpp"
-#include "polhode/io/sink.hpp"
+#include "polhode/output/sink.hpp"
+#include "polhode/tables/aem.hpp"
 
 namespace polhode::cli {
 namespace {

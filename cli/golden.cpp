@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/golden.hpp"
+#include "polhode/run/golden.hpp"
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "polhode/io/summary.hpp"
+#include "polhode/run/summary.hpp"
 
 namespace polhode::cli {
 

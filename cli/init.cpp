@@ -4,7 +4,7 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/schema.hpp"
+#include "polhode/scenario/schema.hpp"
 
 namespace polhode::cli {
 

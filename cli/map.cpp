@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/map.hpp"
+#include "polhode/run/map.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "commands.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/run.hpp"
+#include "polhode/run/run.hpp"
 #include "progress.hpp"
 #include "resume.hpp"
 #include "stop_signals.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/io/scenario_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 
 namespace polhode::cli {
 

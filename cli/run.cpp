@@ -13,8 +13,8 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/scenario_run.hpp"
-#include "polhode/io/summary.hpp"
+#include "polhode/run/scenario_run.hpp"
+#include "polhode/run/summary.hpp"
 #include "progress.hpp"
 #include "resume.hpp"
 #include "stop_signals.hpp"

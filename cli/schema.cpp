@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hidden: what docs/reference is generated from (tests/cli check that it is current).
-#include "polhode/io/schema.hpp"
+#include "polhode/scenario/schema.hpp"
 
 #include <memory>
 #include <string>

@@ -6,8 +6,8 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/obj.hpp"
-#include "polhode/io/shape_report.hpp"
+#include "polhode/run/shape_report.hpp"
+#include "polhode/tables/obj.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -138,7 +138,7 @@ inline constexpr double large_angle = 2e-16;
 // What a weak torque adds to g, relative, at loose tolerances: some roundings of g.
 inline constexpr double turning_plate = 1e-6;
 
-// --- text and files (tests/unit/io) ---
+// --- text and files (tests/unit/text, tables, output, scenario, run) ---
 // A state read from text against the same state built directly; momentum of order ten.
 inline constexpr double io_state = 4e-15;
 // Serret elements of two states of one motion.

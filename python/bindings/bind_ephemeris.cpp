@@ -5,7 +5,7 @@
 #include "orbit_value.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"
-#include "polhode/io/epoch.hpp"
+#include "polhode/text/epoch.hpp"
 #include "value.hpp"
 
 namespace polhode::python {

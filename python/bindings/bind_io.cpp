@@ -3,9 +3,9 @@
 // (python/polhode/scenarios.py, results.py); _Scenario is the value behind them.
 #include "arrays.hpp"
 #include "io_parts.hpp"
-#include "polhode/io/citations.hpp"
-#include "polhode/io/columns.hpp"
-#include "polhode/io/run.hpp"
+#include "polhode/output/columns.hpp"
+#include "polhode/run/citations.hpp"
+#include "polhode/run/run.hpp"
 #include "states.hpp"
 
 namespace polhode::python {

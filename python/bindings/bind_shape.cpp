@@ -4,10 +4,10 @@
 
 #include "arrays.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/obj.hpp"
 #include "polhode/perturb/yorp.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "polhode/shape/surface.hpp"
+#include "polhode/tables/obj.hpp"
 
 namespace polhode::python {
 

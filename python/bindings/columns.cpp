@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "polhode/error.hpp"
-#include "polhode/io/columns.hpp"
+#include "polhode/output/columns.hpp"
 
 namespace polhode::python {
 

@@ -3,7 +3,7 @@
 
 #include "arrays.hpp"
 #include "io_parts.hpp"
-#include "polhode/io/aem.hpp"
+#include "polhode/tables/aem.hpp"
 #include "samples.hpp"
 
 namespace polhode::python {

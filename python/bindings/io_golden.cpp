@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batch.hpp"
 #include "io_parts.hpp"
-#include "polhode/io/golden.hpp"
+#include "polhode/run/golden.hpp"
 #include "samples.hpp"
 
 namespace polhode::python {

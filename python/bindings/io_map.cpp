@@ -6,8 +6,8 @@
 
 #include "arrays.hpp"
 #include "io_parts.hpp"
-#include "polhode/io/map.hpp"
-#include "polhode/io/run.hpp"
+#include "polhode/run/map.hpp"
+#include "polhode/run/run.hpp"
 #include "samples.hpp"
 
 namespace polhode::python {

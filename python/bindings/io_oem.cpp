@@ -3,7 +3,7 @@
 
 #include "arrays.hpp"
 #include "io_parts.hpp"
-#include "polhode/io/oem.hpp"
+#include "polhode/tables/oem.hpp"
 #include "samples.hpp"
 
 namespace polhode::python {

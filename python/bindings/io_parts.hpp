@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "bindings.hpp"
-#include "polhode/io/scenario.hpp"
-#include "polhode/io/scenario_run.hpp"
-#include "polhode/io/sink.hpp"
-#include "polhode/io/summary.hpp"
+#include "polhode/output/sink.hpp"
+#include "polhode/run/scenario_run.hpp"
+#include "polhode/run/summary.hpp"
+#include "polhode/scenario/scenario.hpp"
 
 namespace polhode::python {
 

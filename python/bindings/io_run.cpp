@@ -7,7 +7,7 @@
 #include "batch.hpp"
 #include "io_parts.hpp"
 #include "polhode/error.hpp"
-#include "polhode/io/scenario_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 #include "samples.hpp"
 #include "signals.hpp"
 #include "states.hpp"

@@ -4,7 +4,7 @@
 #include "arrays.hpp"
 #include "choice.hpp"
 #include "io_parts.hpp"
-#include "polhode/io/units.hpp"
+#include "polhode/text/units.hpp"
 #include "value.hpp"
 
 namespace polhode::python {

@@ -18,6 +18,8 @@ from python_session import PythonSession
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
+# What a program includes that needs polhode::io.
+OF_IO = re.compile("polhode/(text|tables|output|scenario|run)/")
 RELATIVE = budgets.documents
 SECONDS = 300
 
@@ -120,7 +122,7 @@ def program(text):
 
 def compile_command(build, source, executable):
     libraries = [build / "src/libpolhode.a"]
-    if "polhode/io/" in Path(source).read_text(encoding="utf-8"):
+    if OF_IO.search(Path(source).read_text(encoding="utf-8")):
         flags = subprocess.run(["pkg-config", "--libs", "hdf5-serial", "udunits", "fmt"],
                                stdout=subprocess.PIPE, text=True, check=True).stdout
         libraries = [build / "src/libpolhode_io.a", *libraries, *flags.split()]

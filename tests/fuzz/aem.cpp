@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes are an Attitude Ephemeris Message with finite attitudes at rising times, or one
 // DomainError: never a crash.
-#include "polhode/io/aem.hpp"
+#include "polhode/tables/aem.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // Any bytes are a table that converts, or one DomainError after the rows that are good: never a
 // crash, never a number that is not finite. The first two bytes choose the charts, the third how
 // much of the table arrives at a time.
-#include "polhode/io/convert.hpp"
+#include "polhode/tables/convert.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes are a facet shape or one DomainError of one printable line: never a crash. What is a
 // shape has facets with areas, and where it is closed, a volume or a reason.
-#include "polhode/io/obj.hpp"
+#include "polhode/tables/obj.hpp"
 
 #include <cmath>
 

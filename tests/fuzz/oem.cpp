@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes are an Orbit Ephemeris Message with finite states at rising times, or one DomainError:
 // never a crash.
-#include "polhode/io/oem.hpp"
+#include "polhode/tables/oem.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes are a scenario or one ScenarioError: never a crash, never another exception. What is a
 // scenario has rows, finite ones where the motion is free.
-#include "polhode/io/scenario.hpp"
+#include "polhode/scenario/scenario.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "fuzz.hpp"
-#include "polhode/io/columns.hpp"
-#include "polhode/io/run.hpp"
-#include "polhode/io/summary.hpp"
+#include "polhode/output/columns.hpp"
+#include "polhode/run/run.hpp"
+#include "polhode/run/summary.hpp"
 
 namespace {
 

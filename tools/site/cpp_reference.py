@@ -24,7 +24,11 @@ LAYERS = {
     "analysis": "What a run tells: how chaotic it is.",
     "ensemble": "Many runs at once, on the processors of one machine.",
     "trajectory": "What a run leaves: samples, events, outcome.",
-    "io": "Scenarios, units, output files (`polhode::io`).",
+    "text": "Units, dates and words (`polhode::io`, as the next four).",
+    "tables": "Tables, meshes and ephemeris messages read; tables converted between charts.",
+    "output": "Columns of a run, and the files that hold them.",
+    "scenario": "Scenario files: their keys, and what is read from them.",
+    "run": "Scenarios run into files: runs, maps, summaries, citations, golden cases.",
     "ode": "Integrators of plain equations.",
     "elliptic": "Elliptic integrals and functions, with modulus and complement.",
     "math": "Vectors, quaternions, dual numbers, double-double.",
@@ -32,10 +36,11 @@ LAYERS = {
 INDEX = """\
 # C++
 
-`#include "polhode/polhode.hpp"` brings everything but `polhode/io/`; one header brings itself and
-what it needs. All names are in `namespace polhode`. Link `polhode::polhode`, and `polhode::io` for
-scenarios and files ([install](../../start/install.md)). Value types are templates on the number
-type; `RotorState` is `BasicRotorState<double>`, and so on.
+`#include "polhode/polhode.hpp"` brings everything but the layers of `polhode::io` and
+`polhode::ensemble`; one header brings itself and what it needs. All names are in
+`namespace polhode`. Link `polhode::polhode`, and `polhode::io` for scenarios and files
+([install](../../start/install.md)). Value types are templates on the number type; `RotorState` is
+`BasicRotorState<double>`, and so on.
 
 Every header carries the same labels. **Domain** says what is legal and what is returned in
 degenerate cases, **Errors** what throws; nothing else throws. `[SA (84)]` is equation (84) of the

@@ -2,7 +2,7 @@
 // Uses the installed polhode::io, which brings its own libraries along.
 #include <cstdio>
 
-#include "polhode/io/units.hpp"
+#include "polhode/text/units.hpp"
 
 int main() {
   const polhode::Units units("h", "deg", "1");

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What a row of output holds: t, then the column groups that a scenario asks for.
+//
+// Equations   those of the charts. Attitudes and elements are those in the reference frame S; omega
+//             and omega_inertial are the inertial angular velocity I^-1 g + v(terms), omega_rel the
+//             one relative to S; convective is v, the frame's part included; damper is
+//             the rate of a Kane damper's sphere relative to the body; *_osc are the elements
+//             of g_osc = I w_SB [SA (104)-(107), (124)]; dE is E - E(0).
+// Units       each column in the units of the scenario (polhode/text/units.hpp); names and units in
+//             groups().
+// Domain      one symbol, one number: a column that two groups share (h, G, H of andoyer and
+//             serret) is in the first of them only. With a full tensor q, g and the body components
+//             of vectors refer to its axes, everything else to principal axes. sadov and serret are
+//             the elements of the free motion through the state of the row.
+// Accuracy    that of the motion and of the charts.
+// Errors      DomainError for an unknown or repeated group; energy of a system that has none.
+// Cost        one evaluation of the motion per row, and one conversion per chart; sadov and serret
+//             of a motion that is not free prepare a FreeRotation per row.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/system/system.hpp"
+#include "polhode/text/units.hpp"
+#include "polhode/trajectory/trajectory.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct RowSample;
+
+struct Column {
+  std::string name;
+  std::string unit;
+};
+struct ColumnGroup {
+  std::string name;
+  std::vector<Column> columns;
+};
+
+// The names that [output] columns may list, and those of all their columns.
+std::vector<std::string_view> column_group_names();
+std::vector<std::string_view> column_names();
+// DomainError for an unknown column.
+Dimension column_dimension(std::string_view column);
+// Whether a group (or one of its columns) is an energy, which not every system has.
+bool needs_energy(std::string_view group_or_column);
+
+// What every row of a motion shares.
+struct RowOrigin {
+  const System& system;
+  double initial_energy = 0.0;  // at t = 0; for dE
+};
+
+// One column as a function of a sample, in core units.
+struct ScalarColumn {
+  Dimension dimension;
+  std::function<double(const Sample&)> value;
+};
+ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy);
+
+// Sadov's and Serret's sets have a branch (region, lobe, signs). It is constant along a free
+// motion, and a note of the output says it; another motion changes it, and then it has columns.
+enum class Branch { in_notes, in_columns };
+
+class RowLayout {
+ public:
+  RowLayout(std::span<const std::string> groups, const Units& units,
+            Branch branch = Branch::in_notes);
+
+  // "t" first, then as asked for, without columns that an earlier group has.
+  const std::vector<ColumnGroup>& groups() const { return groups_; }
+  std::size_t width() const { return width_; }
+  // Writes width() numbers per time to out, in inertial axes. Serret's elements, constants of the
+  // motion, are those at the epoch in every row: t0 does not jump by a period.
+  void write_rows(const FreeRotation& motion, std::span<const double> times,
+                  std::span<double> out) const;
+  // The same for samples of any motion.
+  void write_rows(const RowOrigin& origin, std::span<const Sample> samples,
+                  std::span<double> out) const;
+
+ private:
+  void write_row(const RowSample& sample, std::span<double> out) const;
+
+  struct Cell {
+    std::size_t group;  // in the table of groups
+    std::size_t index;  // in that group
+    Dimension dimension;
+  };
+  std::vector<ColumnGroup> groups_;
+  std::vector<Cell> cells_;
+  std::size_t width_ = 0;
+  Units units_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Scenario: a TOML file that has been read and checked completely. The file (Document), what is run
+// (Experiment, of the kind that the file names), what is written (OutputPlan), and the table [map]
+// where one wraps it. The keys are in polhode/scenario/schema.hpp.
+//
+// Equations   none of its own.
+// Units       numbers are in core units (polhode/text/units.hpp).
+// Domain      schema 1; kind "rotation", which is what a file without the key describes.
+// Accuracy    as polhode/scenario/document.hpp and rotation.hpp.
+// Errors      ScenarioError (polhode/scenario/document.hpp). What a chart or body refuses is
+//             reported there too.
+// Cost        milliseconds, of which one preparation of the motion.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "polhode/output/output_plan.hpp"
+#include "polhode/scenario/document.hpp"
+#include "polhode/scenario/map_plan.hpp"
+#include "polhode/scenario/rotation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// One struct for each kind.
+using Experiment = std::variant<Rotation>;
+
+struct Scenario {
+  Document document;
+  Experiment experiment;
+  OutputPlan output;
+  std::optional<MapPlan> map = std::nullopt;
+
+  const Units& units() const { return document.units; }
+  const Rotation& rotation() const { return std::get<Rotation>(experiment); }
+};
+
+// `path` stands for the file in messages, its last part in outputs.
+Scenario scenario_from_text(std::string_view text, const std::string& path);
+// "-" is standard input. DomainError when there is no such file, or it is a folder.
+Scenario read_scenario(const std::string& path);
+
+// Of kind "rotation": see polhode/scenario/rotation.hpp.
+System rotor_system(const Scenario& scenario);
+RotorState initial_state(const Scenario& scenario);
+FreeRotation free_rotation(const Scenario& scenario);
+std::optional<Method> propagation_method(const Scenario& scenario);
+Problem rotor_problem(const Scenario& scenario);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// separated: the parts of a text between separators, such as the words of a list of the schema.
+//
+// Equations   none.
+// Units       none.
+// Domain      any text; the parts point into it. An empty text has no parts.
+// Accuracy    none.
+// Errors      none.
+// Cost        one pass.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+inline namespace v0 {
+
+// "a|b" as {a, b}.
+std::vector<std::string_view> separated(std::string_view joined, char separator);
+
+}  // namespace v0
+}  // namespace polhode

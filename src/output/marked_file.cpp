@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "output/detail/marked_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dynamics/detail/state_bytes.hpp"
+#include "output/part_file.hpp"
+#include "polhode/error.hpp"
+#include "polhode/output/sink.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::string_view title = "polhode undo 1";
+
+off_t offset_of(std::uint64_t x) { return static_cast<off_t>(x); }
+
+bool written(int descriptor, std::string_view bytes, std::uint64_t offset) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(descriptor, bytes.data(), bytes.size(), offset_of(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n == 0) errno = ENOSPC;
+    if (n <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+    offset += static_cast<std::uint64_t>(n);
+  }
+  return true;
+}
+
+// Zeros beyond the end.
+bool read_at(int descriptor, std::span<char> out, std::uint64_t offset) {
+  while (!out.empty()) {
+    const ssize_t n = ::pread(descriptor, out.data(), out.size(), offset_of(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    if (n == 0) {
+      std::fill(out.begin(), out.end(), '\0');
+      return true;
+    }
+    out = out.subspan(static_cast<std::size_t>(n));
+    offset += static_cast<std::uint64_t>(n);
+  }
+  return true;
+}
+
+// Empty when there is none.
+std::string file_text(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return {};
+  const off_t size = ::lseek(descriptor, 0, SEEK_END);
+  std::string text(static_cast<std::size_t>(std::max<off_t>(size, 0)), '\0');
+  const bool good = read_at(descriptor, text, 0);
+  ::close(descriptor);
+  return good ? text : std::string();
+}
+
+// One piece of an undo file: what stood at `offset`.
+struct Piece {
+  std::uint64_t offset = 0;
+  std::string bytes;
+  std::uint64_t hash = 0;
+
+  void transfer(StateBytes& visit) { visit.all(offset, bytes, hash); }
+  std::uint64_t true_hash() const { return fingerprint(bytes) ^ offset; }
+};
+
+// Up to the first that was not written to its end: the file has not been changed there yet.
+std::vector<Piece> pieces_of(const std::string& undo, const MarkedFile::Mark& mark) {
+  std::vector<Piece> pieces;
+  StateBytes reader(undo);
+  try {
+    std::string head;
+    MarkedFile::Mark of{};
+    reader.all(head, of.bytes, of.number);
+    if (head != title || of.bytes != mark.bytes || of.number != mark.number) return {};
+    while (!reader.is_done()) {
+      Piece piece;
+      piece.transfer(reader);
+      if (piece.hash != piece.true_hash()) break;
+      pieces.push_back(std::move(piece));
+    }
+  } catch (const DomainError&) {  // the bytes end within a piece
+  }
+  return pieces;
+}
+
+}  // namespace
+
+MarkedFile::MarkedFile(std::string path) : path_(std::move(path)), descriptor_(new_part(path_)) {
+  ::unlink(undo_path(path_).c_str());  // of another run
+}
+
+MarkedFile::MarkedFile(std::string path, const Mark& mark)
+    : path_(std::move(path)),
+      descriptor_(reopened_part(path_, {mark.bytes, "", can_take_back(path_, mark)})),
+      bytes_(mark.bytes) {
+  try {
+    take_back(mark);
+    this->mark(mark.number);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+MarkedFile::~MarkedFile() {
+  if (undo_ >= 0) {
+    ::close(undo_);
+    if (kept_.empty()) ::unlink(undo_path(path_).c_str());
+  }
+  ::close(descriptor_);
+}
+
+void MarkedFile::fail(int error_number) const { fail_to_write(path_, error_number); }
+
+bool MarkedFile::can_take_back(const std::string& path, const Mark& mark) {
+  return !pieces_of(file_text(undo_path(path)), mark).empty();
+}
+
+void MarkedFile::take_back(const Mark& mark) {
+  for (const Piece& piece : pieces_of(file_text(undo_path(path_)), mark))
+    if (!written(descriptor_, piece.bytes, piece.offset)) fail(errno);
+  if (::ftruncate(descriptor_, mark.bytes) != 0) fail(errno);
+  sync();
+}
+
+bool MarkedFile::read(std::uint64_t offset, std::span<char> out) const {
+  if (!read_at(descriptor_, out, offset)) return false;
+  const std::uint64_t end = offset + out.size();
+  for (auto i = waiting_.lower_bound(offset / page_bytes);
+       i != waiting_.end() && i->first * page_bytes < end; ++i) {
+    const std::uint64_t first = std::max(offset, i->first * page_bytes);
+    const std::uint64_t last = std::min(end, (i->first + 1) * page_bytes);
+    std::memcpy(out.data() + (first - offset), i->second.data() + first % page_bytes, last - first);
+  }
+  return true;
+}
+
+bool MarkedFile::write(std::uint64_t offset, std::span<const char> bytes) {
+  while (!bytes.empty()) {
+    const std::uint64_t page = offset / page_bytes, from = offset % page_bytes;
+    const std::size_t count = std::min<std::size_t>(bytes.size(), page_bytes - from);
+    const auto [i, is_new] = waiting_.try_emplace(page);
+    if (is_new && count < page_bytes && !read_at(descriptor_, i->second, page * page_bytes)) {
+      waiting_.erase(i);
+      return false;
+    }
+    std::memcpy(i->second.data() + from, bytes.data(), count);
+    bytes = bytes.subspan(count);
+    offset += count;
+  }
+  return true;
+}
+
+bool MarkedFile::put_page(std::uint64_t page, const Page& bytes, std::int64_t length) const {
+  const auto begin = static_cast<std::int64_t>(page * page_bytes);
+  const auto count = std::clamp<std::int64_t>(length - begin, 0, std::int64_t{page_bytes});
+  return written(descriptor_, {bytes.data(), static_cast<std::size_t>(count)}, page * page_bytes);
+}
+
+// Before a byte of the marked state is overwritten, it is in PATH-undo, on the disk.
+void MarkedFile::keep_old_pages() {
+  StateBytes added;
+  std::vector<std::uint64_t> pages;
+  for (const auto& [page, bytes] : waiting_) {
+    const auto begin = static_cast<std::int64_t>(page * page_bytes);
+    if (begin >= mark_.bytes || kept_.contains(page)) continue;
+    const auto count = std::min<std::int64_t>(page_bytes, mark_.bytes - begin);
+    Piece piece{page * page_bytes, std::string(static_cast<std::size_t>(count), '\0'), 0};
+    if (!read_at(descriptor_, piece.bytes, piece.offset)) fail(errno);
+    piece.hash = piece.true_hash();
+    piece.transfer(added);
+    pages.push_back(page);
+  }
+  if (pages.empty()) return;
+  if (undo_ < 0) {
+    undo_ = ::open(undo_path(path_).c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (undo_ < 0) fail(errno);
+  }
+  const off_t end = ::lseek(undo_, 0, SEEK_END);
+  StateBytes head;
+  if (end == 0) {
+    std::string text(title);
+    head.all(text, mark_.bytes, mark_.number);
+  }
+  if (!written(undo_, head.bytes() + added.bytes(), static_cast<std::uint64_t>(end)) ||
+      ::fdatasync(undo_) != 0) {
+    const int error_number = errno;
+    if (::ftruncate(undo_, end) != 0) errno = error_number;
+    fail(error_number);
+  }
+  kept_.insert(pages.begin(), pages.end());
+}
+
+void MarkedFile::commit(std::int64_t bytes) {
+  keep_old_pages();
+  // What is new first: it needs space on the disk, and nothing refers to it yet.
+  const auto is_new = [&](std::uint64_t page) {
+    return static_cast<std::int64_t>(page * page_bytes) >= bytes_;
+  };
+  bool good = true;
+  for (auto i = waiting_.begin(); good && i != waiting_.end(); ++i)
+    if (is_new(i->first)) good = put_page(i->first, i->second, bytes);
+  good = good && (bytes <= bytes_ || ::ftruncate(descriptor_, bytes) == 0);
+  if (!good) {
+    const int error_number = errno;
+    if (::ftruncate(descriptor_, bytes_) != 0) fail(errno);
+    fail(error_number);
+  }
+  for (const auto& [page, old] : waiting_)
+    if (!is_new(page) && !put_page(page, old, bytes)) fail(errno);
+  if (bytes < bytes_ && ::ftruncate(descriptor_, bytes) != 0) fail(errno);
+  bytes_ = bytes;
+  waiting_.clear();
+}
+
+void MarkedFile::sync() const {
+  if (::fsync(descriptor_) != 0) fail(errno);
+}
+
+void MarkedFile::mark(std::int64_t number) {
+  if (undo_ >= 0 && ::ftruncate(undo_, 0) != 0) ::close(std::exchange(undo_, -1));
+  if (undo_ < 0) ::unlink(undo_path(path_).c_str());
+  mark_ = {bytes_, number};
+  kept_.clear();
+}
+
+void MarkedFile::forget_marks() {
+  mark_ = {0, 0};
+  ::unlink(undo_path(path_).c_str());
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What an earlier run has left beside its outputs, and what is said of it.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "output/part_file.hpp"
+#include "polhode/run/scenario_run.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// PATH.checkpoint
+std::string checkpoint_path(const std::string& output);
+// The checkpoint of the unfinished run that an output belongs to: beside it, or beside the first
+// output of that run. Empty: there is none. DomainError when there should be one.
+std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words);
+// Leaves beside an output where the checkpoint of its run is.
+void point_to_checkpoint(const std::string& output, const std::string& checkpoint);
+void forget_checkpoints(std::span<const std::string> outputs);
+// A renamed file is on the disk when its folder is.
+void sync_folder_of(const std::string& path);
+
+// "FILE: an unfinished run is there (TOLD); resume continues it, ..."
+[[noreturn]] void refuse_unfinished(const std::string& file, const std::string& kind,
+                                    const std::string& told, const BeginWords& words);
+
+// Whether all outputs are there, with none on its way. DomainError for one of another scenario, or
+// of other files that the scenario names, and for one that does not say.
+bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,
+                  const BeginWords& words);
+
+// A disk that was full says what to do: make space, and what `next` says. Empty: nothing helps.
+template <class F, class Next>
+void with_remedy(const F& f, const Next& next) {
+  try {
+    f();
+  } catch (const NoSpace& full) {
+    const std::string then = next();
+    if (then.empty()) throw;
+    throw OutputError(std::string(full.what()) + "; " + full.remedy + ", then " + then);
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What one cell of a map is: the run of an experiment, and the rows that are kept of it.
+#pragma once
+
+#include "polhode/output/columns.hpp"
+#include "polhode/run/map.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// The results of a cell, without its axes.
+ColumnGroup result_columns(const MapPlan& plan, const Units& units);
+// A cell that failed has one row of NaN.
+MapCell failed_cell(std::size_t width, std::string why);
+// A cell: its experiment, and what the map wants of it.
+struct CellPlace {
+  const Rotation& rotation;
+  const MapPlan& plan;
+  const Units& units;
+};
+MapCell map_cell(const CellPlace& of, const Progress& progress);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

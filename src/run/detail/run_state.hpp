@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A run of a scenario between two steps, and how it is watched, stopped and continued.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "dynamics/detail/state_bytes.hpp"
+#include "polhode/run/run.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What the rest of the run depends on, beside the scenario.
+struct RunState {
+  static constexpr int way = 0;   // to the first row, from t = 0
+  static constexpr int rows = 1;  // integrated
+  static constexpr int free = 2;  // exact: by the number of rows, and the search for events
+
+  int stage = way;
+  double t = 0.0;
+  std::int64_t pushed = 0;  // rows, into the sinks
+  std::string integration;  // bytes of a Checkpoint, or of that search
+  Statistics before{};      // of the way
+  Sample first{};           // where the rows start
+  Sample latest{};          // of the rows pushed
+
+  void transfer(StateBytes& bytes) {
+    bytes.all(stage, t, pushed, integration, before, first, latest);
+  }
+};
+
+struct RunControl {
+  Progress progress = {};
+  std::function<void(const EventRecord&)> event = {};  // empty: the report has them
+  std::function<bool(double t)> due = {};              // whether to keep the state now
+  std::function<void(const RunState&)> keep = {};
+  const RunState* from = nullptr;
+};
+
+RunReport run_rows(const Scenario& scenario, const RowLayout& layout,
+                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

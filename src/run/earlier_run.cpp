@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "run/detail/earlier_run.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <ranges>
+#include <sstream>
+
+#include "output/comments.hpp"
+#include "output/part_file.hpp"
+#include "polhode/error.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view pointer_head = "the checkpoint of this run is\n";
+
+std::string shown(const std::string& path) { return printable(path, 500); }
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+// What the file beside an output is, or points to.
+std::string followed(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(pointer_head.size(), '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (!stream || head != pointer_head) return file;
+  std::ostringstream rest;
+  rest << stream.rdbuf();
+  std::string target = rest.str();
+  if (target.ends_with('\n')) target.pop_back();
+  return (fs::path(file).parent_path() / target).string();
+}
+
+}  // namespace
+
+std::string checkpoint_path(const std::string& output) { return output + ".checkpoint"; }
+
+std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words) {
+  for (const std::string& output : outputs) {
+    const std::string beside = checkpoint_path(output);
+    if (output == "-" || !is_there(beside)) continue;
+    std::string checkpoint = followed(beside);
+    if (is_there(checkpoint)) return checkpoint;
+    throw DomainError(shown(beside) + ": an unfinished run is there; expected its checkpoint " +
+                      shown(checkpoint) + ", which is gone: put it back, or " + words.restart +
+                      " begins anew");
+  }
+  return {};
+}
+
+void point_to_checkpoint(const std::string& output, const std::string& checkpoint) {
+  const fs::path folder = fs::absolute(output).parent_path();
+  std::error_code failed;
+  fs::path target = fs::proximate(fs::absolute(checkpoint), folder, failed);
+  if (failed) target = fs::absolute(checkpoint);
+  replace_file(checkpoint_path(output), std::string(pointer_head) + target.string() + "\n");
+  sync_folder_of(output);
+}
+
+// That of the first output last: what points to it does not outlive it.
+void forget_checkpoints(std::span<const std::string> outputs) {
+  std::error_code ignored;
+  for (const std::string& output : outputs | std::views::reverse)
+    if (output != "-") fs::remove(checkpoint_path(output), ignored);
+}
+
+void sync_folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  const int descriptor =
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);  // a folder that cannot be synced is none of a local disk
+  ::close(descriptor);
+}
+
+void refuse_unfinished(const std::string& file, const std::string& kind, const std::string& told,
+                       const BeginWords& words) {
+  throw DomainError(shown(file) + ": an unfinished " + kind + " is there (" + printable(told, 500) +
+                    "); " + words.resume + " continues it, " + words.restart +
+                    " begins anew and loses what it has done");
+}
+
+bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,
+                  const BeginWords& words) {
+  if (std::any_of(outputs.begin(), outputs.end(), [](const auto& path) {
+        return path == "-" || !is_there(path) || is_there(path + ".part");
+      }))
+    return false;
+  for (const std::string& path : outputs) {
+    const std::string why = foreign_origin(path, provenance);
+    if (!why.empty())
+      throw DomainError(shown(path) + ": is there, " + why + "; " + words.restart +
+                        " runs this one anew");
+  }
+  return true;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// When t = 0 of a scenario is, and how long its unit of time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "polhode/ephemeris/date.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct Clock {
+  Date epoch;                  // in TT
+  std::optional<double> dut1;  // s
+  double second;               // in core units of time
+
+  double core_time(const Date& date) const { return seconds_between(epoch, date, dut1) * second; }
+};
+// Refuses at the place of `path` where the file has no epoch.
+Clock clock_of(const Values& values, const Units& units, std::string_view path,
+               const std::string& name);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

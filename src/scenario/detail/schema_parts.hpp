@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The parts of the table of scenario keys, one concept each.
+#pragma once
+
+#include <span>
+
+#include "polhode/scenario/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct SchemaPart {
+  std::span<const Key> keys;
+  std::span<const Alternatives> alternatives;
+};
+SchemaPart body_keys();
+SchemaPart state_keys();
+SchemaPart frame_keys();
+SchemaPart orbit_keys();
+SchemaPart perturbation_keys();
+SchemaPart surface_keys();
+SchemaPart method_keys();
+SchemaPart time_keys();
+SchemaPart output_keys();
+SchemaPart map_keys();
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

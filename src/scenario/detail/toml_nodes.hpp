@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What single nodes of a TOML document say. For toml_values.cpp alone, after toml.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scenario/detail/toml.hpp"
+#include "scenario/diagnostics.hpp"
+#include "text/number_text.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+inline Position position(const toml::source_region& region) {
+  const Position start{region.begin.line, region.begin.column};
+  return start.line == 0 ? Position{} : start;
+}
+
+// toml++ itself refuses to make a double of a whole number beyond 2^53.
+inline std::optional<double> real(const toml::node* node) {
+  if (node == nullptr) return std::nullopt;
+  if (const auto* whole = node->as_integer()) return static_cast<double>(whole->get());
+  if (const auto* floating = node->as_floating_point()) return floating->get();
+  return std::nullopt;
+}
+
+// { value = .., unit = ".." } has these two keys and no other; the unit, or nothing.
+inline std::optional<std::string_view> own_unit(const toml::table& table) {
+  if (table.size() != 2 || !table.contains("value")) return std::nullopt;
+  return table["unit"].value<std::string_view>();
+}
+
+inline const toml::array* items(const toml::node& node) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return node.as_array();
+  return own_unit(*table) ? (*table)["value"].as_array() : nullptr;
+}
+
+// As messages quote it; an array up to some hundred characters.
+inline std::string shown(const toml::node& node);
+
+inline std::string shown_array(const toml::array& array) {
+  constexpr std::size_t longest = 100;
+  std::string text = "[";
+  for (const toml::node& item : array) {
+    if (text.size() > longest) return text + ", ...]";
+    text += (text.size() > 1 ? ", " : "") + shown(item);
+  }
+  return text + "]";
+}
+
+inline std::string shown(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return '"' + printable(*node.value<std::string_view>()) + '"';
+    case toml::node_type::integer:
+      return std::to_string(*node.value<std::int64_t>());
+    case toml::node_type::floating_point:
+      return number_text(*node.value<double>());
+    case toml::node_type::boolean:
+      return *node.value<bool>() ? "true" : "false";
+    case toml::node_type::table:
+      return own_unit(*node.as_table())
+                 ? "{ value = " + shown(*node.as_table()->get("value")) +
+                       ", unit = " + shown(*node.as_table()->get("unit")) + " }"
+                 : "a table";
+    case toml::node_type::array:
+      return shown_array(*node.as_array());
+    default:
+      return "a date without quotes";
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

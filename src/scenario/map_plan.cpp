@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/map_plan.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "polhode/error.hpp"
+#include "polhode/output/columns.hpp"
+#include "scenario/scenario_parts.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr double most_cells = 1e9;
+
+bool is_number(const Value& value) {
+  const KeyType type = value.key->type;
+  return type == KeyType::number || type == KeyType::numbers || type == KeyType::matrix ||
+         type == KeyType::linear_map;
+}
+
+// The numbers of a file by their keys; of arrays the first, or that with the index in `key`.
+std::vector<std::string> numbers_of(const Values& values, const std::string& key) {
+  std::string index = "[0]";
+  if (key.ends_with("]")) index = key.substr(std::min(key.rfind('['), key.size()));
+  std::vector<std::string> paths;
+  for (const auto& [path, value] : values) {
+    if (!is_number(value) || path.starts_with("map.")) continue;
+    const std::string one = value.key->type == KeyType::number ? path : path + index;
+    paths.push_back(number_place(values, one) ? one : path + "[0]");
+  }
+  return paths;
+}
+
+MapAxis axis_of(const Values& values, const Units& units, const std::string& path,
+                const std::string& name) {
+  const std::string& key = word(values, path + ".key");
+  const std::optional<NumberPlace> place = number_place(values, key);
+  if (!place) {
+    const std::vector<std::string> paths = numbers_of(values, key);
+    const std::vector<std::string_view> known(paths.begin(), paths.end());
+    refuse(values, path + ".key", name,
+           "expected a key of this file that holds a number, such as state.euler.theta or "
+           "state.attitude-rate.omega_body[2]" +
+               did_you_mean(key, known));
+  }
+  const std::int64_t count = value_at(values, path + ".count").whole;
+  if (count < 1 || static_cast<double>(count) > most_cells)
+    refuse(values, path + ".count", name, "expected a whole number from 1 to 1e9");
+  const Dimension dimension = values.find(place->path)->second.key->dimension;
+  return {key, number(values, path + ".from"), number(values, path + ".to"), count,
+          units.label(dimension)};
+}
+
+std::string column_of(const Values& values, const Rotation& rotation, const std::string& name) {
+  const std::string& column = word(values, "map.column");
+  const std::vector<std::string_view> known = column_names();
+  if (std::find(known.begin(), known.end(), column) == known.end())
+    refuse(values, "map.column", name,
+           "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
+               did_you_mean(column, known));
+  if (needs_energy(column) && !rotor_system(rotation).has_energy())
+    refuse(values, "map.column", name,
+           "expected another column, since a perturbation has no energy");
+  return column;
+}
+
+SectionSurface surface_of(const Values& values, const std::string& name) {
+  const bool by_period = there(values, "map.period");
+  for (const char* const key : {"map.value", "map.crossing", "map.epoch"})
+    if (given(values, key) && by_period != (std::string_view(key) == "map.epoch"))
+      refuse(values, key, name,
+             by_period ? "expected beside angle only" : "expected beside period only");
+  if (!by_period) {
+    const std::string& angle = word(values, "map.angle");
+    return AndoyerSurface{angle == "l"   ? AndoyerAngle::l
+                          : angle == "g" ? AndoyerAngle::g
+                                         : AndoyerAngle::h,
+                          number(values, "map.value"), crossing_of(word(values, "map.crossing"))};
+  }
+  const double period = number(values, "map.period");
+  if (!(period > 0.0)) refuse(values, "map.period", name, "expected a positive time");
+  return Strobe{period, number(values, "map.epoch")};
+}
+
+std::string section_orbit(const Values& values, const Rotation& rotation, const std::string& name) {
+  const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "map.orbit", name);
+  const KeplerElements* const elements = kepler_elements(orbit);
+  if (elements == nullptr)
+    refuse(values, "map.orbit", name, "expected an orbit with elements: others have no pericentre");
+  built(values, "map.orbit", name, [&] {
+    require_pericentres(*elements, "map");
+    return true;
+  });
+  return orbit.name;
+}
+
+// All but the grid.
+MapPlan without_axes(const Values& values, const Rotation& rotation, const std::string& name) {
+  const std::string& kind = word(values, "map.kind");
+  if (kind == "chaos" && rotation.damper)
+    refuse(values, "map.kind", name,
+           "expected another kind, since the state of a Kane damper has no indicator of chaos");
+  if (kind == "chaos") return {.kind = MapKind::chaos};
+  if (kind == "column")
+    return {.kind = MapKind::column, .column = column_of(values, rotation, name)};
+  if (kind == "andoyer-section")
+    return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
+  return {.kind = MapKind::spin_orbit_section, .orbit = section_orbit(values, rotation, name)};
+}
+
+void require_rows(const Values& values, const Rotation& rotation, const std::string& name) {
+  if (!rotation.time) refuse(values, "map", name, "expected a table [time] beside it");
+  const SaveAt& rows = *rotation.time;
+  const double first = rows[0], last = rows[rows.size() - 1];
+  if (last == 0.0 || first * last < 0.0 || rows.is_list())
+    refuse(values, "time", name,
+           "expected, for a map, rows by step or count on one side of t = 0, where cells start");
+}
+
+}  // namespace
+
+std::optional<NumberPlace> number_place(const Values& values, std::string_view key) {
+  NumberPlace place{std::string(key), 0};
+  const std::size_t bracket = key.rfind('[');
+  const bool indexed = key.ends_with("]") && bracket != std::string_view::npos;
+  if (indexed) {
+    place.path = std::string(key.substr(0, bracket));
+    const std::string_view digits = key.substr(bracket + 1, key.size() - bracket - 2);
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), place.index);
+    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
+  }
+  const auto found = values.find(place.path);
+  if (found == values.end() || !is_number(found->second) || place.path.starts_with("map.") ||
+      indexed == (found->second.key->type == KeyType::number) ||
+      place.index >= found->second.numbers.size())
+    return std::nullopt;
+  return place;
+}
+
+MapPlan map_plan(const MapPlace& at, const Experiment& experiment) {
+  const auto& [values, units, name] = at;
+  const Rotation& rotation = std::get<Rotation>(experiment);
+  MapPlan plan = without_axes(values, rotation, name);
+  double cells = 1.0;
+  for (std::size_t i = 0; there(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
+    const std::string path = "map.axis[" + std::to_string(i) + "]";
+    MapAxis axis = axis_of(values, units, path, name);
+    for (const MapAxis& other : plan.axes)
+      if (other.key == axis.key)
+        refuse(values, path + ".key", name, "expected a key of its own: another axis has it");
+    cells *= static_cast<double>(axis.count);
+    if (cells > most_cells)
+      refuse(values, path + ".count", name, "expected a map of at most 1e9 cells");
+    plan.axes.push_back(std::move(axis));
+  }
+  require_rows(values, rotation, name);
+  return plan;
+}
+
+void require_map(const MapPlace& at, const Experiment& experiment) {
+  const Rotation& rotation = std::get<Rotation>(experiment);
+  static_cast<void>(without_axes(at.values, rotation, at.name));
+  require_rows(at.values, rotation, at.name);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

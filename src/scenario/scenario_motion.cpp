@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// From the values of a file to what moves the body: frame, terms, method, events.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/output/columns.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "scenario/detail/perturbation_kinds.hpp"
+#include "scenario/scenario_parts.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/values.hpp"
+#include "text/word_list.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr double most_steps = 1e15;
+
+// Of the mean longitude, which on a plane that stays is that of the direction to the body.
+double mean_rate(const ScenarioOrbit& orbit, const Values& values, const std::string& name) {
+  const std::string key = "frame.precessing.orbit";
+  const KeplerElements* elements = kepler_elements(orbit);
+  if (elements == nullptr || !(elements->eccentricity < 1.0))
+    refuse(values, key, name, "expected an ellipse with elements");
+  const double n = KeplerOrbit(*elements).mean_motion();
+  const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
+  if (moving == nullptr) return n;
+  const SecularRates& rates = moving->rates();
+  return n + rates.mean_anomaly + rates.argument + rates.node;
+}
+
+double precession_rate(const Rotation& rotation, const Values& values, const std::string& name) {
+  if (there(values, "frame.precessing.rate")) return number(values, "frame.precessing.rate");
+  const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "frame.precessing.orbit", name);
+  return number(values, "frame.precessing.turns") * mean_rate(orbit, values, name);
+}
+
+SplittingScheme scheme_of(const std::string& word) {
+  if (word == "order2") return SplittingScheme::order2;
+  if (word == "order4") return SplittingScheme::order4;
+  if (word == "order6") return SplittingScheme::order6;
+  if (word == "order8") return SplittingScheme::order8;
+  return word == "ABA864" ? SplittingScheme::ABA864 : SplittingScheme::ABA1064;
+}
+
+// A run of more steps than a double can count would not end.
+void check_step(const Rotation& rotation, const Values& values, const std::string& name) {
+  const auto* splitting = rotation.method ? std::get_if<Splitting>(&*rotation.method) : nullptr;
+  if (splitting == nullptr || !rotation.time) return;
+  const SaveAt& rows = *rotation.time;
+  const double farthest = std::max(std::fabs(rows[0]), std::fabs(rows[rows.size() - 1]));
+  if (farthest > most_steps * splitting->step)
+    refuse(values, "method.step", name, "expected a step of which 1e15 at most make the run");
+}
+
+bool is_energy_there(const Rotation& rotation) { return rotor_system(rotation).has_energy(); }
+
+std::string without_energy(const Rotation& rotation) {
+  for (const AnyPerturbation& term : rotation.terms)
+    if (!term.supports_energy())
+      return "expected no energy, since a perturbation has none: " + term.name();
+  return {};
+}
+
+// An integrated run visits its rows in order, and so does one that looks for events.
+void check_times(const Rotation& rotation, const Values& values, const std::string& name) {
+  const bool in_order = propagation_method(rotation).has_value() || !rotation.events.empty();
+  if (!rotation.time || !in_order || !there(values, "time.at")) return;
+  const SaveAt& rows = *rotation.time;
+  const bool rises = rows[rows.size() - 1] >= rows[0];
+  for (std::int64_t k = 1; k < rows.size(); ++k)
+    if (rises ? rows[k] < rows[k - 1] : rows[k] > rows[k - 1])
+      refuse(values, "time.at", name,
+             propagation_method(rotation)
+                 ? "expected times in order, rising or falling, since the run is integrated"
+                 : "expected times in order, rising or falling, since events are looked for");
+}
+
+// Its own state asks for a method that carries it, and the columns of that state for a damper.
+void check_damper(const Rotation& rotation, const OutputPlan& output, const Values& values,
+                  const std::string& name) {
+  if (rotation.damper) {
+    if (rotation.method && !std::holds_alternative<Adaptive>(*rotation.method))
+      refuse(values, "method.kind", name,
+             "expected \"adaptive\", since a Kane damper has a state of its own");
+    return;
+  }
+  const auto is_its_own = [](std::string_view column) {
+    return column == "damper" || column == "s1" || column == "s2" || column == "s3";
+  };
+  const char* const message = "expected a perturbation of kind \"kane-damper\" for it";
+  if (std::any_of(output.columns.begin(), output.columns.end(), is_its_own))
+    refuse(values, "output.columns", name, message);
+  for (std::size_t i = 0; i < rotation.events.size(); ++i)
+    if (is_its_own(rotation.events[i].column))
+      refuse(values, "event[" + std::to_string(i) + "].column", name, message);
+}
+
+}  // namespace
+
+Crossing crossing_of(const std::string& word) {
+  if (word == "both") return Crossing::both;
+  return word == "rising" ? Crossing::rising : Crossing::falling;
+}
+
+std::optional<Method> method_of(const Values& values, const std::string& name) {
+  if (!there(values, "method")) return std::nullopt;
+  const std::string& kind = word(values, "method.kind");
+  const double largest = there(values, "method.largest_step")
+                             ? number(values, "method.largest_step")
+                             : std::numeric_limits<double>::infinity();
+  const auto checked = [&](const char* path, const Method& method) {
+    return built(values, path, name, [&] {
+      require_valid(method);
+      return method;
+    });
+  };
+  if (kind == "splitting")
+    return checked("method.step", Splitting{number(values, "method.step"),
+                                            scheme_of(word(values, "method.scheme"))});
+  if (!(largest > 0.0)) refuse(values, "method.largest_step", name, "expected a positive time");
+  const double tolerance = number(values, "method.tolerance");
+  if (kind == "variation-of-constants")
+    return checked("method.tolerance",
+                   VariationOfConstants{.tolerance = tolerance, .largest_step = largest});
+  const bool wide = word(values, "method.precision") == "double-double";
+  return checked("method.tolerance",
+                 Adaptive{.tolerance = tolerance,
+                          .precision = wide ? Precision::double_double : Precision::compensated,
+                          .largest_step = largest});
+}
+
+std::vector<std::string> array_paths(const Values& values, const std::string& array) {
+  std::vector<std::string> paths;
+  for (;;) {
+    const std::string path = array + "[" + std::to_string(paths.size()) + "]";
+    const auto first = values.lower_bound(path + ".");
+    if (first == values.end() || !first->first.starts_with(path + ".")) return paths;
+    paths.push_back(path);
+  }
+}
+
+std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
+                                     const std::string& name) {
+  std::vector<ScenarioEvent> events;
+  const std::vector<std::string_view> known = column_names();
+  for (const std::string& path : array_paths(values, "event")) {
+    const std::string& column = word(values, path + ".column");
+    if (std::find(known.begin(), known.end(), column) == known.end())
+      refuse(values, path + ".column", name,
+             "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
+                 did_you_mean(column, known));
+    const std::string own = there(values, path + ".name") ? word(values, path + ".name") : column;
+    for (const ScenarioEvent& other : events)
+      if (other.name == own)
+        refuse(values, path + (there(values, path + ".name") ? ".name" : ".column"), name,
+               "expected a name of its own, since an event before it is called " + own);
+    const double value = number(values, path + ".value");
+    const std::string interval = path + ".interval";
+    if (there(values, interval) && !(number(values, interval) > 0.0))
+      refuse(values, interval, name, "expected a positive time");
+    events.push_back({own, column, units.to_core(value, column_dimension(column)),
+                      crossing_of(word(values, path + ".crossing")),
+                      value_at(values, path + ".stops").whole == 1,
+                      there(values, interval) ? number(values, interval) : 0.0});
+  }
+  return events;
+}
+
+void add_frame(Rotation& rotation, const Values& values, const std::string& name) {
+  rotation.frame_text = "inertial";
+  if (there(values, "frame.precessing")) {
+    const Precession p{vector(values, "frame.precessing.axis"),
+                       precession_rate(rotation, values, name),
+                       number(values, "frame.precessing.epoch")};
+    rotation.frame = built(values, "frame.precessing.axis", name,
+                           [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });
+    rotation.precession = p;
+    rotation.frame_text = "precessing";
+  } else if (there(values, "frame.orbit-plane")) {
+    const ScenarioOrbit orbit =
+        orbit_named(rotation.orbits, values, "frame.orbit-plane.orbit", name);
+    rotation.frame_text = "plane of orbit " + orbit.name;
+    const KeplerElements* elements = kepler_elements(orbit);
+    if (elements == nullptr)
+      refuse(values, "frame.orbit-plane.orbit", name, "expected an orbit with elements");
+    const KeplerElements& k = *elements;
+    const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
+    const double node_rate = moving == nullptr ? 0.0 : moving->rates().node;
+    rotation.frame = Frame::orbit_plane(
+        [node = k.node, rate = node_rate, epoch = k.epoch](const auto& t) {
+          using T = std::remove_cvref_t<decltype(t)>;
+          return T(node) + T(rate) * (t - T(epoch));
+        },
+        [i = k.inclination](const auto& t) { return std::remove_cvref_t<decltype(t)>(i); });
+  }
+}
+
+void check_motion(const Rotation& rotation, const OutputPlan& output, const Values& values,
+                  const std::string& name) {
+  check_times(rotation, values, name);
+  check_step(rotation, values, name);
+  check_damper(rotation, output, values, name);
+  if (rotation.method && std::holds_alternative<Splitting>(*rotation.method))
+    for (const AnyPerturbation& term : rotation.terms)
+      if (!term.supports_flow())
+        refuse(values, "method.kind", name,
+               "expected \"adaptive\" or \"variation-of-constants\", since a perturbation has no "
+               "exact flow: " +
+                   term.name());
+  if (is_energy_there(rotation)) return;
+  if (std::any_of(output.columns.begin(), output.columns.end(), needs_energy))
+    refuse(values, "output.columns", name, without_energy(rotation));
+  for (std::size_t i = 0; i < rotation.events.size(); ++i)
+    if (needs_energy(rotation.events[i].column))
+      refuse(values, "event[" + std::to_string(i) + "].column", name, without_energy(rotation));
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

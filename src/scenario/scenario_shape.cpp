@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// From the values of a file to its meshes.
+#include <filesystem>
+#include <utility>
+
+#include "polhode/tables/obj.hpp"
+#include "scenario/scenario_parts.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name) {
+  const std::string scale_key = path + ".scale", shape_key = path + ".shape";
+  const double scale = there(values, scale_key) ? number(values, scale_key) : 1.0;
+  if (!(scale > 0.0)) refuse(values, scale_key, name, "expected a positive length");
+  const std::filesystem::path file =
+      std::filesystem::path(name).parent_path() / word(values, shape_key);
+  return built(values, shape_key, name, [&] {
+    const FacetShape mesh = read_obj(file.string());
+    return scale == 1.0 ? mesh : mesh.moved({}, scale);
+  });
+}
+
+std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::string& name) {
+  if (!there(values, "body.shape")) {
+    if (there(values, "body.scale"))
+      refuse(values, "body.scale", name, "expected a key shape beside it, which it scales");
+    return nullptr;
+  }
+  FacetShape mesh = mesh_of(values, "body", name);
+  const double density = number(values, "body.density");
+  if (!(density > 0.0)) refuse(values, "body.density", name, "expected a positive density");
+  MassProperties inside =
+      built(values, "body.shape", name, [&] { return mass_properties(mesh, density); });
+  return std::make_shared<const ScenarioShape>(
+      ScenarioShape{word(values, "body.shape"), std::move(mesh), inside});
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// From the chart of a rotation to the hub, and the problem that its run solves.
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "scenario/scenario_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// One overload per chart.
+struct ToMotion {
+  const Body& body;
+  const Quaternion& q_file;
+  FrameMotion frame;        // at t = 0
+  Vec3 momentum_of_damper;  // beside I w, body axes
+
+  FreeRotation operator()(const TumblerState& s) const {
+    return FreeRotation(body, to_rotor(body, s));
+  }
+  FreeRotation operator()(const AttitudeRate& s) const { return FreeRotation(body, hub_state(s)); }
+  FreeRotation operator()(const EulerState& s) const { return FreeRotation(body, to_rotor(s)); }
+  FreeRotation operator()(const AndoyerState& s) const { return FreeRotation(body, to_rotor(s)); }
+  FreeRotation operator()(const SerretState& s) const { return free_rotation(body, s); }
+  FreeRotation operator()(const SadovState& s) const {
+    return FreeRotation(body, to_rotor(body, s));
+  }
+
+  RotorState hub_state(const AttitudeRate& s) const {
+    // without a tensor the numbers of the file, bit for bit
+    const bool principal = q_file == Quaternion{};
+    const Quaternion q = principal ? s.q : s.q * q_file;
+    const Vec3 along_B = principal ? s.vector : rotate(conj(q_file), s.vector);
+    if (s.given == AttitudeRate::Given::momentum_body)
+      return {unit_quaternion(q.w, q.x, q.y, q.z), along_B};
+    return with_damper(s.given == AttitudeRate::Given::omega_inertial
+                           ? rotor_state_inertial(body, q, rotate(conj(frame.q_IS), s.vector))
+                       : s.given == AttitudeRate::Given::omega_body
+                           ? rotor_state(body, q, along_B)
+                           : rotor_state(body, q, along_B + rotate(conj(q), frame.mu_S)));
+  }
+  // g = I w + J s
+  RotorState with_damper(RotorState s) const {
+    if (momentum_of_damper != Vec3{}) s.g = s.g + momentum_of_damper;
+    return s;
+  }
+};
+
+}  // namespace
+
+System rotor_system(const Rotation& rotation) {
+  return System(rotation.body, rotation.frame, rotation.terms, rotation.damper);
+}
+
+FreeRotation free_rotation(const Rotation& rotation) {
+  const double J = rotation.damper ? rotation.damper->moment() : 0.0;
+  return std::visit(
+      ToMotion{rotation.body, rotation.q_file, rotation.frame.at(0.0), J * rotation.damper_rate},
+      rotation.state);
+}
+
+// Serret's elements have their own epoch; what others give is the state itself.
+RotorState initial_state(const Rotation& rotation) {
+  const FreeRotation motion = free_rotation(rotation);
+  return motion.epoch() == 0.0 ? motion.initial_state() : motion.at(0.0);
+}
+
+std::optional<Method> propagation_method(const Rotation& rotation) {
+  if (rotation.method) return rotation.method;
+  if (rotation.terms.empty() && !rotation.damper) return std::nullopt;
+  return Adaptive{};
+}
+
+Problem rotor_problem(const Rotation& rotation) {
+  if (!rotation.time) throw DomainError("rotor_problem: got no [time]; expected its rows");
+  const SaveAt& rows = *rotation.time;
+  return {rotor_system(rotation),
+          initial_state(rotation),
+          0.0,
+          rows[rows.size() - 1],
+          propagation_method(rotation).value_or(Adaptive{}),
+          {},
+          rotation.damper_rate};
+}
+
+double detail::initial_energy(const Rotation& rotation) {
+  const System system = rotor_system(rotation);
+  if (!system.has_energy()) return 0.0;
+  return energy(at_damper_rate(system, rotation.damper_rate), 0.0, initial_state(rotation));
+}
+
+System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
+RotorState initial_state(const Scenario& scenario) { return initial_state(scenario.rotation()); }
+FreeRotation free_rotation(const Scenario& scenario) { return free_rotation(scenario.rotation()); }
+std::optional<Method> propagation_method(const Scenario& scenario) {
+  return propagation_method(scenario.rotation());
+}
+Problem rotor_problem(const Scenario& scenario) { return rotor_problem(scenario.rotation()); }
+
+}  // namespace v0
+}  // namespace polhode

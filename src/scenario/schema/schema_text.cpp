@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+// The table of keys as a reference page and as a scenario to start from.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "polhode/error.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "text/nearest.hpp"
+#include "text/word_list.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr std::string_view state_table = "state";
+
+std::string value_in_words(const Key& key) {
+  const std::string what(dimension_name(key.dimension));
+  const std::string each = key.dimension == Dimension::number ? "number" : what.substr(2);
+  switch (key.type) {
+    case KeyType::table:
+      return "table";
+    case KeyType::integer:
+      return key.allowed.empty() ? "whole number" : "";
+    case KeyType::number:
+      return each == "number" ? each : what.substr(what.find(' ') + 1);
+    case KeyType::numbers:
+      return (key.length > 0 ? std::to_string(key.length) + " x " : "array of ") +
+             what.substr(what.find(' ') + 1);
+    case KeyType::matrix:
+      return "3 x 3 x " + what.substr(what.find(' ') + 1);
+    case KeyType::linear_map:
+      return "3 x " + what.substr(what.find(' ') + 1) + ", or 3 x 3";
+    case KeyType::boolean:
+      return "`true`, `false`";
+    case KeyType::text:
+      return "text";
+    case KeyType::name:
+      return "name";
+    case KeyType::unit:
+      return "unit";
+    case KeyType::choice:
+      return "";
+    case KeyType::choices:
+      return "array of ";
+    case KeyType::columns:
+      return "array of names or numbers of columns";
+    case KeyType::epoch:
+      return "date and scale";
+  }
+  return {};
+}
+
+std::string value_cell(const Key& key) {
+  std::string cell = value_in_words(key);
+  const bool quoted = key.type == KeyType::choice || key.type == KeyType::choices;
+  bool first = true;
+  for (const std::string_view word : separated(key.allowed, '|')) {
+    if (!first) cell += ", ";
+    first = false;
+    cell += quoted ? "`\"" + std::string(word) + "\"`" : "`" + std::string(word) + "`";
+  }
+  return cell;
+}
+
+std::string default_cell(const Schema& schema, const Key& key) {
+  if (key.presence == Presence::required) return "required";
+  if (!key.needed_by.empty())
+    return "required with " + detail::one_of(separated(key.needed_by, '|'), "`");
+  if (key.presence == Presence::optional)
+    return key.fallback.empty() || key.fallback == "{}" ? ""
+                                                        : "`" + std::string(key.fallback) + "`";
+  for (const Alternatives& row : schema.alternatives) {
+    if (row.table != key_table(key.path)) continue;
+    for (const std::string_view set : separated(row.sets, '|')) {
+      const std::vector<std::string_view> names = separated(set, '+');
+      if (std::find(names.begin(), names.end(), key_name(key.path)) != names.end()) return "one of";
+    }
+  }
+  return "";
+}
+
+std::string set_in_words(std::string_view sets) {
+  std::string words;
+  const std::vector<std::string_view> list = separated(sets, '|');
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) words += i + 1 == list.size() ? " or " : ", ";
+    const std::vector<std::string_view> names = separated(list[i], '+');
+    for (std::size_t j = 0; j < names.size(); ++j)
+      words += (j > 0 ? " with `" : "`") + std::string(names[j]) + "`";
+  }
+  return words;
+}
+
+// "With kind `a` or `b`: ".
+std::string kinds_in_words(const Key& key) {
+  if (key.kinds.empty()) return "";
+  return "With kind " + detail::one_of(separated(key.kinds, '|'), "`") + ": ";
+}
+
+std::string heading(const Key* table) {
+  if (table == nullptr) return "## Top of the file\n\n";
+  std::string path;
+  for (const char c : table->path)
+    if (c != '[' && c != ']') path += c;
+  const bool array = table->path.ends_with("[]");
+  return "## `" + std::string(array ? "[[" : "[") + path + (array ? "]]" : "]") + "`\n\n" +
+         std::string(table->help) + "\n\n";
+}
+
+void append_section(std::string& page, const Schema& schema, const Key* table) {
+  const std::string_view path = table == nullptr ? std::string_view() : table->path;
+  page += heading(table);
+  for (const Alternatives& row : schema.alternatives)
+    if (row.table == path)
+      page += (row.kinds.empty()
+                   ? "Exactly"
+                   : "With kind " + detail::one_of(separated(row.kinds, '|'), "`") + " exactly") +
+              std::string(" one of: ") + set_in_words(row.sets) + ".\n\n";
+  page += "| key | value | default | meaning |\n|---|---|---|---|\n";
+  for (const Key* key : keys_of(schema, path))
+    page += "| `" + std::string(key_name(key->path)) + "` | " + value_cell(*key) + " | " +
+            default_cell(schema, *key) + " | " + kinds_in_words(*key) + std::string(key->help) +
+            " |\n";
+  page += "\n";
+}
+
+void append_comment(std::string& page, std::string_view text) {
+  constexpr std::size_t width = 96;
+  while (text.size() > width) {
+    const std::size_t end = text.rfind(' ', width);
+    if (end == std::string_view::npos) break;
+    page += "# " + std::string(text.substr(0, end)) + "\n";
+    text.remove_prefix(end + 1);
+  }
+  page += "# " + std::string(text) + "\n";
+}
+
+// The keys of the first set of each row of alternatives stand; the others are shown as comments,
+// and so is the epoch, with what belongs to it: a date that is not the user's own must not slip
+// into their files.
+bool stands(const Schema& schema, const Key& key) {
+  if (key.type == KeyType::epoch || key.path == "state.dut1") return false;
+  if (key.presence != Presence::alternative) return true;
+  const std::string_view name = key_name(key.path);
+  for (const Alternatives& row : schema.alternatives) {
+    if (row.table != key_table(key.path)) continue;
+    const std::vector<std::string_view> names = separated(separated(row.sets, '|').front(), '+');
+    if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  }
+  return false;
+}
+
+// A table below [state.CHART] is written in one line: pole = { longitude = 250, latitude = -75 }
+std::string example_value(const Schema& schema, const Key& key) {
+  if (key.type != KeyType::table) return std::string(key.example);
+  std::string inline_table;
+  for (const Key* part : keys_of(schema, key.path))
+    if (stands(schema, *part))
+      inline_table += (inline_table.empty() ? "{ " : ", ") + std::string(key_name(part->path)) +
+                      " = " + example_value(schema, *part);
+  return inline_table + " }";
+}
+
+// What a template is made for: a chart, or a kind of perturbation.
+struct Subject {
+  std::string_view chart;
+  std::string_view perturbation;  // empty: free rotation
+};
+
+constexpr std::string_view perturbation_table = "perturbation[]";
+constexpr std::string_view orbit_table = "orbit.*";
+constexpr std::string_view surface_table = "surface[]";
+constexpr std::string_view kinds_on_facets[] = {"solar-pressure", "drag"};
+constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
+                                              "surface[]", "method", "event[]"};
+
+bool is_motion(std::string_view table) {
+  const std::string_view first = table.substr(0, table.find('.'));
+  return std::find(std::begin(motion_tables), std::end(motion_tables), first) !=
+         std::end(motion_tables);
+}
+
+std::vector<std::string_view> perturbation_kinds() {
+  for (const Key* key : keys_of(scenario_schema(), perturbation_table))
+    if (key_name(key->path) == "kind") return separated(key->allowed, '|');
+  return {};
+}
+
+std::string_view without_quotes(std::string_view text) { return text.substr(1, text.size() - 2); }
+
+// The name that the examples give to an orbit.
+std::string_view example_orbit(const Schema& schema) {
+  for (const Key* key : keys_of(schema, perturbation_table))
+    if (key_name(key->path) == "orbit") return without_quotes(key->example);
+  return {};
+}
+
+bool needs_orbit(const Schema& schema, std::string_view kind) {
+  for (const Key* key : keys_of(schema, perturbation_table))
+    if (key_name(key->path) == "orbit") return belongs(*key, kind);
+  return false;
+}
+
+// Whether what a kind needs has units that moments without one cannot give: those of air, light,
+// magnets and matter.
+bool is_physical(const Schema& schema, std::string_view kind) {
+  constexpr Dimension of_matter[] = {Dimension::density, Dimension::pressure,
+                                     Dimension::magnetic_field};
+  for (const Key* key : keys_of(schema, perturbation_table))
+    if (!key->kinds.empty() && is_required(*key, kind) &&
+        std::find(std::begin(of_matter), std::end(of_matter), key->dimension) !=
+            std::end(of_matter))
+      return true;
+  return false;
+}
+
+// Whether a table has lines of its own in the template of this subject.
+bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
+  if (key.type != KeyType::table) return false;
+  if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
+  if (key.path == surface_table)
+    return std::find(std::begin(kinds_on_facets), std::end(kinds_on_facets),
+                     subject.perturbation) != std::end(kinds_on_facets);
+  if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
+  if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame" ||
+      key.path == "map")
+    return false;
+  return !is_motion(key.path) || !subject.perturbation.empty();
+}
+
+std::string section_name(const Schema& schema, std::string_view path) {
+  if (path == orbit_table) return "[orbit." + std::string(example_orbit(schema)) + "]";
+  if (path.ends_with("[]")) return "[[" + std::string(key_name(path)) + "]]";
+  return "[" + std::string(path) + "]";
+}
+
+void append_example(std::string& page, const Schema& schema, const Key* table,
+                    const Subject& subject) {
+  const std::string_view path = table == nullptr ? std::string_view() : table->path;
+  if (table != nullptr) {
+    page += "\n";
+    append_comment(page, table->help);
+    page += section_name(schema, path) + "\n";
+  }
+  std::string_view kind;
+  const bool physical = is_physical(schema, subject.perturbation);
+  for (const Key* key : keys_of(schema, path)) {
+    // [output.aem] names an object: what is not the user's own must not slip into their files
+    const bool table_line =
+        key->type == KeyType::table &&
+        (table == nullptr || is_motion(path) || path == state_table || path == "output");
+    if (table_line || !belongs(*key, kind)) continue;
+    std::string value = example_value(schema, *key);
+    if (is_motion(path) && key_name(key->path) == "kind") {
+      kind = path == perturbation_table ? subject.perturbation : without_quotes(key->example);
+      value = '"' + std::string(kind) + '"';
+    }
+    if (physical && key->path == "units.time") value = "\"s\"";
+    if (physical && key->path == "units.moment") value = "\"kg m2\"";
+    append_comment(page, key->help);
+    const bool may_be_left_out = key->presence == Presence::optional && !is_required(*key, kind) &&
+                                 key->path != "perturbation[].torque_3";  // a table of no torque
+    const bool stands_here =
+        stands(schema, *key) && !((is_motion(path) || path == "body") && may_be_left_out);
+    page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
+  }
+}
+
+}  // namespace
+
+std::string markdown_reference(const Schema& schema) {
+  std::string page;
+  append_section(page, schema, nullptr);
+  for (const Key& key : schema.keys)
+    if (key.type == KeyType::table) append_section(page, schema, &key);
+  return page;
+}
+
+std::string markdown_units() {
+  std::string page = "| unit | what it is | in others |\n|---|---|---|\n";
+  for (const KnownUnit& unit : known_units()) {
+    const std::string base = unit.base.empty() ? "" : "`" + std::string(unit.base) + "`";
+    std::string factor = unit.factor == 1.0 ? "" : fmt::format("{:.12g} ", unit.factor);
+    if (unit.base == "rad")
+      factor =
+          unit.factor > 1.0 ? "2 pi " : fmt::format("pi/{:.0f} ", std::numbers::pi / unit.factor);
+    page += "| `" + std::string(unit.symbol) + "` | " + std::string(unit.name) + " | " + factor +
+            base + " |\n";
+  }
+  return page;
+}
+
+std::vector<std::string_view> state_charts() {
+  std::vector<std::string_view> charts;
+  for (const Key* key : keys_of(scenario_schema(), state_table))
+    if (key->type == KeyType::table) charts.push_back(key_name(key->path));
+  return charts;
+}
+
+std::vector<std::string_view> scenario_templates() {
+  std::vector<std::string_view> names = state_charts();
+  for (const std::string_view kind : perturbation_kinds()) names.push_back(kind);
+  return names;
+}
+
+std::string scenario_template(std::string_view name) {
+  const Schema& schema = scenario_schema();
+  const std::vector<std::string_view> names = scenario_templates(), charts = state_charts();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const std::string_view near = detail::nearest(name, names);
+    throw DomainError("chart: got \"" + std::string(name) + "\"; expected " +
+                      detail::one_of(names) +
+                      (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
+  }
+  const bool free = std::find(charts.begin(), charts.end(), name) != charts.end();
+  const Subject subject = free ? Subject{name, {}} : Subject{"attitude-rate", name};
+  std::string page = "# A scenario for polhode. Every key: docs/reference/scenario.md\n";
+  append_example(page, schema, nullptr, subject);
+  for (const Key& key : schema.keys)
+    if (is_section(schema, key, subject)) append_example(page, schema, &key, subject);
+  return page;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: MIT
+// The only source that knows toml++: a TOML document against the table of keys.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "polhode/error.hpp"
+#include "polhode/text/epoch.hpp"
+#include "scenario/detail/toml_nodes.hpp"
+#include "scenario/diagnostics.hpp"
+#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
+#include "text/nearest.hpp"
+#include "text/printable.hpp"
+#include "text/word_list.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t longest_name = 200;
+constexpr double largest_angle = 1e10;  // a double of this size has lost six of its digits
+
+class Reader {
+ public:
+  Reader(const Schema& schema, Diagnostics& diagnostics)
+      : schema_(schema), diagnostics_(diagnostics) {}
+
+  ReadFile read(const toml::table& file);
+
+ private:
+  void read_units(const toml::table& file);
+  void read_table(const toml::table& table, std::string_view pattern, const std::string& path);
+  void read_named(const toml::table& table, const Key& key, const std::string& path);
+  std::string_view kind_of(const std::string& path) const;
+  bool is_foreign(const Key& key, const toml::table& table, const std::string& path);
+  std::vector<std::string_view> unknown_keys(const toml::table& table,
+                                             const std::vector<const Key*>& known,
+                                             const std::string& path);
+  void check_alternatives(const toml::table& table, std::string_view pattern,
+                          const std::string& path, bool misspelt);
+  void read_key(const Key& key, const toml::node& node, const std::string& path, Position where,
+                bool given);
+  void read_tables(const Key& key, const toml::array& array, const std::string& path);
+  void read_fallback(const Key& key, const std::string& path, Position where);
+  bool read_leaf(const Key& key, const toml::node& node, Value& value);
+  bool read_text(const Key& key, const toml::node& node, Value& value);
+  bool read_words(const Key& key, const toml::node& node, Value& value);
+  bool read_word(const Key& key, const toml::node& node, Value& value);
+  bool read_columns(const toml::node& node, Value& value);
+  bool read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value,
+                    std::optional<std::string_view> unit = std::nullopt);
+  bool read_matrix(const Key& key, const toml::node& node, Value& value);
+  bool read_map(const Key& key, const toml::node& node, Value& value);
+  std::optional<double> number(const Key& key, const toml::node& node);
+  std::optional<double> with_unit(const Key& key, const toml::node& node,
+                                  std::optional<double> value, std::string_view unit);
+  std::optional<double> in_range(const Key& key, const toml::node& node, double core);
+  bool wrong(const toml::node& node, const std::string& reason = {});
+
+  const Schema& schema_;
+  Diagnostics& diagnostics_;
+  Values values_;
+  Units units_;
+  // What read_leaf is reading: messages name it.
+  const Key* key_ = nullptr;
+  std::string path_;
+  const toml::node* with_unit_ = nullptr;  // a table of a value and its unit, to quote as a whole
+};
+
+std::string joined(const std::string& path, std::string_view name) {
+  return path.empty() ? std::string(name) : path + "." + std::string(name);
+}
+
+// One message: got VALUE; expected ...; reason.
+bool Reader::wrong(const toml::node& node, const std::string& reason) {
+  diagnostics_.add(position(node.source()), path_,
+                   "got " + shown(node) + "; expected " + expectation(*key_, units_) +
+                       (reason.empty() ? "" : "; " + reason));
+  return false;
+}
+
+std::optional<double> Reader::in_range(const Key& key, const toml::node& node, double core) {
+  if (std::isfinite(core) &&
+      (key.dimension != Dimension::angle || std::fabs(core) <= largest_angle))
+    return core;
+  wrong(node, std::isfinite(core) ? "angles go up to 1e10 rad" : "numbers must be finite");
+  return std::nullopt;
+}
+
+std::optional<double> Reader::with_unit(const Key& key, const toml::node& node,
+                                        std::optional<double> value, std::string_view unit) {
+  if (key.dimension == Dimension::number || !value) {
+    wrong(node);
+    return std::nullopt;
+  }
+  if (!std::isfinite(*value)) return in_range(key, node, *value);
+  try {
+    return in_range(key, node, units_.to_core(*value, unit, key.dimension));
+  } catch (const DomainError& error) {
+    wrong(with_unit_ != nullptr ? *with_unit_ : node, error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<double> Reader::number(const Key& key, const toml::node& node) {
+  if (const std::optional<double> value = real(&node))
+    return in_range(key, node, units_.to_core(*value, key.dimension));
+  if (const toml::table* table = node.as_table())
+    return with_unit(key, node, own_unit(*table) ? real(table->get("value")) : std::nullopt,
+                     own_unit(*table).value_or(""));
+  if (!node.is_string() || key.dimension == Dimension::number) {
+    wrong(node);
+    return std::nullopt;
+  }
+  try {
+    const Quantity quantity = quantity_from_text(*node.value<std::string_view>());
+    return with_unit(key, node, quantity.value, quantity.unit);
+  } catch (const DomainError& error) {
+    wrong(node, error.what());
+    return std::nullopt;
+  }
+}
+
+bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t length, Value& value,
+                          std::optional<std::string_view> unit) {
+  const toml::array* array = items(node);
+  if (!array || array->empty() || (length > 0 && array->size() != length)) return wrong(node);
+  if (node.is_table()) unit = own_unit(*node.as_table());
+  for (const toml::node& item : *array) {
+    const auto found = unit ? with_unit(key, item, real(&item), *unit) : number(key, item);
+    if (!found) return false;
+    value.numbers.push_back(*found);
+  }
+  return true;
+}
+
+bool Reader::read_matrix(const Key& key, const toml::node& node, Value& value) {
+  const toml::array* rows = items(node);
+  if (rows == nullptr || rows->size() != 3) return wrong(node);
+  const auto unit = node.is_table() ? own_unit(*node.as_table()) : std::nullopt;
+  for (const toml::node& row : *rows)
+    if (!row.is_array() || !read_numbers(key, row, 3, value, unit))
+      return row.is_array() ? false : wrong(node);
+  return true;
+}
+
+bool Reader::read_map(const Key& key, const toml::node& node, Value& value) {
+  const toml::array* array = items(node);
+  const bool rows = array != nullptr && array->get_as<toml::array>(0) != nullptr;
+  return rows ? read_matrix(key, node, value) : read_numbers(key, node, 3, value);
+}
+
+bool Reader::read_word(const Key& key, const toml::node& node, Value& value) {
+  const std::vector<std::string_view> allowed = separated(key.allowed, '|');
+  const auto word = node.value<std::string_view>();
+  if (!node.is_string() || !word) return wrong(node);
+  if (std::find(allowed.begin(), allowed.end(), *word) == allowed.end()) {
+    const std::string_view near = nearest(*word, allowed);
+    return wrong(node, near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?");
+  }
+  if (std::find(value.words.begin(), value.words.end(), *word) != value.words.end())
+    return wrong(node, "it is there twice");
+  value.words.emplace_back(*word);
+  return true;
+}
+
+bool Reader::read_words(const Key& key, const toml::node& node, Value& value) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) return wrong(node);
+  return std::all_of(array->begin(), array->end(),
+                     [&](const toml::node& item) { return read_word(key, item, value); });
+}
+
+bool Reader::read_columns(const toml::node& node, Value& value) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) return wrong(node);
+  for (const toml::node& item : *array) {
+    const std::int64_t number = item.is_integer() ? *item.value<std::int64_t>() : 0;
+    const std::string word = number > 0 ? std::to_string(number) : item.value_or(std::string());
+    if (word.empty()) return wrong(node);
+    value.words.push_back(word);
+  }
+  return true;
+}
+
+bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
+  switch (key.type) {
+    case KeyType::table:
+      return false;
+    case KeyType::integer: {
+      const std::vector<std::string_view> allowed = separated(key.allowed, '|');
+      if (!node.is_integer()) return wrong(node);
+      value.whole = *node.value<std::int64_t>();
+      if (!allowed.empty() &&
+          std::find(allowed.begin(), allowed.end(), std::to_string(value.whole)) == allowed.end())
+        return wrong(node);
+      return true;
+    }
+    case KeyType::number: {
+      const std::optional<double> found = number(key, node);
+      if (found) value.numbers.push_back(*found);
+      return found.has_value();
+    }
+    case KeyType::numbers:
+      return read_numbers(key, node, static_cast<std::size_t>(key.length), value);
+    case KeyType::matrix:
+      return read_matrix(key, node, value);
+    case KeyType::linear_map:
+      return read_map(key, node, value);
+    case KeyType::boolean:
+      if (!node.is_boolean()) return wrong(node);
+      value.whole = *node.value<bool>() ? 1 : 0;
+      return true;
+    case KeyType::choice:
+      return read_word(key, node, value);
+    case KeyType::choices:
+      return read_words(key, node, value);
+    case KeyType::columns:
+      return read_columns(node, value);
+    default:
+      return read_text(key, node, value);
+  }
+}
+
+bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
+  if (!node.is_string()) return wrong(node);
+  value.words.push_back(*node.value<std::string>());
+  if (key.type == KeyType::name && !is_name(value.words[0])) return wrong(node);
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::any_of(value.words[0].begin(), value.words[0].end(), control))
+    return wrong(node, "it must be one line without control characters");
+  try {
+    if (key.type == KeyType::epoch) epoch_date(value.words[0]);
+  } catch (const DomainError& error) {
+    return wrong(node, error.what());
+  }
+  return true;
+}
+
+void Reader::read_tables(const Key& key, const toml::array& array, const std::string& path) {
+  std::size_t i = 0;
+  for (const toml::node& item : array)
+    read_table(*item.as_table(), key.path, path + "[" + std::to_string(i++) + "]");
+}
+
+void Reader::read_key(const Key& key, const toml::node& node, const std::string& path,
+                      Position where, bool given) {
+  key_ = &key;
+  path_ = path;
+  with_unit_ = node.is_table() && own_unit(*node.as_table()) ? &node : nullptr;
+  Value value;
+  value.key = &key;
+  value.where = where;
+  value.given = given;
+  value.shown = shown(node);
+  if (key.type != KeyType::table) {
+    if (read_leaf(key, node, value)) values_.insert_or_assign(path, std::move(value));
+    return;
+  }
+  const bool array = key.path.ends_with("[]");
+  const bool fits = array ? node.is_array_of_tables() : node.is_table();
+  if (!fits) {
+    wrong(node);
+    return;
+  }
+  values_.insert_or_assign(path, std::move(value));
+  if (array)
+    read_tables(key, *node.as_array(), path);
+  else
+    read_table(*node.as_table(), key.path, path);
+}
+
+void Reader::read_fallback(const Key& key, const std::string& path, Position where) {
+  const toml::table parsed = toml::parse("x = " + std::string(key.fallback));
+  read_key(key, *parsed.get("x"), path, where, false);
+}
+
+// The word of the key `kind` that a table has or takes, where that is one.
+std::string_view kind_in(const toml::table& table, const std::vector<const Key*>& known) {
+  for (const Key* key : known) {
+    if (key_name(key->path) != "kind") continue;
+    const std::vector<std::string_view> kinds = separated(key->allowed, '|');
+    std::string_view word = key->fallback;
+    if (word.size() > 2) word = word.substr(1, word.size() - 2);
+    if (table.contains("kind")) word = table["kind"].value_or(std::string_view());
+    return std::find(kinds.begin(), kinds.end(), word) == kinds.end() ? std::string_view() : word;
+  }
+  return {};
+}
+
+// Reports keys that the table does not know; returns the known ones that were meant.
+std::vector<std::string_view> Reader::unknown_keys(const toml::table& table,
+                                                   const std::vector<const Key*>& known,
+                                                   const std::string& path) {
+  std::vector<std::string_view> names, own, meant;
+  const std::string_view kind = kind_in(table, known);
+  for (const Key* key : known) {
+    names.push_back(key_name(key->path));
+    if (belongs(*key, kind)) own.push_back(names.back());
+  }
+  if (std::find(names.begin(), names.end(), "*") != names.end()) return meant;
+  for (const auto& [name, node] : table) {
+    if (std::find(names.begin(), names.end(), name.str()) != names.end()) continue;
+    if (diagnostics_.full()) break;
+    const std::string_view near = nearest(name.str(), kind.empty() ? names : own);
+    if (!near.empty()) meant.push_back(near);
+    diagnostics_.add(position(name.source()), joined(path, printable(name.str())),
+                     "unknown key; " +
+                         (near.empty() ? "" : "did you mean " + std::string(near) + "? ") +
+                         (kind.empty() ? "" : "with kind \"" + std::string(kind) + "\" ") +
+                         "expected " + one_of(own));
+  }
+  return meant;
+}
+
+// The keys of `sets` that the table has, each once.
+std::vector<std::string_view> present_keys(const toml::table& table, std::string_view sets) {
+  std::vector<std::string_view> present;
+  for (const std::string_view set : separated(sets, '|'))
+    for (const std::string_view name : separated(set, '+'))
+      if (table.contains(name) && std::find(present.begin(), present.end(), name) == present.end())
+        present.push_back(name);
+  return present;
+}
+
+// `misspelt`: some key of the table is unknown, so a missing one may be that.
+void Reader::check_alternatives(const toml::table& table, std::string_view pattern,
+                                const std::string& path, bool misspelt) {
+  for (const Alternatives& row : schema_.alternatives) {
+    if (row.table != pattern || misspelt || !belongs(row, kind_of(path))) continue;
+    const std::vector<std::string_view> present = present_keys(table, row.sets);
+    const auto matches = [&](std::string_view set) {
+      const std::vector<std::string_view> names = separated(set, '+');
+      return names.size() == present.size() &&
+             std::all_of(names.begin(), names.end(),
+                         [&](std::string_view name) { return table.contains(name); });
+    };
+    const std::vector<std::string_view> sets = separated(row.sets, '|');
+    if (std::any_of(sets.begin(), sets.end(), matches)) continue;
+    std::string got;
+    for (const std::string_view name : present)
+      got += (got.empty() ? "" : ", ") + std::string(name);
+    const toml::node& where = present.empty() ? table : *table.get(present.back());
+    diagnostics_.add(position(where.source()), path,
+                     "got " + (got.empty() ? "none of them" : got) + "; expected exactly one of " +
+                         sets_in_words(row.sets));
+  }
+}
+
+// Tables whose names the file chooses.
+void Reader::read_named(const toml::table& table, const Key& key, const std::string& path) {
+  for (const auto& [own, node] : table) {
+    if (diagnostics_.full()) return;
+    if (is_name(own.str()))
+      read_key(key, node, joined(path, own.str()), position(own.source()), true);
+    else
+      diagnostics_.add(position(own.source()), joined(path, printable(own.str())),
+                       "a name; expected up to 60 letters, digits, - and _");
+  }
+}
+
+// The word of a table's own key `kind`, when it is a good one.
+std::string_view Reader::kind_of(const std::string& path) const {
+  const auto found = values_.find(joined(path, "kind"));
+  return found == values_.end() || found->second.words.empty()
+             ? std::string_view()
+             : std::string_view(found->second.words[0]);
+}
+
+// Keys of another kind are refused, and not missed.
+bool Reader::is_foreign(const Key& key, const toml::table& table, const std::string& path) {
+  if (key.kinds.empty()) return false;
+  const std::string_view kind = kind_of(path);
+  if (belongs(key, kind)) return false;
+  const std::string_view name = key_name(key.path);
+  if (kind.empty() || !table.contains(name)) return true;
+  std::vector<std::string_view> own;
+  for (const Key* other : keys_of(schema_, key_table(key.path)))
+    if (belongs(*other, kind)) own.push_back(key_name(other->path));
+  diagnostics_.add(position(table.find(name)->first.source()), joined(path, name),
+                   "a key of kind " + one_of(separated(key.kinds, '|'), "\"") +
+                       "; expected beside kind = \"" + std::string(kind) + "\" only " +
+                       one_of(own));
+  return true;
+}
+
+void Reader::read_table(const toml::table& table, std::string_view pattern,
+                        const std::string& path) {
+  const std::vector<const Key*> known = keys_of(schema_, pattern);
+  const std::vector<std::string_view> meant = unknown_keys(table, known, path);
+  for (const Key* key : known) {
+    if (diagnostics_.full()) return;
+    const std::string_view name = key_name(key->path);
+    if (name == "*") {
+      read_named(table, *key, path);
+      continue;
+    }
+    const std::string at = joined(path, name);
+    if (values_.contains(at)) continue;  // [units], read first
+    if (is_foreign(*key, table, path)) continue;
+    if (const toml::node* node = table.get(name)) {
+      read_key(*key, *node, at, position(node->source()), true);
+    } else if (!key->fallback.empty()) {
+      read_fallback(*key, at, position(table.source()));
+    } else if (is_required(*key, kind_of(path)) &&
+               std::find(meant.begin(), meant.end(), name) == meant.end()) {
+      diagnostics_.add(position(table.source()), at,
+                       "got nothing; expected " + expectation(*key, units_));
+    }
+  }
+  check_alternatives(table, pattern, path, !meant.empty());
+}
+
+// Units come first: every number below needs them. Each is tried alone, so that each error points
+// at its own line.
+void Reader::read_units(const toml::table& file) {
+  if (const toml::node* node = file.get("units"); node != nullptr && !node->is_table()) return;
+  const toml::table none;
+  const toml::table* table = file["units"].as_table();
+  std::string unit[] = {"s", "rad", "1", "1"};
+  const std::string_view names[] = {"time", "angle", "moment", "length"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const toml::node* node = (table != nullptr ? *table : none).get(names[i]);
+    if (node == nullptr || !node->is_string()) continue;
+    std::string trial[] = {unit[0], unit[1], unit[2], unit[3]};
+    trial[i] = *node->value<std::string>();
+    try {
+      const Units units(trial[0], trial[1], trial[2], trial[3]);
+      unit[i] = trial[i];
+    } catch (const DomainError& error) {
+      diagnostics_.add(position(node->source()), "units." + std::string(names[i]),
+                       "got " + shown(*node) + "; expected a unit; " + error.what());
+    }
+  }
+  units_ = Units(unit[0], unit[1], unit[2], unit[3]);
+}
+
+ReadFile Reader::read(const toml::table& file) {
+  if (!keys_of(schema_, "units").empty()) read_units(file);
+  read_table(file, "", "");
+  return {std::move(values_), std::move(units_)};
+}
+
+}  // namespace
+
+ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics) {
+  if (const std::optional<Refusal> refused = refusal(text)) {
+    diagnostics.add(refused->where, "file", refused->text);
+    return {{}, Units()};
+  }
+  try {
+    const toml::table file = toml::parse(text);
+    if (file.empty()) {
+      diagnostics.add({}, "file",
+                      "got no key at all; expected a scenario (polhode init prints one)");
+      return {{}, Units()};
+    }
+    return Reader(schema, diagnostics).read(file);
+  } catch (const toml::parse_error& error) {
+    diagnostics.add(position(error.source()), "file",
+                    "not TOML: " + printable(error.description(), longest_name));
+  } catch (const TomlAssertion&) {
+    diagnostics.add({}, "file", "not TOML");
+  }
+  return {{}, Units()};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/value_access.hpp"
+
+#include <stdexcept>
+
+#include "scenario/diagnostics.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// The key of a table that a message of the library names first: "L = 1.5 must be ...", or the
+// table.
+std::string blamed(const Values& values, std::string_view path, std::string_view message) {
+  std::string place(path);
+  if (value_at(values, path).key->type != KeyType::table) return place;
+  if (message.find("P_psi/P_phi") != std::string_view::npos) return place + ".rotation_period";
+  std::size_t first = message.size();
+  for (const auto& [own, value] : values) {
+    const std::size_t found = message.find(" " + std::string(key_name(own)) + " = ");
+    if (key_table(own) != path || found >= first) continue;
+    first = found;
+    place = own;
+  }
+  return place;
+}
+
+}  // namespace
+
+const Value& value_at(const Values& values, std::string_view path) {
+  const auto found = values.find(path);
+  if (found == values.end()) throw std::logic_error("no value of " + std::string(path));
+  return found->second;
+}
+double number(const Values& values, std::string_view path) {
+  return value_at(values, path).numbers.at(0);
+}
+Vec3 vector(const Values& values, std::string_view path) {
+  const std::vector<double>& n = value_at(values, path).numbers;
+  return {n.at(0), n.at(1), n.at(2)};
+}
+const std::string& word(const Values& values, std::string_view path) {
+  return value_at(values, path).words.at(0);
+}
+int sign(const Values& values, std::string_view path) {
+  return static_cast<int>(value_at(values, path).whole);
+}
+bool given(const Values& values, std::string_view path) {
+  const auto found = values.find(path);
+  return found != values.end() && found->second.given;
+}
+bool there(const Values& values, std::string_view path) { return values.contains(path); }
+
+void refuse(const Values& values, std::string_view path, const std::string& name,
+            std::string_view message) {
+  const std::string place = blamed(values, path, message);
+  const Value& value = value_at(values, place);
+  Diagnostics diagnostics(name);
+  const bool table = value.key->type == KeyType::table;
+  diagnostics.add(value.where, place,
+                  (table ? std::string() : "got " + value.shown + "; ") + std::string(message));
+  diagnostics.raise();
+  throw std::logic_error("a diagnostic that does not raise");
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

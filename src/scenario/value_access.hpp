@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The values of a scenario by path, and what the library refuses of them as errors at their place.
+// The schema has every path asked for here, and the reader has let its value pass.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/error.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+const Value& value_at(const Values& values, std::string_view path);
+double number(const Values& values, std::string_view path);
+Vec3 vector(const Values& values, std::string_view path);
+const std::string& word(const Values& values, std::string_view path);
+int sign(const Values& values, std::string_view path);
+// Whether the file has it, and whether it or a fallback has.
+bool given(const Values& values, std::string_view path);
+bool there(const Values& values, std::string_view path);
+
+// Throws a ScenarioError at the place of `path`, or at that of the key in it that the message
+// names.
+[[noreturn]] void refuse(const Values& values, std::string_view path, const std::string& name,
+                         std::string_view message);
+
+// What a constructor of the library refuses becomes a message at the place of `path`.
+template <class Build>
+auto built(const Values& values, std::string_view path, const std::string& name,
+           const Build& build) {
+  try {
+    return build();
+  } catch (const ScenarioError&) {
+    throw;
+  } catch (const DomainError& error) {
+    refuse(values, path, name, error.what());
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// From the text of a scenario to its values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scenario/diagnostics.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct Refusal {
+  Position where;
+  std::string text;
+};
+// Why a text must not reach the TOML parser: what it would crash on, or answer undefined.
+std::optional<Refusal> refusal(std::string_view text);
+
+struct ReadFile {
+  Values values;
+  Units units;
+};
+// Everything wrong goes to `diagnostics`; what is right is in the result.
+ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

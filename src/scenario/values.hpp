@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A scenario file after the checks that its table of keys can make: values by path, in core units,
+// each with its place in the file.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "polhode/scenario/schema.hpp"
+#include "polhode/text/units.hpp"
+#include "scenario/diagnostics.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct Value {
+  const Key* key = nullptr;
+  Position where;
+  bool given = true;            // false: the fallback of the schema
+  std::string shown;            // as messages quote it
+  std::vector<double> numbers;  // core units; a matrix row by row
+  std::vector<std::string> words;
+  std::int64_t whole = 0;
+};
+
+// By path as the file has it: "body.moments", "orbit.moon.period", "perturbation[0].kind". Tables
+// have an entry too.
+using Values = std::map<std::string, Value, std::less<>>;
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

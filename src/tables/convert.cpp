@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/tables/convert.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+
+#include "polhode/error.hpp"
+#include "polhode/text/separated.hpp"
+#include "tables/detail/chart_rows.hpp"
+#include "tables/detail/line_reader.hpp"
+#include "tables/detail/table_notes.hpp"
+#include "text/nearest.hpp"
+#include "text/number_text.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::ChartMaps;
+using detail::ChartRow;
+
+constexpr int passes = -1;    // the field goes through
+constexpr int replaced = -2;  // the new chart has a column of this name
+constexpr int is_time = -3;   // goes through, and is the time of the row
+// Columns of angles in any chart; a double beyond the largest has lost six of its digits.
+constexpr std::string_view angle_columns[] = {"l",   "g",     "h",     "g0",    "phi",  "theta",
+                                              "psi", "phi_l", "phi_g", "phi_h", "sigma"};
+constexpr double largest_angle = 1e10;
+constexpr std::size_t flush_size = std::size_t{1} << 18;
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+// The end of the field that starts at `begin`: its comma or the end of the line. Null for a quote
+// that does not close.
+const char* field_end(const char* begin, const char* end) {
+  const char* p = begin;
+  while (p != end && (*p == ' ' || *p == '\t')) ++p;
+  if (p == end || *p != '"') {
+    const void* comma = std::memchr(p, ',', static_cast<std::size_t>(end - p));
+    return comma == nullptr ? end : static_cast<const char*>(comma);
+  }
+  for (++p; p != end; ++p) {
+    if (*p != '"') continue;
+    if (p + 1 != end && p[1] == '"') {  // "" is a quote inside quotes
+      ++p;
+      continue;
+    }
+    const void* comma = std::memchr(p, ',', static_cast<std::size_t>(end - p));
+    return comma == nullptr ? end : static_cast<const char*>(comma);
+  }
+  return nullptr;
+}
+
+class Converter {
+ public:
+  Converter(const Conversion& conversion, const std::string& name, const ByteSink& sink);
+  void line(std::string_view line);
+  // After the last line, or the first that is too long.
+  void finish(bool too_long);
+
+ private:
+  struct Field {
+    std::string name;
+    int role;  // column of the old chart, or one of the constants above
+    double largest = std::numeric_limits<double>::max();
+    std::string_view text = {};
+  };
+  void flush();
+  [[noreturn]] void fail(const std::string& text);
+  void read_header(std::string_view line);
+  void assign_roles();
+  void require_radians(const std::string& column);
+  void write_header();
+  void read_fields(std::string_view line);
+  const char* read_number(Field& field, const char* begin, const char* end);
+  void convert_row();
+  void write_row(const ChartRow& row);
+
+  std::string name_;
+  const ByteSink& sink_;
+  std::optional<Body> body_;
+  const ChartMaps& from_;
+  const ChartMaps& to_;
+  std::vector<std::string> columns_;  // of the new chart
+  std::vector<Field> fields_;
+  std::size_t place_ = 0;  // the field before which the new columns are written
+  bool header_done_ = false;
+  std::size_t line_number_ = 0;
+  detail::TableNotes notes_;
+  ChartRow numbers_{};
+  double time_ = 0.0;
+  std::string out_;
+};
+
+std::vector<std::string> column_names(const TableChart& chart) {
+  std::vector<std::string> names;
+  for (const std::string_view name : separated(chart.columns, ',')) names.emplace_back(name);
+  for (const std::string_view name : separated(chart.options, ',')) names.emplace_back(name);
+  return names;
+}
+
+Converter::Converter(const Conversion& conversion, const std::string& name, const ByteSink& sink)
+    : name_(name),
+      sink_(sink),
+      body_(conversion.body),
+      from_(detail::chart_maps(conversion.from, "--from")),
+      to_(detail::chart_maps(conversion.to, "--to")),
+      columns_(column_names(to_.chart)) {
+  for (const ChartMaps* maps : {&from_, &to_})
+    if (maps->chart.needs_body && !body_)
+      throw DomainError("convert: chart " + std::string(maps->chart.name) +
+                        " needs the moments of inertia (--moments I1,I2,I3)");
+  out_.reserve(2 * flush_size);
+}
+
+void Converter::fail(const std::string& text) {
+  flush();
+  throw DomainError(name_ + ":" + std::to_string(line_number_) + ": " + text);
+}
+
+void Converter::flush() {
+  if (!out_.empty()) sink_(out_);
+  out_.clear();
+}
+
+void Converter::finish(bool too_long) {
+  ++line_number_;
+  if (too_long) fail("a line of more than 1 MiB");
+  if (!header_done_)
+    fail("got no header line; expected one with the columns " + std::string(from_.chart.columns));
+  flush();
+}
+
+void Converter::line(std::string_view line) {
+  if (line_number_++ == 0 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // UTF-8 mark
+  if (line.starts_with('#')) {
+    if (header_done_ || !notes_.read(line)) out_.append(line).push_back('\n');
+  } else if (without_blanks(line).empty()) {
+    return;
+  } else if (header_done_) {
+    read_fields(line);
+    convert_row();
+  } else {
+    read_header(line);
+  }
+  if (out_.size() >= flush_size) flush();
+}
+
+void Converter::read_header(std::string_view line) {
+  const char* end = line.data() + line.size();
+  for (const char* begin = line.data();;) {
+    const char* stop = field_end(begin, end);
+    if (stop == nullptr) fail("a quote does not close");
+    std::string_view name = without_blanks({begin, static_cast<std::size_t>(stop - begin)});
+    if (name.size() > 1 && name.starts_with('"') && name.ends_with('"'))
+      name = name.substr(1, name.size() - 2);
+    fields_.push_back({std::string(name), passes});
+    if (stop == end) break;
+    begin = stop + 1;
+  }
+  assign_roles();
+  write_header();
+  header_done_ = true;
+}
+
+void Converter::assign_roles() {
+  const std::vector<std::string> old = column_names(from_.chart);
+  const std::size_t needed = separated(from_.chart.columns, ',').size();
+  std::vector<std::string_view> names;
+  for (const Field& field : fields_) names.push_back(field.name);
+  place_ = fields_.size();
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const auto found = std::find(names.begin(), names.end(), old[i]);
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end() && i >= needed) {
+      const double unknown = std::numeric_limits<double>::quiet_NaN();
+      numbers_[i] = notes_.constant(old[i]).value_or(unknown);
+      continue;
+    }
+    if (found == names.end()) {
+      const std::string_view near = detail::nearest(old[i], names);
+      fail("column " + old[i] + " is missing; chart " + std::string(from_.chart.name) + " needs " +
+           std::string(from_.chart.columns) +
+           (near.empty() ? "" : "; did you mean it by " + detail::printable(near) + "?"));
+    }
+    if (std::find(found + 1, names.end(), old[i]) != names.end())
+      fail("column " + old[i] + " is there twice");
+    require_radians(old[i]);
+    fields_[index].role = static_cast<int>(i);
+    if (std::find(std::begin(angle_columns), std::end(angle_columns), old[i]) !=
+        std::end(angle_columns))
+      fields_[index].largest = largest_angle;
+    place_ = std::min(place_, index);
+  }
+  for (Field& field : fields_) {
+    if (field.role != passes) continue;
+    if (std::find(columns_.begin(), columns_.end(), field.name) != columns_.end())
+      field.role = replaced;
+    else if (field.name == "t" && (from_.chart.name == "serret" || to_.chart.name == "serret"))
+      field.role = is_time;
+  }
+}
+
+// A table of `polhode run` says its units.
+void Converter::require_radians(const std::string& column) {
+  const std::string_view unit = notes_.unit(column);
+  for (const char* angle : {"deg", "arcmin", "arcsec", "mas", "uas", "rev"})
+    if (unit == angle || unit.starts_with(std::string(angle) + "/"))
+      fail("column " + column + " is in " + std::string(unit) +
+           "; expected radians (angle = \"rad\" in the [units] of the run)");
+}
+
+void Converter::write_header() {
+  std::string header;
+  const auto add = [&](const std::string& name) {
+    const bool quote = name.find_first_of(",\"") != std::string::npos;
+    header += (header.empty() ? "" : ",") + (quote ? '"' + name + '"' : name);
+  };
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (i == place_)
+      for (const std::string& name : columns_) add(name);
+    if (fields_[i].role == passes || fields_[i].role == is_time) add(fields_[i].name);
+  }
+  out_ += header + "\n";
+}
+
+// A number and the blanks around it; returns where its field ends.
+const char* Converter::read_number(Field& field, const char* begin, const char* end) {
+  const char* p = begin;
+  while (p != end && (*p == ' ' || *p == '\t')) ++p;
+  if (p != end && *p == '+' && p + 1 != end && p[1] != '-') ++p;
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(p, end, value);
+  const char* after = stop;
+  while (after != end && (*after == ' ' || *after == '\t')) ++after;
+  if (error != std::errc() || (after != end && *after != ',') ||
+      !(std::fabs(value) <= field.largest)) {
+    const char* wrong_end = std::find(begin, end, ',');
+    fail(field.name + ": got \"" +
+         detail::printable({begin, static_cast<std::size_t>(wrong_end - begin)}) +
+         "\"; expected a finite number" +
+         (field.largest == largest_angle ? ", angles up to 1e10" : ""));
+  }
+  if (field.role >= 0)
+    numbers_[static_cast<std::size_t>(field.role)] = value;
+  else
+    time_ = value;
+  return after;
+}
+
+void Converter::read_fields(std::string_view line) {
+  const char* p = line.data();
+  const char* end = p + line.size();
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    Field& field = fields_[i];
+    const char* begin = p;
+    const bool numeric = field.role >= 0 || field.role == is_time;
+    p = numeric ? read_number(field, p, end) : field_end(p, end);
+    if (p == nullptr) fail("a quote does not close");
+    field.text = {begin, static_cast<std::size_t>(p - begin)};
+    const bool last = i + 1 == fields_.size();
+    if ((p == end) != last)
+      fail("got " + std::string(last ? "more" : "fewer") + " fields than the " +
+           std::to_string(fields_.size()) + " of the header");
+    ++p;
+  }
+}
+
+void Converter::convert_row() {
+  try {
+    const detail::RowOrigin origin{body_ ? &*body_ : nullptr, time_};
+    write_row(to_.row(from_.hub(numbers_, origin), origin));
+  } catch (const DomainError& error) {
+    fail(error.what());
+  }
+}
+
+void Converter::write_row(const ChartRow& row) {
+  char text[detail::widest_chart * detail::longest_number];
+  char* end = text;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!std::isfinite(row[i])) throw DomainError(columns_[i] + " is beyond double range");
+    end = detail::write_number(end, row[i]);
+    *end++ = ',';
+  }
+  const std::string_view chart(text, static_cast<std::size_t>(end - text));
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (i == place_) out_ += chart;
+    if (fields_[i].role != passes && fields_[i].role != is_time) continue;
+    out_ += fields_[i].text;
+    out_ += ',';
+  }
+  out_.back() = '\n';
+}
+
+}  // namespace
+
+void convert(const Conversion& conversion, const std::string& name, const ByteSource& source,
+             const ByteSink& sink) {
+  Converter converter(conversion, detail::printable(name, name.size()), sink);
+  detail::LineReader reader(source);
+  while (const std::optional<std::string_view> line = reader.next()) converter.line(*line);
+  converter.finish(reader.too_long());
+}
+
+}  // namespace v0
+}  // namespace polhode

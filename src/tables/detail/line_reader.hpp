@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Lines of a stream of bytes, in constant memory and without a copy per line.
+#pragma once
+
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "polhode/tables/convert.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class LineReader {
+ public:
+  static constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+  explicit LineReader(const ByteSource& source)
+      : source_(source), buffer_(2 * longest_line, '\0') {}
+
+  // The next line without its end, valid until the next call; nothing at the end of the stream or
+  // when a line is too long.
+  std::optional<std::string_view> next() {
+    for (;;) {
+      const char* begin = buffer_.data() + first_;
+      const std::size_t size = last_ - first_;
+      const void* found =
+          size > searched_ ? std::memchr(begin + searched_, '\n', size - searched_) : nullptr;
+      if (found != nullptr) {
+        const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - begin);
+        first_ += length + 1;
+        searched_ = 0;
+        return trimmed({begin, length});
+      }
+      searched_ = size;
+      if (size > longest_line) {
+        too_long_ = true;
+        return std::nullopt;
+      }
+      if (ended_) {
+        first_ = last_;
+        searched_ = 0;
+        if (size == 0) return std::nullopt;
+        return trimmed({begin, size});
+      }
+      refill();
+    }
+  }
+  bool too_long() const { return too_long_; }
+
+ private:
+  static std::string_view trimmed(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
+  void refill() {
+    std::memmove(buffer_.data(), buffer_.data() + first_, last_ - first_);
+    last_ -= first_;
+    first_ = 0;
+    const std::size_t count = source_({buffer_.data() + last_, buffer_.size() - last_});
+    ended_ = count == 0;
+    last_ += count;
+  }
+
+  const ByteSource& source_;
+  std::string buffer_;
+  std::size_t first_ = 0;
+  std::size_t last_ = 0;
+  std::size_t searched_ = 0;  // of the line that begins at first_
+  bool ended_ = false;
+  bool too_long_ = false;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

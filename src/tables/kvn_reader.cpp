@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "tables/detail/kvn_reader.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+
+}  // namespace
+
+KvnReader::KvnReader(std::string_view text, std::string name)
+    : rest_(text), name_(std::move(name)) {
+  if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
+}
+
+std::optional<KvnLine> KvnReader::next() {
+  while (!rest_.empty()) {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view line = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++line_;
+    if (line.empty()) continue;
+    const std::string_view word = line.substr(0, line.find_first_of(" \t="));
+    if (word == "COMMENT") return KvnLine{KvnLine::Kind::comment, word, trimmed(line.substr(7))};
+    const std::size_t equals = line.find('=');
+    if (equals != std::string_view::npos)
+      return KvnLine{KvnLine::Kind::pair, trimmed(line.substr(0, equals)),
+                     trimmed(line.substr(equals + 1))};
+    const bool upper = line.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
+    if (upper) return KvnLine{KvnLine::Kind::word, line, {}};
+    return KvnLine{KvnLine::Kind::data, {}, line};
+  }
+  return std::nullopt;
+}
+
+void KvnReader::fail(const std::string& text) const {
+  throw DomainError(name_ + ":" + std::to_string(std::max<std::size_t>(line_, 1)) + ": " + text);
+}
+
+std::string KvnReader::value_of(const KvnLine& line) const {
+  if (line.value.empty()) fail(printable(line.key) + ": got nothing; expected a value");
+  return std::string(line.value);
+}
+
+std::vector<std::string_view> KvnReader::fields(const KvnLine& line) const {
+  std::vector<std::string_view> parts;
+  std::string_view rest = line.value;
+  while (!(rest = trimmed(rest)).empty()) {
+    const std::size_t end = std::min(rest.find_first_of(blanks), rest.size());
+    parts.push_back(rest.substr(0, end));
+    rest.remove_prefix(end);
+  }
+  return parts;
+}
+
+double KvnReader::number(std::string_view field, std::string_view what) const {
+  const std::string_view shown = field;
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
+    fail(std::string(what) + ": got \"" + printable(shown) + "\"; expected a finite number");
+  return value;
+}
+
+std::string text_of_file(const std::string& path, std::size_t largest) {
+  const std::string shown = path == "-" ? "<stdin>" : printable(path, path.size());
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw DomainError(shown + ": is a folder; expected a file");
+  errno = 0;
+  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
+                                                               : std::fopen(path.c_str(), "rb"));
+  if (!file) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  std::string text;
+  char piece[1 << 16];
+  for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, file.get())) > 0;) {
+    if (text.size() + count > largest)
+      throw DomainError(shown + ": has more than " + std::to_string(largest >> 20) + " MiB");
+    text.append(piece, count);
+  }
+  if (std::ferror(file.get()) != 0)
+    throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  return text;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

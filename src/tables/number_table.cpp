@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/tables/number_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "polhode/error.hpp"
+#include "tables/detail/line_reader.hpp"
+#include "tables/detail/packed_file.hpp"
+#include "text/nearest.hpp"
+#include "text/number_text.hpp"
+#include "text/printable.hpp"
+#include "text/word_list.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+constexpr std::string_view blanks = " \t";
+constexpr std::size_t longest_path = 4096;
+constexpr std::size_t most_comments = 10000;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string_view unquoted(std::string_view field) {
+  field = trimmed(field);
+  const bool quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+  return quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
+void split(std::string_view line, bool commas, Fields& fields) {
+  fields.clear();
+  line = trimmed(line);
+  if (commas && line.ends_with(',')) line.remove_suffix(1);
+  while (!line.empty()) {
+    const std::size_t end = commas ? line.find(',') : line.find_first_of(blanks);
+    fields.push_back(unquoted(line.substr(0, end)));
+    if (end == std::string_view::npos) return;
+    line.remove_prefix(end + 1);
+    if (!commas)
+      line = trimmed(line);
+    else if (line.empty())
+      fields.emplace_back();
+  }
+}
+
+// The number at the front of a field, finite or not; nothing where the field is something else.
+std::optional<double> number_of(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  std::array<char, 64> copy{};
+  if (field.empty() || field.size() > copy.size()) return std::nullopt;
+  std::transform(field.begin(), field.end(), copy.begin(),
+                 [](char c) { return c == 'D' || c == 'd' ? 'e' : c; });
+  double value = 0.0;
+  const char* const end = copy.data() + field.size();
+  const auto [stop, error] = std::from_chars(copy.data(), end, value);
+  if (stop != end) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+bool is_number(std::string_view field) { return number_of(field).has_value(); }
+
+// A line of names: no field is a number, nor a date.
+bool is_header(const Fields& fields) {
+  return std::none_of(fields.begin(), fields.end(), is_number) &&
+         std::all_of(fields.begin(), fields.end(), [](std::string_view field) {
+           return field.empty() || field.front() < '0' || field.front() > '9';
+         });
+}
+
+// How what JPL's Horizons sends begins; rows are between $$SOE and $$EOE.
+bool is_banner(std::string_view line) {
+  return line.starts_with("***") || line.starts_with("API VERSION");
+}
+
+// Rows of a file one by one, with the names that stand above them.
+class TableReader {
+ public:
+  explicit TableReader(const std::string& path)
+      : shown_(detail::printable(path, longest_path)),
+        file_(path),
+        source_([this](std::span<char> bytes) { return file_.read(bytes); }),
+        lines_(source_) {}
+
+  // Whether there is one; it is then in fields().
+  bool next() {
+    std::string above;  // the comment right above
+    for (;;) {
+      const std::optional<std::string_view> line = lines_.next();
+      if (!line) {
+        if (lines_.too_long()) fail("is longer than 1 MiB", number_ + 1);
+        return false;
+      }
+      ++number_;
+      const std::size_t hash = line->find('#');
+      const std::string_view text = trimmed(line->substr(0, hash));
+      if (!has_rows_ && hash != std::string_view::npos) keep(line->substr(hash + 1), false);
+      if (text.empty()) {
+        if (hash != std::string_view::npos) above = line->substr(hash + 1);
+        continue;
+      }
+      if (!started_ && is_banner(text)) {
+        skip_banner();
+        continue;
+      }
+      if (text == "$$EOE") return false;
+      if (!commas_) commas_ = text.find(',') != std::string_view::npos;
+      split(text, *commas_, fields_);
+      if (started_) return has_rows_ = true;
+      started_ = true;
+      if (is_header(fields_)) {
+        names_.assign(fields_.begin(), fields_.end());
+        commas_.reset();
+        continue;
+      }
+      name_by_comment(above);
+      return has_rows_ = true;
+    }
+  }
+
+  const Fields& fields() const { return fields_; }
+  const std::vector<std::string>& names() const { return names_; }
+  const std::string& shown() const { return shown_; }
+  std::size_t line() const { return number_; }
+  const std::vector<NumberTable::Comment>& comments() const { return comments_; }
+  [[noreturn]] void fail(const std::string& what) const { fail(what, number_); }
+
+ private:
+  // To the first row of Horizons; the names are in the last line above that is no rule of stars.
+  void skip_banner() {
+    std::string above;
+    while (const std::optional<std::string_view> line = lines_.next()) {
+      ++number_;
+      const std::string_view text = trimmed(*line);
+      keep(text, true);
+      if (text == "$$SOE") {
+        if (above.find(',') == std::string::npos)
+          fail("names no columns above; expected what Horizons sends with CSV_FORMAT = YES");
+        split(above, true, fields_);
+        names_.assign(fields_.begin(), fields_.end());
+        started_ = true;
+        return;
+      }
+      if (!text.empty() && !text.starts_with("***")) above = text;
+    }
+    fail("the file ends before $$SOE, where rows of Horizons begin");
+  }
+  void keep(std::string_view text, bool is_banner) {
+    if (comments_.size() < most_comments)
+      comments_.push_back({std::string(text), static_cast<std::uint32_t>(number_), is_banner});
+  }
+  [[noreturn]] void fail(const std::string& what, std::size_t line) const {
+    throw DomainError(shown_ + ":" + std::to_string(line) + ": " + what);
+  }
+  void name_by_comment(std::string_view comment) {
+    Fields words;
+    split(comment, comment.find(',') != std::string_view::npos, words);
+    if (words.size() == fields_.size() && is_header(words))
+      names_.assign(words.begin(), words.end());
+  }
+
+  std::string shown_;
+  detail::PackedFile file_;
+  ByteSource source_;
+  detail::LineReader lines_;
+  Fields fields_;
+  std::vector<std::string> names_;
+  std::optional<bool> commas_;
+  std::vector<NumberTable::Comment> comments_;
+  bool started_ = false;  // names or rows
+  bool has_rows_ = false;
+  std::size_t number_ = 0;
+};
+
+std::optional<std::size_t> column_number(std::string_view text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end && number > 0 ? std::optional(number) : std::nullopt;
+}
+
+// Where a column stands, from 0.
+std::size_t column_index(const TableReader& reader, const std::string& column) {
+  const std::vector<std::string>& names = reader.names();
+  const auto found = std::find(names.begin(), names.end(), column);
+  if (found != names.end()) {
+    if (std::find(found + 1, names.end(), column) != names.end())
+      reader.fail("two columns are called " + detail::printable(column) + "; expected its number");
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  const std::string shown = detail::printable(column);
+  if (const auto number = column_number(column)) {
+    if (*number <= reader.fields().size()) return *number - 1;
+    reader.fail("has " + std::to_string(reader.fields().size()) +
+                " columns; expected one of number " + shown);
+  }
+  if (names.empty())
+    reader.fail("no line names the columns; expected the number of column " + shown +
+                " in place of its name");
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string_view near = detail::nearest(column, known);
+  reader.fail("there is no column " + shown + "; expected one of " +
+              detail::printable(detail::one_of(known), 300) +
+              (near.empty() ? "" : "; did you mean " + detail::printable(near) + "?"));
+}
+
+}  // namespace
+
+double number_from_field(std::string_view field) {
+  const std::optional<double> value = number_of(field);
+  if (!value) throw DomainError("is not a number");
+  if (!std::isfinite(*value)) throw DomainError("is not a finite number");
+  return *value;
+}
+
+std::vector<std::string> table_columns(const std::string& path) {
+  TableReader reader(path);
+  if (!reader.next()) return {};
+  if (!reader.names().empty()) return reader.names();
+  std::vector<std::string> numbers;
+  for (std::size_t i = 1; i <= reader.fields().size(); ++i) numbers.push_back(std::to_string(i));
+  return numbers;
+}
+
+NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
+                              const FieldReader& first) {
+  TableReader reader(path);
+  NumberTable table{reader.shown(), std::vector<std::vector<double>>(columns.size()), {}, {}, {}};
+  std::vector<std::size_t> indices;
+  while (reader.next()) {
+    if (indices.empty())
+      for (const std::string& column : columns) indices.push_back(column_index(reader, column));
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      if (indices[k] >= reader.fields().size())
+        reader.fail("has " + std::to_string(reader.fields().size()) +
+                    " fields; expected one in column " + detail::printable(columns[k]));
+      const std::string_view field = reader.fields()[indices[k]];
+      try {
+        table.columns[k].push_back(k == 0 ? first(field) : number_from_field(field));
+      } catch (const DomainError& error) {
+        reader.fail("column " + detail::printable(columns[k]) + ": \"" + detail::printable(field) +
+                    "\" " + error.what());
+      }
+    }
+    table.lines.push_back(static_cast<std::uint32_t>(reader.line()));
+  }
+  table.names = reader.names();
+  table.comments = reader.comments();
+  return table;
+}
+
+void require_rising(const NumberTable& table, std::size_t column, std::string_view what) {
+  const std::vector<double>& x = table.columns.at(column);
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    if (x[k] > x[k - 1]) continue;
+    const std::string at = table.file + ":" + std::to_string(table.lines[k]) + ": " +
+                           std::string(what) + " " + detail::number_text(x[k]);
+    throw DomainError(at +
+                      (x[k] == x[k - 1]
+                           ? " stands twice, here and in line "
+                           : " comes after " + detail::number_text(x[k - 1]) + " of line ") +
+                      std::to_string(table.lines[k - 1]) + "; expected rising values");
+  }
+}
+
+}  // namespace v0
+}  // namespace polhode

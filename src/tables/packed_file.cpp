@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The only source that knows zlib, which reads files that are not packed as they are.
+#include "tables/detail/packed_file.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "polhode/error.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t largest_read = std::size_t{1} << 24;
+constexpr std::size_t longest_path = 4096;
+
+}  // namespace
+
+PackedFile::PackedFile(const std::string& path) : shown_(printable(path, longest_path)) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status))
+    throw DomainError(shown_ + ": is a folder; expected a file");
+  // a pipe or a device may never end
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw DomainError(shown_ + ": is not a regular file");
+  errno = 0;
+  stream_ = gzopen(path.c_str(), "rb");
+  if (stream_ == nullptr)
+    throw DomainError(shown_ + ": cannot be read: " + std::strerror(errno == 0 ? ENOMEM : errno));
+}
+
+PackedFile::~PackedFile() { gzclose_r(static_cast<gzFile>(stream_)); }
+
+std::size_t PackedFile::read(std::span<char> bytes) {
+  auto* const file = static_cast<gzFile>(stream_);
+  errno = 0;
+  const int count =
+      gzread(file, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), largest_read)));
+  int code = Z_OK;
+  const char* const text = gzerror(file, &code);
+  if (code == Z_BUF_ERROR)
+    throw DomainError(shown_ + ": cannot be unpacked: it ends before its end");
+  if (count < 0)
+    throw DomainError(
+        shown_ + ": cannot be read: " + (code == Z_ERRNO ? std::strerror(errno) : printable(text)));
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

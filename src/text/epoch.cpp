@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/text/epoch.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "polhode/error.hpp"
+#include "text/date_text.hpp"
+#include "text/nearest.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::string_view scales[] = {"UTC", "TAI", "TT", "TDB", "UT1"};
+
+// Exactly `digits` digits at the front of text, which are taken off.
+std::optional<int> take_number(std::string_view& text, std::size_t digits) {
+  if (text.size() < digits) return std::nullopt;
+  int number = 0;
+  for (std::size_t i = 0; i < digits; ++i) {
+    if (text[i] < '0' || text[i] > '9') return std::nullopt;
+    number = 10 * number + (text[i] - '0');
+  }
+  text.remove_prefix(digits);
+  return number;
+}
+
+bool take(std::string_view& text, char c) {
+  if (!text.starts_with(c)) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+void require_date(std::string_view& text) {
+  const auto year = take_number(text, 4);
+  const bool dash = take(text, '-');
+  const auto month = take_number(text, 2);
+  const bool second_dash = take(text, '-');
+  const auto day = take_number(text, 2);
+  if (!year || !dash || !month || !second_dash || !day)
+    throw DomainError("it does not start with a date like 2013-01-05");
+  const std::chrono::year_month_day date{std::chrono::year(*year),
+                                         std::chrono::month(static_cast<unsigned>(*month)),
+                                         std::chrono::day(static_cast<unsigned>(*day))};
+  if (!date.ok()) throw DomainError("there is no such day in the calendar");
+}
+
+// hh:mm, hh:mm:ss or hh:mm:ss.fff; a 60th second only where UTC may have one.
+void require_clock(std::string_view text, bool utc) {
+  const auto hour = take_number(text, 2);
+  const bool colon = take(text, ':');
+  const auto minute = take_number(text, 2);
+  if (!hour || !colon || !minute) throw DomainError("the time of day is not like 18:30:00");
+  int second = 0;
+  if (take(text, ':')) {
+    const auto found = take_number(text, 2);
+    if (!found) throw DomainError("the time of day is not like 18:30:00");
+    second = *found;
+    if (take(text, '.')) {
+      const std::size_t end = text.find_first_not_of("0123456789");
+      if (text.empty() || end == 0) throw DomainError("the seconds end in a point");
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end);
+    }
+  }
+  if (!text.empty()) throw DomainError("the time of day is not like 18:30:00");
+  const bool leap = utc && *hour == 23 && *minute == 59 && second == 60;
+  if (*hour > 23 || *minute > 59 || (second > 59 && !leap))
+    throw DomainError("there is no such time of day");
+}
+
+void require_julian_date(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw DomainError("after JD there is no number");
+}
+
+// The whole text as a number.
+double number_in(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value))
+    throw DomainError("is not a number of days");
+  return value;
+}
+
+// Digits at the front, as a number; they and one character behind them are taken off.
+double taken(std::string_view& text, double otherwise) {
+  if (text.empty()) return otherwise;
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  const double value = number_in(text.substr(0, end));
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return value;
+}
+
+}  // namespace
+
+void require_epoch(std::string_view text) {
+  const std::size_t space = text.rfind(' ');
+  if (space == std::string_view::npos) throw DomainError("the time scale is missing");
+  const std::string_view scale = text.substr(space + 1);
+  const bool known = std::find(std::begin(scales), std::end(scales), scale) != std::end(scales);
+  if (!known) {
+    const std::string_view near = nearest(scale, scales);
+    throw DomainError("\"" + printable(scale) + "\" is not a time scale" +
+                      (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
+  }
+  text = text.substr(0, space);
+  if (text.starts_with("JD ")) {
+    require_julian_date(text.substr(3));
+    return;
+  }
+  require_date(text);
+  if (text.empty()) return;  // midnight
+  if (!take(text, 'T') && !take(text, ' '))
+    throw DomainError("between date and time there is no T");
+  require_clock(text, scale == "UTC");
+}
+
+Date date_in(std::string_view text, TimeScale scale) {
+  const std::string whole = std::string(text) + " " + std::string(name(scale));
+  if (text.ends_with('Z') && scale == TimeScale::UTC) {
+    text.remove_suffix(1);
+    return date_in(text, scale);
+  }
+  require_epoch(whole);
+  CalendarTime time;
+  time.year = static_cast<int>(taken(text, 2000.0));
+  time.month = static_cast<int>(taken(text, 1.0));
+  time.day = static_cast<int>(taken(text, 1.0));
+  time.hour = static_cast<int>(taken(text, 0.0));
+  time.minute = static_cast<int>(taken(text, 0.0));
+  time.second = taken(text, 0.0);
+  return calendar_date(scale, time);
+}
+
+// Whole days and their fraction apart: a double of both keeps 40 us.
+Date julian_date(std::string_view text, TimeScale scale, double zero) {
+  const std::size_t point = text.find('.');
+  const bool plain = text.find_first_of("eE-") == std::string_view::npos;
+  if (point == std::string_view::npos || !plain || point == 0)
+    return {scale, zero, number_in(text)};
+  const double whole = number_in(text.substr(0, point));
+  const double rest =
+      text.size() == point + 1 ? 0.0 : number_in("0" + std::string(text.substr(point)));
+  return {scale, zero + whole, rest};
+}
+
+}  // namespace detail
+
+Date epoch_date(std::string_view text) {
+  detail::require_epoch(text);
+  const std::size_t space = text.rfind(' ');
+  const TimeScale scale = *time_scale(text.substr(space + 1));
+  text = text.substr(0, space);
+  return text.starts_with("JD ") ? detail::julian_date(text.substr(3), scale)
+                                 : detail::date_in(text, scale);
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// A MarkedFile goes back to its mark, whatever a killed process has left of the commits since.
+#include "output/detail/marked_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+
+#include "polhode/error.hpp"
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+using detail::MarkedFile;
+
+class MarkedFileTest : public ::testing::Test {
+ protected:
+  MarkedFileTest()
+      : folder_(fs::temp_directory_path() / ("polhode_marked_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~MarkedFileTest() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name = "a.part") const { return (folder_ / name).string(); }
+  static std::string text(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static void put(const std::string& name, const std::string& bytes) {
+    std::ofstream(name, std::ios::binary) << bytes;
+  }
+  // Some bytes anywhere, also beyond the end; the file that they make.
+  std::string random_write(MarkedFile& file, std::string content) {
+    const std::size_t offset = random_() % (content.size() + 6000);
+    std::string bytes(1 + random_() % 9000, '\0');
+    for (char& c : bytes) c = static_cast<char>(random_());
+    EXPECT_TRUE(file.write(offset, bytes));
+    if (content.size() < offset + bytes.size()) content.resize(offset + bytes.size(), '\0');
+    content.replace(offset, bytes.size(), bytes);
+    return content;
+  }
+
+  std::mt19937 random_{11};
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(MarkedFileTest, HoldsWhatWasCommitted) {
+  MarkedFile file(path());
+  std::string content;
+  for (int i = 0; i < 40; ++i) {
+    const std::string before = content;
+    for (int k = 0; k < 3; ++k) content = random_write(file, content);
+    EXPECT_EQ(text(path()), before);  // nothing but a commit changes it
+    std::string read(content.size(), '\0');
+    EXPECT_TRUE(file.read(0, read));
+    EXPECT_EQ(read, content);
+    file.commit(static_cast<std::int64_t>(content.size()));
+    ASSERT_EQ(text(path()), content);
+  }
+}
+
+TEST_F(MarkedFileTest, GoesBackToItsMarkAfterAnyCommits) {
+  std::string content;
+  for (std::int64_t number = 1; number <= 12; ++number) {
+    std::string marked;
+    {
+      MarkedFile file = number == 1
+                            ? MarkedFile(path())
+                            : MarkedFile(path(), {std::int64_t(content.size()), number - 1});
+      EXPECT_EQ(text(path()), content);
+      for (int i = 0; i < 3; ++i) {
+        content = random_write(file, content);
+        file.commit(static_cast<std::int64_t>(content.size()));
+      }
+      file.mark(number);
+      marked = content;
+      for (int i = 0; i < 4; ++i) {
+        content = random_write(file, content);
+        file.commit(static_cast<std::int64_t>(content.size()));
+      }
+    }
+    content = marked;
+  }
+}
+
+// What a commit has in PATH-undo may be anything in the file: the process was killed in it.
+TEST_F(MarkedFileTest, GoesBackFromATornCommit) {
+  std::string content(50000, 'a');
+  {
+    MarkedFile file(path());
+    ASSERT_TRUE(file.write(0, content));
+    file.commit(50000);
+    file.mark(7);
+    ASSERT_TRUE(file.write(4096 * 3 + 17, std::string(100, 'b')));
+    ASSERT_TRUE(file.write(4096 * 9, std::string(100, 'b')));
+    file.commit(60000);
+  }
+  const std::string whole = text(path()), undo = text(MarkedFile::undo_path(path()));
+  for (const std::size_t page : {3U, 9U}) {
+    std::string torn = whole;
+    torn.replace(4096 * page, 4096, std::string(4096, 'x'));
+    put(path(), torn + "tail");
+    put(MarkedFile::undo_path(path()), undo);
+    MarkedFile file(path(), {50000, 7});
+    EXPECT_EQ(text(path()), content) << page;
+  }
+  // killed while PATH-undo was written: the file has not been changed there
+  std::string half = whole;
+  half.replace(4096 * 9, 4096, std::string(4096, 'a'));
+  for (const std::size_t cut : {1U, 100U, 4000U}) {
+    put(path(), half);
+    put(MarkedFile::undo_path(path()), undo.substr(0, undo.size() - cut));
+    MarkedFile file(path(), {50000, 7});
+    EXPECT_EQ(text(path()), content) << cut;
+  }
+}
+
+// The process was killed when a checkpoint was there, and PATH-undo still that of the one before.
+TEST_F(MarkedFileTest, AnUndoOfAnotherMarkIsNotApplied) {
+  std::string content(20000, 'a');
+  {
+    MarkedFile file(path());
+    ASSERT_TRUE(file.write(0, content));
+    file.commit(20000);
+    file.mark(1);
+    ASSERT_TRUE(file.write(5000, std::string(10, 'b')));
+    content.replace(5000, 10, std::string(10, 'b'));
+    file.commit(20000);
+  }
+  MarkedFile file(path(), {20000, 2});
+  EXPECT_EQ(text(path()), content);
+}
+
+TEST_F(MarkedFileTest, AFileThatIsNotThatOfTheMark) {
+  put(path(), std::string(100, 'a'));
+  EXPECT_THROW(MarkedFile(path(), {101, 1}), DomainError);
+  EXPECT_THROW(MarkedFile(path("none.part"), {0, 1}), DomainError);
+  EXPECT_EQ(text(path()), std::string(100, 'a'));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/scenario/scenario.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "budgets.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string head = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
+const std::string andoyer = "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 0.5\nG = 1\nH = 0.1\n";
+
+std::string error_of(const std::string& text) {
+  try {
+    scenario_from_text(text, "f.toml");
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scenario, KeepsWhatTheFileSays) {
+  const Scenario s = scenario_from_text(
+      "schema = 1\ntitle = \"A body\"\n[units]\ntime = \"h\"\nangle = \"deg\"\n"
+      "[body]\nmoments = [2, 1, 2.5]\n[state]\nepoch = \"JD 2456297.5 TDB\"\n"
+      "axes = \"ecliptic-J2000\"\n"
+      "[state.andoyer]\nl = 180\ng = \"1 rad\"\nh = { value = 0.5, unit = \"rev\" }\nL = 0.5\n"
+      "G = \"2 1/h\"\nH = 0.1\n[time]\nstop = 1\nstep = \"15 min\"\n"
+      "[output]\ncolumns = [\"g\", \"serret\"]\n",
+      "folder/f.toml");
+  EXPECT_EQ(s.document.name, "f.toml");
+  EXPECT_EQ(s.document.title, "A body");
+  EXPECT_EQ(s.rotation().chart, "andoyer");
+  EXPECT_EQ(s.rotation().epoch, "JD 2456297.5 TDB");
+  EXPECT_EQ(s.rotation().axes, "ecliptic-J2000");
+  EXPECT_EQ(s.rotation().body.moments(), (Vec3{2.0, 1.0, 2.5}));
+  const AndoyerState a = std::get<AndoyerState>(s.rotation().state);
+  EXPECT_EQ(a.l, std::numbers::pi);
+  EXPECT_EQ(a.g, 1.0);
+  EXPECT_EQ(a.h, std::numbers::pi);
+  EXPECT_EQ(a.G, 2.0);
+  ASSERT_TRUE(s.rotation().time);
+  EXPECT_EQ(s.rotation().time->size(), 5);
+  EXPECT_EQ((*s.rotation().time)[3], 0.75);
+  EXPECT_EQ(s.output.columns, (std::vector<std::string>{"g", "serret"}));
+}
+
+TEST(Scenario, DefaultsAreThoseOfTheSchema) {
+  const Scenario s = scenario_from_text(head + andoyer, "f.toml");
+  EXPECT_EQ(s.units().time(), "s");
+  EXPECT_EQ(s.units().angle(), "rad");
+  EXPECT_EQ(s.rotation().axes, "inertial");
+  EXPECT_EQ(s.output.columns, (std::vector<std::string>{"q", "omega"}));
+  EXPECT_FALSE(s.rotation().time);
+}
+
+TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
+  const std::string text =
+      "schema = 1\n[units]\nangle = \"deg\"\n[body]\nmoments = [1, 2, 2.5]\n"
+      "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n";
+  for (const char* rate : {"omega_body", "omega_inertial"}) {
+    const Scenario s = scenario_from_text(text + rate + " = [180, 0, \"1 rad/s\"]\n", "f.toml");
+    const RotorState r = initial_state(s);
+    EXPECT_NEAR(r.g.x, std::numbers::pi, budget::io_state);
+    EXPECT_NEAR(r.g.z, 2.5, budget::io_state);
+  }
+}
+
+// No division and multiplication by the moments: the numbers are those of the file, to the bit.
+TEST(Scenario, AMomentumIsThatOfTheState) {
+  const std::string state =
+      "[state.attitude-rate]\nquaternion = [0.5, -0.5, 0.5, 0.5]\n"
+      "momentum_body = [0.1, -0.30000000000000004, 1.7]\n";
+  const RotorState s = initial_state(
+      scenario_from_text("schema = 1\n[body]\nmoments = [1, 1.9, 2.3]\n" + state, "a"));
+  EXPECT_EQ(s.q, (Quaternion{0.5, -0.5, 0.5, 0.5}));
+  EXPECT_EQ(s.g, (Vec3{0.1, -0.30000000000000004, 1.7}));
+  const RotorState of_tensor = initial_state(scenario_from_text(
+      "schema = 1\n[body]\ntensor = [[1.9, 0, 0.2], [0, 1, 0], [0.2, 0, 2.3]]\n" + state, "b"));
+  EXPECT_NEAR(norm(inertial_momentum(of_tensor) - inertial_momentum(s)), 0.0, budget::io_state);
+  EXPECT_THAT(error_of("schema = 1\n[body]\nmoments = [1, 1.9, 2.3]\n" + state +
+                       "omega_body = [1, 2, 3]\n"),
+              HasSubstr("exactly one of omega_body, omega_inertial, omega_relative, "
+                        "momentum_body"));
+}
+
+// Each sign of Serret's elements and each lobe of Sadov's gives another state.
+TEST(Scenario, SignsOfTheElementsAreRead) {
+  const auto momentum = [](const std::string& state) {
+    return initial_state(scenario_from_text(head + state, "f.toml")).g;
+  };
+  const std::string serret = "[state.serret]\ng0 = 0\nh = 0\nt0 = 0\nG = 1\nH = 0\n";
+  const std::string short_axis = serret + "T = 0.21\n", long_axis = serret + "T = 0.4\n";
+  EXPECT_GT(momentum(short_axis).z, 0.0);
+  EXPECT_LT(momentum(short_axis + "sign_g3 = -1\n").z, 0.0);
+  EXPECT_GT(momentum(long_axis).x, 0.0);
+  EXPECT_LT(momentum(long_axis + "sign_g1 = -1\n").x, 0.0);
+  const std::string sadov =
+      "[state.sadov]\nphi_l = 0.3\nphi_g = 0\nphi_h = 0\nI_g = 1\nI_h = 0\nI_l = 0.1\n";
+  EXPECT_GT(momentum(sadov).x, 0.0);
+  EXPECT_LT(momentum(sadov + "lobe = -1\n").x, 0.0);
+  EXPECT_EQ(momentum(sadov), momentum(sadov + "region = \"LAM\"\n"));
+  EXPECT_THROW(momentum(sadov + "region = \"SAM\"\n"), ScenarioError);
+}
+
+// The body axes of the file are those of the tensor: a rotated tensor with the same omega is the
+// same motion as the principal moments with the omega in principal axes.
+TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
+  const std::string state = "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\n";
+  const Scenario diagonal = scenario_from_text(
+      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n" + state + "omega_body = [1, 2, 3]\n", "a");
+  const Scenario full =
+      scenario_from_text("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n" +
+                             state + "omega_body = [1, 2, 3]\n",
+                         "b");
+  const FreeRotation a = free_rotation(diagonal), b = free_rotation(full);
+  EXPECT_NEAR(a.energy(), b.energy(), budget::io_state);
+  const Vec3 Ga = inertial_momentum(a.at(0.7)), Gb = inertial_momentum(b.at(0.7));
+  EXPECT_NEAR(norm(Ga - Gb), 0.0, budget::io_state);
+}
+
+// What a file says along principal axes stays so; the columns alone are along the others.
+TEST(Scenario, ColumnAxesTurnNothingElse) {
+  const std::string rest =
+      "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [1, 2, 3]\n"
+      "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0.2, 0.3]\n";
+  const std::string moments = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
+  const Scenario plain = scenario_from_text(moments + rest, "a");
+  const Scenario turned =
+      scenario_from_text(moments + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
+  EXPECT_EQ(turned.rotation().body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
+  EXPECT_EQ(initial_state(turned).q, initial_state(plain).q);
+  EXPECT_EQ(initial_state(turned).g, initial_state(plain).g);
+  const Vec3 u = effect(rotor_system(turned), 0.0, initial_state(turned)).u;
+  EXPECT_EQ(u, (Vec3{0.1, 0.2, 0.3}));
+  EXPECT_THAT(error_of("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n"
+                       "column_axes = [1, 0, 0, 0]\n" +
+                       rest),
+              HasSubstr("body.column_axes: got [1, 0, 0, 0]; expected a key moments beside it"));
+}
+
+TEST(Scenario, OrderOfErrorsIsThatOfTheFile) {
+  const std::string error = error_of("schema = 1\ntitel = 3\n[body]\nmoments = [1, 2]\n" + andoyer +
+                                     "[output]\ncolumns = [\"Q\"]\n");
+  const std::size_t first = error.find("f.toml:2:1: titel: unknown key"),
+                    second = error.find("f.toml:4:11: body.moments: got [1, 2]"),
+                    third = error.find("f.toml:13:12: output.columns: got \"Q\"");
+  EXPECT_EQ(first, 0U);
+  EXPECT_TRUE(first < second && second < third) << error;
+}
+
+TEST(Scenario, AMisspeltKeyIsNotMissingToo) {
+  EXPECT_EQ(
+      error_of("schema = 1\n[body]\nmomnets = [1, 2, 2.5]\n" + andoyer),
+      "f.toml:3:1: body.momnets: unknown key; did you mean moments? expected moments, tensor, "
+      "shape, density, scale or column_axes");
+}
+
+TEST(Scenario, WhatTheLibraryRefusesHasItsPlace) {
+  EXPECT_THAT(error_of("schema = 1\n[body]\nmoments = [1, 1, 3]\n" + andoyer),
+              StartsWith("f.toml:3:11: body.moments: got [1, 1, 3]; Body: moments"));
+  EXPECT_THAT(error_of(head + "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 1.5\nG = 1\nH = 0.1\n"),
+              StartsWith("f.toml:8:5: state.andoyer.L: got 1.5; "));
+  EXPECT_THAT(error_of(head + "[state.attitude-rate]\nquaternion = [0, 0, 0, 0]\n"
+                              "omega_body = [1, 2, 3]\n"),
+              StartsWith("f.toml:5:14: state.attitude-rate.quaternion: got [0, 0, 0, 0]; "));
+  EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = 1\nstep = -1\n"),
+              StartsWith("f.toml:13:8: time.step: got -1; "));
+}
+
+TEST(Scenario, TumblersThatCannotBeSayWhy) {
+  const auto error = [&](const std::string& periods, const std::string& rest) {
+    return error_of(
+        "schema = 1\n[units]\ntime = \"h\"\nangle = \"deg\"\n[body]\n"
+        "moments = [0.61, 0.965, 1]\n[state.tumbler]\nmode = \"SAM\"\n" +
+        periods + "pole = { longitude = 250, latitude = -75 }\n" + rest);
+  };
+  const std::string apophis = "precession_period = 30.56\nrotation_period = 263\n";
+  EXPECT_EQ(error(apophis, ""), "no error");
+  EXPECT_EQ(error(apophis, "psi0 = 10\n"), "no error");
+  EXPECT_THAT(error(apophis, "psi0 = 80\n"),
+              StartsWith("f.toml:12:8: state.tumbler.psi0: got 80; expected at most psi_max = "));
+  EXPECT_THAT(error("precession_period = 30.56\nrotation_period = 2\n", ""),
+              StartsWith("f.toml:10:19: state.tumbler.rotation_period: got 2; TumblerState: "
+                         "P_psi/P_phi = 0.065"));
+  EXPECT_THAT(error("precession_period = -1\nrotation_period = 2\n", ""),
+              StartsWith("f.toml:9:21: state.tumbler.precession_period: got -1; expected"));
+}
+
+// One pole in three notations: the ecliptic one, and both axes of J2000.
+TEST(Scenario, PolesTurnWithTheAxes) {
+  const auto momentum = [&](const std::string& axes, const std::string& pole) {
+    const Scenario s = scenario_from_text(
+        "schema = 1\n[body]\nmoments = [0.61, 0.965, 1]\n[state]\naxes = \"" + axes +
+            "\"\n[state.tumbler]\nmode = \"SAM\"\nprecession_period = 30.56\n"
+            "rotation_period = 263\npole = " +
+            pole + "\n",
+        "f.toml");
+    const Vec3 G = inertial_momentum(initial_state(s));
+    return (1.0 / norm(G)) * G;
+  };
+  const std::string north = "{ longitude = 0, latitude = \"90 deg\" }";
+  const std::string equinox = "{ ra = 0, dec = 0 }";
+  const std::string pole_of_ecliptic = "{ ra = \"270 deg\", dec = \"239618.552 arcsec\" }";
+  const auto expect = [](const Vec3& a, const Vec3& b) {
+    EXPECT_NEAR(norm(a - b), 0.0, budget::io_state);
+  };
+  expect(momentum("ecliptic-J2000", north), {0.0, 0.0, 1.0});
+  expect(momentum("inertial", north), {0.0, 0.0, 1.0});
+  expect(momentum("ecliptic-J2000", equinox), {1.0, 0.0, 0.0});
+  expect(momentum("ecliptic-J2000", pole_of_ecliptic), {0.0, 0.0, 1.0});
+  expect(momentum("equator-J2000", north), momentum("equator-J2000", pole_of_ecliptic));
+}
+
+TEST(Scenario, NotANumberIsRefusedEverywhere) {
+  for (const char* bad : {"nan", "inf", "-inf", "\"nan s\"", "{ value = nan, unit = \"s\" }"})
+    EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = " + bad + "\nstep = 1\n"),
+                StartsWith("f.toml:12:8: time.stop: got"))
+        << bad;
+}
+
+TEST(Scenario, UnitsTakeNoNumberOutOfRange) {
+  EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = \"1e308 yr\"\nstep = 1\n"),
+              StartsWith("f.toml:12:8: time.stop: got \"1e308 yr\"; expected a time"));
+  EXPECT_THAT(error_of(head + "[state.andoyer]\nl = 1e11\ng = 2\nh = 3\nL = 0\nG = 1\nH = 0\n"),
+              HasSubstr("f.toml:5:5: state.andoyer.l: got 1e+11; expected an angle"));
+}
+
+TEST(Scenario, ArraysMayHaveOneUnit) {
+  const auto error = [&](const std::string& rate) {
+    return error_of(
+        head + "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = " + rate + "\n");
+  };
+  EXPECT_EQ(error("{ value = [1, 2, 3], unit = \"rpm\" }"), "no error");
+  EXPECT_EQ(error("[1, \"2 rpm\", { value = 3, unit = \"deg/h\" }]"), "no error");
+  EXPECT_THAT(error("{ value = [1, 2, \"3\"], unit = \"rpm\" }"),
+              StartsWith("f.toml:6:31: state.attitude-rate.omega_body: got \"3\"; expected"));
+  EXPECT_THAT(error("{ value = [1, 2, nan], unit = \"rpm\" }"),
+              HasSubstr("got nan; expected an array of 3 numbers, each an "
+                        "angular rate: a number (of rad/s), \"1 rad/s\" or { value = 1, unit = "
+                        "\"rad/s\" }; numbers must be finite"));
+  EXPECT_THAT(error("{ value = [1, 2], unit = \"rpm\" }"), StartsWith("f.toml:6:14: "));
+  EXPECT_THAT(error("{ value = [1, 2, 3], unit = \"rpn\" }"), HasSubstr("did you mean rpm?"));
+  EXPECT_THAT(error("{ value = [1, 2, 3], units = \"rpm\" }"), StartsWith("f.toml:6:14: "));
+  EXPECT_THAT(error("{ value = [1, 2, 3] }"), StartsWith("f.toml:6:14: "));
+}
+
+TEST(Scenario, ExactlyOneChart) {
+  EXPECT_THAT(error_of(head), HasSubstr("state: got nothing; expected a table"));
+  EXPECT_THAT(error_of(head + "[state]\naxes = \"inertial\"\n"),
+              HasSubstr("state: got none of them; expected exactly one of tumbler, attitude-rate"));
+  EXPECT_THAT(error_of(head + andoyer +
+                       "[state.euler]\nphi = 1\ntheta = 1\npsi = 1\nPhi = 1\nTheta = 1\nPsi = 1\n"),
+              HasSubstr("state: got euler, andoyer; expected exactly one of"));
+}
+
+TEST(Scenario, EpochsAreRealDates) {
+  const auto error = [&](const std::string& epoch) {
+    return error_of(head + "[state]\nepoch = \"" + epoch + "\"\n" + andoyer);
+  };
+  for (const char* good :
+       {"2013-01-05T00:00:00 UTC", "2013-01-05 TT", "2012-02-29T23:59:59.999 TDB",
+        "2016-12-31T23:59:60 UTC", "2013-01-05 18:30 UT1", "JD 2456297.5 TAI", "JD -1.5e3 TT"})
+    EXPECT_EQ(error(good), "no error") << good;
+  for (const char* bad : {"2013-02-29 UTC", "2013-13-01 UTC", "2013-1-5 UTC", "2013-01-05",
+                          "2013-01-05 EST", "2013-01-05T24:00:00 UTC", "2013-01-05T23:59:60 TT",
+                          "2013-01-05T1 UTC", "2013-01-05T12:00:00. UTC", "2013-01-05X12:00:00 UTC",
+                          "JD nan UTC", "JD UTC", "JD 1x TT", "", " UTC", "0000-00-00 UTC"})
+    EXPECT_THAT(error(bad), HasSubstr("f.toml:5:9: state.epoch: got \"")) << bad;
+}
+
+TEST(Scenario, NoiseIsRefusedInOneLine) {
+  EXPECT_EQ(error_of(""),
+            "f.toml:1:1: file: got no key at all; expected a scenario (polhode init prints one)");
+  EXPECT_EQ(error_of("# only a comment\n").find("f.toml:1:1: file: got no key"), 0U);
+  std::string deep;
+  for (int i = 0; i < 1000000; ++i) deep += "a.";
+  for (const std::string& text :
+       {deep + "a = 1", "[" + deep + "a]", "x = " + std::string(1000000, '['),
+        "x = " + std::string(100000, '{'), std::string(1000, '\0'),
+        std::string("[\0te]\na = 1", 11), std::string("\xff\xfe\0\0", 4),
+        std::string(17 << 20, ' '), "a = " + std::string(1000000, '9'),
+        "a = \"" + std::string(1000000, 'x')}) {
+    const std::string error = error_of(text);
+    EXPECT_EQ(error.find("f.toml:1:"), 0U) << error.substr(0, 200);
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+    EXPECT_LT(error.size(), 400U);
+  }
+}
+
+TEST(Scenario, QuotesAndCommentsMayHoldAnything) {
+  const auto error = [&](const std::string& lines) { return error_of(lines + head + andoyer); };
+  for (const char* good :
+       {"# \xc3\xa9 ... ' \" \n", "title = \"\xc3\xa9 # \"\n", "title = '\xc3\xa9 \\'\n",
+        "title = \"\\\"\xc3\xa9\"\n", "title = \"\"\n", "title = ''\n",
+        "title = \"\"\"\xc3\xa9 \"\" \\\" \"\"\"\"\"\n", "title = '''\xc3\xa9 '' \\ '''''\n",
+        "title = \"\"\"\"\"\"\n"})
+    EXPECT_EQ(error(good), "no error") << good;
+  EXPECT_EQ(error("title = \"" + std::string(300, '.') + "\"\n# " + std::string(300, '.') + "\n"),
+            "no error");
+  for (const char* bad : {"\xc3\xa9 = 1\n", "title = \xc3\xa9\n", "title = \"\" \xc3\xa9\n",
+                          "title = \"a\\\"\" \xc3\xa9\n", "a = +'\xc3\xa9'\n",
+                          "title = \"a\"'\xc3\xa9'\n", "title = ''' '''''\xc3\xa9\n"})
+    EXPECT_THAT(error(bad), HasSubstr(": file: not TOML: got a character beyond ASCII")) << bad;
+  EXPECT_THAT(error("title = \"\xc3\xa9\" \xc3\xa9\n"), StartsWith("f.toml:1:13: file: "));
+}
+
+TEST(Scenario, ManyErrorsStayFew) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  const std::string error = error_of(text);
+  EXPECT_LE(std::count(error.begin(), error.end(), '\n'), 20);
+}
+
+TEST(Scenario, MessagesArePrintable) {
+  const std::string error =
+      error_of("[units]\nmoment = \"4\xef\xbb\xbf\"\n\"k\xc3\xa9y\" = 1\n" + head + andoyer);
+  EXPECT_THAT(error, HasSubstr("a number inside the unit \"4\\xef\\xbb\\xbf\""));
+  EXPECT_TRUE(std::all_of(error.begin(), error.end(),
+                          [](char c) { return (c >= 0x20 && c < 0x7f) || c == '\n'; }));
+}
+
+TEST(Scenario, NamesOfAnyFileStayOneLine) {
+  try {
+    scenario_from_text("", "a\nb\x1b.toml");
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_THAT(error.what(), StartsWith("a\\x0ab\\x1b.toml:1:1: "));
+  }
+}
+
+}  // namespace
+}  // namespace polhode

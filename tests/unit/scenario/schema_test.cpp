@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/scenario/schema.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/output/columns.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "scenario/diagnostics.hpp"
+#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
+#include "text/nearest.hpp"
+#include "worst.hpp"
+
+namespace polhode {
+namespace {
+
+using polhode::test::Worst;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// What later sections need: names that the file chooses, and arrays of tables.
+constexpr Key growing_keys[] = {
+    {.path = "orbit", .help = "Orbits by name."},
+    {.path = "orbit.*", .help = "One orbit."},
+    {.path = "orbit.*.period",
+     .type = KeyType::number,
+     .presence = Presence::required,
+     .dimension = Dimension::time,
+     .example = "1",
+     .help = "Its period."},
+    {.path = "event[]", .help = "What ends a run."},
+    {.path = "event[].kind",
+     .type = KeyType::choice,
+     .presence = Presence::required,
+     .allowed = "crossing|count",
+     .help = "Its kind."},
+    {.path = "event[].at", .type = KeyType::number, .fallback = "3", .help = "Where."},
+};
+constexpr Schema growing{growing_keys, {}};
+
+TEST(Schema, EveryRowIsComplete) {
+  std::set<std::string_view> paths;
+  for (const Key& key : scenario_schema().keys) {
+    EXPECT_TRUE(paths.insert(key.path).second) << key.path;
+    EXPECT_THAT(std::string(key.help), ::testing::EndsWith(".")) << key.path;
+    EXPECT_EQ(key.example.empty(), key.type == KeyType::table) << key.path;
+    const std::string_view table = key_table(key.path);
+    EXPECT_TRUE(table.empty() || paths.contains(table)) << key.path;
+    const bool listed = key.type == KeyType::choice || key.type == KeyType::choices;
+    EXPECT_TRUE(!listed || !key.allowed.empty()) << key.path;
+  }
+}
+
+TEST(Schema, AlternativesNameKeysOfTheirTable) {
+  std::set<std::string> members;
+  for (const Alternatives& row : scenario_schema().alternatives)
+    for (const std::string_view set : separated(row.sets, '|'))
+      for (const std::string_view name : separated(set, '+'))
+        members.insert(std::string(row.table) + "." + std::string(name));
+  for (const Key& key : scenario_schema().keys)
+    EXPECT_EQ(key.presence == Presence::alternative, members.erase(std::string(key.path)) == 1)
+        << key.path;
+  EXPECT_TRUE(members.empty()) << *members.begin();
+}
+
+TEST(Schema, ColumnsAreThoseThatRowsCanHold) {
+  const auto keys = scenario_schema().keys;
+  const auto columns = std::find_if(keys.begin(), keys.end(),
+                                    [](const Key& k) { return k.path == "output.columns"; });
+  ASSERT_NE(columns, keys.end());
+  EXPECT_EQ(separated(columns->allowed, '|'), column_group_names());
+}
+
+TEST(Schema, TemplatesAreScenarios) {
+  EXPECT_THAT(state_charts(),
+              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov"));
+  for (const std::string_view chart : state_charts()) {
+    const Scenario scenario = scenario_from_text(scenario_template(chart), "template");
+    EXPECT_EQ(scenario.rotation().chart, chart);
+    EXPECT_EQ(scenario.rotation().time->size(), 1441) << chart;
+  }
+  EXPECT_THROW(scenario_template("tumbelr"), DomainError);
+}
+
+TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
+  EXPECT_THAT(scenario_templates(),
+              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
+                          "gravity-gradient", "constant-torque", "damping", "tide",
+                          "internal-damping", "anelastic-damping", "torque-table", "solar-pressure",
+                          "drag", "residual-dipole", "eddy-currents", "kane-damper"));
+  const std::vector<std::string_view> templates = scenario_templates();
+  for (const std::string_view kind : std::span(templates).subspan(state_charts().size())) {
+    const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
+    EXPECT_THAT(scenario.rotation().kinds, ElementsAre(std::string(kind)));
+    EXPECT_EQ(scenario.rotation().terms.size() + (scenario.rotation().damper ? 1U : 0U), 1U);
+    const bool on_surface = kind == "solar-pressure" || kind == "drag";
+    const bool is_magnetic = kind == "residual-dipole" || kind == "eddy-currents";
+    const bool of_gravity = kind == "gravity-gradient" || kind == "tide";
+    EXPECT_EQ(scenario.rotation().orbits.size(), of_gravity || is_magnetic || on_surface ? 1U : 0U);
+    EXPECT_EQ(scenario.rotation().surface != nullptr, on_surface);
+    EXPECT_TRUE(scenario.rotation().method.has_value());
+    EXPECT_EQ(scenario.rotation().events.size(), 1U);
+    const bool is_physical = is_magnetic || on_surface || kind == "anelastic-damping";
+    EXPECT_EQ(scenario.units().moment(), is_physical ? "kg m2" : "1") << kind;
+    EXPECT_EQ(scenario.units().time(), is_physical ? "s" : "h") << kind;
+    // the numbers are those of a body that something moves
+    const FreeRotation free = free_rotation(scenario);
+    const Vec3 slip = scenario.rotation().damper ? Vec3{1.0, 0.0, 0.0} : Vec3{};
+    const System system = at_damper_rate(rotor_system(scenario), slip);
+    Worst largest;
+    for (double t = 0.0; t < 700.0; t += 30.0) {
+      const Effect moved = effect(system, t, free.at(t));
+      largest.add(norm(moved.v) + norm(moved.u));
+    }
+    EXPECT_GT(largest.value(), 0.0) << kind;
+    EXPECT_THAT(scenario_template(kind), HasSubstr("\n# dut1 = "));
+  }
+}
+
+// Keys of one kind: refused beside another, required beside their own.
+constexpr Key kinded_keys[] = {
+    {.path = "term[]", .help = "Terms."},
+    {.path = "term[].kind",
+     .type = KeyType::choice,
+     .presence = Presence::required,
+     .allowed = "a|b",
+     .help = "Its kind."},
+    {.path = "term[].x",
+     .type = KeyType::number,
+     .presence = Presence::required,
+     .help = "Of a.",
+     .kinds = "a"},
+    {.path = "term[].y", .type = KeyType::number, .fallback = "3", .help = "Of b.", .kinds = "b"},
+};
+
+TEST(Schema, KeysMayBelongToAKind) {
+  constexpr Schema kinded{kinded_keys, {}};
+  const auto read = [&](const char* text) {
+    detail::Diagnostics diagnostics("f");
+    const detail::ReadFile file = detail::read_values(text, kinded, diagnostics);
+    diagnostics.raise();
+    return file.values;
+  };
+  const detail::Values values = read("[[term]]\nkind = \"a\"\nx = 1\n[[term]]\nkind = \"b\"\n");
+  EXPECT_EQ(values.at("term[0].x").numbers.at(0), 1.0);
+  EXPECT_FALSE(values.contains("term[0].y"));
+  EXPECT_EQ(values.at("term[1].y").numbers.at(0), 3.0);
+  const auto error = [&](const char* text) -> std::string {
+    try {
+      read(text);
+    } catch (const ScenarioError& e) {
+      return e.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error("[[term]]\nkind = \"b\"\nx = 1\n"),
+            "f:3:1: term[0].x: a key of kind \"a\"; expected beside kind = \"b\" only kind or y");
+  EXPECT_EQ(error("[[term]]\nkind = \"a\"\n"), "f:1:1: term[0].x: got nothing; expected a number");
+  EXPECT_THAT(json_schema(kinded), HasSubstr("\"const\": \"a\""));
+}
+
+TEST(Schema, NamesThatTheFileChoosesArePlain) {
+  detail::Diagnostics diagnostics("f");
+  detail::read_values("[orbit.\"a.b\"]\nperiod = 3\n", growing, diagnostics);
+  EXPECT_THROW(diagnostics.raise(), ScenarioError);
+}
+
+TEST(Schema, ReadsNamesThatTheFileChooses) {
+  detail::Diagnostics diagnostics("f");
+  const detail::ReadFile file = detail::read_values(
+      "[orbit.moon]\nperiod = \"27 d\"\n[orbit.sun]\nperiod = 3\n", growing, diagnostics);
+  diagnostics.raise();
+  EXPECT_EQ(file.values.at("orbit.moon.period").numbers.at(0), 27 * 86400.0);
+  EXPECT_EQ(file.values.at("orbit.sun.period").numbers.at(0), 3.0);
+}
+
+TEST(Schema, ReadsArraysOfTables) {
+  detail::Diagnostics diagnostics("f");
+  const detail::ReadFile file =
+      detail::read_values("[[event]]\nkind = \"count\"\n[[event]]\nkind = \"crossing\"\nat = 5\n",
+                          growing, diagnostics);
+  diagnostics.raise();
+  EXPECT_EQ(file.values.at("event[0].kind").words.at(0), "count");
+  EXPECT_EQ(file.values.at("event[0].at").numbers.at(0), 3.0);
+  EXPECT_EQ(file.values.at("event[1].at").numbers.at(0), 5.0);
+}
+
+TEST(Schema, ErrorsInsideThemNameTheirPath) {
+  detail::Diagnostics diagnostics("f");
+  detail::read_values("[orbit.moon]\nperoid = 3\n[[event]]\nkind = \"cuont\"\n", growing,
+                      diagnostics);
+  try {
+    diagnostics.raise();
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("f:2:1: orbit.moon.peroid: unknown key; did you mean "
+                                        "period? expected period\n"));
+    EXPECT_THAT(error.what(), HasSubstr("f:4:8: event[0].kind: got \"cuont\"; expected "
+                                        "\"crossing\" or \"count\"; did you mean \"count\"?"));
+  }
+}
+
+TEST(Schema, DocumentsKnowThemToo) {
+  EXPECT_THAT(json_schema(growing), HasSubstr("\"additionalProperties\": {"));
+  EXPECT_THAT(json_schema(growing), HasSubstr("\"type\": \"array\""));
+  EXPECT_THAT(markdown_reference(growing), HasSubstr("## `[orbit.*]`"));
+  EXPECT_THAT(markdown_reference(growing), HasSubstr("## `[[event]]`"));
+}
+
+TEST(Nearest, CountsHalfEdits) {
+  EXPECT_EQ(detail::edit_distance("", "ab"), 4);
+  EXPECT_EQ(detail::edit_distance("phi", "Phi"), 1);
+  EXPECT_EQ(detail::edit_distance("moments", "momnets"), 2);
+  EXPECT_EQ(detail::edit_distance("kitten", "sitting"), 6);
+}
+
+TEST(Nearest, OffersSlipsOnly) {
+  constexpr std::string_view known[] = {"precession_period", "rotation_period", "pole", "mode"};
+  EXPECT_EQ(detail::nearest("presession_period", known), "precession_period");
+  EXPECT_EQ(detail::nearest("Pole", known), "pole");
+  EXPECT_EQ(detail::nearest("rota", known), "rotation_period");
+  EXPECT_EQ(detail::nearest("x", known), "");
+  EXPECT_EQ(detail::nearest("colour", known), "");
+  EXPECT_EQ(detail::nearest(std::string(100000, 'p'), known), "");
+}
+
+}  // namespace
+}  // namespace polhode

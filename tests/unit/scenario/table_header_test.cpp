@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// What a table says of itself above its rows is held against how a scenario reads it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "polhode/scenario/scenario.hpp"
+#include "run/detail/table_error.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class TableHeaders : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("polhode-headers-") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  // "no error", or what is refused of a scenario that reads moon.csv.
+  std::string error_of(const std::string& header, const std::string& keys = "") const {
+    write(header + rows_);
+    return error_of_keys("[orbit.moon]\nkind = \"table\"\nfile = \"moon.csv\"\n" + keys);
+  }
+  std::string error_of_keys(const std::string& more) const {
+    const std::string text = "schema = 1\n[units]\n" + units_ +
+                             "[body]\nmoments = [1, 2, 2.5]\n[state]\n" + state_ +
+                             "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
+                             "omega_body = [0.1, 0.2, 1]\n" +
+                             more;
+    try {
+      scenario_from_text(text, (folder_ / "f.toml").string());
+    } catch (const ScenarioError& error) {
+      std::string what = error.what();
+      for (std::size_t at = what.find(folder_.string()); at != std::string::npos;
+           at = what.find(folder_.string()))
+        what.erase(at, folder_.string().size() + 1);
+      return what;
+    }
+    return "no error";
+  }
+  void write(const std::string& text) const {
+    std::FILE* out = std::fopen((folder_ / "moon.csv").string().c_str(), "wb");
+    std::fwrite(text.data(), 1, text.size(), out);
+    std::fclose(out);
+  }
+
+  std::filesystem::path folder_;
+  std::string units_ = "time = \"s\"\nlength = \"km\"\n";
+  std::string state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\naxes = \"equator-J2000\"\n";
+  std::string rows_ =
+      "0,7000,0,0,0,7.5,0\n60,6986,452,0,-0.5,7.5,0\n120,6944,903,0,-0.9,7.4,0\n"
+      "180,6875,1349,0,-1.4,7.4,0\n";
+};
+
+const std::string satellite =
+    "# ISS, SGP4; t in s after 2029-04-13T00:00:00.000 UTC; km; equator-J2000\n"
+    "# t,x,y,z,vx,vy,vz\n";
+
+TEST_F(TableHeaders, OfThisScenarioAreTaken) {
+  EXPECT_EQ(error_of(satellite), "no error");
+  EXPECT_EQ(error_of("# ISS; a name; t in s after 2029-04-13T00:00:00.000 UTC; km; "
+                     "equator-J2000\n"),
+            "no error");
+  EXPECT_EQ(error_of("# t counts from 2029-04-13T00:00:00 UTC; axes: equator-J2000\n"
+                     "# | epoch: 1999-01-01 UTC\n# units: t [s], x [km]\nt,x,y,z,vx,vy,vz\n"),
+            "no error");
+  // the same instant in another scale: TAI - UTC was 37 s
+  EXPECT_EQ(error_of("# epoch: 2029-04-13T00:00:37 TAI\n"), "no error");
+  EXPECT_EQ(error_of("# t counts from the epoch; axes: as in the paper; t in the sky\n"),
+            "no error");
+}
+
+TEST_F(TableHeaders, OfAnotherEpochAreRefused) {
+  state_ = "epoch = \"2029-04-14T00:00:00 UTC\"\naxes = \"equator-J2000\"\n";
+  for (const std::string& header :
+       {satellite, std::string("# t counts from 2029-04-13T00:00:00 UTC; axes: equator-J2000\n")})
+    EXPECT_THAT(error_of(header),
+                AllOf(StartsWith("f.toml:15:8: orbit.moon.file: got \"moon.csv\"; moon.csv:1: "
+                                 "t counts from 2029-04-13T00:00:00"),
+                      HasSubstr("-86400 s after epoch = \"2029-04-14T00:00:00 UTC\"; expected a "
+                                "table from that epoch on")));
+  state_ = "epoch = \"2029-04-13T00:00:00.002 UTC\"\naxes = \"equator-J2000\"\n";
+  EXPECT_THAT(error_of(satellite), HasSubstr("s after epoch"));
+  state_ = "axes = \"equator-J2000\"\n";
+  EXPECT_THAT(error_of(satellite),
+              HasSubstr("expected epoch = \"2029-04-13T00:00:00.000 UTC\" in [state]"));
+  EXPECT_THAT(error_of("# t counts from 2029-13-13T00:00:00 UTC\n"), HasSubstr("expected epoch"));
+  state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\naxes = \"equator-J2000\"\n";
+  EXPECT_THAT(error_of("# t counts from 2029-13-13T00:00:00 UTC\n"), HasSubstr("f.toml:15:8: "));
+}
+
+TEST_F(TableHeaders, OfOtherAxesAreRefused) {
+  state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\naxes = \"ecliptic-J2000\"\n";
+  EXPECT_THAT(error_of(satellite),
+              HasSubstr("moon.csv:1: its axes are equator-J2000; expected axes = "
+                        "\"equator-J2000\" beside the file or in [state], not \"ecliptic-J2000\""));
+  EXPECT_EQ(error_of(satellite, "axes = \"equator-J2000\"\n"), "no error");
+  EXPECT_THAT(error_of("# axes: TEME\n"),
+              HasSubstr("moon.csv:1: its axes are TEME; expected \"inertial\", "));
+  EXPECT_THAT(error_of("# AXES: equator-J2000; Epoch: 2029-04-14\n"), HasSubstr("its axes are"));
+  state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\n";  // axes that nobody names
+  EXPECT_THAT(error_of(satellite), HasSubstr("not \"inertial\""));
+}
+
+TEST_F(TableHeaders, OfOtherUnitsAreRefused) {
+  units_ = "time = \"h\"\nlength = \"km\"\n";
+  EXPECT_THAT(error_of(satellite), HasSubstr("moon.csv:1: column t is in s; expected time_unit = "
+                                             "\"s\" beside the file"));
+  EXPECT_EQ(error_of(satellite, "time_unit = \"s\"\n"), "no error");
+  units_ = "time = \"s\"\nlength = \"m\"\n";
+  EXPECT_THAT(error_of(satellite), HasSubstr("column x is in km; expected length_unit = \"km\""));
+  units_ = "time = \"s\"\n";  // lengths of no unit
+  EXPECT_EQ(error_of(satellite), "no error");
+  units_ = "time = \"s\"\nlength = \"km\"\n";
+  const std::string units =
+      "# units: t [s], x [km], y [km], z [m], vx [km/s], vy [m/s], vz [km/s]\n";
+  EXPECT_THAT(error_of(units + "t,x,y,z,vx,vy,vz\n"), HasSubstr("column z is in m; expected"));
+  for (const char* unit : {"deg", "furlong"})
+    EXPECT_THAT(error_of("# units: t [s], x [" + std::string(unit) + "]\nt,x,y,z,vx,vy,vz\n"),
+                HasSubstr("moon.csv:1: column x: "))
+        << unit;
+  EXPECT_THAT(error_of(units + "t,x,y,z,vx,vy,vz\n",
+                       "columns = [\"1\", \"2\", \"3\", \"3\", \"5\", \"6\", \"7\"]\n"),
+              HasSubstr("column vy is in m/s; expected velocity_unit = \"m/s\""));
+}
+
+TEST_F(TableHeaders, OfHorizonsAreHeldAgainstTheScenario) {
+  const auto banner = [](const std::string& units, const std::string& frame) {
+    return "*****\nOutput units    : " + units + "\nReference frame : " + frame +
+           "\n*****\n JDTDB, X, Y, Z,\n*****\n$$SOE\n";
+  };
+  rows_.clear();
+  for (int k = 0; k < 12; ++k)
+    rows_ += std::to_string(2462239.5 + k) + ", 7000, " + std::to_string(10 * k) + ", 0,\n";
+  rows_ += "$$EOE\n";
+  const std::string keys =
+      "columns = [\"JDTDB\", \"X\", \"Y\", \"Z\"]\ntime_format = \"JD\"\ntime_scale = \"TDB\"\n";
+  EXPECT_EQ(error_of(banner("KM-S", "ICRF"), keys), "no error");
+  EXPECT_THAT(error_of(banner("AU-D", "ICRF"), keys),
+              HasSubstr("moon.csv:2: column X is in au; expected length_unit = \"au\""));
+  EXPECT_EQ(error_of(banner("AU-D", "ICRF"), keys + "length_unit = \"au\"\n"), "no error");
+  for (const char* frame : {"FK4/B1950", "Earth mean equator of date", "Ecliptic of date"})
+    EXPECT_THAT(error_of(banner("KM-S", frame), keys),
+                HasSubstr("its axes are " + std::string(frame)));
+  EXPECT_THAT(error_of(banner("KM-S", "Ecliptic of J2000.0"), keys),
+              HasSubstr("moon.csv:3: its axes are ecliptic-J2000; expected axes"));
+  EXPECT_THAT(error_of(banner("KM-S", "ICRF"),
+                       "columns = [\"JDTDB\", \"X\", \"Y\", \"Z\"]\ntime_format = \"JD\"\n"),
+              HasSubstr("its column \"JDTDB\" holds dates in TDB; expected time_scale = \"TDB\""));
+}
+
+TEST_F(TableHeaders, OfTorquesAreHeldAgainstTheScenario) {
+  const std::string term =
+      "[[perturbation]]\nkind = \"torque-table\"\nfile = \"moon.csv\"\ntorque_unit = \"N m\"\n";
+  units_ = "time = \"s\"\nmoment = \"kg m2\"\n";
+  rows_ = "0,1,2,3\n60,1,2,3\n120,1,2,3\n180,1,2,3\n";
+  write("# t counts from 2029-04-13 UTC\n# units: t [s], u1 [N m]\nt,u1,u2,u3\n" + rows_);
+  EXPECT_EQ(error_of_keys(term), "no error");
+  write("# t counts from 2029-04-12 UTC\n" + rows_);
+  EXPECT_THAT(error_of_keys(term), HasSubstr("moon.csv:1: t counts from 2029-04-12 UTC, -86400 s"));
+  write("# units: t [min], u1 [N m]\nt,u1,u2,u3\n" + rows_);
+  EXPECT_THAT(error_of_keys(term), HasSubstr("column t is in min; expected time_unit = \"min\""));
+  write("# units: t [s], u1 [N m], u2 [kg km2/s2]\nt,u1,u2,u3\n" + rows_);
+  EXPECT_THAT(error_of_keys(term),
+              HasSubstr("column u2 is in kg km2/s2; expected torque_unit = \"kg km2/s2\""));
+  write("# axes: equator-J2000\nt,u1,u2,u3\n" + rows_);
+  EXPECT_THAT(error_of_keys(term),
+              HasSubstr("moon.csv:1: its axes are equator-J2000; expected "
+                        "torques along \"equator-J2000\", not axes = \"body\""));
+  EXPECT_EQ(error_of_keys(term + "axes = \"inertial\"\n"), "no error");
+  write("# axes: body\nt,u1,u2,u3\n" + rows_);
+  EXPECT_EQ(error_of_keys(term), "no error");
+}
+
+}  // namespace
+}  // namespace polhode

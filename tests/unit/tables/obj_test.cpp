@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/tables/obj.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "budgets.hpp"
+#include "polhode/error.hpp"
+#include "polhode/shape/mass_properties.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  try {
+    shape_from_obj(text, "x.obj");
+  } catch (const DomainError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// A box of 2 x 4 x 6 in quads: every way of writing a corner, negative numbers, CRLF, a comment, a
+// continued line, numbers in scientific form.
+const char* const box =
+    "# a box\r\nmtllib none.mtl\r\no box\r\n"
+    "v -1 -2 -3\r\nv 1 -2 -3\r\nv 1 2 -3 1.0\nv -1 2 -3\n"
+    "v -1.0e0 -2 +3\nv 10e-1 -2 3\nv 1 2 3\nv -1 2 3 0.5 0.5 0.5\n"
+    "vt 0 0\nvn 0 0 1\ng sides\ns off\n"
+    "f 4 3 2 1\nf 5/1 6/1 7/1 8/1\nf 1//1 2//1 6//1 5//1 # bottom\nf 2/1/1 3/1/1 \\\n 7/1/1 6/1/1\n"
+    "f -6 -5 -1 -2\nf -5 -8 -4 -1";
+
+TEST(Obj, ReadsWhatTheFormatAllows) {
+  const FacetShape shape = shape_from_obj(box, "box.obj");
+  EXPECT_EQ(shape.vertices().size(), 8U);
+  EXPECT_EQ(shape.triangles().size(), 12U);
+  EXPECT_EQ(shape.open_edge(), "");
+  const MassProperties p = mass_properties(shape, 1.0);
+  EXPECT_NEAR(p.volume, 48.0, budget::shape_mass * 0x1p-52 * 48.0);
+  EXPECT_EQ(shape.triangles()[1], (FacetShape::Triangle{3, 1, 0}));  // a fan about its first
+}
+
+TEST(Obj, FacetsMayStandBeforeTheirVertices) {
+  EXPECT_EQ(shape_from_obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "x").area(), 0.5);
+}
+
+TEST(Obj, VerticesInOnePlaceAreOne) {
+  std::string text;
+  const FacetShape shape = shape_from_obj(box, "box.obj");
+  int count = 0;
+  for (const FacetShape::Triangle& t : shape.triangles()) {
+    for (const std::uint32_t i : t) {
+      const Vec3& v = shape.vertices()[i];
+      text +=
+          "v " + std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z) + "\n";
+    }
+    count += 3;
+    text += "f -3 -2 -1\n";
+  }
+  const FacetShape soup = shape_from_obj(text, "soup.obj");
+  EXPECT_EQ(soup.vertices().size(), static_cast<std::size_t>(count));
+  EXPECT_TRUE(soup.is_closed());
+}
+
+TEST(Obj, OneLineSaysWhatIsWrongAndWhere) {
+  const std::string v = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\n";
+  EXPECT_EQ(refusal(""), "x.obj: has no facets; expected a Wavefront OBJ file");
+  EXPECT_EQ(refusal(v), "x.obj: has no facets; expected a Wavefront OBJ file");
+  EXPECT_EQ(refusal(v + "f 1 2 3\n"), "x.obj:5: a facet with no area: corners 1, 2, 3");
+  EXPECT_EQ(refusal(v + "\n# c\nf 1 2 2\n"), "x.obj:7: a facet with no area: corners 1, 2, 2");
+  EXPECT_THAT(refusal(v + "f 1 2 3 4\n"), HasSubstr("x.obj:5: a facet with no area, in the fan"));
+  EXPECT_THAT(refusal(v + "f 0 1 4\n"), HasSubstr("x.obj:5: got \"0\"; expected the number of a"));
+  EXPECT_EQ(refusal(v + "f 1 2 5\n"), "x.obj:5: got \"5\"; there are 4 vertices");
+  EXPECT_EQ(refusal(v + "f 1 2 -5\n"), "x.obj:5: got \"-5\"; there are only 4 vertices before it");
+  EXPECT_EQ(refusal(v + "f 1 2\n"), "x.obj:5: got a facet of 2 corners; expected at least 3");
+  EXPECT_THAT(refusal(v + "f 1 2 4.0\n"), HasSubstr("x.obj:5: got \"4.0\"; expected the number"));
+  EXPECT_THAT(refusal(v + "f 1 2 4/1/1/1\n"), HasSubstr("expected i, i/t, i//n or i/t/n"));
+  EXPECT_THAT(refusal(v + "f 1 2 4/x\n"), HasSubstr("x.obj:5: got \"4/x\""));
+  EXPECT_THAT(refusal("v 0 nan 0\n"), HasSubstr("x.obj:1: got \"nan\"; expected a finite number"));
+  EXPECT_THAT(refusal("v 0 1e999 0\n"), HasSubstr("x.obj:1: got \"1e999\"; expected a number in"));
+  EXPECT_THAT(refusal("v 0 1,5 0\n"), HasSubstr("x.obj:1: got \"1,5\"; expected a number"));
+  EXPECT_EQ(refusal("v 0 1\n"), "x.obj:1: got 2 numbers; expected v x y z");
+  EXPECT_THAT(refusal("solid cube\n"), HasSubstr("x.obj:1: got \"solid\"; expected a statement"));
+  EXPECT_THAT(refusal("f 99999999999999999999 1 2"), HasSubstr("x.obj:1: got"));
+}
+
+TEST(Obj, FilesThatCannotBeRead) {
+  for (const char* path : {"/nonexistent/a.obj", "/", "/dev/null"}) {
+    try {
+      read_obj(path);
+      ADD_FAILURE() << path;
+    } catch (const DomainError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(std::string(path) + ": "));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode
