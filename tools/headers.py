@@ -20,7 +20,7 @@ NOT_IN_UMBRELLA = {"text", "tables", "output", "scenario", "run", "ensemble"}
 
 def label_errors(path):
     name = path.relative_to(INCLUDE).as_posix()
-    if name in NO_LABELS:
+    if name in NO_LABELS or "detail" in path.parts:
         return []
     comment = []
     for line in path.read_text(encoding="utf-8").splitlines():
@@ -39,7 +39,8 @@ def label_errors(path):
 
 
 def umbrella_text():
-    names = (p.relative_to(INCLUDE).as_posix() for p in INCLUDE.rglob("*.hpp") if p != UMBRELLA)
+    names = (p.relative_to(INCLUDE).as_posix() for p in INCLUDE.rglob("*.hpp")
+             if p != UMBRELLA and "detail" not in p.parts)
     core = sorted(n for n in names if n.split("/")[1] not in NOT_IN_UMBRELLA)
     head = UMBRELLA.read_text(encoding="utf-8").split("#pragma once")[0]
     return head + "#pragma once\n\n" + "".join(f'#include "{n}"\n' for n in core)

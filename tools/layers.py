@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Layers: who may include whom. Fails on a forbidden include, an unknown folder, or a cycle."""
+"""Layers: who may include whom. Fails on a forbidden include, an unknown folder, a cycle, a public
+header with a detail of its own, or a folder with too many sources.
+
+A header of include/polhode/LAYER is for everybody, one of src/LAYER for the other layers that may
+include this one, and what is in a folder detail/, public or not, for its own layer alone."""
 
 import graphlib
 import pathlib
@@ -25,7 +29,7 @@ LAYERS = {
     "system": "math rotor free frame perturb",
     "trajectory": "math rotor",
     "dynamics": "math ode rotor free orbit frame perturb system trajectory",
-    "average": "*",
+    "secular": "*",
     "analysis": "*",
     "ephemeris": "math orbit frame",
     "ensemble": "*",
@@ -37,6 +41,30 @@ LAYERS = {
 }
 # Those of polhode::io, which read and write files.
 IO = {"text", "tables", "output", "scenario", "run"}
+# Details that other layers include: each is to become a header of its layer.
+FOREIGN_DETAILS = {
+    "dynamics/detail/adaptive_field.hpp",
+    "dynamics/detail/checked_problem.hpp",
+    "dynamics/detail/finite.hpp",
+    "dynamics/detail/free_event_search.hpp",
+    "dynamics/detail/sample_times.hpp",
+    "dynamics/detail/smooth_step.hpp",
+    "dynamics/detail/splitting_map.hpp",
+    "dynamics/detail/state_bytes.hpp",
+    "dynamics/detail/step_control.hpp",
+    "dynamics/detail/step_jumps.hpp",
+    "free/detail/assembly.hpp",
+    "free/detail/hub_tangent.hpp",
+    "free/detail/precession.hpp",
+    "free/detail/short_flow.hpp",
+    "free/detail/sorted_state.hpp",
+    "perturb/detail/damper_kernel.hpp",
+    "rotor/detail/squared_moments.hpp",
+}
+# Layers whose public headers hold details that have no file of their own yet.
+OPEN_DETAILS = {"math", "elliptic", "rotor", "free", "system"}
+# Sources side by side in one folder.
+MOST_SOURCES = 25
 # Headers that belong to no layer, for everybody.
 TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 # Other people's libraries, by the folder of src/ that may use them. Public headers use none.
@@ -56,6 +84,10 @@ THIRD_PARTY = {
 NOT_IN_CORE = {"iostream", "fstream", "filesystem", "thread", "mutex", "future"}
 NOT_IN_LIBRARY = {"iostream"}
 
+# What namespace detail of a public header may hold: names that its classes point to.
+DETAILS = re.compile(r"^namespace detail \{$(.*?)^\}  // namespace detail$",
+                     re.MULTILINE | re.DOTALL)
+DECLARATIONS = re.compile(r"(\s*(class|struct) \w+;)*\s*")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -107,7 +139,28 @@ def complaint(path, layer, bracket, name, allowed):
         return f'"{name}": no such layer'
     if target not in allowed[layer]:
         return f'"{name}": {layer} may not include {target}'
+    if "detail" in parts and target != layer and name not in FOREIGN_DETAILS:
+        return f'"{name}" is for {target} alone'
     return None
+
+
+def detail_complaint(path, layer, text):
+    """Whether a public header holds what belongs into a header of detail/."""
+    public = path.is_relative_to(ROOT / "include")
+    if not public or "detail" in path.parts or layer in OPEN_DETAILS:
+        return None
+    if all(DECLARATIONS.fullmatch(body) for body in DETAILS.findall(text)):
+        return None
+    return f"what is in namespace detail belongs into include/polhode/{layer}/detail/"
+
+
+def crowded_folders():
+    """Folders with more sources than one reads at a glance."""
+    for base in ("include", "src", "python/bindings"):
+        for folder in sorted({p.parent for p in (ROOT / base).rglob("*.[ch]pp")}):
+            count = len(list(folder.glob("*.[ch]pp")))
+            if count > MOST_SOURCES:
+                yield f"{folder.relative_to(ROOT)}: {count} sources, at most {MOST_SOURCES}"
 
 
 def resolved(name):
@@ -118,7 +171,7 @@ def resolved(name):
 
 
 def main():
-    allowed, errors, graph = allowed_layers(), [], {}
+    allowed, errors, graph, foreign = allowed_layers(), list(crowded_folders()), {}, set()
     files = [p for base in ("include", "src", "cli")
              for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
     for path in files:
@@ -133,6 +186,11 @@ def main():
             continue
         found = (complaint(path, layer, bracket, name, allowed) for bracket, name in includes)
         errors += [f"{where}: {message}" for message in found if message]
+        if message := detail_complaint(path, layer, text):
+            errors.append(f"{where}: {message}")
+        foreign |= {name for _, name in includes if layer != name.split("/")[0]}
+    errors += [f"tools/layers.py: no layer includes {name} any more: take it out of FOREIGN_DETAILS"
+               for name in sorted(FOREIGN_DETAILS - foreign)]
     try:
         graphlib.TopologicalSorter(graph).prepare()
     except graphlib.CycleError as cycle:

@@ -10,7 +10,7 @@
 #include "dynamics/detail/checked_problem.hpp"
 #include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/sample_times.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 

@@ -7,7 +7,7 @@
 #include "dynamics/detail/finite.hpp"
 #include "dynamics/detail/splitting_map.hpp"
 #include "dynamics/detail/step_jumps.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dynamics/detail/finite.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "rotor/detail/squared_moments.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dynamics/detail/free_event_search.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

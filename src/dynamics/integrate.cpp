@@ -14,7 +14,7 @@
 #include "dynamics/detail/event_watch.hpp"
 #include "dynamics/detail/sample_queue.hpp"
 #include "dynamics/detail/stepper.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 

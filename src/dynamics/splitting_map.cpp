@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "dynamics/detail/finite.hpp"
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 

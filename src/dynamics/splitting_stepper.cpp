@@ -6,7 +6,7 @@
 
 #include "dynamics/detail/splitting_map.hpp"
 #include "dynamics/detail/stepper.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

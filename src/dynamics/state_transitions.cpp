@@ -11,7 +11,7 @@
 #include "dynamics/detail/step_control.hpp"
 #include "dynamics/detail/step_jumps.hpp"
 #include "free/detail/hub_tangent.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 
@@ -64,7 +64,7 @@ struct Transitions {
     using Field = detail::RotorField<Tangent>;
     AdaptiveRungeKutta<Verner98, Tangent, 7, detail::SmoothField<Field>, detail::RotorErrorSize>
         solver({std::make_shared<const Field>(problem.system)}, {}, problem.start,
-               detail::rotor_values<Tangent>(detail::with_variables(problem.initial)),
+               detail::rotor_values<Tangent>(with_variables(problem.initial)),
                detail::step_control(problem, method));
     std::vector<TransitionSample> rows;
     for (const double t : times) {

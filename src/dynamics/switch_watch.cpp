@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "math/detail/larger.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/larger.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -11,7 +11,7 @@
 #include "dynamics/detail/stepper.hpp"
 #include "dynamics/detail/variation_collocation.hpp"
 #include "dynamics/detail/variation_field.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -12,7 +12,7 @@
 #include "free/detail/precession.hpp"
 #include "free/detail/primed_arc.hpp"
 #include "free/detail/sorted_state.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

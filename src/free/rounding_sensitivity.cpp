@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -11,7 +11,7 @@
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/precession.hpp"
 #include "free/detail/sorted_state.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"

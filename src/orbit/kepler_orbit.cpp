@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
 #include "orbit/detail/planar_position.hpp"
 #include "orbit/detail/plane_axes.hpp"

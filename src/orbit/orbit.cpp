@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/orbit/orbit.hpp"
-
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
 #include "orbit/detail/plane_axes.hpp"
 #include "polhode/error.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

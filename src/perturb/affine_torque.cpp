@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "perturb/detail/damper_kernel.hpp"
 #include "polhode/error.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "perturb/detail/friction_matrix.hpp"
 #include "polhode/error.hpp"
 

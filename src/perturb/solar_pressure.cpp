@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

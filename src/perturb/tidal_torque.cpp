@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/rotor/attitude.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "run/detail/run_state.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/shape_report.hpp"
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

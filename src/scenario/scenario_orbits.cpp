@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/scenario_parts.hpp"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

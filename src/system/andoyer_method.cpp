@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "polhode/system/canonical_rates.hpp"
 
 namespace polhode {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"
 
@@ -21,7 +21,7 @@ DualVec constant(const Vec3& v) { return {D(v.x), D(v.y), D(v.z)}; }
 
 // v of the terms with its derivatives by g in the places 3, 4, 5.
 DualVec terms_rate(const System& system, const Setting& at) {
-  const BasicSetting<D> dual_at = detail::with_variables(at);
+  const BasicSetting<D> dual_at = with_variables(at);
   DualVec v;
   for (const AnyPerturbation& term : system.terms())
     v = v + (term.supports_any_real() ? term.effect(dual_at).v : constant(term.effect(at).v));

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {

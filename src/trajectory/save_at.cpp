@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 

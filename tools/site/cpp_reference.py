@@ -21,6 +21,7 @@ LAYERS = {
     "perturb": "What acts on a body: terms, and the concepts that one of your own satisfies.",
     "system": "A body, a frame and terms: rates, energies, both angular velocities, osculation.",
     "dynamics": "Integration of a system: problem, methods, events.",
+    "secular": "What is averaged over rotation and orbit.",
     "analysis": "What a run tells: how chaotic it is.",
     "ensemble": "Many runs at once, on the processors of one machine.",
     "trajectory": "What a run leaves: samples, events, outcome.",

@@ -13,19 +13,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <type_traits>
 
+#include "polhode/ensemble/detail/erased_cells.hpp"
+
 namespace polhode {
 inline namespace v0 {
-namespace detail {
-
-void run_erased_cells(std::int64_t first, std::int64_t count, int threads,
-                      const std::function<std::shared_ptr<const void>(std::int64_t)>& cell,
-                      const std::function<void(std::int64_t, const void*)>& sink);
-
-}  // namespace detail
 
 // How many threads this machine runs at a time.
 int hardware_threads();

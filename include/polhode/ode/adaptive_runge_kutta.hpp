@@ -23,44 +23,18 @@
 #include <limits>
 #include <utility>
 
+#include "polhode/ode/detail/least_steps.hpp"
 #include "polhode/ode/runge_kutta.hpp"
+#include "polhode/ode/step_control.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct StepControl {
-  double tolerance;
-  double first_step = 0.0;  // 0: chosen
-  double largest_step = std::numeric_limits<double>::infinity();
-};
 
 enum class StepOutcome {
   made,
   not_finite,  // no step, however small, gives finite numbers
   too_small,   // steps at the rounding of t, one after the other, are still too long
 };
-
-namespace detail {
-
-// A jump of f takes one step at the rounding of t, or two; more of them in a row are no jump.
-inline constexpr int most_least_steps = 4;
-// And by a jump the state hardly moves in such a step: a solution that grows beyond all bounds
-// does.
-inline constexpr double largest_least_step = 0x1p-10;
-
-// The whole rest, half of it, or the step h that control asks for: no tiny step at the end.
-inline double step_towards(double rest, double wanted, const StepControl& control) {
-  const double h = std::min(wanted, control.largest_step);
-  if (h * (1.0 + 1e-9) >= rest) return rest;
-  return h > 0.5 * rest ? 0.5 * rest : h;
-}
-
-// Below it a step is lost in the rounding of t.
-inline double smallest_step(const DoubleDouble& t) {
-  return std::max(8.0 * epsilon<double>() * std::abs(t.hi), std::numeric_limits<double>::min());
-}
-
-}  // namespace detail
 
 template <class Tableau, Real T, std::size_t N, class F, class Size>
 class AdaptiveRungeKutta {
@@ -85,11 +59,11 @@ class AdaptiveRungeKutta {
     if (!(h_ > 0.0)) h_ = first_step(rest.hi);
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
-      double length = detail::step_towards(std::abs(rest.hi), h_, control_);
-      const bool is_least = length < detail::smallest_step(t_) && length < std::abs(rest.hi);
+      double length = step_towards(std::abs(rest.hi), h_, control_);
+      const bool is_least = length < smallest_step(t_) && length < std::abs(rest.hi);
       if (is_least) {
         if (least_steps_ >= detail::most_least_steps || why != StepOutcome::too_small) return why;
-        length = std::min(detail::smallest_step(t_), std::abs(rest.hi));
+        length = std::min(smallest_step(t_), std::abs(rest.hi));
       }
       trial_ = std::copysign(length, rest.hi);
       const auto step = runge_kutta_step<Tableau>(f_, t_, state_.y, rate_, trial_);

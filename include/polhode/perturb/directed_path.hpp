@@ -10,7 +10,7 @@
 // Cost        that of the orbit.
 #pragma once
 
-#include "polhode/orbit/orbit.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode {
@@ -38,7 +38,7 @@ struct DirectedPath {
       const Vec3 x = orbit.position(at.t.value, at.t_rest.value);
       return {Tangent(x.x), Tangent(x.y), Tangent(x.z)};
     } else {
-      return detail::position_at(orbit, at.t, at.t_rest);
+      return position_at(orbit, at.t, at.t_rest);
     }
   }
 };

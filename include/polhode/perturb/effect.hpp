@@ -21,6 +21,8 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/perturb/affine_torque.hpp"
+#include "polhode/perturb/detail/constant_quaternion.hpp"
+#include "polhode/perturb/detail/turned_back.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
@@ -60,14 +62,6 @@ struct BasicSetting {
 };
 using Setting = BasicSetting<double>;
 
-namespace detail {
-
-template <Real T, int N>
-BasicQuaternion<Dual<T, N>> constant(const BasicQuaternion<T>& q) {
-  using D = Dual<T, N>;
-  return {D(q.w), D(q.x), D(q.y), D(q.z)};
-}
-
 // A state with the six variables of its tangent: q exp(dtheta_B / 2), to first order, and g + dg.
 template <Real T>
 BasicRotorState<Dual<T, 6>> with_variables(const BasicRotorState<T>& s) {
@@ -75,30 +69,13 @@ BasicRotorState<Dual<T, 6>> with_variables(const BasicRotorState<T>& s) {
   const T zero(0.0), half(0.5);
   const BasicQuaternion<D> turn{D(T(1.0)), half * D::variable(zero, 0), half * D::variable(zero, 1),
                                 half * D::variable(zero, 2)};
-  return {constant<T, 6>(s.q) * turn,
+  return {detail::constant<T, 6>(s.q) * turn,
           {D::variable(s.g.x, 3), D::variable(s.g.y, 4), D::variable(s.g.z, 5)}};
 }
 inline BasicSetting<Tangent> with_variables(const Setting& at) {
-  return {at.body, Tangent(at.t), with_variables(at.s), constant<double, 6>(at.q_IS),
+  return {at.body, Tangent(at.t), with_variables(at.s), detail::constant<double, 6>(at.q_IS),
           Tangent(at.t_rest)};
 }
-
-// q* x q, |q|^2 times the vector turned back: the form that is homogeneous in q. Inside a step |q|
-// = 1 holds to 1e-13 or so, and x + 2 w (u x x) + ..., the form for |q| = 1, would turn by as much
-// too far.
-template <Real T>
-constexpr BasicVec3<T> turned_back_longer(const BasicQuaternion<T>& q, const BasicVec3<T>& x) {
-  const BasicVec3<T> u{q.x, q.y, q.z};
-  const T two(2.0);
-  return (q.w * q.w - dot(u, u)) * x + (two * dot(u, x)) * u - (two * q.w) * cross(u, x);
-}
-template <Real T>
-constexpr BasicVec3<T> turned_back(const BasicQuaternion<T>& q, const BasicVec3<T>& x) {
-  const T square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-  return (T(1.0) / square) * turned_back_longer(q, x);
-}
-
-}  // namespace detail
 
 // The axes of a vector that is not the body's own: inertial, or those of the reference frame S.
 enum class SpaceAxes { inertial, reference };

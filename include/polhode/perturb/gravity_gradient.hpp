@@ -18,26 +18,12 @@
 #include <utility>
 
 #include "polhode/orbit/orbit.hpp"
+#include "polhode/perturb/detail/argument_checks.hpp"
+#include "polhode/perturb/detail/turned_back.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-namespace detail {
-
-void require_gravity(double gm);
-
-// A time that no variable moves, as in a state transition matrix, needs no derivatives.
-template <class O, Real T, int N>
-BasicVec3<Dual<T, N>> position_at(const O& orbit, const Dual<T, N>& t, const Dual<T, N>& rest) {
-  if constexpr (OrbitOn<O, Dual<T, N>>) {
-    if (!t.is_constant()) return orbit.position(t);
-  }
-  const BasicVec3<T> x = position_at(orbit, t.value, rest.value);
-  return {x.x, x.y, x.z};
-}
-
-}  // namespace detail
 
 template <Orbit O>
 class GravityGradient {
@@ -87,7 +73,7 @@ class GravityGradient {
   template <Real T>
   Direction<T> direction(const BasicSetting<T>& at) const {
     using std::sqrt;
-    BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
+    BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
     const BasicQuaternion<T>& q = at.s.q;
     const T r2 = dot(x, x), q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     // one root and one division, beside the turn of x and not after it: an integrator waits for

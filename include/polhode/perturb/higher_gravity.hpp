@@ -19,6 +19,8 @@
 
 #include <utility>
 
+#include "polhode/perturb/detail/argument_checks.hpp"
+#include "polhode/perturb/detail/harmonic_gradient.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/shape/mass_moments.hpp"
 
@@ -28,38 +30,6 @@ inline namespace v0 {
 // Whose path an orbit is: that of the attracting mass as seen from the body, or that of the body as
 // seen from the attracting mass.
 enum class OrbitOf { attractor, body };
-
-namespace detail {
-
-// A harmonic polynomial of a degree by its gradient: p = x . grad p / degree.
-template <int degree>
-struct HarmonicGradient {
-  BasicMoments<double, degree - 1> by[3];
-};
-// p_3 and p_4 of the header.
-HarmonicGradient<3> potential_gradient(const BasicMoments<double, 3>& m);
-HarmonicGradient<4> potential_gradient(const BasicMoments<double, 4>& m);
-
-void require_higher_gravity(double gm, const MassMoments& moments);
-
-// The ten products of three from the six products of two.
-template <Real T>
-BasicMoments<T, 3> cubes_of(const BasicMoments<T, 2>& s, const BasicVec3<T>& n) {
-  return {s[0] * n.x, s[0] * n.y, s[0] * n.z, s[3] * n.x, s[4] * n.x,
-          s[5] * n.x, s[3] * n.y, s[3] * n.z, s[5] * n.y, s[5] * n.z};
-}
-
-template <int degree, Real T>
-BasicVec3<T> gradient(const HarmonicGradient<degree>& p,
-                      const BasicMoments<T, degree - 1>& monomials) {
-  BasicVec3<T> sum;
-  for (int i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < monomials.size(); ++k)  // 6 or 10
-      sum[i] = sum[i] + monomials[k] * p.by[i][k];
-  return sum;
-}
-
-}  // namespace detail
 
 template <Orbit O>
 class HigherGravity {
@@ -105,7 +75,7 @@ class HigherGravity {
   template <Real T>
   Direction<T> direction(const BasicSetting<T>& at) const {
     using std::sqrt;
-    const BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
     const BasicVec3<T> x_B = body_from_space(at, axes_, x);
     const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
     const T third = T(gm_) * (s2 * s2);

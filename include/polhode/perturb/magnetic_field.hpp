@@ -23,6 +23,8 @@
 #include "polhode/math/quaternion.hpp"
 #include "polhode/orbit/orbit.hpp"
 #include "polhode/orbit/uniform_angle.hpp"
+#include "polhode/perturb/detail/argument_checks.hpp"
+#include "polhode/perturb/detail/dual_values.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -155,21 +157,6 @@ class ConstantField {
   Vec3 field_;
 };
 
-namespace detail {
-
-[[noreturn]] void field_without_rate();
-
-template <Real T, int N>
-BasicVec3<T> values_of(const BasicVec3<Dual<T, N>>& x) {
-  return {x.x.value, x.y.value, x.z.value};
-}
-template <class T>
-inline constexpr bool is_dual_number = false;
-template <Real T, int N>
-inline constexpr bool is_dual_number<Dual<T, N>> = true;
-
-}  // namespace detail
-
 template <Orbit O, MagneticField F>
 class FieldAlongOrbit {
  public:
@@ -198,7 +185,7 @@ class FieldAlongOrbit {
       const auto B = field(t.value, rest.value);
       return {B.x, B.y, B.z};
     } else {
-      return field_.field(t, detail::position_at(orbit_, t, rest));
+      return field_.field(t, position_at(orbit_, t, rest));
     }
   }
   template <Real T>

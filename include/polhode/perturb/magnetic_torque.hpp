@@ -17,19 +17,12 @@
 
 #include <utility>
 
+#include "polhode/perturb/detail/argument_checks.hpp"
 #include "polhode/perturb/effect.hpp"
 #include "polhode/perturb/magnetic_field.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-namespace detail {
-
-void require_dipole(const Vec3& m_B);
-Mat3 checked_magnetic_tensor(const Mat3& M_B);
-void require_field_rate(bool has_rate);
-
-}  // namespace detail
 
 template <LocalField F>
 class ResidualDipole {

@@ -19,6 +19,8 @@
 
 #include <utility>
 
+#include "polhode/perturb/detail/argument_checks.hpp"
+#include "polhode/perturb/detail/symmetric_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 
 namespace polhode {
@@ -31,20 +33,6 @@ struct Oblateness {
 
   constexpr bool operator==(const Oblateness&) const = default;
 };
-
-namespace detail {
-
-// gm J2 R^2, or a DomainError.
-double checked_strength(double gm, const Oblateness& of);
-
-// The components of a x (I b) + b x (I a), differences of moments first.
-template <Real T>
-BasicVec3<T> turning(const Vec3& I, const BasicVec3<T>& a, const BasicVec3<T>& b) {
-  return {(T(I.z) - T(I.y)) * (a.y * b.z + a.z * b.y), (T(I.x) - T(I.z)) * (a.z * b.x + a.x * b.z),
-          (T(I.y) - T(I.x)) * (a.x * b.y + a.y * b.x)};
-}
-
-}  // namespace detail
 
 template <Orbit O>
 class OblateGravity {
@@ -101,7 +89,7 @@ class OblateGravity {
   template <Real T>
   Directions<T> directions(const BasicSetting<T>& at) const {
     using std::sqrt;
-    const BasicVec3<T> x = detail::position_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
     const BasicVec3<T> pole{T(of_.pole.x), T(of_.pole.y), T(of_.pole.z)};
     const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
     return {s * body_from_space(at, axes_, x),

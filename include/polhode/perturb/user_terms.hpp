@@ -43,7 +43,7 @@ class HamiltonianTerm {
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     using D = Dual<T, 6>;
-    const D H = H_(D(at.t), detail::with_variables(at.s));
+    const D H = H_(D(at.t), with_variables(at.s));
     return {{H.derivative[3], H.derivative[4], H.derivative[5]},
             {-H.derivative[0], -H.derivative[1], -H.derivative[2]}};
   }

@@ -27,6 +27,7 @@
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"

@@ -20,19 +20,11 @@
 #include <span>
 
 #include "polhode/math/vector.hpp"
+#include "polhode/shape/detail/row_products.hpp"
+#include "polhode/shape/moment_order.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-// The place of x^a y^b z^c among the moments of degree a + b + c. It does not depend on a.
-constexpr std::size_t moment_place(int b, int c) {
-  return static_cast<std::size_t>((b + c) * (b + c + 1) / 2 + c);
-}
-// How many moments, or coefficients of a homogeneous polynomial, a degree has.
-constexpr std::size_t moment_count(int degree) { return moment_place(0, degree) + 1; }
-
-template <Real T, int degree>
-using BasicMoments = std::array<T, moment_count(degree)>;
 
 template <Real T>
 struct BasicMassMoments {
@@ -49,38 +41,6 @@ struct BasicPointMass {
   BasicVec3<T> position;
 };
 using PointMass = BasicPointMass<double>;
-
-namespace detail {
-
-// The product of a homogeneous polynomial of `degree` and the linear form l . x.
-template <int degree, Real T>
-constexpr BasicMoments<T, degree + 1> times(const BasicMoments<T, degree>& p,
-                                            const BasicVec3<T>& l) {
-  BasicMoments<T, degree + 1> out{};
-  for (int c = 0; c <= degree; ++c) {
-    for (int b = 0; b + c <= degree; ++b) {
-      const T& coefficient = p[moment_place(b, c)];
-      out[moment_place(b, c)] += l.x * coefficient;
-      out[moment_place(b + 1, c)] += l.y * coefficient;
-      out[moment_place(b, c + 1)] += l.z * coefficient;
-    }
-  }
-  return out;
-}
-
-// (R_0 . x)^a (R_1 . x)^b (R_2 . x)^c, R_i the rows.
-template <int degree, Real T>
-constexpr BasicMoments<T, degree> product_of_rows(const BasicMat3<T>& R, int b, int c) {
-  if constexpr (degree == 0) {
-    return {T(1.0)};
-  } else {
-    if (c > 0) return times<degree - 1>(product_of_rows<degree - 1>(R, b, c - 1), R.row[2]);
-    if (b > 0) return times<degree - 1>(product_of_rows<degree - 1>(R, b - 1, c), R.row[1]);
-    return times<degree - 1>(product_of_rows<degree - 1>(R, b, c), R.row[0]);
-  }
-}
-
-}  // namespace detail
 
 // The moments of one degree along the axes in which x becomes R x.
 template <int degree, Real T>

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 
 namespace polhode {

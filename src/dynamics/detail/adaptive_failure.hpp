@@ -6,7 +6,7 @@
 
 #include "dynamics/detail/adaptive_field.hpp"
 #include "dynamics/detail/finite.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "polhode/ode/runge_kutta.hpp"
 #include "polhode/system/system.hpp"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dynamics/detail/adaptive_field.hpp"
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "perturb/detail/damper_kernel.hpp"
 
 namespace polhode {

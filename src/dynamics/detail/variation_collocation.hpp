@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-#include "math/detail/larger.hpp"
+#include "math/larger.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 
 namespace polhode {

@@ -8,7 +8,7 @@
 
 #include "free/detail/axis_order.hpp"
 #include "free/detail/primed_arc.hpp"
-#include "math/detail/number_text.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/body.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polhode/dynamics/integrate.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/higher_gravity.hpp"

@@ -15,6 +15,7 @@
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/solar_pressure.hpp"

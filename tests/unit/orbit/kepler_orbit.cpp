@@ -11,6 +11,7 @@
 #include "oracle/kepler.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {

@@ -12,6 +12,7 @@
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "worst.hpp"
 

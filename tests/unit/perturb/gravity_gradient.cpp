@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "budgets.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "unit/perturb/support.hpp"

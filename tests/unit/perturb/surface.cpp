@@ -8,11 +8,11 @@
 #include <type_traits>
 
 #include "budgets.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
-#include "polhode/perturb/yorp.hpp"
 #include "unit/perturb/support.hpp"
 #include "unit/perturb/surfaces.hpp"
 #include "unit/shape/solids.hpp"
@@ -30,12 +30,10 @@ using polhode::FacetStream;
 using polhode::Finish;
 using polhode::KeplerOrbit;
 using polhode::light_law;
-using polhode::mean_pressure;
 using polhode::molecule_law;
 using polhode::Shadow;
 using polhode::SolarPressure;
 using polhode::Sunlight;
-using polhode::yorp_torque;
 using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
@@ -182,7 +180,7 @@ TEST(SolarPressure, FollowsSunAndAxes) {
 TEST(SolarPressure, TangentOfTheTorque) {
   const SolarPressure term(drawn_surface(915, 6), {1.0, 1.0}, still({0.3, 0.5, -0.7}));
   const Case c = drawn_case(916, 3);
-  const auto at = polhode::detail::with_variables(c.on<double>());
+  const auto at = polhode::with_variables(c.on<double>());
   const auto u = term.effect(at).u;
   for (int k = 0; k < 3; ++k) {
     constexpr double h = 1e-6;
@@ -325,8 +323,6 @@ TEST(SurfaceTerms, Refuse) {
               HasSubstr("density -1e-12 must be at least 0"));
   EXPECT_THAT(refusal([&] { AtmosphericDrag(plate, {.density = 1, .scale_height = 0.0}, path); }),
               HasSubstr("scale_height 0"));
-  EXPECT_THAT(refusal([&] { yorp_torque(plate, 0.0, {}); }), HasSubstr("axis (0, 0, 0)"));
-  EXPECT_THAT(refusal([&] { mean_pressure({1, 1}, 1.0, 1.0); }), HasSubstr("eccentricity 1"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"

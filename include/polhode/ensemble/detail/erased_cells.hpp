@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// run_cells without the type of a result.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+void run_erased_cells(std::int64_t first, std::int64_t count, int threads,
+                      const std::function<std::shared_ptr<const void>(std::int64_t)>& cell,
+                      const std::function<void(std::int64_t, const void*)>& sink);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

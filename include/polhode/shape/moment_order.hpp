@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The order in which arrays hold the mass integrals of one degree.
+//
+// Equations   M_abc = int x^a y^b z^c dm, a + b + c the degree, at moment_place(b, c).
+// Units       none.
+// Domain      b, c >= 0.
+// Accuracy    exact.
+// Errors      none.
+// Cost        none at run time where b and c are constants.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "polhode/math/real.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// The place of x^a y^b z^c among the moments of degree a + b + c. It does not depend on a.
+constexpr std::size_t moment_place(int b, int c) {
+  return static_cast<std::size_t>((b + c) * (b + c + 1) / 2 + c);
+}
+// How many moments, or coefficients of a homogeneous polynomial, a degree has.
+constexpr std::size_t moment_count(int degree) { return moment_place(0, degree) + 1; }
+
+template <Real T, int degree>
+using BasicMoments = std::array<T, moment_count(degree)>;
+
+}  // namespace v0
+}  // namespace polhode
