@@ -44,7 +44,7 @@ RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
   try {
     return run.run();
   } catch (const DomainError& error) {
-    throw std::runtime_error(scenario.name + ": the run failed: " + error.what());
+    throw std::runtime_error(scenario.document.name + ": the run failed: " + error.what());
   }
 }
 
@@ -59,9 +59,9 @@ std::vector<std::string> command_of(const CommandOptions& options) {
 // One line: where it ended, why and what to try, and what is left of its rows.
 std::string failure_text(const Scenario& scenario, const RunReport& report,
                          const std::vector<std::string>& out) {
-  const double t = scenario.units.from_core(report.outcome.t, Dimension::time);
-  std::string text = scenario.name + ": the run failed at t = " + fmt::format("{}", t) + " " +
-                     scenario.units.time() + ": " + report.outcome.advice;
+  const double t = scenario.units().from_core(report.outcome.t, Dimension::time);
+  std::string text = scenario.document.name + ": the run failed at t = " + fmt::format("{}", t) +
+                     " " + scenario.units().time() + ": " + report.outcome.advice;
   std::string parts;
   for (const std::string& path : out)
     if (path != "-") parts += (parts.empty() ? "" : ", ") + path + ".part";
@@ -73,16 +73,17 @@ std::string failure_text(const Scenario& scenario, const RunReport& report,
 void announce(const CommandOptions& options, const Scenario& scenario, const ScenarioRun& run) {
   if (!options.begin.resume || run.is_complete()) return;
   const std::string text =
-      run.continues() ? fmt::format("{}: continues at t = {} {}, after {} rows\n", scenario.name,
-                                    scenario.units.from_core(run.t(), Dimension::time),
-                                    scenario.units.time(), run.rows())
-                      : scenario.name + ": no checkpoint to continue from, starts anew\n";
+      run.continues()
+          ? fmt::format("{}: continues at t = {} {}, after {} rows\n", scenario.document.name,
+                        scenario.units().from_core(run.t(), Dimension::time),
+                        scenario.units().time(), run.rows())
+          : scenario.document.name + ": no checkpoint to continue from, starts anew\n";
   std::fputs(text.c_str(), stderr);
 }
 
 RunReport run_into_files(const CommandOptions& options, const Scenario& scenario,
                          const std::vector<std::string>& out, bool rows_on_terminal) {
-  const SaveAt& rows = *scenario.time;
+  const SaveAt& rows = *scenario.rotation().time;
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   RunOptions how;
@@ -94,7 +95,7 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   ScenarioRun run(scenario, {out, options.events}, std::move(how));
   if (run.is_complete()) throw NothingToDo();
   announce(options, scenario, run);
-  progress.emplace(0.0, rows[rows.size() - 1], scenario.units.time(), run.t());
+  progress.emplace(0.0, rows[rows.size() - 1], scenario.units().time(), run.t());
   try {
     return report_of(scenario, run);
   } catch (const RunInterrupted& stopped) {
@@ -106,11 +107,11 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
 
 void run_scenario(const CommandOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
-  if (!scenario.time)
+  if (!scenario.rotation().time)
     throw DomainError(
         options.scenario +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!options.events.empty() && scenario.events.empty())
+  if (!options.events.empty() && scenario.rotation().events.empty())
     throw DomainError(options.scenario +
                       ": event: got nothing; expected tables [[event]] for --events");
   std::vector<std::string> out = options.out;
@@ -127,7 +128,7 @@ void run_scenario(const CommandOptions& options) {
     try {
       report = run_into_files(options, scenario, out, rows_on_terminal);
     } catch (const NothingToDo&) {
-      return print_nothing_to_do(scenario.name, paths);
+      return print_nothing_to_do(scenario.document.name, paths);
     }
   }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));

@@ -3,14 +3,10 @@
 
 from __future__ import annotations
 
-import os
-from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, wait
-from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
-from polhode import _core
+from polhode import _rows
 
 if TYPE_CHECKING:
     import numpy
@@ -19,9 +15,6 @@ if TYPE_CHECKING:
     from polhode.scenarios import Path, Scenario
 
     Array = numpy.typing.NDArray[numpy.float64]
-
-_WAITING_PER_THREAD = 4
-_LOOK_EVERY = 0.05  # seconds
 
 
 class MapResults(Mapping[str, "Array"]):
@@ -126,52 +119,11 @@ def run_map(
     """The map of a scenario; see Scenario.map."""
     import numpy
 
-    cells = _core._ScenarioMap(scenario._file)
-    rows = _core._MapRows(cells, list(paths), resume, restart)
-    at_a_time = _processors() if threads is None else threads
-    try:
-        # ends the threads in any case
-        with closing(_in_order(cells, len(rows), at_a_time)) as done:
-            for cell in done:
-                rows.push(cell)
-                if progress is not None:
-                    progress(len(rows), len(cells))
-        table, of, failures = rows.table()
-        rows.finish()
-    finally:
-        rows.close()  # a traceback keeps this frame, and with it the lock
-    return MapResults(
-        scenario, cells.columns, cells.axes, table, numpy.array(of, dtype=numpy.int64), failures
-    )
-
-
-def _processors() -> int:
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:  # not everywhere
-        return os.cpu_count() or 1
-
-
-def _in_order(cells: Any, first: int, threads: int) -> Iterator[Any]:
-    """The cells from the first on, in order, some of them at a time: they give up the GIL."""
-    with ThreadPoolExecutor(threads) as pool:
-        waiting: deque[Future[Any]] = deque()
-        try:
-            for index in range(first, len(cells)):
-                waiting.append(pool.submit(cells.cell, index))
-                if len(waiting) == _WAITING_PER_THREAD * threads:
-                    yield _result(waiting.popleft())
-            while waiting:
-                yield _result(waiting.popleft())
-        except BaseException:
-            cells.stop()
-            for future in waiting:
-                future.cancel()
-            raise
-
-
-def _result(future: Future[Any]) -> Any:
-    """Waits with looks at signals: one that another thread got does not wake this one."""
-    while not wait([future], _LOOK_EVERY).done:
-        pass
-    return future.result()
+    done = scenario._file.map(list(paths), threads or 0, resume, restart, progress)
+    table = done.table
+    if done.rows_before:
+        table = _rows.stacked(_rows.rows_in(paths, done.rows_before, done.groups), table)
+    groups = numpy.array(done.cells_and_rows, dtype=numpy.int64).reshape(-1, 2)
+    rows = numpy.repeat(groups[:, 1], groups[:, 0])  # of each cell
+    cells = numpy.repeat(numpy.arange(len(rows), dtype=numpy.int64), rows)
+    return MapResults(scenario, done.columns, done.axes, table, cells, done.failures)

@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
-from polhode import _building, _core, _toml
+from polhode import _building, _core, _rows, _toml
 from polhode._summary import Summary
 from polhode.maps import MapResults, run_map
 from polhode.results import Results
@@ -218,11 +218,13 @@ class Scenario:
         paths = [outputs] if one else list(outputs)
         _require_files(paths if events is None else [*paths, events])
         if resume and keep and paths:
-            _require_readable(paths)
+            _rows.require_readable(paths)
         done = self._file.run(paths, events, keep, resume, restart, progress)
         table = done.table
         if keep and done.rows_before:
-            table = _stacked(_rows_in(paths, done.rows_before, self), table)
+            groups = [group for group, columns in self._file.groups if columns]
+            before = _rows.rows_in(paths, done.rows_before, groups)
+            table = _rows.stacked(before, table)
         results = Results(
             self, table, done.outcome, done.statistics, done.events, done.energy_change, keep
         )
@@ -244,11 +246,11 @@ class Scenario:
         Parameters
         ----------
         outputs : PATH.csv or PATH.h5, one or several: the files that `polhode map` writes, byte for
-            byte. The first one has its cells so far in PATH.cells until the map is complete.
+            byte. Until the map is complete they are PATH.part, with a PATH.checkpoint, as of a run.
         threads : how many cells at a time; None: one on each processor. The result does not depend
             on it.
-        resume : continues a map that was stopped or killed, from PATH.cells; without that file it
-            begins anew, also where the map is complete.
+        resume : continues a map that was stopped or killed, from its PATH.checkpoint; without one
+            it begins anew, also where the map is complete.
         restart : begins anew where an unfinished map is, which is an error otherwise.
         progress : called with the number of cells so far and that of all, after each; what it
             raises ends the map.
@@ -262,7 +264,7 @@ class Scenario:
         ValueError for a scenario without [map], for a path that cannot be an output or that another
         map is writing, and for an unfinished map without resume or restart; OutputError
         when writing fails. Cells release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves
-        PATH.cells.
+        PATH.part and a checkpoint.
         """
         one = isinstance(outputs, (str, bytes, os.PathLike))
         paths = [outputs] if one else list(outputs)
@@ -420,44 +422,6 @@ def _require_files(paths: Sequence[Path], function: str = "run") -> None:
         if name in seen:
             raise ValueError(f"{function}: {name} is there twice")
         seen.add(name)
-
-
-def _readable(paths: Sequence[Path]) -> list[str]:
-    return [name for name in map(os.fsdecode, paths) if name.endswith((".csv", ".h5"))]
-
-
-def _require_readable(paths: Sequence[Path]) -> None:
-    if not _readable(paths):
-        raise ValueError("run: resume=True with keep=True reads the rows so far from PATH.csv or "
-                         "PATH.h5; expected one of them, or keep=False")
-
-
-def _rows_in(paths: Sequence[Path], count: int, scenario: Scenario) -> Any:
-    """The first rows of a file of this run."""
-    import numpy
-
-    name = _readable(paths)[0]
-    if not os.path.exists(name):  # the rest of the run failed
-        name += ".part"
-    if ".csv" in name[-9:]:
-        with open(name, encoding="utf-8") as file:
-            line = next(file)
-            while line.startswith("#"):
-                line = next(file)
-            return numpy.loadtxt(file, delimiter=",", ndmin=2, max_rows=count)
-    import h5py
-
-    with h5py.File(name, "r") as file:
-        groups = [file[group][:count] for group, columns in scenario._file.groups if columns]
-    return numpy.column_stack(groups)
-
-
-def _stacked(before: Any, after: Any) -> Any:
-    import numpy
-
-    table = numpy.concatenate([before, after])
-    table.flags.writeable = False
-    return table
 
 
 def _failure(scenario: Scenario, done: Any, paths: Sequence[Path]) -> str:

@@ -156,10 +156,10 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
     """59.9996 s are not 60.000 s of the same minute."""
     satellite = satellites.satellite_from_tle(*VANGUARD)
     cases = {59.9996: "00:01:00.000", 59.9994: "00:00:59.999", 30.0: "00:00:30.000"}
-    for second, told in cases.items():
+    for second, time in cases.items():
         epoch = polhode.calendar_date("UTC", 2000, 6, 28, 0, 0, second)
         satellite.write(tmp_path / "a.csv", epoch, 0, 600)
-        assert f"after 2000-06-28T{told} UTC" in (tmp_path / "a.csv").read_text()
+        assert f"after 2000-06-28T{time} UTC" in (tmp_path / "a.csv").read_text()
 
 
 @pytest.mark.parametrize(

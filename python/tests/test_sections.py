@@ -222,14 +222,14 @@ def test_a_map_goes_on_where_it_was_stopped(tmp_path):
     with pytest.raises(Enough):
         scenario.map(out, threads=3, progress=stop)
     assert threading.active_count() == before
-    assert not out.exists() and (tmp_path / "map.csv.cells").exists()
+    assert not out.exists() and (tmp_path / "map.csv.checkpoint").exists()
     with pytest.raises(ValueError, match="unfinished map .* of .* resume=True continues it"):
         scenario.map(out)
     with pytest.raises(ValueError, match="map: got resume=True and restart=True"):
         scenario.map(out, resume=True, restart=True)
     reported = []
     assert scenario.map(out, resume=True, progress=lambda k, of: reported.append(k)) == whole
-    assert reported[0] == 8 and out.exists() and not (tmp_path / "map.csv.cells").exists()
+    assert reported[0] == 8 and out.exists() and not (tmp_path / "map.csv.checkpoint").exists()
 
 
 def test_ctrl_c_ends_a_map(tmp_path):

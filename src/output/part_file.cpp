@@ -111,6 +111,19 @@ int locked_file(const std::string& path) {
   throw FileInUse(printable(path, longest_path) + ": other runs are writing it");
 }
 
+void require_not_in_use(const std::string& path) {
+  if (path == "-") return;
+  const std::string part = part_path(path);
+  const int descriptor = part == path ? -1 : ::open(part.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return;
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  const bool free = ::fcntl(descriptor, F_OFD_GETLK, &lock) != 0 || lock.l_type == F_UNLCK;
+  ::close(descriptor);
+  if (!free) throw FileInUse(printable(part, longest_path) + ": another run is writing it");
+}
+
 int new_part(const std::string& part) {
   const int descriptor = locked_file(part);
   if (::ftruncate(descriptor, 0) == 0) return descriptor;

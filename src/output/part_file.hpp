@@ -36,6 +36,8 @@ int locked_file(const std::string& path);
 // has it, OutputError when the machine fails.
 int new_part(const std::string& part);
 int reopened_part(const std::string& part, const PartState& state);
+// DomainError (FileInUse) where another process writes the part of an output.
+void require_not_in_use(const std::string& path);
 // Another process has it.
 struct FileInUse : DomainError {
   using DomainError::DomainError;

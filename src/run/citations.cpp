@@ -194,17 +194,18 @@ struct MethodParts {
 // Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
 // sources of its orbits, and what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
-  std::vector<std::string> parts = scenario.columns;
-  parts.push_back(scenario.chart);
-  parts.insert(parts.end(), scenario.kinds.begin(), scenario.kinds.end());
-  if (!scenario.frame.is_inertial()) parts.push_back("moving frame");
-  for (const ScenarioOrbit& orbit : scenario.orbits) {
+  const Rotation& rotation = scenario.rotation();
+  std::vector<std::string> parts = scenario.output.columns;
+  parts.push_back(rotation.chart);
+  parts.insert(parts.end(), rotation.kinds.begin(), rotation.kinds.end());
+  if (!rotation.frame.is_inertial()) parts.push_back("moving frame");
+  for (const ScenarioOrbit& orbit : rotation.orbits) {
     if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
     parts.insert(parts.end(), orbit.sources.begin(), orbit.sources.end());
   }
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
-  if (scenario.writes_aem) parts.push_back("aem");
-  if (const std::optional<Method> method = propagation_method(scenario))
+  if (scenario.output.writes_aem) parts.push_back("aem");
+  if (const std::optional<Method> method = propagation_method(rotation))
     for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
   return parts;
 }

@@ -31,7 +31,7 @@ bool is_there(const std::string& path) {
   return fs::exists(path, ignored);
 }
 
-// What the file beside an output is, or points to.
+// What the file next to an output is, or points to.
 std::string followed(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(pointer_head.size(), '\0');
@@ -50,11 +50,11 @@ std::string checkpoint_path(const std::string& output) { return output + ".check
 
 std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words) {
   for (const std::string& output : outputs) {
-    const std::string beside = checkpoint_path(output);
-    if (output == "-" || !is_there(beside)) continue;
-    std::string checkpoint = followed(beside);
+    const std::string own = checkpoint_path(output);
+    if (output == "-" || !is_there(own)) continue;
+    std::string checkpoint = followed(own);
     if (is_there(checkpoint)) return checkpoint;
-    throw DomainError(shown(beside) + ": an unfinished run is there; expected its checkpoint " +
+    throw DomainError(shown(own) + ": an unfinished run is there; expected its checkpoint " +
                       shown(checkpoint) + ", which is gone: put it back, or " + words.restart +
                       " begins anew");
   }
@@ -86,11 +86,11 @@ void sync_folder_of(const std::string& path) {
   ::close(descriptor);
 }
 
-void refuse_unfinished(const std::string& file, const std::string& kind, const std::string& told,
-                       const BeginWords& words) {
-  throw DomainError(shown(file) + ": an unfinished " + kind + " is there (" + printable(told, 500) +
-                    "); " + words.resume + " continues it, " + words.restart +
-                    " begins anew and loses what it has done");
+void refuse_unfinished(const std::string& file, const std::string& kind,
+                       const std::string& progress, const BeginWords& words) {
+  throw DomainError(shown(file) + ": an unfinished " + kind + " is there (" +
+                    printable(progress, 500) + "); " + words.resume + " continues it, " +
+                    words.restart + " begins anew and loses what it has done");
 }
 
 bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,

@@ -35,9 +35,10 @@ struct EventTable::Parts {
       : scenario(of),
         layout(row_layout(of)),
         system(rotor_system(of)),
-        energy_0(detail::initial_energy(of)),
-        motion(!propagation_method(of) && of.frame.is_inertial() ? std::optional(free_rotation(of))
-                                                                 : std::nullopt),
+        energy_0(detail::initial_energy(of.rotation())),
+        motion(!propagation_method(of) && of.rotation().frame.is_inertial()
+                   ? std::optional(free_rotation(of))
+                   : std::nullopt),
         file(csv_path(path),
              from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
         rows(from ? from->rows : 0) {}

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/map.hpp"
 
-#include <mutex>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "polhode/error.hpp"
 #include "run/detail/map_cells.hpp"
-#include "scenario/diagnostics.hpp"
-#include "scenario/map_plan.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/prepared_base.hpp"
 #include "scenario/value_reader.hpp"
-#include "scenario/values.hpp"
-#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -24,35 +19,38 @@ double axis_value(const MapAxis& axis, std::int64_t k) {
   return SaveAt::count(axis.from, axis.to, axis.count)[k];
 }
 
+std::vector<std::string> keys_of(const MapPlan& plan) {
+  std::vector<std::string> keys;
+  for (const MapAxis& axis : plan.axes) keys.push_back(axis.key);
+  return keys;
+}
+
 }  // namespace
 
 struct ScenarioMap::Parts {
-  std::string text;
-  std::string name;
-  detail::ReadFile file;
+  explicit Parts(Scenario read)
+      : scenario(std::move(read)), base(scenario, keys_of(*scenario.map)) {}
+
   Scenario scenario;
-  // Units are not for several threads, and files of orbits are read once at a time.
-  mutable std::mutex reading;
+  detail::PreparedBase base;
 };
 
 namespace {
 
-detail::ReadFile file_of(std::string_view text, const std::string& name) {
-  detail::Diagnostics diagnostics(name);
-  detail::ReadFile file = detail::read_values(text, scenario_schema(), diagnostics);
-  diagnostics.raise();
-  return file;
+Scenario with_map(Scenario scenario) {
+  if (!scenario.map)
+    throw ScenarioError(scenario.document.path +
+                        ": map: got nothing; expected a table [map] with tables [[map.axis]]");
+  return scenario;
 }
 
 }  // namespace
 
+ScenarioMap::ScenarioMap(Scenario scenario)
+    : parts_(std::make_unique<Parts>(with_map(std::move(scenario)))) {}
+
 ScenarioMap::ScenarioMap(std::string_view text, const std::string& name)
-    : parts_(new Parts{
-          std::string(text), name, file_of(text, name), scenario_from_text(text, name), {}}) {
-  if (!parts_->scenario.map)
-    throw ScenarioError(name +
-                        ": map: got nothing; expected a table [map] with tables [[map.axis]]");
-}
+    : ScenarioMap(scenario_from_text(text, name)) {}
 
 ScenarioMap::~ScenarioMap() = default;
 
@@ -67,12 +65,12 @@ std::int64_t ScenarioMap::size() const {
 std::vector<ColumnGroup> ScenarioMap::groups() const {
   std::vector<ColumnGroup> groups;
   for (const MapAxis& axis : plan().axes) groups.push_back({axis.key, {{axis.key, axis.unit}}});
-  groups.push_back(detail::result_columns(plan(), scenario().units));
+  groups.push_back(detail::result_columns(plan(), scenario().units()));
   return groups;
 }
 
 std::size_t ScenarioMap::width() const {
-  return detail::result_columns(plan(), scenario().units).columns.size();
+  return detail::result_columns(plan(), scenario().units()).columns.size();
 }
 
 std::vector<double> ScenarioMap::place(std::int64_t index) const {
@@ -86,22 +84,11 @@ std::vector<double> ScenarioMap::place(std::int64_t index) const {
 }
 
 MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
-  const std::vector<double> place = this->place(index);
+  const Document& of = scenario().document;
   try {
-    std::optional<Scenario> scenario;
-    {
-      const std::lock_guard<std::mutex> one(parts_->reading);
-      detail::Values values = parts_->file.values;
-      for (std::size_t i = 0; i < place.size(); ++i) {
-        const auto at = *detail::number_place(values, plan().axes[i].key);
-        detail::Value& value = values.find(at.path)->second;
-        value.numbers[at.index] = parts_->file.units.to_core(place[i], value.key->dimension);
-        value.shown = detail::number_text(place[i]);
-        value.given = true;
-      }
-      scenario = detail::scenario_of(values, parts_->file.units, parts_->text, parts_->name);
-    }
-    return detail::map_cell(*scenario, progress);
+    const Experiment experiment = parts_->base.experiment(place(index));
+    detail::require_map({of.checked->values, of.units, of.path}, experiment);
+    return detail::map_cell({std::get<Rotation>(experiment), plan(), of.units}, progress);
   } catch (const DomainError& error) {
     return detail::failed_cell(width(), error.what());
   }

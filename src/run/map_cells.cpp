@@ -18,17 +18,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Problem problem_of(const Scenario& scenario) {
-  const SaveAt& rows = *scenario.time;
-  return {rotor_system(scenario),
-          initial_state(scenario),
-          0.0,
-          rows[rows.size() - 1],
-          propagation_method(scenario).value_or(Adaptive{}),
-          {},
-          scenario.damper_rate};
-}
-
 MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
   if (!outcome.ok()) return failed_cell(width, outcome.advice);
   return {std::move(numbers), ""};
@@ -41,12 +30,12 @@ MapCell chaos_cell(const Problem& problem, const Progress& progress) {
 }
 
 // The extremes and the last value.
-MapCell column_cell(const Problem& problem, const Scenario& scenario, const Progress& progress) {
+MapCell column_cell(const Problem& problem, const CellPlace& of, const Progress& progress) {
   const System& system = problem.system;
-  const ScalarColumn column = scalar_column(scenario.map->column, system, initial_energy(scenario));
+  const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(of.rotation));
   double least = nan, most = nan, last = nan;
   const Trajectory way = integrate(
-      problem, *scenario.time,
+      problem, *of.rotation.time,
       [&](std::span<const Sample> samples) {
         for (const Sample& sample : samples) {
           last = column.value(sample);
@@ -55,7 +44,7 @@ MapCell column_cell(const Problem& problem, const Scenario& scenario, const Prog
         }
       },
       progress);
-  const auto shown = [&](double x) { return scenario.units.from_core(x, column.dimension); };
+  const auto shown = [&](double x) { return of.units.from_core(x, column.dimension); };
   return ended({shown(least), shown(most), shown(last)}, way.outcome(), 3);
 }
 
@@ -73,11 +62,11 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-MapCell andoyer_cell(const Problem& problem, const Scenario& scenario, const Progress& progress) {
+MapCell andoyer_cell(const Problem& problem, const CellPlace& of, const Progress& progress) {
   using enum Dimension;
-  Rows rows(scenario.units);
+  Rows rows(of.units);
   const AndoyerSection end = andoyer_section(
-      problem, scenario.map->surface,
+      problem, of.plan.surface,
       [&](const AndoyerPoint& at) {
         const AndoyerState& a = at.andoyer;
         rows.push({{at.t, time},
@@ -92,20 +81,19 @@ MapCell andoyer_cell(const Problem& problem, const Scenario& scenario, const Pro
   return ended(rows.take(), end.outcome, 7);
 }
 
-PrecessingKeplerOrbit section_orbit(const Scenario& scenario) {
+PrecessingKeplerOrbit section_orbit(const CellPlace& of) {
   const auto orbit =
-      std::find_if(scenario.orbits.begin(), scenario.orbits.end(),
-                   [&](const ScenarioOrbit& one) { return one.name == scenario.map->orbit; });
+      std::find_if(of.rotation.orbits.begin(), of.rotation.orbits.end(),
+                   [&](const ScenarioOrbit& one) { return one.name == of.plan.orbit; });
   const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit->motion);
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
 }
 
-MapCell spin_orbit_cell(const Problem& problem, const Scenario& scenario,
-                        const Progress& progress) {
+MapCell spin_orbit_cell(const Problem& problem, const CellPlace& of, const Progress& progress) {
   using enum Dimension;
-  Rows rows(scenario.units);
+  Rows rows(of.units);
   const SpinOrbitSection end = spin_orbit_section(
-      problem, section_orbit(scenario),
+      problem, section_orbit(of),
       [&](const SpinOrbitPoint& at) {
         rows.push(
             {{at.t, time}, {at.angle, angle}, {at.spin, Dimension::number}, {at.tilt, angle}});
@@ -148,17 +136,17 @@ MapCell failed_cell(std::size_t width, std::string why) {
   return {std::vector<double>(width, nan), std::move(why)};
 }
 
-MapCell map_cell(const Scenario& scenario, const Progress& progress) {
-  const Problem problem = problem_of(scenario);
-  switch (scenario.map->kind) {
+MapCell map_cell(const CellPlace& of, const Progress& progress) {
+  const Problem problem = rotor_problem(of.rotation);
+  switch (of.plan.kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);
     case MapKind::column:
-      return column_cell(problem, scenario, progress);
+      return column_cell(problem, of, progress);
     case MapKind::andoyer_section:
-      return andoyer_cell(problem, scenario, progress);
+      return andoyer_cell(problem, of, progress);
     case MapKind::spin_orbit_section:
-      return spin_orbit_cell(problem, scenario, progress);
+      return spin_orbit_cell(problem, of, progress);
   }
   return {};
 }

@@ -30,18 +30,18 @@ using detail::RunState;
 
 constexpr std::int64_t rows_per_block = 1024;
 
-bool is_free(const Scenario& scenario) { return !propagation_method(scenario).has_value(); }
+bool is_free(const Rotation& rotation) { return !propagation_method(rotation).has_value(); }
 // Free and in inertial axes: the elements of the motion are constant.
-bool has_constants(const Scenario& scenario) {
-  return is_free(scenario) && scenario.frame.is_inertial();
+bool has_constants(const Rotation& rotation) {
+  return is_free(rotation) && rotation.frame.is_inertial();
 }
 
 // What the numbers of a group do not say themselves: it is constant along the motion.
 std::vector<std::string> branch_notes(const Scenario& scenario) {
   std::vector<std::string> notes;
-  if (!has_constants(scenario)) return notes;
+  if (!has_constants(scenario.rotation())) return notes;
   const FreeRotation motion = free_rotation(scenario);
-  for (const std::string& group : scenario.columns) {
+  for (const std::string& group : scenario.output.columns) {
     if (group == "sadov") {
       const SadovState s = to_sadov(motion, 0.0);
       notes.push_back(s.region == SadovRegion::short_axis
@@ -91,9 +91,9 @@ class RowWriter {
 };
 
 // Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
-std::vector<Event> events_of(const Scenario& scenario, const System& system, double energy_0) {
+std::vector<Event> events_of(const Rotation& rotation, const System& system, double energy_0) {
   std::vector<Event> events;
-  for (const ScenarioEvent& wanted : scenario.events) {
+  for (const ScenarioEvent& wanted : rotation.events) {
     const ScalarColumn column = scalar_column(wanted.column, system, energy_0);
     const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
     events.push_back({wanted.name,
@@ -109,20 +109,20 @@ std::vector<Event> events_of(const Scenario& scenario, const System& system, dou
 // The closed form, in inertial axes; a moving frame is applied to each state afterwards.
 class FreeRun {
  public:
-  FreeRun(const Scenario& scenario, RowWriter& writer, const RunControl& control)
-      : scenario_(scenario),
+  FreeRun(const Rotation& rotation, RowWriter& writer, const RunControl& control)
+      : rotation_(rotation),
         writer_(writer),
         control_(control),
-        system_(rotor_system(scenario)),
-        motion_(scenario.frame.is_inertial()
-                    ? free_rotation(scenario)
-                    : FreeRotation(scenario.body,
-                                   inertial_state(system_, 0.0, initial_state(scenario)))),
-        origin_{system_, detail::initial_energy(scenario)},
-        rows_(*scenario.time) {
+        system_(rotor_system(rotation)),
+        motion_(rotation.frame.is_inertial()
+                    ? free_rotation(rotation)
+                    : FreeRotation(rotation.body,
+                                   inertial_state(system_, 0.0, initial_state(rotation)))),
+        origin_{system_, detail::initial_energy(rotation)},
+        rows_(*rotation.time) {
     report_.outcome.t = rows_[rows_.size() - 1];
-    if (scenario.events.empty()) return;
-    search_.emplace(motion_, scenario.frame, events_of(scenario, system_, origin_.initial_energy),
+    if (rotation.events.empty()) return;
+    search_.emplace(motion_, rotation.frame, events_of(rotation, system_, origin_.initial_energy),
                     rows_[0]);
     if (control.from == nullptr) return;
     detail::StateBytes bytes(control.from->integration);
@@ -151,7 +151,7 @@ class FreeRun {
     write(times);
   }
   void write(std::span<const double> times) {
-    if (scenario_.frame.is_inertial()) return writer_.push(motion_, times);
+    if (rotation_.frame.is_inertial()) return writer_.push(motion_, times);
     std::vector<Sample> samples;
     for (const double t : times) samples.push_back({t, reference_state(system_, t, motion_.at(t))});
     writer_.push(origin_, samples);
@@ -226,7 +226,7 @@ class FreeRun {
     control_.keep(state);
   }
 
-  const Scenario& scenario_;
+  const Rotation& rotation_;
   RowWriter& writer_;
   const RunControl& control_;
   System system_;
@@ -277,22 +277,22 @@ Sample at_first_row(const Problem& from_zero, RunReport& report, const RowWriter
   return there;
 }
 
-RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const RunControl& control) {
+RunReport run_integrated(const Rotation& rotation, RowWriter& writer, const RunControl& control) {
   RunReport report;
-  const System system = rotor_system(scenario);
-  const RotorState initial = initial_state(scenario);
-  const double energy_0 = detail::initial_energy(scenario);
-  const SaveAt& rows = *scenario.time;
-  const double first = rows[0], last = rows[rows.size() - 1];
-  const Method method = *propagation_method(scenario);
+  const Problem from_zero = rotor_problem(rotation);
+  const System& system = from_zero.system;
+  const double energy_0 = detail::initial_energy(rotation);
+  const SaveAt& rows = *rotation.time;
+  const double first = rows[0];
   const bool among_rows = control.from != nullptr && control.from->stage == RunState::rows;
   RunState state;
   if (among_rows) {
     state = *control.from;
     report.statistics = state.before;
   } else {
-    const Sample start = at_first_row(
-        {system, initial, 0.0, first, method, {}, scenario.damper_rate}, report, writer, control);
+    Problem way = from_zero;
+    way.stop = first;
+    const Sample start = at_first_row(way, report, writer, control);
     if (!report.outcome.ok()) return report;
     state.first = state.latest = {first, start.s, start.damper_rate};
   }
@@ -304,10 +304,13 @@ RunReport run_integrated(const Scenario& scenario, RowWriter& writer, const RunC
     writer.push(origin, samples);
     state.latest = samples.back();
   });
+  Problem among_these = from_zero;
+  among_these.start = first;
+  among_these.initial = state.first.s;
+  among_these.damper_rate = state.first.damper_rate;
+  among_these.events = events_of(rotation, system, energy_0);
   const Trajectory trajectory =
-      integrated({system, state.first.s, first, last, method, events_of(scenario, system, energy_0),
-                  state.first.damper_rate},
-                 rows, among_rows ? control.from : nullptr, streams, control.progress);
+      integrated(among_these, rows, among_rows ? control.from : nullptr, streams, control.progress);
   report.outcome = trajectory.outcome();
   report.events = trajectory.events();
   add(report.statistics, trajectory.statistics());
@@ -329,7 +332,7 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
        "components"}};
   std::vector<std::string> notes;
   for (const auto& [group, note] : rates)
-    if (std::ranges::find(scenario.columns, group) != scenario.columns.end())
+    if (std::ranges::find(scenario.output.columns, group) != scenario.output.columns.end())
       notes.emplace_back(note);
   return notes;
 }
@@ -337,16 +340,18 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 }  // namespace
 
 AemOutput aem_output(const Scenario& scenario) {
-  AemOutput result{.options = scenario.aem,
-                   .name = scenario.title.empty() ? scenario.name : scenario.title,
-                   .epoch = scenario.epoch,
-                   .axes = scenario.axes,
-                   .moving_frame = !scenario.frame.is_inertial(),
-                   .seconds = Units("s").to_core(1.0, scenario.units.time(), Dimension::time)};
-  if (!scenario.time) return result;
-  const SaveAt& rows = *scenario.time;
+  const Rotation& rotation = scenario.rotation();
+  AemOutput result{
+      .options = scenario.output.aem,
+      .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
+      .epoch = rotation.epoch,
+      .axes = rotation.axes,
+      .moving_frame = !rotation.frame.is_inertial(),
+      .seconds = Units("s").to_core(1.0, scenario.units().time(), Dimension::time)};
+  if (!rotation.time) return result;
+  const SaveAt& rows = *rotation.time;
   const auto time = [&](std::int64_t k) {
-    return scenario.units.from_core(rows[k], Dimension::time);
+    return scenario.units().from_core(rows[k], Dimension::time);
   };
   result.first = time(0);
   result.last = time(rows.size() - 1);
@@ -357,43 +362,46 @@ AemOutput aem_output(const Scenario& scenario) {
 }
 
 RowLayout row_layout(const Scenario& scenario) {
-  return RowLayout(scenario.columns, scenario.units,
-                   has_constants(scenario) ? Branch::in_notes : Branch::in_columns);
+  return RowLayout(scenario.output.columns, scenario.units(),
+                   has_constants(scenario.rotation()) ? Branch::in_notes : Branch::in_columns);
 }
 
 std::string propagation_text(const Scenario& scenario) {
-  const std::optional<Method> method = propagation_method(scenario);
+  const Rotation& rotation = scenario.rotation();
+  const std::optional<Method> method = propagation_method(rotation);
   if (!method)
-    return scenario.frame.is_inertial() ? "exact free rotation"
+    return rotation.frame.is_inertial() ? "exact free rotation"
                                         : "exact free rotation, seen from the moving frame";
   const bool has_step = std::holds_alternative<Splitting>(*method);  // the last word
-  return method_text(*method) + (has_step ? " " + scenario.units.time() : "") +
-         (scenario.method ? "" : " (chosen: the file names no method)");
+  return method_text(*method) + (has_step ? " " + scenario.units().time() : "") +
+         (rotation.method ? "" : " (chosen: the file names no method)");
 }
 
 Provenance provenance(const Scenario& scenario) {
+  const Rotation& rotation = scenario.rotation();
   Provenance result;
   result.version = version();
-  result.title = scenario.title;
-  result.scenario_name = scenario.name;
-  result.scenario_text = scenario.text;
-  const std::string since = scenario.epoch.empty() ? "the epoch" : scenario.epoch;
-  result.notes.push_back("t counts from " + since + "; axes: " + scenario.axes);
-  if (!scenario.frame.is_inertial())
+  result.title = scenario.document.title;
+  result.scenario_name = scenario.document.name;
+  result.scenario_text = scenario.document.text;
+  const std::string since = rotation.epoch.empty() ? "the epoch" : rotation.epoch;
+  result.notes.push_back("t counts from " + since + "; axes: " + rotation.axes);
+  if (!rotation.frame.is_inertial())
     result.notes.push_back("attitudes and elements refer to the moving frame: " +
-                           scenario.frame_text + "; q_inertial and axes to inertial axes");
+                           rotation.frame_text + "; q_inertial and axes to inertial axes");
   for (std::string& note : rate_notes(scenario)) result.notes.push_back(std::move(note));
-  const Quaternion& q = scenario.body.q_FB();
+  const Quaternion& q = rotation.body.q_FB();
   if (!(q == Quaternion{}))
     result.notes.push_back(
         "q, g and the body components of vectors refer to the axes of the tensor, charts to "
         "principal axes, q_FB = [" +
         detail::number_text(q.w) + ", " + detail::number_text(q.x) + ", " +
         detail::number_text(q.y) + ", " + detail::number_text(q.z) + "]");
-  for (const AnyPerturbation& term : scenario.terms)
+  for (const AnyPerturbation& term : rotation.terms)
     result.notes.push_back("perturbation: " + term.name());
-  if (scenario.damper) result.notes.push_back("perturbation: Kane damper");
-  for (const ScenarioFile& file : scenario.files) result.notes.push_back("file " + file_note(file));
+  if (rotation.damper) result.notes.push_back("perturbation: Kane damper");
+  for (const ScenarioFile& file : scenario.document.files)
+    result.notes.push_back("file " + file_note(file));
   result.notes.push_back("method: " + propagation_text(scenario));
   for (std::string& note : branch_notes(scenario)) result.notes.push_back(std::move(note));
   for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
@@ -404,13 +412,15 @@ Provenance provenance(const Scenario& scenario) {
 RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
                            std::span<const std::unique_ptr<Sink>> sinks,
                            const RunControl& control) {
-  if (!scenario.time) throw DomainError(scenario.name + ": time: got nothing; expected [time]");
+  const Rotation& rotation = scenario.rotation();
+  if (!rotation.time)
+    throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
   RowWriter writer(layout, sinks, control.from == nullptr ? 0 : control.from->pushed);
   RunReport report;
-  if (is_free(scenario)) {
-    report = FreeRun(scenario, writer, control).report();
+  if (is_free(rotation)) {
+    report = FreeRun(rotation, writer, control).report();
   } else {
-    report = run_integrated(scenario, writer, control);
+    report = run_integrated(rotation, writer, control);
   }
   report.rows = writer.rows();
   report.events_met = static_cast<std::int64_t>(report.events.size());

@@ -56,14 +56,14 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
           units.label(dimension)};
 }
 
-std::string column_of(const Values& values, const Scenario& scenario, const std::string& name) {
+std::string column_of(const Values& values, const Rotation& rotation, const std::string& name) {
   const std::string& column = word(values, "map.column");
   const std::vector<std::string_view> known = column_names();
   if (std::find(known.begin(), known.end(), column) == known.end())
     refuse(values, "map.column", name,
            "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
                did_you_mean(column, known));
-  if (needs_energy(column) && !rotor_system(scenario).has_energy())
+  if (needs_energy(column) && !rotor_system(rotation).has_energy())
     refuse(values, "map.column", name,
            "expected another column, since a perturbation has no energy");
   return column;
@@ -87,8 +87,8 @@ SectionSurface surface_of(const Values& values, const std::string& name) {
   return Strobe{period, number(values, "map.epoch")};
 }
 
-std::string section_orbit(const Values& values, const Scenario& scenario, const std::string& name) {
-  const ScenarioOrbit& orbit = orbit_named(scenario.orbits, values, "map.orbit", name);
+std::string section_orbit(const Values& values, const Rotation& rotation, const std::string& name) {
+  const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "map.orbit", name);
   const KeplerElements* const elements = kepler_elements(orbit);
   if (elements == nullptr)
     refuse(values, "map.orbit", name, "expected an orbit with elements: others have no pericentre");
@@ -100,17 +100,26 @@ std::string section_orbit(const Values& values, const Scenario& scenario, const 
 }
 
 // All but the grid.
-MapPlan without_axes(const Values& values, const Scenario& scenario, const std::string& name) {
+MapPlan without_axes(const Values& values, const Rotation& rotation, const std::string& name) {
   const std::string& kind = word(values, "map.kind");
-  if (kind == "chaos" && scenario.damper)
+  if (kind == "chaos" && rotation.damper)
     refuse(values, "map.kind", name,
            "expected another kind, since the state of a Kane damper has no indicator of chaos");
   if (kind == "chaos") return {.kind = MapKind::chaos};
   if (kind == "column")
-    return {.kind = MapKind::column, .column = column_of(values, scenario, name)};
+    return {.kind = MapKind::column, .column = column_of(values, rotation, name)};
   if (kind == "andoyer-section")
     return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
-  return {.kind = MapKind::spin_orbit_section, .orbit = section_orbit(values, scenario, name)};
+  return {.kind = MapKind::spin_orbit_section, .orbit = section_orbit(values, rotation, name)};
+}
+
+void require_rows(const Values& values, const Rotation& rotation, const std::string& name) {
+  if (!rotation.time) refuse(values, "map", name, "expected a table [time] as well");
+  const SaveAt& rows = *rotation.time;
+  const double first = rows[0], last = rows[rows.size() - 1];
+  if (last == 0.0 || first * last < 0.0 || rows.is_list())
+    refuse(values, "time", name,
+           "expected, for a map, rows by step or count on one side of t = 0, where cells start");
 }
 
 }  // namespace
@@ -133,9 +142,10 @@ std::optional<NumberPlace> number_place(const Values& values, std::string_view k
   return place;
 }
 
-MapPlan map_plan(const Values& values, const Units& units, const Scenario& scenario,
-                 const std::string& name) {
-  MapPlan plan = without_axes(values, scenario, name);
+MapPlan map_plan(const MapPlace& at, const Experiment& experiment) {
+  const auto& [values, units, name] = at;
+  const Rotation& rotation = std::get<Rotation>(experiment);
+  MapPlan plan = without_axes(values, rotation, name);
   double cells = 1.0;
   for (std::size_t i = 0; there(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
@@ -148,13 +158,14 @@ MapPlan map_plan(const Values& values, const Units& units, const Scenario& scena
       refuse(values, path + ".count", name, "expected a map of at most 1e9 cells");
     plan.axes.push_back(std::move(axis));
   }
-  if (!scenario.time) refuse(values, "map", name, "expected a table [time] as well");
-  const SaveAt& rows = *scenario.time;
-  const double first = rows[0], last = rows[rows.size() - 1];
-  if (last == 0.0 || first * last < 0.0 || rows.is_list())
-    refuse(values, "time", name,
-           "expected, for a map, rows by step or count on one side of t = 0, where cells start");
+  require_rows(values, rotation, name);
   return plan;
+}
+
+void require_map(const MapPlace& at, const Experiment& experiment) {
+  const Rotation& rotation = std::get<Rotation>(experiment);
+  static_cast<void>(without_axes(at.values, rotation, at.name));
+  require_rows(at.values, rotation, at.name);
 }
 
 }  // namespace detail

@@ -20,13 +20,16 @@ struct NumberPlace {
 // Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
 std::optional<NumberPlace> number_place(const Values& values, std::string_view key);
 
-// The scenario is complete but for its map. ScenarioError at the place of what is wrong.
-MapPlan map_plan(const Values& values, const Units& units, const Scenario& scenario,
-                 const std::string& name);
-
-// From values that the table of keys has let pass. `text` is the file.
-Scenario scenario_of(const Values& values, const Units& units, std::string_view text,
-                     const std::string& name);
+// Where [map] is read.
+struct MapPlace {
+  const Values& values;
+  const Units& units;
+  const std::string& name;  // of the file, for messages
+};
+// The experiment is there. ScenarioError at the place of what is wrong.
+MapPlan map_plan(const MapPlace& at, const Experiment& experiment);
+// What the plan asks of the experiment of a cell, whose numbers are others.
+void require_map(const MapPlace& at, const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0

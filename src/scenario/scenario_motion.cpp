@@ -32,39 +32,10 @@ double mean_rate(const ScenarioOrbit& orbit, const Values& values, const std::st
   return n + rates.mean_anomaly + rates.argument + rates.node;
 }
 
-double precession_rate(const Scenario& scenario, const Values& values, const std::string& name) {
+double precession_rate(const Rotation& rotation, const Values& values, const std::string& name) {
   if (there(values, "frame.precessing.rate")) return number(values, "frame.precessing.rate");
-  const ScenarioOrbit& orbit = orbit_named(scenario.orbits, values, "frame.precessing.orbit", name);
+  const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "frame.precessing.orbit", name);
   return number(values, "frame.precessing.turns") * mean_rate(orbit, values, name);
-}
-
-void add_frame(Scenario& scenario, const Values& values, const std::string& name) {
-  scenario.frame_text = "inertial";
-  if (there(values, "frame.precessing")) {
-    const Precession p{vector(values, "frame.precessing.axis"),
-                       precession_rate(scenario, values, name),
-                       number(values, "frame.precessing.epoch")};
-    scenario.frame = built(values, "frame.precessing.axis", name,
-                           [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });
-    scenario.precession = p;
-    scenario.frame_text = "precessing";
-  } else if (there(values, "frame.orbit-plane")) {
-    const ScenarioOrbit orbit =
-        orbit_named(scenario.orbits, values, "frame.orbit-plane.orbit", name);
-    scenario.frame_text = "plane of orbit " + orbit.name;
-    const KeplerElements* elements = kepler_elements(orbit);
-    if (elements == nullptr)
-      refuse(values, "frame.orbit-plane.orbit", name, "expected an orbit with elements");
-    const KeplerElements& k = *elements;
-    const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
-    const double node_rate = moving == nullptr ? 0.0 : moving->rates().node;
-    scenario.frame = Frame::orbit_plane(
-        [node = k.node, rate = node_rate, epoch = k.epoch](const auto& t) {
-          using T = std::remove_cvref_t<decltype(t)>;
-          return T(node) + T(rate) * (t - T(epoch));
-        },
-        [i = k.inclination](const auto& t) { return std::remove_cvref_t<decltype(t)>(i); });
-  }
 }
 
 SplittingScheme scheme_of(const std::string& word) {
@@ -76,42 +47,43 @@ SplittingScheme scheme_of(const std::string& word) {
 }
 
 // A run of more steps than a double can count would not end.
-void check_step(const Scenario& scenario, const Values& values, const std::string& name) {
-  const auto* splitting = scenario.method ? std::get_if<Splitting>(&*scenario.method) : nullptr;
-  if (splitting == nullptr || !scenario.time) return;
-  const SaveAt& rows = *scenario.time;
+void check_step(const Rotation& rotation, const Values& values, const std::string& name) {
+  const auto* splitting = rotation.method ? std::get_if<Splitting>(&*rotation.method) : nullptr;
+  if (splitting == nullptr || !rotation.time) return;
+  const SaveAt& rows = *rotation.time;
   const double farthest = std::max(std::fabs(rows[0]), std::fabs(rows[rows.size() - 1]));
   if (farthest > most_steps * splitting->step)
     refuse(values, "method.step", name, "expected a step of which 1e15 at most make the run");
 }
 
-bool is_energy_there(const Scenario& scenario) { return rotor_system(scenario).has_energy(); }
+bool is_energy_there(const Rotation& rotation) { return rotor_system(rotation).has_energy(); }
 
-std::string without_energy(const Scenario& scenario) {
-  for (const AnyPerturbation& term : scenario.terms)
+std::string without_energy(const Rotation& rotation) {
+  for (const AnyPerturbation& term : rotation.terms)
     if (!term.supports_energy())
       return "expected no energy, since a perturbation has none: " + term.name();
   return {};
 }
 
 // An integrated run visits its rows in order, and so does one that looks for events.
-void check_times(const Scenario& scenario, const Values& values, const std::string& name) {
-  const bool in_order = propagation_method(scenario).has_value() || !scenario.events.empty();
-  if (!scenario.time || !in_order || !there(values, "time.at")) return;
-  const SaveAt& rows = *scenario.time;
+void check_times(const Rotation& rotation, const Values& values, const std::string& name) {
+  const bool in_order = propagation_method(rotation).has_value() || !rotation.events.empty();
+  if (!rotation.time || !in_order || !there(values, "time.at")) return;
+  const SaveAt& rows = *rotation.time;
   const bool rises = rows[rows.size() - 1] >= rows[0];
   for (std::int64_t k = 1; k < rows.size(); ++k)
     if (rises ? rows[k] < rows[k - 1] : rows[k] > rows[k - 1])
       refuse(values, "time.at", name,
-             propagation_method(scenario)
+             propagation_method(rotation)
                  ? "expected times in order, rising or falling, since the run is integrated"
                  : "expected times in order, rising or falling, since events are looked for");
 }
 
 // Its own state asks for a method that carries it, and the columns of that state for a damper.
-void check_damper(const Scenario& scenario, const Values& values, const std::string& name) {
-  if (scenario.damper) {
-    if (scenario.method && !std::holds_alternative<Adaptive>(*scenario.method))
+void check_damper(const Rotation& rotation, const OutputPlan& output, const Values& values,
+                  const std::string& name) {
+  if (rotation.damper) {
+    if (rotation.method && !std::holds_alternative<Adaptive>(*rotation.method))
       refuse(values, "method.kind", name,
              "expected \"adaptive\", since a Kane damper has a state of its own");
     return;
@@ -120,10 +92,10 @@ void check_damper(const Scenario& scenario, const Values& values, const std::str
     return column == "damper" || column == "s1" || column == "s2" || column == "s3";
   };
   const char* const message = "expected a perturbation of kind \"kane-damper\" for it";
-  if (std::any_of(scenario.columns.begin(), scenario.columns.end(), is_its_own))
+  if (std::any_of(output.columns.begin(), output.columns.end(), is_its_own))
     refuse(values, "output.columns", name, message);
-  for (std::size_t i = 0; i < scenario.events.size(); ++i)
-    if (is_its_own(scenario.events[i].column))
+  for (std::size_t i = 0; i < rotation.events.size(); ++i)
+    if (is_its_own(rotation.events[i].column))
       refuse(values, "event[" + std::to_string(i) + "].column", name, message);
 }
 
@@ -198,40 +170,53 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
   return events;
 }
 
-void add_motion(Scenario& scenario, const Values& values, const std::string& name) {
-  add_frame(scenario, values, name);
-  scenario.surface = surface_of(scenario, values, name);
-  for (const std::string& path : array_paths(values, "perturbation")) {
-    const std::string& kind = word(values, path + ".kind");
-    scenario.kinds.push_back(kind);
-    if (kind == kane_damper_kind) {
-      add_kane_damper(scenario, values, path, name);
-      continue;
-    }
-    for (AnyPerturbation& term : built(values, path + ".kind", name, [&] {
-           return perturbations_of(kind, {scenario, values, path, name});
-         }))
-      scenario.terms.push_back(std::move(term));
+void add_frame(Rotation& rotation, const Values& values, const std::string& name) {
+  rotation.frame_text = "inertial";
+  if (there(values, "frame.precessing")) {
+    const Precession p{vector(values, "frame.precessing.axis"),
+                       precession_rate(rotation, values, name),
+                       number(values, "frame.precessing.epoch")};
+    rotation.frame = built(values, "frame.precessing.axis", name,
+                           [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });
+    rotation.precession = p;
+    rotation.frame_text = "precessing";
+  } else if (there(values, "frame.orbit-plane")) {
+    const ScenarioOrbit orbit =
+        orbit_named(rotation.orbits, values, "frame.orbit-plane.orbit", name);
+    rotation.frame_text = "plane of orbit " + orbit.name;
+    const KeplerElements* elements = kepler_elements(orbit);
+    if (elements == nullptr)
+      refuse(values, "frame.orbit-plane.orbit", name, "expected an orbit with elements");
+    const KeplerElements& k = *elements;
+    const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
+    const double node_rate = moving == nullptr ? 0.0 : moving->rates().node;
+    rotation.frame = Frame::orbit_plane(
+        [node = k.node, rate = node_rate, epoch = k.epoch](const auto& t) {
+          using T = std::remove_cvref_t<decltype(t)>;
+          return T(node) + T(rate) * (t - T(epoch));
+        },
+        [i = k.inclination](const auto& t) { return std::remove_cvref_t<decltype(t)>(i); });
   }
 }
 
-void check_motion(const Scenario& scenario, const Values& values, const std::string& name) {
-  check_times(scenario, values, name);
-  check_step(scenario, values, name);
-  check_damper(scenario, values, name);
-  if (scenario.method && std::holds_alternative<Splitting>(*scenario.method))
-    for (const AnyPerturbation& term : scenario.terms)
+void check_motion(const Rotation& rotation, const OutputPlan& output, const Values& values,
+                  const std::string& name) {
+  check_times(rotation, values, name);
+  check_step(rotation, values, name);
+  check_damper(rotation, output, values, name);
+  if (rotation.method && std::holds_alternative<Splitting>(*rotation.method))
+    for (const AnyPerturbation& term : rotation.terms)
       if (!term.supports_flow())
         refuse(values, "method.kind", name,
                "expected \"adaptive\" or \"variation-of-constants\", since a perturbation has no "
                "exact flow: " +
                    term.name());
-  if (is_energy_there(scenario)) return;
-  if (std::any_of(scenario.columns.begin(), scenario.columns.end(), needs_energy))
-    refuse(values, "output.columns", name, without_energy(scenario));
-  for (std::size_t i = 0; i < scenario.events.size(); ++i)
-    if (needs_energy(scenario.events[i].column))
-      refuse(values, "event[" + std::to_string(i) + "].column", name, without_energy(scenario));
+  if (is_energy_there(rotation)) return;
+  if (std::any_of(output.columns.begin(), output.columns.end(), needs_energy))
+    refuse(values, "output.columns", name, without_energy(rotation));
+  for (std::size_t i = 0; i < rotation.events.size(); ++i)
+    if (needs_energy(rotation.events[i].column))
+      refuse(values, "event[" + std::to_string(i) + "].column", name, without_energy(rotation));
 }
 
 }  // namespace detail

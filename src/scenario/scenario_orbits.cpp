@@ -32,14 +32,6 @@ AnyOrbit any_orbit(const ScenarioOrbit& orbit) {
 namespace detail {
 namespace {
 
-// "orbit.moon" for each table [orbit.NAME].
-std::vector<std::string> orbit_paths(const Values& values) {
-  std::vector<std::string> paths;
-  for (const auto& [path, value] : values)
-    if (value.key->path == "orbit.*") paths.push_back(path);
-  return paths;
-}
-
 KeplerElements elements_of(const Values& values, const std::string& path, const std::string& name) {
   const auto key = [&](const char* own) { return path + "." + own; };
   const double gm = number(values, key("gm")), e = number(values, key("eccentricity"));
@@ -82,11 +74,12 @@ std::optional<double> own_gm(const OrbitPlace& at) {
   return gm;
 }
 
-std::optional<TimeSpan> run_span(const OrbitsPlace& file) {
-  if (!file.time) return std::nullopt;
+std::optional<TimeSpan> run_span(const OrbitPlace& at) {
+  at.uses.time = true;
+  if (!at.file.time) return std::nullopt;
   TimeSpan span;
-  const SaveAt& rows = *file.time;
-  const bool listed = there(file.values, "time.at");  // in any order
+  const SaveAt& rows = *at.file.time;
+  const bool listed = there(at.values(), "time.at");  // in any order
   for (std::int64_t k = 0; k < rows.size(); k = listed ? k + 1 : k + rows.size() - 1) {
     span = {std::min(span.first, rows[k]), std::max(span.last, rows[k])};
     if (rows.size() == 1) break;
@@ -138,17 +131,20 @@ const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const
       "expected the name of an orbit of this file: " + one_of(known) + did_you_mean(wanted, known));
 }
 
-std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at) {
-  std::vector<ScenarioOrbit> orbits;
-  for (const std::string& path : orbit_paths(at.values)) {
-    const std::string& kind = word(at.values, path + ".kind");
-    const OrbitPlace place{at, path};
-    orbits.push_back(kind == "kepler"  ? kepler_orbit(place)
-                     : kind == "state" ? state_orbit(place)
-                     : kind == "table" ? table_orbit(place)
-                                       : ephemeris_orbit(place));
-  }
-  return orbits;
+std::vector<std::string> orbit_paths(const Values& values) {
+  std::vector<std::string> paths;
+  for (const auto& [path, value] : values)
+    if (value.key->path == "orbit.*") paths.push_back(path);
+  return paths;
+}
+
+ScenarioOrbit orbit_of(const OrbitsPlace& at, const std::string& path, OrbitUses& uses) {
+  const std::string& kind = word(at.values, path + ".kind");
+  const OrbitPlace place{at, path, uses};
+  return kind == "kepler"  ? kepler_orbit(place)
+         : kind == "state" ? state_orbit(place)
+         : kind == "table" ? table_orbit(place)
+                           : ephemeris_orbit(place);
 }
 
 }  // namespace detail

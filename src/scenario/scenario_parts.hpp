@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to what moves the body: frame, orbits, terms, method, events.
+// From the values of a file to the parts of a rotation: orbits, frame, terms, method, events.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,17 +25,23 @@ struct OrbitsPlace {
   const std::optional<SaveAt>& time;
   const std::string& name;
 };
-std::vector<ScenarioOrbit> orbits_of(const OrbitsPlace& at);
+// What an orbit was made of, next to its own keys and the epoch.
+struct OrbitUses {
+  bool time = false;  // the rows of the run
+};
+// "orbit.moon" for each table [orbit.NAME], and what one of them describes.
+std::vector<std::string> orbit_paths(const Values& values);
+ScenarioOrbit orbit_of(const OrbitsPlace& at, const std::string& path, OrbitUses& uses);
 // What every file that the values name holds now; nothing of those that cannot be read.
 std::vector<ScenarioFile> files_of(const Values& values, const std::string& name);
 // The mesh of [body], and a mesh that the table at `path` names by `shape` and `scale`.
-std::optional<ScenarioShape> shape_of(const Values& values, const std::string& name);
+std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::string& name);
 FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name);
 // "perturbation[0]", ... of the tables of an array.
 std::vector<std::string> array_paths(const Values& values, const std::string& array);
 // All tables [[surface]], along the principal axes; body and shape are there.
-std::optional<Surface> surface_of(const Scenario& scenario, const Values& values,
-                                  const std::string& name);
+std::shared_ptr<const Surface> surface_of(const Rotation& rotation, const Values& values,
+                                          const std::string& name);
 // The orbit whose name the value at `path` is.
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);
@@ -44,12 +51,13 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);
 // [output.aem]
 AemOptions aem_options_of(const Values& values, const std::string& name);
-// Fills in frame, terms, damper and kinds; body and orbits are there.
-void add_motion(Scenario& scenario, const Values& values, const std::string& name);
+// Fills in frame, frame_text and precession; the orbits are there.
+void add_frame(Rotation& rotation, const Values& values, const std::string& name);
 // The energy at t = 0; 0 where a term has none.
-double initial_energy(const Scenario& scenario);
+double initial_energy(const Rotation& rotation);
 // What method, events, rows and columns ask of the system.
-void check_motion(const Scenario& scenario, const Values& values, const std::string& name);
+void check_motion(const Rotation& rotation, const OutputPlan& output, const Values& values,
+                  const std::string& name);
 
 }  // namespace detail
 }  // namespace v0

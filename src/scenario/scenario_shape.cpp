@@ -24,18 +24,19 @@ FacetShape mesh_of(const Values& values, const std::string& path, const std::str
   });
 }
 
-std::optional<ScenarioShape> shape_of(const Values& values, const std::string& name) {
+std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::string& name) {
   if (!there(values, "body.shape")) {
     if (there(values, "body.scale"))
       refuse(values, "body.scale", name, "expected a key shape as well, which it scales");
-    return std::nullopt;
+    return nullptr;
   }
   FacetShape mesh = mesh_of(values, "body", name);
   const double density = number(values, "body.density");
   if (!(density > 0.0)) refuse(values, "body.density", name, "expected a positive density");
   MassProperties inside =
       built(values, "body.shape", name, [&] { return mass_properties(mesh, density); });
-  return ScenarioShape{word(values, "body.shape"), std::move(mesh), inside};
+  return std::make_shared<const ScenarioShape>(
+      ScenarioShape{word(values, "body.shape"), std::move(mesh), inside});
 }
 
 }  // namespace detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the chart of a scenario to the hub, and the system that moves it.
+// From the chart of a rotation to the hub, and the problem that its run solves.
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -48,34 +48,54 @@ struct ToMotion {
 
 }  // namespace
 
-System rotor_system(const Scenario& scenario) {
-  return System(scenario.body, scenario.frame, scenario.terms, scenario.damper);
+System rotor_system(const Rotation& rotation) {
+  return System(rotation.body, rotation.frame, rotation.terms, rotation.damper);
 }
 
-FreeRotation free_rotation(const Scenario& scenario) {
-  const double J = scenario.damper ? scenario.damper->moment() : 0.0;
+FreeRotation free_rotation(const Rotation& rotation) {
+  const double J = rotation.damper ? rotation.damper->moment() : 0.0;
   return std::visit(
-      ToMotion{scenario.body, scenario.q_file, scenario.frame.at(0.0), J * scenario.damper_rate},
-      scenario.state);
+      ToMotion{rotation.body, rotation.q_file, rotation.frame.at(0.0), J * rotation.damper_rate},
+      rotation.state);
 }
 
 // Serret's elements have their own epoch; what others give is the state itself.
-RotorState initial_state(const Scenario& scenario) {
-  const FreeRotation motion = free_rotation(scenario);
+RotorState initial_state(const Rotation& rotation) {
+  const FreeRotation motion = free_rotation(rotation);
   return motion.epoch() == 0.0 ? motion.initial_state() : motion.at(0.0);
 }
 
-double detail::initial_energy(const Scenario& scenario) {
-  const System system = rotor_system(scenario);
-  if (!system.has_energy()) return 0.0;
-  return energy(at_damper_rate(system, scenario.damper_rate), 0.0, initial_state(scenario));
-}
-
-std::optional<Method> propagation_method(const Scenario& scenario) {
-  if (scenario.method) return scenario.method;
-  if (scenario.terms.empty() && !scenario.damper) return std::nullopt;
+std::optional<Method> propagation_method(const Rotation& rotation) {
+  if (rotation.method) return rotation.method;
+  if (rotation.terms.empty() && !rotation.damper) return std::nullopt;
   return Adaptive{};
 }
+
+Problem rotor_problem(const Rotation& rotation) {
+  if (!rotation.time) throw DomainError("rotor_problem: got no [time]; expected its rows");
+  const SaveAt& rows = *rotation.time;
+  return {rotor_system(rotation),
+          initial_state(rotation),
+          0.0,
+          rows[rows.size() - 1],
+          propagation_method(rotation).value_or(Adaptive{}),
+          {},
+          rotation.damper_rate};
+}
+
+double detail::initial_energy(const Rotation& rotation) {
+  const System system = rotor_system(rotation);
+  if (!system.has_energy()) return 0.0;
+  return energy(at_damper_rate(system, rotation.damper_rate), 0.0, initial_state(rotation));
+}
+
+System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
+RotorState initial_state(const Scenario& scenario) { return initial_state(scenario.rotation()); }
+FreeRotation free_rotation(const Scenario& scenario) { return free_rotation(scenario.rotation()); }
+std::optional<Method> propagation_method(const Scenario& scenario) {
+  return propagation_method(scenario.rotation());
+}
+Problem rotor_problem(const Scenario& scenario) { return rotor_problem(scenario.rotation()); }
 
 }  // namespace v0
 }  // namespace polhode

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -64,7 +65,14 @@ struct FreeUnit {
 };
 using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
 
-// UDUNITS prints its errors unless told otherwise; the caller's choice is put back.
+// UDUNITS is not for several threads: one at a time, all the way to where a unit is freed.
+std::recursive_mutex& one_at_a_time() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+using Alone = std::lock_guard<std::recursive_mutex>;
+
+// UDUNITS prints its errors unless it is set otherwise; the caller's choice is put back.
 class QuietScope {
  public:
   QuietScope() : before_(ut_set_error_message_handler(ut_ignore)) {}
@@ -402,6 +410,7 @@ std::string_view dimension_name(Dimension dimension) { return spec_of(dimension)
 Units::Units(std::string_view time, std::string_view angle, std::string_view moment,
              std::string_view length)
     : time_(time), angle_(angle), moment_(moment), length_(length) {
+  const Alone alone(one_at_a_time());
   require_name("time", time, "s, h or d");
   require_name("angle", angle, "rad or deg");
   const UnitPointer second = parsed_unit("s"), radian = parsed_unit("rad");
@@ -430,6 +439,7 @@ double Units::to_core(double value, Dimension dimension) const {
 }
 
 double Units::to_core(double value, std::string_view unit, Dimension dimension) const {
+  const Alone alone(one_at_a_time());
   const UnitPointer own = parsed_unit(unit);
   if (!std::isfinite(value)) throw DomainError("numbers must be finite");
   for (const bool radians : {false, true}) {

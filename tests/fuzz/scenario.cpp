@@ -27,11 +27,12 @@ void check_message(std::string_view message) {
 // Axes of a body at rest are NaN, and so may be what an orbit gives at times beyond double.
 bool has_every_number(const polhode::Scenario& scenario) {
   const auto asked = [&](const char* group) {
-    return std::find(scenario.columns.begin(), scenario.columns.end(), group) !=
-           scenario.columns.end();
+    return std::find(scenario.output.columns.begin(), scenario.output.columns.end(), group) !=
+           scenario.output.columns.end();
   };
-  return !asked("axes") && !asked("axes_rel") && scenario.orbits.empty() &&
-         scenario.frame.is_inertial() && scenario.terms.empty() && !scenario.damper;
+  return !asked("axes") && !asked("axes_rel") && scenario.rotation().orbits.empty() &&
+         scenario.rotation().frame.is_inertial() && scenario.rotation().terms.empty() &&
+         !scenario.rotation().damper;
 }
 
 }  // namespace
@@ -44,16 +45,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(!summary_table(summary(scenario, motion)).empty());
     require(!provenance(scenario).notes.empty());
     const RowLayout layout = row_layout(scenario);
-    const double last = scenario.time ? (*scenario.time)[scenario.time->size() - 1] : 1.0;
+    const double last = scenario.rotation().time
+                            ? (*scenario.rotation().time)[scenario.rotation().time->size() - 1]
+                            : 1.0;
     const double times[] = {0.0, last};
     std::vector<double> rows(2 * layout.width());
-    if (scenario.terms.empty() && scenario.frame.is_inertial() && !scenario.damper) {
+    if (scenario.rotation().terms.empty() && scenario.rotation().frame.is_inertial() &&
+        !scenario.rotation().damper) {
       layout.write_rows(motion, times, rows);
     } else {
       // the terms and the frame at both times, without the integration
       const System system = rotor_system(scenario);
       const RotorState s = initial_state(scenario);
-      const Sample samples[] = {{0.0, s, scenario.damper_rate}, {last, s, scenario.damper_rate}};
+      const Sample samples[] = {{0.0, s, scenario.rotation().damper_rate},
+                                {last, s, scenario.rotation().damper_rate}};
       layout.write_rows({system, 0.0}, samples, rows);
     }
     if (has_every_number(scenario))

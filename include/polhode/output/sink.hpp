@@ -61,7 +61,7 @@ class Sink {
   // What a checkpoint keeps of this output. All that has been pushed is on the disk then, whatever
   // becomes of the process or the machine. None: the output cannot be continued (a pipe).
   virtual std::optional<SinkPosition> position() { return std::nullopt; }
-  // The position told last is in a checkpoint: none before it will be asked for.
+  // The position reported last is in a checkpoint: none before it will be asked for.
   virtual void kept() {}
   // The output is complete: gives it its name. Without this PATH.part stays.
   virtual void finish() = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ScenarioMap: a scenario over a grid of its own numbers, one cell at a time; and the rows of a map
-// on their way to a file.
+// ScenarioMap: a scenario over a grid of its own numbers, one cell at a time.
 //
 // Equations   those of chaos_indicator and of sections; or the extremes of a column over the rows
 //             of [time].
@@ -13,22 +12,19 @@
 //             each of its points.
 // Accuracy    axes are rounded once; the rest is that of the method.
 // Errors      ScenarioError for what is no map. A cell that cannot be (a chart refuses its numbers)
-//             or cannot go on has one row of NaN, and says why. DomainError and OutputError from
-//             MapRows.
-// Cost        a millisecond to read the scenario anew, one cell at a time, then its run.
+//             or cannot go on has one row of NaN, and says why.
+// Cost        its run, and some 20 us to make the experiment again: text is not read twice, and
+//             tables, meshes and files are those of the scenario unless a number below them (or,
+//             for positions of planets, the time of the run) is an axis.
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "polhode/output/columns.hpp"
-#include "polhode/output/sink.hpp"
-#include "polhode/run/scenario_run.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/trajectory/progress.hpp"
 
@@ -44,6 +40,7 @@ class ScenarioMap {
  public:
   // `name` stands for the file in messages and outputs.
   ScenarioMap(std::string_view text, const std::string& name);
+  explicit ScenarioMap(Scenario scenario);
   ~ScenarioMap();
   ScenarioMap(const ScenarioMap&) = delete;
   ScenarioMap& operator=(const ScenarioMap&) = delete;
@@ -64,51 +61,6 @@ class ScenarioMap {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-// The cells of a map as they come, kept in FIRST_FILE.cells: what a killed map goes on from. Cells
-// are whole or they do not count.
-class MapRows {
- public:
-  // `outputs` as open_sink takes them; where none is a file nothing is kept. DomainError for
-  // outputs that cannot be or that another process writes, for cells (or an unfinished run) that
-  // are there when neither resume nor restart was asked for, and for cells of another map.
-  MapRows(const ScenarioMap& map, std::vector<std::string> outputs, RunBegin begin,
-          BeginWords words = {});
-  ~MapRows();
-  MapRows(const MapRows&) = delete;
-  MapRows& operator=(const MapRows&) = delete;
-
-  bool are_kept() const { return file_ != nullptr; }
-  std::int64_t size() const { return static_cast<std::int64_t>(cells_.size()); }
-  const std::vector<MapCell>& cells() const { return cells_; }
-  void push(const MapCell& cell);
-  // All rows so far, each with its place.
-  void write(Sink& sink) const;
-  // All rows to the outputs, which get their names; the cells go.
-  void finish();
-
- private:
-  void open();
-  void read(RunBegin begin);
-  void open_sinks();
-  void put(const std::string& lines);
-  std::string done_text() const;
-  std::string next_text() const;
-
-  const ScenarioMap& map_;
-  std::vector<std::string> outputs_;
-  BeginWords words_;
-  std::string path_;
-  std::string head_;
-  std::FILE* file_ = nullptr;
-  std::vector<MapCell> cells_;
-  std::vector<std::unique_ptr<Sink>> sinks_;  // of the outputs, none of standard output
-};
-
-// Whether the map is complete in its outputs. DomainError where they are of another scenario, or
-// cannot tell.
-bool is_complete(const ScenarioMap& map, std::span<const std::string> outputs,
-                 const BeginWords& words = {});
 
 }  // namespace v0
 }  // namespace polhode

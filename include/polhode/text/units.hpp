@@ -13,7 +13,8 @@
 // Accuracy    a unit that equals the core unit leaves a number bit for bit; a whole ratio either
 //             way is rounded once; any other once in the factor and once in the product.
 // Errors      DomainError in one line: unknown unit (with the nearest known one), wrong dimension.
-// Cost        building parses four texts; a bare number costs one multiplication. Not thread-safe.
+// Cost        building parses four texts; a bare number costs one multiplication. What parses a
+//             unit waits for other threads that do.
 #pragma once
 
 #include <array>

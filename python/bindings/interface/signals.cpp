@@ -37,19 +37,19 @@ Progress signal_check() {
   return [check = SignalCheck()](double) mutable { check(); };
 }
 
-Progress told_to(nb::handle function) {
+Progress last_call_to(nb::handle function) {
   if (function.is_none()) return {};
   if (PyCallable_Check(function.ptr()) == 0)
     throw nb::type_error("progress: expected a function of the time");
-  return
-      [f = function.ptr(), calls = 0, told = std::chrono::steady_clock::now()](double t) mutable {
-        if (++calls % 16 != 0) return;
-        const auto now = std::chrono::steady_clock::now();
-        if (now - told < std::chrono::milliseconds(100)) return;
-        told = now;
-        const WithGil acquired;
-        staying_put([&] { return nb::handle(f)(t); });
-      };
+  return [f = function.ptr(), calls = 0,
+          last_call = std::chrono::steady_clock::now()](double t) mutable {
+    if (++calls % 16 != 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_call < std::chrono::milliseconds(100)) return;
+    last_call = now;
+    const WithGil acquired;
+    staying_put([&] { return nb::handle(f)(t); });
+  };
 }
 
 }  // namespace polhode::python

@@ -34,6 +34,6 @@ Progress signal_check();
 
 // A listener that calls a function of Python with the time, some ten times a second; empty for
 // None. The function outlives the run.
-Progress told_to(nb::handle function);
+Progress progress_to(nb::handle function);
 
 }  // namespace polhode::python

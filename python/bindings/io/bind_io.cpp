@@ -27,7 +27,7 @@ nb::object state_object(const Scenario& scenario) {
         else
           return nb::cast(Batch<S>::one(s));
       },
-      scenario.state);
+      scenario.rotation().state);
 }
 
 // [(group, [(column, unit), ...]), ...], t first.
@@ -81,20 +81,21 @@ void bind_io(nb::module_& m) {
                [](const nb::bytes& text, const std::string& name) {
                  return scenario_from_text({text.c_str(), text.size()}, name);
                })
-      .def_ro("name", &Scenario::name)
-      .def_ro("text", &Scenario::text)
-      .def_ro("title", &Scenario::title)
-      .def_ro("units", &Scenario::units)
-      .def_ro("body", &Scenario::body)
-      .def_ro("chart", &Scenario::chart)
-      .def_ro("epoch", &Scenario::epoch)
-      .def_ro("axes", &Scenario::axes)
-      .def_ro("columns", &Scenario::columns)
-      .def_ro("time", &Scenario::time)
+      .def_prop_ro("name", [](const Scenario& s) -> const auto& { return s.document.name; })
+      .def_prop_ro("text", [](const Scenario& s) -> const auto& { return s.document.text; })
+      .def_prop_ro("title", [](const Scenario& s) -> const auto& { return s.document.title; })
+      .def_prop_ro("units", [](const Scenario& s) -> const auto& { return s.units(); })
+      .def_prop_ro("body", [](const Scenario& s) -> const auto& { return s.rotation().body; })
+      .def_prop_ro("chart", [](const Scenario& s) -> const auto& { return s.rotation().chart; })
+      .def_prop_ro("epoch", [](const Scenario& s) -> const auto& { return s.rotation().epoch; })
+      .def_prop_ro("axes", [](const Scenario& s) -> const auto& { return s.rotation().axes; })
+      .def_prop_ro("columns", [](const Scenario& s) -> const auto& { return s.output.columns; })
+      .def_prop_ro("time", [](const Scenario& s) -> const auto& { return s.rotation().time; })
       .def_prop_ro("state", state_object)
       .def_prop_ro("initial_state",
                    [](const Scenario& s) { return Batch<RotorState>::one(initial_state(s)); })
-      .def_prop_ro("damper_rate", [](const Scenario& s) { return array_of(s.damper_rate); })
+      .def_prop_ro("damper_rate",
+                   [](const Scenario& s) { return array_of(s.rotation().damper_rate); })
       .def_prop_ro("free_rotation", [](const Scenario& s) { return free_rotation(s); })
       .def_prop_ro("method", [](const Scenario& s) { return method_object(propagation_method(s)); })
       .def_prop_ro("propagation", propagation_text)
@@ -104,7 +105,7 @@ void bind_io(nb::module_& m) {
                    [](const Scenario& s) { return lines_of(summary(s, free_rotation(s))); });
   bind_objects(c);
   bind_run(m, c);
-  bind_map(m);
+  bind_map(m, c);
   // (start, stop, step or None) of steps and counts; None of a list
   m.def("_save_at_parts", [](const SaveAt& s) -> nb::object {
     if (s.is_list() || s.size() == 0) return nb::none();

@@ -1,92 +1,204 @@
 // SPDX-License-Identifier: MIT
-// Maps of scenarios: single cells, which Python's threads run at the same time, and their rows. The
-// function that drives them is Python's (python/polhode/maps.py).
+// Maps of scenarios. The loop over the cells is the library's and runs in threads of its own; the
+// thread that called waits for it, and alone runs Python: the function that hears of each cell,
+// and handlers of signals.
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <stdexcept>
+#include <thread>
 
 #include "interface/arrays.hpp"
+#include "interface/gil.hpp"
+#include "interface/signals.hpp"
 #include "io/io_parts.hpp"
 #include "motion/samples.hpp"
-#include "polhode/run/map.hpp"
-#include "polhode/run/run.hpp"
+#include "polhode/run/map_run.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-// A map that can be asked to stop, from any thread.
-struct PythonMap {
-  explicit PythonMap(const Scenario& scenario)
-      : map(scenario.text,
-            scenario.folder.empty() ? scenario.name : scenario.folder + "/" + scenario.name) {}
+constexpr std::chrono::milliseconds between_looks(20);
 
-  ScenarioMap map;
-  std::atomic<bool> stopped = false;
+// What a map leaves in memory.
+struct Map {
+  std::vector<double> rows;  // one after the other
+  std::size_t width;
+  std::vector<ColumnGroup> groups;
+  std::size_t axes;
+  MapReport report;
+  std::int64_t rows_before = 0;  // of an earlier part of the map: in its files only
 };
 
-MapCell cell_of(PythonMap& of, std::int64_t index) {
-  const WithoutGil released;
-  return of.map.cell(index, [&of](double) {
-    if (of.stopped.load(std::memory_order_relaxed)) throw std::runtime_error("the map was stopped");
-  });
-}
+// Between the loop and the thread that waits for it.
+class Loop {
+ public:
+  explicit Loop(nb::handle progress) : progress_(progress.is_none() ? nullptr : progress.ptr()) {}
 
-struct PythonRows {
-  PythonRows(const PythonMap& of, const nb::list& outputs, bool resume, bool restart)
-      : map(of.map) {
-    std::vector<std::string> paths;
-    for (const nb::handle path : outputs) paths.push_back(path_text(path));
-    rows.emplace(map, std::move(paths), begin_of("map", resume, restart), begin_words());
+  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
+  // In the loop: goes on when the function has returned; throws where it has not.
+  void reach(std::int64_t cells) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    reached_ = cells;
+    if (progress_ == nullptr) return;
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return told_ == reached_ || is_stopped(); });
+    if (is_stopped()) throw std::runtime_error("the map was stopped");
+  }
+  void end(std::exception_ptr failure) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failure_ = std::move(failure);
+    ended_ = true;
+    changed_.notify_all();
   }
 
-  const ScenarioMap& map;
-  std::optional<MapRows> rows;
+  // In the thread that called, without the GIL, until the loop has ended. What Python raises stops
+  // the loop.
+  void wait(std::int64_t of) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const auto tells = [&] { return progress_ != nullptr && told_ != reached_ && !is_stopped(); };
+    while (!ended_) {
+      changed_.wait_for(lock, between_looks, [&] { return ended_ || tells(); });
+      if (ended_ || is_stopped()) continue;
+      const bool tell = tells();
+      const std::int64_t cells = reached_;
+      lock.unlock();
+      const std::exception_ptr raised = asked(tell, cells, of);
+      lock.lock();
+      if (tell) told_ = cells;
+      if (raised) {
+        raised_ = raised;
+        stopped_ = true;
+      }
+      changed_.notify_all();
+    }
+  }
+  void raise() const {
+    if (raised_) std::rethrow_exception(raised_);
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr asked(bool tell, std::int64_t cells, std::int64_t of) {
+    try {
+      if (tell) {
+        const WithGil acquired;
+        staying_put([&] { return nb::handle(progress_)(cells, of); });
+      }
+      if (signals_) signals_(0.0);
+    } catch (...) {
+      return std::current_exception();
+    }
+    return nullptr;
+  }
+
+  PyObject* progress_;
+  Progress signals_ = signal_check();
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::int64_t reached_ = 0;
+  std::int64_t told_ = 0;
+  std::atomic<bool> stopped_ = false;
+  bool ended_ = false;
+  std::exception_ptr raised_;
+  std::exception_ptr failure_;
 };
 
-// {table (N, columns), the cell of each row, [(cell, why), ...] of those that failed}
-nb::tuple table_of(const PythonRows& of) {
-  auto numbers = std::make_shared<std::vector<double>>();
-  TableSink sink(*numbers);
-  of.rows->write(sink);
-  const std::size_t width = of.map.plan().axes.size() + of.map.width();
-  const nb::object table = view_of(numbers->data(), numbers->size() / width, width * sizeof(double),
-                                   {width}, keeper(numbers));
-  nb::list cells, failures;
-  for (std::int64_t k = 0; k < of.rows->size(); ++k) {
-    const MapCell& cell = of.rows->cells()[static_cast<std::size_t>(k)];
-    for (std::size_t row = 0; row < cell.numbers.size() / of.map.width(); ++row) cells.append(k);
-    if (!cell.failure.empty()) failures.append(nb::make_tuple(k, cell.failure));
+MapReport report_of(MapRun& run, Loop& loop, std::int64_t cells) {
+  MapReport report;
+  {
+    const WithoutGil released;
+    std::thread thread([&] {
+      std::exception_ptr failure;
+      try {
+        report = run.run();
+      } catch (...) {
+        failure = std::current_exception();
+      }
+      loop.end(std::move(failure));
+    });
+    loop.wait(cells);
+    thread.join();
   }
-  return nb::make_tuple(table, cells, failures);
+  loop.raise();
+  return report;
 }
 
-nb::list columns_of(const ScenarioMap& map) {
+Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool resume,
+            bool restart, nb::handle progress) {
+  const ScenarioMap map(scenario);
+  Map result{{}, map.plan().axes.size() + map.width(), map.groups(), map.plan().axes.size(), {}};
+  std::vector<std::string> paths;
+  for (const nb::handle path : outputs) paths.push_back(path_text(path));
+  Loop loop(progress);
+  const auto begun = [&](RunBegin begin) {
+    MapOptions options;
+    options.begin = begin;
+    options.words = begin_words();
+    options.threads = threads;
+    options.stop = [&loop] { return loop.is_stopped(); };
+    options.progress = [&loop](std::int64_t cells) { loop.reach(cells); };
+    options.also = std::make_unique<TableSink>(result.rows);
+    return std::make_unique<MapRun>(map, paths, std::move(options));
+  };
+  std::unique_ptr<MapRun> run = begun(begin_of("map", resume, restart));
+  if (run->is_complete()) run = begun(RunBegin::restart);  // its rows are wanted all the same
+  result.rows_before = run->rows();
+  result.report = report_of(*run, loop, map.size());
+  return result;
+}
+
+nb::object table_of(nb::handle_t<Map> self) {
+  const Map& m = nb::cast<const Map&>(self);
+  return view_of(m.rows.data(), m.rows.size() / m.width, m.width * sizeof(double), {m.width}, self);
+}
+
+// [(name, unit), ...]
+nb::list column_list(const Map& m) {
   nb::list columns;
-  for (const ColumnGroup& group : map.groups())
+  for (const ColumnGroup& group : m.groups)
     for (const Column& column : group.columns)
       columns.append(nb::make_tuple(column.name, column.unit));
   return columns;
 }
 
+nb::list group_names(const Map& m) {
+  nb::list names;
+  for (const ColumnGroup& group : m.groups) names.append(group.name);
+  return names;
+}
+
+// [(cells, rows of each), ...]
+nb::list cells_and_rows(const Map& m) {
+  nb::list list;
+  for (const MapReport::Group& group : m.report.groups)
+    list.append(nb::make_tuple(group.cells, group.rows));
+  return list;
+}
+
+nb::list failures_of(const Map& m) {
+  nb::list failures;
+  for (const MapReport::Failure& failure : m.report.failures)
+    failures.append(nb::make_tuple(failure.cell, failure.why));
+  return failures;
+}
+
 }  // namespace
 
-void bind_map(nb::module_& m) {
-  nb::class_<MapCell>(m, "_MapCell").def_ro("failure", &MapCell::failure);
-  nb::class_<PythonMap>(m, "_ScenarioMap")
-      .def(nb::init<const Scenario&>(), nb::arg("scenario"))
-      .def("__len__", [](const PythonMap& of) { return of.map.size(); })
-      .def_prop_ro("axes", [](const PythonMap& of) { return of.map.plan().axes.size(); })
-      .def_prop_ro("columns", [](const PythonMap& of) { return columns_of(of.map); })
-      .def("cell", cell_of, nb::arg("index"))
-      .def("stop", [](PythonMap& of) { of.stopped = true; });
-  nb::class_<PythonRows>(m, "_MapRows")
-      .def(nb::init<const PythonMap&, const nb::list&, bool, bool>(), nb::arg("map"),
-           nb::arg("outputs"), nb::arg("resume"), nb::arg("restart"), nb::keep_alive<1, 2>())
-      .def("__len__", [](const PythonRows& of) { return of.rows->size(); })
-      .def("push", [](PythonRows& of, const MapCell& cell) { of.rows->push(cell); })
-      .def("finish", [](PythonRows& of) { of.rows->finish(); })
-      .def("close", [](PythonRows& of) { of.rows.reset(); })  // others may have the file
-      .def("table", table_of);
+void bind_map(nb::module_& m, nb::class_<Scenario>& scenario) {
+  nb::class_<Map>(m, "_Map")
+      .def_prop_ro("table", table_of)
+      .def_prop_ro("columns", column_list)
+      .def_prop_ro("groups", group_names)
+      .def_prop_ro("axes", [](const Map& of) { return of.axes; })
+      .def_prop_ro("rows_before", [](const Map& of) { return of.rows_before; })
+      .def_prop_ro("cells_and_rows", cells_and_rows)
+      .def_prop_ro("failures", failures_of);
+  scenario.def("map", run_map, nb::arg("outputs"), nb::arg("threads"), nb::arg("resume"),
+               nb::arg("restart"), nb::arg("progress").none());
 }
 
 }  // namespace polhode::python

@@ -127,7 +127,8 @@ nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
     if (const nb::object found = made(term); found.is_valid()) return found;
   const std::string& name = term.name();
   if (const auto* t = term.target<ConstantTorque>()) return torque(*t, name);
-  if (const auto* t = term.target<LinearDamping>()) return damping(*t, scenario.body, name);
+  if (const auto* t = term.target<LinearDamping>())
+    return damping(*t, scenario.rotation().body, name);
   if (const auto* t = term.target<TorqueTable>()) return torque_table(*t, name);
   if (const auto* t = term.target<SolarPressure>()) return pressure(*t, name);
   if (const auto* t = term.target<AtmosphericDrag>()) return drag(*t, name);
@@ -138,22 +139,25 @@ nb::object term_object(const Scenario& scenario, const AnyPerturbation& term) {
 
 nb::object frame_object(const Scenario& scenario) {
   const nb::object type = core("Frame");
-  if (scenario.frame.is_inertial()) return type.attr("inertial")();
-  if (scenario.precession)
-    return type.attr("precessing")(tuple_of(scenario.precession->axis), scenario.precession->rate,
-                                   scenario.precession->epoch);
-  return nb::cast(PythonFrame(scenario.frame));
+  if (scenario.rotation().frame.is_inertial()) return type.attr("inertial")();
+  if (scenario.rotation().precession)
+    return type.attr("precessing")(tuple_of(scenario.rotation().precession->axis),
+                                   scenario.rotation().precession->rate,
+                                   scenario.rotation().precession->epoch);
+  return nb::cast(PythonFrame(scenario.rotation().frame));
 }
 
 nb::object system_object(const Scenario& scenario) {
   nb::list terms;
-  for (const AnyPerturbation& term : scenario.terms) terms.append(term_object(scenario, term));
-  return core("System")(nb::cast(scenario.body), frame_object(scenario), terms, scenario.damper);
+  for (const AnyPerturbation& term : scenario.rotation().terms)
+    terms.append(term_object(scenario, term));
+  return core("System")(nb::cast(scenario.rotation().body), frame_object(scenario), terms,
+                        scenario.rotation().damper);
 }
 
 nb::dict orbits_of(const Scenario& scenario) {
   nb::dict orbits;
-  for (const ScenarioOrbit& orbit : scenario.orbits)
+  for (const ScenarioOrbit& orbit : scenario.rotation().orbits)
     std::visit([&](const auto& motion) { orbits[orbit.name.c_str()] = nb::cast(motion); },
                orbit.motion);
   return orbits;

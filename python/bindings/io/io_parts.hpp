@@ -27,8 +27,8 @@ void bind_oem(nb::module_& m);
 // Methods run, write and states_of of _Scenario, and what run returns.
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
 
-// _ScenarioMap and _MapRows.
-void bind_map(nb::module_& m);
+// The method map of _Scenario, and what it returns.
+void bind_map(nb::module_& m, nb::class_<Scenario>& scenario);
 // What resume and restart ask for, and what messages call them.
 RunBegin begin_of(const char* function, bool resume, bool restart);
 BeginWords begin_words();

@@ -68,12 +68,13 @@ class Stop {
 // The GIL is not held while rows are computed and written.
 Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
                  bool resume, bool restart, nb::handle progress) {
-  if (!scenario.time)
+  if (!scenario.rotation().time)
     throw DomainError(
-        scenario.name +
+        scenario.document.name +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!events.is_none() && scenario.events.empty())
-    throw DomainError(scenario.name + ": event: got nothing; expected tables [[event]] for events");
+  if (!events.is_none() && scenario.rotation().events.empty())
+    throw DomainError(scenario.document.name +
+                      ": event: got nothing; expected tables [[event]] for events");
   Run result{{}, row_layout(scenario).width(), {}};
   RunFiles files;
   for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
@@ -82,15 +83,15 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   options.begin = begin_of("run", resume, restart);
   options.words = begin_words();
   options.keep_events = keep;
-  options.progress = told_to(progress);
+  options.progress = progress_to(progress);
   std::exception_ptr raised;
   options.stop = Stop(raised);
   if (keep) {
-    reserve(result, scenario.time->size());  // before any file is there
+    reserve(result, scenario.rotation().time->size());  // before any file is there
     options.also = std::make_unique<TableSink>(result.rows);
   }
   ScenarioRun run(scenario, std::move(files), std::move(options));
-  result.rows_before = run.is_complete() ? scenario.time->size() : run.rows();
+  result.rows_before = run.is_complete() ? scenario.rotation().time->size() : run.rows();
   result.complete = run.is_complete();
   try {
     const WithoutGil released;
@@ -131,7 +132,7 @@ Batch<RotorState> states_in(const Scenario& scenario, nb::handle table, std::siz
   const std::size_t width = row_layout(scenario).width();
   const Numbers rows(table, "table", {width});
   const std::size_t n = size_of(rows.shape());
-  const Quaternion& q_FB = scenario.body.q_FB();
+  const Quaternion& q_FB = scenario.rotation().body.q_FB();
   return Batch<RotorState>::filled({n}, [&](RotorState* out) {
     for_each(n, [&](std::size_t k) {
       const double* const row = rows.at(0) + k * width;

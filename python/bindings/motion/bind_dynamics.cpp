@@ -76,11 +76,11 @@ namespace {
 
 // Signals, then the caller's function.
 Progress listener(nb::handle progress) {
-  Progress look = signal_check(), told = told_to(progress);
-  if (!told) return look;
-  return [look, told](double t) {
+  Progress look = signal_check(), report = progress_to(progress);
+  if (!report) return look;
+  return [look, report](double t) {
     if (look) look(t);
-    told(t);
+    report(t);
   };
 }
 

@@ -14,7 +14,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// HDF5 prints its errors unless told otherwise; the caller's choice is put back.
+// HDF5 prints its errors unless it is silenced; the caller's choice is put back.
 class QuietScope {
  public:
   QuietScope() {

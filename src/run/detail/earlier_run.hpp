@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an earlier run has left beside its outputs, and what is said of it.
+// What an earlier run has left next to its outputs, and what is said of it.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@ namespace detail {
 
 // PATH.checkpoint
 std::string checkpoint_path(const std::string& output);
-// The checkpoint of the unfinished run that an output belongs to: beside it, or beside the first
+// The checkpoint of the unfinished run that an output belongs to: next to it, or next to the first
 // output of that run. Empty: there is none. DomainError when there should be one.
 std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words);
-// Leaves beside an output where the checkpoint of its run is.
+// Leaves next to an output where the checkpoint of its run is.
 void point_to_checkpoint(const std::string& output, const std::string& checkpoint);
 void forget_checkpoints(std::span<const std::string> outputs);
 // A renamed file is on the disk when its folder is.
@@ -25,7 +25,7 @@ void sync_folder_of(const std::string& path);
 
 // "FILE: an unfinished run is there (TOLD); resume continues it, ..."
 [[noreturn]] void refuse_unfinished(const std::string& file, const std::string& kind,
-                                    const std::string& told, const BeginWords& words);
+                                    const std::string& progress, const BeginWords& words);
 
 // Whether all outputs are there, with none on its way. DomainError for one of another scenario, or
 // of other files that the scenario names, and for one that does not say.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one cell of a map is: the run of a scenario, and the rows that are kept of it.
+// What one cell of a map is: the run of an experiment, and the rows that are kept of it.
 #pragma once
 
 #include "polhode/output/columns.hpp"
@@ -13,8 +13,13 @@ namespace detail {
 ColumnGroup result_columns(const MapPlan& plan, const Units& units);
 // A cell that failed has one row of NaN.
 MapCell failed_cell(std::size_t width, std::string why);
-// The run of a scenario with a map, as its plan says.
-MapCell map_cell(const Scenario& scenario, const Progress& progress);
+// A cell: its experiment, and what the map wants of it.
+struct CellPlace {
+  const Rotation& rotation;
+  const MapPlan& plan;
+  const Units& units;
+};
+MapCell map_cell(const CellPlace& of, const Progress& progress);
 
 }  // namespace detail
 }  // namespace v0

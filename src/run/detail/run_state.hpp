@@ -15,7 +15,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What the rest of the run depends on, beside the scenario.
+// What the rest of the run depends on, in addition to the scenario.
 struct RunState {
   static constexpr int way = 0;   // to the first row, from t = 0
   static constexpr int rows = 1;  // integrated

@@ -17,6 +17,7 @@ namespace detail {
 struct OrbitPlace {
   const OrbitsPlace& file;
   const std::string& path;  // "orbit.moon"
+  OrbitUses& uses;
 
   const Values& values() const { return file.values; }
   const std::string& name() const { return file.name; }
@@ -28,7 +29,7 @@ struct TimeSpan {
   double first = 0.0;
   double last = 0.0;
 };
-std::optional<TimeSpan> run_span(const OrbitsPlace& file);
+std::optional<TimeSpan> run_span(const OrbitPlace& at);
 
 // The gm of the table, where it has one.
 std::optional<double> own_gm(const OrbitPlace& at);

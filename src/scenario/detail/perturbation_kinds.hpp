@@ -3,6 +3,7 @@
 // Their keys are in schema_perturbations.cpp. A kind is one function here and one row of the table.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,14 +14,53 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Where a term is made: everything of the scenario that stands before it, and its own table.
-struct TermPlace {
-  const Scenario& scenario;  // body, frame and orbits are there
+// Which parts of the rotation a term was made of, next to its own keys: it is made again when one
+// of them changes.
+struct TermUses {
+  bool body = false;
+  bool file_axes = false;
+  bool surface = false;
+  std::vector<std::size_t> orbits;  // by their numbers
+};
+
+// Where a term is made: its own table, and the parts of the rotation that stand before it. What is
+// asked for is noted.
+class TermPlace {
+ public:
+  TermPlace(const Rotation& rotation, const Values& all_values, const Units& all_units,
+            const std::string& of_term, const std::string& file, TermUses& noted)
+      : values(all_values),
+        units(all_units),
+        path(of_term),
+        name(file),
+        rotation_(rotation),
+        uses_(noted) {}
+
   const Values& values;
+  const Units& units;
   const std::string& path;  // "perturbation[0]"
   const std::string& name;  // of the file, for messages
 
   std::string key(const char* own) const { return path + "." + own; }
+  const Body& body() const {
+    uses_.body = true;
+    return rotation_.body;
+  }
+  // Principal axes to those of the file.
+  const Quaternion& q_FB() const {
+    uses_.file_axes = true;
+    return rotation_.q_file;
+  }
+  const Surface* surface() const {
+    uses_.surface = true;
+    return rotation_.surface.get();
+  }
+  // The orbit that the key `own` of the table names.
+  const ScenarioOrbit& orbit(const char* own) const;
+
+ private:
+  const Rotation& rotation_;
+  TermUses& uses_;
 };
 
 // What a table stands for: one term; of gravity one for each part of it that the table has.
@@ -40,8 +80,11 @@ Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F);
 
 // [[perturbation]] of kind "kane-damper", which is no term: a scenario has one at most.
 inline constexpr const char* kane_damper_kind = "kane-damper";
-void add_kane_damper(Scenario& scenario, const Values& values, const std::string& path,
-                     const std::string& name);
+struct DamperAtStart {
+  KaneDamper damper;
+  Vec3 rate;  // relative to the body, principal axes
+};
+DamperAtStart kane_damper(const TermPlace& at);
 
 std::vector<AnyPerturbation> gravity_terms(const TermPlace& at);
 AnyPerturbation constant_torque_term(const TermPlace& at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the table of scenario keys that say what moves the body and how it is integrated.
+// The parts of the table of scenario keys, one concept each.
 #pragma once
 
 #include <span>
@@ -14,12 +14,14 @@ struct SchemaPart {
   std::span<const Key> keys;
   std::span<const Alternatives> alternatives;
 };
+SchemaPart body_keys();
 SchemaPart state_keys();
 SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart perturbation_keys();
 SchemaPart surface_keys();
 SchemaPart method_keys();
+SchemaPart time_keys();
 SchemaPart output_keys();
 SchemaPart map_keys();
 

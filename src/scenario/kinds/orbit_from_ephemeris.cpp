@@ -56,7 +56,7 @@ ScenarioOrbit ephemeris_orbit(const OrbitPlace& at) {
            "place in the sky");
   const Clock clock = clock_of(values, at.file.units, target_key, at.name());
   const double km = kilometre(at);
-  const std::optional<TimeSpan> span = run_span(at.file);
+  const std::optional<TimeSpan> span = run_span(at);
   if (!span)
     refuse(values, target_key, at.name(),
            "expected a table [time], since the positions are tabulated over the run");

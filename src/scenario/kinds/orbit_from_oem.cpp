@@ -94,7 +94,7 @@ ScenarioOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order
   const std::string key = at.key("file");
   return built(at.values(), key, at.name(), [&]() -> ScenarioOrbit {
     const OrbitEphemeris file = read_oem(path);
-    const std::optional<TimeSpan> span = run_span(at.file);
+    const std::optional<TimeSpan> span = run_span(at);
     const std::string& scale = file.segments.front().time_system;
     const auto time = [&](const std::string& text) {
       return at.file.units.to_core(since_epoch(at, scale, *civil_time(text, true)), "s",

@@ -199,7 +199,7 @@ double overhang_of(const OrbitPlace& at, const std::vector<double>& times, bool 
 }
 
 void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit) {
-  const std::optional<TimeSpan> span = run_span(at.file);
+  const std::optional<TimeSpan> span = run_span(at);
   if (!span || orbit.covers(span->first, span->last)) return;
   const auto text = [&](double t) {
     return number_text(at.file.units.from_core(t, Dimension::time));

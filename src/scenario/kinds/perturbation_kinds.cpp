@@ -40,9 +40,13 @@ std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const Ter
   throw std::logic_error("perturbation: the schema allows a kind that has no row: " + kind);
 }
 
-const ScenarioOrbit& orbit_at(const TermPlace& at) {
-  return orbit_named(at.scenario.orbits, at.values, at.key("orbit"), at.name);
+const ScenarioOrbit& TermPlace::orbit(const char* own) const {
+  const ScenarioOrbit& found = orbit_named(rotation_.orbits, values, key(own), name);
+  uses_.orbits.push_back(static_cast<std::size_t>(&found - rotation_.orbits.data()));
+  return found;
 }
+
+const ScenarioOrbit& orbit_at(const TermPlace& at) { return at.orbit("orbit"); }
 
 double gm_at(const TermPlace& at) {
   const std::string key = at.key("gm");
@@ -66,7 +70,7 @@ double positive_at(const TermPlace& at, const char* own) {
 }
 
 Vec3 principal_components(const TermPlace& at, const Vec3& x_F) {
-  return rotate(conj(at.scenario.q_file), x_F);
+  return rotate(conj(at.q_FB()), x_F);
 }
 
 Mat3 matrix_at(const TermPlace& at, const char* own) {
@@ -76,7 +80,7 @@ Mat3 matrix_at(const TermPlace& at, const char* own) {
 }
 
 Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F) {
-  const Quaternion& q_FB = at.scenario.q_file;
+  const Quaternion& q_FB = at.q_FB();
   if (q_FB == Quaternion{}) return m_F;
   const Mat3 R = rotation_matrix(q_FB);  // v_F = R v_B
   const Mat3 m = transpose(R) * m_F * R;

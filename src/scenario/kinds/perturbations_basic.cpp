@@ -21,32 +21,28 @@ AnyPerturbation constant_torque_term(const TermPlace& at) {
 AnyPerturbation damping_term(const TermPlace& at) {
   const std::string key = at.key("coefficients");
   const std::vector<double>& n = value_at(at.values, key).numbers;
-  const Quaternion& q_FB = at.scenario.q_file;
+  const Quaternion& q_FB = at.q_FB();
   return built(at.values, key, at.name, [&]() -> AnyPerturbation {
     if (n.size() == 3 && q_FB == Quaternion{})
       return {"damping", LinearDamping(vector(at.values, key))};
-    const LinearDamping in_file_axes(matrix_at(at, "coefficients"), at.scenario.body);
+    const LinearDamping in_file_axes(matrix_at(at, "coefficients"), at.body());
     const Mat3 D = principal_matrix(at, in_file_axes.matrix());
-    return {"damping", LinearDamping(D, at.scenario.body)};
+    return {"damping", LinearDamping(D, at.body())};
   });
 }
 
-void add_kane_damper(Scenario& scenario, const Values& values, const std::string& path,
-                     const std::string& name) {
-  if (scenario.damper)
-    refuse(values, path + ".kind", name, "expected at most one perturbation of this kind");
-  const double friction = number(values, path + ".friction");
+DamperAtStart kane_damper(const TermPlace& at) {
+  const double friction = number(at.values, at.key("friction"));
   if (!(friction >= 0.0))
-    refuse(values, path + ".friction", name, "expected a friction that is not negative");
-  scenario.damper = built(values, path + ".sphere_moment", name, [&] {
-    const KaneDamper damper(number(values, path + ".sphere_moment"), friction);
-    damper.require_room(scenario.body);
-    return damper;
+    refuse(at.values, at.key("friction"), at.name, "expected a friction that is not negative");
+  const KaneDamper damper = built(at.values, at.key("sphere_moment"), at.name, [&] {
+    const KaneDamper made(number(at.values, at.key("sphere_moment")), friction);
+    made.require_room(at.body());
+    return made;
   });
-  const std::string rate = path + ".rate_relative";
-  if (there(values, rate))
-    scenario.damper_rate =
-        principal_components({scenario, values, path, name}, vector(values, rate));
+  const std::string rate = at.key("rate_relative");
+  return {damper,
+          there(at.values, rate) ? principal_components(at, vector(at.values, rate)) : Vec3{}};
 }
 
 }  // namespace detail

@@ -32,7 +32,7 @@ std::optional<MassMoments> moments_at(const TermPlace& at) {
     return std::nullopt;
   const MassMoments in_file_axes{array_at<10>(at, "third_moments"),
                                  array_at<15>(at, "fourth_moments")};
-  const Quaternion& q_FB = at.scenario.q_file;
+  const Quaternion& q_FB = at.q_FB();
   if (q_FB == Quaternion{}) return in_file_axes;
   return rotated(in_file_axes, rotation_matrix(conj(q_FB)));
 }
@@ -108,11 +108,11 @@ AnyPerturbation internal_damping_term(const TermPlace& at) {
       return {"internal damping", InternalDamping(vector(at.values, at.key("k")), grows)};
     });
   if (grows) refuse(at.values, at.key("grows"), at.name, "expected a key k as well");
-  const Vec3& I = at.scenario.body.moments();
+  const Vec3& I = at.body().moments();
   const double rate = positive_at(at, "rate"), time = positive_at(at, "wobble_time");
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"internal damping",
-            InternalDamping::of_wobble(at.scenario.body, time, rate * std::max({I.x, I.y, I.z}))};
+            InternalDamping::of_wobble(at.body(), time, rate * std::max({I.x, I.y, I.z}))};
   });
 }
 
@@ -121,8 +121,8 @@ AnyPerturbation anelastic_damping_term(const TermPlace& at) {
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"internal damping",
             InternalDamping::of_material(
-                at.scenario.body, {value("rigidity"), value("quality_factor"),
-                                   value("body_density"), value("radius"), value("shape_factor")})};
+                at.body(), {value("rigidity"), value("quality_factor"), value("body_density"),
+                            value("radius"), value("shape_factor")})};
   });
 }
 

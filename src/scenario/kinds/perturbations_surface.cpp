@@ -30,15 +30,15 @@ Finish finish_of(const Values& values, const std::string& path, const std::strin
           .tangential_accommodation = fraction("tangential_accommodation")};
 }
 
-Surface mesh_surface(const Scenario& scenario, const Values& values, const std::string& path,
+Surface mesh_surface(const Rotation& rotation, const Values& values, const std::string& path,
                      const std::string& name) {
   if (given(values, path + ".sides"))
     refuse(values, path + ".sides", name, "expected no sides together with a shape");
   Vec3 centre;
   if (there(values, path + ".centre_of_mass"))
     centre = vector(values, path + ".centre_of_mass");
-  else if (scenario.shape)
-    centre = scenario.shape->inside.centre;
+  else if (rotation.shape)
+    centre = rotation.shape->inside.centre;
   const FacetShape mesh = mesh_of(values, path, name);
   return built(values, path + ".shape", name,
                [&] { return Surface::of_shape(mesh, centre, finish_of(values, path, name)); });
@@ -60,10 +60,11 @@ Surface plate_surface(const Values& values, const std::string& path, const std::
 }
 
 const Surface& surface_at(const TermPlace& at) {
-  if (!at.scenario.surface)
+  const Surface* const surface = at.surface();
+  if (surface == nullptr)
     refuse(at.values, at.key("kind"), at.name,
            "expected a table [[surface]], since it acts on facets");
-  return *at.scenario.surface;
+  return *surface;
 }
 
 DirectedPath path_at(const TermPlace& at) {
@@ -100,16 +101,16 @@ Vec3 air_rotation(const TermPlace& at) {
 
 }  // namespace
 
-std::optional<Surface> surface_of(const Scenario& scenario, const Values& values,
-                                  const std::string& name) {
+std::shared_ptr<const Surface> surface_of(const Rotation& rotation, const Values& values,
+                                          const std::string& name) {
   std::vector<Surface> parts;
   for (const std::string& path : array_paths(values, "surface"))
-    parts.push_back(there(values, path + ".shape") ? mesh_surface(scenario, values, path, name)
+    parts.push_back(there(values, path + ".shape") ? mesh_surface(rotation, values, path, name)
                                                    : plate_surface(values, path, name));
-  if (parts.empty()) return std::nullopt;
+  if (parts.empty()) return nullptr;
   const Surface all = joined(parts);
-  const Quaternion& q_FB = scenario.q_file;
-  return q_FB == Quaternion{} ? all : all.along(q_FB);
+  const Quaternion& q_FB = rotation.q_file;
+  return std::make_shared<const Surface>(q_FB == Quaternion{} ? all : all.along(q_FB));
 }
 
 AnyPerturbation solar_pressure_term(const TermPlace& at) {
@@ -123,7 +124,7 @@ AnyPerturbation solar_pressure_term(const TermPlace& at) {
   const std::string text = "solar pressure on " + std::to_string(surface.facets().size()) +
                            " facets, orbit " + orbit.name;
   if (!there(at.values, at.key("sun"))) return {text, SolarPressure(surface, light, path_at(at))};
-  const ScenarioOrbit& sun = orbit_named(at.scenario.orbits, at.values, at.key("sun"), at.name);
+  const ScenarioOrbit& sun = at.orbit("sun");
   DirectedPath sun_path{any_orbit(sun), word(at.values, at.key("sun_orbit_of")) == "attractor"};
   return {
       text + ", Sun " + sun.name +

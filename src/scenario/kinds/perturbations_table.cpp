@@ -37,9 +37,8 @@ std::vector<TorqueRow> rows_at(const TermPlace& at) {
 // What one unit of a column is in core units.
 double unit_of(const TermPlace& at, const char* own, Dimension dimension) {
   if (!there(at.values, at.key(own))) return 1.0;
-  return built(at.values, at.key(own), at.name, [&] {
-    return at.scenario.units.to_core(1.0, word(at.values, at.key(own)), dimension);
-  });
+  return built(at.values, at.key(own), at.name,
+               [&] { return at.units.to_core(1.0, word(at.values, at.key(own)), dimension); });
 }
 
 std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
@@ -55,7 +54,7 @@ std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
   const NumberTable table = built(at.values, key, at.name, [&] {
     NumberTable read = read_number_table(path, columns);
     require_rising(read, 0, "time");
-    const TableCheck check({at.values, at.scenario.units, at.path, at.name}, read, columns);
+    const TableCheck check({at.values, at.units, at.path, at.name}, read, columns);
     check.unit(0, {"time_unit", time, Dimension::time});
     for (std::size_t k = 1; k < columns.size(); ++k)
       check.unit(k, {"torque_unit", torque, Dimension::torque});

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The table of scenario keys: the body and the rows. Order here is the order in documents and
-// templates; the state and what moves the body (schema_parts.hpp) stand between body and rows.
+// The table of scenario keys: what every file has, the body and the rows of a rotation. The keys of
+// a kind stand between the head of a file and its output; their order is that of its row in
+// experiment_kinds.cpp, which documents and templates follow.
+#include <string>
 #include <vector>
 
 #include "polhode/scenario/schema.hpp"
+#include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
 
 namespace polhode {
@@ -13,7 +16,7 @@ namespace {
 using enum KeyType;
 using enum Presence;
 
-constexpr Key body_keys[] = {
+constexpr Key head_keys[] = {
     {.path = "schema",
      .type = integer,
      .presence = required,
@@ -25,8 +28,7 @@ constexpr Key body_keys[] = {
      .example = "\"My tumbling body\"",
      .help = "One line that outputs carry along."},
     {.path = "kind",
-     .type = choice,
-     .allowed = "rotation",
+     .type = choice,  // of the kinds there are: see scenario_schema
      .fallback = "\"rotation\"",
      .example = "\"rotation\"",
      .help = "What the file describes."},
@@ -61,6 +63,9 @@ constexpr Key body_keys[] = {
      .example = "\"km\"",
      .help = "Unit of lengths: 1 (scale-free) or one like km. GM is in length^3/time^2."},
 
+};
+
+constexpr Key keys_of_body[] = {
     {.path = "body", .presence = required, .help = "The rigid body."},
     {.path = "body.moments",
      .type = numbers,
@@ -105,7 +110,7 @@ constexpr Key body_keys[] = {
              "in the body, which the columns q, omega and g then refer to. Nothing else does."},
 };
 
-constexpr Key row_keys[] = {
+constexpr Key keys_of_time[] = {
     {.path = "time", .help = "When to write rows; needed by `polhode run`."},
     {.path = "time.start",
      .type = number,
@@ -138,32 +143,50 @@ constexpr Key row_keys[] = {
      .help = "Exactly these times, in this order; leave start out."},
 };
 
-constexpr Alternatives alternatives[] = {
-    {"body", "moments|tensor|shape+density"},
-    {"time", "stop+step|stop+count|at"},
-};
+constexpr Alternatives of_body[] = {{"body", "moments|tensor|shape+density"}};
+constexpr Alternatives of_time[] = {{"time", "stop+step|stop+count|at"}};
 
-// The parts of the table in one piece.
-template <class Row>
-std::vector<Row> concatenated(std::initializer_list<std::span<const Row>> parts) {
-  std::vector<Row> all;
-  for (const std::span<const Row> part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+// "rotation|..."
+std::string kind_words() {
+  std::string words;
+  for (const detail::ExperimentKind& kind : detail::experiment_kinds())
+    words += (words.empty() ? "" : "|") + std::string(kind.name);
+  return words;
 }
+
+// The parts of the table one after the other.
+class Table {
+ public:
+  Table() {
+    add({head_keys, {}});
+    for (const detail::ExperimentKind& kind : detail::experiment_kinds())
+      for (const detail::SchemaPart& part : kind.keys()) add(part);
+    add(detail::output_keys());
+    add(detail::map_keys());
+    for (Key& key : keys_)
+      if (key.path == "kind") key.allowed = kinds_;
+  }
+  Schema schema() const { return {keys_, alternatives_}; }
+
+ private:
+  void add(const detail::SchemaPart& part) {
+    keys_.insert(keys_.end(), part.keys.begin(), part.keys.end());
+    alternatives_.insert(alternatives_.end(), part.alternatives.begin(), part.alternatives.end());
+  }
+
+  std::string kinds_ = kind_words();
+  std::vector<Key> keys_;
+  std::vector<Alternatives> alternatives_;
+};
 
 }  // namespace
 
+detail::SchemaPart detail::body_keys() { return {keys_of_body, of_body}; }
+detail::SchemaPart detail::time_keys() { return {keys_of_time, of_time}; }
+
 const Schema& scenario_schema() {
-  static const std::vector<Key> keys = concatenated<Key>(
-      {body_keys, detail::state_keys().keys, detail::frame_keys().keys, detail::orbit_keys().keys,
-       detail::perturbation_keys().keys, detail::surface_keys().keys, detail::method_keys().keys,
-       row_keys, detail::output_keys().keys, detail::map_keys().keys});
-  static const std::vector<Alternatives> choices = concatenated<Alternatives>(
-      {alternatives, detail::state_keys().alternatives, detail::frame_keys().alternatives,
-       detail::orbit_keys().alternatives, detail::perturbation_keys().alternatives,
-       detail::surface_keys().alternatives, detail::method_keys().alternatives,
-       detail::map_keys().alternatives});
-  static const Schema schema{keys, choices};
+  static const Table table;
+  static const Schema schema = table.schema();
   return schema;
 }
 

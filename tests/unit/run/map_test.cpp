@@ -157,7 +157,8 @@ count = 2
   const Problem problem{
       rotor_system(scenario), initial_state(scenario), 0.0, 100.0, Adaptive{}, {}};
   const std::vector<SpinOrbitPoint> expected =
-      spin_orbit_section(problem, KeplerOrbit(*kepler_elements(scenario.orbits[0]))).points;
+      spin_orbit_section(problem, KeplerOrbit(*kepler_elements(scenario.rotation().orbits[0])))
+          .points;
   const std::vector<double> numbers = map.cell(0).numbers;
   ASSERT_EQ(expected.size(), 16U);
   ASSERT_EQ(map.width(), 4U);

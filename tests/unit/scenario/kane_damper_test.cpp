@@ -48,28 +48,28 @@ struct Rows final : Sink {
 
 TEST(ScenarioKaneDamper, IsThatOfTheSystem) {
   const Scenario s = read(damper + rate);
-  EXPECT_EQ(s.damper, KaneDamper(0.3, 0.4));
-  EXPECT_EQ(s.damper_rate, (Vec3{0.4, -0.7, 0.2}));
-  EXPECT_EQ(rotor_system(s).damper(), s.damper);
-  EXPECT_TRUE(s.terms.empty());
+  EXPECT_EQ(s.rotation().damper, KaneDamper(0.3, 0.4));
+  EXPECT_EQ(s.rotation().damper_rate, (Vec3{0.4, -0.7, 0.2}));
+  EXPECT_EQ(rotor_system(s).damper(), s.rotation().damper);
+  EXPECT_TRUE(s.rotation().terms.empty());
   EXPECT_EQ(std::get<Adaptive>(*propagation_method(s)), Adaptive{});
   // g = I w + J s, so that omega_body is the rate of the body
-  const System at = at_damper_rate(rotor_system(s), s.damper_rate);
+  const System at = at_damper_rate(rotor_system(s), s.rotation().damper_rate);
   const Vec3 w = angular_velocity(at, 0.0, initial_state(s)).inertial;
   EXPECT_LE(norm(w - Vec3{0.7, 1.1, 0.2}), budget::kane_rounding);
   std::vector<std::string> keys;
   for (const Citation& c : citations(s)) keys.push_back(c.key);
   EXPECT_THAT(keys, Contains("kane1966"));
-  EXPECT_EQ(read(damper).damper_rate, Vec3{});
+  EXPECT_EQ(read(damper).rotation().damper_rate, Vec3{});
 }
 
 TEST(ScenarioKaneDamper, RateStandsInTheAxesOfTheTensor) {
   // moments 1, 1.6, 2.1 about axes turned by atan(3/4) about the third
   const Scenario s = read(
       damper + rate, "[body]\ntensor = [[1.216, -0.288, 0], [-0.288, 1.384, 0], [0, 0, 2.1]]\n");
-  EXPECT_LE(norm(rotate(s.body.q_FB(), s.damper_rate) - Vec3{0.4, -0.7, 0.2}),
+  EXPECT_LE(norm(rotate(s.rotation().body.q_FB(), s.rotation().damper_rate) - Vec3{0.4, -0.7, 0.2}),
             budget::kane_rounding);
-  EXPECT_GT(norm(s.damper_rate - Vec3{0.4, -0.7, 0.2}), 0.1);
+  EXPECT_GT(norm(s.rotation().damper_rate - Vec3{0.4, -0.7, 0.2}), 0.1);
 }
 
 TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
@@ -84,8 +84,8 @@ TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
   const RunReport report = run(s, row_layout(s), sinks);
   const System system = rotor_system(s);
   const Trajectory straight =
-      integrate({system, initial_state(s), 0.0, 5.0, Adaptive{}, {}, s.damper_rate});
-  const double E0 = energy(at_damper_rate(system, s.damper_rate), 0.0, initial_state(s));
+      integrate({system, initial_state(s), 0.0, 5.0, Adaptive{}, {}, s.rotation().damper_rate});
+  const double E0 = energy(at_damper_rate(system, s.rotation().damper_rate), 0.0, initial_state(s));
   ASSERT_EQ(kept.numbers.size(), 3U * 9U);
   for (std::size_t k = 0; k < 3; ++k) {
     const double* row = &kept.numbers[9 * k];

@@ -42,8 +42,8 @@ TEST(ScenarioMotion, OrbitsKeepTheirElements) {
           "[orbit.leo]\ngm = \"3.986004418e14 m3/s2\"\npericentre = \"6678 km\"\n"
           "eccentricity = 0.5\ninclination = 180\nnode_rate = \"-360 deg/d\"\n",
       "f.toml");
-  ASSERT_EQ(s.orbits.size(), 1U);
-  const ScenarioOrbit& leo = s.orbits[0];
+  ASSERT_EQ(s.rotation().orbits.size(), 1U);
+  const ScenarioOrbit& leo = s.rotation().orbits[0];
   EXPECT_EQ(leo.name, "leo");
   const auto& motion = std::get<PrecessingKeplerOrbit>(leo.motion);
   EXPECT_DOUBLE_EQ(motion.gm(), 398600.4418);
@@ -57,10 +57,10 @@ TEST(ScenarioMotion, TermsStandInTheOrderOfTheFile) {
   const Scenario s = read(orbit + gravity +
                           "[[perturbation]]\nkind = \"damping\"\ncoefficients = [1, 1, 1]\n"
                           "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [1, 0, 0]\n");
-  ASSERT_EQ(s.terms.size(), 3U);
-  EXPECT_EQ(s.terms[0].name(), "gravity gradient, orbit moon");
-  EXPECT_EQ(s.terms[1].name(), "damping");
-  EXPECT_EQ(s.terms[2].name(), "constant torque, body axes");
+  ASSERT_EQ(s.rotation().terms.size(), 3U);
+  EXPECT_EQ(s.rotation().terms[0].name(), "gravity gradient, orbit moon");
+  EXPECT_EQ(s.rotation().terms[1].name(), "damping");
+  EXPECT_EQ(s.rotation().terms[2].name(), "constant torque, body axes");
 }
 
 // The file's body axes are those of the tensor, so are the components of a torque and of damping: a
@@ -74,7 +74,7 @@ TEST(ScenarioMotion, TorquesAndDampingStandInTheAxesOfTheTensor) {
             term,
         "f.toml");
     const Vec3 u = effect(rotor_system(s), 0.0, initial_state(s)).u;
-    return rotate(s.body.q_FB(), u);
+    return rotate(s.rotation().body.q_FB(), u);
   };
   // moments 1, 2, 2.5 about axes turned by atan(3/4) about the third: all numbers are exact
   const std::string turned = "tensor = [[1.36, -0.48, 0], [-0.48, 1.64, 0], [0, 0, 2.5]]";
@@ -119,7 +119,7 @@ TEST(ScenarioMotion, AFrameMayTurnWithAnOrbit) {
     const Scenario s =
         read("[orbit.moon]\ngm = 2\nsemi_major_axis = 2\n" + keys +
              "[frame.precessing]\naxis = [0, 0, 1]\norbit = \"moon\"\nturns = " + turns + "\n");
-    return s.precession.value().rate;
+    return s.rotation().precession.value().rate;
   };
   EXPECT_NEAR(rate("", "1"), 0.5, budget::io_state);
   EXPECT_NEAR(rate("eccentricity = 0.3\n", "1.5"), 0.75, budget::io_state);
@@ -137,7 +137,7 @@ TEST(ScenarioMotion, AFrameMayTurnWithAnOrbit) {
 
 TEST(ScenarioMotion, APeriodGivesTheSizeOfAnOrbit) {
   const Scenario s = read("[orbit.moon]\ngm = 3\nperiod = 5\neccentricity = 0.2\n");
-  const KeplerElements* elements = kepler_elements(s.orbits.at(0));
+  const KeplerElements* elements = kepler_elements(s.rotation().orbits.at(0));
   ASSERT_NE(elements, nullptr);
   const double a = std::cbrt(3.0 * std::pow(5.0 / (2.0 * std::numbers::pi), 2));
   EXPECT_NEAR(elements->pericentre, 0.8 * a, budget::io_state);
@@ -148,7 +148,7 @@ TEST(ScenarioMotion, TheFrameOfAnOrbitTurnsWithItsNode) {
   const Scenario s = read(orbit +
                           "inclination = 0.3\nnode = 0.2\nnode_rate = 0.1\nepoch = 1\n"
                           "[frame.orbit-plane]\norbit = \"moon\"\n");
-  const FrameMotion m = s.frame.at(3.0);
+  const FrameMotion m = s.rotation().frame.at(3.0);
   const Vec3 normal = rotate(m.q_IS, Vec3{0.0, 0.0, 1.0});
   EXPECT_NEAR(normal.x, std::sin(0.3) * std::sin(0.4), budget::io_state);
   EXPECT_NEAR(normal.y, -std::sin(0.3) * std::cos(0.4), budget::io_state);
@@ -160,15 +160,17 @@ TEST(ScenarioMotion, TheMethodIsThatOfTheFileOrASensibleOne) {
   EXPECT_FALSE(propagation_method(read("[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n")));
   EXPECT_EQ(propagation_method(read(orbit + gravity)), Method(Adaptive{}));
   EXPECT_FALSE(propagation_method(read("[[event]]\ncolumn = \"theta\"\n")).has_value());
-  EXPECT_EQ(read("[method]\nkind = \"splitting\"\nstep = 0.1\n").method,
+  EXPECT_EQ(read("[method]\nkind = \"splitting\"\nstep = 0.1\n").rotation().method,
             Method(Splitting{.step = 0.1}));
   EXPECT_EQ(read("[method]\nkind = \"adaptive\"\nprecision = \"double-double\"\n"
                  "tolerance = 1e-25\nlargest_step = 2\n")
+                .rotation()
                 .method,
             Method(Adaptive{
                 .tolerance = 1e-25, .precision = Precision::double_double, .largest_step = 2.0}));
-  EXPECT_EQ(read("[method]\nkind = \"variation-of-constants\"\ntolerance = 1e-9\n").method,
-            Method(VariationOfConstants{.tolerance = 1e-9}));
+  EXPECT_EQ(
+      read("[method]\nkind = \"variation-of-constants\"\ntolerance = 1e-9\n").rotation().method,
+      Method(VariationOfConstants{.tolerance = 1e-9}));
   EXPECT_THAT(propagation_text(read(orbit + gravity)), HasSubstr("the file names no method"));
   EXPECT_EQ(propagation_text(read("")), "exact free rotation");
 }
@@ -179,15 +181,15 @@ TEST(ScenarioMotion, EventsAreInTheUnitOfTheirColumn) {
                                             "crossing = \"falling\"\nstops = true\n"
                                             "[[event]]\nname = \"b\"\ncolumn = \"L_osc\"\n",
                                         "f.toml");
-  ASSERT_EQ(s.events.size(), 2U);
-  EXPECT_EQ(s.events[0].name, "theta");
-  EXPECT_EQ(s.events[0].value, std::numbers::pi / 2.0);
-  EXPECT_EQ(s.events[0].crossing, Crossing::falling);
-  EXPECT_TRUE(s.events[0].stops);
-  EXPECT_EQ(s.events[1].name, "b");
-  EXPECT_EQ(s.events[1].crossing, Crossing::both);
-  EXPECT_EQ(s.events[1].interval, 0.0);
-  EXPECT_FALSE(s.events[1].stops);
+  ASSERT_EQ(s.rotation().events.size(), 2U);
+  EXPECT_EQ(s.rotation().events[0].name, "theta");
+  EXPECT_EQ(s.rotation().events[0].value, std::numbers::pi / 2.0);
+  EXPECT_EQ(s.rotation().events[0].crossing, Crossing::falling);
+  EXPECT_TRUE(s.rotation().events[0].stops);
+  EXPECT_EQ(s.rotation().events[1].name, "b");
+  EXPECT_EQ(s.rotation().events[1].crossing, Crossing::both);
+  EXPECT_EQ(s.rotation().events[1].interval, 0.0);
+  EXPECT_FALSE(s.rotation().events[1].stops);
 }
 
 TEST(ScenarioMotion, OrbitsThatCannotBeSayWhy) {
@@ -271,7 +273,7 @@ TEST(ScenarioMotion, MatricesTakeOneUnitForAll) {
   const Scenario bare = scenario(rows, rows);
   const Scenario united = scenario("{ value = " + rows + ", unit = \"kg m2\" }",
                                    "{ value = " + rows + ", unit = \"N m s\" }");
-  EXPECT_EQ(united.body.moments(), bare.body.moments());
+  EXPECT_EQ(united.rotation().body.moments(), bare.rotation().body.moments());
   EXPECT_EQ(torque(united), torque(bare));
   const Scenario grams = scenario(rows, "{ value = " + rows + ", unit = \"g m2/s\" }");
   EXPECT_NEAR(norm(1000.0 * torque(grams) - torque(bare)), 0.0, 6.0 * budget::io_state);

@@ -53,7 +53,9 @@ class ScenarioOrbits : public ::testing::Test {
     }
     return "no error";
   }
-  static Vec3 at(const Scenario& s, double t) { return any_orbit(s.orbits.at(0)).position(t); }
+  static Vec3 at(const Scenario& s, double t) {
+    return any_orbit(s.rotation().orbits.at(0)).position(t);
+  }
 
   std::filesystem::path folder_;
   std::string units_ = "[units]\ntime = \"s\"\nangle = \"deg\"\nlength = \"km\"\n";
@@ -66,16 +68,16 @@ const std::string leo =
 
 TEST_F(ScenarioOrbits, AStateIsTheKeplerOrbitThroughIt) {
   const Scenario s = read(leo + "epoch = 100\n");
-  EXPECT_EQ(s.orbits[0].gm, 398600.4418);
+  EXPECT_EQ(s.rotation().orbits[0].gm, 398600.4418);
   EXPECT_LT(norm(at(s, 100.0) - Vec3{7000.0, 100.0, 300.0}), budget::table_orbit_kepler * 7000.0);
-  EXPECT_LT(norm(any_orbit(s.orbits[0]).velocity(100.0) - Vec3{-0.5, 5.0, 5.6}),
+  EXPECT_LT(norm(any_orbit(s.rotation().orbits[0]).velocity(100.0) - Vec3{-0.5, 5.0, 5.6}),
             budget::table_orbit_kepler * 10.0);
 }
 
 // The node of a polar-like orbit falls back at the rate that j2_rates gives.
 TEST_F(ScenarioOrbits, AnOblatePrimaryTurnsIt) {
   const Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
-  const auto& motion = std::get<PrecessingKeplerOrbit>(s.orbits[0].motion);
+  const auto& motion = std::get<PrecessingKeplerOrbit>(s.rotation().orbits[0].motion);
   EXPECT_EQ(motion.rates(), j2_rates(motion.elements(), 1.0826e-3, 6378.137));
   EXPECT_LT(motion.rates().node, 0.0);
   // the same orbit, given and asked for along other axes
@@ -89,7 +91,7 @@ TEST_F(ScenarioOrbits, AnOblatePrimaryTurnsIt) {
                             std::cos(e) * x.z - std::sin(e) * x.y}),
               budget::table_orbit_kepler * 7000.0);
   }
-  EXPECT_TRUE(any_orbit(turned.orbits[0]).supports_velocity());
+  EXPECT_TRUE(any_orbit(turned.rotation().orbits[0]).supports_velocity());
 }
 
 // And it is where the force of J2 takes it, a day later too.
@@ -140,17 +142,17 @@ TEST_F(ScenarioOrbits, ATableIsReadBesideItsScenario) {
   write("moon.csv", circle(100, "t,x,y,z\n", false));
   EXPECT_LT(norm(at(read(table + minutes), 120.0) - truth), budget::table_orbit_file * 1000.0);
   EXPECT_LT(norm(at(read(table), 2.0) - truth), budget::table_orbit_file * 1000.0);
-  EXPECT_EQ(read(table).orbits[0].gm, std::nullopt);
-  EXPECT_EQ(read(table + "gm = 5\n").orbits[0].gm, 5.0);
+  EXPECT_EQ(read(table).rotation().orbits[0].gm, std::nullopt);
+  EXPECT_EQ(read(table + "gm = 5\n").rotation().orbits[0].gm, 5.0);
   // metres in the file, velocities, and columns by number
   write("moon.csv", circle(100, "", true));
   const Scenario s = read(table + minutes + "length_unit = \"m\"\norder = 8\n");
   EXPECT_LT(norm(at(s, 120.0) - 1e-3 * truth), budget::table_orbit_file);
-  EXPECT_TRUE(std::get<TableOrbit>(s.orbits[0].motion).has_velocities());
-  EXPECT_EQ(std::get<TableOrbit>(s.orbits[0].motion).order(), 8);
-  EXPECT_LT(
-      norm(any_orbit(s.orbits[0]).velocity(120.0) - (1e-3 / 60.0) * Vec3{-truth.y, truth.x, 0.1}),
-      budget::table_orbit_file);
+  EXPECT_TRUE(std::get<TableOrbit>(s.rotation().orbits[0].motion).has_velocities());
+  EXPECT_EQ(std::get<TableOrbit>(s.rotation().orbits[0].motion).order(), 8);
+  EXPECT_LT(norm(any_orbit(s.rotation().orbits[0]).velocity(120.0) -
+                 (1e-3 / 60.0) * Vec3{-truth.y, truth.x, 0.1}),
+            budget::table_orbit_file);
   const Scenario swapped = read(table + minutes + "columns = [1, 3, 2, 4]\n");
   EXPECT_LT(norm(at(swapped, 120.0) - Vec3{truth.y, truth.x, truth.z}),
             budget::table_orbit_file * 1000.0);
@@ -199,7 +201,7 @@ TEST_F(ScenarioOrbits, AFewRowsMayStandInTheScenario) {
       "z = [3, 3, 2, 2]\n";
   const std::string slopes = "vx = [1, 1, 1, 1]\nvy = [0, 3, 5, 0]\nvz = [7, 0, 0, 0]\n";
   const auto table = [&](const std::string& orbit) {
-    return std::get<TableOrbit>(read(orbit).orbits.at(0).motion);
+    return std::get<TableOrbit>(read(orbit).rotation().orbits.at(0).motion);
   };
   EXPECT_EQ(table(rows + slopes), table("kind = \"table\"\nfile = \"moon.csv\"\n"));
   EXPECT_FALSE(table(rows).has_velocities());
@@ -225,8 +227,8 @@ TEST_F(ScenarioOrbits, ElementsMayBeAlongOtherAxes) {
   const Scenario own = read(keys);
   state_ = "axes = \"ecliptic-J2000\"\n";
   const Scenario other = read(keys + "axes = \"equator-J2000\"\n");
-  EXPECT_EQ(read(keys + "axes = \"ecliptic-J2000\"\n").orbits[0].motion.index(),
-            own.orbits[0].motion.index());
+  EXPECT_EQ(read(keys + "axes = \"ecliptic-J2000\"\n").rotation().orbits[0].motion.index(),
+            own.rotation().orbits[0].motion.index());
   const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
   for (const double t : {0.0, 5e4}) {
     const Vec3 x = at(own, t), y = at(other, t);
@@ -361,8 +363,8 @@ TEST_F(ScenarioOrbits, HorizonsIsReadAsItComes) {
   const Scenario s = read(keys, "[time]\nstop = 86400\ncount = 3\n");
   EXPECT_LT(norm(at(s, 43200.0) - Vec3{1000.0 * std::cos(0.12), 1000.0 * std::sin(0.12), 0.0}),
             budget::table_orbit_dates * 1000.0);
-  EXPECT_EQ(std::get<TableOrbit>(s.orbits[0].motion).table().times.size(), 25U);
-  EXPECT_EQ(s.orbits[0].text, "table moon.txt");
+  EXPECT_EQ(std::get<TableOrbit>(s.rotation().orbits[0].motion).table().times.size(), 25U);
+  EXPECT_EQ(s.rotation().orbits[0].text, "table moon.txt");
   EXPECT_THAT(error_of(keys + "order = 2\n", "[time]\nstop = 90000\ncount = 3\n"),
               HasSubstr("it covers"));
   std::string other = text;
@@ -385,8 +387,8 @@ TEST_F(ScenarioOrbits, AnEphemerisIsTheBodyWhereItIs) {
     const Vec3 truth = planetary_position(Planetary::moon, Planetary::earth, date_after(epoch, t));
     EXPECT_LT(norm(at(s, t) - truth), budget::ephemeris_orbit * norm(truth));
   }
-  EXPECT_EQ(s.orbits[0].gm, planetary_gm(Planetary::moon));
-  EXPECT_EQ(read(moon + "gm = 7\n", ten_days).orbits[0].gm, 7.0);
+  EXPECT_EQ(s.rotation().orbits[0].gm, planetary_gm(Planetary::moon));
+  EXPECT_EQ(read(moon + "gm = 7\n", ten_days).rotation().orbits[0].gm, 7.0);
   // other axes, other units
   state_ = "axes = \"ecliptic-J2000\"\nepoch = \"2013-01-05T00:00:00 UTC\"\n";
   units_ = "[units]\ntime = \"h\"\nlength = \"m\"\n";
@@ -396,8 +398,9 @@ TEST_F(ScenarioOrbits, AnEphemerisIsTheBodyWhereItIs) {
   EXPECT_LT(norm(1e-3 * y - Vec3{x.x, std::cos(e) * x.y + std::sin(e) * x.z,
                                  std::cos(e) * x.z - std::sin(e) * x.y}),
             budget::ephemeris_orbit * norm(x));
-  EXPECT_NEAR(*other.orbits[0].gm / (planetary_gm(Planetary::moon) * 1e9 * 3600.0 * 3600.0), 1.0,
-              budget::table_orbit_file);
+  EXPECT_NEAR(
+      *other.rotation().orbits[0].gm / (planetary_gm(Planetary::moon) * 1e9 * 3600.0 * 3600.0), 1.0,
+      budget::table_orbit_file);
 }
 
 TEST_F(ScenarioOrbits, EphemeridesThatCannotBeSayWhy) {
@@ -437,7 +440,7 @@ TEST_F(ScenarioOrbits, DatesOfTablesKnowLeapSeconds) {
       "kind = \"table\"\nfile = \"moon.csv\"\ntime_format = \"JD\"\ntime_scale = \"TT\"\n";
   write("moon.csv", "2457754.5 0 1 2\n2457754.501 1 1 2\n2457754.502 2 1 2\n2457754.503 3 1 2\n");
   const Scenario s = read(julian);
-  const auto& orbit = std::get<TableOrbit>(s.orbits.at(0).motion);
+  const auto& orbit = std::get<TableOrbit>(s.rotation().orbits.at(0).motion);
   EXPECT_NEAR(orbit.first_time(), 3.0 - 69.184, budget::date_second * 1e3);
   EXPECT_NEAR(orbit.last_time() - orbit.first_time(), 259.2, budget::date_second * 1e3);
   write("moon.csv", "t,x,y,z\n2015-12-31T23:59:60,0,1,2\n");

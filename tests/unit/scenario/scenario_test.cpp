@@ -37,30 +37,30 @@ TEST(Scenario, KeepsWhatTheFileSays) {
       "G = \"2 1/h\"\nH = 0.1\n[time]\nstop = 1\nstep = \"15 min\"\n"
       "[output]\ncolumns = [\"g\", \"serret\"]\n",
       "folder/f.toml");
-  EXPECT_EQ(s.name, "f.toml");
-  EXPECT_EQ(s.title, "A body");
-  EXPECT_EQ(s.chart, "andoyer");
-  EXPECT_EQ(s.epoch, "JD 2456297.5 TDB");
-  EXPECT_EQ(s.axes, "ecliptic-J2000");
-  EXPECT_EQ(s.body.moments(), (Vec3{2.0, 1.0, 2.5}));
-  const AndoyerState a = std::get<AndoyerState>(s.state);
+  EXPECT_EQ(s.document.name, "f.toml");
+  EXPECT_EQ(s.document.title, "A body");
+  EXPECT_EQ(s.rotation().chart, "andoyer");
+  EXPECT_EQ(s.rotation().epoch, "JD 2456297.5 TDB");
+  EXPECT_EQ(s.rotation().axes, "ecliptic-J2000");
+  EXPECT_EQ(s.rotation().body.moments(), (Vec3{2.0, 1.0, 2.5}));
+  const AndoyerState a = std::get<AndoyerState>(s.rotation().state);
   EXPECT_EQ(a.l, std::numbers::pi);
   EXPECT_EQ(a.g, 1.0);
   EXPECT_EQ(a.h, std::numbers::pi);
   EXPECT_EQ(a.G, 2.0);
-  ASSERT_TRUE(s.time);
-  EXPECT_EQ(s.time->size(), 5);
-  EXPECT_EQ((*s.time)[3], 0.75);
-  EXPECT_EQ(s.columns, (std::vector<std::string>{"g", "serret"}));
+  ASSERT_TRUE(s.rotation().time);
+  EXPECT_EQ(s.rotation().time->size(), 5);
+  EXPECT_EQ((*s.rotation().time)[3], 0.75);
+  EXPECT_EQ(s.output.columns, (std::vector<std::string>{"g", "serret"}));
 }
 
 TEST(Scenario, DefaultsAreThoseOfTheSchema) {
   const Scenario s = scenario_from_text(head + andoyer, "f.toml");
-  EXPECT_EQ(s.units.time(), "s");
-  EXPECT_EQ(s.units.angle(), "rad");
-  EXPECT_EQ(s.axes, "inertial");
-  EXPECT_EQ(s.columns, (std::vector<std::string>{"q", "omega"}));
-  EXPECT_FALSE(s.time);
+  EXPECT_EQ(s.units().time(), "s");
+  EXPECT_EQ(s.units().angle(), "rad");
+  EXPECT_EQ(s.rotation().axes, "inertial");
+  EXPECT_EQ(s.output.columns, (std::vector<std::string>{"q", "omega"}));
+  EXPECT_FALSE(s.rotation().time);
 }
 
 TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
@@ -137,7 +137,7 @@ TEST(Scenario, ColumnAxesTurnNothingElse) {
   const Scenario plain = scenario_from_text(moments + rest, "a");
   const Scenario turned =
       scenario_from_text(moments + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
-  EXPECT_EQ(turned.body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
+  EXPECT_EQ(turned.rotation().body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
   EXPECT_EQ(initial_state(turned).q, initial_state(plain).q);
   EXPECT_EQ(initial_state(turned).g, initial_state(plain).g);
   const Vec3 u = effect(rotor_system(turned), 0.0, initial_state(turned)).u;

@@ -82,8 +82,8 @@ TEST(Schema, TemplatesAreScenarios) {
               ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov"));
   for (const std::string_view chart : state_charts()) {
     const Scenario scenario = scenario_from_text(scenario_template(chart), "template");
-    EXPECT_EQ(scenario.chart, chart);
-    EXPECT_EQ(scenario.time->size(), 1441) << chart;
+    EXPECT_EQ(scenario.rotation().chart, chart);
+    EXPECT_EQ(scenario.rotation().time->size(), 1441) << chart;
   }
   EXPECT_THROW(scenario_template("tumbelr"), DomainError);
 }
@@ -97,21 +97,21 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
   const std::vector<std::string_view> templates = scenario_templates();
   for (const std::string_view kind : std::span(templates).subspan(state_charts().size())) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
-    EXPECT_THAT(scenario.kinds, ElementsAre(std::string(kind)));
-    EXPECT_EQ(scenario.terms.size() + (scenario.damper ? 1U : 0U), 1U);
+    EXPECT_THAT(scenario.rotation().kinds, ElementsAre(std::string(kind)));
+    EXPECT_EQ(scenario.rotation().terms.size() + (scenario.rotation().damper ? 1U : 0U), 1U);
     const bool on_surface = kind == "solar-pressure" || kind == "drag";
     const bool is_magnetic = kind == "residual-dipole" || kind == "eddy-currents";
     const bool of_gravity = kind == "gravity-gradient" || kind == "tide";
-    EXPECT_EQ(scenario.orbits.size(), of_gravity || is_magnetic || on_surface ? 1U : 0U);
-    EXPECT_EQ(scenario.surface.has_value(), on_surface);
-    EXPECT_TRUE(scenario.method.has_value());
-    EXPECT_EQ(scenario.events.size(), 1U);
+    EXPECT_EQ(scenario.rotation().orbits.size(), of_gravity || is_magnetic || on_surface ? 1U : 0U);
+    EXPECT_EQ(scenario.rotation().surface != nullptr, on_surface);
+    EXPECT_TRUE(scenario.rotation().method.has_value());
+    EXPECT_EQ(scenario.rotation().events.size(), 1U);
     const bool is_physical = is_magnetic || on_surface || kind == "anelastic-damping";
-    EXPECT_EQ(scenario.units.moment(), is_physical ? "kg m2" : "1") << kind;
-    EXPECT_EQ(scenario.units.time(), is_physical ? "s" : "h") << kind;
+    EXPECT_EQ(scenario.units().moment(), is_physical ? "kg m2" : "1") << kind;
+    EXPECT_EQ(scenario.units().time(), is_physical ? "s" : "h") << kind;
     // the numbers are those of a body that something moves
     const FreeRotation free = free_rotation(scenario);
-    const Vec3 slip = scenario.damper ? Vec3{1.0, 0.0, 0.0} : Vec3{};
+    const Vec3 slip = scenario.rotation().damper ? Vec3{1.0, 0.0, 0.0} : Vec3{};
     const System system = at_damper_rate(rotor_system(scenario), slip);
     Worst largest;
     for (double t = 0.0; t < 700.0; t += 30.0) {

@@ -67,11 +67,13 @@ TEST(ScenarioShape, GivesTheTensor) {
   const double mass = 2000.0 * 48e-3;
   const Vec3 want{mass * 13e-2 / 3.0, mass * 10e-2 / 3.0, mass * 5e-2 / 3.0};
   for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(s.body.moments()[k], want[k], 4.0 * budget::shape_mass * 0x1p-52 * want.x) << k;
-  ASSERT_TRUE(s.shape.has_value());
-  EXPECT_EQ(s.shape->file, "box.obj");
-  EXPECT_NEAR(s.shape->inside.mass, mass, 4.0 * budget::shape_mass * 0x1p-52 * mass);
-  EXPECT_NEAR(s.shape->inside.centre.x, 0.5, 4.0 * budget::shape_mass * 0x1p-52);
+    EXPECT_NEAR(s.rotation().body.moments()[k], want[k],
+                4.0 * budget::shape_mass * 0x1p-52 * want.x)
+        << k;
+  ASSERT_NE(s.rotation().shape, nullptr);
+  EXPECT_EQ(s.rotation().shape->file, "box.obj");
+  EXPECT_NEAR(s.rotation().shape->inside.mass, mass, 4.0 * budget::shape_mass * 0x1p-52 * mass);
+  EXPECT_NEAR(s.rotation().shape->inside.centre.x, 0.5, 4.0 * budget::shape_mass * 0x1p-52);
 }
 
 TEST(ScenarioShape, RefusesInOneLine) {
@@ -112,18 +114,20 @@ TEST(ScenarioSurface, SunlightAsByHand) {
       lit(std::string(panel) + sunlight +
           "shadow = \"cone\"\nshadow_radius = \"6378 km\"\nsun_radius = \"695700 km\"\n"),
       "s.toml");
-  const Quaternion conj_FB = conj(s.body.q_FB());
+  const Quaternion conj_FB = conj(s.rotation().body.q_FB());
   const Surface plate =
       Surface::of_plate(rotate(conj_FB, Vec3{0, 2, 0}), rotate(conj_FB, Vec3{1, 0, 1}), 3.0,
                         {.specular = 0.2, .diffuse = 0.3}, true);
-  const SolarPressure term(plate, {4.5e-6, 149597870700.0}, {any_orbit(s.orbits[0])},
-                           {any_orbit(s.orbits[1])}, Shadow::cone(6378e3, 695700e3));
+  const SolarPressure term(plate, {4.5e-6, 149597870700.0}, {any_orbit(s.rotation().orbits[0])},
+                           {any_orbit(s.rotation().orbits[1])}, Shadow::cone(6378e3, 695700e3));
   for (const double t : {0.0, 1000.0, 3000.0, 5000.0}) {
-    const Setting at{s.body, t, initial_state(s), {}};
+    const Setting at{s.rotation().body, t, initial_state(s), {}};
     const Vec3 want = term.effect(at).u;
-    EXPECT_LE(norm(s.terms[0].effect(at).u - want), budget::surface_eps * 0x1p-52 * norm(want));
+    EXPECT_LE(norm(s.rotation().terms[0].effect(at).u - want),
+              budget::surface_eps * 0x1p-52 * norm(want));
   }
-  EXPECT_EQ(s.terms[0].name(), "solar pressure on 2 facets, orbit sat, Sun sun, shadow cone");
+  EXPECT_EQ(s.rotation().terms[0].name(),
+            "solar pressure on 2 facets, orbit sat, Sun sun, shadow cone");
 }
 
 TEST(ScenarioSurface, DragAsByHand) {
@@ -133,12 +137,12 @@ TEST(ScenarioSurface, DragAsByHand) {
           "density_radius = \"6978 km\"\nscale_height = \"60 km\"\nair_rate = 7.3e-5\n"),
       "s.toml");
   const AtmosphericDrag term(
-      *s.surface,
+      *s.rotation().surface,
       {.density = 1e-12, .radius = 6978e3, .scale_height = 60e3, .rotation = {0, 0, 7.3e-5}},
-      {any_orbit(s.orbits[0])});
-  const Setting at{s.body, 500.0, initial_state(s), {}};
+      {any_orbit(s.rotation().orbits[0])});
+  const Setting at{s.rotation().body, 500.0, initial_state(s), {}};
   EXPECT_GT(norm(term.effect(at).u), 0.0);
-  EXPECT_EQ(s.terms[0].effect(at), term.effect(at));
+  EXPECT_EQ(s.rotation().terms[0].effect(at), term.effect(at));
 }
 
 TEST(ScenarioSurface, MeshAboutTheCentreOfMass) {
@@ -149,10 +153,11 @@ TEST(ScenarioSurface, MeshAboutTheCentreOfMass) {
                     "[[surface]]\nshape = \"box.obj\"\n[[surface]]\nshape = \"box.obj\"\n"
                     "centre_of_mass = [4, 0, 0]\nscale = 2\n");
   const Scenario s = read_scenario(path);
-  ASSERT_EQ(s.surface->facets().size(), 24U);
+  ASSERT_EQ(s.rotation().surface->facets().size(), 24U);
   Vec3 sum[2];
   for (std::size_t i = 0; i < 24; ++i)
-    sum[i / 12] = sum[i / 12] + s.surface->facets()[i].area * s.surface->facets()[i].centre;
+    sum[i / 12] = sum[i / 12] +
+                  s.rotation().surface->facets()[i].area * s.rotation().surface->facets()[i].centre;
   EXPECT_LE(norm(sum[0]), budget::surface_eps * 0x1p-52 * 100.0);
   EXPECT_NEAR(sum[1].x, 6.0 * 4.0 * 88.0, budget::surface_eps * 0x1p-52 * 2000.0);
 }
@@ -179,11 +184,12 @@ TEST(ShapeReport, TableReadsBackAsTheBody) {
   const std::string path =
       folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = 3\n"));
   const Scenario s = read_scenario(path);
-  const std::string table = body_table(s.shape->inside, s.units);
+  const std::string table = body_table(s.rotation().shape->inside, s.units());
   const Scenario again =
       scenario_from_text(scenario_text(table.substr(std::string("[body]\n").size())), "x");
-  EXPECT_EQ(again.body.moments(), s.body.moments());
-  const std::string lines = summary_table(shape_summary(s.shape->mesh, s.shape->inside, s.units));
+  EXPECT_EQ(again.rotation().body.moments(), s.rotation().body.moments());
+  const std::string lines =
+      summary_table(shape_summary(s.rotation().shape->mesh, s.rotation().shape->inside, s.units()));
   EXPECT_THAT(lines, HasSubstr("144 kg"));
   EXPECT_THAT(lines, HasSubstr("48 m3"));
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// OutputPlan: what the rows of a scenario hold and how they are written.
+//
+// Equations   none.
+// Units       none.
+// Domain      groups of columns by their names (polhode/output/columns.hpp).
+// Accuracy    none.
+// Errors      none; a group that the experiment does not have is refused when the file is read.
+// Cost        none.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/output/aem_options.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct OutputPlan {
+  std::vector<std::string> columns;  // names of column groups
+  AemOptions aem = {};               // [output.aem]
+  bool writes_aem = false;           // whether the file has that table
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Rotation: what a scenario of kind "rotation" describes: a real body, its state at an epoch, what
+// acts on it and when rows are wanted. It knows no text and no output.
+//
+// Equations   none of its own; each chart is converted by its header in rotor/ and free/.
+// Units       core units (polhode/text/units.hpp): the unit of time of the file, radians, its unit
+//             of moment.
+// Domain      a full tensor gives principal axes; the body axes of the file (attitude-rate,
+//             torques, columns of body components) stay those of the tensor. The state is that in
+//             the reference frame S at t = 0.
+// Accuracy    that of the charts.
+// Errors      DomainError from rotor_problem without [time].
+// Cost        copies share meshes, surfaces, tables and terms. A problem is one preparation of the
+//             free motion.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "polhode/dynamics/event.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/dynamics/method.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/table_orbit.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/euler.hpp"
+#include "polhode/shape/mass_properties.hpp"
+#include "polhode/shape/surface.hpp"
+#include "polhode/system/system.hpp"
+#include "polhode/trajectory/save_at.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// [state.attitude-rate], in the body axes of the file.
+struct AttitudeRate {
+  Quaternion q;  // body axes of the file to inertial
+  Vec3 vector;   // what `given` names
+  enum class Given { omega_body, omega_inertial, omega_relative, momentum_body };
+  Given given = Given::omega_body;
+};
+
+using InitialState =
+    std::variant<TumblerState, AttitudeRate, EulerState, AndoyerState, SerretState, SadovState>;
+
+// [body] shape = "FILE"
+struct ScenarioShape {
+  std::string file;       // as the scenario names it
+  FacetShape mesh;        // in core units of length
+  MassProperties inside;  // at its density
+};
+
+// [orbit.NAME]
+struct ScenarioOrbit {
+  std::string name;
+  std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit> motion;
+  std::optional<double> gm;               // of what attracts, where the orbit tells
+  std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
+  std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
+};
+// The elements of an orbit that has them.
+const KeplerElements* kepler_elements(const ScenarioOrbit& orbit);
+AnyOrbit any_orbit(const ScenarioOrbit& orbit);
+
+// [frame.precessing]
+struct Precession {
+  Vec3 axis;
+  double rate;
+  double epoch;
+};
+
+// [[event]]
+struct ScenarioEvent {
+  std::string name;
+  std::string column;
+  double value;
+  Crossing crossing;
+  bool stops;
+  double interval;  // 0: looks follow the rotation
+};
+
+struct Rotation {
+  Body body;
+  Quaternion q_file;  // principal axes to those that the file gives vectors in: the tensor's
+  std::string chart;  // "tumbler", ...: what `state` holds
+  InitialState state;
+  std::string epoch;  // "2013-01-05T00:00:00 UTC", or empty
+  std::string axes;   // "inertial", "ecliptic-J2000", "equator-J2000"
+  Frame frame = Frame::inertial();
+  std::string frame_text = "inertial";                  // or "precessing", "plane of orbit moon"
+  std::optional<Precession> precession = std::nullopt;  // of a precessing frame
+  std::vector<ScenarioOrbit> orbits = {};
+  std::shared_ptr<const ScenarioShape> shape = nullptr;  // where the body has one
+  std::shared_ptr<const Surface> surface = nullptr;      // along the principal axes, or none
+  std::vector<AnyPerturbation> terms = {};
+  std::optional<KaneDamper> damper = std::nullopt;
+  Vec3 damper_rate = {};                        // at t = 0, relative to the body, principal axes
+  std::vector<std::string> kinds = {};          // of all perturbations: "gravity-gradient"
+  std::optional<Method> method = std::nullopt;  // left out: see propagation_method
+  std::vector<ScenarioEvent> events = {};
+  std::optional<SaveAt> time = std::nullopt;  // left out: nothing to run
+};
+
+// Body, frame, terms and damper.
+System rotor_system(const Rotation& rotation);
+// The hub state (q_SB, g_B) at t = 0, and the free motion through it in the axes of S.
+RotorState initial_state(const Rotation& rotation);
+FreeRotation free_rotation(const Rotation& rotation);
+
+// The method of the file. Left out: none where nothing acts, which means exact free rotation;
+// otherwise Adaptive.
+std::optional<Method> propagation_method(const Rotation& rotation);
+
+// From t = 0 to the last row, without its events; of exact free rotation as Adaptive would run it.
+Problem rotor_problem(const Rotation& rotation);
+
+}  // namespace v0
+}  // namespace polhode

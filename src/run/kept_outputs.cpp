@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "run/detail/kept_outputs.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "dynamics/detail/state_bytes.hpp"
+#include "output/part_file.hpp"
+#include "polhode/error.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view format = "polhode checkpoint 3";
+constexpr std::size_t hash_bytes = 8;
+
+std::string shown(const std::string& path) { return printable(path, 500); }
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream all;
+  all << file.rdbuf();
+  return all.str();
+}
+
+// The file of a checkpoint: a line for people, then these.
+struct CheckpointFile {
+  std::string kind;
+  Identity identity;
+  KeptState state;
+  std::vector<SinkPosition> positions;
+
+  void transfer(StateBytes& bytes) {
+    bytes(kind);
+    sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+    bytes.all(state.bytes, state.reached, state.goes_on);
+    sized(bytes, positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
+  }
+
+ private:
+  template <class T, class Each>
+  static void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
+    std::uint64_t size = all.size();
+    bytes(size);
+    if (!bytes.reads()) {
+      for (T& one : all) each(one);
+      return;
+    }
+    all.clear();
+    for (std::uint64_t i = 0; i < size; ++i) each(all.emplace_back());
+  }
+};
+
+std::string bytes_of(CheckpointFile file) {
+  StateBytes body, head;
+  file.transfer(body);
+  std::string title(format);
+  std::uint64_t hash = fingerprint(body.bytes());
+  head.all(title, hash);
+  return file.state.reached + "\n" + head.bytes() + body.bytes();
+}
+
+// None of a file that is no checkpoint of this format, or was damaged.
+std::optional<CheckpointFile> file_in(const std::string& path) {
+  const std::string text = text_of(path);
+  const std::size_t line = text.find('\n');
+  const std::string bytes = line == std::string::npos ? "" : text.substr(line + 1);
+  StateBytes reader(bytes);
+  CheckpointFile file;
+  try {
+    std::string title;
+    std::uint64_t hash = 0;
+    reader.all(title, hash);
+    const std::size_t head = sizeof(std::uint64_t) + title.size() + hash_bytes;
+    if (title != format || fingerprint(std::string_view(bytes).substr(head)) != hash)
+      return std::nullopt;
+    file.transfer(reader);
+  } catch (const DomainError&) {
+    return std::nullopt;
+  }
+  return file;
+}
+
+}  // namespace
+
+KeptOutput kept_output(Sink& sink) {
+  return {[&sink] { return sink.position(); }, [&sink] { sink.kept(); }};
+}
+
+KeptOutputs::KeptOutputs(KeptSetup setup, const Provenance& provenance)
+    : setup_(std::move(setup)), pace_(setup_.seconds) {
+  find(provenance);
+}
+
+bool KeptOutputs::are_files() const {
+  const auto is_file = [](const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+  };
+  return !setup_.paths.empty() && std::all_of(setup_.paths.begin(), setup_.paths.end(), is_file);
+}
+
+std::string KeptOutputs::remedy() const {
+  if (!are_files()) return {};
+  return is_safe_ ? setup_.words.resume + " goes on " + state_.goes_on : "run it again";
+}
+
+void KeptOutputs::find(const Provenance& provenance) {
+  if (setup_.begin == RunBegin::restart) return;  // open() removes them
+  const BeginWords& words = setup_.words;
+  const std::string& kind = setup_.kind.name;
+  const std::string found = checkpoint_among(setup_.paths, words);
+  const std::optional<CheckpointFile> file = found.empty() ? std::nullopt : file_in(found);
+  if (!found.empty())
+    for (const std::string& path : setup_.paths) require_not_in_use(path);
+  if (file && file->kind != kind)
+    throw DomainError(shown(found) + ": an unfinished " + file->kind +
+                      " is there; expected another file for the " + kind + ", or " + words.restart +
+                      ", which loses the " + file->kind);
+  if (setup_.begin == RunBegin::anew) {
+    if (found.empty()) return;
+    const std::string text = text_of(found);
+    refuse_unfinished(found, kind, text.substr(0, text.find('\n')), words);
+  }
+  if (!are_files())
+    throw DomainError(kind + ": " + words.resume + " needs outputs that are files, which a " +
+                      kind + " leaves behind");
+  if (!found.empty()) return take_up(found);
+  complete_ = are_complete(setup_.paths, provenance, words);
+}
+
+void KeptOutputs::take_up(const std::string& found) {
+  std::optional<CheckpointFile> file = file_in(found);
+  const std::string remedy = setup_.words.restart + " " + setup_.kind.again;
+  if (!file)
+    throw DomainError(shown(found) +
+                      ": is no checkpoint of this version of polhode, or was damaged; " + remedy);
+  for (std::size_t i = 0; i < setup_.identity.size(); ++i) {
+    const IdentityPart& ours = setup_.identity[i];
+    const std::string theirs = i < file->identity.size() ? file->identity[i].text : "";
+    if (theirs != ours.text)
+      throw DomainError(shown(found) + ": is of another " + setup_.kind.name + ": " + ours.name +
+                        " was \"" + theirs + "\", is \"" + ours.text + "\"; " + remedy);
+  }
+  state_ = std::move(file->state);
+  positions_ = std::move(file->positions);
+  is_safe_ = true;
+  continues_ = true;
+}
+
+void KeptOutputs::open(const Open& open) {
+  try {
+    for (std::size_t i = 0; i < setup_.paths.size(); ++i)
+      outputs_.push_back(
+          open(setup_.paths[i], continues_ ? std::optional(positions_.at(i)) : std::nullopt));
+  } catch (const FileInUse&) {
+    throw;
+  } catch (const DomainError& error) {
+    if (!continues_) throw;
+    throw DomainError(std::string(error.what()) + "; put it back, or " + setup_.words.restart +
+                      " " + setup_.kind.again);
+  }
+  // Now they are ours alone.
+  if (setup_.begin == RunBegin::restart) forget_checkpoints(setup_.paths);
+  keeps_ = are_files();
+}
+
+void KeptOutputs::keep(KeptState state) {
+  if (!keeps_) return;
+  const Pace::Clock::time_point begun = Pace::Clock::now();
+  std::vector<SinkPosition> positions;
+  for (const KeptOutput& output : outputs_) {
+    const std::optional<SinkPosition> position = output.position();
+    keeps_ = keeps_ && position.has_value();
+    if (position) positions.push_back(*position);
+  }
+  if (!keeps_) return;
+  const std::string checkpoint = checkpoint_path(setup_.paths.front());
+  replace_file(checkpoint, bytes_of({setup_.kind.name, setup_.identity, state, positions}));
+  sync_folder_of(checkpoint);  // before what the checkpoint of before needs is gone
+  for (const KeptOutput& output : outputs_) output.kept();
+  state_ = std::move(state);
+  positions_ = std::move(positions);
+  is_safe_ = true;
+  for (std::size_t i = 1; i < setup_.paths.size() && !pointed_; ++i)
+    point_to_checkpoint(setup_.paths[i], checkpoint);
+  pointed_ = true;
+  pace_.made(begun);
+}
+
+void KeptOutputs::forget() {
+  forget_checkpoints(setup_.paths);
+  for (const KeptOutput& output : outputs_) output.kept();
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/map_run.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "dynamics/detail/state_bytes.hpp"
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/run.hpp"
+#include "run/detail/kept_outputs.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// Rows wait for their block to fill, in checkpoints too: blocks do not depend on when these were
+// made.
+constexpr std::int64_t rows_per_block = 64;
+constexpr std::size_t longest_reason = 1000;
+
+// Ends the loop over the cells, from within.
+struct Stopped {};
+
+detail::Identity identity_of(const ScenarioMap& map, const std::vector<std::string>& paths) {
+  std::string columns, outputs;
+  for (const ColumnGroup& group : map.groups())
+    for (const Column& column : group.columns) columns += column.name + " ";
+  for (const std::string& path : paths)
+    outputs += std::filesystem::path(path).filename().string() + " ";
+  return detail::identity_of(map.scenario(), outputs, columns);
+}
+
+// Where a map is between two cells: all that its checkpoint holds.
+struct MapState {
+  MapReport report;
+  std::int64_t rows = 0;        // in the outputs
+  std::vector<double> waiting;  // rows that are not
+
+  void transfer(detail::StateBytes& bytes) {
+    bytes.all(report.cells, report.points);
+    sized(bytes, report.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
+    sized(bytes, report.failures, [&](MapReport::Failure& f) { bytes.all(f.cell, f.why); });
+    sized(bytes, report.groups, [&](MapReport::Group& g) { bytes.all(g.cells, g.rows); });
+    bytes.all(rows, waiting);
+  }
+
+ private:
+  template <class T, class Each>
+  static void sized(detail::StateBytes& bytes, std::vector<T>& all, const Each& each) {
+    std::uint64_t size = all.size();
+    bytes(size);
+    if (bytes.reads()) all.clear();
+    for (std::uint64_t i = 0; i < size; ++i) each(bytes.reads() ? all.emplace_back() : all[i]);
+  }
+};
+
+// What is reported of a map, cell after cell.
+void add(MapReport& report, const MapCell& cell, std::size_t width) {
+  const auto rows = static_cast<std::int64_t>(cell.numbers.size() / width);
+  if (report.groups.empty() || report.groups.back().rows != rows)
+    report.groups.push_back({0, rows});
+  ++report.groups.back().cells;
+  if (cell.failure.empty()) {
+    report.points += rows;
+    for (std::size_t k = 0; k < cell.numbers.size(); ++k) {
+      MapReport::Range& range = report.ranges[k % width];
+      if (cell.numbers[k] < range.least) range.least = cell.numbers[k];
+      if (cell.numbers[k] > range.most) range.most = cell.numbers[k];
+    }
+  } else {
+    report.failures.push_back({report.cells, detail::printable(cell.failure, longest_reason)});
+  }
+  ++report.cells;
+}
+
+}  // namespace
+
+class MapRun::Parts {
+ public:
+  Parts(const ScenarioMap& map, std::vector<std::string> paths, MapOptions options)
+      : map_(map),
+        width_(map.width()),
+        options_(std::move(options)),
+        outputs_({{"map", "runs this one anew"},
+                  identity_of(map, paths),
+                  std::move(paths),
+                  options_.begin,
+                  options_.words,
+                  options_.checkpoint_seconds},
+                 provenance(map.scenario())) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    state_.report.ranges.assign(width_, {infinity, -infinity});
+    if (outputs_.is_complete()) return;
+    if (outputs_.continues()) {
+      detail::StateBytes bytes(outputs_.state());
+      state_.transfer(bytes);
+    }
+    outputs_.with_remedy([&] { open(); });
+    cells_before_ = state_.report.cells;
+    rows_before_ = state_.rows;
+  }
+
+  MapReport run() {
+    if (outputs_.is_complete()) return state_.report;
+    outputs_.with_remedy([&] {
+      compute();
+      push_waiting();
+      for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
+      outputs_.forget();
+    });
+    return std::move(state_.report);
+  }
+
+  const detail::KeptOutputs& outputs() const { return outputs_; }
+  std::int64_t cells() const { return cells_before_; }
+  std::int64_t rows() const { return rows_before_; }
+
+ private:
+  void open() {
+    const Provenance origin = provenance(map_.scenario());
+    outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
+      sinks_.push_back(open_sink(path, map_.groups(), origin, from));
+      return detail::kept_output(*sinks_.back());
+    });
+    if (options_.also) sinks_.push_back(std::move(options_.also));
+  }
+
+  bool is_stopped() const { return options_.stop && options_.stop(); }
+
+  void compute() {
+    const int threads = options_.threads > 0 ? options_.threads : hardware_threads();
+    const auto look = [this](double) {
+      if (is_stopped()) throw Stopped();
+    };
+    try {
+      run_cells(
+          state_.report.cells, map_.size(), threads,
+          [&](std::int64_t index) { return map_.cell(index, look); },
+          [&](std::int64_t index, const MapCell& cell) { take(index, cell); });
+    } catch (const Stopped&) {
+      keep();
+      if (raised_) std::rethrow_exception(raised_);
+      throw MapInterrupted(map_.scenario().document.name + ": stopped after " + done_text(),
+                           state_.report.cells, outputs_.keeps());
+    }
+  }
+
+  // The next one, in order.
+  void take(std::int64_t index, const MapCell& cell) {
+    const std::vector<double> place = map_.place(index);
+    for (std::size_t k = 0; k < cell.numbers.size(); k += width_) {
+      const auto row = cell.numbers.begin() + static_cast<std::ptrdiff_t>(k);
+      state_.waiting.insert(state_.waiting.end(), place.begin(), place.end());
+      state_.waiting.insert(state_.waiting.end(), row, row + static_cast<std::ptrdiff_t>(width_));
+    }
+    add(state_.report, cell, width_);
+    if (waiting_rows() >= rows_per_block) push_waiting();
+    try {
+      if (options_.progress) options_.progress(state_.report.cells);
+    } catch (...) {
+      raised_ = std::current_exception();
+      throw Stopped();
+    }
+    if (state_.report.cells == map_.size()) return;
+    if (is_stopped()) throw Stopped();
+    if (outputs_.is_due()) keep();
+  }
+
+  std::int64_t waiting_rows() const {
+    return static_cast<std::int64_t>(state_.waiting.size() / (map_.plan().axes.size() + width_));
+  }
+
+  void push_waiting() {
+    if (state_.waiting.empty()) return;
+    for (const std::unique_ptr<Sink>& sink : sinks_) sink->push(state_.waiting);
+    state_.rows += waiting_rows();
+    state_.waiting.clear();
+  }
+
+  std::string done_text() const {
+    return std::to_string(state_.report.cells) + " of " + std::to_string(map_.size()) + " cells";
+  }
+
+  void keep() {
+    detail::StateBytes bytes;
+    state_.transfer(bytes);
+    outputs_.keep({bytes.bytes(), done_text(), "after " + done_text()});
+  }
+
+  const ScenarioMap& map_;
+  std::size_t width_;
+  MapOptions options_;
+  detail::KeptOutputs outputs_;
+  MapState state_;
+  std::int64_t cells_before_ = 0;
+  std::int64_t rows_before_ = 0;
+  std::vector<std::unique_ptr<Sink>> sinks_;
+  std::exception_ptr raised_;  // by `progress`
+};
+
+MapRun::MapRun(const ScenarioMap& map, std::vector<std::string> outputs, MapOptions options)
+    : parts_(std::make_unique<Parts>(map, std::move(outputs), std::move(options))) {}
+MapRun::~MapRun() = default;
+bool MapRun::continues() const { return parts_->outputs().continues(); }
+bool MapRun::is_complete() const { return parts_->outputs().is_complete(); }
+std::int64_t MapRun::cells() const { return parts_->cells(); }
+std::int64_t MapRun::rows() const { return parts_->rows(); }
+MapReport MapRun::run() { return parts_->run(); }
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The experiment of kind "rotation" from the values of a file, all of it or what has changed of it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/scenario/rotation.hpp"
+#include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/perturbation_kinds.hpp"
+#include "scenario/scenario_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// A table [[perturbation]]: its terms are count ones from number `first` on.
+struct TermTable {
+  TermUses uses;
+  std::size_t first;
+  std::size_t count;
+};
+
+// A rotation, and what its parts were made of.
+struct MadeRotation {
+  Rotation rotation;
+  std::vector<OrbitUses> orbits;  // one for each orbit
+  std::vector<TermTable> tables;  // one for each table
+};
+
+// With a base: the values are its own but for the numbers at the paths `changed`. What does not
+// stand on these is shared with it. ScenarioError at the place of what is wrong.
+MadeRotation made_rotation(const KindPlace& at, const MadeRotation* base = nullptr,
+                           std::span<const std::string> changed = {});
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

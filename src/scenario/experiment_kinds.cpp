@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/detail/experiment_kinds.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "scenario/detail/rotation_kind.hpp"
+#include "scenario/value_access.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+std::vector<SchemaPart> rotation_keys() {
+  return {body_keys(),         state_keys(),   frame_keys(),  orbit_keys(),
+          perturbation_keys(), surface_keys(), method_keys(), time_keys()};
+}
+
+Experiment make_rotation(const KindPlace& at) { return made_rotation(at).rotation; }
+
+Remake prepare_rotation(const KindPlace& at, std::vector<std::string> changed) {
+  return [at, base = made_rotation(at), changed = std::move(changed)](const Values& values) {
+    return Experiment(
+        made_rotation({values, at.units, at.output, at.name}, &base, changed).rotation);
+  };
+}
+
+constexpr ExperimentKind kinds[] = {
+    {"rotation", rotation_keys, make_rotation, prepare_rotation},
+};
+
+}  // namespace
+
+std::span<const ExperimentKind> experiment_kinds() { return kinds; }
+
+const ExperimentKind& kind_of(const Values& values) {
+  const std::string& name = word(values, "kind");
+  for (const ExperimentKind& kind : kinds)
+    if (kind.name == name) return kind;
+  throw std::logic_error("kind: the schema allows one that has no row: " + name);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// The experiment of kind "rotation" from the values of a file.
+#include "scenario/detail/rotation_kind.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "scenario/detail/reference_axes.hpp"
+#include "scenario/scenario_parts.hpp"
+#include "scenario/value_access.hpp"
+#include "tables/sadov_region.hpp"
+#include "text/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+Body body_of(const Values& values, const ScenarioShape* shape, const std::string& name) {
+  if (there(values, "body.column_axes") && !there(values, "body.moments"))
+    refuse(values, "body.column_axes", name, "expected a key moments as well");
+  if (shape) return built(values, "body.shape", name, [&] { return polhode::body(shape->inside); });
+  if (there(values, "body.moments"))
+    return built(values, "body.moments", name, [&] {
+      const Vec3 I = vector(values, "body.moments");
+      if (!there(values, "body.column_axes")) return Body(I.x, I.y, I.z);
+      const std::vector<double>& q = value_at(values, "body.column_axes").numbers;
+      return Body::with_axes(I, unit_quaternion(q.at(0), q.at(1), q.at(2), q.at(3)));
+    });
+  return built(values, "body.tensor", name, [&] {
+    const std::vector<double>& n = value_at(values, "body.tensor").numbers;
+    return Body::from_tensor(Mat3{
+        {{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}});
+  });
+}
+
+Vec3 direction(double longitude, double latitude) {
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
+}
+
+// The pole in the axes of the state. Ecliptic and equator of J2000 share axis 1, the equinox.
+Vec3 pole_of(const Values& values, const std::string& name) {
+  const bool equatorial = there(values, "state.tumbler.pole.ra");
+  const std::string path = "state.tumbler.pole.";
+  const std::string latitude_key = path + (equatorial ? "dec" : "latitude");
+  const double latitude = number(values, latitude_key);
+  const std::string& axes = word(values, "state.axes");
+  built(values, latitude_key, name, [&] {
+    if (std::fabs(latitude) > 0.5 * std::numbers::pi * (1.0 + 1e-15))
+      throw DomainError("expected an angle from -90 to 90 deg");
+    if (equatorial && axes == "inertial")
+      throw DomainError("ra and dec need axes = \"ecliptic-J2000\" or \"equator-J2000\"");
+    return 0;
+  });
+  const Vec3 p = direction(number(values, path + (equatorial ? "ra" : "longitude")), latitude);
+  if (axes == "inertial" || equatorial == (axes == "equator-J2000")) return p;
+  return equatorial ? ecliptic_from_equator(p) : equator_from_ecliptic(p);
+}
+
+TumblerState tumbler_of(const Values& values, const std::string& name) {
+  for (const char* period : {"state.tumbler.precession_period", "state.tumbler.rotation_period"})
+    built(values, period, name, [&] {
+      if (!(number(values, period) > 0.0)) throw DomainError("expected a positive time");
+      return 0;
+    });
+  const bool short_axis = word(values, "state.tumbler.mode") == "SAM";
+  return {.precession_period = number(values, "state.tumbler.precession_period"),
+          .rotation_period = number(values, "state.tumbler.rotation_period"),
+          .pole = pole_of(values, name),
+          .mode = short_axis ? Regime::short_axis : Regime::long_axis,
+          .phi0 = number(values, "state.tumbler.phi0"),
+          .psi0 = number(values, "state.tumbler.psi0"),
+          .branch = sign(values, "state.tumbler.branch"),
+          .sense = sign(values, "state.tumbler.sense")};
+}
+
+// Whether the description has a state. Why not is said elsewhere.
+bool has_state(const Body& body, const TumblerState& s) {
+  try {
+    static_cast<void>(to_rotor(body, s));
+    return true;
+  } catch (const DomainError&) {
+    return false;
+  }
+}
+
+// The library says it too, but in radians.
+void require_psi(const Values& values, const Body& body, TumblerState s, const Units& units,
+                 const std::string& name) {
+  if (s.mode != Regime::short_axis || s.psi0 == 0.0 || has_state(body, s)) return;
+  const double psi0 = std::exchange(s.psi0, 0.0);
+  const double limit = built(values, "state.tumbler", name,
+                             [&] { return psi_max(FreeRotation(body, to_rotor(body, s))); });
+  built(values, "state.tumbler.psi0", name, [&] {
+    if (std::fabs(psi0) > limit * (1.0 + 1e-15))
+      throw DomainError(
+          "expected at most psi_max = " + number_text(units.from_core(limit, Dimension::angle)) +
+          " " + units.angle() + " on either side");
+    return 0;
+  });
+}
+
+AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
+  const std::string path = "state.attitude-rate.";
+  const auto attitude_of = [&]() -> Quaternion {
+    if (!there(values, path + "quaternion"))
+      return attitude(EulerAngles{number(values, path + "euler.phi"),
+                                  number(values, path + "euler.theta"),
+                                  number(values, path + "euler.psi")});
+    return built(values, path + "quaternion", name, [&] {
+      const std::vector<double>& n = value_at(values, path + "quaternion").numbers;
+      return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3));
+    });
+  };
+  using enum AttitudeRate::Given;
+  if (there(values, path + "omega_body"))
+    return {attitude_of(), vector(values, path + "omega_body"), omega_body};
+  if (there(values, path + "omega_inertial"))
+    return {attitude_of(), vector(values, path + "omega_inertial"), omega_inertial};
+  if (there(values, path + "omega_relative"))
+    return {attitude_of(), vector(values, path + "omega_relative"), omega_relative};
+  return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
+}
+
+SadovState sadov_of(const Values& values, const Body& body) {
+  const auto value = [&](const char* key) {
+    return number(values, std::string("state.sadov.") + key);
+  };
+  const double I_l = value("I_l"), I_g = value("I_g");
+  const bool is_given = there(values, "state.sadov.region");
+  const SadovRegion region =
+      is_given ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
+                                                              : SadovRegion::long_axis)
+               : sadov_region(body, I_l, I_g);
+  return {value("phi_l"),
+          value("phi_g"),
+          value("phi_h"),
+          I_l,
+          I_g,
+          value("I_h"),
+          region,
+          sign(values, "state.sadov.lobe")};
+}
+
+InitialState state_of(const Values& values, const std::string& chart, const Body& body,
+                      const std::string& name) {
+  const std::string path = "state." + chart;
+  const auto value = [&](const char* key) { return number(values, path + "." + key); };
+  if (chart == "tumbler") return tumbler_of(values, name);
+  if (chart == "attitude-rate") return attitude_rate_of(values, name);
+  return built(values, path, name, [&]() -> InitialState {
+    if (chart == "euler")
+      return euler_state(value("phi"), value("theta"), value("psi"), value("Phi"), value("Theta"),
+                         value("Psi"));
+    if (chart == "andoyer")
+      return andoyer_state(value("l"), value("g"), value("h"), value("L"), value("G"), value("H"));
+    if (chart == "serret")
+      return SerretState{value("g0"),
+                         value("h"),
+                         value("t0"),
+                         value("G"),
+                         value("H"),
+                         value("T"),
+                         sign(values, path + ".sign_g1"),
+                         sign(values, path + ".sign_g3")};
+    return sadov_of(values, body);
+  });
+}
+
+std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
+  if (!there(values, "time")) return std::nullopt;
+  const double start = number(values, "time.start");
+  if (there(values, "time.at")) {
+    if (given(values, "time.start"))
+      return built(values, "time.start", name, []() -> std::optional<SaveAt> {
+        throw DomainError("expected no start together with at, which lists every time");
+      });
+    return SaveAt::times(value_at(values, "time.at").numbers);
+  }
+  const double stop = number(values, "time.stop");
+  if (there(values, "time.step"))
+    return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
+      return SaveAt::steps(start, stop, number(values, "time.step"));
+    });
+  return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
+    return SaveAt::count(start, stop, value_at(values, "time.count").whole);
+  });
+}
+
+std::string chart_of(const Values& values) {
+  for (const std::string_view chart : state_charts())
+    if (there(values, "state." + std::string(chart))) return std::string(chart);
+  return {};
+}
+
+// What is made anew: with a base, only what stands on a number that has changed.
+class RotationBuilder {
+ public:
+  RotationBuilder(const KindPlace& at, const MadeRotation* base,
+                  std::span<const std::string> changed)
+      : at_(at), base_(base), changed_(changed), time_(times_of(at.values, at.name)) {}
+
+  MadeRotation made() {
+    const Values& values = at_.values;
+    const std::string& name = at_.name;
+    const std::string chart = chart_of(values);
+    std::shared_ptr<const ScenarioShape> shape =
+        keeps({"body."}) ? base_->rotation.shape : shape_of(values, name);
+    const Body body = keeps({"body."}) ? base_->rotation.body : body_of(values, shape.get(), name);
+    MadeRotation made{{.body = body,
+                       .q_file = there(values, "body.moments") ? Quaternion{} : body.q_FB(),
+                       .chart = chart,
+                       .state = state_of(values, chart, body, name),
+                       .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
+                       .axes = word(values, "state.axes"),
+                       .shape = std::move(shape),
+                       .time = time_},
+                      {},
+                      {}};
+    add_orbits(made);
+    Rotation& rotation = made.rotation;
+    rotation.method = method_of(values, name);
+    rotation.events =
+        keeps({"event["}) ? base_->rotation.events : events_of(values, at_.units, name);
+    add_frame(rotation, values, name);
+    same_axes_ = base_ != nullptr && rotation.q_file == base_->rotation.q_file;
+    same_surface_ = same_axes_ && keeps({"surface["}) && rotation.shape == base_->rotation.shape;
+    rotation.surface = same_surface_ ? base_->rotation.surface : surface_of(rotation, values, name);
+    add_terms(made);
+    if (const TumblerState* tumbler = std::get_if<TumblerState>(&rotation.state))
+      require_psi(values, body, *tumbler, at_.units, name);
+    built(values, "state." + chart, name, [&] { return free_rotation(rotation); });
+    return made;
+  }
+
+ private:
+  // Whether there is a base, and no number below these paths has changed.
+  bool keeps(std::initializer_list<std::string_view> paths) const {
+    return base_ != nullptr && std::none_of(changed_.begin(), changed_.end(), [&](const auto& key) {
+             return std::any_of(paths.begin(), paths.end(),
+                                [&](std::string_view path) { return key.starts_with(path); });
+           });
+  }
+
+  void add_orbits(MadeRotation& made) {
+    const OrbitsPlace place{at_.values, at_.units, time_, at_.name};
+    const std::vector<std::string> paths = orbit_paths(at_.values);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      const bool kept =
+          keeps({paths[i] + ".", "state.dut1"}) && (!base_->orbits[i].time || keeps({"time."}));
+      made.orbits.push_back(kept ? base_->orbits[i] : OrbitUses{});
+      made.rotation.orbits.push_back(kept ? base_->rotation.orbits[i]
+                                          : orbit_of(place, paths[i], made.orbits[i]));
+      same_orbits_.push_back(kept);
+    }
+  }
+
+  bool keeps_term(const std::string& path, const TermUses& uses) const {
+    return keeps({path + ".", "state.dut1"}) && (!uses.body || keeps({"body."})) &&
+           (!uses.file_axes || same_axes_) && (!uses.surface || same_surface_) &&
+           std::all_of(uses.orbits.begin(), uses.orbits.end(),
+                       [&](std::size_t orbit) { return same_orbits_[orbit]; });
+  }
+
+  void add_terms(MadeRotation& made) {
+    Rotation& rotation = made.rotation;
+    const std::vector<std::string> paths = array_paths(at_.values, "perturbation");
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      const std::string& kind = word(at_.values, paths[i] + ".kind");
+      rotation.kinds.push_back(kind);
+      TermTable table{{}, rotation.terms.size(), 0};
+      const TermPlace place(rotation, at_.values, at_.units, paths[i], at_.name, table.uses);
+      if (kind == kane_damper_kind) {
+        if (rotation.damper)
+          refuse(at_.values, paths[i] + ".kind", at_.name,
+                 "expected at most one perturbation of this kind");
+        const DamperAtStart damper = kane_damper(place);
+        rotation.damper = damper.damper;
+        rotation.damper_rate = damper.rate;
+      } else if (base_ != nullptr && keeps_term(paths[i], base_->tables[i].uses)) {
+        table = base_->tables[i];
+        for (std::size_t k = 0; k < table.count; ++k)
+          rotation.terms.push_back(base_->rotation.terms[table.first + k]);
+      } else {
+        for (AnyPerturbation& term : built(at_.values, paths[i] + ".kind", at_.name,
+                                           [&] { return perturbations_of(kind, place); }))
+          rotation.terms.push_back(std::move(term));
+        table.count = rotation.terms.size() - table.first;
+      }
+      made.tables.push_back(std::move(table));
+    }
+  }
+
+  const KindPlace& at_;
+  const MadeRotation* base_;
+  std::span<const std::string> changed_;
+  std::optional<SaveAt> time_;
+  bool same_axes_ = false;
+  bool same_surface_ = false;
+  std::vector<bool> same_orbits_;
+};
+
+}  // namespace
+
+MadeRotation made_rotation(const KindPlace& at, const MadeRotation* base,
+                           std::span<const std::string> changed) {
+  MadeRotation made = RotationBuilder(at, base, changed).made();
+  check_motion(made.rotation, at.output, at.values, at.name);
+  return made;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
