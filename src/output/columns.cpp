@@ -30,7 +30,7 @@ std::size_t group_index(const std::string& name) {
                     did_you_mean(name, column_group_names()));
 }
 
-struct ColumnPlace {
+struct ColumnLocation {
   Numbers (*numbers)(const RowSample&);
   std::size_t index;
   Dimension dimension;
@@ -46,7 +46,7 @@ auto of_row(const RowOrigin& origin, const Sample& at, const F& f) {
                                 : of(origin.system);
 }
 
-ColumnPlace place_of(std::string_view column) {
+ColumnLocation place_of(std::string_view column) {
   for (const GroupSpec& spec : column_table())
     for (std::size_t i = 0; i < spec.columns.size() && !spec.columns[i].name.empty(); ++i)
       if (spec.columns[i].name == column) return {spec.numbers, i, spec.columns[i].dimension};
@@ -79,7 +79,7 @@ bool needs_energy(std::string_view group_or_column) {
 Dimension column_dimension(std::string_view column) { return place_of(column).dimension; }
 
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy) {
-  const ColumnPlace place = place_of(name);
+  const ColumnLocation place = place_of(name);
   return {place.dimension, [place, system, initial_energy](const Sample& at) {
             return of_row(RowOrigin{system, initial_energy}, at, place.numbers)[place.index];
           }};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// HDF5's driver of files, over a MarkedFile. HDF5 changes its file in place, and one that is killed
-// between two writes leaves what it cannot read; and it crashes when a write fails. Here it writes
-// to memory, and its file changes between two states that it can read.
+// HDF5's driver of files, over a JournaledFile. HDF5 changes its file in place, and one that is
+// killed between two writes leaves what it cannot read; and it crashes when a write fails. Here it
+// writes to memory, and its file changes between two states that it can read.
 #include <algorithm>
 #include <cstring>
 #include <functional>
@@ -16,11 +16,11 @@ namespace {
 
 struct OpenFile {
   H5FD_t base;  // first, as HDF5 knows no more of it
-  MarkedFile* file;
+  JournaledFile* file;
   haddr_t allocated;
   haddr_t end;
 };
-using Chosen = MarkedFile*;  // what the property list carries
+using Chosen = JournaledFile*;  // what the property list carries
 
 OpenFile& of(H5FD_t* file) { return *reinterpret_cast<OpenFile*>(file); }
 const OpenFile& of(const H5FD_t* file) { return *reinterpret_cast<const OpenFile*>(file); }
@@ -41,8 +41,8 @@ herr_t closed(H5FD_t* file) {
 }
 
 int compared(const H5FD_t* a, const H5FD_t* b) {
-  const MarkedFile* const x = of(a).file;
-  const MarkedFile* const y = of(b).file;
+  const JournaledFile* const x = of(a).file;
+  const JournaledFile* const y = of(b).file;
   return std::less<>()(x, y) ? -1 : (x == y ? 0 : 1);
 }
 
@@ -100,7 +100,7 @@ H5FD_class_t driver_class() {
 
 }  // namespace
 
-hid_t access_to(MarkedFile& file) {
+hid_t access_to(JournaledFile& file) {
   static const H5FD_class_t driver = driver_class();
   static const hid_t id = H5FDregister(&driver);
   if (id < 0) return -1;

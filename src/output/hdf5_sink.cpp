@@ -47,7 +47,7 @@ class Hdf5Sink : public Sink {
 
   std::string path_;
   std::string part_;
-  MarkedFile bytes_;
+  JournaledFile bytes_;
   Handle file_;
   std::vector<Group> groups_;
   std::size_t width_ = 0;
@@ -132,7 +132,7 @@ Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& grou
                    const Provenance& provenance, const std::optional<SinkPosition>& from)
     : path_(path),
       part_(regular_part_path(path)),
-      bytes_(from ? MarkedFile(part_, {from->bytes, from->rows}) : MarkedFile(part_)),
+      bytes_(from ? JournaledFile(part_, {from->bytes, from->rows}) : JournaledFile(part_)),
       file_(opened_file(from.has_value())),
       written_(from ? static_cast<hsize_t>(from->rows) : 0) {
   const QuietScope quiet;
@@ -198,9 +198,9 @@ std::optional<SinkPosition> Hdf5Sink::position() {
 
 void Hdf5Sink::kept() {
   if (groups_.empty()) {  // finished
-    bytes_.forget_marks();
+    bytes_.forget_savepoints();
   } else {
-    bytes_.mark(static_cast<std::int64_t>(written_));
+    bytes_.savepoint(static_cast<std::int64_t>(written_));
   }
 }
 

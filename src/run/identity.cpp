@@ -12,7 +12,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-std::string mark_text(std::string_view bytes) {
+std::string fingerprint_text(std::string_view bytes) {
   return "mark " + std::to_string(fingerprint(bytes));
 }
 
@@ -31,7 +31,7 @@ std::string surroundings_of(const Scenario& scenario) {
       bytes(none);
     }
   }
-  return mark_text(bytes.bytes());
+  return fingerprint_text(bytes.bytes());
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ Identity identity_of(const Scenario& scenario, const std::string& outputs,
           {"outputs", outputs},
           {"columns", columns},
           {"scenario", document.name + " " + std::to_string(document.text.size()) + " bytes, " +
-                           mark_text(document.text)},
+                           fingerprint_text(document.text)},
           {"files of the scenario", files},
           {"orbits and torques", surroundings_of(scenario)}};
 }

@@ -30,11 +30,11 @@ MapCell chaos_cell(const Problem& problem, const Progress& progress) {
 }
 
 // The extremes and the last value.
-MapCell column_cell(const Problem& problem, const CellPlace& of, const Progress& progress) {
+MapCell column_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
   const System& system = problem.system;
   const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(of.rotation));
   double least = nan, most = nan, last = nan;
-  const Trajectory way = integrate(
+  const Trajectory trajectory = integrate(
       problem, *of.rotation.time,
       [&](std::span<const Sample> samples) {
         for (const Sample& sample : samples) {
@@ -45,7 +45,7 @@ MapCell column_cell(const Problem& problem, const CellPlace& of, const Progress&
       },
       progress);
   const auto shown = [&](double x) { return of.units.from_core(x, column.dimension); };
-  return ended({shown(least), shown(most), shown(last)}, way.outcome(), 3);
+  return ended({shown(least), shown(most), shown(last)}, trajectory.outcome(), 3);
 }
 
 // Rows of numbers that have a dimension.
@@ -62,7 +62,7 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-MapCell andoyer_cell(const Problem& problem, const CellPlace& of, const Progress& progress) {
+MapCell andoyer_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const AndoyerSection end = andoyer_section(
@@ -81,7 +81,7 @@ MapCell andoyer_cell(const Problem& problem, const CellPlace& of, const Progress
   return ended(rows.take(), end.outcome, 7);
 }
 
-PrecessingKeplerOrbit section_orbit(const CellPlace& of) {
+PrecessingKeplerOrbit section_orbit(const CellContext& of) {
   const auto orbit =
       std::find_if(of.rotation.orbits.begin(), of.rotation.orbits.end(),
                    [&](const ScenarioOrbit& one) { return one.name == of.plan.orbit; });
@@ -89,7 +89,7 @@ PrecessingKeplerOrbit section_orbit(const CellPlace& of) {
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
 }
 
-MapCell spin_orbit_cell(const Problem& problem, const CellPlace& of, const Progress& progress) {
+MapCell spin_orbit_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const SpinOrbitSection end = spin_orbit_section(
@@ -136,7 +136,7 @@ MapCell failed_cell(std::size_t width, std::string why) {
   return {std::vector<double>(width, nan), std::move(why)};
 }
 
-MapCell map_cell(const CellPlace& of, const Progress& progress) {
+MapCell map_cell(const CellContext& of, const Progress& progress) {
   const Problem problem = rotor_problem(of.rotation);
   switch (of.plan.kind) {
     case MapKind::chaos:

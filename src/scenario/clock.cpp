@@ -12,12 +12,12 @@ namespace detail {
 
 Clock clock_of(const Values& values, const Units& units, std::string_view path,
                const std::string& name) {
-  if (!there(values, "state.epoch"))
+  if (!has(values, "state.epoch"))
     refuse(values, path, name, "expected a key state.epoch, the date of t = 0");
   std::optional<double> dut1;
   const double second =
       built(values, path, name, [&] { return units.to_core(1.0, "s", Dimension::time); });
-  if (there(values, "state.dut1")) dut1 = number(values, "state.dut1") / second;
+  if (has(values, "state.dut1")) dut1 = number(values, "state.dut1") / second;
   const Date epoch = built(values, "state.epoch", name, [&] {
     const Date own = epoch_date(word(values, "state.epoch"));
     if (own.scale == TimeScale::UT1 && !dut1)

@@ -17,9 +17,9 @@ std::vector<SchemaPart> rotation_keys() {
           perturbation_keys(), surface_keys(), method_keys(), time_keys()};
 }
 
-Experiment make_rotation(const KindPlace& at) { return made_rotation(at).rotation; }
+Experiment make_rotation(const KindContext& at) { return made_rotation(at).rotation; }
 
-Remake prepare_rotation(const KindPlace& at, std::vector<std::string> changed) {
+Remake prepare_rotation(const KindContext& at, std::vector<std::string> changed) {
   return [at, base = made_rotation(at), changed = std::move(changed)](const Values& values) {
     return Experiment(
         made_rotation({values, at.units, at.output, at.name}, &base, changed).rotation);

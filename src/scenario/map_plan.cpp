@@ -31,7 +31,7 @@ std::vector<std::string> numbers_of(const Values& values, const std::string& key
   for (const auto& [path, value] : values) {
     if (!is_number(value) || path.starts_with("map.")) continue;
     const std::string one = value.key->type == KeyType::number ? path : path + index;
-    paths.push_back(number_place(values, one) ? one : path + "[0]");
+    paths.push_back(number_location(values, one) ? one : path + "[0]");
   }
   return paths;
 }
@@ -39,7 +39,7 @@ std::vector<std::string> numbers_of(const Values& values, const std::string& key
 MapAxis axis_of(const Values& values, const Units& units, const std::string& path,
                 const std::string& name) {
   const std::string& key = word(values, path + ".key");
-  const std::optional<NumberPlace> place = number_place(values, key);
+  const std::optional<NumberLocation> place = number_location(values, key);
   if (!place) {
     const std::vector<std::string> paths = numbers_of(values, key);
     const std::vector<std::string_view> known(paths.begin(), paths.end());
@@ -70,9 +70,9 @@ std::string column_of(const Values& values, const Rotation& rotation, const std:
 }
 
 SectionSurface surface_of(const Values& values, const std::string& name) {
-  const bool by_period = there(values, "map.period");
+  const bool by_period = has(values, "map.period");
   for (const char* const key : {"map.value", "map.crossing", "map.epoch"})
-    if (given(values, key) && by_period != (std::string_view(key) == "map.epoch"))
+    if (is_explicit(values, key) && by_period != (std::string_view(key) == "map.epoch"))
       refuse(values, key, name,
              by_period ? "expected only with angle" : "expected only with period");
   if (!by_period) {
@@ -124,8 +124,8 @@ void require_rows(const Values& values, const Rotation& rotation, const std::str
 
 }  // namespace
 
-std::optional<NumberPlace> number_place(const Values& values, std::string_view key) {
-  NumberPlace place{std::string(key), 0};
+std::optional<NumberLocation> number_location(const Values& values, std::string_view key) {
+  NumberLocation place{std::string(key), 0};
   const std::size_t bracket = key.rfind('[');
   const bool indexed = key.ends_with("]") && bracket != std::string_view::npos;
   if (indexed) {
@@ -142,12 +142,12 @@ std::optional<NumberPlace> number_place(const Values& values, std::string_view k
   return place;
 }
 
-MapPlan map_plan(const MapPlace& at, const Experiment& experiment) {
+MapPlan map_plan(const MapContext& at, const Experiment& experiment) {
   const auto& [values, units, name] = at;
   const Rotation& rotation = std::get<Rotation>(experiment);
   MapPlan plan = without_axes(values, rotation, name);
   double cells = 1.0;
-  for (std::size_t i = 0; there(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
+  for (std::size_t i = 0; has(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
     MapAxis axis = axis_of(values, units, path, name);
     for (const MapAxis& other : plan.axes)
@@ -162,7 +162,7 @@ MapPlan map_plan(const MapPlace& at, const Experiment& experiment) {
   return plan;
 }
 
-void require_map(const MapPlace& at, const Experiment& experiment) {
+void require_map(const MapContext& at, const Experiment& experiment) {
   const Rotation& rotation = std::get<Rotation>(experiment);
   static_cast<void>(without_axes(at.values, rotation, at.name));
   require_rows(at.values, rotation, at.name);

@@ -13,23 +13,23 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-struct NumberPlace {
+struct NumberLocation {
   std::string path;
   std::size_t index;
 };
 // Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
-std::optional<NumberPlace> number_place(const Values& values, std::string_view key);
+std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
 
 // Where [map] is read.
-struct MapPlace {
+struct MapContext {
   const Values& values;
   const Units& units;
   const std::string& name;  // of the file, for messages
 };
 // The experiment is there. ScenarioError at the place of what is wrong.
-MapPlan map_plan(const MapPlace& at, const Experiment& experiment);
+MapPlan map_plan(const MapContext& at, const Experiment& experiment);
 // What the plan asks of the experiment of a cell, whose numbers are others.
-void require_map(const MapPlace& at, const Experiment& experiment);
+void require_map(const MapContext& at, const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0

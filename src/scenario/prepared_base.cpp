@@ -9,15 +9,15 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-std::vector<NumberPlace> places_of(const Values& values, std::span<const std::string> keys) {
-  std::vector<NumberPlace> places;
-  for (const std::string& key : keys) places.push_back(*number_place(values, key));
+std::vector<NumberLocation> places_of(const Values& values, std::span<const std::string> keys) {
+  std::vector<NumberLocation> places;
+  for (const std::string& key : keys) places.push_back(*number_location(values, key));
   return places;
 }
 
-std::vector<std::string> paths_of(const std::vector<NumberPlace>& places) {
+std::vector<std::string> paths_of(const std::vector<NumberLocation>& places) {
   std::vector<std::string> paths;
-  for (const NumberPlace& place : places) paths.push_back(place.path);
+  for (const NumberLocation& place : places) paths.push_back(place.path);
   return paths;
 }
 
@@ -38,7 +38,7 @@ Experiment PreparedBase::experiment(std::span<const double> numbers) const {
     value.numbers[places_[i].index] =
         scenario_.document.units.to_core(numbers[i], value.key->dimension);
     value.shown = number_text(numbers[i]);
-    value.given = true;
+    value.is_explicit = true;
   }
   return remake_(values);
 }

@@ -18,7 +18,7 @@ namespace detail {
 
 class PreparedBase {
  public:
-  // `keys` are numbers of the file, as number_place finds them. The scenario must outlive it.
+  // `keys` are numbers of the file, as number_location finds them. The scenario must outlive it.
   PreparedBase(const Scenario& scenario, std::span<const std::string> keys);
 
   // With these numbers at the keys, each in its unit of the file. From any thread. ScenarioError,
@@ -27,7 +27,7 @@ class PreparedBase {
 
  private:
   const Scenario& scenario_;
-  std::vector<NumberPlace> places_;
+  std::vector<NumberLocation> places_;
   Remake remake_;
 };
 

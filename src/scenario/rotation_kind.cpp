@@ -22,13 +22,13 @@ namespace detail {
 namespace {
 
 Body body_of(const Values& values, const ScenarioShape* shape, const std::string& name) {
-  if (there(values, "body.column_axes") && !there(values, "body.moments"))
+  if (has(values, "body.column_axes") && !has(values, "body.moments"))
     refuse(values, "body.column_axes", name, "expected a key moments as well");
   if (shape) return built(values, "body.shape", name, [&] { return polhode::body(shape->inside); });
-  if (there(values, "body.moments"))
+  if (has(values, "body.moments"))
     return built(values, "body.moments", name, [&] {
       const Vec3 I = vector(values, "body.moments");
-      if (!there(values, "body.column_axes")) return Body(I.x, I.y, I.z);
+      if (!has(values, "body.column_axes")) return Body(I.x, I.y, I.z);
       const std::vector<double>& q = value_at(values, "body.column_axes").numbers;
       return Body::with_axes(I, unit_quaternion(q.at(0), q.at(1), q.at(2), q.at(3)));
     });
@@ -46,7 +46,7 @@ Vec3 direction(double longitude, double latitude) {
 
 // The pole in the axes of the state. Ecliptic and equator of J2000 share axis 1, the equinox.
 Vec3 pole_of(const Values& values, const std::string& name) {
-  const bool equatorial = there(values, "state.tumbler.pole.ra");
+  const bool equatorial = has(values, "state.tumbler.pole.ra");
   const std::string path = "state.tumbler.pole.";
   const std::string latitude_key = path + (equatorial ? "dec" : "latitude");
   const double latitude = number(values, latitude_key);
@@ -109,7 +109,7 @@ void require_psi(const Values& values, const Body& body, TumblerState s, const U
 AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
   const std::string path = "state.attitude-rate.";
   const auto attitude_of = [&]() -> Quaternion {
-    if (!there(values, path + "quaternion"))
+    if (!has(values, path + "quaternion"))
       return attitude(EulerAngles{number(values, path + "euler.phi"),
                                   number(values, path + "euler.theta"),
                                   number(values, path + "euler.psi")});
@@ -119,11 +119,11 @@ AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
     });
   };
   using enum AttitudeRate::Given;
-  if (there(values, path + "omega_body"))
+  if (has(values, path + "omega_body"))
     return {attitude_of(), vector(values, path + "omega_body"), omega_body};
-  if (there(values, path + "omega_inertial"))
+  if (has(values, path + "omega_inertial"))
     return {attitude_of(), vector(values, path + "omega_inertial"), omega_inertial};
-  if (there(values, path + "omega_relative"))
+  if (has(values, path + "omega_relative"))
     return {attitude_of(), vector(values, path + "omega_relative"), omega_relative};
   return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
 }
@@ -133,7 +133,7 @@ SadovState sadov_of(const Values& values, const Body& body) {
     return number(values, std::string("state.sadov.") + key);
   };
   const double I_l = value("I_l"), I_g = value("I_g");
-  const bool is_given = there(values, "state.sadov.region");
+  const bool is_given = has(values, "state.sadov.region");
   const SadovRegion region =
       is_given ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
                                                               : SadovRegion::long_axis)
@@ -174,17 +174,17 @@ InitialState state_of(const Values& values, const std::string& chart, const Body
 }
 
 std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
-  if (!there(values, "time")) return std::nullopt;
+  if (!has(values, "time")) return std::nullopt;
   const double start = number(values, "time.start");
-  if (there(values, "time.at")) {
-    if (given(values, "time.start"))
+  if (has(values, "time.at")) {
+    if (is_explicit(values, "time.start"))
       return built(values, "time.start", name, []() -> std::optional<SaveAt> {
         throw DomainError("expected no start together with at, which lists every time");
       });
     return SaveAt::times(value_at(values, "time.at").numbers);
   }
   const double stop = number(values, "time.stop");
-  if (there(values, "time.step"))
+  if (has(values, "time.step"))
     return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
       return SaveAt::steps(start, stop, number(values, "time.step"));
     });
@@ -195,14 +195,14 @@ std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
 
 std::string chart_of(const Values& values) {
   for (const std::string_view chart : state_charts())
-    if (there(values, "state." + std::string(chart))) return std::string(chart);
+    if (has(values, "state." + std::string(chart))) return std::string(chart);
   return {};
 }
 
 // What is made anew: with a base, only what stands on a number that has changed.
 class RotationBuilder {
  public:
-  RotationBuilder(const KindPlace& at, const MadeRotation* base,
+  RotationBuilder(const KindContext& at, const MadeRotation* base,
                   std::span<const std::string> changed)
       : at_(at), base_(base), changed_(changed), time_(times_of(at.values, at.name)) {}
 
@@ -214,10 +214,10 @@ class RotationBuilder {
         keeps({"body."}) ? base_->rotation.shape : shape_of(values, name);
     const Body body = keeps({"body."}) ? base_->rotation.body : body_of(values, shape.get(), name);
     MadeRotation made{{.body = body,
-                       .q_file = there(values, "body.moments") ? Quaternion{} : body.q_FB(),
+                       .q_file = has(values, "body.moments") ? Quaternion{} : body.q_FB(),
                        .chart = chart,
                        .state = state_of(values, chart, body, name),
-                       .epoch = there(values, "state.epoch") ? word(values, "state.epoch") : "",
+                       .epoch = has(values, "state.epoch") ? word(values, "state.epoch") : "",
                        .axes = word(values, "state.axes"),
                        .shape = std::move(shape),
                        .time = time_},
@@ -249,7 +249,7 @@ class RotationBuilder {
   }
 
   void add_orbits(MadeRotation& made) {
-    const OrbitsPlace place{at_.values, at_.units, time_, at_.name};
+    const OrbitsContext place{at_.values, at_.units, time_, at_.name};
     const std::vector<std::string> paths = orbit_paths(at_.values);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const bool kept =
@@ -275,7 +275,7 @@ class RotationBuilder {
       const std::string& kind = word(at_.values, paths[i] + ".kind");
       rotation.kinds.push_back(kind);
       TermTable table{{}, rotation.terms.size(), 0};
-      const TermPlace place(rotation, at_.values, at_.units, paths[i], at_.name, table.uses);
+      const TermContext place(rotation, at_.values, at_.units, paths[i], at_.name, table.uses);
       if (kind == kane_damper_kind) {
         if (rotation.damper)
           refuse(at_.values, paths[i] + ".kind", at_.name,
@@ -297,7 +297,7 @@ class RotationBuilder {
     }
   }
 
-  const KindPlace& at_;
+  const KindContext& at_;
   const MadeRotation* base_;
   std::span<const std::string> changed_;
   std::optional<SaveAt> time_;
@@ -308,7 +308,7 @@ class RotationBuilder {
 
 }  // namespace
 
-MadeRotation made_rotation(const KindPlace& at, const MadeRotation* base,
+MadeRotation made_rotation(const KindContext& at, const MadeRotation* base,
                            std::span<const std::string> changed) {
   MadeRotation made = RotationBuilder(at, base, changed).made();
   check_motion(made.rotation, at.output, at.values, at.name);

@@ -21,7 +21,7 @@ inline namespace v0 {
 namespace {
 
 using detail::Diagnostics;
-using detail::there;
+using detail::has;
 using detail::Values;
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
@@ -64,7 +64,7 @@ Document document_of(std::string_view text, const std::string& path) {
           .name = file.filename().string(),
           .folder = file.parent_path().string(),
           .text = std::string(text),
-          .title = there(values, "title") ? detail::word(values, "title") : "",
+          .title = has(values, "title") ? detail::word(values, "title") : "",
           .kind = detail::word(values, "kind"),
           .units = read.units,
           .files = std::move(files),
@@ -74,7 +74,7 @@ Document document_of(std::string_view text, const std::string& path) {
 OutputPlan output_of(const Values& values, const std::string& path) {
   return {.columns = detail::value_at(values, "output.columns").words,
           .aem = detail::aem_options_of(values, path),
-          .writes_aem = there(values, "output.aem")};
+          .writes_aem = has(values, "output.aem")};
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& path) {
   Experiment experiment =
       detail::kind_of(values).make({values, document.units, output, document.path});
   std::optional<MapPlan> map;
-  if (there(values, "map")) map = detail::map_plan({values, document.units, path}, experiment);
+  if (has(values, "map")) map = detail::map_plan({values, document.units, path}, experiment);
   return {std::move(document), std::move(experiment), std::move(output), std::move(map)};
 }
 

@@ -16,7 +16,7 @@ using Form = AemOptions::Form;
 constexpr std::size_t longest_line = 250;  // the standard allows 254 characters
 
 void require_ascii(const Values& values, const std::string& key, const std::string& name) {
-  if (!there(values, key)) return;
+  if (!has(values, key)) return;
   const std::string& text = word(values, key);
   const bool good =
       !text.empty() && text.size() <= longest_line / 2 &&
@@ -33,11 +33,11 @@ Form form_of(const std::string& word) {
 }  // namespace
 
 AemOptions aem_options_of(const Values& values, const std::string& name) {
-  if (!there(values, "output.aem")) return {};
+  if (!has(values, "output.aem")) return {};
   const std::string path = "output.aem.";
   const auto text = [&](const char* key) {
     require_ascii(values, path + key, name);
-    return there(values, path + key) ? word(values, path + key) : std::string();
+    return has(values, path + key) ? word(values, path + key) : std::string();
   };
   AemOptions options{.form = form_of(word(values, path + "form")),
                      .version = static_cast<int>(value_at(values, path + "version").whole),

@@ -26,7 +26,7 @@ std::optional<ScenarioFile> noted(const std::filesystem::path& folder, const std
   while (file) {
     file.read(block.data(), block.size());
     const std::string_view bytes(block.data(), static_cast<std::size_t>(file.gcount()));
-    result.mark = fingerprint(bytes, result.mark);
+    result.fingerprint = fingerprint(bytes, result.fingerprint);
     result.bytes += file.gcount();
   }
   if (!file.eof()) return std::nullopt;
@@ -50,7 +50,7 @@ std::vector<ScenarioFile> files_of(const Values& values, const std::string& name
 
 std::string file_note(const ScenarioFile& file) {
   return detail::printable(file.path, 500) + ": " + std::to_string(file.bytes) + " bytes, mark " +
-         std::to_string(file.mark);
+         std::to_string(file.fingerprint);
 }
 
 }  // namespace v0

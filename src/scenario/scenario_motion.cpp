@@ -33,7 +33,7 @@ double mean_rate(const ScenarioOrbit& orbit, const Values& values, const std::st
 }
 
 double precession_rate(const Rotation& rotation, const Values& values, const std::string& name) {
-  if (there(values, "frame.precessing.rate")) return number(values, "frame.precessing.rate");
+  if (has(values, "frame.precessing.rate")) return number(values, "frame.precessing.rate");
   const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "frame.precessing.orbit", name);
   return number(values, "frame.precessing.turns") * mean_rate(orbit, values, name);
 }
@@ -68,7 +68,7 @@ std::string without_energy(const Rotation& rotation) {
 // An integrated run visits its rows in order, and so does one that looks for events.
 void check_times(const Rotation& rotation, const Values& values, const std::string& name) {
   const bool in_order = propagation_method(rotation).has_value() || !rotation.events.empty();
-  if (!rotation.time || !in_order || !there(values, "time.at")) return;
+  if (!rotation.time || !in_order || !has(values, "time.at")) return;
   const SaveAt& rows = *rotation.time;
   const bool rises = rows[rows.size() - 1] >= rows[0];
   for (std::int64_t k = 1; k < rows.size(); ++k)
@@ -107,9 +107,9 @@ Crossing crossing_of(const std::string& word) {
 }
 
 std::optional<Method> method_of(const Values& values, const std::string& name) {
-  if (!there(values, "method")) return std::nullopt;
+  if (!has(values, "method")) return std::nullopt;
   const std::string& kind = word(values, "method.kind");
-  const double largest = there(values, "method.largest_step")
+  const double largest = has(values, "method.largest_step")
                              ? number(values, "method.largest_step")
                              : std::numeric_limits<double>::infinity();
   const auto checked = [&](const char* path, const Method& method) {
@@ -153,26 +153,26 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
       refuse(values, path + ".column", name,
              "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
                  did_you_mean(column, known));
-    const std::string own = there(values, path + ".name") ? word(values, path + ".name") : column;
+    const std::string own = has(values, path + ".name") ? word(values, path + ".name") : column;
     for (const ScenarioEvent& other : events)
       if (other.name == own)
-        refuse(values, path + (there(values, path + ".name") ? ".name" : ".column"), name,
+        refuse(values, path + (has(values, path + ".name") ? ".name" : ".column"), name,
                "expected a name of its own, since an event before it is called " + own);
     const double value = number(values, path + ".value");
     const std::string interval = path + ".interval";
-    if (there(values, interval) && !(number(values, interval) > 0.0))
+    if (has(values, interval) && !(number(values, interval) > 0.0))
       refuse(values, interval, name, "expected a positive time");
     events.push_back({own, column, units.to_core(value, column_dimension(column)),
                       crossing_of(word(values, path + ".crossing")),
                       value_at(values, path + ".stops").whole == 1,
-                      there(values, interval) ? number(values, interval) : 0.0});
+                      has(values, interval) ? number(values, interval) : 0.0});
   }
   return events;
 }
 
 void add_frame(Rotation& rotation, const Values& values, const std::string& name) {
   rotation.frame_text = "inertial";
-  if (there(values, "frame.precessing")) {
+  if (has(values, "frame.precessing")) {
     const Precession p{vector(values, "frame.precessing.axis"),
                        precession_rate(rotation, values, name),
                        number(values, "frame.precessing.epoch")};
@@ -180,7 +180,7 @@ void add_frame(Rotation& rotation, const Values& values, const std::string& name
                            [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });
     rotation.precession = p;
     rotation.frame_text = "precessing";
-  } else if (there(values, "frame.orbit-plane")) {
+  } else if (has(values, "frame.orbit-plane")) {
     const ScenarioOrbit orbit =
         orbit_named(rotation.orbits, values, "frame.orbit-plane.orbit", name);
     rotation.frame_text = "plane of orbit " + orbit.name;

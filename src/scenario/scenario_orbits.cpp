@@ -40,8 +40,8 @@ KeplerElements elements_of(const Values& values, const std::string& path, const 
     refuse(values, key("eccentricity"), name,
            "expected 0 <= e < 1 (an ellipse) or e > 1 (a hyperbola); at e = 1 use a number next to "
            "it, with the same pericentre");
-  const bool by_axis = there(values, key("semi_major_axis"));
-  const bool by_period = there(values, key("period"));
+  const bool by_axis = has(values, key("semi_major_axis"));
+  const bool by_period = has(values, key("period"));
   const std::string size_key = key(by_axis     ? "semi_major_axis"
                                    : by_period ? "period"
                                                : "pericentre");
@@ -65,21 +65,21 @@ KeplerElements elements_of(const Values& values, const std::string& path, const 
 
 }  // namespace
 
-std::optional<double> own_gm(const OrbitPlace& at) {
+std::optional<double> own_gm(const OrbitContext& at) {
   const std::string key = at.key("gm");
-  if (!there(at.values(), key)) return std::nullopt;
+  if (!has(at.values(), key)) return std::nullopt;
   const double gm = number(at.values(), key);
   if (!(gm > 0.0))
     refuse(at.values(), key, at.name(), "expected a positive gravitational parameter");
   return gm;
 }
 
-std::optional<TimeSpan> run_span(const OrbitPlace& at) {
+std::optional<TimeSpan> run_span(const OrbitContext& at) {
   at.uses.time = true;
   if (!at.file.time) return std::nullopt;
   TimeSpan span;
   const SaveAt& rows = *at.file.time;
-  const bool listed = there(at.values(), "time.at");  // in any order
+  const bool listed = has(at.values(), "time.at");  // in any order
   for (std::int64_t k = 0; k < rows.size(); k = listed ? k + 1 : k + rows.size() - 1) {
     span = {std::min(span.first, rows[k]), std::max(span.last, rows[k])};
     if (rows.size() == 1) break;
@@ -87,7 +87,7 @@ std::optional<TimeSpan> run_span(const OrbitPlace& at) {
   return span;
 }
 
-ScenarioOrbit kepler_orbit(const OrbitPlace& at) {
+ScenarioOrbit kepler_orbit(const OrbitContext& at) {
   const Values& values = at.values();
   const std::string &path = at.path, &name = at.name();
   const KeplerElements elements = elements_of(values, path, name);
@@ -99,7 +99,7 @@ ScenarioOrbit kepler_orbit(const OrbitPlace& at) {
   return precessing_orbit(at, moving);
 }
 
-ScenarioOrbit precessing_orbit(const OrbitPlace& at, const PrecessingKeplerOrbit& orbit) {
+ScenarioOrbit precessing_orbit(const OrbitContext& at, const PrecessingKeplerOrbit& orbit) {
   const std::string own(key_name(at.path));
   const std::string &axes = orbit_axes(at), &of_state = word(at.values(), "state.axes");
   if (axes != of_state) {
@@ -138,9 +138,9 @@ std::vector<std::string> orbit_paths(const Values& values) {
   return paths;
 }
 
-ScenarioOrbit orbit_of(const OrbitsPlace& at, const std::string& path, OrbitUses& uses) {
+ScenarioOrbit orbit_of(const OrbitsContext& at, const std::string& path, OrbitUses& uses) {
   const std::string& kind = word(at.values, path + ".kind");
-  const OrbitPlace place{at, path, uses};
+  const OrbitContext place{at, path, uses};
   return kind == "kepler"  ? kepler_orbit(place)
          : kind == "state" ? state_orbit(place)
          : kind == "table" ? table_orbit(place)

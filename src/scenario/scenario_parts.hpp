@@ -19,7 +19,7 @@ namespace detail {
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 // Each throws a ScenarioError at the place of what is wrong. `name` stands for the file.
-struct OrbitsPlace {
+struct OrbitsContext {
   const Values& values;
   const Units& units;
   const std::optional<SaveAt>& time;
@@ -31,7 +31,7 @@ struct OrbitUses {
 };
 // "orbit.moon" for each table [orbit.NAME], and what one of them describes.
 std::vector<std::string> orbit_paths(const Values& values);
-ScenarioOrbit orbit_of(const OrbitsPlace& at, const std::string& path, OrbitUses& uses);
+ScenarioOrbit orbit_of(const OrbitsContext& at, const std::string& path, OrbitUses& uses);
 // What every file that the values name holds now; nothing of those that cannot be read.
 std::vector<ScenarioFile> files_of(const Values& values, const std::string& name);
 // The mesh of [body], and a mesh that the table at `path` names by `shape` and `scale`.

@@ -14,7 +14,7 @@ namespace detail {
 
 FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name) {
   const std::string scale_key = path + ".scale", shape_key = path + ".shape";
-  const double scale = there(values, scale_key) ? number(values, scale_key) : 1.0;
+  const double scale = has(values, scale_key) ? number(values, scale_key) : 1.0;
   if (!(scale > 0.0)) refuse(values, scale_key, name, "expected a positive length");
   const std::filesystem::path file =
       std::filesystem::path(name).parent_path() / word(values, shape_key);
@@ -25,8 +25,8 @@ FacetShape mesh_of(const Values& values, const std::string& path, const std::str
 }
 
 std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::string& name) {
-  if (!there(values, "body.shape")) {
-    if (there(values, "body.scale"))
+  if (!has(values, "body.shape")) {
+    if (has(values, "body.scale"))
       refuse(values, "body.scale", name, "expected a key shape as well, which it scales");
     return nullptr;
   }

@@ -255,7 +255,7 @@ void Reader::read_key(const Key& key, const toml::node& node, const std::string&
   Value value;
   value.key = &key;
   value.where = where;
-  value.given = given;
+  value.is_explicit = given;
   value.shown = shown(node);
   if (key.type != KeyType::table) {
     if (read_leaf(key, node, value)) values_.insert_or_assign(path, std::move(value));

@@ -47,11 +47,11 @@ const std::string& word(const Values& values, std::string_view path) {
 int sign(const Values& values, std::string_view path) {
   return static_cast<int>(value_at(values, path).whole);
 }
-bool given(const Values& values, std::string_view path) {
+bool is_explicit(const Values& values, std::string_view path) {
   const auto found = values.find(path);
-  return found != values.end() && found->second.given;
+  return found != values.end() && found->second.is_explicit;
 }
-bool there(const Values& values, std::string_view path) { return values.contains(path); }
+bool has(const Values& values, std::string_view path) { return values.contains(path); }
 
 void refuse(const Values& values, std::string_view path, const std::string& name,
             std::string_view message) {

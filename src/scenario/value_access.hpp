@@ -21,8 +21,8 @@ Vec3 vector(const Values& values, std::string_view path);
 const std::string& word(const Values& values, std::string_view path);
 int sign(const Values& values, std::string_view path);
 // Whether the file has it, and whether it or a fallback has.
-bool given(const Values& values, std::string_view path);
-bool there(const Values& values, std::string_view path);
+bool is_explicit(const Values& values, std::string_view path);
+bool has(const Values& values, std::string_view path);
 
 // Throws a ScenarioError at the place of `path`, or at that of the key in it that the message
 // names.

@@ -19,7 +19,7 @@ namespace detail {
 struct Value {
   const Key* key = nullptr;
   Position where;
-  bool given = true;            // false: the fallback of the schema
+  bool is_explicit = true;      // false: the fallback of the schema
   std::string shown;            // as messages quote it
   std::vector<double> numbers;  // core units; a matrix row by row
   std::vector<std::string> words;

@@ -22,68 +22,68 @@ namespace detail {
 namespace {
 
 using Row = ChartRow;
-using Origin = RowOrigin;
+using Context = ChartContext;
 
 Quaternion attitude_in(const Row& x) { return unit_quaternion(x[0], x[1], x[2], x[3]); }
 Row attitude_row(const Quaternion& q, const Vec3& v) { return {q.w, q.x, q.y, q.z, v.x, v.y, v.z}; }
 
-RotorState from_rotor(const Row& x, const Origin&) { return {attitude_in(x), {x[4], x[5], x[6]}}; }
-Row to_rotor_row(const RotorState& s, const Origin&) { return attitude_row(s.q, s.g); }
+RotorState from_rotor(const Row& x, const Context&) { return {attitude_in(x), {x[4], x[5], x[6]}}; }
+Row to_rotor_row(const RotorState& s, const Context&) { return attitude_row(s.q, s.g); }
 
-RotorState from_rate(const Row& x, const Origin& o) {
+RotorState from_rate(const Row& x, const Context& o) {
   return rotor_state(*o.body, attitude_in(x), {x[4], x[5], x[6]});
 }
-Row to_rate(const RotorState& s, const Origin& o) {
+Row to_rate(const RotorState& s, const Context& o) {
   return attitude_row(s.q, angular_velocity(*o.body, s));
 }
 
-RotorState from_inertial_rate(const Row& x, const Origin& o) {
+RotorState from_inertial_rate(const Row& x, const Context& o) {
   return rotor_state_inertial(*o.body, attitude_in(x), {x[4], x[5], x[6]});
 }
-Row to_inertial_rate(const RotorState& s, const Origin& o) {
+Row to_inertial_rate(const RotorState& s, const Context& o) {
   return attitude_row(s.q, inertial_angular_velocity(*o.body, s));
 }
 
-RotorState from_matrix(const Row& x, const Origin&) {
+RotorState from_matrix(const Row& x, const Context&) {
   const Mat3 R{{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}}};
   return {attitude(R), {x[9], x[10], x[11]}};
 }
-Row to_matrix(const RotorState& s, const Origin&) {
+Row to_matrix(const RotorState& s, const Context&) {
   const Mat3 R = attitude_matrix(s.q);
   return {R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2),
           R(2, 0), R(2, 1), R(2, 2), s.g.x,   s.g.y,   s.g.z};
 }
 
-RotorState from_euler(const Row& x, const Origin&) {
+RotorState from_euler(const Row& x, const Context&) {
   return to_rotor(euler_state(x[0], x[1], x[2], x[3], x[4], x[5]));
 }
-Row to_euler_row(const RotorState& s, const Origin&) {
+Row to_euler_row(const RotorState& s, const Context&) {
   const EulerState e = to_euler(s);
   return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
 }
 
-RotorState from_euler_rates(const Row& x, const Origin& o) {
+RotorState from_euler_rates(const Row& x, const Context& o) {
   return to_rotor(*o.body, EulerRates{x[0], x[1], x[2], x[3], x[4], x[5]});
 }
-Row to_euler_rates_row(const RotorState& s, const Origin& o) {
+Row to_euler_rates_row(const RotorState& s, const Context& o) {
   const EulerRates e = to_euler_rates(*o.body, s);
   return {e.phi, e.theta, e.psi, e.phi_dot, e.theta_dot, e.psi_dot};
 }
 
-RotorState from_andoyer(const Row& x, const Origin&) {
+RotorState from_andoyer(const Row& x, const Context&) {
   return to_rotor(andoyer_state(x[0], x[1], x[2], x[3], x[4], x[5]));
 }
-Row to_andoyer_row(const RotorState& s, const Origin&) {
+Row to_andoyer_row(const RotorState& s, const Context&) {
   const AndoyerState a = to_andoyer(s);
   return {a.l, a.g, a.h, a.L, a.G, a.H};
 }
 
 template <Pole J, Pole I>
-RotorState from_poincare(const Row& x, const Origin&) {
+RotorState from_poincare(const Row& x, const Context&) {
   return to_rotor(poincare_state(x[0], x[1], x[2], x[3], x[4], x[5], J, I));
 }
 template <Pole J, Pole I>
-Row to_poincare_row(const RotorState& s, const Origin&) {
+Row to_poincare_row(const RotorState& s, const Context&) {
   const PoincareState p = to_poincare(s, J, I);
   return {p.sigma, p.Q1, p.Q2, p.G, p.P1, p.P2};
 }
@@ -95,11 +95,11 @@ int sign_of(double x, int missing) {
   return x > 0.0 ? 1 : -1;
 }
 
-RotorState from_serret(const Row& x, const Origin& o) {
+RotorState from_serret(const Row& x, const Context& o) {
   const SerretState e{x[0], x[1], x[2], x[3], x[4], x[5], sign_of(x[6], 1), sign_of(x[7], 1)};
   return to_rotor(*o.body, e, o.t);
 }
-Row to_serret_row(const RotorState& s, const Origin& o) {
+Row to_serret_row(const RotorState& s, const Context& o) {
   const SerretState e = to_serret(FreeRotation(*o.body, s, o.t), o.t);
   return {e.g0,
           e.h,
@@ -112,7 +112,7 @@ Row to_serret_row(const RotorState& s, const Origin& o) {
 }
 
 // The column lobe is 0 in the short-axis region.
-RotorState from_sadov(const Row& x, const Origin& o) {
+RotorState from_sadov(const Row& x, const Context& o) {
   SadovState a{x[0], x[1], x[2], x[3], x[4], x[5]};
   const bool is_given = !std::isnan(x[6]);
   a.region = is_given ? (x[6] == 0.0 ? SadovRegion::short_axis : SadovRegion::long_axis)
@@ -120,7 +120,7 @@ RotorState from_sadov(const Row& x, const Origin& o) {
   if (x[6] != 0.0) a.lobe = sign_of(x[6], 1);
   return to_rotor(*o.body, a);
 }
-Row to_sadov_row(const RotorState& s, const Origin& o) {
+Row to_sadov_row(const RotorState& s, const Context& o) {
   const SadovState a = to_sadov(FreeRotation::short_arc(*o.body, s, o.t), o.t);
   const int lobe = a.region == SadovRegion::short_axis ? 0 : a.lobe;
   return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h, static_cast<double>(lobe)};

@@ -277,7 +277,7 @@ void Converter::read_fields(std::string_view line) {
 
 void Converter::convert_row() {
   try {
-    const detail::RowOrigin origin{body_ ? &*body_ : nullptr, time_};
+    const detail::ChartContext origin{body_ ? &*body_ : nullptr, time_};
     write_row(to_.row(from_.hub(numbers_, origin), origin));
   } catch (const DomainError& error) {
     fail(error.what());

@@ -241,15 +241,15 @@ double converted(double value, const ut_unit* from, const ut_unit* to) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   if (!ut_are_convertible(from, to)) return unknown;
   using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
-  const Converter there(ut_get_converter(const_cast<ut_unit*>(from), const_cast<ut_unit*>(to)),
-                        &cv_free);
-  const Converter back(ut_get_converter(const_cast<ut_unit*>(to), const_cast<ut_unit*>(from)),
-                       &cv_free);
-  if (!there || !back) return unknown;
-  const double factor = cv_convert_double(there.get(), 1.0);
-  const double inverse = cv_convert_double(back.get(), 1.0);
-  const bool linear = cv_convert_double(there.get(), 0.0) == 0.0 &&
-                      cv_convert_double(there.get(), 2.0) == 2.0 * factor;
+  const Converter forward(ut_get_converter(const_cast<ut_unit*>(from), const_cast<ut_unit*>(to)),
+                          &cv_free);
+  const Converter backward(ut_get_converter(const_cast<ut_unit*>(to), const_cast<ut_unit*>(from)),
+                           &cv_free);
+  if (!forward || !backward) return unknown;
+  const double factor = cv_convert_double(forward.get(), 1.0);
+  const double inverse = cv_convert_double(backward.get(), 1.0);
+  const bool linear = cv_convert_double(forward.get(), 0.0) == 0.0 &&
+                      cv_convert_double(forward.get(), 2.0) == 2.0 * factor;
   if (!linear || !(factor > 0.0) || !std::isfinite(factor)) return unknown;
   // the same unit, up to the rounding of its factors: no two units of the table are so near
   if (std::fabs(factor - 1.0) <= 8.0 * std::numeric_limits<double>::epsilon()) return value;

@@ -35,7 +35,7 @@ class ScenarioError : public DomainError {
 struct ScenarioFile {
   std::string path;  // as the scenario names it
   std::int64_t bytes;
-  std::uint64_t mark;  // FNV-1a of its bytes
+  std::uint64_t fingerprint;  // FNV-1a of its bytes
 
   constexpr bool operator==(const ScenarioFile&) const = default;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HDF5 identifiers that close themselves, and HDF5 over a MarkedFile.
+// HDF5 identifiers that close themselves, and HDF5 over a JournaledFile.
 #pragma once
 
 #include <hdf5.h>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "output/detail/marked_file.hpp"
+#include "output/detail/journaled_file.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -53,7 +53,7 @@ std::vector<std::string> attribute_texts(hid_t object, const char* name);
 
 // The file access property list that makes HDF5 read and write `file`, which must outlive the HDF5
 // file; negative when HDF5 has no memory. What HDF5 flushes waits in `file` for its commit().
-hid_t access_to(MarkedFile& file);
+hid_t access_to(JournaledFile& file);
 
 }  // namespace detail
 }  // namespace v0

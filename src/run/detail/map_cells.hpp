@@ -14,12 +14,12 @@ ColumnGroup result_columns(const MapPlan& plan, const Units& units);
 // A cell that failed has one row of NaN.
 MapCell failed_cell(std::size_t width, std::string why);
 // A cell: its experiment, and what the map wants of it.
-struct CellPlace {
+struct CellContext {
   const Rotation& rotation;
   const MapPlan& plan;
   const Units& units;
 };
-MapCell map_cell(const CellPlace& of, const Progress& progress);
+MapCell map_cell(const CellContext& of, const Progress& progress);
 
 }  // namespace detail
 }  // namespace v0

@@ -21,7 +21,7 @@ inline namespace v0 {
 namespace detail {
 
 // Where an experiment is made.
-struct KindPlace {
+struct KindContext {
   const Values& values;
   const Units& units;
   const OutputPlan& output;  // what it must be able to give
@@ -35,9 +35,9 @@ struct ExperimentKind {
   std::string_view name;
   std::vector<SchemaPart> (*keys)();
   // Throws a ScenarioError at the place of what is wrong.
-  Experiment (*make)(const KindPlace& at);
+  Experiment (*make)(const KindContext& at);
   // What `at` refers to must outlive the result. `changed` are paths of numbers.
-  Remake (*prepare)(const KindPlace& at, std::vector<std::string> changed);
+  Remake (*prepare)(const KindContext& at, std::vector<std::string> changed);
 };
 
 std::span<const ExperimentKind> experiment_kinds();

@@ -25,10 +25,10 @@ struct TermUses {
 
 // Where a term is made: its own table, and the parts of the rotation that stand before it. What is
 // asked for is noted.
-class TermPlace {
+class TermContext {
  public:
-  TermPlace(const Rotation& rotation, const Values& all_values, const Units& all_units,
-            const std::string& of_term, const std::string& file, TermUses& noted)
+  TermContext(const Rotation& rotation, const Values& all_values, const Units& all_units,
+              const std::string& of_term, const std::string& file, TermUses& noted)
       : values(all_values),
         units(all_units),
         path(of_term),
@@ -65,18 +65,18 @@ class TermPlace {
 
 // What a table stands for: one term; of gravity one for each part of it that the table has.
 // Throws a ScenarioError at the place of what is wrong.
-std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const TermPlace& at);
+std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const TermContext& at);
 
 // The orbit that the table names, and the gm of what attracts: its own key, else the orbit's.
-const ScenarioOrbit& orbit_at(const TermPlace& at);
-double gm_at(const TermPlace& at);
+const ScenarioOrbit& orbit_at(const TermContext& at);
+double gm_at(const TermContext& at);
 // A number of the table that has to be above zero.
-double positive_at(const TermPlace& at, const char* own);
+double positive_at(const TermContext& at, const char* own);
 // Components along the body axes of the file, which are those of its tensor, as principal ones.
-Vec3 principal_components(const TermPlace& at, const Vec3& x_F);
+Vec3 principal_components(const TermContext& at, const Vec3& x_F);
 // A matrix of the table, and a symmetric one along those axes as one along principal axes.
-Mat3 matrix_at(const TermPlace& at, const char* own);
-Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F);
+Mat3 matrix_at(const TermContext& at, const char* own);
+Mat3 principal_matrix(const TermContext& at, const Mat3& m_F);
 
 // [[perturbation]] of kind "kane-damper", which is no term: a scenario has one at most.
 inline constexpr const char* kane_damper_kind = "kane-damper";
@@ -84,19 +84,19 @@ struct DamperAtStart {
   KaneDamper damper;
   Vec3 rate;  // relative to the body, principal axes
 };
-DamperAtStart kane_damper(const TermPlace& at);
+DamperAtStart kane_damper(const TermContext& at);
 
-std::vector<AnyPerturbation> gravity_terms(const TermPlace& at);
-AnyPerturbation constant_torque_term(const TermPlace& at);
-AnyPerturbation damping_term(const TermPlace& at);
-AnyPerturbation tide_term(const TermPlace& at);
-AnyPerturbation internal_damping_term(const TermPlace& at);
-AnyPerturbation anelastic_damping_term(const TermPlace& at);
-AnyPerturbation torque_table_term(const TermPlace& at);
-AnyPerturbation solar_pressure_term(const TermPlace& at);
-AnyPerturbation drag_term(const TermPlace& at);
-AnyPerturbation residual_dipole_term(const TermPlace& at);
-AnyPerturbation eddy_currents_term(const TermPlace& at);
+std::vector<AnyPerturbation> gravity_terms(const TermContext& at);
+AnyPerturbation constant_torque_term(const TermContext& at);
+AnyPerturbation damping_term(const TermContext& at);
+AnyPerturbation tide_term(const TermContext& at);
+AnyPerturbation internal_damping_term(const TermContext& at);
+AnyPerturbation anelastic_damping_term(const TermContext& at);
+AnyPerturbation torque_table_term(const TermContext& at);
+AnyPerturbation solar_pressure_term(const TermContext& at);
+AnyPerturbation drag_term(const TermContext& at);
+AnyPerturbation residual_dipole_term(const TermContext& at);
+AnyPerturbation eddy_currents_term(const TermContext& at);
 
 }  // namespace detail
 }  // namespace v0

@@ -32,7 +32,7 @@ struct MadeRotation {
 
 // With a base: the values are its own but for the numbers at the paths `changed`. What does not
 // stand on these is shared with it. ScenarioError at the place of what is wrong.
-MadeRotation made_rotation(const KindPlace& at, const MadeRotation* base = nullptr,
+MadeRotation made_rotation(const KindContext& at, const MadeRotation* base = nullptr,
                            std::span<const std::string> changed = {});
 
 }  // namespace detail

@@ -14,7 +14,7 @@ inline namespace v0 {
 namespace detail {
 
 // The table of keys that names the file: "orbit.moon" of scenario `name`.
-struct TablePlace {
+struct TableContext {
   const Values& values;
   const Units& units;
   const std::string& path;
@@ -25,7 +25,7 @@ struct TablePlace {
 class TableCheck {
  public:
   // `columns` as they were asked for, by name or number, times first.
-  TableCheck(const TablePlace& at, const NumberTable& file,
+  TableCheck(const TableContext& at, const NumberTable& file,
              const std::vector<std::string>& columns);
 
   // How a column is read: the key that may say so, and what its unit is in core units.
@@ -46,7 +46,7 @@ class TableCheck {
  private:
   const TableHeader::Note* said_of(std::size_t column, Dimension dimension) const;
 
-  TablePlace at_;
+  TableContext at_;
   TableHeader header_;
   std::vector<std::string> names_;
 };

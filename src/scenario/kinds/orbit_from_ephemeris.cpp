@@ -20,7 +20,7 @@ namespace {
 constexpr double margin = 60.0;
 
 // What one km is in core units; the place of `target` says what is missing.
-double kilometre(const OrbitPlace& at) {
+double kilometre(const OrbitContext& at) {
   const Units& units = at.file.units;
   if (units.length() == "1")
     refuse(at.values(), at.key("target"), at.name(),
@@ -42,7 +42,7 @@ std::vector<std::string> sources_of(Planetary target, Planetary centre) {
 
 }  // namespace
 
-ScenarioOrbit ephemeris_orbit(const OrbitPlace& at) {
+ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
   const Values& values = at.values();
   const std::string target_key = at.key("target"), centre_key = at.key("centre");
   const Planetary target = *planetary(word(values, target_key));

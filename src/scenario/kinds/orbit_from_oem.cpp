@@ -35,7 +35,7 @@ Date date_of(std::string_view scale, const CivilTime& time) {
 }
 
 // Seconds from the state's epoch to a date of the file: exact where both have one scale.
-double since_epoch(const OrbitPlace& at, const std::string& file_scale, const CivilTime& date) {
+double since_epoch(const OrbitContext& at, const std::string& file_scale, const CivilTime& date) {
   const std::string& epoch = word(at.values(), "state.epoch");
   if (scale_of_epoch(epoch) == file_scale)
     return seconds_between(file_scale, time_of_epoch(epoch), date);
@@ -52,19 +52,19 @@ bool is_equatorial(const std::string& frame) {
   });
 }
 
-void require_keys(const OrbitPlace& at) {
+void require_keys(const OrbitContext& at) {
   for (const char* own : {"columns", "time_format", "time_scale", "time_unit", "length_unit",
                           "velocity_unit", "axes"})
-    if (given(at.values(), at.key(own)))
+    if (is_explicit(at.values(), at.key(own)))
       refuse(at.values(), at.key(own), at.name(), "an OEM says this itself; expected none");
-  if (!there(at.values(), "state.epoch"))
+  if (!has(at.values(), "state.epoch"))
     refuse(at.values(), at.key("file"), at.name(), "an OEM has dates; expected epoch in [state]");
   if (word(at.values(), "state.axes") == "inertial")
     refuse(at.values(), at.key("file"), at.name(),
            "an OEM has axes; expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state]");
 }
 
-PositionTable table_of(const OrbitPlace& at, const OemSegment& segment, double first) {
+PositionTable table_of(const OrbitContext& at, const OemSegment& segment, double first) {
   const Units& units = at.file.units;
   const double time = units.to_core(1.0, "s", Dimension::time);
   const double length = units.to_core(1.0, "km", Dimension::length);
@@ -81,7 +81,7 @@ PositionTable table_of(const OrbitPlace& at, const OemSegment& segment, double f
 }
 
 // "OEM iss.oem (ISS from EARTH)"
-std::string text_of(const OrbitPlace& at, const OemSegment& segment) {
+std::string text_of(const OrbitContext& at, const OemSegment& segment) {
   return "OEM " + printable(word(at.values(), at.key("file"))) + " (" +
          printable(segment.object_name) + " from " + printable(segment.center) + ")";
 }
@@ -89,7 +89,7 @@ std::string text_of(const OrbitPlace& at, const OemSegment& segment) {
 }  // namespace
 
 // The segment that covers the run; the last, for its message, where none does.
-ScenarioOrbit oem_orbit(const OrbitPlace& at, const std::string& path, int order) {
+ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int order) {
   require_keys(at);
   const std::string key = at.key("file");
   return built(at.values(), key, at.name(), [&]() -> ScenarioOrbit {

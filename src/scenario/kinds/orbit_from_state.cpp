@@ -10,9 +10,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-const std::string& orbit_axes(const OrbitPlace& at) {
+const std::string& orbit_axes(const OrbitContext& at) {
   const std::string& of_state = word(at.values(), "state.axes");
-  if (!there(at.values(), at.key("axes"))) return of_state;
+  if (!has(at.values(), at.key("axes"))) return of_state;
   const std::string& own = word(at.values(), at.key("axes"));
   if ((own == "inertial") != (of_state == "inertial"))
     refuse(at.values(), at.key("axes"), at.name(),
@@ -20,7 +20,7 @@ const std::string& orbit_axes(const OrbitPlace& at) {
   return own;
 }
 
-ScenarioOrbit state_orbit(const OrbitPlace& at) {
+ScenarioOrbit state_orbit(const OrbitContext& at) {
   const Values& values = at.values();
   const double gm = *own_gm(at), J2 = number(values, at.key("J2"));
   const Vec3 x = vector(values, at.key("position")), v = vector(values, at.key("velocity"));
@@ -34,7 +34,7 @@ ScenarioOrbit state_orbit(const OrbitPlace& at) {
   if (J2 == 0.0)
     return {std::string(key_name(at.path)),
             from(in_other_axes(x, axes, of_state), in_other_axes(v, axes, of_state)), gm};
-  if (!there(values, at.key("radius")))
+  if (!has(values, at.key("radius")))
     refuse(values, at.key("J2"), at.name(), "expected a key radius as well");
   const double radius = number(values, at.key("radius"));
   if (!(radius > 0.0)) refuse(values, at.key("radius"), at.name(), "expected a positive length");

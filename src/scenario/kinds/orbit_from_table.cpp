@@ -38,9 +38,9 @@ std::vector<std::string> usual_columns(const std::string& path) {
   return {usual_names.begin(), usual_names.begin() + (slopes ? 7 : 4)};
 }
 
-std::vector<std::string> columns_of(const OrbitPlace& at, const std::string& path) {
+std::vector<std::string> columns_of(const OrbitContext& at, const std::string& path) {
   const std::string key = at.key("columns");
-  if (!there(at.values(), key)) {
+  if (!has(at.values(), key)) {
     const std::vector<std::string> usual = usual_columns(path);
     if (usual.size() < 4)
       throw DomainError(path + ": has " + std::to_string(usual.size()) +
@@ -54,21 +54,21 @@ std::vector<std::string> columns_of(const OrbitPlace& at, const std::string& pat
 }
 
 // What one unit of a column is in core units.
-double unit_of(const OrbitPlace& at, const char* key, Dimension dimension, double otherwise) {
-  if (!there(at.values(), at.key(key))) return otherwise;
+double unit_of(const OrbitContext& at, const char* key, Dimension dimension, double otherwise) {
+  if (!has(at.values(), at.key(key))) return otherwise;
   return built(at.values(), at.key(key), at.name(), [&] {
     return at.file.units.to_core(1.0, word(at.values(), at.key(key)), dimension);
   });
 }
 
 // How the column of times is read, into core units.
-FieldReader time_reader(const OrbitPlace& at) {
+FieldReader time_reader(const OrbitContext& at) {
   const std::string& format = word(at.values(), at.key("time_format"));
   if (format == "number") {
     const double unit = unit_of(at, "time_unit", Dimension::time, 1.0);
     return [unit](std::string_view field) { return unit * number_from_field(field); };
   }
-  if (there(at.values(), at.key("time_unit")))
+  if (has(at.values(), at.key("time_unit")))
     refuse(at.values(), at.key("time_unit"), at.name(), "expected no unit together with dates");
   const Clock clock = clock_of(at.values(), at.file.units, at.key("time_format"), at.name());
   const TimeScale scale = *time_scale(word(at.values(), at.key("time_scale")));
@@ -79,7 +79,7 @@ FieldReader time_reader(const OrbitPlace& at) {
 }
 
 // What the file says of itself must be how it is read.
-void require_header(const OrbitPlace& at, const NumberTable& file,
+void require_header(const OrbitContext& at, const NumberTable& file,
                     const std::vector<std::string>& columns) {
   const TableCheck check({at.values(), at.file.units, at.path, at.name()}, file, columns);
   const double time = unit_of(at, "time_unit", Dimension::time, 1.0);
@@ -99,7 +99,7 @@ void require_header(const OrbitPlace& at, const NumberTable& file,
 }
 
 // Components that are columns of this file, each as long as the times.
-std::vector<Vec3> own_rows(const OrbitPlace& at, const std::array<const char*, 3>& names,
+std::vector<Vec3> own_rows(const OrbitContext& at, const std::array<const char*, 3>& names,
                            std::size_t count) {
   std::vector<Vec3> rows(count);
   for (int axis = 0; axis < 3; ++axis) {
@@ -116,15 +116,15 @@ std::vector<Vec3> own_rows(const OrbitPlace& at, const std::array<const char*, 3
 }
 
 // Rows that stand in the scenario itself.
-PositionTable own_table(const OrbitPlace& at) {
+PositionTable own_table(const OrbitContext& at) {
   for (const char* own :
        {"columns", "time_format", "time_scale", "time_unit", "length_unit", "velocity_unit"})
-    if (given(at.values(), at.key(own)))
+    if (is_explicit(at.values(), at.key(own)))
       refuse(at.values(), at.key(own), at.name(), "expected a key file as well, not times");
   PositionTable table{value_at(at.values(), at.key("times")).numbers, {}, {}};
   table.positions = own_rows(at, {"x", "y", "z"}, table.times.size());
   constexpr std::array<const char*, 3> slopes = {"vx", "vy", "vz"};
-  const auto is_there = [&](const char* own) { return there(at.values(), at.key(own)); };
+  const auto is_there = [&](const char* own) { return has(at.values(), at.key(own)); };
   if (std::all_of(slopes.begin(), slopes.end(), is_there)) {
     table.velocities = own_rows(at, slopes, table.times.size());
   } else {
@@ -135,7 +135,7 @@ PositionTable own_table(const OrbitPlace& at) {
   return table;
 }
 
-PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
+PositionTable positions_of(const OrbitContext& at, const NumberTable& file) {
   const double time = unit_of(at, "time_unit", Dimension::time, 1.0);  // without: core units
   const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
   const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
@@ -155,22 +155,22 @@ PositionTable positions_of(const OrbitPlace& at, const NumberTable& file) {
   return table;
 }
 
-std::string file_path(const OrbitPlace& at) {
+std::string file_path(const OrbitContext& at) {
   const std::filesystem::path folder = std::filesystem::path(at.name()).parent_path();
   return (folder / word(at.values(), at.key("file"))).string();
 }
 
-std::string own_name(const OrbitPlace& at) { return std::string(key_name(at.path)); }
+std::string own_name(const OrbitContext& at) { return std::string(key_name(at.path)); }
 
-TableOrbit orbit_of_rows(const OrbitPlace& at, PositionTable rows, int order, bool dates) {
+TableOrbit orbit_of_rows(const OrbitContext& at, PositionTable rows, int order, bool dates) {
   const double overhang = overhang_of(at, rows.times, dates);
   return TableOrbit(std::move(rows), order, overhang);
 }
 
-ScenarioOrbit file_orbit(const OrbitPlace& at, int order) {
+ScenarioOrbit file_orbit(const OrbitContext& at, int order) {
   const std::string path = file_path(at);
   for (const char* own : {"vx", "vy", "vz"})
-    if (there(at.values(), at.key(own)))
+    if (has(at.values(), at.key(own)))
       refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z as well");
   if (path.ends_with(".oem")) return oem_orbit(at, path, order);
   const std::vector<std::string> columns = columns_of(at, path);
@@ -187,7 +187,7 @@ ScenarioOrbit file_orbit(const OrbitPlace& at, int order) {
 
 }  // namespace
 
-double overhang_of(const OrbitPlace& at, const std::vector<double>& times, bool dates) {
+double overhang_of(const OrbitContext& at, const std::vector<double>& times, bool dates) {
   constexpr double of_dates = 2e-3, share = 1e-3;  // s, and of the spacing
   if (times.size() < 2) return 0.0;
   const double first = times.front(), last = times.back();
@@ -198,7 +198,7 @@ double overhang_of(const OrbitPlace& at, const std::vector<double>& times, bool 
   return std::max(0.0, std::min(rounding, most));
 }
 
-void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbit) {
+void require_cover(const OrbitContext& at, const char* key, const TableOrbit& orbit) {
   const std::optional<TimeSpan> span = run_span(at);
   if (!span || orbit.covers(span->first, span->last)) return;
   const auto text = [&](double t) {
@@ -210,12 +210,12 @@ void require_cover(const OrbitPlace& at, const char* key, const TableOrbit& orbi
              " to " + text(span->last) + " (t = 0 is part of it)");
 }
 
-ScenarioOrbit table_orbit(const OrbitPlace& at) {
-  const int order = there(at.values(), at.key("order"))
+ScenarioOrbit table_orbit(const OrbitContext& at) {
+  const int order = has(at.values(), at.key("order"))
                         ? static_cast<int>(std::clamp<std::int64_t>(
                               value_at(at.values(), at.key("order")).whole, 1, 99))
                         : 0;
-  const char* const rows = there(at.values(), at.key("times")) ? "times" : "file";
+  const char* const rows = has(at.values(), at.key("times")) ? "times" : "file";
   const ScenarioOrbit orbit = built(at.values(), at.key(rows), at.name(), [&]() -> ScenarioOrbit {
     if (rows == std::string_view("file")) return file_orbit(at, order);
     return {own_name(at), orbit_of_rows(at, own_table(at), order, false), own_gm(at), {}, "table"};

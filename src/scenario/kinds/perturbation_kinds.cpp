@@ -15,7 +15,7 @@ namespace {
 
 struct PerturbationKind {
   std::string_view name;
-  AnyPerturbation (*term)(const TermPlace&);
+  AnyPerturbation (*term)(const TermContext&);
 };
 
 constexpr PerturbationKind kinds[] = {
@@ -33,24 +33,24 @@ constexpr PerturbationKind kinds[] = {
 
 }  // namespace
 
-std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const TermPlace& at) {
+std::vector<AnyPerturbation> perturbations_of(const std::string& kind, const TermContext& at) {
   if (kind == "gravity-gradient") return gravity_terms(at);
   for (const PerturbationKind& known : kinds)
     if (known.name == kind) return {known.term(at)};
   throw std::logic_error("perturbation: the schema allows a kind that has no row: " + kind);
 }
 
-const ScenarioOrbit& TermPlace::orbit(const char* own) const {
+const ScenarioOrbit& TermContext::orbit(const char* own) const {
   const ScenarioOrbit& found = orbit_named(rotation_.orbits, values, key(own), name);
   uses_.orbits.push_back(static_cast<std::size_t>(&found - rotation_.orbits.data()));
   return found;
 }
 
-const ScenarioOrbit& orbit_at(const TermPlace& at) { return at.orbit("orbit"); }
+const ScenarioOrbit& orbit_at(const TermContext& at) { return at.orbit("orbit"); }
 
-double gm_at(const TermPlace& at) {
+double gm_at(const TermContext& at) {
   const std::string key = at.key("gm");
-  const bool own = there(at.values, key);
+  const bool own = has(at.values, key);
   const std::optional<double> gm = own ? number(at.values, key) : orbit_at(at).gm;
   if (!gm)
     refuse(at.values, at.key("orbit"), at.name,
@@ -59,7 +59,7 @@ double gm_at(const TermPlace& at) {
   return *gm;
 }
 
-double positive_at(const TermPlace& at, const char* own) {
+double positive_at(const TermContext& at, const char* own) {
   const std::string key = at.key(own);
   const double x = number(at.values, key);
   if (x > 0.0) return x;
@@ -69,17 +69,17 @@ double positive_at(const TermPlace& at, const char* own) {
          "expected a positive " + (what == "pure number" ? "number" : what));
 }
 
-Vec3 principal_components(const TermPlace& at, const Vec3& x_F) {
+Vec3 principal_components(const TermContext& at, const Vec3& x_F) {
   return rotate(conj(at.q_FB()), x_F);
 }
 
-Mat3 matrix_at(const TermPlace& at, const char* own) {
+Mat3 matrix_at(const TermContext& at, const char* own) {
   const std::vector<double>& n = value_at(at.values, at.key(own)).numbers;
   if (n.size() == 3) return {{{n[0], 0.0, 0.0}, {0.0, n[1], 0.0}, {0.0, 0.0, n[2]}}};
   return {{{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}};
 }
 
-Mat3 principal_matrix(const TermPlace& at, const Mat3& m_F) {
+Mat3 principal_matrix(const TermContext& at, const Mat3& m_F) {
   const Quaternion& q_FB = at.q_FB();
   if (q_FB == Quaternion{}) return m_F;
   const Mat3 R = rotation_matrix(q_FB);  // v_F = R v_B

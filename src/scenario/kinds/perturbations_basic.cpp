@@ -10,7 +10,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-AnyPerturbation constant_torque_term(const TermPlace& at) {
+AnyPerturbation constant_torque_term(const TermContext& at) {
   const Vec3 torque = vector(at.values, at.key("torque"));
   if (word(at.values, at.key("axes")) == "inertial")
     return {"constant torque, inertial axes", ConstantTorque::in_space(torque)};
@@ -18,7 +18,7 @@ AnyPerturbation constant_torque_term(const TermPlace& at) {
 }
 
 // The body axes of the file are those of its tensor; the term wants principal axes.
-AnyPerturbation damping_term(const TermPlace& at) {
+AnyPerturbation damping_term(const TermContext& at) {
   const std::string key = at.key("coefficients");
   const std::vector<double>& n = value_at(at.values, key).numbers;
   const Quaternion& q_FB = at.q_FB();
@@ -31,7 +31,7 @@ AnyPerturbation damping_term(const TermPlace& at) {
   });
 }
 
-DamperAtStart kane_damper(const TermPlace& at) {
+DamperAtStart kane_damper(const TermContext& at) {
   const double friction = number(at.values, at.key("friction"));
   if (!(friction >= 0.0))
     refuse(at.values, at.key("friction"), at.name, "expected a friction that is not negative");
@@ -42,7 +42,7 @@ DamperAtStart kane_damper(const TermPlace& at) {
   });
   const std::string rate = at.key("rate_relative");
   return {damper,
-          there(at.values, rate) ? principal_components(at, vector(at.values, rate)) : Vec3{}};
+          has(at.values, rate) ? principal_components(at, vector(at.values, rate)) : Vec3{}};
 }
 
 }  // namespace detail

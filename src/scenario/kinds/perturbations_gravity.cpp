@@ -18,17 +18,17 @@ namespace detail {
 namespace {
 
 template <std::size_t count>
-std::array<double, count> array_at(const TermPlace& at, const char* own) {
+std::array<double, count> array_at(const TermContext& at, const char* own) {
   std::array<double, count> out{};
-  if (!there(at.values, at.key(own))) return out;
+  if (!has(at.values, at.key(own))) return out;
   const std::vector<double>& numbers = value_at(at.values, at.key(own)).numbers;
   for (std::size_t i = 0; i < count; ++i) out[i] = numbers.at(i);
   return out;
 }
 
 // None where the table has no moments; along principal axes.
-std::optional<MassMoments> moments_at(const TermPlace& at) {
-  if (!there(at.values, at.key("third_moments")) && !there(at.values, at.key("fourth_moments")))
+std::optional<MassMoments> moments_at(const TermContext& at) {
+  if (!has(at.values, at.key("third_moments")) && !has(at.values, at.key("fourth_moments")))
     return std::nullopt;
   const MassMoments in_file_axes{array_at<10>(at, "third_moments"),
                                  array_at<15>(at, "fourth_moments")};
@@ -37,33 +37,33 @@ std::optional<MassMoments> moments_at(const TermPlace& at) {
   return rotated(in_file_axes, rotation_matrix(conj(q_FB)));
 }
 
-OrbitOf orbit_of_at(const TermPlace& at) {
+OrbitOf orbit_of_at(const TermContext& at) {
   const std::string key = at.key("orbit_of");
-  if (there(at.values, at.key("third_moments")) && !given(at.values, key))
+  if (has(at.values, at.key("third_moments")) && !is_explicit(at.values, key))
     refuse(at.values, at.key("third_moments"), at.name,
            "expected a key orbit_of as well, \"body\" or \"attractor\": whose path the orbit is as "
            "seen from the other, since gravity of degree 3 changes sign with it");
   return word(at.values, key) == "body" ? OrbitOf::body : OrbitOf::attractor;
 }
 
-std::optional<Oblateness> oblateness_at(const TermPlace& at) {
-  const bool any = there(at.values, at.key("J2"));
+std::optional<Oblateness> oblateness_at(const TermContext& at) {
+  const bool any = has(at.values, at.key("J2"));
   for (const char* own : {"primary_radius", "pole"})
-    if (!any && given(at.values, at.key(own)))
+    if (!any && is_explicit(at.values, at.key(own)))
       refuse(at.values, at.key(own), at.name, "expected a key J2 as well");
   if (!any) return std::nullopt;
-  if (!there(at.values, at.key("primary_radius")))
+  if (!has(at.values, at.key("primary_radius")))
     refuse(at.values, at.key("J2"), at.name,
            "expected a key primary_radius as well, the equatorial radius that J2 belongs to");
   Oblateness of{number(at.values, at.key("J2")), number(at.values, at.key("primary_radius"))};
-  if (there(at.values, at.key("pole"))) of.pole = vector(at.values, at.key("pole"));
+  if (has(at.values, at.key("pole"))) of.pole = vector(at.values, at.key("pole"));
   return of;
 }
 
 }  // namespace
 
 // Degree 2 once, and what else the table has.
-std::vector<AnyPerturbation> gravity_terms(const TermPlace& at) {
+std::vector<AnyPerturbation> gravity_terms(const TermContext& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
   const double gm = gm_at(at);
   const std::optional<MassMoments> moments = moments_at(at);
@@ -87,7 +87,7 @@ std::vector<AnyPerturbation> gravity_terms(const TermPlace& at) {
       orbit.motion);
 }
 
-AnyPerturbation tide_term(const TermPlace& at) {
+AnyPerturbation tide_term(const TermContext& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
   const double gm = gm_at(at), mass = number(at.values, at.key("mass"));
   const TidalBody of{number(at.values, at.key("k2")), number(at.values, at.key("time_lag")),
@@ -101,9 +101,9 @@ AnyPerturbation tide_term(const TermPlace& at) {
   });
 }
 
-AnyPerturbation internal_damping_term(const TermPlace& at) {
+AnyPerturbation internal_damping_term(const TermContext& at) {
   const bool grows = value_at(at.values, at.key("grows")).whole == 1;
-  if (there(at.values, at.key("k")))
+  if (has(at.values, at.key("k")))
     return built(at.values, at.key("k"), at.name, [&]() -> AnyPerturbation {
       return {"internal damping", InternalDamping(vector(at.values, at.key("k")), grows)};
     });
@@ -116,7 +116,7 @@ AnyPerturbation internal_damping_term(const TermPlace& at) {
   });
 }
 
-AnyPerturbation anelastic_damping_term(const TermPlace& at) {
+AnyPerturbation anelastic_damping_term(const TermContext& at) {
   const auto value = [&](const char* own) { return positive_at(at, own); };
   return built(at.values, at.key("kind"), at.name, [&]() -> AnyPerturbation {
     return {"internal damping",

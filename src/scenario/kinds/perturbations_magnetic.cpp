@@ -9,7 +9,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-DipoleField dipole_at(const TermPlace& at) {
+DipoleField dipole_at(const TermContext& at) {
   const Vec3 gauss = vector(at.values, at.key("gauss"));
   const std::string radius = at.key("reference_radius");
   if (!(number(at.values, radius) > 0.0))
@@ -27,7 +27,7 @@ DipoleField dipole_at(const TermPlace& at) {
 
 }  // namespace
 
-AnyPerturbation residual_dipole_term(const TermPlace& at) {
+AnyPerturbation residual_dipole_term(const TermContext& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
   const DipoleField dipole = dipole_at(at);
   const Vec3 m = principal_components(at, vector(at.values, at.key("moment")));
@@ -39,7 +39,7 @@ AnyPerturbation residual_dipole_term(const TermPlace& at) {
       orbit.motion);
 }
 
-AnyPerturbation eddy_currents_term(const TermPlace& at) {
+AnyPerturbation eddy_currents_term(const TermContext& at) {
   const ScenarioOrbit& orbit = orbit_at(at);
   const DipoleField dipole = dipole_at(at);
   const std::string key = at.key("tensor");

@@ -32,10 +32,10 @@ Finish finish_of(const Values& values, const std::string& path, const std::strin
 
 Surface mesh_surface(const Rotation& rotation, const Values& values, const std::string& path,
                      const std::string& name) {
-  if (given(values, path + ".sides"))
+  if (is_explicit(values, path + ".sides"))
     refuse(values, path + ".sides", name, "expected no sides together with a shape");
   Vec3 centre;
-  if (there(values, path + ".centre_of_mass"))
+  if (has(values, path + ".centre_of_mass"))
     centre = vector(values, path + ".centre_of_mass");
   else if (rotation.shape)
     centre = rotation.shape->inside.centre;
@@ -46,7 +46,7 @@ Surface mesh_surface(const Rotation& rotation, const Values& values, const std::
 
 Surface plate_surface(const Values& values, const std::string& path, const std::string& name) {
   for (const char* own : {".scale", ".centre_of_mass"})
-    if (there(values, path + own)) refuse(values, path + own, name, "expected a key shape as well");
+    if (has(values, path + own)) refuse(values, path + own, name, "expected a key shape as well");
   const Vec3 normal = vector(values, path + ".normal");
   const double area = number(values, path + ".area");
   if (!(norm(normal) > 0.0))
@@ -59,7 +59,7 @@ Surface plate_surface(const Values& values, const std::string& path, const std::
   });
 }
 
-const Surface& surface_at(const TermPlace& at) {
+const Surface& surface_at(const TermContext& at) {
   const Surface* const surface = at.surface();
   if (surface == nullptr)
     refuse(at.values, at.key("kind"), at.name,
@@ -67,22 +67,22 @@ const Surface& surface_at(const TermPlace& at) {
   return *surface;
 }
 
-DirectedPath path_at(const TermPlace& at) {
+DirectedPath path_at(const TermContext& at) {
   return {any_orbit(orbit_at(at)), word(at.values, at.key("orbit_of")) == "attractor"};
 }
 
-double length_at(const TermPlace& at, const char* own, const char* with) {
-  if (!there(at.values, at.key(own)))
+double length_at(const TermContext& at, const char* own, const char* with) {
+  if (!has(at.values, at.key(own)))
     refuse(at.values, at.key(with), at.name, std::string("expected a key ") + own + " as well");
   const double x = number(at.values, at.key(own));
   if (!(x > 0.0)) refuse(at.values, at.key(own), at.name, "expected a positive length");
   return x;
 }
 
-std::optional<Shadow> shadow_at(const TermPlace& at) {
+std::optional<Shadow> shadow_at(const TermContext& at) {
   const std::string& shape = word(at.values, at.key("shadow"));
   if (shape == "none") return std::nullopt;
-  if (!there(at.values, at.key("sun")))
+  if (!has(at.values, at.key("sun")))
     refuse(at.values, at.key("shadow"), at.name,
            "expected a key sun as well: without it the body goes round the Sun itself");
   const double radius = length_at(at, "shadow_radius", "shadow");
@@ -90,7 +90,7 @@ std::optional<Shadow> shadow_at(const TermPlace& at) {
   return Shadow::cone(radius, length_at(at, "sun_radius", "shadow"));
 }
 
-Vec3 air_rotation(const TermPlace& at) {
+Vec3 air_rotation(const TermContext& at) {
   const double rate = number(at.values, at.key("air_rate"));
   const Vec3 pole = vector(at.values, at.key("air_pole"));
   const double length = norm(pole);
@@ -105,15 +105,15 @@ std::shared_ptr<const Surface> surface_of(const Rotation& rotation, const Values
                                           const std::string& name) {
   std::vector<Surface> parts;
   for (const std::string& path : array_paths(values, "surface"))
-    parts.push_back(there(values, path + ".shape") ? mesh_surface(rotation, values, path, name)
-                                                   : plate_surface(values, path, name));
+    parts.push_back(has(values, path + ".shape") ? mesh_surface(rotation, values, path, name)
+                                                 : plate_surface(values, path, name));
   if (parts.empty()) return nullptr;
   const Surface all = joined(parts);
   const Quaternion& q_FB = rotation.q_file;
   return std::make_shared<const Surface>(q_FB == Quaternion{} ? all : all.along(q_FB));
 }
 
-AnyPerturbation solar_pressure_term(const TermPlace& at) {
+AnyPerturbation solar_pressure_term(const TermContext& at) {
   const Surface& surface = surface_at(at);
   const ScenarioOrbit& orbit = orbit_at(at);
   const Sunlight light{number(at.values, at.key("pressure")),
@@ -123,7 +123,7 @@ AnyPerturbation solar_pressure_term(const TermPlace& at) {
   const std::optional<Shadow> shadow = shadow_at(at);
   const std::string text = "solar pressure on " + std::to_string(surface.facets().size()) +
                            " facets, orbit " + orbit.name;
-  if (!there(at.values, at.key("sun"))) return {text, SolarPressure(surface, light, path_at(at))};
+  if (!has(at.values, at.key("sun"))) return {text, SolarPressure(surface, light, path_at(at))};
   const ScenarioOrbit& sun = at.orbit("sun");
   DirectedPath sun_path{any_orbit(sun), word(at.values, at.key("sun_orbit_of")) == "attractor"};
   return {
@@ -133,16 +133,16 @@ AnyPerturbation solar_pressure_term(const TermPlace& at) {
       SolarPressure(surface, light, path_at(at), std::move(sun_path), shadow)};
 }
 
-AnyPerturbation drag_term(const TermPlace& at) {
+AnyPerturbation drag_term(const TermContext& at) {
   const Surface& surface = surface_at(at);
   Atmosphere air{.density = number(at.values, at.key("density"))};
   if (!(air.density >= 0.0))
     refuse(at.values, at.key("density"), at.name, "expected a density that is not negative");
   air.rotation = air_rotation(at);
-  if (there(at.values, at.key("scale_height"))) {
+  if (has(at.values, at.key("scale_height"))) {
     air.scale_height = length_at(at, "scale_height", "scale_height");
     air.radius = length_at(at, "density_radius", "scale_height");
-  } else if (there(at.values, at.key("density_radius"))) {
+  } else if (has(at.values, at.key("density_radius"))) {
     refuse(at.values, at.key("density_radius"), at.name, "expected a key scale_height as well");
   }
   const double exit_speed = number(at.values, at.key("exit_speed"));

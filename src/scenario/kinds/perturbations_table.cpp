@@ -13,18 +13,18 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-const std::vector<double>& column(const TermPlace& at, const char* own) {
+const std::vector<double>& column(const TermContext& at, const char* own) {
   return value_at(at.values, at.key(own)).numbers;
 }
 
 // The columns of a file, side by side.
-std::vector<TorqueRow> rows_at(const TermPlace& at) {
+std::vector<TorqueRow> rows_at(const TermContext& at) {
   const std::vector<double>& t = column(at, "times");
   std::vector<TorqueRow> rows(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) rows[i].t = t[i];
   const char* const names[] = {"torque_1", "torque_2", "torque_3"};
   for (int axis = 0; axis < 3; ++axis) {
-    if (!there(at.values, at.key(names[axis]))) continue;  // no torque about that axis
+    if (!has(at.values, at.key(names[axis]))) continue;  // no torque about that axis
     const std::vector<double>& u = column(at, names[axis]);
     if (u.size() != t.size())
       refuse(at.values, at.key(names[axis]), at.name,
@@ -35,18 +35,18 @@ std::vector<TorqueRow> rows_at(const TermPlace& at) {
 }
 
 // What one unit of a column is in core units.
-double unit_of(const TermPlace& at, const char* own, Dimension dimension) {
-  if (!there(at.values, at.key(own))) return 1.0;
+double unit_of(const TermContext& at, const char* own, Dimension dimension) {
+  if (!has(at.values, at.key(own))) return 1.0;
   return built(at.values, at.key(own), at.name,
                [&] { return at.units.to_core(1.0, word(at.values, at.key(own)), dimension); });
 }
 
-std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
+std::vector<TorqueRow> rows_of_file(const TermContext& at) {
   const std::string key = at.key("file");
   const std::string path =
       (std::filesystem::path(at.name).parent_path() / word(at.values, key)).string();
   std::vector<std::string> columns{"1", "2", "3", "4"};
-  if (there(at.values, at.key("columns"))) columns = value_at(at.values, at.key("columns")).words;
+  if (has(at.values, at.key("columns"))) columns = value_at(at.values, at.key("columns")).words;
   if (columns.size() != 4)
     refuse(at.values, at.key("columns"), at.name, "expected 4 columns: time and three torques");
   const double time = unit_of(at, "time_unit", Dimension::time);
@@ -71,21 +71,21 @@ std::vector<TorqueRow> rows_of_file(const TermPlace& at) {
 }
 
 // Keys that belong to the other way of giving rows.
-void require_one_way(const TermPlace& at, bool by_file) {
+void require_one_way(const TermContext& at, bool by_file) {
   for (const char* own : {"columns", "time_unit", "torque_unit"})
-    if (!by_file && given(at.values, at.key(own)))
+    if (!by_file && is_explicit(at.values, at.key(own)))
       refuse(at.values, at.key(own), at.name, "expected a key file as well");
   for (const char* own : {"torque_1", "torque_2", "torque_3"})
-    if (by_file && given(at.values, at.key(own)))
+    if (by_file && is_explicit(at.values, at.key(own)))
       refuse(at.values, at.key(own), at.name, "expected a key times as well, not file");
 }
 
 }  // namespace
 
-AnyPerturbation torque_table_term(const TermPlace& at) {
+AnyPerturbation torque_table_term(const TermContext& at) {
   using Between = TorqueTable::Between;
   using Outside = TorqueTable::Outside;
-  const bool by_file = there(at.values, at.key("file"));
+  const bool by_file = has(at.values, at.key("file"));
   require_one_way(at, by_file);
   std::vector<TorqueRow> rows = by_file ? rows_of_file(at) : rows_at(at);
   const std::string &between = word(at.values, at.key("between")),

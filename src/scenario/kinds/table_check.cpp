@@ -42,7 +42,7 @@ Date date_of(const TableHeader::Note& said) {
 
 }  // namespace
 
-TableCheck::TableCheck(const TablePlace& at, const NumberTable& file,
+TableCheck::TableCheck(const TableContext& at, const NumberTable& file,
                        const std::vector<std::string>& columns)
     : at_(at), header_(header_of(file)) {
   for (const std::string& column : columns) names_.push_back(name_of(column, file.names));
@@ -52,12 +52,12 @@ TableCheck::TableCheck(const TablePlace& at, const NumberTable& file,
 const TableHeader::Note* TableCheck::said_of(std::size_t column, Dimension dimension) const {
   const auto own = header_.columns.find(names_.at(column));
   if (own != header_.columns.end()) return &own->second;
-  const auto given = [](const std::optional<TableHeader::Note>& note) {
+  const auto stated = [](const std::optional<TableHeader::Note>& note) {
     return note ? &*note : nullptr;
   };
-  if (dimension == Dimension::time) return given(header_.time);
-  if (dimension == Dimension::length) return given(header_.length);
-  return dimension == Dimension::speed ? given(header_.speed) : nullptr;
+  if (dimension == Dimension::time) return stated(header_.time);
+  if (dimension == Dimension::length) return stated(header_.length);
+  return dimension == Dimension::speed ? stated(header_.speed) : nullptr;
 }
 
 void TableCheck::unit(std::size_t column, const Read& read) const {
@@ -105,7 +105,7 @@ void TableCheck::epoch() const {
   if (!header_.epoch) return;
   const TableHeader::Note& said = *header_.epoch;
   const std::string counts = said.at + "t counts from " + printable(said.text);
-  if (!there(at_.values, "state.epoch"))
+  if (!has(at_.values, "state.epoch"))
     throw DomainError(counts + "; expected epoch = " + quoted(said.text) + " in [state]");
   const Clock clock = clock_of(at_.values, at_.units, at_.path + ".file", at_.name);
   const double apart = seconds_between(clock.epoch, date_of(said), clock.dut1);

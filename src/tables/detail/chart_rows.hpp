@@ -15,7 +15,7 @@ namespace detail {
 constexpr std::size_t widest_chart = 13;  // with its optional columns
 using ChartRow = std::array<double, widest_chart>;
 
-struct RowOrigin {
+struct ChartContext {
   const Body* body;  // null where no chart needs one
   double t;          // of the row; 0 without a column t
 };
@@ -23,8 +23,8 @@ struct RowOrigin {
 struct ChartMaps {
   TableChart chart;
   // Throws DomainError for numbers that are no state.
-  RotorState (*hub)(const ChartRow&, const RowOrigin&);
-  ChartRow (*row)(const RotorState&, const RowOrigin&);
+  RotorState (*hub)(const ChartRow&, const ChartContext&);
+  ChartRow (*row)(const RotorState&, const ChartContext&);
 };
 
 // Throws DomainError with the option that named it and the nearest known name.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/detail/marked_file.hpp"
+#include "output/detail/journaled_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -75,14 +75,14 @@ struct Piece {
 };
 
 // Up to the first that was not written to its end: the file has not been changed there yet.
-std::vector<Piece> pieces_of(const std::string& undo, const MarkedFile::Mark& mark) {
+std::vector<Piece> pieces_of(const std::string& undo, const JournaledFile::Savepoint& savepoint) {
   std::vector<Piece> pieces;
   StateBytes reader(undo);
   try {
     std::string head;
-    MarkedFile::Mark of{};
+    JournaledFile::Savepoint of{};
     reader.all(head, of.bytes, of.number);
-    if (head != title || of.bytes != mark.bytes || of.number != mark.number) return {};
+    if (head != title || of.bytes != savepoint.bytes || of.number != savepoint.number) return {};
     while (!reader.is_done()) {
       Piece piece;
       piece.transfer(reader);
@@ -96,24 +96,25 @@ std::vector<Piece> pieces_of(const std::string& undo, const MarkedFile::Mark& ma
 
 }  // namespace
 
-MarkedFile::MarkedFile(std::string path) : path_(std::move(path)), descriptor_(new_part(path_)) {
+JournaledFile::JournaledFile(std::string path)
+    : path_(std::move(path)), descriptor_(new_part(path_)) {
   ::unlink(undo_path(path_).c_str());  // of another run
 }
 
-MarkedFile::MarkedFile(std::string path, const Mark& mark)
+JournaledFile::JournaledFile(std::string path, const Savepoint& savepoint)
     : path_(std::move(path)),
-      descriptor_(reopened_part(path_, {mark.bytes, "", can_take_back(path_, mark)})),
-      bytes_(mark.bytes) {
+      descriptor_(reopened_part(path_, {savepoint.bytes, "", can_roll_back(path_, savepoint)})),
+      bytes_(savepoint.bytes) {
   try {
-    take_back(mark);
-    this->mark(mark.number);
+    roll_back(savepoint);
+    this->savepoint(savepoint.number);
   } catch (...) {
     ::close(descriptor_);
     throw;
   }
 }
 
-MarkedFile::~MarkedFile() {
+JournaledFile::~JournaledFile() {
   if (undo_ >= 0) {
     ::close(undo_);
     if (kept_.empty()) ::unlink(undo_path(path_).c_str());
@@ -121,20 +122,20 @@ MarkedFile::~MarkedFile() {
   ::close(descriptor_);
 }
 
-void MarkedFile::fail(int error_number) const { fail_to_write(path_, error_number); }
+void JournaledFile::fail(int error_number) const { fail_to_write(path_, error_number); }
 
-bool MarkedFile::can_take_back(const std::string& path, const Mark& mark) {
-  return !pieces_of(file_text(undo_path(path)), mark).empty();
+bool JournaledFile::can_roll_back(const std::string& path, const Savepoint& savepoint) {
+  return !pieces_of(file_text(undo_path(path)), savepoint).empty();
 }
 
-void MarkedFile::take_back(const Mark& mark) {
-  for (const Piece& piece : pieces_of(file_text(undo_path(path_)), mark))
+void JournaledFile::roll_back(const Savepoint& savepoint) {
+  for (const Piece& piece : pieces_of(file_text(undo_path(path_)), savepoint))
     if (!written(descriptor_, piece.bytes, piece.offset)) fail(errno);
-  if (::ftruncate(descriptor_, mark.bytes) != 0) fail(errno);
+  if (::ftruncate(descriptor_, savepoint.bytes) != 0) fail(errno);
   sync();
 }
 
-bool MarkedFile::read(std::uint64_t offset, std::span<char> out) const {
+bool JournaledFile::read(std::uint64_t offset, std::span<char> out) const {
   if (!read_at(descriptor_, out, offset)) return false;
   const std::uint64_t end = offset + out.size();
   for (auto i = waiting_.lower_bound(offset / page_bytes);
@@ -146,7 +147,7 @@ bool MarkedFile::read(std::uint64_t offset, std::span<char> out) const {
   return true;
 }
 
-bool MarkedFile::write(std::uint64_t offset, std::span<const char> bytes) {
+bool JournaledFile::write(std::uint64_t offset, std::span<const char> bytes) {
   while (!bytes.empty()) {
     const std::uint64_t page = offset / page_bytes, from = offset % page_bytes;
     const std::size_t count = std::min<std::size_t>(bytes.size(), page_bytes - from);
@@ -162,20 +163,20 @@ bool MarkedFile::write(std::uint64_t offset, std::span<const char> bytes) {
   return true;
 }
 
-bool MarkedFile::put_page(std::uint64_t page, const Page& bytes, std::int64_t length) const {
+bool JournaledFile::put_page(std::uint64_t page, const Page& bytes, std::int64_t length) const {
   const auto begin = static_cast<std::int64_t>(page * page_bytes);
   const auto count = std::clamp<std::int64_t>(length - begin, 0, std::int64_t{page_bytes});
   return written(descriptor_, {bytes.data(), static_cast<std::size_t>(count)}, page * page_bytes);
 }
 
 // Before a byte of the marked state is overwritten, it is in PATH-undo, on the disk.
-void MarkedFile::keep_old_pages() {
+void JournaledFile::keep_old_pages() {
   StateBytes added;
   std::vector<std::uint64_t> pages;
   for (const auto& [page, bytes] : waiting_) {
     const auto begin = static_cast<std::int64_t>(page * page_bytes);
-    if (begin >= mark_.bytes || kept_.contains(page)) continue;
-    const auto count = std::min<std::int64_t>(page_bytes, mark_.bytes - begin);
+    if (begin >= savepoint_.bytes || kept_.contains(page)) continue;
+    const auto count = std::min<std::int64_t>(page_bytes, savepoint_.bytes - begin);
     Piece piece{page * page_bytes, std::string(static_cast<std::size_t>(count), '\0'), 0};
     if (!read_at(descriptor_, piece.bytes, piece.offset)) fail(errno);
     piece.hash = piece.true_hash();
@@ -191,7 +192,7 @@ void MarkedFile::keep_old_pages() {
   StateBytes head;
   if (end == 0) {
     std::string text(title);
-    head.all(text, mark_.bytes, mark_.number);
+    head.all(text, savepoint_.bytes, savepoint_.number);
   }
   if (!written(undo_, head.bytes() + added.bytes(), static_cast<std::uint64_t>(end)) ||
       ::fdatasync(undo_) != 0) {
@@ -202,7 +203,7 @@ void MarkedFile::keep_old_pages() {
   kept_.insert(pages.begin(), pages.end());
 }
 
-void MarkedFile::commit(std::int64_t bytes) {
+void JournaledFile::commit(std::int64_t bytes) {
   keep_old_pages();
   // What is new first: it needs space on the disk, and nothing refers to it yet.
   const auto is_new = [&](std::uint64_t page) {
@@ -224,19 +225,19 @@ void MarkedFile::commit(std::int64_t bytes) {
   waiting_.clear();
 }
 
-void MarkedFile::sync() const {
+void JournaledFile::sync() const {
   if (::fsync(descriptor_) != 0) fail(errno);
 }
 
-void MarkedFile::mark(std::int64_t number) {
+void JournaledFile::savepoint(std::int64_t number) {
   if (undo_ >= 0 && ::ftruncate(undo_, 0) != 0) ::close(std::exchange(undo_, -1));
   if (undo_ < 0) ::unlink(undo_path(path_).c_str());
-  mark_ = {bytes_, number};
+  savepoint_ = {bytes_, number};
   kept_.clear();
 }
 
-void MarkedFile::forget_marks() {
-  mark_ = {0, 0};
+void JournaledFile::forget_savepoints() {
+  savepoint_ = {0, 0};
   ::unlink(undo_path(path_).c_str());
 }
 

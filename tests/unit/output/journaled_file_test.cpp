@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A MarkedFile goes back to its mark, whatever a killed process has left of the commits since.
-#include "output/detail/marked_file.hpp"
+// A JournaledFile goes back to its savepoint, whatever a killed process has left of the commits
+// since.
+#include "output/detail/journaled_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,15 +19,15 @@ namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
-using detail::MarkedFile;
+using detail::JournaledFile;
 
-class MarkedFileTest : public ::testing::Test {
+class JournaledFileTest : public ::testing::Test {
  protected:
-  MarkedFileTest()
+  JournaledFileTest()
       : folder_(fs::temp_directory_path() / ("polhode_marked_" + std::to_string(::getpid()))) {
     fs::create_directories(folder_);
   }
-  ~MarkedFileTest() override { fs::remove_all(folder_); }
+  ~JournaledFileTest() override { fs::remove_all(folder_); }
 
   std::string path(const std::string& name = "a.part") const { return (folder_ / name).string(); }
   static std::string text(const std::string& name) {
@@ -37,7 +38,7 @@ class MarkedFileTest : public ::testing::Test {
     std::ofstream(name, std::ios::binary) << bytes;
   }
   // Some bytes anywhere, also beyond the end; the file that they make.
-  std::string random_write(MarkedFile& file, std::string content) {
+  std::string random_write(JournaledFile& file, std::string content) {
     const std::size_t offset = random_() % (content.size() + 6000);
     std::string bytes(1 + random_() % 9000, '\0');
     for (char& c : bytes) c = static_cast<char>(random_());
@@ -53,8 +54,8 @@ class MarkedFileTest : public ::testing::Test {
   fs::path folder_;
 };
 
-TEST_F(MarkedFileTest, HoldsWhatWasCommitted) {
-  MarkedFile file(path());
+TEST_F(JournaledFileTest, HoldsWhatWasCommitted) {
+  JournaledFile file(path());
   std::string content;
   for (int i = 0; i < 40; ++i) {
     const std::string before = content;
@@ -68,20 +69,20 @@ TEST_F(MarkedFileTest, HoldsWhatWasCommitted) {
   }
 }
 
-TEST_F(MarkedFileTest, GoesBackToItsMarkAfterAnyCommits) {
+TEST_F(JournaledFileTest, GoesBackToItsMarkAfterAnyCommits) {
   std::string content;
   for (std::int64_t number = 1; number <= 12; ++number) {
     std::string marked;
     {
-      MarkedFile file = number == 1
-                            ? MarkedFile(path())
-                            : MarkedFile(path(), {std::int64_t(content.size()), number - 1});
+      JournaledFile file = number == 1
+                               ? JournaledFile(path())
+                               : JournaledFile(path(), {std::int64_t(content.size()), number - 1});
       EXPECT_EQ(text(path()), content);
       for (int i = 0; i < 3; ++i) {
         content = random_write(file, content);
         file.commit(static_cast<std::int64_t>(content.size()));
       }
-      file.mark(number);
+      file.savepoint(number);
       marked = content;
       for (int i = 0; i < 4; ++i) {
         content = random_write(file, content);
@@ -93,24 +94,24 @@ TEST_F(MarkedFileTest, GoesBackToItsMarkAfterAnyCommits) {
 }
 
 // What a commit has in PATH-undo may be anything in the file: the process was killed in it.
-TEST_F(MarkedFileTest, GoesBackFromATornCommit) {
+TEST_F(JournaledFileTest, GoesBackFromATornCommit) {
   std::string content(50000, 'a');
   {
-    MarkedFile file(path());
+    JournaledFile file(path());
     ASSERT_TRUE(file.write(0, content));
     file.commit(50000);
-    file.mark(7);
+    file.savepoint(7);
     ASSERT_TRUE(file.write(4096 * 3 + 17, std::string(100, 'b')));
     ASSERT_TRUE(file.write(4096 * 9, std::string(100, 'b')));
     file.commit(60000);
   }
-  const std::string whole = text(path()), undo = text(MarkedFile::undo_path(path()));
+  const std::string whole = text(path()), undo = text(JournaledFile::undo_path(path()));
   for (const std::size_t page : {3U, 9U}) {
     std::string torn = whole;
     torn.replace(4096 * page, 4096, std::string(4096, 'x'));
     put(path(), torn + "tail");
-    put(MarkedFile::undo_path(path()), undo);
-    MarkedFile file(path(), {50000, 7});
+    put(JournaledFile::undo_path(path()), undo);
+    JournaledFile file(path(), {50000, 7});
     EXPECT_EQ(text(path()), content) << page;
   }
   // killed while PATH-undo was written: the file has not been changed there
@@ -118,32 +119,32 @@ TEST_F(MarkedFileTest, GoesBackFromATornCommit) {
   half.replace(4096 * 9, 4096, std::string(4096, 'a'));
   for (const std::size_t cut : {1U, 100U, 4000U}) {
     put(path(), half);
-    put(MarkedFile::undo_path(path()), undo.substr(0, undo.size() - cut));
-    MarkedFile file(path(), {50000, 7});
+    put(JournaledFile::undo_path(path()), undo.substr(0, undo.size() - cut));
+    JournaledFile file(path(), {50000, 7});
     EXPECT_EQ(text(path()), content) << cut;
   }
 }
 
 // The process was killed when a checkpoint was there, and PATH-undo still that of the one before.
-TEST_F(MarkedFileTest, AnUndoOfAnotherMarkIsNotApplied) {
+TEST_F(JournaledFileTest, AnUndoOfAnotherMarkIsNotApplied) {
   std::string content(20000, 'a');
   {
-    MarkedFile file(path());
+    JournaledFile file(path());
     ASSERT_TRUE(file.write(0, content));
     file.commit(20000);
-    file.mark(1);
+    file.savepoint(1);
     ASSERT_TRUE(file.write(5000, std::string(10, 'b')));
     content.replace(5000, 10, std::string(10, 'b'));
     file.commit(20000);
   }
-  MarkedFile file(path(), {20000, 2});
+  JournaledFile file(path(), {20000, 2});
   EXPECT_EQ(text(path()), content);
 }
 
-TEST_F(MarkedFileTest, AFileThatIsNotThatOfTheMark) {
+TEST_F(JournaledFileTest, AFileThatIsNotThatOfTheMark) {
   put(path(), std::string(100, 'a'));
-  EXPECT_THROW(MarkedFile(path(), {101, 1}), DomainError);
-  EXPECT_THROW(MarkedFile(path("none.part"), {0, 1}), DomainError);
+  EXPECT_THROW(JournaledFile(path(), {101, 1}), DomainError);
+  EXPECT_THROW(JournaledFile(path("none.part"), {0, 1}), DomainError);
   EXPECT_EQ(text(path()), std::string(100, 'a'));
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A file that changes only as a whole and can be taken back: writes wait in memory until commit();
-// what a commit overwrites of the file as it was at the last mark is kept in PATH-undo first. A
-// process that is killed at any moment leaves a file that goes back to its mark, byte for byte.
+// what a commit overwrites of the file as it was at the last savepoint is kept in PATH-undo first.
+// A process that is killed at any moment leaves a file that goes back to its savepoint, byte for
+// byte.
 #pragma once
 
 #include <array>
@@ -15,21 +16,21 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-class MarkedFile {
+class JournaledFile {
  public:
-  // A state to go back to: the length of the file, and a number that no other mark of it has.
-  struct Mark {
+  // A state to go back to: the length of the file, and a number that no other savepoint of it has.
+  struct Savepoint {
     std::int64_t bytes;
     std::int64_t number;
   };
 
   // An empty file; DomainError when it cannot be made.
-  explicit MarkedFile(std::string path);
-  // The file that is there, taken back to a mark; DomainError when it is not the file of the mark.
-  MarkedFile(std::string path, const Mark& mark);
-  ~MarkedFile();
-  MarkedFile(const MarkedFile&) = delete;
-  MarkedFile& operator=(const MarkedFile&) = delete;
+  explicit JournaledFile(std::string path);
+  // The file that is there, taken back to a savepoint; DomainError when it is not its file.
+  JournaledFile(std::string path, const Savepoint& savepoint);
+  ~JournaledFile();
+  JournaledFile(const JournaledFile&) = delete;
+  JournaledFile& operator=(const JournaledFile&) = delete;
 
   std::int64_t bytes() const { return bytes_; }
   // With what waits; zeros beyond the end. False when the file cannot be read.
@@ -41,8 +42,8 @@ class MarkedFile {
   // All of it is on the disk when this returns.
   void sync() const;
   // From now on it can be taken back to its state of now, and no further.
-  void mark(std::int64_t number);
-  void forget_marks();
+  void savepoint(std::int64_t number);
+  void forget_savepoints();
 
   static std::string undo_path(const std::string& path) { return path + "-undo"; }
 
@@ -50,8 +51,8 @@ class MarkedFile {
   static constexpr std::uint64_t page_bytes = 4096;
   using Page = std::array<char, page_bytes>;
 
-  static bool can_take_back(const std::string& path, const Mark& mark);
-  void take_back(const Mark& mark);
+  static bool can_roll_back(const std::string& path, const Savepoint& savepoint);
+  void roll_back(const Savepoint& savepoint);
   void keep_old_pages();
   bool put_page(std::uint64_t page, const Page& bytes, std::int64_t length) const;
   [[noreturn]] void fail(int error_number) const;
@@ -60,7 +61,7 @@ class MarkedFile {
   int descriptor_;
   int undo_ = -1;
   std::int64_t bytes_ = 0;        // of the file
-  Mark mark_{0, 0};               // 0 bytes: none
+  Savepoint savepoint_{0, 0};     // 0 bytes: none
   std::set<std::uint64_t> kept_;  // pages in PATH-undo
   std::map<std::uint64_t, Page> waiting_;
 };
