@@ -51,19 +51,22 @@ def test_any_number_of_threads_gives_the_same_file(run, map_file, tmp_path):
 def test_a_map_survives_kills(polhode, run, map_file, tmp_path):
     whole, out, table = tmp_path / "whole.csv", tmp_path / "part.csv", tmp_path / "part.h5"
     assert run("map", map_file, "--out", whole).returncode == 0
-    command = [polhode, "map", map_file, "--out", out, "--out", table, "--resume"]
-    cells = tmp_path / "part.csv.cells"
-    lengths = []
+    command = [polhode, "map", map_file, "--out", out, "--out", table, "--resume",
+               "--checkpoint", "0"]
+    checkpoint = tmp_path / "part.csv.checkpoint"
+    kept = []
     for pause in (0.02, 0.15, 0.05, 0.1):
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(pause)
         process.kill()
         process.wait()
-        lengths.append(cells.stat().st_size if cells.exists() else 0)
-    assert not out.exists() or lengths[-1] == 0  # the name is that of a whole file
+        kept.append(checkpoint.exists())
+    assert not out.exists() or not kept[-1]  # the name is that of a whole file
     result = run(*command[1:])
     assert result.returncode == 0, result.stderr
-    assert out.read_bytes() == whole.read_bytes() and not cells.exists()
+    assert out.read_bytes() == whole.read_bytes()
+    left = {"body.toml", "whole.csv", "part.csv", "part.h5"}
+    assert {path.name for path in tmp_path.iterdir()} == left
     rows = numpy.loadtxt(whole, delimiter=",", skiprows=0, comments=["#", "body"])
     with h5py.File(table) as file:
         numpy.testing.assert_array_equal(file["chaos"][:], rows[:, 2:])
@@ -100,7 +103,7 @@ def test_a_section_is_the_same_for_any_number_of_threads_and_after_kills(
     rows = numpy.loadtxt(tmp_path / "1.csv", delimiter=",", comments=["#", "state"])
     assert len(rows) > 1000 and len(set(rows[:, 0])) == 9
     out = tmp_path / "killed.csv"
-    command = [polhode, "map", path, "--out", out, "--resume"]
+    command = [polhode, "map", path, "--out", out, "--resume", "--checkpoint", "0"]
     for pause in (0.1, 0.2, 0.3):
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(pause)
@@ -134,13 +137,19 @@ def slow_map(scenario):
     return path
 
 
+def cells_in(checkpoint):
+    """How many cells it has, as its first line says."""
+    return int(checkpoint.read_bytes().partition(b" ")[0])
+
+
 def begun(polhode, path, out):
     """A map that goes on, with a few cells behind it."""
-    process = subprocess.Popen([polhode, "map", path, "--out", out, "--threads", "2"], text=True,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    cells, deadline = out.with_name(out.name + ".cells"), time.monotonic() + 60
+    process = subprocess.Popen(
+        [polhode, "map", path, "--out", out, "--threads", "2", "--checkpoint", "0"], text=True,
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    checkpoint, deadline = out.with_name(out.name + ".checkpoint"), time.monotonic() + 60
     while time.monotonic() < deadline and process.poll() is None:
-        if cells.exists() and cells.read_bytes().count(b"\n") > 6:
+        if checkpoint.exists() and cells_in(checkpoint) > 3:
             break
         time.sleep(0.005)
     assert process.poll() is None
@@ -149,7 +158,7 @@ def begun(polhode, path, out):
 
 @pytest.mark.parametrize("by, status", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_a_signal_stops_a_map_in_order(polhode, run, slow_map, tmp_path, by, status):
-    out, cells = tmp_path / "m.csv", tmp_path / "m.csv.cells"
+    out, checkpoint = tmp_path / "m.csv", tmp_path / "m.csv.checkpoint"
     process = begun(polhode, slow_map, out)
     process.send_signal(by)
     err = process.communicate(timeout=SECONDS)[1]
@@ -158,37 +167,37 @@ def test_a_signal_stops_a_map_in_order(polhode, run, slow_map, tmp_path, by, sta
     assert line.startswith("body.toml: stopped after ") and line.endswith(
         f" of 143 cells; continue with: polhode map {slow_map} --out {out} --threads 2 --resume")
     # what is there is not thrown away by the same command, typed again
-    before = cells.read_bytes()
+    before = checkpoint.read_bytes()
     done = run("map", slow_map, "--out", out)
     assert done.returncode == 2 and done.stderr.count("\n") == 1
     number = int(line.split("stopped after ")[1].split()[0])
     assert number >= 3 and done.stderr.startswith(
-        f"{cells}: an unfinished map is there ({number} of 143 cells); --resume continues it, "
+        f"{checkpoint}: an unfinished map is there ({number} of 143 cells); --resume continues it, "
         "--restart begins anew")
-    assert cells.read_bytes() == before
+    assert checkpoint.read_bytes() == before
     # on purpose it is
     slow_map.write_text(slow_map.read_text().replace("count = 13", "count = 2")
                         .replace("count = 11", "count = 1"))
     done = run("map", slow_map, "--out", out, "--resume")
     assert done.returncode == 2 and "is of another map" in done.stderr
-    assert "--restart runs this one anew" in done.stderr and cells.read_bytes() == before
+    assert "--restart runs this one anew" in done.stderr and checkpoint.read_bytes() == before
     assert run("map", slow_map, "--out", out, "--restart").returncode == 0
-    assert out.exists() and not cells.exists()
+    assert out.exists() and not checkpoint.exists()
 
 
 def test_one_map_at_a_time(polhode, run, slow_map, map_file, tmp_path):
-    out, cells = tmp_path / "m.csv", tmp_path / "m.csv.cells"
+    out, checkpoint = tmp_path / "m.csv", tmp_path / "m.csv.checkpoint"
     process = begun(polhode, slow_map, out)
     try:
         process.send_signal(signal.SIGSTOP)
         os.waitid(os.P_PID, process.pid, os.WSTOPPED)  # every thread of it
-        before = cells.read_bytes()
+        before = checkpoint.read_bytes()
         for option in ([], ["--resume"], ["--restart"]):
             for path in (slow_map, map_file):
                 done = run("map", path, "--out", out, *option)
                 assert done.returncode == 2
-                assert done.stderr == f"{cells}: another run is writing it\n"
-        assert cells.read_bytes() == before
+                assert done.stderr == f"{out}.part: another run is writing it\n"
+        assert checkpoint.read_bytes() == before
     finally:
         process.kill()
         process.communicate()
@@ -213,17 +222,20 @@ def test_a_complete_map_has_nothing_to_do(run, map_file, tmp_path):
 # A limit on the size of files stands for a full disk.
 def test_a_disk_that_fills_up_keeps_the_cells(polhode, run, map_file, tmp_path):
     whole, out = tmp_path / "whole.csv", tmp_path / "m.csv"
+    map_file.write_text(map_file.read_text().replace("from = 1.2", "from = 1.6")
+                        .replace("count = 13", "count = 40"))
     assert run("map", map_file, "--out", whole).returncode == 0
-    for kilobytes, status in ((2, 1), (4, 1), (None, 0)):
+    assert whole.stat().st_size > 18 * 1024
+    for kilobytes, status in ((8, 1), (16, 1), (None, 0)):
         limit = f"ulimit -f {kilobytes}; exec \"$@\"" if kilobytes else "exec \"$@\""
         done = subprocess.run(
-            ["bash", "-c", limit, "bash", polhode, "map", map_file, "--out", out, "--resume"],
-            text=True, capture_output=True)
+            ["bash", "-c", limit, "bash", polhode, "map", map_file, "--out", out, "--resume",
+             "--checkpoint", "0"], text=True, capture_output=True)
         assert done.returncode == status, done.stderr
         if status:
             line = done.stderr.splitlines()[-1]
-            assert line.startswith(f"{out}.cells: cannot be written: File too large; raise the ")
-            assert line.endswith(" of 143 cells") and ", then --resume goes on after " in line
+            assert line.startswith(f"{out}.part: cannot be written: File too large; raise the ")
+            assert line.endswith(" of 440 cells") and ", then --resume goes on after " in line
     assert out.read_bytes() == whole.read_bytes()
 
 
@@ -255,12 +267,12 @@ def test_a_map_with_another_table_does_not_go_on(polhode, run, slow_map, tmp_pat
     process = begun(polhode, slow_map, out)
     process.kill()
     process.communicate()
-    cells = tmp_path / "m.csv.cells"
-    before = cells.read_bytes()
+    checkpoint = tmp_path / "m.csv.checkpoint"
+    before = checkpoint.read_bytes()
     table.write_text(table.read_text().replace("1e-3", "2e-3"))
     result = run("map", slow_map, "--out", out, "--resume")
     assert result.returncode == 2 and "is of another map" in result.stderr
-    assert cells.read_bytes() == before
+    assert checkpoint.read_bytes() == before
 
 
 def test_a_pipe_gets_one_head(run, polhode, map_file, tmp_path):
@@ -269,6 +281,22 @@ def test_a_pipe_gets_one_head(run, polhode, map_file, tmp_path):
     done = subprocess.run([polhode, "map", map_file, "--out", "/dev/stdout"], capture_output=True,
                           timeout=SECONDS)
     assert done.returncode == 0 and done.stdout.startswith(whole.read_bytes())
+
+
+def test_a_run_does_not_overwrite_an_unfinished_map(polhode, run, scenario, slow_map, tmp_path):
+    out, checkpoint = tmp_path / "m.csv", tmp_path / "m.csv.checkpoint"
+    process = begun(polhode, slow_map, out)
+    process.kill()
+    process.communicate()
+    before = checkpoint.read_bytes()
+    for option in ([], ["--resume"]):
+        done = run("run", scenario(name="other.toml"), "--out", out, *option)
+        assert done.returncode == 2 and done.stderr.startswith(
+            f"{checkpoint}: an unfinished map is there; expected another file for the run, or "
+            "--restart, which loses the map")
+    assert checkpoint.read_bytes() == before
+    assert run("run", scenario(name="other.toml"), "--out", out, "--restart").returncode == 0
+    assert not checkpoint.exists()
 
 
 def test_a_run_does_not_take_the_file_of_a_map(polhode, run, scenario, slow_map, tmp_path):
@@ -289,6 +317,7 @@ def test_what_is_no_map(run, scenario, map_file, tmp_path):
     assert result.returncode == 2 and "expected a table [map]" in result.stderr
     result = run("map", map_file, "--resume")
     assert result.returncode == 2 and "--resume" in result.stderr
-    (tmp_path / "m.csv.cells").write_text("something else\n")
+    (tmp_path / "m.csv.checkpoint").write_text("something else\n")
     result = run("map", map_file, "--out", tmp_path / "m.csv", "--resume")
-    assert result.returncode == 2 and "is of another map" in result.stderr
+    assert result.returncode == 2 and "is no checkpoint of this version" in result.stderr
+    assert "--restart runs this one anew" in result.stderr

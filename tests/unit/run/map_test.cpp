@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Maps: every cell is the scenario that a file with its numbers would be; rows survive a kill.
-#include "polhode/run/map.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "budgets.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/map_run.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -220,80 +222,314 @@ TEST(ScenarioMap, WhatIsNoSection) {
               HasSubstr("expected an orbit with elements: others have no pericentre"));
 }
 
-TEST(MapRows, KeepSectionsWhole) {
-  const std::string folder = ::testing::TempDir() + "/section_rows";
-  std::filesystem::create_directories(folder);
-  const std::string path = folder + "/s.csv";
-  std::filesystem::remove(path + ".cells");
-  const ScenarioMap map(moon + R"([map]
+// A cell of a map with files beside it is what a file with its numbers gives, message by message.
+std::vector<std::string> lines_of(const MapCell& cell) {
+  if (!cell.failure.empty()) return {cell.failure};
+  std::vector<std::string> lines;
+  for (const double x : cell.numbers)
+    lines.push_back(std::to_string(std::bit_cast<std::int64_t>(x)));
+  return lines;
+}
+
+// The same, by a text in which the numbers stand.
+std::vector<std::string> lines_of_text(const std::string& text, const std::string& name) {
+  try {
+    return lines_of(ScenarioMap(text, name).cell(0));
+  } catch (const ScenarioError& error) {
+    return {error.what()};
+  }
+}
+
+class Overrides : public ::testing::Test {
+ protected:
+  Overrides() : folder_(::testing::TempDir() + "/overrides") {
+    std::filesystem::create_directories(folder_);
+    std::ofstream table(folder_ + "/way.csv");
+    table << "t,x,y,z\n";
+    for (int k = 0; k <= 40; ++k)
+      table << k << "," << 5.0 * std::cos(0.1 * k) << "," << 5.0 * std::sin(0.1 * k) << ",0\n";
+    std::ofstream(folder_ + "/burn.csv") << "t,x,y,z\n0,0,0,0\n1.1,1e-3,0,0\n1.2,0,0,0\n50,0,0,0\n";
+    std::ofstream(folder_ + "/box.obj") << R"(v -1 -2 -3
+v 1 -2 -3
+v 1 2 -3
+v -1 2 -3
+v -1 -2 3
+v 1 -2 3
+v 1 2 3
+v -1 2 3
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+)";
+  }
+
+  // The cell where `key` is `to`, by a map from a text where it is `from`, and by the text.
+  void expect_same(const std::string& key, const std::string& from, const std::string& to) {
+    const auto text = [&](const std::string& number) {
+      std::string all = scenario_;
+      const std::size_t at = all.find("@" + key + "@");
+      EXPECT_NE(at, std::string::npos) << key;
+      all.replace(at, key.size() + 2, number);
+      for (const auto& [other, usual] : usual_) {
+        const std::size_t place = all.find("@" + other + "@");
+        if (place != std::string::npos) all.replace(place, other.size() + 2, usual);
+      }
+      return all;
+    };
+    const auto axis = [&](const std::string& number) {
+      return "[map]\nkind = \"column\"\ncolumn = \"L\"\n[[map.axis]]\nkey = \"" + key +
+             "\"\nfrom = " + number + "\nto = " + number + "\ncount = 1\n";
+    };
+    const std::string name = folder_ + "/f.toml";
+    const std::vector<std::string> found =
+        lines_of(ScenarioMap(text(from) + axis(to), name).cell(0));
+    EXPECT_EQ(found, lines_of_text(text(to) + axis(to), name)) << key;
+    EXPECT_NE(found, lines_of_text(text(from) + axis(from), name)) << key;
+  }
+
+  std::string folder_;
+  const std::vector<std::pair<std::string, std::string>> usual_ = {
+      {"time.stop", "30"},
+      {"body.density", "1"},
+      {"state.attitude-rate.omega_body[1]", "0.3"},
+      {"state.attitude-rate.euler.phi", "10"},
+      {"orbit.way.gm", "2"},
+      {"orbit.planet.semi_major_axis", "7"},
+      {"perturbation[0].gm", "1"},
+      {"perturbation[1].coefficients[0]", "1e-3"},
+      {"perturbation[2].torque[1]", "1e-2"},
+      {"surface[0].specular", "0.2"},
+      {"surface[0].scale", "1"},
+      {"method.tolerance", "1e-9"},
+      {"frame.precessing.rate", "0.01"}};
+  const std::string scenario_ = R"(schema = 1
+units = { time = "h", angle = "deg", length = "m", moment = "kg m2" }
+body = { shape = "box.obj", density = @body.density@ }
+time = { stop = @time.stop@, count = 5 }
+orbit.way = { kind = "table", file = "way.csv", gm = @orbit.way.gm@ }
+orbit.planet = { gm = 1, semi_major_axis = @orbit.planet.semi_major_axis@, eccentricity = 0.1 }
+frame.precessing = { axis = [0, 0, 1], rate = @frame.precessing.rate@ }
+method = { kind = "adaptive", tolerance = @method.tolerance@ }
+state.attitude-rate.euler = { phi = @state.attitude-rate.euler.phi@, theta = 20, psi = 0 }
+state.attitude-rate.omega_body = [9, @state.attitude-rate.omega_body[1]@, 130]
+perturbation = [
+  { kind = "gravity-gradient", orbit = "planet", gm = @perturbation[0].gm@ },
+  { kind = "damping", coefficients = [@perturbation[1].coefficients[0]@, 1e-3, 1e-3] },
+  { kind = "constant-torque", torque = [0, @perturbation[2].torque[1]@, 0] },
+  { kind = "gravity-gradient", orbit = "way" },
+  { kind = "torque-table", file = "burn.csv", outside = "zero" },
+  { kind = "solar-pressure", orbit = "planet", pressure = 10, pressure_distance = 5 }]
+[[surface]]
+shape = "box.obj"
+scale = @surface[0].scale@
+centre_of_mass = [0.3, 0.2, 0.1]
+specular = @surface[0].specular@
+)";
+};
+
+TEST_F(Overrides, AreWhatAFileWithTheirNumbersGives) {
+  expect_same("time.stop", "30", "25");
+  expect_same("body.density", "1", "1.5");
+  expect_same("state.attitude-rate.omega_body[1]", "0.3", "7");
+  expect_same("state.attitude-rate.euler.phi", "10", "70");
+  expect_same("orbit.way.gm", "2", "40");
+  expect_same("orbit.planet.semi_major_axis", "7", "5");
+  expect_same("perturbation[0].gm", "1", "50");
+  expect_same("perturbation[1].coefficients[0]", "1e-3", "0.5");
+  expect_same("perturbation[2].torque[1]", "1e-2", "20");
+  expect_same("surface[0].specular", "0.2", "0.7");
+  expect_same("surface[0].scale", "1", "1.5");
+  expect_same("method.tolerance", "1e-9", "1e-7");
+  expect_same("frame.precessing.rate", "0.01", "3");
+}
+
+TEST_F(Overrides, AreRefusedAsAFileWithTheirNumbersIs) {
+  expect_same("time.stop", "30", "50");  // beyond the table
+  expect_same("body.density", "1", "-1");
+  expect_same("orbit.way.gm", "2", "-2");
+  expect_same("orbit.planet.semi_major_axis", "7", "-7");
+  expect_same("perturbation[0].gm", "1", "-1");
+  expect_same("surface[0].specular", "0.2", "1.5");
+  expect_same("surface[0].scale", "1", "0");
+  expect_same("method.tolerance", "1e-9", "-1");
+}
+
+TEST_F(Overrides, ShareWhatTheyDoNotChange) {
+  const ScenarioMap map(body + R"([map]
+kind = "column"
+column = "L"
+[orbit.way]
+kind = "table"
+file = "way.csv"
+gm = 1
+[[perturbation]]
+kind = "gravity-gradient"
+orbit = "way"
+[[perturbation]]
+kind = "torque-table"
+file = "burn.csv"
+outside = "zero"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.5
+to = 1.9
+count = 2
+)",
+                        folder_ + "/shares.toml");
+  const MapCell before = map.cell(1);
+  EXPECT_EQ(before.failure, "");
+  std::filesystem::remove(folder_ + "/way.csv");
+  std::filesystem::remove(folder_ + "/burn.csv");
+  EXPECT_EQ(lines_of(map.cell(1)), lines_of(before));  // no file is read again
+}
+
+// A map into a file, in a folder of its own.
+class MapRuns : public ::testing::Test {
+ protected:
+  MapRuns() : folder_(::testing::TempDir() + "/map_runs"), path_(folder_ + "/m.csv") {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+
+  // Of all cells, or up to one.
+  MapReport run(const ScenarioMap& map, RunBegin begin, std::int64_t up_to = -1,
+                const std::string& path = "m.csv") const {
+    MapOptions options;
+    options.begin = begin;
+    options.checkpoint_seconds = 0.0;
+    std::int64_t done = 0;
+    options.progress = [&](std::int64_t cells) { done = cells; };
+    options.stop = [&] { return done == up_to; };
+    options.threads = 1;
+    return MapRun(map, {folder_ + "/" + path}, std::move(options)).run();
+  }
+  std::string checkpoint() const { return path_ + ".checkpoint"; }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder_))
+      names.push_back(file.path().filename().string());
+    return names;
+  }
+
+  std::string folder_, path_;
+};
+
+const std::string section = moon + R"([map]
 kind = "spin-orbit-section"
 orbit = "planet"
 [[map.axis]]
 key = "body.moments[1]"
 from = 0.8
 to = 2
-count = 3
-)",
-                        "m.toml");
-  {
-    MapRows rows(map, {path}, RunBegin::restart);
-    for (std::int64_t k = 0; k < 3; ++k) rows.push(map.cell(k));
-    rows.finish();
-  }
-  const std::string straight = text_of(path);
+count = 13
+)";
+
+TEST_F(MapRuns, KeepSectionsWhole) {
+  const ScenarioMap map(section, "m.toml");
+  const MapReport whole = run(map, RunBegin::anew);
+  const std::string straight = text_of(path_);
   EXPECT_THAT(straight, HasSubstr("\n2,nan,nan,nan,nan\n"));  // no body
-  {
-    MapRows rows(map, {path}, RunBegin::restart);
-    for (std::int64_t k = 0; k < 3; ++k) rows.push(map.cell(k));
+  EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
+  EXPECT_EQ(whole.cells, 13);
+  EXPECT_EQ(whole.failures.size(), 3U);
+  EXPECT_THAT(whole.failures[0].why, HasSubstr("body.moments"));
+  EXPECT_EQ(whole.points, 16 * 10);
+  for (std::int64_t stop = 1; stop < 13; ++stop) {
+    std::filesystem::remove(path_);
+    EXPECT_THROW(run(map, RunBegin::resume, stop), MapInterrupted);
+    EXPECT_FALSE(std::filesystem::exists(path_));
+    const MapReport report = run(map, RunBegin::resume);
+    EXPECT_EQ(text_of(path_), straight) << stop;
+    EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
+    EXPECT_EQ(report.points, whole.points);
+    ASSERT_EQ(report.groups.size(), whole.groups.size());
+    for (std::size_t i = 0; i < whole.groups.size(); ++i) {
+      EXPECT_EQ(report.groups[i].cells, whole.groups[i].cells);
+      EXPECT_EQ(report.groups[i].rows, whole.groups[i].rows);
+    }
+    for (std::size_t i = 0; i < whole.ranges.size(); ++i) {
+      EXPECT_EQ(report.ranges[i].least, whole.ranges[i].least);
+      EXPECT_EQ(report.ranges[i].most, whole.ranges[i].most);
+    }
+    ASSERT_EQ(report.failures.size(), whole.failures.size());
+    for (std::size_t i = 0; i < whole.failures.size(); ++i) {
+      EXPECT_EQ(report.failures[i].cell, whole.failures[i].cell);
+      EXPECT_EQ(report.failures[i].why, whole.failures[i].why);
+    }
   }
-  const std::string cells = text_of(path + ".cells");
-  std::int64_t whole = 0;
-  for (std::size_t length = cells.find('\n'); length <= cells.size(); length += 41) {
-    std::ofstream(path + ".cells", std::ios::binary) << cells.substr(0, length);
-    MapRows rows(map, {path}, RunBegin::resume);
-    whole = std::max<std::int64_t>(whole, rows.size());
-    for (std::int64_t k = rows.size(); k < 3; ++k) rows.push(map.cell(k));
-    rows.finish();
-    EXPECT_EQ(text_of(path), straight) << length;
-  }
-  EXPECT_GE(whole, 2);
 }
 
-TEST(MapRows, GoOnFromWhatIsWholeOfAnEarlierMap) {
-  const std::string folder = ::testing::TempDir() + "/map_rows";
-  std::filesystem::create_directories(folder);
-  const std::string path = folder + "/m.csv";
-  std::filesystem::remove(path + ".cells");
-  const ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
-  {
-    MapRows rows(map, {path}, RunBegin::restart);
-    for (std::int64_t k = 0; k < 6; ++k) rows.push(map.cell(k));
-    rows.finish();
+TEST_F(MapRuns, GoOnFromTheCheckpointOfAnEarlierOne) {
+  const ScenarioMap map(section, "m.toml");
+  run(map, RunBegin::resume);  // nothing there: from the start
+  const std::string straight = text_of(path_);
+  std::filesystem::remove(path_);
+  EXPECT_THROW(run(map, RunBegin::anew, 9), MapInterrupted);
+  const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
+  EXPECT_THROW(run(map, RunBegin::anew), DomainError);  // nine cells would be lost
+  EXPECT_EQ(text_of(checkpoint()), kept);
+  // killed after the checkpoint: the part has grown by any number of bytes
+  for (const std::size_t more : {std::size_t{0}, std::size_t{1}, std::size_t{400}}) {
+    std::ofstream(checkpoint(), std::ios::binary) << kept;
+    std::ofstream(path_ + ".part", std::ios::binary) << part << straight.substr(part.size(), more);
+    std::filesystem::remove(path_);
+    run(map, RunBegin::resume);
+    EXPECT_EQ(text_of(path_), straight) << more;
   }
-  EXPECT_FALSE(std::filesystem::exists(path + ".cells"));
-  const std::string straight = text_of(path);
-  {
-    MapRows rows(map, {path}, RunBegin::resume);  // nothing there: from the start
-    EXPECT_EQ(rows.size(), 0);
-    for (std::int64_t k = 0; k < 4; ++k) rows.push(map.cell(k));
+  // killed between the name of the file and the end of the checkpoint
+  std::ofstream(checkpoint(), std::ios::binary) << kept;
+  run(map, RunBegin::resume);
+  EXPECT_EQ(text_of(path_), straight);
+  EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
+}
+
+TEST_F(MapRuns, RefuseWhatIsOfAnother) {
+  const ScenarioMap map(section, "m.toml");
+  EXPECT_THROW(run(map, RunBegin::anew, 9), MapInterrupted);
+  const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
+  const auto refusal_of = [&](const ScenarioMap& other) -> std::string {
+    try {
+      run(other, RunBegin::resume);
+    } catch (const DomainError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  std::string text = section;
+  text.replace(text.find("count = 13"), 10, "count = 14");
+  EXPECT_THAT(refusal_of(ScenarioMap(text, "m.toml")),
+              HasSubstr("m.csv.checkpoint: is of another map: scenario was \"m.toml "));
+  std::string damaged = kept;
+  damaged.back() = static_cast<char>(damaged.back() ^ 1);
+  for (const std::string& bytes : {damaged, kept.substr(0, kept.size() - 1), kept + "x",
+                                   std::string("another file\n"), std::string()}) {
+    std::ofstream(checkpoint(), std::ios::binary) << bytes;
+    EXPECT_THAT(refusal_of(map), HasSubstr("is no checkpoint of this version")) << bytes.size();
   }
-  const std::string cells = text_of(path + ".cells");
-  EXPECT_THROW(MapRows(map, {path}, RunBegin::anew), DomainError);  // four cells would be lost
-  EXPECT_EQ(text_of(path + ".cells"), cells);
-  const auto head = static_cast<std::int64_t>(cells.find('\n') + 1);
-  // killed after any number of bytes
-  for (const std::int64_t length :
-       {std::int64_t{0}, head - 5, head, head + 9, static_cast<std::int64_t>(cells.size()) - 1,
-        static_cast<std::int64_t>(cells.size())}) {
-    std::ofstream(path + ".cells", std::ios::binary)
-        << cells.substr(0, static_cast<std::size_t>(length));
-    MapRows rows(map, {path}, RunBegin::resume);
-    for (std::int64_t k = rows.size(); k < 6; ++k) rows.push(map.cell(k));
-    rows.finish();
-    EXPECT_EQ(text_of(path), straight) << length;
-  }
-  std::ofstream(path + ".cells") << "another file\n";
-  EXPECT_THROW(MapRows(map, {path}, RunBegin::resume), DomainError);
+  std::ofstream(checkpoint(), std::ios::binary) << kept;
+  std::ofstream(path_ + ".part", std::ios::binary) << part.substr(0, part.size() - 1);
+  EXPECT_THAT(refusal_of(map), HasSubstr("cannot be continued"));
+  std::ofstream(path_ + ".part", std::ios::binary) << "X" << part.substr(1);
+  EXPECT_THAT(refusal_of(map), HasSubstr("it is the output of another scenario"));
+}
+
+TEST_F(MapRuns, WhatProgressThrowsKeepsTheCellsBefore) {
+  const ScenarioMap map(section, "m.toml");
+  MapOptions options;
+  options.threads = 3;
+  options.progress = [](std::int64_t cells) {
+    if (cells == 7) throw std::runtime_error("enough");
+  };
+  EXPECT_THROW(MapRun(map, {path_}, std::move(options)).run(), std::runtime_error);
+  MapOptions rest;
+  rest.begin = RunBegin::resume;
+  MapRun run(map, {path_}, std::move(rest));
+  EXPECT_TRUE(run.continues());
+  EXPECT_EQ(run.cells(), 7);
+  EXPECT_EQ(run.run().cells, 13);
 }
 
 }  // namespace
