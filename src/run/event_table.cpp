@@ -34,8 +34,8 @@ struct EventTable::Parts {
   Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
       : scenario(of),
         layout(row_layout(of)),
-        system(rotor_system(of)),
-        energy_0(detail::initial_energy(of.rotation())),
+        problem(rotor_problem(of)),
+        energy_0(detail::initial_energy(problem)),
         motion(!propagation_method(of) && of.rotation().frame.is_inertial()
                    ? std::optional(free_rotation(of))
                    : std::nullopt),
@@ -57,7 +57,7 @@ struct EventTable::Parts {
       layout.write_rows(*motion, {&event.t, 1}, row);
     } else {
       const Sample sample{event.t, event.s, event.damper_rate};
-      layout.write_rows(RowOrigin{system, energy_0}, {&sample, 1}, row);
+      layout.write_rows(RowOrigin{problem.system, energy_0}, {&sample, 1}, row);
     }
     std::string text = event.name;
     append_number(text, row[0]);
@@ -68,7 +68,7 @@ struct EventTable::Parts {
 
   const Scenario& scenario;
   RowLayout layout;
-  System system;
+  Problem problem;
   double energy_0;
   std::optional<FreeRotation> motion;  // of a free body: its rows are those of a run
   detail::PartFile file;

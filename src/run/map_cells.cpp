@@ -32,7 +32,7 @@ MapCell chaos_cell(const Problem& problem, const Progress& progress) {
 // The extremes and the last value.
 MapCell column_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
   const System& system = problem.system;
-  const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(of.rotation));
+  const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(problem));
   double least = nan, most = nan, last = nan;
   const Trajectory trajectory = integrate(
       problem, *of.rotation.time,

@@ -20,7 +20,7 @@ namespace {
 
 // Rows wait for their block to fill, in checkpoints too: blocks do not depend on when these were
 // made.
-constexpr std::int64_t rows_per_block = 64;
+constexpr std::size_t numbers_per_block = 65536;
 constexpr std::size_t longest_reason = 1000;
 
 // Ends the loop over the cells, from within.
@@ -159,7 +159,7 @@ class MapRun::Parts {
       state_.waiting.insert(state_.waiting.end(), row, row + static_cast<std::ptrdiff_t>(width_));
     }
     add(state_.report, cell, width_);
-    if (waiting_rows() >= rows_per_block) push_waiting();
+    if (state_.waiting.size() >= numbers_per_block) push_waiting();
     try {
       if (options_.progress) options_.progress(state_.report.cells);
     } catch (...) {
@@ -171,14 +171,11 @@ class MapRun::Parts {
     if (outputs_.is_due()) keep();
   }
 
-  std::int64_t waiting_rows() const {
-    return static_cast<std::int64_t>(state_.waiting.size() / (map_.plan().axes.size() + width_));
-  }
-
   void push_waiting() {
     if (state_.waiting.empty()) return;
     for (const std::unique_ptr<Sink>& sink : sinks_) sink->push(state_.waiting);
-    state_.rows += waiting_rows();
+    state_.rows +=
+        static_cast<std::int64_t>(state_.waiting.size() / (map_.plan().axes.size() + width_));
     state_.waiting.clear();
   }
 

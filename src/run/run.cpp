@@ -113,12 +113,12 @@ class FreeRun {
       : rotation_(rotation),
         writer_(writer),
         control_(control),
-        system_(rotor_system(rotation)),
+        problem_(rotor_problem(rotation)),
+        system_(problem_.system),
         motion_(rotation.frame.is_inertial()
                     ? free_rotation(rotation)
-                    : FreeRotation(rotation.body,
-                                   inertial_state(system_, 0.0, initial_state(rotation)))),
-        origin_{system_, detail::initial_energy(rotation)},
+                    : FreeRotation(rotation.body, inertial_state(system_, 0.0, problem_.initial))),
+        origin_{system_, detail::initial_energy(problem_)},
         rows_(*rotation.time) {
     report_.outcome.t = rows_[rows_.size() - 1];
     if (rotation.events.empty()) return;
@@ -229,7 +229,8 @@ class FreeRun {
   const Rotation& rotation_;
   RowWriter& writer_;
   const RunControl& control_;
-  System system_;
+  Problem problem_;
+  const System& system_;
   FreeRotation motion_;
   RowOrigin origin_;
   const SaveAt& rows_;
@@ -281,7 +282,7 @@ RunReport run_integrated(const Rotation& rotation, RowWriter& writer, const RunC
   RunReport report;
   const Problem from_zero = rotor_problem(rotation);
   const System& system = from_zero.system;
-  const double energy_0 = detail::initial_energy(rotation);
+  const double energy_0 = detail::initial_energy(from_zero);
   const SaveAt& rows = *rotation.time;
   const double first = rows[0];
   const bool among_rows = control.from != nullptr && control.from->stage == RunState::rows;

@@ -53,8 +53,8 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
 AemOptions aem_options_of(const Values& values, const std::string& name);
 // Fills in frame, frame_text and precession; the orbits are there.
 void add_frame(Rotation& rotation, const Values& values, const std::string& name);
-// The energy at t = 0; 0 where a term has none.
-double initial_energy(const Rotation& rotation);
+// The energy where it starts; 0 where a term has none.
+double initial_energy(const Problem& problem);
 // What method, events, rows and columns ask of the system.
 void check_motion(const Rotation& rotation, const OutputPlan& output, const Values& values,
                   const std::string& name);

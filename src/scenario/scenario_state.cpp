@@ -83,10 +83,10 @@ Problem rotor_problem(const Rotation& rotation) {
           rotation.damper_rate};
 }
 
-double detail::initial_energy(const Rotation& rotation) {
-  const System system = rotor_system(rotation);
-  if (!system.has_energy()) return 0.0;
-  return energy(at_damper_rate(system, rotation.damper_rate), 0.0, initial_state(rotation));
+double detail::initial_energy(const Problem& problem) {
+  if (!problem.system.has_energy()) return 0.0;
+  return energy(at_damper_rate(problem.system, problem.damper_rate), problem.start,
+                problem.initial);
 }
 
 System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
