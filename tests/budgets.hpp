@@ -372,7 +372,7 @@ inline constexpr double rotor_ode_jumps = 1e-3;
 // Behind such a jump by 1e6 for a time of 1e-6: what the body turns meanwhile.
 inline constexpr double valve_momentum = 1e-5;
 
-// --- state transition matrices of runs (tests/unit/dynamics/adaptive_transition_test.cpp),
+// --- state transition matrices of runs (tests/unit/dynamics/adaptive_transition.cpp),
 // relative to the largest entry ---
 inline constexpr double transition_free = 1e-11;
 inline constexpr double transition_difference = 1e-9;
@@ -598,14 +598,14 @@ inline constexpr double tidal_eps = 16.0;
 inline constexpr double tidal_lag = 1e-6;
 inline constexpr double tidal_average = 1e-12;
 
-// --- torque tables and internal damping along a run (tests/unit/dynamics/breakpoints_test.cpp) ---
+// --- torque tables and internal damping along a run (tests/unit/dynamics/breakpoints.cpp) ---
 // Steps backwards over those forwards: other places are cut short.
 inline constexpr double steps_of_either_direction = 0.1;
 // A second of torque in a day of 24 turns at the default tolerance.
 inline constexpr double pulse_momentum = 1e-12;
 inline constexpr double pulse_angle = 1e-8;
 inline constexpr double table_momentum = 1e-12;
-// --- torques that switch (tests/unit/dynamics/switches_test.cpp) ---
+// --- torques that switch (tests/unit/dynamics/switches.cpp) ---
 // Roundings of a light from 0 to 1, of a cosine, of a quarter turn of some 2.
 inline constexpr double border_light = 1e-14;
 inline constexpr double time_scale = 1e-13;
@@ -644,7 +644,7 @@ inline constexpr double internal_damping_wobble = 2e-3;
 // The energy that a sphere in a cavity takes where it follows closely: of first order in J w / c.
 inline constexpr double kane_limit = 2e-3;
 
-// --- runs with a Kane damper (tests/unit/dynamics/kane_damper_test.cpp) ---
+// --- runs with a Kane damper (tests/unit/dynamics/kane_damper.cpp) ---
 // Radians, relative momentum and relative rate of the sphere, at tolerance 1e-14, against two
 // bodies in inertial axes in long double.
 inline constexpr double kane_two_bodies = 1e-12;

@@ -98,6 +98,8 @@ def errors_of(name, text):
         for match in LOOSE_COMPARISON.finditer(text):
             yield f"{name}:{line_of(text, match)}: compare by closeness.assert_allclose"
     if path.parts[0] == "tests" and path.suffix == ".cpp":
+        if path.stem.endswith("_test"):
+            yield f"{name}: a test is named after what it tests: {path.stem[:-5]}.cpp"
         for pattern in (TYPED_TOLERANCE, NEAR_LITERAL):
             for match in pattern.finditer(code):
                 yield f"{name}:{line_of(code, match)}: {TYPED}"

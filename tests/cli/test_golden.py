@@ -13,7 +13,7 @@ from closeness import largest, smallest
 
 DIGITS = 60
 ORDER = 80
-# Cases integrated here, to the times below; tests/unit/run/golden_test.cpp does all of them.
+# Cases integrated here, to the times below; tests/unit/run/golden.cpp does all of them.
 INTEGRATED = ["sam", "lam-reverse", "near-separatrix-lam-1e-8", "separatrix", "spin-b2", "near-b2",
               "sphere", "oblate-reverse", "prolate", "flat-sam", "needle", "order-634"]
 LAST_TIME = 5.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The rule of tools/sources.py against tests that a NaN passes: what it refuses and lets be."""
+"""Rules of tools/sources.py: against tests that a NaN passes, and for the names of tests."""
 
 import sys
 
@@ -101,3 +101,16 @@ def test_max_and_min_that_keep_nan():
     assert smallest([2.0, -3.0]) == smallest(2.0, -3.0) == -3.0
     with pytest.raises(ValueError):
         largest([])
+
+
+@pytest.mark.parametrize(("name", "complaint"), [
+    ("tests/unit/math/dual.cpp", []),
+    ("tests/unit/math/dual_test.cpp",
+     ["tests/unit/math/dual_test.cpp: a test is named after what it tests: dual.cpp"]),
+])
+def test_the_name_of_a_test_has_no_suffix(root, monkeypatch, name, complaint):
+    monkeypatch.syspath_prepend(str(root / "tools"))
+    import sources
+
+    text = "// SPDX-License-Identifier: MIT\n"
+    assert list(sources.errors_of(name, text)) == complaint
