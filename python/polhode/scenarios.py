@@ -246,11 +246,11 @@ class Scenario:
         Parameters
         ----------
         outputs : PATH.csv or PATH.h5, one or several: the files that `polhode map` writes, byte for
-            byte. Until the map is complete they are PATH.part, with a PATH.checkpoint, as of a run.
+            byte. As those of run they are PATH.part until they are complete, with a checkpoint.
         threads : how many cells at a time; None: one on each processor. The result does not depend
             on it.
-        resume : continues a map that was stopped or killed, from its PATH.checkpoint; without one
-            it begins anew, also where the map is complete.
+        resume : continues a map that was stopped or killed, from its PATH.checkpoint; begins anew
+            without one, also where the map is complete.
         restart : begins anew where an unfinished map is, which is an error otherwise.
         progress : called with the number of cells so far and that of all, after each; what it
             raises ends the map.

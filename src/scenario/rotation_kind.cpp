@@ -204,7 +204,7 @@ class RotationBuilder {
  public:
   RotationBuilder(const KindContext& at, const MadeRotation* base,
                   std::span<const std::string> changed)
-      : at_(at), base_(base), changed_(changed), time_(times_of(at.values, at.name)) {}
+      : at_(at), base_(base), changed_(changed) {}
 
   MadeRotation made() {
     const Values& values = at_.values;
@@ -213,6 +213,7 @@ class RotationBuilder {
     std::shared_ptr<const ScenarioShape> shape =
         keeps({"body."}) ? base_->rotation.shape : shape_of(values, name);
     const Body body = keeps({"body."}) ? base_->rotation.body : body_of(values, shape.get(), name);
+    time_ = times_of(values, name);
     MadeRotation made{{.body = body,
                        .q_file = has(values, "body.moments") ? Quaternion{} : body.q_FB(),
                        .chart = chart,

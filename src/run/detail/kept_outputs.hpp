@@ -81,11 +81,8 @@ class KeptOutputs {
  private:
   void find(const Provenance& provenance);
   void take_up(const std::string& found);
-  void open_all(const Open& open);
   bool are_files() const;
   std::string remedy() const;
-  std::string file_text() const;
-  void read(const std::string& path);
 
   KeptSetup setup_;
   Pace pace_;

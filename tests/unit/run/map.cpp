@@ -222,7 +222,7 @@ TEST(ScenarioMap, WhatIsNoSection) {
               HasSubstr("expected an orbit with elements: others have no pericentre"));
 }
 
-// A cell of a map with files beside it is what a file with its numbers gives, message by message.
+// A cell of a map with files next to it is what a file with its numbers gives, message by message.
 std::vector<std::string> lines_of(const MapCell& cell) {
   if (!cell.failure.empty()) return {cell.failure};
   std::vector<std::string> lines;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "budgets.hpp"
 
@@ -312,6 +313,32 @@ TEST(Scenario, QuotesAndCommentsMayHoldAnything) {
                           "title = \"a\"'\xc3\xa9'\n", "title = ''' '''''\xc3\xa9\n"})
     EXPECT_THAT(error(bad), HasSubstr(": file: not TOML: got a character beyond ASCII")) << bad;
   EXPECT_THAT(error("title = \"\xc3\xa9\" \xc3\xa9\n"), StartsWith("f.toml:1:13: file: "));
+}
+
+TEST(Scenario, TheKindOfAnExperimentIsARotationUnlessTheFileSaysOtherwise) {
+  EXPECT_EQ(scenario_from_text(head + andoyer, "f.toml").document.kind, "rotation");
+  const Scenario named = scenario_from_text("kind = \"rotation\"\n" + head + andoyer, "f.toml");
+  EXPECT_TRUE(std::holds_alternative<Rotation>(named.experiment));
+  const std::string error = error_of("kind = \"rotaton\"\n" + head + andoyer);
+  EXPECT_EQ(error,
+            "f.toml:1:8: kind: got \"rotaton\"; expected \"rotation\"; did you mean "
+            "\"rotation\"?");
+}
+
+TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
+  const Scenario s = scenario_from_text(
+      head + andoyer + "[time]\nstart = 2\nstop = 8\nstep = 3\n[[perturbation]]\n" +
+          "kind = \"constant-torque\"\ntorque = [0, 0, 1]\n[method]\nkind = \"splitting\"\n" +
+          "step = 0.5\n",
+      "f.toml");
+  const Problem problem = rotor_problem(s);
+  EXPECT_EQ(problem.start, 0.0);
+  EXPECT_EQ(problem.stop, 8.0);
+  EXPECT_EQ(problem.initial, initial_state(s));
+  EXPECT_EQ(problem.method, Method(Splitting{.step = 0.5}));
+  EXPECT_EQ(problem.system.terms().size(), 1U);
+  EXPECT_TRUE(problem.events.empty());
+  EXPECT_THROW(rotor_problem(scenario_from_text(head + andoyer, "f.toml")), DomainError);
 }
 
 TEST(Scenario, ManyErrorsStayFew) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numbers>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "polhode/error.hpp"
 
@@ -184,6 +187,22 @@ TEST(Quantity, IsANumberAndAUnit) {
   for (const char* text :
        {"", "h", "27.38", "nan h", "inf h", "1e999 h", "+-1 h", "--1 h", "one h"})
     EXPECT_THROW(quantity_from_text(text), DomainError) << text;
+}
+
+TEST(Units, OfTextAreReadByAnyThread) {
+  std::vector<std::thread> threads;
+  std::atomic<int> right = 0;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back([&] {
+      for (int i = 0; i < 50; ++i) {
+        const Units units("h", "deg", "kg m2", "km");
+        const bool refused =
+            error_of([&] { units.to_core(1.0, "furlong", Dimension::length); }) != "no error";
+        right += refused && units.to_core(3600.0, "km/h", Dimension::speed) == 3600.0;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(right, 200);
 }
 
 }  // namespace
