@@ -93,7 +93,7 @@ docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper
 figures: build ## Redraw every figure of docs/ and the gallery's page
 	$(PYTHON) tools/figures/gallery.py
 
-bench: build ## Run the benchmarks: time and error, beside Boost and GSL
+bench: build ## Run the benchmarks: time and error, next to Boost and GSL
 	cmake --build build/release
 	@for b in build/release/benchmarks/bench_*; do echo "$$b"; $$b || exit 1; done
 

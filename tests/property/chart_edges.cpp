@@ -227,7 +227,7 @@ bool energy_is_held(const Known& k) {
   return k.flow.T > Long(std::numeric_limits<double>::min()) &&
          k.flow.T < Long(std::numeric_limits<double>::max());
 }
-// Beside the separatrix, nearer than this, G and T hold the branch and the place on it.
+// Next to the separatrix, nearer than this, G and T hold the branch and the place on it.
 constexpr double branch_zone = 1e-12;
 constexpr double branch_distance = 0x1p-40;
 // Within 1e-130 of an axis, where the limit of the axis is returned, and across an axis of

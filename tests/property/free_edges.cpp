@@ -27,7 +27,7 @@ FreeCase case_of(const polhode::Vec3& moments, const polhode::Vec3& g, double tu
   return c;
 }
 
-TEST(FreeEdges, BesideTheMiddleAxisDownToTheSmallestDouble) {
+TEST(FreeEdges, NextToTheMiddleAxisDownToTheSmallestDouble) {
   expect_exact(case_of({1.0, 1.7, 2.1}, {1e-170, 1.0, 0.0}, 1.0));
   expect_exact(case_of({1.0, 1.7, 2.1}, {1e-170, 1.0, 0.7e-170}, 1000.0));
   // the squares, and the quotient, of these are no doubles

@@ -24,7 +24,7 @@ class ConstantTorque {
   static ConstantTorque in_body(const Vec3& u_B);
   static ConstantTorque in_space(const Vec3& u, SpaceAxes axes = SpaceAxes::inertial);
 
-  // Its components, along axes that are none where they are those of the body.
+  // Its components, along axes that are empty where they are those of the body.
   const Vec3& torque() const { return u_; }
   const std::optional<SpaceAxes>& space_axes() const { return axes_; }
 

@@ -184,7 +184,7 @@ bool always_required(const Key& key) {
   return key.kinds.empty() && key.presence == Presence::required;
 }
 
-// Beside one word of `kind`: what is required, and no key of another kind. `fallback` is the word
+// With one word of `kind`: what is required, and no key of another kind. `fallback` is the word
 // that a missing key stands for.
 void write_kind(JsonWriter& json, const Schema& schema, std::string_view table,
                 std::string_view kind, std::string_view fallback) {

@@ -68,7 +68,7 @@ constexpr Key keys[] = {
      .fallback = "\"body\"",
      .example = "\"body\"",
      .help = "Whose path the orbit is as seen from the other: the body's, or that of what attracts "
-             "it, which it goes round. Beside third_moments it may not be left out.",
+             "it, which it goes round. With third_moments it may not be left out.",
      .kinds = "gravity-gradient|solar-pressure|drag"},
     {.path = "perturbation[].J2",
      .type = number,

@@ -106,7 +106,7 @@ constexpr Key keys_of_body[] = {
      .type = numbers,
      .length = 4,
      .example = "[1.0, 0.0, 0.0, 0.0]",
-     .help = "Beside moments: the attitude [w, x, y, z] of the principal axes in other axes fixed "
+     .help = "With moments: the attitude [w, x, y, z] of the principal axes in other axes fixed "
              "in the body, which the columns q, omega and g then refer to. Nothing else does."},
 };
 

@@ -359,7 +359,7 @@ TEST_P(EventsOf, InsideStepsThatATableCuts) {
   EXPECT_NEAR(run.events()[1].t, 2.0 + half, budget_of_time());
 }
 
-TEST_P(EventsOf, MethodsAgreeBesideAnOrbit) {
+TEST_P(EventsOf, MethodsAgreeInAGravityGradient) {
   const KeplerOrbit moon({.gm = 1.0, .pericentre = 0.9, .eccentricity = 0.1});
   Problem p{System(Body(0.4, 0.6, 0.9), Frame::precessing({0.0, 0.0, 1.0}, 0.5, 0.0),
                    {AnyPerturbation("moon", GravityGradient(0.01, moon))}),

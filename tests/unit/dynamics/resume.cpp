@@ -188,7 +188,7 @@ TEST(Resume, WithADamper) {
 }
 
 // A torque that jumps ends steps, and the samples before the jump are those of its own side.
-TEST(Resume, BesideATorqueThatJumps) {
+TEST(Resume, WithATorqueThatJumps) {
   const TorqueTable thruster(
       {{0.0, {}}, {2.7, {0.3, 0.0, 0.0}}, {2.9, {}}, {5.5, {0.0, 0.2, 0.0}}},
       {TorqueTable::Between::step, TorqueTable::Outside::hold, std::nullopt});

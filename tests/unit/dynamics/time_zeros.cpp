@@ -74,7 +74,7 @@ TEST(TimeZeros, DoubleZerosBetweenTwoLooks) {
 
 // Symmetric about the middle as far as its ends and their slopes tell: the parabola's vertex is
 // where the search stands already, and the dip lies next to it.
-TEST(TimeZeros, ADipBesideAParabolasVertex) {
+TEST(TimeZeros, ADipNextToAParabolasVertex) {
   for (const double tilt : {0.3, -0.3}) {
     const TimeFunction f = [tilt](double t) {
       const double x = t - 4.0, rest = 1.0 - x * x;

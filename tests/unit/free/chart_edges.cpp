@@ -195,7 +195,7 @@ TEST(ChartEdges, NeedlesOfAnyRatioThatDoublesHold) {
 }
 
 // A momentum component at the very end of double range, next to the middle axis of a small body.
-TEST(ChartEdges, SubnormalComponentBesideTheMiddleAxis) {
+TEST(ChartEdges, SubnormalComponentNextToTheMiddleAxis) {
   const double up = 0x1p525;
   for (const auto& [body, g] :
        {std::pair{Body(6e-158, 3e-158, 4e-158), Vec3{-1e-318, 0.0, -1e-158}},

@@ -30,7 +30,7 @@ TEST(RoundingSensitivity, IsAtLeastARoundingOfTheState) {
   EXPECT_GT(rounding_sensitivity(motion, 1e6), budget::sensitivity_of_a_turn * eps * 1e6);
 }
 
-// Beside the middle axis the next flip comes by -ln(g1)/n: a rounding of a moment moves the
+// Next to the middle axis the next flip comes by -ln(g1)/n: a rounding of a moment moves the
 // distance from the separatrix by eps G^2, that is by all of it.
 TEST(RoundingSensitivity, IsEverythingWhereTheSeparatrixIsARoundingAway) {
   const FreeRotation near(Body(0.32200176517297396, 0.3789751609709488, 0.661517593383879),

@@ -376,7 +376,7 @@ TEST(EddyCurrents, SecularRatesOnAPolarOrbit) {
 }
 
 // Eddy currents and kicks in one flow: the schemes keep their order.
-TEST(Splitting, EddyCurrentsBesideKicksKeepTheOrder) {
+TEST(Splitting, EddyCurrentsWithKicksKeepTheOrder) {
   const KeplerOrbit orbit({.gm = 1.0, .pericentre = 0.9, .eccentricity = 0.1});
   const FieldAlongOrbit met(orbit, tilted());
   const System system(

@@ -135,7 +135,7 @@ std::string circle(int rows, const char* header, bool velocities) {
   return text;
 }
 
-TEST_F(ScenarioOrbits, ATableIsReadBesideItsScenario) {
+TEST_F(ScenarioOrbits, ATableIsReadNextToItsScenario) {
   const std::string table = "kind = \"table\"\nfile = \"moon.csv\"\n";
   const std::string minutes = "time_unit = \"min\"\n";
   const Vec3 truth{1000.0 * std::cos(2.0), 1000.0 * std::sin(2.0), 0.2};
