@@ -121,6 +121,12 @@ inline constexpr double free_state = 2e-15;
 inline constexpr double free_state_median = 4e-16;
 // G^2 - 2 T I2, relative, however much cancels: a few roundings of double-double.
 inline constexpr double separatrix_distance = 0x1p-101;
+// A kernel in double-double: rad, and relative to |g|; and derivatives of one in dual numbers,
+// relative to the column that a variable moves the state by.
+inline constexpr double free_double_double = 1e-28;
+inline constexpr double free_dual = 1e-11;
+// The same within 1e-8 of the separatrix, where slopes of the period are 1e8 times its own.
+inline constexpr double free_dual_near_separatrix = 4e-10;
 // The oracle past the edges (tests/unit/oracle/free_edge_cases.cpp), 1e25 turns included.
 inline constexpr double oracle_edges = 1e-30;
 // Of the phase, rad per rad, 4 x 2^-104 (2.0 were seen in 2,800 cases): beyond 1e15 turns it has

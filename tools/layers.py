@@ -53,16 +53,10 @@ FOREIGN_DETAILS = {
     "dynamics/detail/state_bytes.hpp",
     "dynamics/detail/step_control.hpp",
     "dynamics/detail/step_jumps.hpp",
-    "free/detail/assembly.hpp",
-    "free/detail/hub_tangent.hpp",
-    "free/detail/precession.hpp",
-    "free/detail/short_flow.hpp",
-    "free/detail/sorted_state.hpp",
     "perturb/detail/damper_kernel.hpp",
-    "rotor/detail/squared_moments.hpp",
 }
 # Layers whose public headers hold details that have no file of their own yet.
-OPEN_DETAILS = {"math", "elliptic", "rotor", "free", "system"}
+OPEN_DETAILS = {"elliptic", "system"}
 # Sources side by side in one folder.
 MOST_SOURCES = 25
 # Headers that belong to no layer, for everybody.

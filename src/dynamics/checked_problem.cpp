@@ -6,7 +6,7 @@
 #include "dynamics/detail/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "rotor/detail/squared_moments.hpp"
+#include "rotor/squared_moments.hpp"
 
 namespace polhode {
 inline namespace v0 {

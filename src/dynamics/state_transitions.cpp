@@ -10,7 +10,7 @@
 #include "dynamics/detail/splitting_map.hpp"
 #include "dynamics/detail/step_control.hpp"
 #include "dynamics/detail/step_jumps.hpp"
-#include "free/detail/hub_tangent.hpp"
+#include "free/hub_tangent.hpp"
 #include "math/number_text.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"

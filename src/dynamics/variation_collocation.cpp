@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/detail/variation_collocation.hpp"
 
+#include "math/gauss_legendre.hpp"
 #include "polhode/math/double_double.hpp"
 
 namespace polhode {
@@ -11,32 +12,16 @@ namespace {
 using DD = DoubleDouble;
 constexpr std::size_t s = gauss_nodes;
 
-// P_0 ... P_s at x.
-std::array<DD, s + 1> legendre(const DD& x) {
-  std::array<DD, s + 1> P{DD(1.0), x};
-  for (std::size_t k = 1; k < s; ++k) {
-    const double n = static_cast<double>(k);
-    P[k + 1] = ((2.0 * n + 1.0) * (x * P[k]) - n * P[k - 1]) / DD(n + 1.0);
-  }
-  return P;
-}
-
-// The roots of P_s and Gauss' weights; integrals of the Lagrange polynomials through their
-// expansion in Legendre polynomials, of which the integral is (P_(k+1) - P_(k-1)) / (2k + 1).
+// Integrals of the Lagrange polynomials through Gauss' nodes by their expansion in Legendre
+// polynomials, of which the integral is (P_(k+1) - P_(k-1)) / (2k + 1).
 GaussTableau made() {
-  std::array<DD, s> x, w;
+  const GaussRule<DD, s> rule = gauss_legendre<DD, s>();
+  std::array<DD, s> x;
+  const std::array<DD, s>& w = rule.w;
   std::array<std::array<DD, s + 1>, s> P;
-  const double n = static_cast<double>(s);
   for (std::size_t i = 0; i < s; ++i) {
-    x[i] = -std::cos(3.141592653589793 * (static_cast<double>(i) + 0.75) / (n + 0.5));
-    DD slope = 1.0;
-    for (int trip = 0; trip < 8; ++trip) {  // 8 trips, quadratic
-      P[i] = legendre(x[i]);
-      slope = n * (P[i][s - 1] - x[i] * P[i][s]) / (1.0 - x[i] * x[i]);
-      x[i] -= P[i][s] / slope;
-    }
-    P[i] = legendre(x[i]);
-    w[i] = 2.0 / ((1.0 - x[i] * x[i]) * slope * slope);
+    x[i] = -rule.x[i];  // rising
+    P[i] = legendre_polynomials<s>(x[i]);
   }
   GaussTableau g{};
   for (std::size_t i = 0; i < s; ++i) {

@@ -7,12 +7,13 @@
 #include <string>
 
 #include "free/detail/assembly.hpp"
-#include "free/detail/hub_tangent.hpp"
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "free/hub_tangent.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
 
@@ -121,7 +122,7 @@ SadovFrequencies sadov_frequencies(const FreeRotation& m) {
 SadovState to_sadov(const FreeRotation& m, double t) {
   const Body& body = m.body();
   if (detail::is_sphere(body) || m.regime() == Regime::rest) return spherical_state(body, m.at(t));
-  if (m.kernel().form == FreeKernel::Form::steady) {
+  if (m.kernel().steady) {
     const RotorState s = m.at(t);
     const int e = detail::momentum_exponent(s.g);
     const RotorState unit = detail::displaced(body, {s.q, detail::scaled(s.g, e)});

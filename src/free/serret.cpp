@@ -7,13 +7,14 @@
 #include <string>
 
 #include "free/detail/assembly.hpp"
-#include "free/detail/hub_tangent.hpp"
 #include "free/detail/mean_phase.hpp"
-#include "free/detail/precession.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "free/hub_tangent.hpp"
 #include "math/number_text.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/error.hpp"
+#include "polhode/free/detail/precession.hpp"
+#include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
 
@@ -197,9 +198,7 @@ BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
   const detail::PrimedArc<DD> arc = detail::primed_arc<DD>(m.body(), m.initial_state().g);
   const detail::PolhodeCurve<DD>& c = arc.curve;
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
-  const DD u = m.kernel().form == FreeKernel::Form::trigonometric
-                   ? DD(2.0) / DD::pi() * phase.x * c.K
-                   : phase.u;
+  const DD u = !m.kernel().series.hyperbolic ? DD(2.0) / DD::pi() * phase.x * c.K : phase.u;
   const Jacobi<DD> f = jacobi(u, BasicModulus<DD>::from_ratio(c.k2, c.kp2));
   return detail::restored(detail::primed_axes(c.long_axis, arc.s1, arc.s3),
                           BasicVec3<DD>{c.a1 * f.cn, c.a2 * f.sn, c.a3 * f.dn});
@@ -328,7 +327,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
     throw DomainError("to_serret: T = " + detail::number_text(s.T) +
                       " of G = " + detail::number_text(s.G) +
                       " must be within double range: take units in which G^2/2I is");
-  if (m.kernel().form == FreeKernel::Form::steady) return of_steady_rotation(m, t, s);
+  if (m.kernel().steady) return of_steady_rotation(m, t, s);
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const bool periodic = m.regime() != Regime::separatrix;
@@ -348,8 +347,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const bool from_other_side = start.s1 != sense.s1;
   if (periodic) {
     if (from_other_side) x = x.hi > 0.0 ? x - DD::pi() : x + DD::pi();
-    const DD x_rate =
-        k.form == FreeKernel::Form::trigonometric ? k.phase_rate : k.phase_rate / phase.u_per_x;
+    const DD x_rate = !k.series.hyperbolic ? k.phase_rate : k.phase_rate / phase.u_per_x;
     elapsed = x / x_rate;
   } else {
     elapsed = phase.u / k.phase_rate;

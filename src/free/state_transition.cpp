@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "free/detail/flow_tangent.hpp"
-#include "free/detail/primed_arc.hpp"
+#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "rotor/detail/squared_moments.hpp"
+#include "rotor/squared_moments.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,11 +9,12 @@
 
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/polhode_family.hpp"
-#include "free/detail/precession.hpp"
-#include "free/detail/primed_arc.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/free/detail/precession.hpp"
+#include "polhode/free/detail/primed_arc.hpp"
+#include "polhode/free/prepare.hpp"
 #include "polhode/rotor/euler.hpp"
 
 namespace polhode {

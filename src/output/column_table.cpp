@@ -7,6 +7,7 @@
 #include "polhode/rotor/euler.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/osculation.hpp"
+#include "tables/sadov_region.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -75,8 +76,7 @@ SadovState sadov_elements(const RowSample& s) {
 }
 Numbers sadov_numbers(const RowSample& s) {
   const SadovState a = sadov_elements(s);
-  const double lobe = a.region == SadovRegion::short_axis ? 0.0 : a.lobe;
-  return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h, lobe};
+  return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h, lobe_column(a)};
 }
 Numbers serret_numbers(const RowSample& s) {
   const SerretState a = s.elements != nullptr

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Golden cases evaluated: the same series as FreeRotation's, summed in double-double and rounded
-// once.
+// Golden cases evaluated: prepared and evaluated in double-double, and rounded once.
 #include "polhode/run/golden.hpp"
 
 #include <cerrno>
@@ -10,11 +9,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "free/detail/assembly.hpp"
-#include "free/detail/precession.hpp"
-#include "free/detail/sorted_state.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
+#include "polhode/free/evaluate.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/free/prepare.hpp"
 #include "run/detail/golden_table.hpp"
 #include "text/printable.hpp"
 
@@ -29,57 +28,12 @@ using WideState = BasicRotorState<DD>;
 // unit of the 17th digit, relative, in every component; and 1e-24 of the sum itself.
 constexpr double printed_bound = 2e-16;
 
-BasicQuaternion<DD> widened(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
-
-// FreeRotation in double-double from end to end.
-class WideMotion {
- public:
-  WideMotion(const Body& body, const RotorState& s0)
-      : moments_(body.moments()),
-        arc_(detail::primed_arc<DD>(body, s0.g)),
-        steady_(arc_.curve.steady || !(arc_.curve.DC > DD(0.0))),
-        q0_(normalized(widened(s0.q))) {
-    if (steady_) return;
-    series_ = detail::cayley_klein_series(arc_.curve);
-    right_ = detail::quaternion_of<DD>(arc_.primed);
-    left_ = q0_ * conj(right_) * conj(primed_attitude(arc_.u0));
-    precession_ = detail::precession_of_axis1(arc_.curve);
-  }
-
-  // q and omega at t.
-  WideState at(double t) const {
-    if (steady_) return steady_state(t);
-    const DD elapsed = DD(t) * std::ldexp(1.0, arc_.scale.rate());
-    const BasicQuaternion<DD> p = primed_attitude(arc_.u0 + arc_.curve.n * elapsed);
-    const BasicVec3<DD> g =
-        arc_.curve.G * detail::restored(arc_.primed, momentum_direction(p, DD(1.0)));
-    return {left_ * rotation_z(DD(precession_ * elapsed)) * p * right_, rate(g)};
-  }
-
- private:
-  BasicQuaternion<DD> primed_attitude(const DD& u) const {
-    return normalized(detail::primed_attitude(arc_.curve, series_, u));
-  }
-  BasicVec3<DD> rate(const BasicVec3<DD>& g) const {
-    const double unit = std::ldexp(1.0, arc_.scale.momentum);
-    return {g.x / moments_.x * unit, g.y / moments_.y * unit, g.z / moments_.z * unit};
-  }
-  WideState steady_state(double t) const {
-    const BasicVec3<DD> w = rate(arc_.g);
-    const DD size = norm(w);
-    if (size == DD(0.0)) return {q0_, w};
-    const DD half = DD(0.5) * size * t;
-    const DD s = sin(half) / size;
-    return {q0_ * BasicQuaternion<DD>{cos(half), s * w.x, s * w.y, s * w.z}, w};
-  }
-
-  Vec3 moments_;
-  detail::PrimedArc<DD> arc_;
-  bool steady_;
-  CayleyKleinSeries<DD> series_;
-  BasicQuaternion<DD> q0_, left_, right_;
-  DD precession_;  // of primed axis 1, scaled
-};
+// q and omega at t.
+WideState state_at(const Body& body, const BasicFreeKernel<DD>& motion, double t) {
+  const BasicRotorState<DD> s = evaluate(motion, DD(t));
+  const Vec3& I = body.moments();
+  return {s.q, {s.g.x / I.x, s.g.y / I.y, s.g.z / I.z}};
+}
 
 // What is left of a zero in double-double is not written; -0 is 0.
 constexpr double no_digits = 1e-26;
@@ -100,7 +54,7 @@ GoldenCase evaluated_case(const detail::GoldenStart& start) {
   const RotorState s0{start.q0,
                       {start.moments.x * start.omega0.x, start.moments.y * start.omega0.y,
                        start.moments.z * start.omega0.z}};
-  const WideMotion motion(body, s0);
+  const BasicFreeKernel<DD> motion = prepare<DD>(body, s0);
   GoldenCase result{std::string(start.name),
                     std::string(start.description),
                     FreeRotation(body, s0).regime(),
@@ -109,7 +63,8 @@ GoldenCase evaluated_case(const detail::GoldenStart& start) {
                     start.omega0,
                     printed_bound,
                     {}};
-  for (const double t : start.times) result.samples.push_back(rounded(t, motion.at(t)));
+  for (const double t : start.times)
+    result.samples.push_back(rounded(t, state_at(body, motion, t)));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/gauss_legendre.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -15,33 +16,7 @@ namespace {
 
 constexpr std::size_t nodes = 32;
 
-struct GaussRule {
-  std::array<double, nodes> x;  // from -1 to 1
-  std::array<double, nodes> w;
-};
-
-// Legendre's polynomials by recurrence, their zeros by Newton's method.
-GaussRule gauss_rule() {
-  GaussRule rule{};
-  for (std::size_t i = 0; i < nodes; ++i) {
-    double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (nodes + 0.5));
-    double slope = 1.0;
-    for (int trip = 0; trip < 8; ++trip) {
-      double p = 1.0, before = 0.0;
-      for (std::size_t k = 1; k <= nodes; ++k) {
-        const auto n = static_cast<double>(k);
-        const double next = ((2.0 * n - 1.0) * x * p - (n - 1.0) * before) / n;
-        before = p;
-        p = next;
-      }
-      slope = static_cast<double>(nodes) * (x * p - before) / (x * x - 1.0);
-      x -= p / slope;
-    }
-    rule.x[i] = x;
-    rule.w[i] = 2.0 / ((1.0 - x * x) * slope * slope);
-  }
-  return rule;
-}
+using Rule = GaussRule<double, nodes>;
 
 // Means over a turn of c+, c+ cos, c+^2, c+^2 cos, where c = A + B cos(angle), c+ = max(c, 0).
 struct TurnMeans {
@@ -115,7 +90,7 @@ YorpTorque torque_at(const TurningFacet& facet, const Tilt& tilt, double f) {
 
 // The arcs of the orbit end where the facet begins to have polar day or night; what the integrand
 // does there, a power 1/2 or 3/2, is smooth in the angle whose sine runs along the arc.
-YorpTorque orbit_mean(const TurningFacet& facet, const Tilt& tilt, const GaussRule& rule) {
+YorpTorque orbit_mean(const TurningFacet& facet, const Tilt& tilt, const Rule& rule) {
   const double steepest = std::fabs(tilt.sine);
   const double edge =
       facet.n_across < steepest ? std::asin(facet.n_across / steepest) : 0.5 * std::numbers::pi;
@@ -143,7 +118,7 @@ YorpTorque yorp_torque(const Surface& surface, double obliquity, const Vec3& axi
   if (!std::isfinite(obliquity))
     throw DomainError("yorp_torque: obliquity " + detail::number_text(obliquity) +
                       " must be finite");
-  static const GaussRule rule = gauss_rule();
+  static const Rule rule = gauss_legendre<double, nodes>();
   const Mat3 axes = axes_about(axis);
   const Tilt tilt{std::sin(obliquity), std::cos(obliquity)};
   YorpTorque sum{};

@@ -122,8 +122,7 @@ RotorState from_sadov(const Row& x, const Context& o) {
 }
 Row to_sadov_row(const RotorState& s, const Context& o) {
   const SadovState a = to_sadov(FreeRotation::short_arc(*o.body, s, o.t), o.t);
-  const int lobe = a.region == SadovRegion::short_axis ? 0 : a.lobe;
-  return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h, static_cast<double>(lobe)};
+  return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h, lobe_column(a)};
 }
 
 constexpr std::string_view poincare_columns = "sigma,Q1,Q2,G,P1,P2";

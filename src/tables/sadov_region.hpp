@@ -24,6 +24,11 @@ inline SadovRegion sadov_region(const Body& body, double I_l, double I_g) {
   return std::fabs(I_l) >= separatrix * I_g ? SadovRegion::short_axis : SadovRegion::long_axis;
 }
 
+// The lobe as columns have it: 0 in the short-axis region, where there is none to name.
+inline double lobe_column(const SadovState& s) {
+  return s.region == SadovRegion::short_axis ? 0.0 : static_cast<double>(s.lobe);
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

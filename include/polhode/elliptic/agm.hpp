@@ -25,11 +25,12 @@
 #include <limits>
 
 #include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/detail/lockstep.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/wide_range.hpp"
+#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -40,17 +41,23 @@ namespace detail {
 template <class T>
 T agm_loop(T a, T b) {
   using std::sqrt;
-  std::size_t more = derivative_order<T>;
+  const T zero(0.0);
+  Lockstep<T> trips;
+  T result = zero;
   for (int i = 0; i < 64; ++i) {  // at most 12: |ln(a/b)| halves, then digits double
-    if (!(a > T(0.0)) || !(b > T(0.0))) return a * b;  // 0, or NaN
+    const auto none = !(a > zero) || !(b > zero);  // 0, or NaN
     const T gap = a - b;
     const T mean = T(0.5) * (a + b);
+    const T product = a * b;
+    result = trips.kept(result, select(none, product, mean));
     // The next gap is gap^2 / (8 mean): below the last digit.
-    if (gap * gap <= T(epsilon<T>()) * (mean * mean) && more-- == 0) return mean;
-    b = sqrt(a * b);
+    trips.converge(gap * gap <= T(epsilon<T>()) * (mean * mean));
+    trips.stop(none);
+    if (trips.all_done()) return result;
+    b = sqrt(product);
     a = mean;
   }
-  return a;
+  return trips.kept(result, a);
 }
 
 // Bulirsch's loop; kc > 0 and p > 0, given by its root.
@@ -59,19 +66,20 @@ T cel_loop(T kc, T p, T a, T b) {
   using std::abs;
   using std::sqrt;
   const T tolerance = sqrt(T(epsilon<T>()));
-  std::size_t more = derivative_order<T>;
+  Lockstep<T> trips;
   T product = kc;
   T mean(1.0);
   b = b / p;
   for (int i = 0; i < 64; ++i) {  // at most 13
-    const T a0 = a;
-    a = a + b / p;
     const T ratio = product / p;
-    b = T(2.0) * (a0 * ratio + b);
-    p = ratio + p;
+    const T next_a = a + b / p;
+    b = trips.kept(b, T(2.0) * (a * ratio + b));
+    a = trips.kept(a, next_a);
+    p = trips.kept(p, ratio + p);
     const T last = mean;
-    mean = kc + mean;
-    if (abs(last - kc) <= last * tolerance && more-- == 0) break;
+    mean = trips.kept(mean, kc + mean);
+    trips.converge(abs(last - kc) <= last * tolerance);
+    if (trips.all_done()) break;
     kc = T(2.0) * sqrt(product);
     product = kc * mean;
   }
@@ -105,10 +113,9 @@ bool cel_within(const T& kc, const T& p, const T& a, const T& b) {
 template <Real T>
 T agm(T a, T b) {
   if (a < T(0.0) || b < T(0.0)) return T(std::numeric_limits<double>::quiet_NaN()) * (a * b);
-  if constexpr (detail::NarrowRange<T>) {
-    if (!detail::within(0x1p-480, 0x1p480, a, b)) {
-      return detail::Widening<T>::narrowed(
-          detail::agm_loop(detail::widened(a), detail::widened(b)));
+  if constexpr (NarrowRange<T>) {
+    if (!within(0x1p-480, 0x1p480, a, b)) {
+      return Widening<T>::narrowed(detail::agm_loop(widened(a), widened(b)));
     }
   }
   return detail::agm_loop(a, b);
@@ -120,10 +127,9 @@ T cel(T kc, T p, T a, T b) {
   using std::sqrt;
   if (kc == T(0.0)) return b == T(0.0) ? a * carlson_rc(T(1.0), p) : b / T(0.0);
   if (!(p > T(0.0) && kc > T(0.0))) return p * T(std::numeric_limits<double>::quiet_NaN());
-  if constexpr (detail::NarrowRange<T>) {
+  if constexpr (NarrowRange<T>) {
     if (!detail::cel_within(kc, p, a, b)) {
-      return detail::Widening<T>::narrowed(
-          cel(detail::widened(kc), detail::widened(p), detail::widened(a), detail::widened(b)));
+      return Widening<T>::narrowed(cel(widened(kc), widened(p), widened(a), widened(b)));
     }
   }
   if constexpr (derivative_order<T> > 0) {
@@ -132,25 +138,46 @@ T cel(T kc, T p, T a, T b) {
   return detail::cel_loop(kc, T(sqrt(p)), a, b);
 }
 
-template <Real T>
+// Of packs: in lockstep, and lane by lane where one of them has no ordinary arguments.
+template <Number Pack>
+  requires(!Real<Pack>)
+Pack agm(const Pack& a, const Pack& b) {
+  const bool ordinary =
+      lanes_within(0x1p-480, 0x1p480, a, b) && all(a >= Pack(0.0) && b >= Pack(0.0));
+  if (!ordinary) return each_lane([](const auto& x, const auto& y) { return agm(x, y); }, a, b);
+  return detail::agm_loop(a, b);
+}
+template <Number Pack>
+  requires(!Real<Pack>)
+Pack cel(const Pack& kc, const Pack& p, const Pack& a, const Pack& b) {
+  using std::abs;
+  using std::sqrt;
+  const Pack zero(0.0), size = select(abs(a) < abs(b), abs(b), abs(a));
+  const bool ordinary = all(kc > zero && p > zero) && lanes_within(0x1p-540, 0x1p270, kc) &&
+                        lanes_within(0x1p-270, 0x1p270, p, size);
+  if (!ordinary) return each_lane([](const auto&... x) { return cel(x...); }, kc, p, a, b);
+  return detail::cel_loop(kc, Pack(sqrt(p)), a, b);
+}
+
+template <Number T>
 T complete_k(const BasicModulus<T>& mod) {
   using std::sqrt;
   return T(0.5) * pi<T>() / detail::agm_loop(T(1.0), T(sqrt(mod.m1())));
 }
-template <Real T>
+template <Number T>
 T complete_e(const BasicModulus<T>& mod) {
   using std::sqrt;
-  return cel(sqrt(mod.m1()), T(1.0), T(1.0), mod.m1());
+  return cel(T(sqrt(mod.m1())), T(1.0), T(1.0), mod.m1());
 }
-template <Real T>
+template <Number T>
 T complete_b(const BasicModulus<T>& mod) {
   using std::sqrt;
-  return cel(sqrt(mod.m1()), T(1.0), T(1.0), T(0.0));
+  return cel(T(sqrt(mod.m1())), T(1.0), T(1.0), T(0.0));
 }
-template <Real T>
+template <Number T>
 T complete_d(const BasicModulus<T>& mod) {
   using std::sqrt;
-  return cel(sqrt(mod.m1()), T(1.0), T(0.0), T(1.0));
+  return cel(T(sqrt(mod.m1())), T(1.0), T(0.0), T(1.0));
 }
 template <Real T>
 T complete_pi(const T& n, const BasicModulus<T>& mod) {

@@ -122,7 +122,7 @@ T carlson_rc(const T& x, const T& y) {
     const auto slope_x = x.is_constant() ? 0.0 * a : carlson_rd(b, b, a) / -6.0;
     return T::chained(carlson_rc(a, b), slope_x, x, carlson_rd(a, b, b) / -3.0, y);
   } else {
-    if constexpr (detail::NarrowRange<T>) {
+    if constexpr (NarrowRange<T>) {
       if (std::isinf(to_double(x)) || std::isinf(to_double(y))) return T(1.0) / (x + y);
     }
     const T difference = y - x;
@@ -187,8 +187,8 @@ T carlson_rj(T x, T y, T z, T p) {
   if constexpr (std::same_as<T, double>) {
     if (p < 0.0) return to_double(carlson_rj<DoubleDouble>(x, y, z, p));
   }
-  if constexpr (detail::NarrowRange<T> || detail::is_wide<T>) {
-    if (detail::is_wide<T> || !detail::within(0x1p-320, 0x1p320, x, y, z, p)) {
+  if constexpr (NarrowRange<T> || is_wide<T>) {
+    if (is_wide<T> || !within(0x1p-320, 0x1p320, x, y, z, p)) {
       const bool principal = p < zero;
       const auto f = [principal](auto&&... at) {
         return principal ? detail::carlson_rj_principal(std::move(at)...)

@@ -22,12 +22,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
+#include "polhode/elliptic/detail/lockstep.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/wide_range.hpp"
+#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -40,14 +42,30 @@ double carlson_tolerance() {
   return std::sqrt(std::sqrt(std::sqrt(epsilon<T>())));
 }
 
-inline double largest(double a, double b) { return a < b ? b : a; }
+// What decides when to stop: doubles for a scalar, the numbers themselves for a pack.
+template <Number T>
+using StopOf = std::conditional_t<Real<T>, double, T>;
+template <Number T>
+StopOf<T> stop_of(const T& x) {
+  if constexpr (Real<T>) {
+    return to_double(x);
+  } else {
+    return x;
+  }
+}
+
+template <Number T>
+T largest(const T& a, const T& b) {
+  return select(a < b, b, a);
+}
 
 // The largest deviation from the mean a.
 template <class T>
-double deviation(const T& a, const T& x, const T& y, const T& z) {
-  const double m = to_double(a);
-  return largest(largest(std::abs(m - to_double(x)), std::abs(m - to_double(y))),
-                 std::abs(m - to_double(z)));
+StopOf<T> deviation(const T& a, const T& x, const T& y, const T& z) {
+  using std::abs;
+  using Stop = StopOf<T>;
+  const auto off = [&](const T& v) { return Stop(abs(stop_of(a) - stop_of(v))); };
+  return largest(largest(off(x), off(y)), off(z));
 }
 
 // The degree-7 polynomial that RD and RJ share  [DLMF 19.36.2].
@@ -63,19 +81,28 @@ T carlson_rj_series(const T& e2, const T& e3, const T& e4, const T& e5) {
 template <class T>
 class CarlsonTrips {
  public:
-  explicit CarlsonTrips(double first_deviation)
-      : deviation_(first_deviation / carlson_tolerance<T>()) {}
+  using Stop = StopOf<T>;
+  explicit CarlsonTrips(const Stop& first_deviation)
+      : deviation_(first_deviation / Stop(carlson_tolerance<T>())) {}
   bool converged(const T& mean) {
-    const bool small = !(factor_ * deviation_ >= to_double(mean));
-    return (small && more_-- == 0) || factor_ < 0x1p-80;
+    trips_.converge(!(factor_ * deviation_ >= stop_of(mean)));
+    trips_.stop(factor_ < Stop(0x1p-80));
+    return trips_.all_done();
   }
-  void next() { factor_ *= 0.25; }
-  double factor() const { return factor_; }
+  T kept(const T& before, const T& now) const { return trips_.kept(before, now); }
+  void next() {
+    if constexpr (Real<T>) {
+      factor_ *= 0.25;
+    } else {
+      factor_ = trips_.kept(factor_, Stop(0.25) * factor_);
+    }
+  }
+  const Stop& factor() const { return factor_; }
 
  private:
-  double deviation_;
-  double factor_ = 1.0;
-  std::size_t more_ = derivative_order<T>;
+  Stop deviation_;
+  Stop factor_{1.0};
+  Lockstep<T> trips_;
 };
 
 inline bool two_zeros(bool x, bool y, bool z) { return (x && y) || (y && z) || (x && z); }
@@ -116,12 +143,24 @@ T carlson_rf(T x, T y, T z) {
   if (detail::two_zeros(x == zero, y == zero, z == zero)) {
     return T(std::numeric_limits<double>::infinity());
   }
-  if constexpr (detail::NarrowRange<T> || detail::is_wide<T>) {
-    if (detail::is_wide<T> || !detail::within(0x1p-900, 0x1p1000, x, y, z)) {
+  if constexpr (NarrowRange<T> || is_wide<T>) {
+    if (is_wide<T> || !within(0x1p-900, 0x1p1000, x, y, z)) {
       const auto f = [](auto&&... at) { return detail::carlson_rf_of(std::move(at)...); };
       return detail::carlson_scaled(1, f, x, y, z);
     }
   }
+  return detail::carlson_rf_of(x, y, z);
+}
+
+// Of packs: in lockstep, and lane by lane where one of them has no ordinary arguments.
+template <Number Pack>
+  requires(!Real<Pack>)
+Pack carlson_rf(const Pack& x, const Pack& y, const Pack& z) {
+  const Pack zero(0.0);
+  const auto one_zero = !(x == zero && y == zero) && !(y == zero && z == zero) &&
+                        !(x == zero && z == zero) && x >= zero && y >= zero && z >= zero;
+  if (!all(one_zero) || !lanes_within(0x1p-900, 0x1p1000, x, y, z))
+    return each_lane([](const auto&... v) { return carlson_rf(v...); }, x, y, z);
   return detail::carlson_rf_of(x, y, z);
 }
 
@@ -133,10 +172,11 @@ T detail::carlson_rf_of(T x, T y, T z) {
   while (!trips.converged(a)) {  // at most 40
     const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
     const T lambda = sx * (sy + sz) + sy * sz;
-    a = 0.25 * (a + lambda);
-    x = 0.25 * (x + lambda);
-    y = 0.25 * (y + lambda);
-    z = 0.25 * (z + lambda);
+    const auto next = [&](const T& v) { return trips.kept(v, 0.25 * (v + lambda)); };
+    a = next(a);
+    x = next(x);
+    y = next(y);
+    z = next(z);
     trips.next();
   }
   const T dx = (a - x) / a;
@@ -153,12 +193,22 @@ template <Real T>
 T carlson_rd(T x, T y, T z) {
   const T zero(0.0);
   if (z == zero || (x == zero && y == zero)) return T(std::numeric_limits<double>::infinity());
-  if constexpr (detail::NarrowRange<T> || detail::is_wide<T>) {
-    if (detail::is_wide<T> || !detail::within(0x1p-320, 0x1p320, x, y, z)) {
+  if constexpr (NarrowRange<T> || is_wide<T>) {
+    if (is_wide<T> || !within(0x1p-320, 0x1p320, x, y, z)) {
       const auto f = [](auto&&... at) { return detail::carlson_rd_of(std::move(at)...); };
       return detail::carlson_scaled(3, f, x, y, z);
     }
   }
+  return detail::carlson_rd_of(x, y, z);
+}
+
+template <Number Pack>
+  requires(!Real<Pack>)
+Pack carlson_rd(const Pack& x, const Pack& y, const Pack& z) {
+  const Pack zero(0.0);
+  const auto usual = z > zero && x >= zero && y >= zero && !(x == zero && y == zero);
+  if (!all(usual) || !lanes_within(0x1p-320, 0x1p320, x, y, z))
+    return each_lane([](const auto&... v) { return carlson_rd(v...); }, x, y, z);
   return detail::carlson_rd_of(x, y, z);
 }
 
@@ -171,11 +221,12 @@ T detail::carlson_rd_of(T x, T y, T z) {
   while (!trips.converged(a)) {  // at most 40
     const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
     const T lambda = sx * (sy + sz) + sy * sz;
-    sum = sum + trips.factor() / (sz * (z + lambda));
-    a = 0.25 * (a + lambda);
-    x = 0.25 * (x + lambda);
-    y = 0.25 * (y + lambda);
-    z = 0.25 * (z + lambda);
+    sum = trips.kept(sum, sum + trips.factor() / (sz * (z + lambda)));
+    const auto next = [&](const T& v) { return trips.kept(v, 0.25 * (v + lambda)); };
+    a = next(a);
+    x = next(x);
+    y = next(y);
+    z = next(z);
     trips.next();
   }
   const T dx = (a - x) / a;

@@ -32,11 +32,18 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct Jacobi {
   T sn;
   T cn;
   T dn;
+
+  // Of packs, lane by lane.
+  friend Jacobi select(const Mask<T>& mask, const Jacobi& a, const Jacobi& b)
+    requires(!Real<T>)
+  {
+    return {select(mask, a.sn, b.sn), select(mask, a.cn, b.cn), select(mask, a.dn, b.dn)};
+  }
 };
 
 namespace detail {
@@ -56,51 +63,81 @@ HalfPeriods<T> half_periods(const T& u, const BasicModulus<T>& mod) {
   return {n, u - n * whole};
 }
 
+// At m1 = 0.
+template <class T>
+Jacobi<T> jacobi_on_separatrix(const T& u) {
+  using std::cosh;
+  using std::tanh;
+  const T sech = T(1.0) / cosh(u);
+  return {tanh(u), sech, sech};
+}
+
+// The means of the transformation, and where it goes on.
+template <class T>
+struct LandenSteps {
+  std::array<T, 16> a;
+  std::array<T, 16> b;
+  std::array<Mask<T>, 16> taken;
+  std::size_t count = 0;
+  T mean;
+};
+template <class T>
+LandenSteps<T> landen_steps(const T& m1) {
+  using std::abs;
+  using std::sqrt;
+  const T tolerance = sqrt(T(epsilon<T>()));
+  LandenSteps<T> steps;
+  T mean(1.0), other = sqrt(m1);
+  Mask<T> goes_on = true;
+  while (true) {  // at most 13: |ln(mean/other)| halves, then digits double
+    const std::size_t i = steps.count++;
+    steps.a[i] = mean;
+    steps.b[i] = other;
+    steps.taken[i] = goes_on;
+    const T gap = mean - other;
+    const T next = T(0.5) * (mean + other);
+    const auto more = goes_on && abs(gap) > tolerance * mean;
+    if (!any(more) || steps.count == steps.a.size()) {
+      steps.mean = select(goes_on, next, mean);
+      return steps;
+    }
+    other = select(more, T(sqrt(mean * other)), other);
+    mean = select(goes_on, next, mean);
+    goes_on = more;
+  }
+}
+
 template <class T>
 Jacobi<T> jacobi_of(const T& u, const BasicModulus<T>& mod) {
   using std::abs;
-  using std::cosh;
   using std::sqrt;
-  using std::tanh;
-  const T one(1.0);
-  if (abs(u) < T(epsilon<T>())) return {u, one, one};
-  if (mod.m1() == T(0.0)) {
-    const T sech = one / cosh(u);
-    return {tanh(u), sech, sech};
-  }
-  const T tolerance = sqrt(T(epsilon<T>()));
-  std::array<T, 16> a;
-  std::array<T, 16> b;
-  T mean = one;
-  T other = sqrt(mod.m1());
-  std::size_t steps = 0;
-  while (true) {  // at most 13: |ln(mean/other)| halves, then digits double
-    a[steps] = mean;
-    b[steps] = other;
-    const T gap = mean - other;
-    const T next = T(0.5) * (mean + other);
-    ++steps;
-    if (!(abs(gap) > tolerance * mean) || steps == a.size()) {
-      mean = next;
-      break;
-    }
-    other = sqrt(mean * other);
-    mean = next;
-  }
-  const auto [s, c] = sincos(T(mean * u));
-  if (s == T(0.0)) return {s, c, one};
+  const T zero(0.0), one(1.0);
+  const auto tiny = abs(u) < T(epsilon<T>());
+  if (all(tiny)) return {u, one, one};
+  const auto on_separatrix = mod.m1() == zero;
+  if (all(on_separatrix) && !any(tiny)) return jacobi_on_separatrix(u);
+  const LandenSteps<T> steps = landen_steps(mod.m1());
+  const auto [s, c] = sincos(T(steps.mean * u));
   T cot = c / s;
-  T product = mean * cot;
+  T product = steps.mean * cot;
   T dn = one;
-  for (std::size_t i = steps; i-- > 0;) {
-    cot = product * cot;
-    product = product * dn;
-    dn = (b[i] + cot) / (a[i] + cot);
-    cot = product / a[i];
+  for (std::size_t i = steps.count; i-- > 0;) {
+    const auto& taken = steps.taken[i];
+    const T scaled = product * cot;
+    const T next_product = product * dn;
+    const T next_dn = (steps.b[i] + scaled) / (steps.a[i] + scaled);
+    cot = select(taken, T(next_product / steps.a[i]), cot);
+    product = select(taken, next_product, product);
+    dn = select(taken, next_dn, dn);
   }
   const T size = one / sqrt(product * product + one);
-  const T sn = s < T(0.0) ? -size : size;
-  return {sn, product * sn, dn};
+  const T sn = select(s < zero, T(-size), size);
+  Jacobi<T> r{sn, product * sn, dn};
+  const auto at_zero = s == zero;
+  if (any(at_zero)) r = select(at_zero, Jacobi<T>{s, c, one}, r);
+  if (any(on_separatrix)) r = select(on_separatrix, jacobi_on_separatrix(u), r);
+  if (any(tiny)) r = select(tiny, Jacobi<T>{u, one, one}, r);
+  return r;
 }
 
 }  // namespace detail
@@ -208,6 +245,22 @@ T amplitude(const T& u, const BasicModulus<T>& mod) {
     return atan2(j.sn, j.cn);
   }
   return detail::amplitude_of(u, mod);
+}
+
+// Of packs: in lockstep, and lane by lane where the modulus of one of them is below 0 or above 1.
+template <Number Pack>
+  requires(!Real<Pack>)
+Jacobi<Pack> jacobi(const Pack& u, const BasicModulus<Pack>& mod) {
+  using L = LaneTraits<Pack>;
+  if (all(mod.m() >= Pack(0.0) && mod.m1() >= Pack(0.0))) return detail::jacobi_of(u, mod);
+  Jacobi<Pack> r{};
+  for (std::size_t i = 0; i < L::count; ++i) {
+    const auto one = jacobi(L::get(u, i), mod.lane(i));
+    L::set(r.sn, i, one.sn);
+    L::set(r.cn, i, one.cn);
+    L::set(r.dn, i, one.dn);
+  }
+  return r;
 }
 
 // Compiled once, in the library.

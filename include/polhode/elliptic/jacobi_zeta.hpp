@@ -20,7 +20,7 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/real.hpp"
 #include "polhode/math/trigonometry.hpp"
-#include "polhode/math/wide_range.hpp"
+#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -32,12 +32,11 @@ T jacobi_zeta(const T& s, const T& c, const BasicModulus<T>& mod) {
   const T zero(0.0);
   if (mod.m1() < zero) return T(std::numeric_limits<double>::quiet_NaN());
   if (mod.m1() == zero) return c < zero ? -s : (c > zero ? s : c);
-  if constexpr (detail::NarrowRange<T>) {
-    if (!detail::within(0x1p-900, 0x1p300, mod.m1()) || !detail::within(0x1p-400, 1.0, s, c)) {
-      const auto wide = BasicModulus<typename detail::Widening<T>::Wide>::from_any_pair(
-          detail::widened(mod.m()), detail::widened(mod.m1()));
-      return detail::Widening<T>::narrowed(
-          jacobi_zeta(detail::widened(s), detail::widened(c), wide));
+  if constexpr (NarrowRange<T>) {
+    if (!within(0x1p-900, 0x1p300, mod.m1()) || !within(0x1p-400, 1.0, s, c)) {
+      const auto wide = BasicModulus<typename Widening<T>::Wide>::from_any_pair(widened(mod.m()),
+                                                                                widened(mod.m1()));
+      return Widening<T>::narrowed(jacobi_zeta(widened(s), widened(c), wide));
     }
   }
   const T delta = sqrt(c * c + mod.m1() * (s * s));

@@ -32,7 +32,7 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/wide_range.hpp"
+#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
@@ -28,42 +29,63 @@ namespace detail {
 [[noreturn]] void throw_bad_any_pair(double m, double m1);
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 class BasicModulus {
  public:
   // m = a / (a + b), m1 = b / (a + b).
   static BasicModulus from_ratio(const T& a, const T& b) {
     const T sum = a + b;
-    const double total = to_double(sum);
-    if (!(a >= T(0.0) && b >= T(0.0) && total > 0.0) || std::isinf(total)) {
-      detail::throw_bad_ratio(to_double(a), to_double(b));
+    if constexpr (Real<T>) {
+      const double total = to_double(sum);
+      if (!(a >= T(0.0) && b >= T(0.0) && total > 0.0) || std::isinf(total)) {
+        detail::throw_bad_ratio(to_double(a), to_double(b));
+      }
+    } else {
+      each_lane([](const auto& x, const auto& y) { return ScalarModulus::from_ratio(x, y).m(); }, a,
+                b);
     }
     return {a / sum, b / sum};
   }
 
   // A pair known already, each member to its own full relative accuracy.
   static BasicModulus from_pair(const T& m, const T& m1) {
-    const double defect = to_double(m + m1 - T(1.0));
-    if (!(m >= T(0.0) && m1 >= T(0.0) && std::abs(defect) <= 8.0 * epsilon<T>())) {
-      detail::throw_bad_modulus_pair(to_double(m), to_double(m1));
+    if constexpr (Real<T>) {
+      const double defect = to_double(m + m1 - T(1.0));
+      if (!(m >= T(0.0) && m1 >= T(0.0) && std::abs(defect) <= 8.0 * epsilon<T>())) {
+        detail::throw_bad_modulus_pair(to_double(m), to_double(m1));
+      }
+    } else {
+      each_lane([](const auto& x, const auto& y) { return ScalarModulus::from_pair(x, y).m(); }, m,
+                m1);
     }
     return {m, m1};
   }
   // The same for any m, below 0 and above 1 too.
   static BasicModulus from_any_pair(const T& m, const T& m1) {
-    const double defect = to_double(m + m1 - T(1.0));
-    if (!(std::abs(defect) <= 8.0 * epsilon<T>() * (1.0 + std::abs(to_double(m))))) {
-      detail::throw_bad_any_pair(to_double(m), to_double(m1));
+    if constexpr (Real<T>) {
+      const double defect = to_double(m + m1 - T(1.0));
+      if (!(std::abs(defect) <= 8.0 * epsilon<T>() * (1.0 + std::abs(to_double(m))))) {
+        detail::throw_bad_any_pair(to_double(m), to_double(m1));
+      }
+    } else {
+      each_lane([](const auto& x, const auto& y) { return ScalarModulus::from_any_pair(x, y).m(); },
+                m, m1);
     }
     return {m, m1};
   }
 
   const T& m() const { return m_; }
   const T& m1() const { return m1_; }
+  // That of one lane of a pack.
+  BasicModulus<ScalarOf<T>> lane(std::size_t i) const {
+    return BasicModulus<ScalarOf<T>>::from_any_pair(LaneTraits<T>::get(m_, i),
+                                                    LaneTraits<T>::get(m1_, i));
+  }
   // The modulus with m and m1 exchanged: that of K', E', q1.
   BasicModulus complement() const { return {m1_, m_}; }
 
  private:
+  using ScalarModulus = BasicModulus<ScalarOf<T>>;
   BasicModulus(const T& m, const T& m1) : m_(m), m1_(m1) {}
   T m_;
   T m1_;

@@ -23,6 +23,7 @@
 #pragma once
 
 #include "polhode/elliptic/modulus.hpp"
+#include "polhode/free/detail/primed_arc_declared.hpp"
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/body.hpp"
@@ -30,11 +31,6 @@
 
 namespace polhode {
 inline namespace v0 {
-
-namespace detail {
-template <Real T>
-struct PrimedArc;
-}  // namespace detail
 
 // Which way the momentum moves in the body. Closed: a constant of the motion.
 enum class Regime {
@@ -49,12 +45,11 @@ class FreeRotation {
  public:
   // The motion with state s0 at time t0, with long-arc (double-double) rates.
   FreeRotation(const Body& body, const RotorState& s0, double t0 = 0.0);
-  // The same, prepared in double precision throughout: for arcs of a few turns, as in a splitting
-  // step.
+  // The same, prepared in double precision throughout: for arcs of a few turns.
   static FreeRotation short_arc(const Body& body, const RotorState& s0, double t0 = 0.0);
 
   // The state at time t; q is normalised.
-  RotorState at(double t) const noexcept { return evaluated(kernel_, t); }
+  RotorState at(double t) const noexcept { return evaluate(kernel_, t); }
 
   // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q
   // exp(dtheta_B / 2). On the separatrix and for spin about b2 it grows like exp(n t); NaN once n t

@@ -122,6 +122,13 @@ struct DoubleDouble {
     if (f != x.hi || !std::isfinite(f)) return f;  // |lo| cannot carry hi over an integer below
     return settled(quick_two_sum(f, std::floor(x.lo)));
   }
+  // Nearest integer, halves to even, as std::rint.
+  friend DoubleDouble rint(DoubleDouble x) {
+    const double r = std::rint(x.hi);
+    if (r == x.hi) return settled(quick_two_sum(r, std::rint(x.lo)));  // inf and NaN too
+    const bool halfway = std::abs(x.hi - r) == 0.5 && x.lo != 0.0;     // lo knows the side
+    return halfway ? (x.lo < 0.0 ? std::floor(x.hi) : std::ceil(x.hi)) : r;
+  }
   friend DoubleDouble ceil(DoubleDouble x) { return -floor(-x); }
   // Nearest integer, halves away from zero, as std::round.
   friend DoubleDouble round(DoubleDouble x) {

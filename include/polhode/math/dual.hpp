@@ -8,7 +8,7 @@
 //             Comparisons, branches and rounding look at the value alone. sqrt at 0, asin and acos
 //             at +-1, hypot and atan2 at (0, 0): a zero derivative stays 0 (a constant is a
 //             constant); any other gives inf or NaN, as the function has no derivative there.
-//             abs has derivative sign(value), +1 at 0; floor and round have derivative 0.
+//             abs has derivative sign(value), +1 at 0; floor, rint and round have derivative 0.
 // Accuracy    values are those of T; derivatives are the rounded closed rules.
 // Errors      none; NaN in, NaN out.
 // Cost        about N + 1 times T for arithmetic; one elementary function of T plus 2N flops each.
@@ -167,6 +167,10 @@ struct Dual {
   friend Dual floor(const Dual& x) {
     using std::floor;
     return floor(x.value);
+  }
+  friend Dual rint(const Dual& x) {
+    using std::rint;
+    return rint(x.value);
   }
   friend Dual round(const Dual& x) {
     using std::round;

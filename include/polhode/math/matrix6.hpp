@@ -16,7 +16,7 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicMatrix6 {
   std::array<std::array<T, 6>, 6> a{};
 
@@ -31,11 +31,13 @@ struct BasicMatrix6 {
   constexpr T& operator()(int i, int j) {
     return a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   }
-  constexpr bool operator==(const BasicMatrix6&) const = default;
+  constexpr bool operator==(const BasicMatrix6&) const
+    requires Real<T>
+  = default;
 };
 using Matrix6 = BasicMatrix6<double>;
 
-template <Real T>
+template <Number T>
 constexpr BasicMatrix6<T> operator*(const BasicMatrix6<T>& a, const BasicMatrix6<T>& b) {
   BasicMatrix6<T> c;
   for (int i = 0; i < 6; ++i)
@@ -44,7 +46,7 @@ constexpr BasicMatrix6<T> operator*(const BasicMatrix6<T>& a, const BasicMatrix6
   return c;
 }
 
-template <Real T>
+template <Number T>
 constexpr BasicMatrix6<T> transpose(const BasicMatrix6<T>& a) {
   BasicMatrix6<T> c;
   for (int i = 0; i < 6; ++i)

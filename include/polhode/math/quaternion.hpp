@@ -16,43 +16,54 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicQuaternion {
   T w = T(1.0);
   T x = T(0.0);
   T y = T(0.0);
   T z = T(0.0);
 
-  constexpr bool operator==(const BasicQuaternion&) const = default;
+  constexpr bool operator==(const BasicQuaternion&) const
+    requires Real<T>
+  = default;
 };
 using Quaternion = BasicQuaternion<double>;
 
-template <Real T>
+template <Number T>
 constexpr BasicQuaternion<T> operator*(const BasicQuaternion<T>& a, const BasicQuaternion<T>& b) {
   return {
       a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
       a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
-template <Real T>
+template <Number T>
 constexpr BasicQuaternion<T> conj(const BasicQuaternion<T>& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 
-template <Real T>
+template <Number T>
 BasicQuaternion<T> normalized(const BasicQuaternion<T>& q) {
   using std::abs;
   using std::sqrt;
   const T aw = abs(q.w), ax = abs(q.x), ay = abs(q.y), az = abs(q.z);
-  T s = aw < ax ? ax : aw;  // scale first: |q|^2 of 1e-200 would underflow
-  s = s < ay ? ay : s;
-  s = s < az ? az : s;
+  T s = select(aw < ax, ax, aw);  // scale first: |q|^2 of 1e-200 would underflow
+  s = select(s < ay, ay, s);
+  s = select(s < az, az, s);
   const T w = q.w / s, x = q.x / s, y = q.y / s, z = q.z / s;
   const T n = sqrt(w * w + x * x + y * y + z * z);
   return {w / n, x / n, y / n, z / n};
 }
 
+// Of packs, lane by lane.
+template <Number T>
+  requires(!Real<T>)
+BasicQuaternion<T> select(const Mask<T>& mask, const BasicQuaternion<T>& a,
+                          const BasicQuaternion<T>& b) {
+  return {select(mask, a.w, b.w), select(mask, a.x, b.x), select(mask, a.y, b.y),
+          select(mask, a.z, b.z)};
+}
+
 // v_I = q v_B q*
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> rotate(const BasicQuaternion<T>& q, const BasicVec3<T>& v) {
   const BasicVec3<T> u{q.x, q.y, q.z};
   const BasicVec3<T> t = T(2.0) * cross(u, v);
@@ -61,7 +72,7 @@ constexpr BasicVec3<T> rotate(const BasicQuaternion<T>& q, const BasicVec3<T>& v
 
 // The matrix A = R^T of the attitude: v_I = A v_B; columns are the body axes in inertial
 // components.
-template <Real T>
+template <Number T>
 constexpr BasicMat3<T> rotation_matrix(const BasicQuaternion<T>& q) {
   const T one(1.0), two(2.0);
   return {{{one - two * (q.y * q.y + q.z * q.z), two * (q.x * q.y - q.w * q.z),
@@ -74,14 +85,14 @@ constexpr BasicMat3<T> rotation_matrix(const BasicQuaternion<T>& q) {
 
 // Rotations about the first and third axis by an angle: q = qz(phi) qx(theta) qz(psi) is the 3-1-3
 // attitude [SA (2)].
-template <Real T>
+template <Number T>
 BasicQuaternion<T> rotation_x(const T& angle) {
   using std::cos;
   using std::sin;
   const T half = T(0.5) * angle;
   return {cos(half), sin(half), T(0.0), T(0.0)};
 }
-template <Real T>
+template <Number T>
 BasicQuaternion<T> rotation_z(const T& angle) {
   using std::cos;
   using std::sin;

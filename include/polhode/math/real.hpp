@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The concept Real: what a number type needs so that a kernel of polhode can be instantiated with
-// it.
+// The concept Real: one real number, ordered by <. Decisions, loops to convergence and formulas of
+// the user are written with it; kernels that packs of lanes run too ask for a Number (number.hpp).
 //
 // Equations   none.
 // Units       none: a Real is a pure number.
@@ -17,25 +17,22 @@
 #include <cstddef>
 #include <limits>
 
+#include "polhode/math/number.hpp"
+
 namespace polhode {
 inline namespace v0 {
 
-// A number that behaves like a real: field operations, order, construction from double, and the
+// A Number that behaves like one real: field operations, order, construction from double, and the
 // elementary functions (sqrt, sin, cos, exp, log, atan2, ...) found by argument-dependent lookup.
 // Kernels write `using std::sqrt;` and then call sqrt(x) without a qualifier.
 template <class T>
-concept Real = std::copyable<T> && std::constructible_from<T, double> && requires(T a, T b) {
-  { a + b } -> std::convertible_to<T>;
-  { a - b } -> std::convertible_to<T>;
-  { a* b } -> std::convertible_to<T>;
-  { a / b } -> std::convertible_to<T>;
-  { -a } -> std::convertible_to<T>;
+concept Real = Number<T> && requires(T a, T b) {
   { a < b } -> std::convertible_to<bool>;
   { a == b } -> std::convertible_to<bool>;
 };
 
-// The customization point for constants and rounding of a number type. Specialized beside each type
-// that needs it.
+// The customization point for constants and rounding of a number type. Specialized next to each
+// type that needs it.
 template <class T>
 struct RealTraits {
   static T pi() {

@@ -16,7 +16,7 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicVec3 {
   T x = T(0.0);
   T y = T(0.0);
@@ -24,49 +24,59 @@ struct BasicVec3 {
 
   constexpr const T& operator[](int i) const { return i == 0 ? x : (i == 1 ? y : z); }
   constexpr T& operator[](int i) { return i == 0 ? x : (i == 1 ? y : z); }
-  constexpr bool operator==(const BasicVec3&) const = default;
+  constexpr bool operator==(const BasicVec3&) const
+    requires Real<T>
+  = default;
 };
 using Vec3 = BasicVec3<double>;
 
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> operator+(const BasicVec3<T>& a, const BasicVec3<T>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> operator-(const BasicVec3<T>& a, const BasicVec3<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> operator-(const BasicVec3<T>& a) {
   return {-a.x, -a.y, -a.z};
 }
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> operator*(const T& s, const BasicVec3<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
-template <Real T>
+template <Number T>
 constexpr T dot(const BasicVec3<T>& a, const BasicVec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> cross(const BasicVec3<T>& a, const BasicVec3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 // Euclidean length; scaled by the largest component, so that 1e-200 and 1e200 keep their digits.
-template <Real T>
+template <Number T>
 T norm(const BasicVec3<T>& a) {
   using std::abs;
   using std::sqrt;
   const T ax = abs(a.x), ay = abs(a.y), az = abs(a.z);
-  T s = ax < ay ? ay : ax;
-  s = s < az ? az : s;
-  if (s == T(0.0)) return ax + ay + az;  // 0, or NaN
+  T s = select(ax < ay, ay, ax);
+  s = select(s < az, az, s);
+  const auto none = s == T(0.0);
+  if (all(none)) return ax + ay + az;  // 0, or NaN
   const BasicVec3<T> b{a.x / s, a.y / s, a.z / s};
-  return s * sqrt(dot(b, b));
+  return select(none, T(ax + ay + az), T(s * sqrt(dot(b, b))));
 }
 
-template <Real T>
+// Of packs, lane by lane.
+template <Number T>
+  requires(!Real<T>)
+BasicVec3<T> select(const Mask<T>& mask, const BasicVec3<T>& a, const BasicVec3<T>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+
+template <Number T>
 struct BasicMat3 {
   BasicVec3<T> row[3];
 
@@ -75,26 +85,28 @@ struct BasicMat3 {
   }
   constexpr const T& operator()(int i, int j) const { return row[i][j]; }
   constexpr T& operator()(int i, int j) { return row[i][j]; }
-  constexpr bool operator==(const BasicMat3&) const = default;
+  constexpr bool operator==(const BasicMat3&) const
+    requires Real<T>
+  = default;
 };
 using Mat3 = BasicMat3<double>;
 
-template <Real T>
+template <Number T>
 constexpr BasicMat3<T> transpose(const BasicMat3<T>& a) {
   return {{{a(0, 0), a(1, 0), a(2, 0)}, {a(0, 1), a(1, 1), a(2, 1)}, {a(0, 2), a(1, 2), a(2, 2)}}};
 }
-template <Real T>
+template <Number T>
 constexpr BasicVec3<T> operator*(const BasicMat3<T>& a, const BasicVec3<T>& v) {
   return {dot(a.row[0], v), dot(a.row[1], v), dot(a.row[2], v)};
 }
-template <Real T>
+template <Number T>
 constexpr BasicMat3<T> operator*(const BasicMat3<T>& a, const BasicMat3<T>& b) {
   const BasicMat3<T> bt = transpose(b);
   return {{bt * a.row[0], bt * a.row[1], bt * a.row[2]}};
 }
 
 // hat(w) v = w x v  [SA (4)]
-template <Real T>
+template <Number T>
 constexpr BasicMat3<T> hat(const BasicVec3<T>& w) {
   return {{{T(0.0), -w.z, w.y}, {w.z, T(0.0), -w.x}, {-w.y, w.x, T(0.0)}}};
 }

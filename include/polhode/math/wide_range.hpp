@@ -14,11 +14,9 @@
 
 #include <cmath>
 #include <concepts>
-#include <cstddef>
 #include <limits>
 
 #include "polhode/math/double_double.hpp"
-#include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
@@ -164,73 +162,6 @@ struct RealTraits<WideRange<T>> {
   static constexpr double epsilon() { return RealTraits<T>::epsilon(); }
   static double to_double(const WideRange<T>& x) { return RealTraits<T>::to_double(x.narrow()); }
 };
-
-namespace detail {
-
-// double, DoubleDouble and Duals of them: the types whose exponents are those of double. The same
-// number with WideRange in its heart, and back.
-template <class T>
-struct Widening {
-  static constexpr bool exists = false;
-};
-template <class T>
-  requires(std::same_as<T, double> || std::same_as<T, DoubleDouble>)
-struct Widening<T> {
-  static constexpr bool exists = true;
-  using Wide = WideRange<T>;
-  static Wide widened(const T& x) { return x; }
-  static T narrowed(const Wide& x) { return x.narrow(); }
-};
-template <Real T, int N>
-  requires Widening<T>::exists
-struct Widening<Dual<T, N>> {
-  static constexpr bool exists = true;
-  using Wide = Dual<typename Widening<T>::Wide, N>;
-  static Wide widened(const Dual<T, N>& x) {
-    Wide r(Widening<T>::widened(x.value));
-    for (std::size_t i = 0; i < Wide::size; ++i)
-      r.derivative[i] = Widening<T>::widened(x.derivative[i]);
-    return r;
-  }
-  static Dual<T, N> narrowed(const Wide& x) {
-    Dual<T, N> r(Widening<T>::narrowed(x.value));
-    for (std::size_t i = 0; i < Wide::size; ++i)
-      r.derivative[i] = Widening<T>::narrowed(x.derivative[i]);
-    return r;
-  }
-};
-template <class T>
-concept NarrowRange = Widening<T>::exists;
-
-template <NarrowRange T>
-auto widened(const T& x) {
-  return Widening<T>::widened(x);
-}
-
-template <class T>
-inline constexpr bool is_wide = false;
-template <class T>
-inline constexpr bool is_wide<WideRange<T>> = true;
-template <class T, int N>
-inline constexpr bool is_wide<Dual<T, N>> = is_wide<T>;
-
-template <class T>
-int binary_exponent(const WideRange<T>& x) {
-  return x.binary_exponent();
-}
-template <class T, int N>
-int binary_exponent(const Dual<T, N>& x) {
-  return binary_exponent(x.value);
-}
-
-// Whether every one of them is 0 or of a size in [least, most].
-template <class... T>
-bool within(double least, double most, const T&... x) {
-  const auto fits = [&](double a) { return a == 0.0 || (a >= least && a <= most); };
-  return (fits(std::abs(to_double(x))) && ...);
-}
-
-}  // namespace detail
 
 }  // namespace v0
 }  // namespace polhode

@@ -21,13 +21,13 @@
 // Cost        three sincos forth; three atan2 back.
 #pragma once
 
-#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/detail/andoyer_angles.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicAndoyerState {
   T l;
   T g;
@@ -36,36 +36,16 @@ struct BasicAndoyerState {
   T G;
   T H;
 
-  constexpr bool operator==(const BasicAndoyerState&) const = default;
+  constexpr bool operator==(const BasicAndoyerState&) const
+    requires Real<T>
+  = default;
 };
 using AndoyerState = BasicAndoyerState<double>;
 
 // Checked values: finite, G >= 0, |L| and |H| at most G (an excess of 4 eps is rounded away).
 AndoyerState andoyer_state(double l, double g, double h, double L, double G, double H);
 
-namespace detail {
-
-// cos and sin of half the angle whose cosine is p/G. The differences are exact near the poles.
-template <Real T>
-Phasor<T> half_polar_angle(const T& p_any, const T& G) {
-  using std::sqrt;
-  if (G == T(0.0)) return {sqrt(T(0.5)), sqrt(T(0.5))};
-  const T p = G < p_any ? G : (p_any < -G ? T(-G) : p_any);
-  return {sqrt(T(T(0.5) * ((G + p) / G))), sqrt(T(T(0.5) * ((G - p) / G)))};
-}
-
-// G e3 with the rounding of the result alone near the poles: there 1 - |e3| comes from the node.
-template <Real T>
-T axial_momentum(const T& G, const T& e3, const Phasor<T>& node) {
-  using std::abs;
-  if (T(abs(e3)) < T(0.5)) return G * e3;
-  const T size = G - G * ((node.re * node.re + node.im * node.im) / (T(1.0) + T(abs(e3))));
-  return e3 < T(0.0) ? T(-size) : size;
-}
-
-}  // namespace detail
-
-template <Real T>
+template <Number T>
 BasicRotorState<T> to_rotor(const BasicAndoyerState<T>& s) {
   using detail::Phasor;
   const Phasor<T> J = detail::half_polar_angle(s.L, s.G);
@@ -77,32 +57,12 @@ BasicRotorState<T> to_rotor(const BasicAndoyerState<T>& s) {
   const Phasor<T> b = (h * conj(l)) * (T(I.re * J.im) * g + T(I.im * J.re) * conj(g));
   const T transverse = T(2.0) * (s.G * J.re) * J.im;  // G sin J
   const Phasor<T> twice_l = l * l;
-  const T L = s.G < s.L ? s.G : (s.L < -s.G ? T(-s.G) : s.L);
+  const T L = detail::clamped(s.L, s.G);
   return {detail::quaternion(detail::PhasorPair<T>{a, b}),
           {transverse * twice_l.im, transverse * twice_l.re, L}};
 }
 
-namespace detail {
-
-// sin I sin J e^g up to a positive factor: the node j of the body equator against the node i. The
-// same computed i that gives h gives g, so that g + h keeps its digits near I = 0 while h loses
-// them, and so on for l and for pi.
-template <Real T>
-Phasor<T> andoyer_node(const InvariablePlane<T>& p) {
-  Phasor<T> l = p.node_l, h = p.node_h;
-  if (!is_moderate(T((l.re * l.re + l.im * l.im) * (h.re * h.re + h.im * h.im)))) {
-    l = direction(l);
-    h = direction(h);
-  }
-  const BasicVec3<T> j = rotate(p.q, BasicVec3<T>{l.re, -l.im, T(0.0)});
-  const BasicVec3<T>& k = p.k_I;
-  return {h.re * j.x + h.im * j.y,
-          k.z * (h.re * j.y - h.im * j.x) + (k.x * h.im - k.y * h.re) * j.z};
-}
-
-}  // namespace detail
-
-template <Real T = double>
+template <Number T = double>
 BasicAndoyerState<T> to_andoyer(const BasicRotorState<T>& s) {
   const detail::InvariablePlane<T> p = detail::invariable_plane(s.q, s.g);
   return {detail::argument(p.node_l),

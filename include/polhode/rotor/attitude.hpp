@@ -20,30 +20,32 @@
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/body.hpp"
-#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/detail/euler_frame.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicEulerAngles {
   T phi;
   T theta;
   T psi;
 
-  constexpr bool operator==(const BasicEulerAngles&) const = default;
+  constexpr bool operator==(const BasicEulerAngles&) const
+    requires Real<T>
+  = default;
 };
 using EulerAngles = BasicEulerAngles<double>;
 
 // R of [SA (2)]: v_B = R v_I.
-template <Real T = double>
+template <Number T = double>
 BasicMat3<T> attitude_matrix(const BasicQuaternion<T>& q) {
   return transpose(rotation_matrix(normalized(q)));
 }
 
 // q = qz(phi) qx(theta) qz(psi)
-template <Real T>
+template <Number T>
 BasicQuaternion<T> attitude(const BasicEulerAngles<T>& e) {
   using std::cos;
   using std::sin;
@@ -54,36 +56,7 @@ BasicQuaternion<T> attitude(const BasicEulerAngles<T>& e) {
       detail::PhasorPair<T>{T(cos(half)) * (phi * psi), T(sin(half)) * (phi * conj(psi))});
 }
 
-namespace detail {
-
-// What the 3-1-3 angles of a quaternion are made of.
-template <Real T>
-struct EulerFrame {
-  T c;  // cos(theta/2)
-  T s;  // sin(theta/2)
-  Phasor<T> phi;
-  Phasor<T> psi;  // of length one
-};
-
-// transverse: the vector whose node part is kept where theta leaves the node free.
-template <Real T>
-EulerFrame<T> euler_frame(const BasicQuaternion<T>& q_any, const BasicVec3<T>& transverse) {
-  const PhasorPair<T> q = phasor_pair(unit_attitude(q_any));
-  const T c = modulus(q.a), s = modulus(q.b);
-  if (s == T(0.0) || c == T(0.0)) {
-    const Phasor<T> d = direction(Phasor<T>{transverse.x, -transverse.y});
-    const Phasor<T> psi = T(T(1.0) / modulus(d)) * d;
-    return {c, s, s == T(0.0) ? (q.a * q.a) * conj(psi) : (q.b * q.b) * psi, psi};
-  }
-  const Phasor<T> a = is_moderate(c) ? q.a : direction(q.a);
-  const Phasor<T> b = is_moderate(s) ? q.b : direction(q.b);
-  const Phasor<T> psi = a * conj(b);
-  return {c, s, a * b, T(T(1.0) / modulus(psi)) * psi};
-}
-
-}  // namespace detail
-
-template <Real T = double>
+template <Number T = double>
 BasicEulerAngles<T> euler_angles(const BasicQuaternion<T>& q) {
   using std::atan2;
   const detail::EulerFrame<T> f = detail::euler_frame(q, BasicVec3<T>{});

@@ -22,15 +22,18 @@
 // Cost        three sincos forth; three atan2 back.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/body.hpp"
-#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/detail/euler_frame.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicEulerState {
   T phi;
   T theta;
@@ -39,12 +42,14 @@ struct BasicEulerState {
   T Theta;
   T Psi;
 
-  constexpr bool operator==(const BasicEulerState&) const = default;
+  constexpr bool operator==(const BasicEulerState&) const
+    requires Real<T>
+  = default;
 };
 using EulerState = BasicEulerState<double>;
 
 // Not canonical, and not body-free.
-template <Real T>
+template <Number T>
 struct BasicEulerRates {
   T phi;
   T theta;
@@ -53,33 +58,16 @@ struct BasicEulerRates {
   T theta_dot;
   T psi_dot;
 
-  constexpr bool operator==(const BasicEulerRates&) const = default;
+  constexpr bool operator==(const BasicEulerRates&) const
+    requires Real<T>
+  = default;
 };
 using EulerRates = BasicEulerRates<double>;
 
 // Checked values: finite; at theta = 0 and pi the momenta must agree.
 EulerState euler_state(double phi, double theta, double psi, double Phi, double Theta, double Psi);
 
-namespace detail {
-
-// The body components of a vector with parts along (b3 x node), the node and b3.
-template <Real T>
-BasicVec3<T> node_to_body(const T& across, const T& along, const T& axial, const Phasor<T>& psi) {
-  // 0 times an infinite part is 0: the limit along psi = 0.
-  const T as = psi.im == T(0.0) ? T(0.0) : T(across * psi.im);
-  const T ac = psi.re == T(0.0) ? T(0.0) : T(across * psi.re);
-  return {as + along * psi.re, ac - along * psi.im, axial};
-}
-
-// n/d, where 0/0 stands for the part that vanishes at theta = 0 and pi.
-template <Real T>
-T quotient(const T& n, const T& d) {
-  return n == T(0.0) ? T(0.0) : T(n / d);
-}
-
-}  // namespace detail
-
-template <Real T>
+template <Number T>
 BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
   using detail::Phasor;
   using std::abs;
@@ -88,14 +76,18 @@ BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
   const Phasor<T> psi = detail::phasor(T(T(0.5) * e.psi));
   const T c = theta.re, s = theta.im;
   // not Phi - Psi ctheta: its product rounds, these differences do not where they cancel
-  const T across = T(abs(s)) < T(abs(c))
-                       ? detail::quotient(T(e.Phi - e.Psi), T(T(2.0) * s * c)) + e.Psi * (s / c)
-                       : detail::quotient(T(e.Phi + e.Psi), T(T(2.0) * s * c)) - e.Psi * (c / s);
+  const auto by_difference = [&] {
+    return T(detail::quotient(T(e.Phi - e.Psi), T(T(2.0) * s * c)) + e.Psi * (s / c));
+  };
+  const auto by_sum = [&] {
+    return T(detail::quotient(T(e.Phi + e.Psi), T(T(2.0) * s * c)) - e.Psi * (c / s));
+  };
+  const T across = where(T(abs(s)) < T(abs(c)), by_difference, by_sum);
   return {detail::quaternion(detail::PhasorPair<T>{c * (phi * psi), s * (phi * conj(psi))}),
           detail::node_to_body(across, e.Theta, e.Psi, psi * psi)};
 }
 
-template <Real T = double>
+template <Number T = double>
 BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
   using std::atan2;
   const detail::EulerFrame<T> f = detail::euler_frame(state.q, state.g);
@@ -104,8 +96,8 @@ BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
   const T across = g.x * f.psi.im + g.y * f.psi.re;
   // not A stheta + Psi ctheta: near the poles Phi -+ Psi is what to_rotor needs
   const T tilt = T(2.0) * f.s * f.c * across;
-  const T Phi = f.s < f.c ? T(g.z + (tilt - T(2.0) * f.s * f.s * g.z))
-                          : T((tilt + T(2.0) * f.c * f.c * g.z) - g.z);
+  const T Phi = select(f.s < f.c, T(g.z + (tilt - T(2.0) * f.s * f.s * g.z)),
+                       T((tilt + T(2.0) * f.c * f.c * g.z) - g.z));
   return {detail::argument(f.phi),
           T(2.0) * T(atan2(f.s, f.c)),
           detail::argument(f.psi),
@@ -114,7 +106,7 @@ BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
           g.z};
 }
 
-template <Real T>
+template <Number T>
 BasicRotorState<T> to_rotor(const Body& body, const BasicEulerRates<T>& e) {
   using std::cos;
   using std::sin;
@@ -126,7 +118,7 @@ BasicRotorState<T> to_rotor(const Body& body, const BasicEulerRates<T>& e) {
           {T(I.x) * w.x, T(I.y) * w.y, T(I.z) * w.z}};
 }
 
-template <Real T = double>
+template <Number T = double>
 BasicEulerRates<T> to_euler_rates(const Body& body, const BasicRotorState<T>& state) {
   using std::abs;
   using std::atan2;
@@ -139,11 +131,14 @@ BasicEulerRates<T> to_euler_rates(const Body& body, const BasicRotorState<T>& st
   const T psi = detail::argument(f.psi);
   const T along = w.x * f.psi.re - w.y * f.psi.im;
   // of theta as rounded, not 2 s c: near pi they differ, and phi_dot stheta must come back
-  const T sine = f.s == T(0.0) || f.c == T(0.0) ? T(0.0) : T(sin(theta));
-  const T phi_dot = (w.x * f.psi.im + w.y * f.psi.re) / (sine == T(0.0) ? T(1.0) : sine);
-  const bool at_pole = sine == T(0.0) || T(std::numeric_limits<double>::max()) < T(abs(phi_dot));
-  if (at_pole) return {phi, theta, psi, f.s < f.c ? w.z : T(-w.z), along, T(0.0)};
-  return {phi, theta, psi, phi_dot, along, w.z - phi_dot * T(cos(theta))};
+  const T zero(0.0);
+  const T sine = select(f.s == zero || f.c == zero, zero, T(sin(theta)));
+  const T phi_dot = (w.x * f.psi.im + w.y * f.psi.re) / select(sine == zero, T(1.0), sine);
+  const auto at_pole = sine == zero || T(std::numeric_limits<double>::max()) < T(abs(phi_dot));
+  const T about_axis = select(f.s < f.c, w.z, T(-w.z));
+  return {phi,   theta,
+          psi,   select(at_pole, about_axis, phi_dot),
+          along, select(at_pole, zero, T(w.z - phi_dot * T(cos(theta))))};
 }
 
 extern template RotorState to_rotor(const EulerState&);

@@ -20,13 +20,14 @@
 // Cost        one sincos and three square roots forth; one atan2 and a few square roots back.
 #pragma once
 
-#include "polhode/rotor/polar_factor.hpp"
+#include "polhode/rotor/detail/poincare_pair.hpp"
+#include "polhode/rotor/pole.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicPoincareState {
   T sigma;
   T Q1;
@@ -37,7 +38,9 @@ struct BasicPoincareState {
   Pole pole_J = Pole::zero;
   Pole pole_I = Pole::zero;
 
-  constexpr bool operator==(const BasicPoincareState&) const = default;
+  constexpr bool operator==(const BasicPoincareState&) const
+    requires Real<T>
+  = default;
 };
 using PoincareState = BasicPoincareState<double>;
 
@@ -45,58 +48,7 @@ using PoincareState = BasicPoincareState<double>;
 PoincareState poincare_state(double sigma, double Q1, double Q2, double G, double P1, double P2,
                              Pole pole_J, Pole pole_I);
 
-namespace detail {
-
-// One pair (Q, P) with the third coordinate it needs: w = sqrt(4 G - Q^2 - P^2). The three are
-// 2 sqrt(G) times (sin l', cos l') sin(J/2) and cos(J/2), counted from the pole. For G = 0 they are
-// (0, 0, 1): sigma is then all that the set says of the attitude.
-template <Real T>
-struct PoincarePair {
-  T Q;
-  T P;
-  T w;
-};
-
-template <Real T>
-PoincarePair<T> poincare_pair(const T& Q, const T& P, const T& G) {
-  using std::sqrt;
-  if (G == T(0.0)) return {T(0.0), T(0.0), T(1.0)};
-  const T rest = T(4.0) * G - (Q * Q + P * P);
-  return {Q, P, rest < T(0.0) ? T(0.0) : T(sqrt(rest))};
-}
-
-// From the unit momentum: node = sin J e^l, e3 = cos J. 1 + e3 at the far pole comes from the node.
-template <Real T>
-PoincarePair<T> poincare_pair(Pole pole, const T& e3, const Phasor<T>& node, const T& G) {
-  using std::abs;
-  using std::sqrt;
-  if (G == T(0.0)) return {T(0.0), T(0.0), T(1.0)};
-  const T large = sqrt(T(T(2.0) * G * (T(1.0) + T(abs(e3)))));  // 2 sqrt(G) cos of half the angle
-  const T scale = (G + G) / large;                              // from sin J to 2 sqrt(G) sin
-  const bool zero = pole == Pole::zero;
-  if (nearest_pole(e3) == pole) {
-    const T Q = scale * node.im;
-    return {zero ? T(T(0.0) - Q) : Q, scale * node.re, large};
-  }
-  const Phasor<T> d = direction(node);
-  const T to_large = large / modulus(d);
-  const T Q = to_large * d.im;
-  return {zero ? T(T(0.0) - Q) : Q, to_large * d.re, scale * modulus(node)};
-}
-
-// A_I and A_J times 2 sqrt(G).
-template <Real T>
-PhasorPair<T> outer_factor(Pole pole, const PoincarePair<T>& p) {
-  return outer_factor(pole, p.w, Phasor<T>{p.P, pole == Pole::zero ? T(-p.Q) : p.Q});
-}
-template <Real T>
-PhasorPair<T> inner_factor(Pole pole, const PoincarePair<T>& p) {
-  return inner_factor(pole, p.w, Phasor<T>{p.P, pole == Pole::zero ? T(-p.Q) : p.Q});
-}
-
-}  // namespace detail
-
-template <Real T>
+template <Number T>
 BasicRotorState<T> to_rotor(const BasicPoincareState<T>& s) {
   using namespace detail;
   const PoincarePair<T> p1 = poincare_pair(s.Q1, s.P1, s.G), p2 = poincare_pair(s.Q2, s.P2, s.G);
@@ -109,29 +61,19 @@ BasicRotorState<T> to_rotor(const BasicPoincareState<T>& s) {
           {zero ? T(-(s.Q1 * u)) : T(s.Q1 * u), s.P1 * u, zero ? L : T(-L)}};
 }
 
-namespace detail {
-
-template <Real T>
-BasicPoincareState<T> poincare_state(const InvariablePlane<T>& p, Pole pole_J, Pole pole_I) {
-  const PoincarePair<T> p1 = poincare_pair(pole_J, p.k_B.z, p.node_l, p.G);
-  const PoincarePair<T> p2 = poincare_pair(pole_I, p.k_I.z, p.node_h, p.G);
-  const Phasor<T> half =
-      direction(half_sigma(outer_factor(pole_I, p2), phasor_pair(p.q), inner_factor(pole_J, p1)));
-  return {argument(half * half), p1.Q, p2.Q, p.G, p1.P, p2.P, pole_J, pole_I};
-}
-
-}  // namespace detail
-
-template <Real T = double>
+template <Number T = double>
 BasicPoincareState<T> to_poincare(const BasicRotorState<T>& s, Pole pole_J, Pole pole_I) {
-  return detail::poincare_state(detail::invariable_plane(s.q, s.g), pole_J, pole_I);
+  return detail::poincare_state<BasicPoincareState<T>>(detail::invariable_plane(s.q, s.g), pole_J,
+                                                       pole_I);
 }
 
-// The set whose poles are nearest to the state: the one that is regular there.
+// The set whose poles are nearest to the state: the one that is regular there. (A pack of states is
+// in one set: to_poincare.)
 template <Real T = double>
 BasicPoincareState<T> nearest_poincare(const BasicRotorState<T>& s) {
   const detail::InvariablePlane<T> p = detail::invariable_plane(s.q, s.g);
-  return detail::poincare_state(p, detail::nearest_pole(p.k_B.z), detail::nearest_pole(p.k_I.z));
+  return detail::poincare_state<BasicPoincareState<T>>(p, detail::nearest_pole(p.k_B.z),
+                                                       detail::nearest_pole(p.k_I.z));
 }
 
 extern template RotorState to_rotor(const PoincareState&);

@@ -18,18 +18,28 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct BasicRotorState {
   BasicQuaternion<T> q;  // attitude, body to inertial
   BasicVec3<T> g;        // angular momentum, body components g_B
 
-  constexpr bool operator==(const BasicRotorState&) const = default;
+  constexpr bool operator==(const BasicRotorState&) const
+    requires Real<T>
+  = default;
 };
 using RotorState = BasicRotorState<double>;
 
+// Of packs, lane by lane.
+template <Number T>
+  requires(!Real<T>)
+BasicRotorState<T> select(const Mask<T>& mask, const BasicRotorState<T>& a,
+                          const BasicRotorState<T>& b) {
+  return {select(mask, a.q, b.q), select(mask, a.g, b.g)};
+}
+
 // Angular momentum in inertial components, G_I = q g q*: constant in free rotation. (Not [SA (28)],
 // a misprint.)
-template <Real T>
+template <Number T>
 BasicVec3<T> inertial_momentum(const BasicRotorState<T>& s) {
   return rotate(normalized(s.q), s.g);
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dynamics/detail/splitting_scheme.hpp"
-#include "free/detail/short_flow.hpp"
+#include "free/short_flow.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/math/error_free.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "dynamics/detail/adaptive_field.hpp"
-#include "free/detail/short_flow.hpp"
+#include "free/short_flow.hpp"
 #include "polhode/ode/runge_kutta.hpp"
 #include "polhode/system/system.hpp"
 

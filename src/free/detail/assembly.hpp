@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include "free/detail/cayley_klein.hpp"
-#include "free/detail/primed_arc.hpp"
+#include "polhode/free/detail/prepared_arc.hpp"
+#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
@@ -41,27 +41,6 @@ BasicQuaternion<T> mean_frame(const InvariableElements<T>& e) {
   const T c = sqrt((plus < zero ? zero : plus) / (T(2.0) * e.G));
   const T s = sqrt((minus < zero ? zero : minus) / (T(2.0) * e.G));
   return rotation_z(e.h) * BasicQuaternion<T>{c, s, zero, zero} * rotation_z(e.mean_angle);
-}
-
-// Attitude of the primed axes in the mean frame at argument u, up to a positive factor.
-template <Real T>
-BasicQuaternion<T> primed_attitude(const PolhodeCurve<T>& c, const CayleyKleinSeries<T>& series,
-                                   const T& u) {
-  using std::cos;
-  using std::sin;
-  if (!series.hyperbolic) {
-    const T x = T(0.5) * pi<T>() * u / c.K;
-    return trigonometric_sum(series, T(sin(x)), T(cos(x)));
-  }
-  double count = 0.0;
-  T r = u;
-  if (!c.separatrix) {
-    count = std::rint(to_double(u) / (2.0 * to_double(c.K)));
-    r = u - T(2.0 * count) * c.K;
-  }
-  const bool odd = std::fmod(count, 2.0) != 0.0;
-  const T turn = series.phase_per_u * r;
-  return rotation_z(T(T(2.0) * turn)) * hyperbolic_sum(series, T(series.chi_per_u * r), odd);
 }
 
 // The state in the user's body axes; the curve is scaled to momentum 1.

@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "free/detail/euler_flow.hpp"
-#include "free/detail/polhode_curve.hpp"
+#include "polhode/free/detail/polhode_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -16,16 +16,17 @@ namespace detail {
 
 // Rotation, along g, of the frame (node of axis p, g) that follows a change dg: the connection.
 template <Real T>
-T turn_of_node(const BasicVec3<T>& g, const BasicVec3<T>& dg, int pole) {
+T turn_of_node(const BasicVec3<T>& g, const BasicVec3<T>& dg, bool about_first) {
   using std::sqrt;
   const T G2 = dot(g, g);
   const BasicVec3<T> c = cross(g, dg);
+  const int pole = about_first ? 0 : 2;
   const T along = g[pole];
   const T across2 = G2 - along * along;  // >= G^2 / 2 by the choice of the pole
   return along * c[pole] / (sqrt(G2) * across2);
 }
 
-template <Real T>
+template <Number T>
 struct FlowTangent {
   BasicVec3<T> momentum;  // dg_B at the end
   BasicVec3<T> attitude;  // dtheta_B at the end
@@ -61,7 +62,8 @@ std::array<FlowTangent<T>, static_cast<std::size_t>(N)> flow_tangents(
     // left of terms that are exp(nt) times larger.
     if constexpr (wide) dg = dg + ((dot(start, dg0) - dot(g, dg)) / G2) * g;
     const BasicVec3<T> across = (T(1.0) / G2) * cross(g, to_end(dg0) - dg);
-    const T node0 = turn_of_node(start, dg0, flow.pole), node = turn_of_node(g, dg, flow.pole);
+    const T node0 = turn_of_node(start, dg0, flow.about_first),
+            node = turn_of_node(g, dg, flow.about_first);
     const T along = turn.derivative[j] + node0 - node;
     tangents[j] = {dg, across + (along / sqrt(G2)) * g};
     if constexpr (wide) {

@@ -61,7 +61,7 @@ inline MeanPhase mean_phase(const FreeKernel& k, double t) {
   const DoubleDouble elapsed = ldexp(DoubleDouble::sum(t, -k.epoch), std::ilogb(k.time_scale));
   const DoubleDouble phase = within_limit(k.phase0 + k.phase_rate * elapsed, t);
   MeanPhase m;
-  if (k.form == FreeKernel::Form::trigonometric) {
+  if (!k.series.hyperbolic) {
     m.x = wrapped(phase);
   } else if (k.inverse_phase_period > 0.0) {
     m.u_per_x = k.phase_period / DoubleDouble::pi();

@@ -10,8 +10,8 @@
 
 #include <cmath>
 
-#include "free/detail/polhode_curve.hpp"
 #include "polhode/elliptic/agm.hpp"
+#include "polhode/free/detail/polhode_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {

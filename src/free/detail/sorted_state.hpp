@@ -4,13 +4,9 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <string>
 
-#include "free/detail/axis_order.hpp"
-#include "free/detail/primed_arc.hpp"
-#include "math/number_text.hpp"
-#include "polhode/error.hpp"
-#include "polhode/math/dual.hpp"
+#include "polhode/free/detail/axis_order.hpp"
+#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/rotor/body.hpp"
 
 namespace polhode {
@@ -66,21 +62,6 @@ inline RotorState displaced(const Body& body, const RotorState& s) {
   else
     g.z = shift;
   return {s.q, restored(order, g)};
-}
-
-// Below this ratio of moments squares of rates are beyond double-double.
-inline constexpr double least_moment_ratio = 0x1p-900;
-inline void require_held_moments(const char* function, const Body& body) {
-  const Vec3 I = sorted_doubles(body);
-  if (I.x >= least_moment_ratio * I.z) return;
-  throw DomainError(std::string(function) + ": moments " + tuple_text({I.x, I.y, I.z}) +
-                    " must have a ratio of at least 2^-900, " + number_text(least_moment_ratio));
-}
-
-inline const DoubleDouble& value_of(const DoubleDouble& x) { return x; }
-template <Real T, int N>
-const T& value_of(const Dual<T, N>& x) {
-  return x.value;
 }
 
 inline RotorState rounded_state(const BasicRotorState<DoubleDouble>& s) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "free/detail/axis_order.hpp"
+#include "polhode/free/detail/axis_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The two forms of the Cayley-Klein series are one function; its momentum is Jacobi's.
-#include "free/detail/cayley_klein.hpp"
-
 #include <gtest/gtest.h>
 
 #include "budgets.hpp"
 #include "free/detail/polhode_family.hpp"
-#include "free/detail/primed_arc.hpp"
 #include "polhode/elliptic/jacobi.hpp"
+#include "polhode/free/detail/cayley_klein_coefficients.hpp"
+#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/math/double_double.hpp"
 #include "unit/free/support.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "free/detail/reduced_sincos.hpp"
+#include "polhode/free/detail/reduced_sincos.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // G^2 - 2 T I2 against 4096-bit arithmetic: where everything cancels, and at the ends of double
 // range.
-#include "free/detail/separatrix_distance.hpp"
+#include "polhode/free/detail/separatrix_distance.hpp"
 
 #include <gtest/gtest.h>
 

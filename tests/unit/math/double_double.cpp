@@ -152,6 +152,20 @@ TEST(DoubleDouble, WholeNumbers) {
   EXPECT_EQ(ldexp(DoubleDouble(1.0, 1e-20), 3), DoubleDouble(8.0, 8e-20));
 }
 
+TEST(DoubleDouble, NearestWholeNumber) {
+  const double tiny = 0x1p-60;
+  EXPECT_EQ(rint(DoubleDouble(2.5)), 2.0);
+  EXPECT_EQ(rint(DoubleDouble(3.5)), 4.0);
+  EXPECT_EQ(rint(DoubleDouble(2.5, tiny)), 3.0);
+  EXPECT_EQ(rint(DoubleDouble(3.5, -tiny)), 3.0);
+  EXPECT_EQ(rint(DoubleDouble(-2.5, -tiny)), -3.0);
+  EXPECT_EQ(rint(DoubleDouble(2.25, tiny)), 2.0);
+  EXPECT_EQ(rint(DoubleDouble(3.0, -tiny)), 3.0);
+  EXPECT_EQ(rint(DoubleDouble(0x1p60, 0.75)), DoubleDouble(0x1p60, 1.0));
+  EXPECT_EQ(rint(DoubleDouble(-inf)), -inf);
+  EXPECT_TRUE(isnan(rint(DoubleDouble(nan))));
+}
+
 TEST(DoubleDouble, Order) {
   const DoubleDouble a(1.0), b(1.0, 1e-20), c(nan);
   EXPECT_TRUE(a < b && b > a && a <= b && b >= a && a != b && a <= 1.0 && a >= 1.0);

@@ -132,6 +132,8 @@ TYPED_TEST(Derivatives, AtBranchPoints) {
   EXPECT_EQ(floor(Number::variable(T(2.5), 0)).value, T(2.0));
   EXPECT_EQ(floor(Number::variable(T(2.5), 0)).derivative[0], T(0.0));
   EXPECT_EQ(round(Number::variable(T(2.5), 0)).value, T(3.0));
+  EXPECT_EQ(rint(Number::variable(T(2.5), 0)).value, T(2.0));
+  EXPECT_EQ(rint(Number::variable(T(2.5), 0)).derivative[0], T(0.0));
 }
 
 TYPED_TEST(Derivatives, OrderLooksAtTheValue) {

@@ -8,6 +8,7 @@
 
 #include "budgets.hpp"
 #include "oracle/random_draw.hpp"
+#include "polhode/math/widening.hpp"
 
 namespace polhode::test {
 namespace {
@@ -90,10 +91,10 @@ TEST(WideRangeNumber, OfDoubleDoubleAndDual) {
   EXPECT_EQ((DD(third) * DD(1e300) * DD(1e300) / DD(1e300) / DD(1e300)).narrow().hi, third.hi);
   using D = Dual<double, 1>;
   const D x = D::variable(1e-200, 0);
-  const auto cube = detail::widened(x) * detail::widened(x) * detail::widened(x);
-  const auto back = cube / detail::widened(x) / detail::widened(x);
-  EXPECT_NEAR(detail::Widening<D>::narrowed(back).derivative[0], 1.0, 2.0 * budget::wide_range);
-  EXPECT_EQ(detail::Widening<D>::narrowed(cube).value, 0.0);
+  const auto cube = widened(x) * widened(x) * widened(x);
+  const auto back = cube / widened(x) / widened(x);
+  EXPECT_NEAR(Widening<D>::narrowed(back).derivative[0], 1.0, 2.0 * budget::wide_range);
+  EXPECT_EQ(Widening<D>::narrowed(cube).value, 0.0);
 }
 
 }  // namespace

@@ -9,9 +9,10 @@
 
 #include <cmath>
 
-#include "free/detail/separatrix_distance.hpp"
 #include "polhode/elliptic/agm.hpp"
+#include "polhode/free/detail/separatrix_distance.hpp"
 #include "polhode/math/double_double.hpp"
+#include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
 #include "polhode/math/vector.hpp"
 
@@ -27,15 +28,25 @@ struct Discriminants {
   int D2_exponent = 0;
 };
 
-// As sums of signed squares; moments and momentum in sorted axes, the largest of each in [1, 2).
-inline Discriminants<DoubleDouble> discriminants(const Vec3& moments, const Vec3& g) {
-  using DD = DoubleDouble;
-  const DD I1 = moments.x, I2 = moments.y, I3 = moments.z;
-  const DD g1 = DD::product(g.x, g.x), g2 = DD::product(g.y, g.y), g3 = DD::product(g.z, g.z);
-  const DD I21 = I2 - I1, I31 = I3 - I1, I32 = I3 - I2;
-  constexpr double tiny = 0x1p-450;  // a needle makes a square that double-double loses large again
-  return {g2 * I21 / I2 + g3 * I31 / I3, separatrix_discriminant(BasicVec3<DD>{I1, I2, I3}, g1, g3),
-          (std::abs(g.x) < tiny ? I31 / I1 * g.x * g.x : g1 * I31 / I1) + g2 * I32 / I2};
+// x^2 of a number whose value is a double: no digit is lost.
+inline DoubleDouble exact_square(const DoubleDouble& x) {
+  return DoubleDouble::product(x.hi, x.hi);
+}
+template <Real T, int N>
+Dual<T, N> exact_square(const Dual<T, N>& x) {
+  return x.chained(exact_square(x.value), T(2.0) * x.value);
+}
+
+// As sums of signed squares; moments and momentum in sorted axes, the largest of each in [1, 2),
+// and their values are doubles.
+template <Real T>
+Discriminants<T> discriminants(const BasicVec3<T>& I, const BasicVec3<T>& g) {
+  using std::abs;
+  const T g1 = exact_square(g.x), g2 = exact_square(g.y), g3 = exact_square(g.z);
+  const T I21 = I.y - I.x, I31 = I.z - I.x, I32 = I.z - I.y;
+  const T tiny(0x1p-450);  // a needle makes a square that double-double loses large again
+  return {g2 * I21 / I.y + g3 * I31 / I.z, separatrix_discriminant(I, g1, g3),
+          (abs(g.x) < tiny ? T(I31 / I.x * g.x * g.x) : T(g1 * I31 / I.x)) + g2 * I32 / I.y};
 }
 
 template <Real T>

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "free/detail/polhode_curve.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/free/cayley_klein.hpp"
+#include "polhode/free/detail/polhode_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -18,8 +18,7 @@ namespace detail {
 // Below this k'^2 the transformed (hyperbolic) series is the shorter one.
 inline constexpr double hyperbolic_below = 1e-2;
 
-// sum_j c_j p_j(y) in powers of y, for p_(j+1) = 2 y p_j - p_(j-1), p_0 = 1, p_1 = 2 y / scale +
-// shift.
+// sum_j c_j p_j(y) in powers of y, for p_(j+1) = 2 y p_j - p_(j-1), p_0 = 1, p_1 = slope y + shift.
 template <Real T>
 SeriesPolynomial<T> monomials(const SeriesPolynomial<T>& c, int terms, double slope, double shift) {
   std::array<double, max_series_terms> before{}, now{}, next{};  // integer coefficients, exact
@@ -131,6 +130,7 @@ CayleyKleinSeries<T> hyperbolic_series(const PolhodeCurve<T>& c) {
     power = power * step;
     if (to_double(power) < 0.01 * epsilon<T>()) break;
   }
+  if (s.terms == 1) s.nome = T(0.0);
   const T r = half_angle_tangent(c) * even / odd;
   for (std::size_t i = 0; i < max_series_terms; ++i) {
     const T sign = (i % 2 == 0) ? r : -r;

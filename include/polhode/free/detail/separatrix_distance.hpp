@@ -126,7 +126,7 @@ inline FloatingDoubleDouble exact_separatrix_distance(const Vec3& I, double g1, 
 }
 
 // D2 over a common denominator: exact zeros (moments (3, 4, 6), g1 = g3) come out as zeros.
-template <Real S, Real T>
+template <Number S, Number T>
 T separatrix_discriminant(const BasicVec3<S>& I, const T& g1_squared, const T& g3_squared) {
   return (g3_squared * ((I.z - I.y) * I.x) - g1_squared * ((I.y - I.x) * I.z)) / (I.x * I.z);
 }

@@ -25,6 +25,12 @@ BasicVec3<T> reordered(const AxisOrder& p, const BasicVec3<T>& v) {
   return {T(p.sign[0]) * v[p.axis[0]], T(p.sign[1]) * v[p.axis[1]], T(p.sign[2]) * v[p.axis[2]]};
 }
 
+// The same order without the signs.
+template <Real T>
+BasicVec3<T> permuted(const AxisOrder& p, const BasicVec3<T>& v) {
+  return {v[p.axis[0]], v[p.axis[1]], v[p.axis[2]]};
+}
+
 template <Real T>
 BasicVec3<T> restored(const AxisOrder& p, const BasicVec3<T>& v) {
   BasicVec3<T> u;
@@ -32,6 +38,17 @@ BasicVec3<T> restored(const AxisOrder& p, const BasicVec3<T>& v) {
   u[p.axis[1]] = T(p.sign[1]) * v.y;
   u[p.axis[2]] = T(p.sign[2]) * v.z;
   return u;
+}
+
+// What `restored` does, as an order.
+inline AxisOrder inverse(const AxisOrder& p) {
+  AxisOrder r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto j = static_cast<std::size_t>(p.axis[i]);
+    r.axis[j] = static_cast<int>(i);
+    r.sign[j] = p.sign[i];
+  }
+  return r;
 }
 
 // First `first`, then `second`.

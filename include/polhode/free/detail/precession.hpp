@@ -2,9 +2,9 @@
 // Mean rates of a polhode: the phase x = pi u / (2K), and the precession of both primed axes.
 #pragma once
 
-#include "free/detail/polhode_curve.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "polhode/free/detail/polhode_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// A pack of bodies, each of another regime, has in every lane the bits that its body has alone.
+#include "lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "oracle/free_edge_cases.hpp"
+#include "polhode/free/evaluate.hpp"
+#include "polhode/free/prepare.hpp"
+#include "unit/free/support.hpp"
+
+namespace {
+
+using namespace free_test;
+using polhode::BasicFreeKernel;
+using polhode::BasicRotorState;
+using polhode::BasicVec3;
+using polhode::FreeKernel;
+using polhode::test::Lanes;
+
+template <std::size_t N>
+using Pack = Lanes<double, N>;
+
+// One arc and a time to read it at.
+struct Arc {
+  Vec3 moments;
+  RotorState start;
+  double t0;
+  double t;
+  std::string what;
+
+  FreeRotation motion() const { return {Body(moments.x, moments.y, moments.z), start, t0}; }
+};
+
+Arc arc_of(const FreeCase& c) { return {c.moments, c.start, c.t0, c.t, description(c)}; }
+
+// The bits, with one pattern for every NaN: its sign and payload mean nothing.
+std::array<std::uint64_t, 7> bits(const RotorState& s) {
+  std::array<std::uint64_t, 7> b{};
+  std::size_t i = 0;
+  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
+    b[i++] = std::bit_cast<std::uint64_t>(std::isnan(x) ? not_a_number : x);
+  return b;
+}
+
+template <std::size_t N>
+BasicFreeKernel<Pack<N>> prepared(const Arc* arcs) {
+  BasicVec3<Pack<N>> moments;
+  BasicRotorState<Pack<N>> start;
+  Pack<N> t0;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      moments[j].lane[i] = arcs[i].moments[j];
+      start.g[j].lane[i] = arcs[i].start.g[j];
+    }
+    start.q.w.lane[i] = arcs[i].start.q.w;
+    start.q.x.lane[i] = arcs[i].start.q.x;
+    start.q.y.lane[i] = arcs[i].start.q.y;
+    start.q.z.lane[i] = arcs[i].start.q.z;
+    t0.lane[i] = arcs[i].t0;
+  }
+  return polhode::prepare(moments, start, t0);
+}
+
+template <std::size_t N>
+RotorState lane_of(const BasicRotorState<Pack<N>>& s, std::size_t i) {
+  return {{s.q.w.lane[i], s.q.x.lane[i], s.q.y.lane[i], s.q.z.lane[i]},
+          {s.g.x.lane[i], s.g.y.lane[i], s.g.z.lane[i]}};
+}
+
+// N arcs in one pack, each at its own time.
+template <std::size_t N>
+void expect_scalar_bits(const Arc* arcs) {
+  const BasicFreeKernel<Pack<N>> kernel = prepared<N>(arcs);
+  Pack<N> t;
+  for (std::size_t i = 0; i < N; ++i) t.lane[i] = arcs[i].t;
+  const BasicRotorState<Pack<N>> s = evaluate(kernel, t);
+  for (std::size_t i = 0; i < N; ++i)
+    EXPECT_EQ(bits(lane_of(s, i)), bits(arcs[i].motion().at(arcs[i].t)))
+        << arcs[i].what << ", lane " << i << ", t = " << arcs[i].t;
+}
+
+// All of them in packs of 1, 3 and 8, in a drawn order that mixes the regimes.
+void expect_scalar_bits(std::vector<Arc> arcs, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::shuffle(arcs.begin(), arcs.end(), random);
+  while (arcs.size() % 24 != 0) arcs.push_back(arcs[arcs.size() % 24]);
+  for (std::size_t i = 0; i < arcs.size(); i += 8) expect_scalar_bits<8>(&arcs[i]);
+  for (std::size_t i = 0; i < arcs.size(); i += 3) expect_scalar_bits<3>(&arcs[i]);
+  for (std::size_t i = 0; i < arcs.size(); ++i) expect_scalar_bits<1>(&arcs[i]);
+}
+
+TEST(Lanes, HoldEveryRegimeAtAnyTime) {
+  Draw draw(71, 0);
+  std::vector<Arc> arcs;
+  for (const NamedMotion& n : motions()) {
+    for (const double t : {0.0, 0.1, -7.3, 1e6, -1e15, 1e18, 1e100, -1e308, infinite, not_a_number})
+      arcs.push_back({n.moments, n.start().q.w == 0.0 ? RotorState{} : n.start(), 0.0, t, n.name});
+    for (int k = 0; k < 10; ++k)
+      arcs.push_back({n.moments, n.start(), draw.uniform(-1e3, 1e3),
+                      draw.sign() * draw.power_of_ten(-300, 308), n.name});
+  }
+  expect_scalar_bits(arcs, 1);
+}
+
+TEST(Lanes, HoldDrawnBodies) {
+  std::vector<Arc> arcs;
+  for (const FreeCase& c : drawn_cases(72, 100)) {
+    arcs.push_back(arc_of(c));
+    Arc far = arc_of(c);
+    far.t = 1e9 * c.t;
+    arcs.push_back(far);
+  }
+  expect_scalar_bits(arcs, 2);
+}
+
+// Needles, discs, huge and tiny units, spin about b2, 1e-30 from the separatrix.
+TEST(Lanes, HoldTheEdges) {
+  std::vector<Arc> arcs;
+  std::uint64_t stream = 0;
+  for (const oracle::CaseMaker maker :
+       {oracle::extreme_case, oracle::extreme_momentum_case, oracle::middle_spin_case,
+        oracle::full_moments_case, oracle::long_time_case}) {
+    ++stream;
+    for (std::size_t i = 0; i < 60; ++i) {
+      Draw draw(73 + (stream << 32U), i);
+      FreeCase c = maker(draw);
+      if (maker == oracle::long_time_case) set_time(c, 1e15);
+      arcs.push_back(arc_of(c));
+    }
+  }
+  expect_scalar_bits(arcs, 3);
+}
+
+// Within 1e-8 of a steady spin, of an axisymmetric and of a spherical body, and 1e-3 .. 1e-16 from
+// the separatrix, next to lanes where the same is exact.
+TEST(Lanes, HoldNeighboursOfEveryEdge) {
+  std::vector<Arc> arcs;
+  const RotorState spins[] = {{{1.0, 0.2, 0.1, -0.4}, {1.0, 0.0, 0.0}},
+                              {{1.0, 0.2, 0.1, -0.4}, {0.0, 1.0, 0.0}},
+                              {{1.0, 0.2, 0.1, -0.4}, {0.0, 0.0, 1.0}},
+                              {{1.0, 0.2, 0.1, -0.4}, {0.4, 0.3, 0.8}}};
+  const Vec3 bodies[] = {{3.0, 4.0, 6.0}, {3.0, 3.0, 5.0}, {2.0, 5.0, 5.0}, {2.0, 2.0, 2.0}};
+  for (const Vec3& I : bodies)
+    for (const RotorState& s : spins)
+      for (const double off : {0.0, 1e-8, -1e-8, 1e-150})
+        for (const double t : {0.7, -33.3, 1e4}) {
+          const Vec3 near{I.x * (1.0 + off), I.y, I.z * (1.0 - 0.5 * off)};
+          const Vec3 g{s.g.x + off, s.g.y - off, s.g.z + 0.5 * off};
+          arcs.push_back({I, {s.q, g}, 0.0, t, "momentum off"});
+          arcs.push_back({near, {s.q, s.g}, 0.25, t, "moments off"});
+        }
+  for (double off = 1e-3; off > 5e-17; off *= 0.1)
+    for (const double side : {1.0, -1.0, 0.0})
+      for (const double t : {0.7, -33.3, 1e4})
+        arcs.push_back(
+            {bodies[0], {spins[0].q, {1.0, 0.5, 1.0 + side * off}}, 0.0, t, "separatrix off"});
+  expect_scalar_bits(arcs, 4);
+}
+
+}  // namespace
