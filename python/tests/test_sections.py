@@ -232,6 +232,33 @@ def test_a_map_goes_on_where_it_was_stopped(tmp_path):
     assert reported[0] == 8 and out.exists() and not (tmp_path / "map.csv.checkpoint").exists()
 
 
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_a_map_goes_on_behind_the_rows_of_its_file(tmp_path, extension):
+    scenario = Scenario.from_text(MAP + 'kind = "andoyer-section"\nperiod = 0.05\n')
+    whole = scenario.map(tmp_path / f"whole.{extension}")
+    out = tmp_path / f"map.{extension}"
+
+    class Enough(Exception):
+        pass
+
+    def stop(k, of):
+        if k == 9:
+            raise Enough
+
+    with pytest.raises(Enough):
+        scenario.map(out, progress=stop)
+    part = out.with_name(out.name + ".part")
+    assert part.stat().st_size > 65536 * 8  # a block of rows is there, others wait for theirs
+    again = scenario.map(out, resume=True)
+    assert again == whole and again.failures == whole.failures
+    assert_array_equal(again.cell, whole.cell)
+    assert len(again.cell) == len(again["t"]) > 20000
+    if extension == "csv":
+        assert out.read_bytes() == (tmp_path / "whole.csv").read_bytes()
+    again = scenario.map(out, resume=True)  # complete: begins anew
+    assert again == whole
+
+
 def test_ctrl_c_ends_a_map(tmp_path):
     long = Scenario.from_text(CHAOS.replace("stop = 100", "stop = 1e6"))
     assert seconds_from_signal(lambda: long.map(threads=2)) < LATEST

@@ -46,8 +46,8 @@ def test_core_consumer_runs(consumer, root):
 
 
 def test_io_consumer_runs(consumer):
-    label, rate = sh(consumer / "io").split()
-    assert label == "deg/h"
+    label, rate, cells = sh(consumer / "io").split()
+    assert label == "deg/h" and cells == "3"
     assert float(rate) == pytest.approx(27.38, rel=budgets.cli_rounding)
 
 

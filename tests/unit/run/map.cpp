@@ -240,10 +240,18 @@ std::vector<std::string> lines_of_text(const std::string& text, const std::strin
   }
 }
 
+// A folder of the test that runs: others run at the same time.
+std::string own_folder() {
+  const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = ::testing::TempDir() + "/" + test.test_suite_name() + "." + test.name();
+  std::filesystem::remove_all(path);
+  std::filesystem::create_directories(path);
+  return path;
+}
+
 class Overrides : public ::testing::Test {
  protected:
-  Overrides() : folder_(::testing::TempDir() + "/overrides") {
-    std::filesystem::create_directories(folder_);
+  Overrides() : folder_(own_folder()) {
     std::ofstream table(folder_ + "/way.csv");
     table << "t,x,y,z\n";
     for (int k = 0; k <= 40; ++k)
@@ -389,10 +397,7 @@ count = 2
 // A map into a file, in a folder of its own.
 class MapRuns : public ::testing::Test {
  protected:
-  MapRuns() : folder_(::testing::TempDir() + "/map_runs"), path_(folder_ + "/m.csv") {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
+  MapRuns() : folder_(own_folder()), path_(folder_ + "/m.csv") {}
 
   // Of all cells, or up to one.
   MapReport run(const ScenarioMap& map, RunBegin begin, std::int64_t up_to = -1,
