@@ -97,7 +97,7 @@ detail::PolhodeCurve<T> curve_of(const Body& body, const BasicSerretState<T>& c)
     const double DA = D2 < 0.0 ? to_double(d.D3) : to_double(d.D1);
     const double gap = to_double(D2 < 0.0 ? I.y - I.x : I.z - I.y);
     if (to_double(I.z - I.x) * std::abs(D2) < untold_complement * gap * DA) {
-      // all three those of the separatrix: beside equal moments D1 or D3 has no other digits
+      // all three those of the separatrix: next to equal moments D1 or D3 has no other digits
       d.D1 = moved_to(d.D1, (sorted.y - sorted.x) / sorted.y);
       d.D2 = moved_to(d.D2, DD(0.0));
       d.D3 = moved_to(d.D3, (sorted.z - sorted.y) / sorted.y);
@@ -205,7 +205,7 @@ BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
 }
 
 // Argument of the place on a polhode where a momentum along its primed axes is, k.x and k.z >= 0;
-// on the separatrix, which may pass beside it, that of the nearest.
+// on the separatrix, which may pass next to it, that of the nearest.
 DD place_on(const detail::PolhodeCurve<DD>& c, const BasicVec3<DD>& k) {
   if (c.separatrix) {
     const DD least = 0x1p-440, one = 1.0;
@@ -291,7 +291,7 @@ bool is_across_axis_of_symmetry(const Body& body, const RotorState& s) {
   return (I.y == I.z && std::abs(g.x) < small) || (I.x == I.y && std::abs(g.z) < small);
 }
 
-// Spin about a principal axis: the limit of a polhode beside it.
+// Spin about a principal axis: the limit of a polhode next to it.
 SerretState of_steady_rotation(const FreeRotation& m, double t, SerretState s) {
   const Body& body = m.body();
   const RotorState now = m.at(t);
@@ -331,19 +331,19 @@ SerretState to_serret(const FreeRotation& m, double t) {
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const bool long_axis = m.circulates_long_axis();
   const bool periodic = m.regime() != Regime::separatrix;
-  const bool beside = std::isfinite(t) && rough_distance(m) < branch_distance;
-  if (beside && m.modulus().m1() > untold_complement) {
+  const bool is_near = std::isfinite(t) && rough_distance(m) < branch_distance;
+  if (is_near && m.modulus().m1() > untold_complement) {
     s = on_held_curve(m, t, s);
     return is_symmetric(body) ? s : held(m, t, s);
   }
   const detail::PrimedSense sense = detail::primed_sense(long_axis, m.sign_g1(), m.sign_g3());
   // u = 0 of the elements is where the node sign is positive, half a polhode away if it is not now;
-  // beside the separatrix where it is that of now.
+  // next to the separatrix where it is that of now.
   const FreeKernel& k = m.kernel();
   DD elapsed;  // t - t0, scaled
   DD x = phase.x;
   detail::PrimedSense start{long_axis, periodic ? 1.0 : sense.s1, sense.s3};
-  if (periodic && beside) start.s1 = std::abs(x.hi) > half_pi ? -sense.s1 : sense.s1;
+  if (periodic && is_near) start.s1 = std::abs(x.hi) > half_pi ? -sense.s1 : sense.s1;
   const bool from_other_side = start.s1 != sense.s1;
   if (periodic) {
     if (from_other_side) x = x.hi > 0.0 ? x - DD::pi() : x + DD::pi();
@@ -363,7 +363,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
       detail::wrapped(frame.mean_angle - swept.hi - detail::node_offset<double>(start) + half_turn);
   s.sign_g1 = static_cast<int>(long_axis ? start.s3 : start.s1);
   s.sign_g3 = static_cast<int>(long_axis ? start.s1 : start.s3);
-  return beside ? held_by_either(m, t, s) : s;
+  return is_near ? held_by_either(m, t, s) : s;
 }
 
 RotorState to_rotor(const Body& body, const SerretState& s, double t) {
