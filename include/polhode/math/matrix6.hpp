@@ -31,7 +31,7 @@ struct BasicMatrix6 {
   constexpr T& operator()(int i, int j) {
     return a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   }
-  constexpr bool operator==(const BasicMatrix6&) const
+  bool operator==(const BasicMatrix6&) const
     requires Real<T>
   = default;
 };

@@ -23,7 +23,7 @@ struct BasicQuaternion {
   T y = T(0.0);
   T z = T(0.0);
 
-  constexpr bool operator==(const BasicQuaternion&) const
+  bool operator==(const BasicQuaternion&) const
     requires Real<T>
   = default;
 };

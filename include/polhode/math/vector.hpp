@@ -24,7 +24,7 @@ struct BasicVec3 {
 
   constexpr const T& operator[](int i) const { return i == 0 ? x : (i == 1 ? y : z); }
   constexpr T& operator[](int i) { return i == 0 ? x : (i == 1 ? y : z); }
-  constexpr bool operator==(const BasicVec3&) const
+  bool operator==(const BasicVec3&) const
     requires Real<T>
   = default;
 };
@@ -85,7 +85,7 @@ struct BasicMat3 {
   }
   constexpr const T& operator()(int i, int j) const { return row[i][j]; }
   constexpr T& operator()(int i, int j) { return row[i][j]; }
-  constexpr bool operator==(const BasicMat3&) const
+  bool operator==(const BasicMat3&) const
     requires Real<T>
   = default;
 };

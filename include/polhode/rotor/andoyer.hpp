@@ -36,7 +36,7 @@ struct BasicAndoyerState {
   T G;
   T H;
 
-  constexpr bool operator==(const BasicAndoyerState&) const
+  bool operator==(const BasicAndoyerState&) const
     requires Real<T>
   = default;
 };

@@ -32,7 +32,7 @@ struct BasicEulerAngles {
   T theta;
   T psi;
 
-  constexpr bool operator==(const BasicEulerAngles&) const
+  bool operator==(const BasicEulerAngles&) const
     requires Real<T>
   = default;
 };

@@ -42,7 +42,7 @@ struct BasicEulerState {
   T Theta;
   T Psi;
 
-  constexpr bool operator==(const BasicEulerState&) const
+  bool operator==(const BasicEulerState&) const
     requires Real<T>
   = default;
 };
@@ -58,7 +58,7 @@ struct BasicEulerRates {
   T theta_dot;
   T psi_dot;
 
-  constexpr bool operator==(const BasicEulerRates&) const
+  bool operator==(const BasicEulerRates&) const
     requires Real<T>
   = default;
 };

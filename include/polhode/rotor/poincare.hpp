@@ -38,7 +38,7 @@ struct BasicPoincareState {
   Pole pole_J = Pole::zero;
   Pole pole_I = Pole::zero;
 
-  constexpr bool operator==(const BasicPoincareState&) const
+  bool operator==(const BasicPoincareState&) const
     requires Real<T>
   = default;
 };

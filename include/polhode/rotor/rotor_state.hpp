@@ -23,7 +23,7 @@ struct BasicRotorState {
   BasicQuaternion<T> q;  // attitude, body to inertial
   BasicVec3<T> g;        // angular momentum, body components g_B
 
-  constexpr bool operator==(const BasicRotorState&) const
+  bool operator==(const BasicRotorState&) const
     requires Real<T>
   = default;
 };
