@@ -18,15 +18,13 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Problem problem_of(const Scenario& scenario) {
+DampedProblem problem_of(const Scenario& scenario) {
   const SaveAt& rows = *scenario.time;
   return {rotor_system(scenario),
-          initial_state(scenario),
+          {initial_state(scenario), scenario.damper_rate},
           0.0,
           rows[rows.size() - 1],
-          propagation_method(scenario).value_or(Adaptive{}),
-          {},
-          scenario.damper_rate};
+          propagation_method(scenario).value_or(Adaptive{})};
 }
 
 MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
@@ -34,21 +32,24 @@ MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t w
   return {std::move(numbers), ""};
 }
 
-MapCell chaos_cell(const Problem& problem, const Progress& progress) {
+// Of a system without a damper: chaos_indicator says so.
+MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
+  const Problem problem{given.system, given.initial.rotor, given.start, given.stop, given.method};
   const ChaosIndicator found =
       chaos_indicator(problem, SaveAt::times({problem.stop}), {}, progress);
   return ended({found.mean_megno(), found.lyapunov()}, found.outcome, 2);
 }
 
 // The extremes and the last value.
-MapCell column_cell(const Problem& problem, const Scenario& scenario, const Progress& progress) {
+MapCell column_cell(const DampedProblem& problem, const Scenario& scenario,
+                    const Progress& progress) {
   const System& system = problem.system;
   const ScalarColumn column = scalar_column(scenario.map->column, system, initial_energy(scenario));
   double least = nan, most = nan, last = nan;
-  const Trajectory way = integrate(
+  const DampedTrajectory way = integrate(
       problem, *scenario.time,
-      [&](std::span<const Sample> samples) {
-        for (const Sample& sample : samples) {
+      [&](std::span<const DampedSample> samples) {
+        for (const DampedSample& sample : samples) {
           last = column.value(sample);
           if (!(least <= last)) least = last;
           if (!(most >= last)) most = last;
@@ -73,7 +74,8 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-MapCell andoyer_cell(const Problem& problem, const Scenario& scenario, const Progress& progress) {
+MapCell andoyer_cell(const DampedProblem& problem, const Scenario& scenario,
+                     const Progress& progress) {
   using enum Dimension;
   Rows rows(scenario.units);
   const AndoyerSection end = andoyer_section(
@@ -100,7 +102,7 @@ PrecessingKeplerOrbit section_orbit(const Scenario& scenario) {
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
 }
 
-MapCell spin_orbit_cell(const Problem& problem, const Scenario& scenario,
+MapCell spin_orbit_cell(const DampedProblem& problem, const Scenario& scenario,
                         const Progress& progress) {
   using enum Dimension;
   Rows rows(scenario.units);
@@ -149,7 +151,7 @@ MapCell failed_cell(std::size_t width, std::string why) {
 }
 
 MapCell map_cell(const Scenario& scenario, const Progress& progress) {
-  const Problem problem = problem_of(scenario);
+  const DampedProblem problem = problem_of(scenario);
   switch (scenario.map->kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);

@@ -10,12 +10,12 @@
 #include <optional>
 #include <utility>
 
-#include "dynamics/detail/state_bytes.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
 #include "polhode/run/map.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/earlier_run.hpp"
 #include "text/number_text.hpp"
@@ -32,7 +32,7 @@ std::string head_of(const ScenarioMap& map) {
   std::string read = map.scenario().text;
   for (const ScenarioFile& file : map.scenario().files) read += file_note(file) + "\n";
   return "polhode " + std::string(version()) + " map of " + std::to_string(map.size()) +
-         " cells, scenario " + std::to_string(detail::fingerprint(read)) + "\n";
+         " cells, scenario " + std::to_string(fingerprint(read)) + "\n";
 }
 
 // "ROWS,FAILURE", then a line of numbers for each row.

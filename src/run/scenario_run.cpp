@@ -54,7 +54,7 @@ std::string mark_of_surroundings(const Scenario& scenario) {
   const System system = at_damper_rate(rotor_system(scenario), scenario.damper_rate);
   const RotorState s = initial_state(scenario);
   const double last = (*scenario.time)[scenario.time->size() - 1];
-  detail::StateBytes bytes;
+  StateBytes bytes;
   for (int i = 0; i < 16; ++i) {
     const double t = last * (i / 15.0);
     try {
@@ -65,7 +65,7 @@ std::string mark_of_surroundings(const Scenario& scenario) {
       bytes(none);
     }
   }
-  return "mark " + std::to_string(detail::fingerprint(bytes.bytes()));
+  return "mark " + std::to_string(fingerprint(bytes.bytes()));
 }
 
 Identity identity_of(const Scenario& scenario, const RunFiles& files) {
@@ -75,7 +75,7 @@ Identity identity_of(const Scenario& scenario, const RunFiles& files) {
   for (const std::string& path : files.outputs) result.outputs += file_name(path) + " ";
   if (!files.events.empty()) result.outputs += "events " + file_name(files.events);
   result.scenario = scenario.name + " " + std::to_string(scenario.text.size()) + " bytes, mark " +
-                    std::to_string(detail::fingerprint(scenario.text));
+                    std::to_string(fingerprint(scenario.text));
   for (const ScenarioFile& file : scenario.files)
     result.files += (result.files.empty() ? "" : "; ") + file_note(file);
   result.surroundings = mark_of_surroundings(scenario);
@@ -87,10 +87,10 @@ struct Kept {
   Identity identity;
   detail::RunState state;
   std::vector<SinkPosition> positions;  // of the outputs, and of the events last
-  std::vector<EventRecord> events;
+  std::vector<DampedEventRecord> events;
   std::int64_t events_met = 0;
 
-  void transfer(detail::StateBytes& bytes) {
+  void transfer(StateBytes& bytes) {
     for (auto& [name, text] : identity.parts()) bytes(*text);
     state.transfer(bytes);
     std::int64_t n = static_cast<std::int64_t>(positions.size());
@@ -102,10 +102,10 @@ struct Kept {
 };
 
 std::string text_of(Kept& kept, const std::string& told) {
-  detail::StateBytes body, head;
+  StateBytes body, head;
   kept.transfer(body);
   std::string title(mark);
-  std::uint64_t hash = detail::fingerprint(body.bytes());
+  std::uint64_t hash = fingerprint(body.bytes());
   head.all(title, hash);
   return told + "\n" + head.bytes() + body.bytes();
 }
@@ -119,12 +119,11 @@ Kept kept_in(const std::string& path, const BeginWords& words) {
   try {
     const std::size_t line = text.find('\n');
     const std::string bytes = line == std::string::npos ? "" : text.substr(line + 1);
-    detail::StateBytes reader(bytes);
+    StateBytes reader(bytes);
     std::string title;
     std::uint64_t hash = 0;
     reader.all(title, hash);
-    if (title != mark ||
-        detail::fingerprint(std::string_view(bytes).substr(8 + title.size() + 8)) != hash)
+    if (title != mark || fingerprint(std::string_view(bytes).substr(8 + title.size() + 8)) != hash)
       throw DomainError("");
     kept.transfer(reader);
   } catch (const DomainError&) {
@@ -298,7 +297,7 @@ class ScenarioRun::Parts {
   detail::RunControl control() {
     detail::RunControl control;
     control.progress = options_.progress;
-    control.event = [this](const EventRecord& event) {
+    control.event = [this](const DampedEventRecord& event) {
       if (events_) events_->push(event);
       ++kept_.events_met;
       if (options_.keep_events || kept_.events.size() < events_shown) kept_.events.push_back(event);
