@@ -12,7 +12,7 @@
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/perturb/yorp.hpp"
+#include "polhode/secular/yorp.hpp"
 #include "polhode/shape/mass_properties.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nanobind/nanobind.h>
 // before the containers of numbers
-#include "plain_number.hpp"
+#include "interface/plain_number.hpp"
 // Casters are included here, once for all: a source without one would compile another cast of the
 // same name, and the linker takes either.
 #include <nanobind/stl/function.h>

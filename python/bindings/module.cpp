@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode._core: every layer of the C++ library, in the order in which they build on each other.
 #include "bindings.hpp"
-#include "gil.hpp"
+#include "interface/gil.hpp"
 #include "polhode/error.hpp"
 #include "polhode/version.hpp"
 

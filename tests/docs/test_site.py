@@ -73,7 +73,7 @@ def test_nothing_is_fetched_from_elsewhere(site):
 def test_every_public_header_is_in_the_reference(site):
     for header in (ROOT / "include/polhode").rglob("*.hpp"):
         layer = header.parent.name if header.parent.name != "polhode" else "index"
-        if header.name == "polhode.hpp":
+        if header.name == "polhode.hpp" or layer == "detail":
             continue
         html = (site / f"reference/cpp/{layer}.html").read_text(encoding="utf-8")
         assert f'id="{header.name.replace(".", "-").replace("_", "-")}"' in html, header

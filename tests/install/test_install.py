@@ -55,9 +55,10 @@ def test_installed_command_line_says_its_version(prefix, root):
     assert version(root) in sh(prefix / "bin/polhode", "--version")
 
 
-def test_nothing_private_is_installed(prefix):
+def test_nothing_private_is_installed(prefix, root):
     installed = {p.relative_to(prefix).as_posix() for p in prefix.rglob("*") if p.is_file()}
-    assert not [name for name in installed if "/detail/" in name]
+    headers = {name for name in installed if name.endswith(".hpp")}
+    assert headers == {p.relative_to(root).as_posix() for p in root.glob("include/**/*.hpp")}
     assert not [name for name in installed if re.search(r"Eigen|gtest|CLI11", name)]
 
 

@@ -15,7 +15,8 @@ from . import operators
 from .mutant import Mutant, numbered
 
 Kind = cindex.CursorKind
-LAYERS = ("elliptic", "rotor", "orbit", "free", "perturb", "system", "dynamics")
+LAYERS = ("elliptic", "rotor", "orbit", "free", "perturb", "system", "dynamics",
+          "secular")
 VECTORS = ("Vec3", "Quaternion", "Mat3", "Phasor", "Matrix6")
 MACRO = re.compile(r"\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|NAN|INFINITY|assert)\b")
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.FUNCTION_TEMPLATE,

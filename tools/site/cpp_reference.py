@@ -21,6 +21,7 @@ LAYERS = {
     "perturb": "What acts on a body: terms, and the concepts that one of your own satisfies.",
     "system": "A body, a frame and terms: rates, energies, both angular velocities, osculation.",
     "dynamics": "Integration of a system: problem, methods, events.",
+    "secular": "What is averaged over rotation and orbit.",
     "analysis": "What a run tells: how chaotic it is.",
     "ensemble": "Many runs at once, on the processors of one machine.",
     "trajectory": "What a run leaves: samples, events, outcome.",
@@ -40,7 +41,7 @@ INDEX = """\
 `polhode::ensemble`; one header brings itself and what it needs. All names are in
 `namespace polhode`. Link `polhode::polhode`, and `polhode::io` for scenarios and files
 ([install](../../start/install.md)). Value types are templates on the number type; `RotorState` is
-`BasicRotorState<double>`, and so on.
+`BasicRotorState<double>`, and so on. Headers in folders `detail/` are the library's own.
 
 Every header carries the same labels. **Domain** says what is legal and what is returned in
 degenerate cases, **Errors** what throws; nothing else throws. `[SA (84)]` is equation (84) of the

@@ -13,7 +13,6 @@
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
-#include "polhode/perturb/yorp.hpp"
 #include "unit/perturb/support.hpp"
 #include "unit/perturb/surfaces.hpp"
 #include "unit/shape/solids.hpp"
@@ -31,12 +30,10 @@ using polhode::FacetStream;
 using polhode::Finish;
 using polhode::KeplerOrbit;
 using polhode::light_law;
-using polhode::mean_pressure;
 using polhode::molecule_law;
 using polhode::Shadow;
 using polhode::SolarPressure;
 using polhode::Sunlight;
-using polhode::yorp_torque;
 using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
@@ -326,8 +323,6 @@ TEST(SurfaceTerms, Refuse) {
               HasSubstr("density -1e-12 must be at least 0"));
   EXPECT_THAT(refusal([&] { AtmosphericDrag(plate, {.density = 1, .scale_height = 0.0}, path); }),
               HasSubstr("scale_height 0"));
-  EXPECT_THAT(refusal([&] { yorp_torque(plate, 0.0, {}); }), HasSubstr("axis (0, 0, 0)"));
-  EXPECT_THAT(refusal([&] { mean_pressure({1, 1}, 1.0, 1.0); }), HasSubstr("eccentricity 1"));
 }
 
 }  // namespace

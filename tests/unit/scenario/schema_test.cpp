@@ -15,7 +15,6 @@
 #include "scenario/diagnostics.hpp"
 #include "scenario/value_reader.hpp"
 #include "scenario/values.hpp"
-#include "text/nearest.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -212,23 +211,6 @@ TEST(Schema, DocumentsKnowThemToo) {
   EXPECT_THAT(json_schema(growing), HasSubstr("\"type\": \"array\""));
   EXPECT_THAT(markdown_reference(growing), HasSubstr("## `[orbit.*]`"));
   EXPECT_THAT(markdown_reference(growing), HasSubstr("## `[[event]]`"));
-}
-
-TEST(Nearest, CountsHalfEdits) {
-  EXPECT_EQ(detail::edit_distance("", "ab"), 4);
-  EXPECT_EQ(detail::edit_distance("phi", "Phi"), 1);
-  EXPECT_EQ(detail::edit_distance("moments", "momnets"), 2);
-  EXPECT_EQ(detail::edit_distance("kitten", "sitting"), 6);
-}
-
-TEST(Nearest, OffersSlipsOnly) {
-  constexpr std::string_view known[] = {"precession_period", "rotation_period", "pole", "mode"};
-  EXPECT_EQ(detail::nearest("presession_period", known), "precession_period");
-  EXPECT_EQ(detail::nearest("Pole", known), "pole");
-  EXPECT_EQ(detail::nearest("rota", known), "rotation_period");
-  EXPECT_EQ(detail::nearest("x", known), "");
-  EXPECT_EQ(detail::nearest("colour", known), "");
-  EXPECT_EQ(detail::nearest(std::string(100000, 'p'), known), "");
 }
 
 }  // namespace

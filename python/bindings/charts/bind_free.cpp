@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+// Free rotation, and the charts that are read from it.
+#include "charts/states.hpp"
+#include "interface/value.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/free/generating_function.hpp"
+#include "polhode/free/rounding_sensitivity.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/free/tumbler.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+
+void require_sign(const char* what, int sign) {
+  if (sign != 1 && sign != -1) throw DomainError(std::string(what) + ": expected 1 or -1");
+}
+
+// Whatever else these sets must satisfy depends on the body: to_rotor says so.
+SerretState checked(const SerretState& s) {
+  require_finite("SerretState", {s.g0, s.h, s.t0, s.G, s.H, s.T});
+  require_sign("SerretState: sign_g1", s.sign_g1);
+  require_sign("SerretState: sign_g3", s.sign_g3);
+  return s;
+}
+SadovState checked(const SadovState& s) {
+  require_finite("SadovState", {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h});
+  if (s.region != SadovRegion::short_axis && s.region != SadovRegion::long_axis)
+    throw DomainError("SadovState: region: expected a SadovRegion");
+  require_sign("SadovState: lobe", s.lobe);
+  return s;
+}
+TumblerState checked(const TumblerState& s) {
+  require_finite("TumblerState", {s.precession_period, s.rotation_period, s.pole.x, s.pole.y,
+                                  s.pole.z, s.phi0, s.psi0});
+  if (s.mode != Regime::short_axis && s.mode != Regime::long_axis)
+    throw DomainError("TumblerState: mode: expected Regime.short_axis or Regime.long_axis");
+  require_sign("TumblerState: branch", s.branch);
+  require_sign("TumblerState: sense", s.sense);
+  return s;
+}
+
+constexpr Field sign_field(const char* name, std::size_t offset) {
+  return {name, offset, Kind::integer, nullptr, nullptr, 1};
+}
+
+constexpr Chart<SerretState, 8> serret_chart{
+    "SerretState",
+    R"(Serret's elements g0, h (rad), t0 (time), G, H, T (energy): constants of free rotation.
+
+sign_g1 and sign_g3 are the signs of the momentum along the axes of least and greatest moment at t0.
+[SA section 3.1, (56)-(62)])",
+    {{{"g0", offsetof(SerretState, g0)},
+      {"h", offsetof(SerretState, h)},
+      {"t0", offsetof(SerretState, t0)},
+      {"G", offsetof(SerretState, G)},
+      {"H", offsetof(SerretState, H)},
+      {"T", offsetof(SerretState, T)},
+      sign_field("sign_g1", offsetof(SerretState, sign_g1)),
+      sign_field("sign_g3", offsetof(SerretState, sign_g3))}},
+    checked};
+
+constexpr Chart<SadovState, 8> sadov_chart{
+    "SadovState",
+    R"(Sadov's action-angle variables: angles phi_l, phi_g, phi_h (rad), actions I_l, I_g, I_h.
+
+region says about which axis the momentum circulates (SadovRegion); in the long-axis region lobe is
+the sign of the momentum along the long axis. [SA "actions", "phiSadov"])",
+    {{{"phi_l", offsetof(SadovState, phi_l)},
+      {"phi_g", offsetof(SadovState, phi_g)},
+      {"phi_h", offsetof(SadovState, phi_h)},
+      {"I_l", offsetof(SadovState, I_l)},
+      {"I_g", offsetof(SadovState, I_g)},
+      {"I_h", offsetof(SadovState, I_h)},
+      enum_field<SadovRegion>("region", offsetof(SadovState, region), "SadovRegion",
+                              static_cast<int>(SadovRegion::short_axis)),
+      sign_field("lobe", offsetof(SadovState, lobe))}},
+    checked};
+
+constexpr Chart<TumblerState, 8> tumbler_chart{
+    "TumblerState",
+    R"(A tumbling asteroid as observers describe it (Kaasalainen 2001, long-axis convention).
+
+precession_period P_phi, of the long axis, and rotation_period P_psi (time), pole (..., 3):
+direction of the momentum in inertial axes; mode Regime.short_axis (SAM) or Regime.long_axis (LAM);
+phi0, psi0 (rad) at the epoch; branch: sign of cos theta; sense: -1 for a SAM about the far side of
+the short axis.)",
+    {{{"precession_period", offsetof(TumblerState, precession_period)},
+      {"rotation_period", offsetof(TumblerState, rotation_period)},
+      {"pole", offsetof(TumblerState, pole), Kind::vector},
+      enum_field<Regime>("mode", offsetof(TumblerState, mode), "Regime"),
+      {"phi0", offsetof(TumblerState, phi0)},
+      {"psi0", offsetof(TumblerState, psi0)},
+      sign_field("branch", offsetof(TumblerState, branch)),
+      sign_field("sense", offsetof(TumblerState, sense))}},
+    checked};
+
+const RotorState& single(const Rotors& states, const char* what) {
+  if (!states.shape().empty())
+    throw nb::value_error((std::string(what) + ": got states of shape " + text_of(states.shape()) +
+                           "; expected one state")
+                              .c_str());
+  return states[0];
+}
+
+bool same_rates(const FreeRotation& a, const FreeRotation& b) {
+  return a.kernel().phase_rate == b.kernel().phase_rate &&
+         a.kernel().half_precession == b.kernel().half_precession;
+}
+
+// Prepared in double precision throughout, if that makes a difference.
+bool is_short_arc(const FreeRotation& f) {
+  return !same_rates(f, FreeRotation(f.body(), f.initial_state(), f.epoch()));
+}
+
+void def_motion(nb::class_<FreeRotation>& c) {
+  c.def(
+       "__init__",
+       [](FreeRotation* self, const Body& body, const Rotors& s0, double t0) {
+         new (self) FreeRotation(body, single(s0, "FreeRotation"), t0);
+       },
+       nb::arg("body"), nb::arg("s0"), nb::arg("t0") = 0.0)
+      .def_static(
+          "short_arc",
+          [](const Body& body, const Rotors& s0, double t0) {
+            return FreeRotation::short_arc(body, single(s0, "FreeRotation.short_arc"), t0);
+          },
+          nb::arg("body"), nb::arg("s0"), nb::arg("t0") = 0.0,
+          "The same, prepared in double precision throughout: a microsecond, for a few turns.")
+      .def(
+          "at",
+          [](const FreeRotation& f, nb::handle t) {
+            const Numbers times(t, "t");
+            return mapped(times, [&](double at) { return f.at(at); });
+          },
+          nb::arg("t"), nb::sig("def at(self, t: numpy.typing.ArrayLike) -> RotorState"),
+          "The exact state at time t: t of any shape, a RotorState of that shape. NaN in, NaN out.")
+      .def(
+          "state_transition",
+          [](const FreeRotation& f, nb::handle t) {
+            const Numbers times(t, "t");
+            return mapped_numbers(times, {6, 6}, [&](double at) { return f.state_transition(at); });
+          },
+          nb::arg("t"),
+          nb::sig("def state_transition(self, t: numpy.typing.ArrayLike) -> "
+                  "numpy.typing.NDArray[numpy.float64]"),
+          "d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): (..., 6, 6); attitude changes in body "
+          "axes, q exp(dtheta_B / 2).");
+}
+
+// A motion as a value: what it prints, that it is copied, pickled and compared.
+void def_motion_value(nb::class_<FreeRotation>& c) {
+  c.def("__repr__",
+        [](const FreeRotation& f) {
+          return "<FreeRotation: " + nb::cast<std::string>(nb::cast(f.regime()).attr("name")) +
+                 ", G=" + number_text(f.momentum()) + ", T=" + number_text(f.energy()) +
+                 ", polhode_period=" + number_text(f.polhode_period()) + ">";
+        })
+      .def("__copy__", [](const FreeRotation& f) { return f; })
+      .def(
+          "__deepcopy__", [](const FreeRotation& f, nb::handle) { return f; }, nb::arg("memo"))
+      .def("__getstate__",
+           [](const FreeRotation& f) {
+             return nb::make_tuple(f.body(), Rotors::one(f.initial_state()), f.epoch(),
+                                   is_short_arc(f));
+           })
+      .def("__setstate__",
+           [](FreeRotation& f, const std::tuple<Body, Rotors, double, bool>& state) {
+             const auto& [body, s0, t0, is_short] = state;
+             new (&f) FreeRotation(is_short ? FreeRotation::short_arc(body, s0[0], t0)
+                                            : FreeRotation(body, s0[0], t0));
+           })
+      .def(
+          "__eq__",
+          [](const FreeRotation& a, const FreeRotation& b) {
+            return a.body().moments() == b.body().moments() && a.body().q_FB() == b.body().q_FB() &&
+                   a.initial_state() == b.initial_state() && a.epoch() == b.epoch() &&
+                   same_rates(a, b);
+          },
+          nb::is_operator(), nb::arg("other"));
+  c.attr("__hash__") = nb::none();
+}
+
+void bind_motion(nb::module_& m) {
+  nb::class_<Modulus>(m, "Modulus",
+                      "The modulus m of elliptic functions with its complement: m1 = 1 - m keeps "
+                      "its digits near the separatrix.")
+      .def_prop_ro("m", &Modulus::m, "The parameter m = k^2.")
+      .def_prop_ro("m1", &Modulus::m1, "1 - m, to its own full accuracy.")
+      .def(
+          "__eq__",
+          [](const Modulus& a, const Modulus& b) { return a.m() == b.m() && a.m1() == b.m1(); },
+          nb::is_operator(), nb::arg("other"))
+      .def("__hash__", [](const Modulus& k) { return nb::hash(nb::make_tuple(k.m(), k.m1())); })
+      .def("__getstate__", [](const Modulus& k) { return nb::make_tuple(k.m(), k.m1()); })
+      .def("__setstate__",
+           [](Modulus& k, const std::tuple<double, double>& state) {
+             new (&k) Modulus(Modulus::from_pair(std::get<0>(state), std::get<1>(state)));
+           })
+      .def("__repr__", [](const Modulus& k) {
+        return "Modulus(m=" + number_text(k.m()) + ", m1=" + number_text(k.m1()) + ")";
+      });
+  using F = FreeRotation;
+  nb::class_<F> c(m, "FreeRotation",
+                  R"(The exact torque-free motion of a body, at any time, in every regime. [SA (12)]
+
+body: Body; s0: RotorState (one state) at time t0. Prepared once, in tens of microseconds; at(t)
+then costs tens of nanoseconds a state, however far t is. ValueError for a rate g / I beyond double
+range.)");
+  def_motion(c);
+  def_motion_value(c);
+  c.def_prop_ro(
+       "body", [](const F& f) { return f.body(); }, "The body that rotates.")
+      .def_prop_ro(
+          "initial_state", [](const F& f) { return Rotors::one(f.initial_state()); },
+          "The state at the epoch, as given.")
+      .def_prop_ro("epoch", &F::epoch, "t0.")
+      .def_prop_ro("regime", &F::regime, "Which way the momentum moves in the body.")
+      .def_prop_ro("momentum", &F::momentum, "G, the length of the angular momentum.")
+      .def_prop_ro("energy", &F::energy, "T, the kinetic energy.")
+      .def_prop_ro("modulus", &F::modulus, "Modulus of the motion; m = 0 when steady.")
+      .def_prop_ro("separatrix_distance", &F::separatrix_distance,
+                   "G^2 - 2 T I2: > 0 in short-axis mode, < 0 in long-axis mode.")
+      .def_prop_ro("circulates_long_axis", &F::circulates_long_axis,
+                   "Whether the momentum circulates about the axis of least moment.")
+      .def_prop_ro("sign_g1", &F::sign_g1, "Sign of the momentum along the axis of least moment.")
+      .def_prop_ro("sign_g3", &F::sign_g3,
+                   "Sign of the momentum along the axis of greatest moment.")
+      .def_prop_ro("circulation_action", &F::circulation_action,
+                   "(1/2pi) of the integral of g3' dl' over a polhode; 0 where there is none.")
+      .def_prop_ro("circulation_deficit", &F::circulation_deficit,
+                   "G minus circulation_action, to its own full accuracy.")
+      .def_prop_ro("polhode_period", &F::polhode_period,
+                   "Period of the momentum in the body; inf where it does not return.")
+      .def_prop_ro("precession_rate_long", &F::precession_rate_long,
+                   "Mean rate (rad per time) of the long axis about the momentum.")
+      .def_prop_ro("precession_rate_short", &F::precession_rate_short,
+                   "Mean rate (rad per time) of the short axis about the momentum.");
+}
+
+// A chart of a motion at times, and the same of any states: each is the epoch of its own motion.
+template <class To, class Of>
+void def_flow_chart(nb::module_& m, const char* name, const char* result, Of of, const char* doc) {
+  m.def(
+      name,
+      [of](const FreeRotation& motion, nb::handle t) {
+        const Numbers times(t, "t");
+        return mapped(times, [&](double at) { return of(motion, at); });
+      },
+      nb::arg("motion"), nb::arg("t"),
+      nb::sig((std::string("def ") + name +
+               "(motion: FreeRotation, t: numpy.typing.ArrayLike) -> " + result)
+                  .c_str()),
+      doc);
+  m.def(
+      name,
+      [of](const Body& body, const Rotors& states, nb::handle t) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const RotorState& s, double at) {
+          return of(FreeRotation(body, s, at), at);
+        });
+      },
+      nb::arg("body"), nb::arg("state"), nb::arg("t") = 0.0,
+      nb::sig((std::string("def ") + name +
+               "(body: Body, state: RotorState, t: numpy.typing.ArrayLike = 0.0) -> " + result)
+                  .c_str()),
+      doc);
+}
+
+void bind_flow_charts(nb::module_& m) {
+  bind_states<6>(m, serret_chart);
+  bind_states<6>(m, sadov_chart);
+  bind_states<6>(m, tumbler_chart);
+  def_flow_chart<SerretState>(
+      m, "to_serret", "SerretState",
+      [](const FreeRotation& f, double t) { return to_serret(f, t); },
+      "Serret's elements of a motion at time t, or of states at times t of the motion through "
+      "each.");
+  def_flow_chart<SadovState>(
+      m, "to_sadov", "SadovState", [](const FreeRotation& f, double t) { return to_sadov(f, t); },
+      "Action-angle variables of a motion at time t, or of any states.");
+  def_flow_chart<TumblerState>(
+      m, "to_tumbler", "TumblerState",
+      [](const FreeRotation& f, double t) { return to_tumbler(f, t); },
+      "Observers' description of a motion at time t, or of any states. ValueError where there is "
+      "none: steady rotation, separatrix, rest.");
+  m.def(
+      "to_rotor",
+      [](const Body& body, const Batch<SadovState>& states) {
+        return mapped(states, [&](const SadovState& s) { return to_rotor(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"),
+      "The hub state of action-angle variables. ValueError for actions outside the region.");
+  m.def(
+      "to_rotor",
+      [](const Body& body, const Batch<TumblerState>& states) {
+        return mapped(states, [&](const TumblerState& s) { return to_rotor(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"),
+      "The hub state at the epoch of the angles. ValueError for periods that the body cannot "
+      "have.");
+  m.def(
+      "to_rotor",
+      [](const Body& body, const Batch<SerretState>& states, nb::handle t) {
+        Numbers times(t, "t");
+        return mapped(states, times,
+                      [&](const SerretState& s, double at) { return to_rotor(body, s, at); });
+      },
+      nb::arg("body"), nb::arg("state"), nb::arg("t"),
+      nb::sig("def to_rotor(body: Body, state: SerretState, t: numpy.typing.ArrayLike) -> "
+              "RotorState"),
+      "The hub state at time t of Serret's elements.");
+}
+
+constexpr const char* matrices = ") -> numpy.typing.NDArray[numpy.float64]";
+
+void bind_flow_jacobians(nb::module_& m) {
+  m.def(
+      "chart_jacobian",
+      [](const Body& body, const Batch<SadovState>& states) {
+        return mapped_numbers(states, {6, 6},
+                              [&](const SadovState& s) { return chart_jacobian(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"),
+      nb::sig((std::string("def chart_jacobian(body: Body, state: SadovState") + matrices).c_str()),
+      "B of action-angle variables: (..., 6, 6), columns phi_l, phi_g, phi_h, I_l, I_g, I_h.");
+  m.def(
+      "chart_jacobian",
+      [](const Body& body, const Batch<SerretState>& states, nb::handle t) {
+        Numbers times(t, "t");
+        return mapped_numbers(states, times, {6, 6}, [&](const SerretState& s, double at) {
+          return chart_jacobian(body, s, at);
+        });
+      },
+      nb::arg("body"), nb::arg("state"), nb::arg("t"),
+      nb::sig((std::string("def chart_jacobian(body: Body, state: SerretState, t: "
+                           "numpy.typing.ArrayLike") +
+               matrices)
+                  .c_str()),
+      "B at time t of Serret's elements: (..., 6, 6), columns g0, h, -t0, G, H, T: canonical with "
+      "-t0 as the third angle.");
+}
+
+GeneratingFunction checked(const GeneratingFunction& s) {
+  require_finite("GeneratingFunction",
+                 {s.S, s.Phi, s.Theta, s.Psi, s.g0, s.h, s.minus_t0, s.minus_T});
+  return s;
+}
+
+constexpr Chart<GeneratingFunction, 8> generating_chart{
+    "GeneratingFunction",
+    R"(The function S that turns Euler's variables into Serret's constants, with its derivatives.
+
+S(phi, theta, psi; G, H, T; t), an action; Phi, Theta, Psi: by the angles; g0, h (rad), minus_t0:
+by G, H, T; minus_T: by t, the Jacobi equation. [SA (43), (51), (55)-(62)])",
+    {{{"S", offsetof(GeneratingFunction, S)},
+      {"Phi", offsetof(GeneratingFunction, Phi)},
+      {"Theta", offsetof(GeneratingFunction, Theta)},
+      {"Psi", offsetof(GeneratingFunction, Psi)},
+      {"g0", offsetof(GeneratingFunction, g0)},
+      {"h", offsetof(GeneratingFunction, h)},
+      {"minus_t0", offsetof(GeneratingFunction, minus_t0)},
+      {"minus_T", offsetof(GeneratingFunction, minus_T)}}},
+    checked};
+
+void bind_generating(nb::module_& m) {
+  bind_states<8>(m, generating_chart);
+  m.def(
+      "generating_function",
+      [](const FreeRotation& motion, nb::handle t) {
+        const Numbers times(t, "t");
+        return mapped(times, [&](double at) { return generating_function(motion, at); });
+      },
+      nb::arg("motion"), nb::arg("t"),
+      nb::sig("def generating_function(motion: FreeRotation, t: numpy.typing.ArrayLike) -> "
+              "GeneratingFunction"),
+      "The generating function of section 3.1 along a motion, at times t of any shape, on the "
+      "branch that to_serret returns. [SA (51), (55)]");
+}
+
+void bind_properties(nb::module_& m) {
+  nb::class_<SadovFrequencies>(m, "SadovFrequencies",
+                               "Constant rates (rad per time) of phi_l and phi_g; n_h = 0.")
+      .def_ro("n_l", &SadovFrequencies::n_l, "Rate of phi_l.")
+      .def_ro("n_g", &SadovFrequencies::n_g, "Rate of phi_g.")
+      .def(
+          "__eq__",
+          [](const SadovFrequencies& a, const SadovFrequencies& b) {
+            return a.n_l == b.n_l && a.n_g == b.n_g;
+          },
+          nb::is_operator(), nb::arg("other"))
+      .def("__hash__",
+           [](const SadovFrequencies& n) { return nb::hash(nb::make_tuple(n.n_l, n.n_g)); })
+      .def("__getstate__", [](const SadovFrequencies& n) { return nb::make_tuple(n.n_l, n.n_g); })
+      .def("__setstate__",
+           [](SadovFrequencies& n, const std::tuple<double, double>& state) {
+             n = {std::get<0>(state), std::get<1>(state)};
+           })
+      .def("__repr__", [](const SadovFrequencies& n) {
+        return "SadovFrequencies(n_l=" + number_text(n.n_l) + ", n_g=" + number_text(n.n_g) + ")";
+      });
+  m.def("sadov_frequencies", &sadov_frequencies, nb::arg("motion"),
+        "The rates n = dT/dI of a motion. [SA \"n_g\"]");
+  m.def("psi_max", &psi_max, nb::arg("motion"),
+        "Largest |psi| (rad) of a motion in short-axis mode; NaN in other regimes.");
+  m.def(
+      "rounding_sensitivity", &rounding_sensitivity, nb::arg("motion"), nb::arg("t"),
+      "How far (rad) the attitude at t moves when one component of the moments or of the momentum\n"
+      "changes by its last digit: the largest of all. NaN for a time that is not finite.");
+  m.def(
+      "least_period_ratio",
+      [](const Body& body, nb::handle mode) {
+        return least_period_ratio(body, choice<Regime>(mode, "mode"));
+      },
+      nb::arg("body"), nb::arg("mode"),
+      nb::sig("def least_period_ratio(body: Body, mode: Regime | str) -> float"),
+      "The least P_psi / P_phi that the body has in a mode.");
+  m.def(
+      "free_rotation",
+      [](const Body& body, const Batch<SerretState>& s) {
+        if (!s.shape().empty()) throw nb::value_error("free_rotation: expected one SerretState");
+        return free_rotation(body, s[0]);
+      },
+      nb::arg("body"), nb::arg("state"), "The motion with these elements, epoch t0.");
+}
+
+}  // namespace
+
+void bind_free(nb::module_& m) {
+  nb::enum_<Regime>(m, "Regime", "Which way the momentum moves in the body.", nb::is_arithmetic())
+      .value("rest", Regime::rest, "G = 0")
+      .value("steady", Regime::steady, "omega parallel to g")
+      .value("short_axis", Regime::short_axis, "circulation about the axis of greatest moment")
+      .value("long_axis", Regime::long_axis, "circulation about the axis of least moment")
+      .value("separatrix", Regime::separatrix, "G^2 = 2 T I2 exactly");
+  nb::enum_<SadovRegion>(m, "SadovRegion", "Where action-angle variables live.",
+                         nb::is_arithmetic())
+      .value("short_axis", SadovRegion::short_axis, "circulation about the axis of greatest moment")
+      .value("long_axis", SadovRegion::long_axis, "circulation about the axis of least moment");
+  bind_motion(m);
+  bind_flow_charts(m);
+  bind_flow_jacobians(m);
+  bind_properties(m);
+  bind_generating(m);
+}
+
+}  // namespace polhode::python

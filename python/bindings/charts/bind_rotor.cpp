@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+// Body, the hub state and the charts that need no motion.
+#include "charts/canonical_chart.hpp"
+#include "charts/states.hpp"
+#include "interface/dual_number.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/poincare.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+RotorState checked(const RotorState& s) {
+  require_finite("RotorState: g", {s.g.x, s.g.y, s.g.z});
+  return {unit_quaternion(s.q.w, s.q.x, s.q.y, s.q.z), s.g};
+}
+EulerAngles checked(const EulerAngles& e) {
+  require_finite("EulerAngles", {e.phi, e.theta, e.psi});
+  return e;
+}
+EulerState checked(const EulerState& e) {
+  return euler_state(e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi);
+}
+EulerRates checked(const EulerRates& e) {
+  require_finite("EulerRates", {e.phi, e.theta, e.psi, e.phi_dot, e.theta_dot, e.psi_dot});
+  return e;
+}
+AndoyerState checked(const AndoyerState& s) { return andoyer_state(s.l, s.g, s.h, s.L, s.G, s.H); }
+PoincareState checked(const PoincareState& s) {
+  for (const Pole pole : {s.pole_J, s.pole_I})
+    if (pole != Pole::zero && pole != Pole::pi)
+      throw DomainError("PoincareState: got a pole that is neither Pole.zero nor Pole.pi");
+  return poincare_state(s.sigma, s.Q1, s.Q2, s.G, s.P1, s.P2, s.pole_J, s.pole_I);
+}
+
+constexpr Field pole_field(const char* name, std::size_t offset) {
+  return enum_field<Pole>(name, offset, "Pole");
+}
+
+constexpr Chart<RotorState, 2> rotor_chart{
+    "RotorState",
+    R"(The hub: attitude and body angular momentum, the one chart without singularities.
+
+q (..., 4): unit quaternion (w, x, y, z), body to frame, v_I = q v_B q*; a scipy Rotation is taken
+too; any length, kept as q/|q|. g (..., 3): angular momentum along the principal axes, moment x
+rate. One state or an array of states: the arguments broadcast. ValueError for numbers that are
+not finite and for a zero quaternion. [SA (1), (2), (24)])",
+    {{{"q", offsetof(RotorState, q), Kind::quaternion},
+      {"g", offsetof(RotorState, g), Kind::vector}}},
+    checked};
+
+constexpr Chart<EulerAngles, 3> angles_chart{"EulerAngles",
+                                             "3-1-3 angles phi, theta, psi (rad) of an attitude: q "
+                                             "= qz(phi) qx(theta) qz(psi). [SA (1), (2)]",
+                                             {{{"phi", offsetof(EulerAngles, phi)},
+                                               {"theta", offsetof(EulerAngles, theta)},
+                                               {"psi", offsetof(EulerAngles, psi)}}},
+                                             checked};
+
+constexpr Chart<EulerState, 6> euler_chart{
+    "EulerState",
+    R"(3-1-3 Euler angles (rad) and their canonical momenta Phi, Theta, Psi. [SA (25)-(27)]
+
+Any theta is taken; functions return theta in [0, pi], phi and psi in (-pi, pi]. ValueError for
+numbers that are not finite and, at theta = 0 or pi, for momenta that no state has.)",
+    {{{"phi", offsetof(EulerState, phi)},
+      {"theta", offsetof(EulerState, theta)},
+      {"psi", offsetof(EulerState, psi)},
+      {"Phi", offsetof(EulerState, Phi)},
+      {"Theta", offsetof(EulerState, Theta)},
+      {"Psi", offsetof(EulerState, Psi)}}},
+    checked};
+
+constexpr Chart<EulerRates, 6> rates_chart{
+    "EulerRates",
+    "3-1-3 Euler angles (rad) and their rates (rad per time): not canonical, needs a body. "
+    "[SA (5)-(7)]",
+    {{{"phi", offsetof(EulerRates, phi)},
+      {"theta", offsetof(EulerRates, theta)},
+      {"psi", offsetof(EulerRates, psi)},
+      {"phi_dot", offsetof(EulerRates, phi_dot)},
+      {"theta_dot", offsetof(EulerRates, theta_dot)},
+      {"psi_dot", offsetof(EulerRates, psi_dot)}}},
+    checked};
+
+constexpr Chart<AndoyerState, 6> andoyer_chart{
+    "AndoyerState",
+    R"(Andoyer variables: angles l, g, h (rad), momenta L, G, H. [SA section 3.2, (84)]
+
+G is the angular momentum, L = G cos J its part along the body's third axis, H = G cos I that along
+the frame's. ValueError unless G >= 0, |L| <= G, |H| <= G. At J = 0, pi: l = 0, and g holds g +- l;
+at I = 0, pi: h = 0.)",
+    {{{"l", offsetof(AndoyerState, l)},
+      {"g", offsetof(AndoyerState, g)},
+      {"h", offsetof(AndoyerState, h)},
+      {"L", offsetof(AndoyerState, L)},
+      {"G", offsetof(AndoyerState, G)},
+      {"H", offsetof(AndoyerState, H)}}},
+    checked};
+
+constexpr Chart<PoincareState, 8> poincare_chart{
+    "PoincareState",
+    R"(Poincare-type variables sigma (rad), Q1, Q2, G, P1, P2: regular where Andoyer's are not.
+
+pole_J and pole_I (Pole.zero or Pole.pi) say at which pole of J and of I the set is regular.
+ValueError unless G >= 0 and Q^2 + P^2 <= 4 G for both pairs.)",
+    {{{"sigma", offsetof(PoincareState, sigma)},
+      {"Q1", offsetof(PoincareState, Q1)},
+      {"Q2", offsetof(PoincareState, Q2)},
+      {"G", offsetof(PoincareState, G)},
+      {"P1", offsetof(PoincareState, P1)},
+      {"P2", offsetof(PoincareState, P2)},
+      pole_field("pole_J", offsetof(PoincareState, pole_J)),
+      pole_field("pole_I", offsetof(PoincareState, pole_I))}},
+    checked};
+
+std::string repr_of(const Body& body) {
+  const Vec3& I = body.moments();
+  const nb::object moments = nb::make_tuple(I.x, I.y, I.z);
+  return "Body" + nb::cast<std::string>(nb::repr(moments));
+}
+
+void bind_body(nb::module_& m) {
+  nb::class_<Body>(
+      m, "Body",
+      R"(Principal moments of inertia about the axes b1, b2, b3, in any order. [SA (15)]
+
+Body(I1, I2, I3), or Body.from_tensor(M). Any unit: the library is scale-free. ValueError unless all
+are positive and the largest is at most the sum of the others.)")
+      .def(nb::init<double, double, double>(), nb::arg("I1"), nb::arg("I2"), nb::arg("I3"))
+      .def_static(
+          "from_tensor",
+          [](nb::handle tensor) { return Body::from_tensor(mat3(tensor, "tensor")); },
+          nb::arg("tensor"), nb::sig("def from_tensor(tensor: numpy.typing.ArrayLike) -> Body"),
+          "From a symmetric (3, 3) inertia tensor in any body-fixed axes; q_FB keeps the rotation "
+          "to the principal axes.")
+      .def_static(
+          "with_axes",
+          [](nb::handle moments, nb::handle q_FB) {
+            return Body::with_axes(vec3(moments, "moments"), quaternion(q_FB, "q_FB"));
+          },
+          nb::arg("moments"), nb::arg("q_FB"),
+          nb::sig("def with_axes(moments: numpy.typing.ArrayLike, q_FB: numpy.typing.ArrayLike) -> "
+                  "Body"),
+          "Principal moments (3,) with a rotation q_FB (4,) to other body axes, known already.")
+      .def_prop_ro(
+          "moments", [](const Body& b) { return array_of(b.moments()); },
+          nb::for_getter(nb::sig("def moments(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(3,): moments about b1, b2, b3 as given.")
+      .def_prop_ro(
+          "q_FB", [](const Body& b) { return array_of(b.q_FB()); },
+          nb::for_getter(nb::sig("def q_FB(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(4,): rotation from principal axes to those of the tensor, v_F = q_FB v_B q_FB*.")
+      .def(
+          "__eq__",
+          [](const Body& a, const Body& b) {
+            return a.moments() == b.moments() && a.q_FB() == b.q_FB();
+          },
+          nb::is_operator(), nb::arg("other"))
+      .def("__hash__",
+           [](const Body& b) {
+             return nb::hash(nb::make_tuple(b.moments().x, b.moments().y, b.moments().z));
+           })
+      .def("__repr__", [](const Body& b) { return repr_of(b); })
+      .def("__getstate__",
+           [](const Body& b) { return nb::make_tuple(array_of(b.moments()), array_of(b.q_FB())); })
+      .def("__setstate__",
+           [](Body& b, const std::tuple<nb::object, nb::object>& state) {
+             const auto& [moments, q_FB] = state;
+             new (&b) Body(Body::with_axes(vec3(moments, "moments"), quaternion(q_FB, "q_FB")));
+           })
+      .def("__copy__", [](const Body& b) { return b; })
+      .def(
+          "__deepcopy__", [](const Body& b, nb::handle) { return b; }, nb::arg("memo"));
+}
+
+using Rotors = Batch<RotorState>;
+constexpr const char* array_signature = ") -> numpy.typing.NDArray[numpy.float64]";
+
+Numbers quaternions(nb::handle q) { return {q, "q", {4}}; }
+Quaternion quaternion_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
+
+nb::object matrices_of(nb::handle q) {
+  nb::object of_duals = dual_attitude_matrix(q);
+  if (!of_duals.is_none()) return of_duals;
+  const Numbers n = quaternions(q);
+  Result out(n.shape(), {3, 3});
+  for_each(size_of(n.shape()),
+           [&](std::size_t k) { put(out.at(k), attitude_matrix(quaternion_at(n.at(k)))); });
+  return out.take();
+}
+
+nb::object quaternions_of(nb::handle R) {
+  nb::object of_duals = dual_attitude(R);
+  if (!of_duals.is_none()) return of_duals;
+  const Numbers n(R, "R", {3, 3});
+  Result out(n.shape(), {4});
+  for_each(size_of(n.shape()), [&](std::size_t k) {
+    const double* a = n.at(k);
+    put(out.at(k), attitude(Mat3{{{a[0], a[1], a[2]}, {a[3], a[4], a[5]}, {a[6], a[7], a[8]}}}));
+  });
+  return out.take();
+}
+
+void bind_attitudes(nb::module_& m) {
+  m.def(
+      "attitude_matrix", [](nb::handle q) { return matrices_of(q); }, nb::arg("q"),
+      nb::sig(
+          "def attitude_matrix(q: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]"),
+      "R of [SA (2)], v_B = R v_I: q (..., 4) -> (..., 3, 3). One q of Dual gives Duals.");
+  m.def(
+      "euler_angles",
+      [](nb::handle q) {
+        const Numbers n = quaternions(q);
+        return Batch<EulerAngles>::filled(n.shape(), [&](EulerAngles* out) {
+          for_each(size_of(n.shape()),
+                   [&](std::size_t k) { out[k] = euler_angles(quaternion_at(n.at(k))); });
+        });
+      },
+      nb::arg("q"), nb::sig("def euler_angles(q: numpy.typing.ArrayLike) -> EulerAngles"),
+      "3-1-3 angles of an attitude: q (..., 4). At theta = 0, pi: psi = 0. [SA (1), (2)]");
+  m.def(
+      "attitude",
+      [](const Batch<EulerAngles>& angles) {
+        return mapped_numbers(angles, {4}, [](const EulerAngles& e) { return attitude(e); });
+      },
+      nb::arg("angles"),
+      nb::sig("def attitude(angles: EulerAngles) -> numpy.typing.NDArray[numpy.float64]"),
+      "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
+  m.def(
+      "attitude", [](nb::handle R) { return quaternions_of(R); }, nb::arg("R"),
+      nb::sig("def attitude(R: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]"),
+      "Quaternion (..., 4), body to inertial, of rotation matrices R (..., 3, 3), v_B = R v_I. "
+      "ValueError for a matrix that is no rotation (to 1e-6). One R of Dual gives Duals, "
+      "unchecked.");
+}
+
+using StateOfRate = RotorState(const Body&, const Quaternion&, const Vec3&);
+
+Rotors with_rate(const Body& body, nb::handle q, nb::handle omega, StateOfRate* build) {
+  std::vector<Numbers> both;
+  both.push_back(quaternions(q));
+  both.emplace_back(omega, "omega", std::initializer_list<std::size_t>{3});
+  const Shape shape = broadcast(both);
+  return Rotors::filled(shape, [&](RotorState* out) {
+    for_each(size_of(shape), [&](std::size_t k) {
+      const double* w = both[1].at(k);
+      out[k] = build(body, quaternion_at(both[0].at(k)), Vec3{w[0], w[1], w[2]});
+    });
+  });
+}
+
+void bind_attitudes_with_rates(nb::module_& m) {
+  m.def(
+      "rotor_state",
+      [](const Body& body, nb::handle q, nb::handle omega) {
+        return with_rate(body, q, omega, rotor_state);
+      },
+      nb::arg("body"), nb::arg("q"), nb::arg("omega_B"),
+      nb::sig("def rotor_state(body: Body, q: numpy.typing.ArrayLike, omega_B: "
+              "numpy.typing.ArrayLike) -> RotorState"),
+      "The state of attitudes q (..., 4) and angular velocities (..., 3) along the body axes. "
+      "[SA (24)]");
+  m.def(
+      "rotor_state_inertial",
+      [](const Body& body, nb::handle q, nb::handle omega) {
+        return with_rate(body, q, omega, rotor_state_inertial);
+      },
+      nb::arg("body"), nb::arg("q"), nb::arg("omega_I"),
+      nb::sig("def rotor_state_inertial(body: Body, q: numpy.typing.ArrayLike, omega_I: "
+              "numpy.typing.ArrayLike) -> RotorState"),
+      "The same with the angular velocity in inertial components. [SA (8)]");
+}
+
+template <class S>
+void def_to_rotor(nb::module_& m) {
+  m.def(
+      "to_rotor",
+      [](const Batch<S>& states) { return mapped(states, [](const S& s) { return to_rotor(s); }); },
+      nb::arg("state"), "The hub state of a canonical set; same shape.");
+}
+
+void bind_conversions(nb::module_& m) {
+  def_to_rotor<EulerState>(m);
+  def_to_rotor<AndoyerState>(m);
+  def_to_rotor<PoincareState>(m);
+  m.def(
+      "to_rotor",
+      [](const Body& body, const Batch<EulerRates>& states) {
+        return mapped(states, [&](const EulerRates& s) { return to_rotor(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"), "The hub state of Euler angles with their rates.");
+  m.def(
+      "to_euler",
+      [](const Rotors& states) {
+        return mapped(states, [](const RotorState& s) { return to_euler(s); });
+      },
+      nb::arg("state"), "Euler angles and momenta of hub states; same shape. [SA (25)-(27)]");
+  m.def(
+      "to_euler_rates",
+      [](const Body& body, const Rotors& states) {
+        return mapped(states, [&](const RotorState& s) { return to_euler_rates(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"),
+      "Euler angles and their rates of hub states. [SA (5)-(7)]");
+  m.def(
+      "to_andoyer",
+      [](const Rotors& states) {
+        return mapped(states, [](const RotorState& s) { return to_andoyer(s); });
+      },
+      nb::arg("state"), "Andoyer variables of hub states; same shape. [SA section 3.2]");
+  m.def(
+      "to_poincare",
+      [](const Rotors& states, nb::handle J, nb::handle I) {
+        const Pole pole_J = choice<Pole>(J, "pole_J"), pole_I = choice<Pole>(I, "pole_I");
+        return mapped(states, [=](const RotorState& s) { return to_poincare(s, pole_J, pole_I); });
+      },
+      nb::arg("state"), nb::arg("pole_J"), nb::arg("pole_I"),
+      nb::sig("def to_poincare(state: RotorState, pole_J: Pole | str, pole_I: Pole | str) -> "
+              "PoincareState"),
+      "The Poincare-type set that is regular at J = 0 (Pole.zero) or pi (Pole.pi), and so for I; "
+      "same shape.");
+  m.def(
+      "nearest_poincare",
+      [](const Rotors& states) {
+        return mapped(states, [](const RotorState& s) { return nearest_poincare(s); });
+      },
+      nb::arg("state"), "The Poincare-type set whose poles are nearest, state by state.");
+}
+
+void bind_functions(nb::module_& m) {
+  const auto vector_of_body = [&m](const char* name, auto f, const char* doc) {
+    m.def(
+        name,
+        [f](const Body& body, const Rotors& states) {
+          return mapped_numbers(states, {3}, [&](const RotorState& s) { return f(body, s); });
+        },
+        nb::arg("body"), nb::arg("state"),
+        nb::sig((std::string("def ") + name + "(body: Body, state: RotorState" + array_signature)
+                    .c_str()),
+        doc);
+  };
+  vector_of_body(
+      "angular_velocity",
+      [](const Body& body, const RotorState& s) { return angular_velocity(body, s); },
+      "omega_B = I^-1 g, body components: (..., 3). [SA (24)]");
+  vector_of_body(
+      "inertial_angular_velocity",
+      [](const Body& body, const RotorState& s) { return inertial_angular_velocity(body, s); },
+      "The same vector in inertial components: (..., 3). [SA (8)]");
+  m.def(
+      "kinetic_energy",
+      [](const Body& body, const Rotors& states) {
+        return mapped_numbers(states, {},
+                              [&](const RotorState& s) { return kinetic_energy(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"),
+      nb::sig("def kinetic_energy(body: Body, state: RotorState) -> float | "
+              "numpy.typing.NDArray[numpy.float64]"),
+      "T = (1/2) g . I^-1 g: a float, or an array of the shape of the states.");
+  m.def(
+      "inertial_momentum",
+      [](const Rotors& states) {
+        return mapped_numbers(states, {3},
+                              [](const RotorState& s) { return inertial_momentum(s); });
+      },
+      nb::arg("state"),
+      nb::sig((std::string("def inertial_momentum(state: RotorState") + array_signature).c_str()),
+      "Angular momentum in inertial components (..., 3): constant in free rotation.");
+}
+
+}  // namespace
+
+void bind_rotor(nb::module_& m) {
+  nb::enum_<Pole>(m, "Pole", "The pole of J or I that a Poincare-type set is regular at.",
+                  nb::is_arithmetic())
+      .value("zero", Pole::zero)
+      .value("pi", Pole::pi);
+  bind_body(m);
+  bind_states<2>(m, rotor_chart);
+  bind_states<3>(m, angles_chart);
+  bind_states<6>(m, euler_chart);
+  bind_states<6>(m, rates_chart);
+  bind_states<6>(m, andoyer_chart);
+  bind_states<8>(m, poincare_chart);
+  bind_attitudes(m);
+  bind_attitudes_with_rates(m);
+  bind_conversions(m);
+  bind_functions(m);
+  bind_jacobians(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Derivatives of charts by the hub state and by each other.
+#include "charts/canonical_chart.hpp"
+#include "interface/batch.hpp"
+#include "interface/choice.hpp"
+#include "polhode/rotor/rate_jacobian.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+
+constexpr const char* matrices = ") -> numpy.typing.NDArray[numpy.float64]";
+constexpr const char* any_chart = "CanonicalChart | CanonicalSet | str";
+
+std::string signature(const char* name, const std::string& arguments) {
+  return std::string("def ") + name + "(" + arguments + matrices;
+}
+
+Matrix6 matrix6(const double* a) {
+  Matrix6 m;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) m(i, j) = *a++;
+  return m;
+}
+
+void bind_chart(nb::module_& m) {
+  nb::enum_<CanonicalSet>(m, "CanonicalSet", "The canonical charts.", nb::is_arithmetic())
+      .value("euler", CanonicalSet::euler, "EulerState")
+      .value("andoyer", CanonicalSet::andoyer, "AndoyerState")
+      .value("poincare", CanonicalSet::poincare, "PoincareState");
+  using C = CanonicalChart;
+  nb::class_<C>(m, "CanonicalChart",
+                "One of the canonical charts: a CanonicalSet or its name, and, for the "
+                "Poincare-type sets alone, the poles at which it is regular.")
+      .def(
+          "__init__",
+          [](C* self, nb::handle set, nb::handle pole_J, nb::handle pole_I) {
+            new (self) C{choice<CanonicalSet>(set, "set"), choice<Pole>(pole_J, "pole_J"),
+                         choice<Pole>(pole_I, "pole_I")};
+          },
+          nb::arg("set"), nb::arg("pole_J") = Pole::zero, nb::arg("pole_I") = Pole::zero,
+          nb::sig("def __init__(self, set: CanonicalSet | str, pole_J: Pole | str = 'zero', "
+                  "pole_I: Pole | str = 'zero') -> None"))
+      .def_ro("set", &C::set, "Which of the charts.")
+      .def_ro("pole_J", &C::pole_J, "Where a Poincare-type set is regular in J.")
+      .def_ro("pole_I", &C::pole_I, "Where a Poincare-type set is regular in I.")
+      .def(
+          "__eq__", [](const C& a, const C& b) { return a == b; }, nb::is_operator(),
+          nb::arg("other"))
+      .def("__hash__",
+           [](const C& c) { return nb::hash(nb::make_tuple(c.set, c.pole_J, c.pole_I)); })
+      .def("__repr__",
+           [](const C& c) {
+             const auto name = [](const nb::object& member) {
+               return nb::cast<std::string>(member.attr("name"));
+             };
+             std::string text = "CanonicalChart('" + name(nb::cast(c.set)) + "'";
+             if (c.set == CanonicalSet::poincare)
+               text += ", '" + name(nb::cast(c.pole_J)) + "', '" + name(nb::cast(c.pole_I)) + "'";
+             return text + ")";
+           })
+      .def("__reduce__", [](nb::handle_t<C> self) {
+        const C& c = nb::cast<const C&>(self);
+        return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(c.set, c.pole_J, c.pole_I));
+      });
+}
+
+template <class S>
+void def_chart_jacobian(nb::module_& m, const char* type) {
+  m.def(
+      "chart_jacobian",
+      [](const Batch<S>& states) {
+        return mapped_numbers(states, {6, 6}, [](const S& s) { return chart_jacobian(s); });
+      },
+      nb::arg("state"), nb::sig(signature("chart_jacobian", std::string("state: ") + type).c_str()),
+      R"(B = d(dtheta_B, dg_B) / d(chart): (..., 6, 6). [SA (dr1), (dr2)]
+
+Rows: a small turn of the body about its axes, q exp(dtheta_B / 2), and the change of its momentum
+along them. Columns: three angles, then three momenta, in the order of the fields; rates for
+EulerRates. Right to the last bit; entries of a plain set are infinite at its singularities. A
+canonical chart satisfies B J B^T = Pi, J = [[0, 1], [-1, 0]], Pi = [[0, 1], [-1, hat(g)]].)");
+}
+
+void bind_canonical(nb::module_& m) {
+  def_chart_jacobian<EulerState>(m, "EulerState");
+  def_chart_jacobian<AndoyerState>(m, "AndoyerState");
+  def_chart_jacobian<PoincareState>(m, "PoincareState");
+  const std::string of_state = std::string("chart: ") + any_chart + ", state: RotorState";
+  m.def(
+      "chart_jacobian",
+      [](nb::handle chart, const Rotors& states) {
+        const CanonicalChart of = chart_of(chart, "chart");
+        return mapped_numbers(states, {6, 6},
+                              [=](const RotorState& s) { return chart_jacobian(of, s); });
+      },
+      nb::arg("chart"), nb::arg("state"), nb::sig(signature("chart_jacobian", of_state).c_str()),
+      "B of a chart at hub states: (..., 6, 6). Keeps digits of a small theta, J or I that the "
+      "chart itself has rounded away.");
+  m.def(
+      "inverse_chart_jacobian",
+      [](nb::handle chart, const Rotors& states) {
+        const CanonicalChart of = chart_of(chart, "chart");
+        return mapped_numbers(states, {6, 6},
+                              [=](const RotorState& s) { return inverse_chart_jacobian(of, s); });
+      },
+      nb::arg("chart"), nb::arg("state"),
+      nb::sig(signature("inverse_chart_jacobian", of_state).c_str()),
+      "B^-1 = d(chart) / d(dtheta_B, dg_B) at hub states: (..., 6, 6).");
+  m.def(
+      "canonical_transformation",
+      [](nb::handle from, nb::handle to, const Rotors& states) {
+        const CanonicalChart of = chart_of(from, "from_chart"), into = chart_of(to, "to_chart");
+        return mapped_numbers(states, {6, 6}, [=](const RotorState& s) {
+          return canonical_transformation(of, into, s);
+        });
+      },
+      nb::arg("from_chart"), nb::arg("to_chart"), nb::arg("state"),
+      nb::sig(signature("canonical_transformation", std::string("from_chart: ") + any_chart +
+                                                        ", to_chart: " + any_chart +
+                                                        ", state: RotorState")
+                  .c_str()),
+      "d(to) / d(from) at hub states: (..., 6, 6), a symplectic matrix.");
+}
+
+// The same from the B of any canonical charts.
+void bind_of_matrices(nb::module_& m) {
+  m.def(
+      "inverse_chart_jacobian",
+      [](nb::handle B, nb::handle g_B) {
+        std::vector<Numbers> both;
+        both.emplace_back(B, "B", std::initializer_list<std::size_t>{6, 6});
+        both.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
+        const Shape shape = broadcast(both);
+        Result out(shape, {6, 6});
+        for_each(size_of(shape), [&](std::size_t k) {
+          const double* g = both[1].at(k);
+          put(out.at(k), inverse_chart_jacobian(matrix6(both[0].at(k)), Vec3{g[0], g[1], g[2]}));
+        });
+        return out.take();
+      },
+      nb::arg("B"), nb::arg("g_B"),
+      nb::sig(signature("inverse_chart_jacobian",
+                        "B: numpy.typing.ArrayLike, g_B: numpy.typing.ArrayLike")
+                  .c_str()),
+      "The same for any canonical chart, given by its B (..., 6, 6) at body momentum g_B (..., "
+      "3).");
+  m.def(
+      "canonical_transformation",
+      [](nb::handle B_from, nb::handle B_to, nb::handle g_B) {
+        std::vector<Numbers> all;
+        all.emplace_back(B_from, "B_from", std::initializer_list<std::size_t>{6, 6});
+        all.emplace_back(B_to, "B_to", std::initializer_list<std::size_t>{6, 6});
+        all.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
+        const Shape shape = broadcast(all);
+        Result out(shape, {6, 6});
+        for_each(size_of(shape), [&](std::size_t k) {
+          const double* g = all[2].at(k);
+          put(out.at(k), canonical_transformation(matrix6(all[0].at(k)), matrix6(all[1].at(k)),
+                                                  Vec3{g[0], g[1], g[2]}));
+        });
+        return out.take();
+      },
+      nb::arg("B_from"), nb::arg("B_to"), nb::arg("g_B"),
+      nb::sig(signature("canonical_transformation",
+                        "B_from: numpy.typing.ArrayLike, B_to: numpy.typing.ArrayLike, g_B: "
+                        "numpy.typing.ArrayLike")
+                  .c_str()),
+      "The same for any canonical charts, given by their B (..., 6, 6) at one hub state with body "
+      "momentum g_B (..., 3).");
+}
+
+// Of one body: (6, 6).
+void def_of_body(nb::module_& m, const char* name, Matrix6 (*of)(const Body&), const char* doc) {
+  m.def(
+      name, [of](const Body& body) { return array_of(of(body)); }, nb::arg("body"),
+      nb::sig(signature(name, "body: Body").c_str()), doc);
+}
+
+template <class S>
+void def_of_states(nb::module_& m, const char* name, const char* type,
+                   Matrix6 (*of)(const Body&, const S&), const char* doc) {
+  m.def(
+      name,
+      [of](const Body& body, const Batch<S>& states) {
+        return mapped_numbers(states, {6, 6}, [&](const S& s) { return of(body, s); });
+      },
+      nb::arg("body"), nb::arg("state"),
+      nb::sig(signature(name, std::string("body: Body, state: ") + type).c_str()), doc);
+}
+
+void bind_rates(nb::module_& m) {
+  def_of_states<EulerRates>(
+      m, "chart_jacobian", "EulerRates",
+      [](const Body& body, const EulerRates& s) { return chart_jacobian(body, s); },
+      "B of Euler angles and their rates: (..., 6, 6). [SA (5)-(7), (24)]");
+  def_of_states<EulerRates>(
+      m, "inverse_chart_jacobian", "EulerRates",
+      [](const Body& body, const EulerRates& s) { return inverse_chart_jacobian(body, s); },
+      "d(angles, rates) / d(dtheta_B, dg_B): (..., 6, 6). Infinite or NaN at theta = 0, pi.");
+  def_of_body(m, "body_rate_jacobian", body_rate_jacobian,
+              "d(dtheta_B, dg_B) / d(dtheta_B, domega_B): (6, 6).");
+  def_of_body(m, "inverse_body_rate_jacobian", inverse_body_rate_jacobian,
+              "d(dtheta_B, domega_B) / d(dtheta_B, dg_B): (6, 6).");
+  def_of_states<RotorState>(m, "inertial_rate_jacobian", "RotorState", inertial_rate_jacobian,
+                            "d(dtheta_B, dg_B) / d(dtheta_B, domega_I): (..., 6, 6). [SA (8)]");
+  def_of_states<RotorState>(m, "inverse_inertial_rate_jacobian", "RotorState",
+                            inverse_inertial_rate_jacobian,
+                            "d(dtheta_B, domega_I) / d(dtheta_B, dg_B): (..., 6, 6).");
+}
+
+}  // namespace
+
+CanonicalChart chart_of(nb::handle chart, const char* name) {
+  if (nb::isinstance<CanonicalChart>(chart)) return nb::cast<CanonicalChart>(chart);
+  return {choice<CanonicalSet>(chart, name)};
+}
+
+void bind_jacobians(nb::module_& m) {
+  bind_chart(m);
+  bind_canonical(m);
+  bind_rates(m);
+  bind_of_matrices(m);  // last: it takes anything
+}
+
+}  // namespace polhode::python

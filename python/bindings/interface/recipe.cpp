@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "interface/recipe.hpp"
+
+namespace polhode::python {
+
+nb::object Recipe::argument(std::size_t i) const {
+  return is_known() ? nb::object(arguments[i]) : nb::none();
+}
+
+nb::dict Recipe::by_name() const {
+  nb::dict all;
+  for (std::size_t i = 0; i < names.size(); ++i) all[names[i]] = argument(i);
+  return all;
+}
+
+int Recipe::traverse(visitproc visit, void* arg) const {
+  Py_VISIT(arguments.ptr());
+  for (const SharedFunction& function : functions)
+    if (const int stop = function->traverse(visit, arg); stop != 0) return stop;
+  return 0;
+}
+
+void Recipe::clear() {
+  arguments.reset();
+  for (const SharedFunction& function : functions) function->clear();
+}
+
+Recipe recipe_of(const char* method, std::initializer_list<const char*> names, nb::object arguments,
+                 std::vector<SharedFunction> functions) {
+  return {method, names, std::move(arguments), std::move(functions)};
+}
+
+nb::object reduced(nb::handle self, const Recipe& recipe) {
+  const nb::handle type = self.type();
+  if (!recipe.is_known())
+    throw nb::type_error(("a " + class_name(self) +
+                          " that comes from a scenario cannot be pickled: pickle the scenario")
+                             .c_str());
+  if (recipe.method[0] == '\0') return nb::make_tuple(type, recipe.arguments);
+  const nb::object call =
+      nb::module_::import_("operator")
+          .attr("methodcaller")(nb::str(recipe.method), *nb::cast<nb::tuple>(recipe.arguments));
+  return nb::make_tuple(call, nb::make_tuple(type));
+}
+
+std::string repr_of(nb::handle self, const Recipe& recipe, const std::string& otherwise) {
+  std::string text = class_name(self);
+  if (!recipe.is_known()) return "<" + text + ": " + otherwise + ">";
+  if (recipe.method[0] != '\0') text += std::string(".") + recipe.method;
+  std::string inside;
+  for (std::size_t i = 0; i < recipe.names.size(); ++i) {
+    const nb::object value = recipe.argument(i);
+    if (value.is_none()) continue;
+    inside += (inside.empty() ? "" : ", ") + std::string(recipe.names[i]) + "=";
+    const nb::handle type = value.type();
+    if (nb::hasattr(type, "__members__"))  // an enum's member: "SpaceAxes.inertial"
+      inside += class_name(value) + "." + nb::cast<std::string>(value.attr("name"));
+    else
+      inside += nb::cast<std::string>(nb::repr(value));
+  }
+  return text + "(" + inside + ")";
+}
+
+bool same_recipe(const Recipe& a, const Recipe& b) {
+  if (!a.is_known() || !b.is_known()) return false;
+  return std::string(a.method) == b.method && a.arguments.equal(b.arguments);
+}
+
+nb::object hash_of(const Recipe& recipe) {
+  if (!recipe.is_known()) return nb::int_(0);
+  return nb::int_(nb::hash(nb::make_tuple(nb::str(recipe.method), recipe.arguments)));
+}
+
+}  // namespace polhode::python

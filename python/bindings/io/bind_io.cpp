@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Scenarios and what belongs to them. The classes Scenario and Results are Python's
+// (python/polhode/scenarios.py, results.py); _Scenario is the value behind them.
+#include "charts/states.hpp"
+#include "interface/arrays.hpp"
+#include "io/io_parts.hpp"
+#include "polhode/output/columns.hpp"
+#include "polhode/run/citations.hpp"
+#include "polhode/run/run.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+nb::object method_object(const std::optional<Method>& method) {
+  if (!method) return nb::none();
+  return std::visit([](const auto& value) { return nb::cast(value); }, *method);
+}
+
+// The state as the file gives it; an attitude with a rate is the hub state.
+nb::object state_object(const Scenario& scenario) {
+  return std::visit(
+      [&](const auto& s) -> nb::object {
+        using S = std::decay_t<decltype(s)>;
+        if constexpr (std::is_same_v<S, AttitudeRate>)
+          return nb::cast(Batch<RotorState>::one(initial_state(scenario)));
+        else
+          return nb::cast(Batch<S>::one(s));
+      },
+      scenario.state);
+}
+
+// [(group, [(column, unit), ...]), ...], t first.
+nb::list groups_of(const Scenario& scenario) {
+  nb::list groups;
+  const RowLayout layout = row_layout(scenario);
+  for (const ColumnGroup& group : layout.groups()) {
+    nb::list columns;
+    for (const Column& column : group.columns)
+      columns.append(nb::make_tuple(column.name, column.unit));
+    groups.append(nb::make_tuple(group.name, columns));
+  }
+  return groups;
+}
+
+template <class Names>
+nb::list names_list(const Names& names) {
+  nb::list list;
+  for (const std::string_view name : names) list.append(nb::str(name.data(), name.size()));
+  return list;
+}
+
+nb::list citations_of(const Scenario& scenario) {
+  nb::list list;
+  for (const Citation& c : citations(scenario))
+    list.append(nb::make_tuple(c.key, c.text, c.reason));
+  return list;
+}
+
+}  // namespace
+
+nb::list lines_of(const std::vector<SummaryLine>& lines) {
+  nb::list list;
+  for (const SummaryLine& line : lines)
+    list.append(nb::make_tuple(line.key, line.label, line.numbers, line.text, line.unit));
+  return list;
+}
+
+void bind_io(nb::module_& m) {
+  // after DomainError: the last translator is asked first
+  nb::exception<ScenarioError>(m, "ScenarioError", nb::object(m.attr("DomainError")))
+      .attr("__doc__") = "Every mistake of a scenario, one line each: FILE:LINE:COLUMN: KEY: ...";
+  nb::exception<OutputError>(m, "OutputError", PyExc_RuntimeError).attr("__doc__") =
+      "A disk that is full, a folder that is gone: the run failed, its input was right.";
+  bind_units(m);
+  bind_golden(m);
+  bind_aem(m);
+  bind_oem(m);
+  nb::class_<Scenario> c(m, "_Scenario");
+  c.def_static("from_text",
+               [](const nb::bytes& text, const std::string& name) {
+                 return scenario_from_text({text.c_str(), text.size()}, name);
+               })
+      .def_ro("name", &Scenario::name)
+      .def_ro("text", &Scenario::text)
+      .def_ro("title", &Scenario::title)
+      .def_ro("units", &Scenario::units)
+      .def_ro("body", &Scenario::body)
+      .def_ro("chart", &Scenario::chart)
+      .def_ro("epoch", &Scenario::epoch)
+      .def_ro("axes", &Scenario::axes)
+      .def_ro("columns", &Scenario::columns)
+      .def_ro("time", &Scenario::time)
+      .def_prop_ro("state", state_object)
+      .def_prop_ro("initial_state",
+                   [](const Scenario& s) { return Batch<RotorState>::one(initial_state(s)); })
+      .def_prop_ro("damper_rate", [](const Scenario& s) { return array_of(s.damper_rate); })
+      .def_prop_ro("free_rotation", [](const Scenario& s) { return free_rotation(s); })
+      .def_prop_ro("method", [](const Scenario& s) { return method_object(propagation_method(s)); })
+      .def_prop_ro("propagation", propagation_text)
+      .def_prop_ro("groups", groups_of)
+      .def_prop_ro("citations", citations_of)
+      .def_prop_ro("summary",
+                   [](const Scenario& s) { return lines_of(summary(s, free_rotation(s))); });
+  bind_objects(c);
+  bind_run(m, c);
+  bind_map(m);
+  // (start, stop, step or None) of steps and counts; None of a list
+  m.def("_save_at_parts", [](const SaveAt& s) -> nb::object {
+    if (s.is_list() || s.size() == 0) return nb::none();
+    const nb::object step = s.step() == 0.0 ? nb::none() : nb::object(nb::float_(s.step()));
+    return nb::make_tuple(s.start(), s.stop(), step);
+  });
+  m.def("_shown_number", &shown_number);
+  m.def("_column_names", [] { return names_list(column_names()); });
+  m.def("_column_group_names", [] { return names_list(column_group_names()); });
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "interface/arrays.hpp"
+#include "io/io_parts.hpp"
+#include "motion/samples.hpp"
+#include "polhode/tables/aem.hpp"
+
+namespace polhode::python {
+namespace {
+
+using SegmentSelf = nb::handle_t<AemSegment>;
+
+// A view onto the vectors of a segment; (0, ...) for none.
+template <class Item>
+nb::object rows_of(SegmentSelf self, const std::vector<Item>& rows,
+                   std::initializer_list<std::size_t> inner) {
+  return view_of(reinterpret_cast<const double*>(rows.data()), rows.size(), sizeof(Item), inner,
+                 self);
+}
+
+void bind_segment(nb::module_& m) {
+  nb::class_<AemSegment>(m, "AemSegment", R"(A segment of an Attitude Ephemeris Message.
+
+q takes components along frame_b to those along frame_a, scalar first, as long as the file has it;
+omega is the angular velocity of frame_b relative to frame_a along the axes of frame_b.)")
+      .def_ro("object_name", &AemSegment::object_name)
+      .def_ro("object_id", &AemSegment::object_id)
+      .def_ro("center", &AemSegment::center, "CENTER_NAME, or empty.")
+      .def_ro("frame_a", &AemSegment::frame_a)
+      .def_ro("frame_b", &AemSegment::frame_b)
+      .def_ro("time_system", &AemSegment::time_system)
+      .def_ro("attitude_type", &AemSegment::attitude_type)
+      .def_ro("start", &AemSegment::start, "START_TIME.")
+      .def_ro("stop", &AemSegment::stop, "STOP_TIME.")
+      .def_ro("epochs", &AemSegment::epochs, "The dates of the rows, as the file has them.")
+      .def_prop_ro(
+          "t",
+          [](SegmentSelf self) { return rows_of(self, nb::cast<const AemSegment&>(self).t, {}); },
+          nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N,): seconds from the first row of the file.")
+      .def_prop_ro(
+          "q",
+          [](SegmentSelf self) {
+            return rows_of(self, nb::cast<const AemSegment&>(self).q_AB, {4});
+          },
+          nb::for_getter(nb::sig("def q(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N, 4): frame_b to frame_a, scalar first.")
+      .def_prop_ro(
+          "omega",
+          [](SegmentSelf self) -> nb::object {
+            const AemSegment& segment = nb::cast<const AemSegment&>(self);
+            if (segment.w_AB_B.empty()) return nb::none();
+            return rows_of(self, segment.w_AB_B, {3});
+          },
+          nb::for_getter(nb::sig("def omega(self) -> numpy.typing.NDArray[numpy.float64] | None")),
+          "(N, 3): rad/s along frame_b; None where the file has none.")
+      .def("__len__", [](const AemSegment& s) { return s.t.size(); })
+      .def("__repr__", [](const AemSegment& s) {
+        return "<AemSegment: " + s.object_name + ", " + std::to_string(s.t.size()) + " rows from " +
+               s.start + " " + s.time_system + ">";
+      });
+}
+
+}  // namespace
+
+void bind_aem(nb::module_& m) {
+  bind_segment(m);
+  nb::class_<AttitudeEphemeris>(m, "AttitudeEphemeris",
+                                "What a CCSDS Attitude Ephemeris Message holds.")
+      .def_ro("version", &AttitudeEphemeris::version, "CCSDS_AEM_VERS.")
+      .def_ro("creation_date", &AttitudeEphemeris::creation_date)
+      .def_ro("originator", &AttitudeEphemeris::originator)
+      .def_ro("comments", &AttitudeEphemeris::comments, "Those of the header, a line each.")
+      .def_ro("segments", &AttitudeEphemeris::segments, "One or more, each with rows.")
+      .def("__repr__", [](const AttitudeEphemeris& e) {
+        return "<AttitudeEphemeris: version " + e.version + ", " +
+               std::to_string(e.segments.size()) + " segments>";
+      });
+  m.def(
+      "read_aem",
+      [](nb::handle path) {
+        const nb::module_ os = nb::module_::import_("os");
+        const nb::bytes name = nb::bytes(nb::object(os.attr("fsencode")(path)));
+        return read_aem({name.c_str(), name.size()});
+      },
+      nb::arg("path"), nb::sig("def read_aem(path: str | os.PathLike[str]) -> AttitudeEphemeris"),
+      R"(The attitudes of a CCSDS Attitude Ephemeris Message (KVN text, version 1.0 or 2.0).
+
+ValueError "FILE:LINE: ..." for the first thing wrong. The parser knows quaternions, alone, with
+derivatives or angular velocity, Euler angles and SPIN; both directions of the rotation.)");
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "interface/arrays.hpp"
+#include "io/io_parts.hpp"
+#include "motion/samples.hpp"
+#include "polhode/tables/oem.hpp"
+
+namespace polhode::python {
+namespace {
+
+using SegmentSelf = nb::handle_t<OemSegment>;
+
+// A view onto the vectors of a segment.
+template <class Item>
+nb::object rows_of(SegmentSelf self, const std::vector<Item>& rows,
+                   std::initializer_list<std::size_t> inner) {
+  return view_of(reinterpret_cast<const double*>(rows.data()), rows.size(), sizeof(Item), inner,
+                 self);
+}
+
+}  // namespace
+
+void bind_oem(nb::module_& m) {
+  nb::class_<OemSegment>(m, "OemSegment", "A segment of an Orbit Ephemeris Message; km and km/s.")
+      .def_ro("object_name", &OemSegment::object_name)
+      .def_ro("object_id", &OemSegment::object_id)
+      .def_ro("center", &OemSegment::center, "CENTER_NAME.")
+      .def_ro("frame", &OemSegment::frame, "REF_FRAME.")
+      .def_ro("time_system", &OemSegment::time_system)
+      .def_ro("start", &OemSegment::start, "USEABLE_START_TIME, or else START_TIME.")
+      .def_ro("stop", &OemSegment::stop, "USEABLE_STOP_TIME, or else STOP_TIME.")
+      .def_ro("epochs", &OemSegment::epochs, "The dates of the rows, as the file has them.")
+      .def_prop_ro(
+          "t",
+          [](SegmentSelf self) { return rows_of(self, nb::cast<const OemSegment&>(self).t, {}); },
+          nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N,): seconds from the first row of the file.")
+      .def_prop_ro(
+          "position",
+          [](SegmentSelf self) {
+            return rows_of(self, nb::cast<const OemSegment&>(self).position, {3});
+          },
+          nb::for_getter(nb::sig("def position(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N, 3): km, from the centre to the object.")
+      .def_prop_ro(
+          "velocity",
+          [](SegmentSelf self) {
+            return rows_of(self, nb::cast<const OemSegment&>(self).velocity, {3});
+          },
+          nb::for_getter(nb::sig("def velocity(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(N, 3): km/s.")
+      .def("__len__", [](const OemSegment& s) { return s.t.size(); })
+      .def("__repr__", [](const OemSegment& s) {
+        return "<OemSegment: " + s.object_name + ", " + std::to_string(s.t.size()) + " rows from " +
+               s.start + " " + s.time_system + ">";
+      });
+  nb::class_<OrbitEphemeris>(m, "OrbitEphemeris", "What a CCSDS Orbit Ephemeris Message holds.")
+      .def_ro("version", &OrbitEphemeris::version, "CCSDS_OEM_VERS.")
+      .def_ro("creation_date", &OrbitEphemeris::creation_date)
+      .def_ro("originator", &OrbitEphemeris::originator)
+      .def_ro("segments", &OrbitEphemeris::segments, "One or more, each with rows.")
+      .def("__repr__", [](const OrbitEphemeris& e) {
+        return "<OrbitEphemeris: version " + e.version + ", " + std::to_string(e.segments.size()) +
+               " segments>";
+      });
+  m.def(
+      "read_oem",
+      [](nb::handle path) {
+        const nb::module_ os = nb::module_::import_("os");
+        const nb::bytes name = nb::bytes(nb::object(os.attr("fsencode")(path)));
+        return read_oem({name.c_str(), name.size()});
+      },
+      nb::arg("path"), nb::sig("def read_oem(path: str | os.PathLike[str]) -> OrbitEphemeris"),
+      R"(Positions and velocities of a CCSDS Orbit Ephemeris Message (KVN text).
+
+ValueError "FILE:LINE: ..." for the first thing wrong. Accelerations and covariances are
+skipped.)");
+}
+
+}  // namespace polhode::python

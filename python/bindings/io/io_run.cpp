@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// A run of a scenario: rows into memory, where columns are views, and into files at the same time.
+#include <exception>
+#include <optional>
+#include <span>
+
+#include "charts/states.hpp"
+#include "interface/batch.hpp"
+#include "interface/signals.hpp"
+#include "io/io_parts.hpp"
+#include "motion/samples.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/scenario_run.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+constexpr std::size_t rows_per_block = 1024;
+
+// What a run leaves in memory.
+struct Run {
+  std::vector<double> rows;  // one after the other
+  std::size_t width;
+  RunReport report;
+  std::int64_t rows_before = 0;  // of an earlier part of the run: in its files only
+  bool complete = false;         // nothing was left to do
+};
+
+// No page of it is touched before its rows come. More than 64 TiB is not asked for:
+// AddressSanitizer would end the process.
+void reserve(Run& run, std::int64_t rows) {
+  constexpr double most_bytes = 0x1p46;
+  const double bytes =
+      static_cast<double>(rows) * static_cast<double>(run.width) * double{sizeof(double)};
+  try {
+    if (bytes > most_bytes) throw std::bad_alloc();
+    run.rows.reserve(static_cast<std::size_t>(rows) * run.width);
+  } catch (const std::bad_alloc&) {
+    PyErr_Format(PyExc_MemoryError,
+                 "run: %lld rows of %zu numbers do not fit into memory; expected keep=False, with "
+                 "outputs that are files",
+                 static_cast<long long>(rows), run.width);
+    throw nb::python_error();
+  }
+}
+
+// Asks Python's signals, and keeps what a handler raised until the run has ended in order.
+class Stop {
+ public:
+  explicit Stop(std::exception_ptr& raised) : raised_(raised), look_(signal_check()) {}
+  bool operator()() {
+    if (!look_) return false;
+    try {
+      look_(0.0);
+    } catch (...) {
+      raised_ = std::current_exception();
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  std::exception_ptr& raised_;
+  Progress look_;
+};
+
+// The GIL is not held while rows are computed and written.
+Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
+                 bool resume, bool restart, nb::handle progress) {
+  if (!scenario.time)
+    throw DomainError(
+        scenario.name +
+        ": time: got nothing; expected a table [time], stop with step or count, or at");
+  if (!events.is_none() && scenario.events.empty())
+    throw DomainError(scenario.name + ": event: got nothing; expected tables [[event]] for events");
+  Run result{{}, row_layout(scenario).width(), {}};
+  RunFiles files;
+  for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
+  if (!events.is_none()) files.events = path_text(events);
+  RunOptions options;
+  options.begin = begin_of("run", resume, restart);
+  options.words = begin_words();
+  options.keep_events = keep;
+  options.progress = told_to(progress);
+  std::exception_ptr raised;
+  options.stop = Stop(raised);
+  if (keep) {
+    reserve(result, scenario.time->size());  // before any file is there
+    options.also = std::make_unique<TableSink>(result.rows);
+  }
+  ScenarioRun run(scenario, std::move(files), std::move(options));
+  result.rows_before = run.is_complete() ? scenario.time->size() : run.rows();
+  result.complete = run.is_complete();
+  try {
+    const WithoutGil released;
+    result.report = run.run();
+  } catch (const RunInterrupted&) {
+    std::rethrow_exception(raised);
+  }
+  return result;
+}
+
+nb::object kept_table(nb::handle_t<Run> self) {
+  const Run& r = nb::cast<const Run&>(self);
+  return view_of(r.rows.data(), r.rows.size() / r.width, r.width * sizeof(double), {r.width}, self);
+}
+
+// Rows from memory, as a run would have written them.
+void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
+  const RowLayout layout = row_layout(scenario);
+  const Numbers rows(table, "table", {layout.width()});
+  const std::size_t n = size_of(rows.shape());
+  const std::unique_ptr<Sink> sink =
+      open_sink(path_text(path), layout.groups(), provenance(scenario));
+  for (std::size_t k = 0; k < n; k += rows_per_block) {
+    const std::size_t more = std::min(rows_per_block, n - k);
+    {
+      const WithoutGil released;
+      sink->push({rows.at(0) + k * layout.width(), more * layout.width()});
+    }
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  }
+  sink->finish();
+}
+
+// The hub states in rows that have q and g, from column numbers `q` and `g` on. Files hold body
+// components along the axes of the tensor, states along principal axes.
+Batch<RotorState> states_in(const Scenario& scenario, nb::handle table, std::size_t q,
+                            std::size_t g) {
+  const std::size_t width = row_layout(scenario).width();
+  const Numbers rows(table, "table", {width});
+  const std::size_t n = size_of(rows.shape());
+  const Quaternion& q_FB = scenario.body.q_FB();
+  return Batch<RotorState>::filled({n}, [&](RotorState* out) {
+    for_each(n, [&](std::size_t k) {
+      const double* const row = rows.at(0) + k * width;
+      const Quaternion q_SF{row[q], row[q + 1], row[q + 2], row[q + 3]};
+      const Vec3 g_F{row[g], row[g + 1], row[g + 2]};
+      out[k] = q_FB == Quaternion{} ? RotorState{q_SF, g_F}
+                                    : RotorState{q_SF * q_FB, rotate(conj(q_FB), g_F)};
+    });
+  });
+}
+
+}  // namespace
+
+std::string path_text(nb::handle path) {
+  const nb::bytes bytes = nb::bytes(nb::object(nb::module_::import_("os").attr("fsencode")(path)));
+  return {bytes.c_str(), bytes.size()};
+}
+
+RunBegin begin_of(const char* function, bool resume, bool restart) {
+  if (resume && restart)
+    throw DomainError(std::string(function) +
+                      ": got resume=True and restart=True; expected one of them");
+  return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
+}
+
+BeginWords begin_words() { return {"resume=True", "restart=True"}; }
+
+void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
+  nb::class_<Run>(m, "_Run")
+      .def_prop_ro("table", kept_table)
+      .def_prop_ro("outcome", [](const Run& r) { return r.report.outcome; })
+      .def_prop_ro("statistics", [](const Run& r) { return r.report.statistics; })
+      .def_prop_ro("events", [](const Run& r) { return r.report.events; })
+      .def_prop_ro("energy_change", [](const Run& r) { return r.report.energy_change; })
+      .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
+      .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
+      .def_prop_ro("complete", [](const Run& r) { return r.complete; });
+  scenario
+      .def("run", run_scenario, nb::arg("outputs"), nb::arg("events").none(), nb::arg("keep"),
+           nb::arg("resume"), nb::arg("restart"), nb::arg("progress").none())
+      .def("write", write_rows)
+      .def("states_in", states_in)
+      .def("report_lines",
+           [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
+              const std::vector<DampedEventRecord>& events, std::optional<double> energy_change) {
+             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change, 0},
+                                          "all in .events"));
+           });
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "motion/dynamics_values.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "interface/arrays.hpp"
+#include "interface/batch.hpp"
+#include "interface/choice.hpp"
+#include "interface/object_slots.hpp"
+#include "interface/value.hpp"
+#include "motion/samples.hpp"
+#include "motion/system_value.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+std::string text_of(nb::handle value) { return nb::cast<std::string>(nb::repr(value)); }
+
+// "Precision.double_double"
+template <class E>
+std::string member_text(E value) {
+  return nb::cast<std::string>(nb::type<E>().attr("__name__")) + "." +
+         nb::cast<std::string>(nb::cast(value).attr("name"));
+}
+
+void bind_adaptive(nb::module_& m) {
+  nb::enum_<Precision>(m, "Precision", "The arithmetic of an adaptive run.", nb::is_arithmetic())
+      .value("compensated", Precision::compensated, "double, with compensated sums")
+      .value("double_double", Precision::double_double, "32 digits, some twenty times slower");
+  nb::class_<Adaptive> c(m, "Adaptive", R"(An explicit Runge-Kutta pair of order 9 on (q, g).
+
+Parameters
+----------
+tolerance : of the local error of a step, relative to |q| = 1 and to |g|; from 1e-15 to 1e-2, and
+    from 1e-30 in double-double.
+precision : Precision, or its name.
+first_step : 0: chosen.
+largest_step : no step is longer; limit it to the time scale of a pulse of a torque written in
+     Python, which a longer step could step over. inf: the shortest time_scale of the terms and
+     of the frame, a quarter of a turn of what they follow.)");
+  c.def(
+       "__init__",
+       [](Adaptive* self, double tolerance, nb::handle precision, double first, double largest) {
+         const Adaptive method{tolerance, choice<Precision>(precision, "precision"), first,
+                               largest};
+         require_valid(method);
+         new (self) Adaptive(method);
+       },
+       nb::arg("tolerance") = 1e-12, nb::arg("precision") = Precision::compensated,
+       nb::arg("first_step") = 0.0, nb::arg("largest_step") = inf,
+       nb::sig("def __init__(self, tolerance: float = 1e-12, precision: Precision | str = "
+               "'compensated', first_step: float = 0.0, largest_step: float = "
+               "float('inf')) -> None"))
+      .def_ro("tolerance", &Adaptive::tolerance, "Of the local error of a step.")
+      .def_ro("precision", &Adaptive::precision, "The arithmetic of the run.")
+      .def_ro("first_step", &Adaptive::first_step, "0: chosen.")
+      .def_ro("largest_step", &Adaptive::largest_step, "No step is longer.")
+      .def("__repr__", [](const Adaptive& v) {
+        std::string text = "Adaptive(tolerance=" + number_text(v.tolerance);
+        if (v.precision != Precision::compensated)
+          text += ", precision=" + member_text(v.precision);
+        if (v.first_step != 0.0) text += ", first_step=" + number_text(v.first_step);
+        if (v.largest_step != inf) text += ", largest_step=" + number_text(v.largest_step);
+        return text + ")";
+      });
+  def_value(c, [](const Adaptive& v) {
+    return nb::make_tuple(v.tolerance, v.precision, v.first_step, v.largest_step);
+  });
+}
+
+void bind_splitting(nb::module_& m) {
+  nb::enum_<SplittingScheme>(m, "SplittingScheme", "Symmetric compositions of drift and kick.",
+                             nb::is_arithmetic())
+      .value("order2", SplittingScheme::order2, "drift, kick, drift")
+      .value("order4", SplittingScheme::order4, "error of order h^4")
+      .value("order6", SplittingScheme::order6, "error of order h^6")
+      .value("order8", SplittingScheme::order8, "error of order h^8")
+      .value("ABA864", SplittingScheme::ABA864,
+             "of order eps h^8 + eps^2 h^6 + eps^3 h^4 for terms of size eps")
+      .value("ABA1064", SplittingScheme::ABA1064, "of order eps h^10 + eps^2 h^6 + eps^3 h^4");
+  nb::class_<Splitting> c(m, "Splitting", R"(The exact free rotation in turn with the exact terms.
+
+Parameters
+----------
+step : constant, in the unit of time of the system; nothing checks the error it makes.
+scheme : SplittingScheme, or its name. ABA864 and ABA1064 are for small terms (Blanes et al. 2013).
+
+Symplectic for terms with an energy. Every term needs an exact flow.)");
+  c.def(
+       "__init__",
+       [](Splitting* self, double step, nb::handle scheme) {
+         const Splitting method{step, choice<SplittingScheme>(scheme, "scheme")};
+         require_valid(method);
+         new (self) Splitting(method);
+       },
+       nb::arg("step"), nb::arg("scheme") = SplittingScheme::ABA864,
+       nb::sig("def __init__(self, step: float, scheme: SplittingScheme | str = "
+               "'ABA864') -> None"))
+      .def_ro("step", &Splitting::step, "Constant.")
+      .def_ro("scheme", &Splitting::scheme, "The composition.")
+      .def("__repr__", [](const Splitting& v) {
+        return "Splitting(step=" + number_text(v.step) + ", scheme=" + member_text(v.scheme) + ")";
+      });
+  def_value(c, [](const Splitting& v) { return nb::make_tuple(v.step, v.scheme); });
+}
+
+void bind_variation(nb::module_& m) {
+  nb::class_<VariationOfConstants> c(m, "VariationOfConstants",
+                                     R"(The constants of the free rotation are the unknowns.
+
+Parameters
+----------
+tolerance : of the local error of a step, from 1e-15 to 1e-2.
+largest_step : as in Adaptive.
+
+For weak terms: steps may span many turns. [SA (98)-(103)])");
+  c.def(
+       "__init__",
+       [](VariationOfConstants* self, double tolerance, double largest_step) {
+         const VariationOfConstants method{tolerance, largest_step};
+         require_valid(method);
+         new (self) VariationOfConstants(method);
+       },
+       nb::arg("tolerance") = 1e-12, nb::arg("largest_step") = inf,
+       nb::sig("def __init__(self, tolerance: float = 1e-12, largest_step: float = "
+               "float('inf')) -> None"))
+      .def_ro("tolerance", &VariationOfConstants::tolerance, "Of the local error of a step.")
+      .def_ro("largest_step", &VariationOfConstants::largest_step, "No step is longer.")
+      .def("__repr__", [](const VariationOfConstants& v) {
+        std::string text = "VariationOfConstants(tolerance=" + number_text(v.tolerance);
+        if (v.largest_step != inf) text += ", largest_step=" + number_text(v.largest_step);
+        return text + ")";
+      });
+  def_value(
+      c, [](const VariationOfConstants& v) { return nb::make_tuple(v.tolerance, v.largest_step); });
+}
+
+PythonEvent checked_event(const std::string& name, nb::handle function, nb::handle crossing,
+                          bool stops, double period, double interval) {
+  if (PyCallable_Check(function.ptr()) == 0)
+    throw nb::type_error(
+        ("Event \"" + name + "\": function " + text_of(function) + " must be callable").c_str());
+  for (const auto& [what, value] : {std::pair("period", period), std::pair("interval", interval)})
+    if (!(value >= 0.0) || !std::isfinite(value))
+      throw DomainError("Event \"" + name + "\": " + what + " " + number_text(value) +
+                        " must be positive, or 0 for none");
+  return {name,    nb::borrow(function), choice<Crossing>(crossing, "crossing"), stops, period,
+          interval};
+}
+
+nb::tuple arguments_of(const PythonEvent& e) {
+  return nb::make_tuple(e.name, e.function, e.crossing, e.stops, e.period, e.interval);
+}
+
+void bind_event(nb::module_& m) {
+  nb::enum_<Crossing>(m, "Crossing", "Which zeros of a function are events, as time runs.",
+                      nb::is_arithmetic())
+      .value("both", Crossing::both, "every change of sign")
+      .value("rising", Crossing::rising, "from below zero, as time runs")
+      .value("falling", Crossing::falling, "from above zero, as time runs");
+  nb::class_<PythonEvent>(m, "Event",
+                          R"(A zero of a function of time and state, to be found along a run.
+
+Parameters
+----------
+name : stands in EventRecord.name.
+function : f(t, s) -> float, continuous, s one RotorState.
+crossing : Crossing, or its name.
+stops : the run ends at the first one, with a last sample there.
+period : of a function that is an angle folded into one turn: that turn, so that its jump is no
+    crossing. 0: none.
+interval : no two looks at the function are farther apart: for one that varies faster than the body
+    turns. 0: looks follow the rotation.
+
+The function is looked at inside every step, twelve times in the fastest turn at least, with its
+slope. It finds changes of sign, two zeros between two looks where it turns around beyond zero, and
+touches (direction 0, with crossing both); zeros at start and stop too. Each is solved on the dense
+output to rounding. What the function raises ends the run and passes through; NaN ends it with an
+outcome that says so.)",
+                          nb::type_slots(object_slots<PythonEvent, &PythonEvent::function>()))
+      .def(
+          "__init__",
+          [](PythonEvent* self, const std::string& name, nb::handle function, nb::handle crossing,
+             bool stops, double period, double interval) {
+            new (self)
+                PythonEvent(checked_event(name, function, crossing, stops, period, interval));
+          },
+          nb::arg("name"), nb::arg("function"), nb::arg("crossing") = Crossing::both,
+          nb::arg("stops") = false, nb::arg("period") = 0.0, nb::arg("interval") = 0.0,
+          nb::sig("def __init__(self, name: str, function: "
+                  "collections.abc.Callable[[float, RotorState], float], crossing: Crossing | str "
+                  "= 'both', stops: bool = False, period: float = 0.0, interval: float = 0.0) -> "
+                  "None"))
+      .def_ro("name", &PythonEvent::name, "Stands in EventRecord.name.")
+      .def_ro("function", &PythonEvent::function, "The very object that was given.")
+      .def_ro("crossing", &PythonEvent::crossing, "Which zeros are events.")
+      .def_ro("stops", &PythonEvent::stops, "Whether the run ends at the first one.")
+      .def_ro("period", &PythonEvent::period, "Of a folded angle; 0: none.")
+      .def_ro("interval", &PythonEvent::interval, "Between two looks, at most; 0: none asked for.")
+      .def("__repr__",
+           [](const PythonEvent& e) {
+             std::string text = "<Event: " + e.name;
+             if (e.crossing == Crossing::rising) text += ", rising";
+             if (e.crossing == Crossing::falling) text += ", falling";
+             return text + (e.stops ? ", stops>" : ">");
+           })
+      .def("__reduce__", [](nb::handle_t<PythonEvent> self) {
+        return nb::make_tuple(nb::handle(self.type()),
+                              arguments_of(nb::cast<const PythonEvent&>(self)));
+      });
+}
+
+// One state of the hub.
+void require_state(nb::handle initial) {
+  const bool rotor = nb::isinstance<Rotors>(initial);
+  if (rotor && nb::cast<const Rotors&>(initial).shape().empty()) return;
+  const std::string what = "Problem: initial: got ";
+  if (rotor)
+    throw nb::value_error(
+        (what + "shape " + text_of(nb::object(initial.attr("shape"))) + " of states; expected one")
+            .c_str());
+  throw nb::type_error((what + class_name(initial) +
+                        "; expected a RotorState, which to_rotor makes of other variables")
+                           .c_str());
+}
+
+void make_problem(PythonProblem* self, nb::handle system, nb::handle initial, double start,
+                  double stop, nb::handle method, nb::handle events, nb::handle damper_rate,
+                  bool continues) {
+  system_of(system, "Problem: system");
+  require_state(initial);
+  method_of(method);
+  new (self) PythonProblem{nb::borrow(system),
+                           nb::borrow(initial),
+                           start,
+                           stop,
+                           nb::borrow(method),
+                           events_of(events, "Problem"),
+                           vec3(damper_rate, "Problem: damper_rate"),
+                           continues};
+}
+
+nb::tuple arguments_of(const PythonProblem& p) {
+  return nb::make_tuple(p.system, p.initial, p.start, p.stop, p.method, p.events,
+                        nb::make_tuple(p.damper_rate.x, p.damper_rate.y, p.damper_rate.z),
+                        p.continues);
+}
+
+void bind_problem(nb::module_& m) {
+  nb::class_<PythonProblem>(
+      m, "Problem",
+      R"(A system, its state at `start`, and how to bring it to `stop`.
+
+Parameters
+----------
+system : System.
+initial : one RotorState at `start`, in the reference frame.
+start, stop : in the unit of time of the system; either may be the larger.
+method : Adaptive, Splitting or VariationOfConstants.
+events : Events, in any number.
+damper_rate : (3,), rate of the sphere of the system's damper relative to the body, body axes, at
+    `start`.
+continues : whether another run has ended at `start`: an event there is that run's.)",
+      nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
+                                  &PythonProblem::method, &PythonProblem::events>()))
+      .def("__init__", make_problem, nb::arg("system"), nb::arg("initial"), nb::arg("start"),
+           nb::arg("stop"), nb::arg("method") = Adaptive{}, nb::arg("events") = nb::make_tuple(),
+           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("continues") = false,
+           nb::sig("def __init__(self, system: System, initial: RotorState, start: float, stop: "
+                   "float, method: Adaptive | Splitting | VariationOfConstants = Adaptive(), "
+                   "events: collections.abc.Iterable[Event] = (), damper_rate: "
+                   "numpy.typing.ArrayLike = (0.0, 0.0, 0.0), continues: bool = False) -> None"))
+      .def_ro("system", &PythonProblem::system,
+              nb::for_getter(nb::sig("def system(self) -> System")),
+              "The very object that was given.")
+      .def_ro("initial", &PythonProblem::initial,
+              nb::for_getter(nb::sig("def initial(self) -> RotorState")), "The state at `start`.")
+      .def_ro("start", &PythonProblem::start, "Where `initial` is the state.")
+      .def_ro("stop", &PythonProblem::stop, "Where the run shall end.")
+      .def_ro("method", &PythonProblem::method,
+              nb::for_getter(nb::sig("def method(self) -> Adaptive | Splitting | "
+                                     "VariationOfConstants")),
+              "How it is integrated.")
+      .def_ro("events", &PythonProblem::events,
+              nb::for_getter(nb::sig("def events(self) -> tuple[Event, ...]")),
+              "What the run looks for.")
+      .def_prop_ro(
+          "damper_rate", [](const PythonProblem& p) { return array_of(p.damper_rate); },
+          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(3,): of the system's damper relative to the body, at `start`.")
+      .def_ro("continues", &PythonProblem::continues, "Whether another run has ended at `start`.")
+      .def("__repr__",
+           [](const PythonProblem& p) {
+             const std::size_t events = p.events.size();
+             return "<Problem: t = " + number_text(p.start) + " to " + number_text(p.stop) + "; " +
+                    method_text(method_of(p.method)) +
+                    (events == 0 ? "" : "; " + counted(events, "event")) + ">";
+           })
+      .def("__reduce__", [](nb::handle_t<PythonProblem> self) {
+        return nb::make_tuple(nb::handle(self.type()),
+                              arguments_of(nb::cast<const PythonProblem&>(self)));
+      });
+}
+
+}  // namespace
+
+nb::tuple events_of(nb::handle events, const char* what) {
+  nb::tuple all(events);
+  for (const nb::handle event : all)
+    if (!nb::isinstance<PythonEvent>(event))
+      throw nb::type_error(
+          (std::string(what) + ": events: got " + class_name(event) + "; expected Event").c_str());
+  return all;
+}
+
+Method method_of(nb::handle method) {
+  if (nb::isinstance<Adaptive>(method)) return nb::cast<Adaptive>(method);
+  if (nb::isinstance<Splitting>(method)) return nb::cast<Splitting>(method);
+  if (nb::isinstance<VariationOfConstants>(method)) return nb::cast<VariationOfConstants>(method);
+  throw nb::type_error(("Problem: method: got " + class_name(method) +
+                        "; expected Adaptive, Splitting or VariationOfConstants")
+                           .c_str());
+}
+
+void bind_dynamics_values(nb::module_& m) {
+  bind_adaptive(m);
+  bind_splitting(m);
+  bind_variation(m);
+  bind_event(m);
+  bind_problem(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+#include "motion/system_functions.hpp"
+
+#include "charts/canonical_chart.hpp"
+#include "charts/states.hpp"
+#include "motion/system_value.hpp"
+#include "polhode/system/axes.hpp"
+#include "polhode/system/canonical_rates.hpp"
+#include "polhode/system/modified_andoyer.hpp"
+#include "polhode/system/osculation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Python compares whatever it holds.
+inline bool operator==(const AngularVelocities& a, const AngularVelocities& b) {
+  return a.inertial == b.inertial && a.relative == b.relative;
+}
+inline bool operator==(const RotorRates& a, const RotorRates& b) {
+  return a.q == b.q && a.g == b.g;
+}
+
+}  // namespace v0
+}  // namespace polhode
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+using Andoyers = Batch<AndoyerState>;
+
+// A result is checked only where a user makes one.
+template <class R>
+R unchecked(const R& r) {
+  return r;
+}
+
+constexpr Chart<Effect, 2> effect_chart{
+    "Effect",
+    R"(What a system's terms and frame do to a rotor: w_SB = I^-1 g + v, dg/dt = g x w_SB + u.
+
+v (..., 3): rate (rad per time) that they add to I^-1 g, the convective term of the paper as a
+vector; u (..., 3): torque, momentum per time. Components along the body axes. [SA (105)-(107)])",
+    {{{"v", offsetof(Effect, v), Kind::vector}, {"u", offsetof(Effect, u), Kind::vector}}},
+    unchecked};
+
+constexpr Chart<AngularVelocities, 2> velocities_chart{
+    "AngularVelocities",
+    R"(The angular velocity of a body, twice; components along the body axes, rad per time.
+
+inertial (..., 3): with respect to inertial axes, I^-1 g + v(terms); relative (..., 3): with respect
+to the reference frame, less by mu. [SA (124)])",
+    {{{"inertial", offsetof(AngularVelocities, inertial), Kind::vector},
+      {"relative", offsetof(AngularVelocities, relative), Kind::vector}}},
+    unchecked};
+
+constexpr Chart<RotorRates, 2> rotor_rates_chart{
+    "RotorRates",
+    "Rates of a hub state: q (..., 4), dq_SB/dt; g (..., 3), dg_B/dt.",
+    {{{"q", offsetof(RotorRates, q), Kind::quaternion},
+      {"g", offsetof(RotorRates, g), Kind::vector}}},
+    unchecked};
+
+constexpr Chart<HubRates, 2> hub_rates_chart{"HubRates",
+                                             "Rates in the tangent of chart_jacobian: theta (..., "
+                                             "3), w_SB, the rate of turn relative to the "
+                                             "frame; g (..., 3), dg_B/dt. Body components.",
+                                             {{{"theta", offsetof(HubRates, theta), Kind::vector},
+                                               {"g", offsetof(HubRates, g), Kind::vector}}},
+                                             unchecked};
+
+constexpr Chart<AndoyerRates, 6> andoyer_rates_chart{
+    "AndoyerRates",
+    "Rates of Andoyer variables: l, g, h (rad per time), L, G, H (momentum per time). NaN where "
+    "one "
+    "does not exist.",
+    {{{"l", offsetof(AndoyerRates, l)},
+      {"g", offsetof(AndoyerRates, g)},
+      {"h", offsetof(AndoyerRates, h)},
+      {"L", offsetof(AndoyerRates, L)},
+      {"G", offsetof(AndoyerRates, G)},
+      {"H", offsetof(AndoyerRates, H)}}},
+    unchecked};
+
+constexpr Chart<EulerPhaseRates, 6> phase_rates_chart{
+    "EulerPhaseRates",
+    "Rates of Euler angles (rad per time) and of their canonical momenta. NaN where one does not "
+    "exist: of phi and psi at theta = 0, pi.",
+    {{{"phi", offsetof(EulerPhaseRates, phi)},
+      {"theta", offsetof(EulerPhaseRates, theta)},
+      {"psi", offsetof(EulerPhaseRates, psi)},
+      {"Phi", offsetof(EulerPhaseRates, Phi)},
+      {"Theta", offsetof(EulerPhaseRates, Theta)},
+      {"Psi", offsetof(EulerPhaseRates, Psi)}}},
+    unchecked};
+
+constexpr Chart<AxisAngles, 2> axis_chart{
+    "AxisAngles",
+    "An axis as the plane that it is normal to: inclination I in [0, pi] and node h (rad).",
+    {{{"I", offsetof(AxisAngles, I)}, {"h", offsetof(AxisAngles, h)}}},
+    unchecked};
+
+const std::string at_state = "(system: System, t: numpy.typing.ArrayLike, state: RotorState) -> ";
+const std::string numbers = "numpy.typing.NDArray[numpy.float64]";
+
+std::string signature(const char* name, const std::string& returns) {
+  return std::string("def ") + name + at_state + returns;
+}
+
+// f(system, t, state) of times and states that broadcast: a set of structs.
+template <class S, class F>
+void def_states(nb::module_& m, const char* name, const char* returns, F f, const char* doc) {
+  m.def(
+      name,
+      [f](const PythonSystem& system, nb::handle t, const Batch<S>& states) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const S& s, double at) { return f(system, at, s); });
+      },
+      nb::arg("system"), nb::arg("t"), nb::arg("state"), nb::sig(signature(name, returns).c_str()),
+      doc);
+}
+
+void bind_motion(nb::module_& m) {
+  def_states<RotorState>(
+      m, "effect", "Effect",
+      [](const System& of, double t, const RotorState& s) { return effect(of, t, s); },
+      "The sum of all effects on states of any shape, the frame's own included, in body "
+      "components: "
+      ".v (..., 3), rad per time, what is added to I^-1 g; .u (..., 3), torque. States are those "
+      "relative to the system's frame. [SA (105)-(107), (118)]");
+  def_states<RotorState>(
+      m, "angular_velocity", "AngularVelocities",
+      [](const System& of, double t, const RotorState& s) { return angular_velocity(of, t, s); },
+      "Both angular velocities of states: .inertial = I^-1 g + v(terms), .relative less by mu. "
+      "[SA (124)]");
+  def_states<RotorState>(
+      m, "rotor_rates", "RotorRates",
+      [](const System& of, double t, const RotorState& s) { return rotor_rates(of, t, s); },
+      "The equations of motion: dq/dt and dg/dt.");
+  def_states<RotorState>(
+      m, "hub_rates", "HubRates",
+      [](const System& of, double t, const RotorState& s) { return hub_rates(of, t, s); },
+      "The equations of motion as rates of turn: w_SB and dg/dt.");
+  m.def(
+      "energy",
+      [](const PythonSystem& system, nb::handle t, const Rotors& states) {
+        Numbers times(t, "t");
+        return mapped_numbers(states, times, {}, [&](const RotorState& s, double at) {
+          return energy(system, at, s);
+        });
+      },
+      nb::arg("system"), nb::arg("t"), nb::arg("state"),
+      nb::sig(signature("energy", "float | " + numbers).c_str()),
+      "The Hamiltonian of the motion in S: kinetic energy, the terms' energies, and -mu . g. "
+      "Constant where nothing depends on time. ValueError where a term has none.");
+  def_states<RotorState>(
+      m, "inertial_state", "RotorState",
+      [](const System& of, double t, const RotorState& s) { return inertial_state(of, t, s); },
+      "The same states described in inertial axes.");
+  def_states<RotorState>(
+      m, "reference_state", "RotorState",
+      [](const System& of, double t, const RotorState& s) { return reference_state(of, t, s); },
+      "States given in inertial axes, described in the reference frame.");
+}
+
+void bind_osculation(nb::module_& m) {
+  def_states<RotorState>(
+      m, "osculating_state", "RotorState",
+      [](const System& of, double t, const RotorState& s) { return osculating_state(of, t, s); },
+      "The states of the free rotors that have the attitude and the angular velocity of this "
+      "instant: g + I v. [SA (104)-(107), (118)]");
+  def_states<RotorState>(
+      m, "canonical_state", "RotorState",
+      [](const System& of, double t, const RotorState& s) { return canonical_state(of, t, s); },
+      "The inverse of osculating_state, by Newton's method. ValueError where it does not "
+      "converge.");
+  def_states<RotorState>(
+      m, "osculating_andoyer", "AndoyerState",
+      [](const System& of, double t, const RotorState& s) { return osculating_andoyer(of, t, s); },
+      "Andoyer's elements of the osculating states of canonical ones. The canonical elements are "
+      "to_andoyer(state).");
+  m.def(
+      "osculating_andoyer",
+      [](const PythonSystem& system, nb::handle t, const Andoyers& states) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const AndoyerState& s, double at) {
+          return osculating_andoyer(system, at, s);
+        });
+      },
+      nb::arg("system"), nb::arg("t"), nb::arg("canonical"),
+      nb::sig("def osculating_andoyer(system: System, t: numpy.typing.ArrayLike, canonical: "
+              "AndoyerState) -> AndoyerState"),
+      "Osculating elements of canonical ones.");
+  m.def(
+      "canonical_andoyer",
+      [](const PythonSystem& system, nb::handle t, const Andoyers& states) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const AndoyerState& s, double at) {
+          return canonical_andoyer(system, at, s);
+        });
+      },
+      nb::arg("system"), nb::arg("t"), nb::arg("osculating"),
+      nb::sig("def canonical_andoyer(system: System, t: numpy.typing.ArrayLike, osculating: "
+              "AndoyerState) -> AndoyerState"),
+      "Canonical elements of osculating ones.");
+}
+
+// Andoyer's variables at an epoch t0 of states at times t.
+void bind_modified(nb::module_& m) {
+  const std::string arguments = ", t0: float, t: numpy.typing.ArrayLike, state: ";
+  m.def(
+      "modified_andoyer",
+      [](const Body& body, double t0, nb::handle t, const Rotors& states) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const RotorState& s, double at) {
+          return modified_andoyer(body, t0, at, s);
+        });
+      },
+      nb::arg("body"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
+      nb::sig(
+          ("def modified_andoyer(body: Body" + arguments + "RotorState) -> AndoyerState").c_str()),
+      "The modified Andoyer set: the AndoyerState that the free motion through a state at time t "
+      "has at the epoch t0. [SA (102), (103)]");
+  m.def(
+      "from_modified_andoyer",
+      [](const Body& body, double t0, nb::handle t, const Andoyers& states) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const AndoyerState& s, double at) {
+          return from_modified_andoyer(body, t0, at, s);
+        });
+      },
+      nb::arg("body"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
+      nb::sig(("def from_modified_andoyer(body: Body" + arguments + "AndoyerState) -> RotorState")
+                  .c_str()),
+      "The state at time t of a modified Andoyer set with epoch t0.");
+  m.def(
+      "modified_andoyer_rates",
+      [](const PythonSystem& system, double t0, nb::handle t, const Rotors& states) {
+        Numbers times(t, "t");
+        return mapped(states, times, [&](const RotorState& s, double at) {
+          return modified_andoyer_rates(system, t0, at, s);
+        });
+      },
+      nb::arg("system"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
+      nb::sig(
+          ("def modified_andoyer_rates(system: System" + arguments + "RotorState) -> AndoyerRates")
+              .c_str()),
+      "Rates of the modified Andoyer set at time t: zero without a perturbation. [SA (102), "
+      "(103)]");
+}
+
+template <std::size_t N>
+void put_all(double* out, const std::array<double, N>& a) {
+  for (const double x : a) *out++ = x;
+}
+
+// f(chart, system, t, state) of N numbers.
+template <std::size_t N>
+void def_of_chart(nb::module_& m, const char* name,
+                  std::array<double, N> (*f)(const CanonicalChart&, const System&, double,
+                                             const RotorState&),
+                  const char* doc) {
+  m.def(
+      name,
+      [f](nb::handle chart, const PythonSystem& system, nb::handle t, const Rotors& states) {
+        const CanonicalChart of = chart_of(chart, "chart");
+        Numbers times(t, "t");
+        const Shape shape = broadcast(states.shape(), times.shape(), "states", times.name());
+        times.broadcast(shape);
+        const Lane lane(states.shape(), shape);
+        Result out(shape, {N});
+        for_each(size_of(shape), [&](std::size_t k) {
+          put_all(out.at(k), f(of, system, times[k], states[lane(k)]));
+        });
+        return out.take();
+      },
+      nb::arg("chart"), nb::arg("system"), nb::arg("t"), nb::arg("state"),
+      nb::sig((std::string("def ") + name +
+               "(chart: CanonicalChart | CanonicalSet | str, system: System, t: "
+               "numpy.typing.ArrayLike, state: RotorState) -> " +
+               numbers)
+                  .c_str()),
+      doc);
+}
+
+void bind_rates(nb::module_& m) {
+  def_states<RotorState>(
+      m, "andoyer_rates", "AndoyerRates",
+      [](const System& of, double t, const RotorState& s) { return andoyer_rates(of, t, s); },
+      "Rates of Andoyer variables under the system. [SA (101)]");
+  def_states<RotorState>(
+      m, "euler_phase_rates", "EulerPhaseRates",
+      [](const System& of, double t, const RotorState& s) { return euler_phase_rates(of, t, s); },
+      "Rates of Euler angles and of their momenta under the system.");
+  def_states<RotorState>(
+      m, "perturbation_rates", "HubRates",
+      [](const System& of, double t, const RotorState& s) { return perturbation_rates(of, t, s); },
+      "What the terms and the frame add to the free rates (I^-1 g, g x I^-1 g).");
+  def_of_chart<6>(
+      m, "canonical_rates", canonical_rates,
+      "Rates (..., 6) of a chart, \"andoyer\", \"euler\" or a CanonicalChart, under the "
+      "system: three coordinates, then three momenta, in the order of its fields. NaN "
+      "where one does not exist. [SA (101)]");
+  def_of_chart<6>(m, "perturbation_rates", perturbation_rates,
+                  "The part (..., 6) of canonical_rates that the perturbation makes. [SA "
+                  "(104)-(107), (111), (118)-(122)]");
+  def_of_chart<3>(m, "convective_term", convective_term,
+                  "What the perturbation adds to the rates of the three coordinates of a chart, "
+                  "beside the unperturbed function of the same variables: (..., 3). Of the Euler "
+                  "angles it is Phi of [SA (107), (111)].");
+}
+
+// Three axes at every state: the AxisAngles of each are views of one block.
+struct AxesOfStates {
+  Batch<RotorAxes> all;
+
+  Batch<AxisAngles> part(std::size_t offset) const {
+    return {all.shape(), all.owner(), all.first() + offset, all.stride()};
+  }
+};
+
+void bind_axes(nb::module_& m) {
+  nb::class_<AxesOfStates>(m, "RotorAxes",
+                           "The axes of figure, of angular momentum and of rotation, each an "
+                           "AxisAngles of the shape of the states.")
+      .def_prop_ro(
+          "shape", [](const AxesOfStates& a) { return nb::tuple(nb::cast(a.all.shape())); },
+          nb::for_getter(nb::sig("def shape(self) -> tuple[int, ...]")), "Of the states.")
+      .def_prop_ro(
+          "figure", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, figure)); },
+          "Of b3: the equator's plane.")
+      .def_prop_ro(
+          "momentum", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, momentum)); },
+          "Of the canonical momentum.")
+      .def_prop_ro(
+          "rotation", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, rotation)); },
+          "Of the angular velocity.")
+      .def("__repr__", [](nb::handle_t<AxesOfStates> a) {
+        std::string text = "RotorAxes(";
+        for (const char* name : {"figure", "momentum", "rotation"})
+          text += (text.back() == '(' ? "" : ", ") + std::string(name) + "=" +
+                  nb::cast<std::string>(nb::repr(nb::object(a.attr(name))));
+        return text + ")";
+      });
+  const auto axes = [&m](const char* name, auto f, const char* doc) {
+    m.def(
+        name,
+        [f](const PythonSystem& system, nb::handle t, const Rotors& states) {
+          Numbers times(t, "t");
+          return AxesOfStates{mapped(
+              states, times, [&](const RotorState& s, double at) { return f(system, at, s); })};
+        },
+        nb::arg("system"), nb::arg("t"), nb::arg("state"),
+        nb::sig(signature(name, "RotorAxes").c_str()), doc);
+  };
+  axes("inertial_axes", inertial_axes,
+       "Axes of figure, momentum and rotation (w_IB) in inertial axes, as inclination and node. "
+       "NaN for a vector of length 0.");
+  axes("relative_axes", relative_axes,
+       "The same in the axes of the reference frame, with the rotation axis of w_SB. [SA (124)]");
+  m.def(
+      "axis_angles",
+      [](nb::handle axis) {
+        const Numbers n(axis, "axis", {3});
+        return Batch<AxisAngles>::filled(n.shape(), [&](AxisAngles* out) {
+          for_each(size_of(n.shape()), [&](std::size_t k) {
+            const double* a = n.at(k);
+            out[k] = axis_angles(Vec3{a[0], a[1], a[2]});
+          });
+        });
+      },
+      nb::arg("axis"), nb::sig("def axis_angles(axis: numpy.typing.ArrayLike) -> AxisAngles"),
+      "Inclination and node of the planes normal to vectors (..., 3).");
+}
+
+}  // namespace
+
+void bind_system_functions(nb::module_& m) {
+  bind_states<2>(m, effect_chart);
+  bind_states<2>(m, velocities_chart);
+  bind_states<2>(m, rotor_rates_chart);
+  bind_states<2>(m, hub_rates_chart);
+  bind_states<6>(m, andoyer_rates_chart);
+  bind_states<6>(m, phase_rates_chart);
+  bind_states<2>(m, axis_chart);
+  bind_motion(m);
+  bind_osculation(m);
+  bind_modified(m);
+  bind_rates(m);
+  bind_axes(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Dates in the scales of astronomy, and where Sun, Moon and planets are.
+#include "interface/arrays.hpp"
+#include "interface/choice.hpp"
+#include "interface/value.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
+#include "polhode/ephemeris/teme_axes.hpp"
+#include "polhode/text/epoch.hpp"
+#include "terms/orbit_value.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+nb::tuple arguments_of(const Date& d) { return nb::make_tuple(d.scale, d.day, d.fraction); }
+
+Planetary body_of(nb::handle value, const char* name) { return choice<Planetary>(value, name); }
+
+void bind_dates(nb::module_& m) {
+  nb::enum_<TimeScale>(m, "TimeScale", "A time scale of astronomy.")
+      .value("UTC", TimeScale::UTC)
+      .value("TAI", TimeScale::TAI)
+      .value("TT", TimeScale::TT)
+      .value("TDB", TimeScale::TDB)
+      .value("UT1", TimeScale::UT1);
+  nb::class_<Date> c(m, "Date", R"(An instant: a Julian date in two parts, in a time scale.
+
+Parameters
+----------
+scale : TimeScale, or its name: UTC, TAI, TT, TDB, UT1.
+day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of ERFA, in which a
+    day with a leap second is stretched.
+text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
+    "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for others.)");
+  c.def(
+       "__init__",
+       [](Date* self, nb::handle scale, double day, double fraction) {
+         new (self) Date{choice<TimeScale>(scale, "scale"), day, fraction};
+       },
+       nb::arg("scale"), nb::arg("day"), nb::arg("fraction") = 0.0,
+       nb::sig("def __init__(self, scale: TimeScale | str, day: float, fraction: float = 0.0) -> "
+               "None"))
+      .def(
+          "__init__",
+          [](Date* self, const std::string& text) { new (self) Date(epoch_date(text)); },
+          nb::arg("text"))
+      .def_ro("scale", &Date::scale, "Its time scale.")
+      .def_ro("day", &Date::day, "The first part, days.")
+      .def_ro("fraction", &Date::fraction, "The second part, days.")
+      .def_prop_ro("is_dubious", &is_dubious,
+                   "Whether the leap seconds of this UTC date are a guess.")
+      .def(
+          "to",
+          [](const Date& d, nb::handle scale, std::optional<double> dut1) {
+            return converted(d, choice<TimeScale>(scale, "scale"), dut1);
+          },
+          nb::arg("scale"), nb::arg("dut1") = nb::none(),
+          nb::sig("def to(self, scale: TimeScale | str, dut1: float | None = None) -> Date"),
+          "The same instant in another scale. UT1 needs dut1 = UT1 - UTC in s. ValueError without.")
+      .def_prop_ro(
+          "calendar",
+          [](const Date& d) {
+            const CalendarTime t = calendar_time(d);
+            return nb::make_tuple(t.year, t.month, t.day, t.hour, t.minute, t.second);
+          },
+          nb::for_getter(nb::sig("def calendar(self) -> tuple[int, int, int, int, int, float]")),
+          "Year, month, day, hour, minute, second; 60 and more in a leap second.")
+      .def("__repr__", [](const Date& d) {
+        return "Date('" + std::string(name(d.scale)) + "', " + number_text(d.day) + ", " +
+               number_text(d.fraction) + ")";
+      });
+  def_value(c, [](const Date& d) { return arguments_of(d); });
+  nb::implicitly_convertible<nb::str, Date>();
+  m.def(
+      "calendar_date",
+      [](nb::handle scale, int year, int month, int day, int hour, int minute, double second) {
+        return calendar_date(choice<TimeScale>(scale, "scale"),
+                             {year, month, day, hour, minute, second});
+      },
+      nb::arg("scale"), nb::arg("year"), nb::arg("month"), nb::arg("day"), nb::arg("hour") = 0,
+      nb::arg("minute") = 0, nb::arg("second") = 0.0,
+      nb::sig(
+          "def calendar_date(scale: TimeScale | str, year: int, month: int, day: int, hour: int "
+          "= 0, minute: int = 0, second: float = 0.0) -> Date"),
+      "The Date of a time of the Gregorian calendar. 23:59:60 is one where UTC had a leap second. "
+      "ValueError for a time that is not there.");
+  m.def(
+      "seconds_between",
+      [](const Date& from, const Date& to, std::optional<double> dut1) {
+        return seconds_between(from, to, dut1);
+      },
+      nb::arg("start"), nb::arg("end"), nb::arg("dut1") = nb::none(),
+      "SI seconds of TT from one Date to another, whatever their scales.");
+  m.def(
+      "date_after",
+      [](const Date& date, double seconds, std::optional<double> dut1) {
+        return date_after(date, seconds, dut1);
+      },
+      nb::arg("date"), nb::arg("seconds"), nb::arg("dut1") = nb::none(),
+      "The Date, in TT, so many seconds of TT later.");
+}
+
+void bind_planets(nb::module_& m) {
+  nb::enum_<Planetary>(m, "Planetary", "A body whose positions are known.")
+      .value("sun", Planetary::sun)
+      .value("mercury", Planetary::mercury)
+      .value("venus", Planetary::venus)
+      .value("earth", Planetary::earth)
+      .value("moon", Planetary::moon)
+      .value("mars", Planetary::mars)
+      .value("jupiter", Planetary::jupiter)
+      .value("saturn", Planetary::saturn)
+      .value("uranus", Planetary::uranus)
+      .value("neptune", Planetary::neptune);
+  m.def(
+      "planetary_gm", [](nb::handle body) { return planetary_gm(body_of(body, "body")); },
+      nb::arg("body"), nb::sig("def planetary_gm(body: Planetary | str) -> float"),
+      "Gravitational parameter, km^3/s^2 (DE440); from Mars on of planet and moons.");
+  m.def(
+      "planetary_position",
+      [](nb::handle target, nb::handle centre, const Date& date) {
+        return array_of(
+            planetary_position(body_of(target, "target"), body_of(centre, "centre"), date));
+      },
+      nb::arg("target"), nb::arg("centre"), nb::arg("date"),
+      nb::sig(
+          "def planetary_position(target: Planetary | str, centre: Planetary | str, date: Date) "
+          "-> numpy.typing.NDArray[numpy.float64]"),
+      "(3,), km, along equator and equinox of J2000 (ICRS), without light time; by ERFA. "
+      "ValueError for dates out of its theories.");
+  m.def(
+      "planetary_orbit",
+      [](nb::handle target, nb::handle centre, const Date& epoch, double first, double last,
+         double tolerance) {
+        const Planetary of = body_of(target, "target"), from = body_of(centre, "centre");
+        EphemerisTable table{};
+        {
+          const WithoutGil released;
+          table = planetary_table(of, from, epoch, first, last, tolerance);
+        }
+        return TableOrbit(std::move(table.rows), table.order);
+      },
+      nb::arg("target"), nb::arg("centre"), nb::arg("epoch"), nb::arg("first"), nb::arg("last"),
+      nb::arg("tolerance") = 1e-10,
+      nb::sig("def planetary_orbit(target: Planetary | str, centre: Planetary | str, epoch: Date, "
+              "first: float, last: float, tolerance: float = 1e-10) -> TableOrbit"),
+      "Such positions (km) as a TableOrbit from `first` to `last`, s of TT after `epoch`. Between "
+      "its rows it is right to `tolerance` of the distance.");
+  m.def(
+      "j2000_from_teme", [](const Date& date) { return array_of(j2000_from_teme(date)); },
+      nb::arg("date"),
+      nb::sig("def j2000_from_teme(date: Date) -> numpy.typing.NDArray[numpy.float64]"),
+      "(3, 3): turns components along TEME, the axes of SGP4, into those along equator and equinox "
+      "of J2000.");
+}
+
+}  // namespace
+
+void bind_ephemeris(nb::module_& m) {
+  bind_dates(m);
+  bind_planets(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Gravity beyond the gradient of a point mass, and tides.
+#include "interface/choice.hpp"
+#include "interface/value.hpp"
+#include "polhode/perturb/higher_gravity.hpp"
+#include "polhode/perturb/oblate_gravity.hpp"
+#include "polhode/perturb/tidal_torque.hpp"
+#include "terms/term_binding.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+struct HigherGravityTerm : PythonTerm {
+  using PythonTerm::PythonTerm;
+};
+struct OblateGravityTerm : PythonTerm {
+  using PythonTerm::PythonTerm;
+};
+struct TidalTorqueTerm : PythonTerm {
+  using PythonTerm::PythonTerm;
+};
+
+template <std::size_t n>
+std::array<double, n> moments_from(nb::handle value, const char* name) {
+  const Numbers numbers(value, name, {n});
+  std::array<double, n> out;
+  for (std::size_t i = 0; i < n; ++i) out[i] = numbers.at(0)[i];
+  return out;
+}
+template <std::size_t n>
+nb::tuple tuple_from(const std::array<double, n>& values) {
+  nb::list list;
+  for (const double x : values) list.append(x);
+  return nb::tuple(list);
+}
+
+nb::tuple arguments_of(const MassMoments& m) {
+  return nb::make_tuple(tuple_from(m.third), tuple_from(m.fourth));
+}
+
+MassMoments of_points(nb::handle masses, nb::handle positions) {
+  Numbers both[] = {Numbers(masses, "masses"), Numbers(positions, "positions", {3})};
+  const Shape shape = broadcast(both);
+  std::vector<PointMass> points;
+  for (std::size_t k = 0; k < size_of(shape); ++k) {
+    const double* x = both[1].at(k);
+    points.push_back({both[0][k], {x[0], x[1], x[2]}});
+  }
+  return mass_moments<double>(points);
+}
+
+void bind_moments(nb::module_& m) {
+  using M = MassMoments;
+  nb::class_<M> c(m, "MassMoments",
+                  R"(Inertia integrals of degree 3 and 4: of x^a y^b z^c dm from the centre of mass.
+
+Parameters
+----------
+third : (10,), mass length^3, in the order xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+fourth : (15,), mass length^4: xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz
+    yzzz zzzz.)");
+  c.def(
+       "__init__",
+       [](M* self, nb::handle third, nb::handle fourth) {
+         new (self) M{moments_from<10>(third, "third"), moments_from<15>(fourth, "fourth")};
+       },
+       nb::arg("third"), nb::arg("fourth"),
+       nb::sig("def __init__(self, third: numpy.typing.ArrayLike, fourth: numpy.typing.ArrayLike) "
+               "-> None"))
+      .def_static("of_points", of_points, nb::arg("masses"), nb::arg("positions"),
+                  nb::sig("def of_points(masses: numpy.typing.ArrayLike, positions: "
+                          "numpy.typing.ArrayLike) -> MassMoments"),
+                  "Of point masses: (n,) or one number, and positions (n, 3), which are taken as "
+                  "they are: from the centre of mass.")
+      .def(
+          "rotated",
+          [](const M& self, nb::handle matrix) { return rotated(self, mat3(matrix, "matrix")); },
+          nb::arg("matrix"),
+          nb::sig("def rotated(self, matrix: numpy.typing.ArrayLike) -> MassMoments"),
+          "Along the axes in which x becomes matrix @ x, a rotation (3, 3).")
+      .def_prop_ro(
+          "third", [](const M& self) { return array_of(std::span(self.third)); },
+          nb::for_getter(nb::sig("def third(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(10,): of degree 3.")
+      .def_prop_ro(
+          "fourth", [](const M& self) { return array_of(std::span(self.fourth)); },
+          nb::for_getter(nb::sig("def fourth(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(15,): of degree 4.")
+      .def("__repr__", [](const M& self) {
+        const nb::tuple a = arguments_of(self);
+        return "MassMoments(third=" + nb::cast<std::string>(nb::repr(nb::object(a[0]))) +
+               ", fourth=" + nb::cast<std::string>(nb::repr(nb::object(a[1]))) + ")";
+      });
+  def_value(c, arguments_of);
+}
+
+void bind_higher(nb::module_& m) {
+  nb::enum_<OrbitOf>(m, "OrbitOf", "Whose path an orbit is, as seen from the other.",
+                     nb::is_arithmetic())
+      .value("attractor", OrbitOf::attractor, "the attracting mass as seen from the body")
+      .value("body", OrbitOf::body, "the body as seen from the attracting mass");
+  using C = HigherGravityTerm;
+  nb::class_<C, PythonTerm> c(m, "HigherGravity",
+                              R"(What a point mass does to a body's moments of degree 3 and 4.
+
+From H' = -gm integral dm / |r - x|, degrees 3 and 4 of the series in 1/r. Degree 2 is not here: put
+GravityGradient beside it.
+
+Parameters
+----------
+gm : of the attracting point mass, length^3 / time^2. ValueError unless positive.
+orbit : as for GravityGradient.
+moments : MassMoments about the centre of mass along the principal axes of the body.
+orbit_of : OrbitOf or its name: degree 3 changes sign with the direction of the orbit.
+axes : of the orbit: SpaceAxes, or its name.
+name : stands in messages.)",
+                              nb::type_slots(recipe_slots<C>()));
+  c.def(
+      "__init__",
+      [](C* self, double gm, nb::handle orbit, const MassMoments& moments, nb::handle orbit_of_,
+         nb::handle axes, nb::handle name) {
+        const auto of = choice<OrbitOf>(orbit_of_, "orbit_of");
+        const auto space = choice<SpaceAxes>(axes, "axes");
+        make_along(self, "HigherGravity", orbit, name,
+                   {{"gm", "orbit", "moments", "orbit_of", "axes", "name"},
+                    nb::make_tuple(gm, orbit, moments, of, space, name)},
+                   [&](const std::string& called, const auto& o) {
+                     return AnyPerturbation(called, HigherGravity(gm, o, moments, of, space));
+                   });
+      },
+      nb::arg("gm"), nb::arg("orbit"), nb::arg("moments"), nb::arg("orbit_of"),
+      nb::arg("axes") = SpaceAxes::inertial, nb::arg("name") = nb::none(),
+      nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
+              "typing.Callable[[float], numpy.typing.ArrayLike], moments: MassMoments, orbit_of: "
+              "OrbitOf | str, axes: SpaceAxes | str = 'inertial', name: str | None = None) -> "
+              "None"));
+  def_term<C>(c);
+}
+
+nb::tuple arguments_of(const Oblateness& o) {
+  return nb::make_tuple(o.J2, o.radius, tuple_of(o.pole));
+}
+
+void bind_oblate(nb::module_& m) {
+  using O = Oblateness;
+  nb::class_<O> value(m, "Oblateness",
+                      "J2 of an attracting body, the equatorial radius that it belongs to, and its "
+                      "pole (3,), of any length, along the axes of the orbit.");
+  value
+      .def(
+          "__init__",
+          [](O* self, double J2, double radius, nb::handle pole) {
+            new (self) O{J2, radius, vec3(pole, "pole")};
+          },
+          nb::arg("J2"), nb::arg("radius"), nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0),
+          nb::sig("def __init__(self, J2: float, radius: float, pole: numpy.typing.ArrayLike = "
+                  "(0.0, 0.0, 1.0)) -> None"))
+      .def_ro("J2", &O::J2, "A pure number.")
+      .def_ro("radius", &O::radius, "A length.")
+      .def_prop_ro(
+          "pole", [](const O& o) { return array_of(o.pole); },
+          nb::for_getter(nb::sig("def pole(self) -> numpy.typing.NDArray[numpy.float64]")),
+          "(3,): the axis of figure.")
+      .def("__repr__", [](const O& o) {
+        return "Oblateness(J2=" + number_text(o.J2) + ", radius=" + number_text(o.radius) +
+               ", pole=" + nb::cast<std::string>(nb::repr(tuple_of(o.pole))) + ")";
+      });
+  def_value(value, [](const O& o) { return arguments_of(o); });
+  using C = OblateGravityTerm;
+  nb::class_<C, PythonTerm> c(m, "OblateGravity",
+                              R"(What the J2 of the attracting body adds to the gravity gradient.
+
+The field is -gm / r (1 - J2 (R / r)^2 P2(sin latitude)); its part in J2 acts on the moments of
+inertia. The point mass is not here: put GravityGradient beside it.
+
+Parameters
+----------
+gm : of the attracting body. ValueError unless positive.
+orbit : as for GravityGradient.
+oblateness : Oblateness. ValueError for a radius that is not positive, for a pole of length 0.
+axes : of the orbit and the pole: SpaceAxes, or its name.
+name : stands in messages.)",
+                              nb::type_slots(recipe_slots<C>()));
+  c.def(
+      "__init__",
+      [](C* self, double gm, nb::handle orbit, const O& oblateness, nb::handle axes,
+         nb::handle name) {
+        const auto space = choice<SpaceAxes>(axes, "axes");
+        make_along(self, "OblateGravity", orbit, name,
+                   {{"gm", "orbit", "oblateness", "axes", "name"},
+                    nb::make_tuple(gm, orbit, oblateness, space, name)},
+                   [&](const std::string& called, const auto& o) {
+                     return AnyPerturbation(called, OblateGravity(gm, o, oblateness, space));
+                   });
+      },
+      nb::arg("gm"), nb::arg("orbit"), nb::arg("oblateness"), nb::arg("axes") = SpaceAxes::inertial,
+      nb::arg("name") = nb::none(),
+      nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
+              "typing.Callable[[float], numpy.typing.ArrayLike], oblateness: Oblateness, axes: "
+              "SpaceAxes | str = 'inertial', name: str | None = None) -> None"));
+  def_term<C>(c);
+}
+
+void bind_tide(nb::module_& m) {
+  using B = TidalBody;
+  nb::class_<B> value(m, "TidalBody",
+                      "What lags: the Love number k2, the time lag, and the radius that k2 belongs "
+                      "to.");
+  value
+      .def(
+          "__init__",
+          [](B* self, double k2, double lag, double radius) {
+            new (self) B{k2, lag, radius};
+          },
+          nb::arg("k2"), nb::arg("lag"), nb::arg("radius"))
+      .def_ro("k2", &B::k2, "A pure number.")
+      .def_ro("lag", &B::lag, "A time.")
+      .def_ro("radius", &B::radius, "A length.")
+      .def("__repr__", [](const B& b) {
+        return "TidalBody(k2=" + number_text(b.k2) + ", lag=" + number_text(b.lag) +
+               ", radius=" + number_text(b.radius) + ")";
+      });
+  def_value(value, [](const B& b) { return nb::make_tuple(b.k2, b.lag, b.radius); });
+  using C = TidalTorqueTerm;
+  nb::class_<C, PythonTerm> c(m, "TidalTorque",
+                              R"(The torque on a tidal bulge that lags by a constant time (Mignard).
+
+u = 3 k2 gm M R^5 lag / r^8 ((r.w) r - r^2 w + r x dr/dt), w = I^-1 g.
+
+Parameters
+----------
+gm : of the perturbing point mass, length^3 / time^2.
+mass : its mass, in the unit of the moments over length^2.
+orbit : KeplerOrbit or PrecessingKeplerOrbit, in inertial axes; TypeError for what has no velocity.
+body : TidalBody.
+name : stands in messages.
+
+ValueError unless gm, mass and the radius are positive, k2 and the lag not negative.)",
+                              nb::type_slots(recipe_slots<C>()));
+  c.def(
+      "__init__",
+      [](C* self, double gm, double mass, nb::handle orbit, const B& body, nb::handle name) {
+        make_along(
+            self, "TidalTorque", orbit, name,
+            {{"gm", "mass", "orbit", "body", "name"}, nb::make_tuple(gm, mass, orbit, body, name)},
+            [&](const std::string& called, const auto& o) -> AnyPerturbation {
+              if constexpr (OrbitOn<std::remove_cvref_t<decltype(o)>, Dual<double, 1>>)
+                return {called, TidalTorque(gm, mass, o, body)};
+              else
+                throw nb::type_error((labelled("TidalTorque", called) + ": orbit: got " +
+                                      class_name(orbit) +
+                                      "; expected an orbit with a velocity, as KeplerOrbit")
+                                         .c_str());
+            });
+      },
+      nb::arg("gm"), nb::arg("mass"), nb::arg("orbit"), nb::arg("body"),
+      nb::arg("name") = nb::none(),
+      nb::sig("def __init__(self, gm: float, mass: float, orbit: KeplerOrbit | "
+              "PrecessingKeplerOrbit, body: TidalBody, name: str | None = None) -> None"));
+  def_term<C>(c);
+}
+
+}  // namespace
+
+void bind_gravity_terms(nb::module_& m) {
+  bind_moments(m);
+  bind_higher(m);
+  bind_oblate(m);
+  bind_tide(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+// Facet shapes, their mass properties, and surfaces that light and air act on.
+#include <nanobind/operators.h>
+
+#include "interface/arrays.hpp"
+#include "polhode/error.hpp"
+#include "polhode/secular/yorp.hpp"
+#include "polhode/shape/mass_properties.hpp"
+#include "polhode/shape/surface.hpp"
+#include "polhode/tables/obj.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+constexpr const char* array_signature = "(self) -> numpy.typing.NDArray[numpy.float64]";
+
+std::size_t rows_of(const Numbers& numbers, const char* expected) {
+  if (numbers.shape().size() == 1) return numbers.shape()[0];
+  throw nb::value_error((std::string(numbers.name()) + ": got leading shape " +
+                         text_of(numbers.shape()) + "; expected " + expected)
+                            .c_str());
+}
+
+FacetShape shape_from(nb::handle vertices, nb::handle triangles) {
+  const Numbers v(vertices, "vertices", {3}), t(triangles, "triangles", {3});
+  std::vector<Vec3> points;
+  for (std::size_t k = 0; k < rows_of(v, "(N, 3)"); ++k)
+    points.push_back({v.at(k)[0], v.at(k)[1], v.at(k)[2]});
+  std::vector<FacetShape::Triangle> facets;
+  for (std::size_t k = 0; k < rows_of(t, "(M, 3)"); ++k) {
+    FacetShape::Triangle facet{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double place = t.at(k)[i];
+      if (!(place >= 0.0 && place < 4294967296.0) || place != static_cast<std::uint32_t>(place))
+        throw nb::value_error("triangles: expected places in the list of vertices, from 0");
+      facet[i] = static_cast<std::uint32_t>(place);
+    }
+    facets.push_back(facet);
+  }
+  return {std::move(points), std::move(facets)};
+}
+
+// (N, ...) of what `value(i)` gives for each of `count`.
+template <class Value>
+nb::object stacked(std::size_t count, std::initializer_list<std::size_t> inner, Value value) {
+  Result out({count}, inner);
+  for (std::size_t i = 0; i < count; ++i) put(out.at(i), value(i));
+  return out.take();
+}
+
+template <std::size_t size>
+nb::object moments_array(const std::array<double, size>& m) {
+  return stacked(size, {}, [&](std::size_t i) { return m[i]; });
+}
+
+void bind_facet_shape(nb::module_& m) {
+  using S = FacetShape;
+  nb::class_<S> c(m, "FacetShape", R"(The surface of a body as a mesh of triangles.
+
+Parameters
+----------
+vertices : (N, 3), any unit of length.
+triangles : (M, 3), places in the list of vertices, from 0; counterclockwise as seen from outside.
+
+ValueError names the vertex or the facet, counted from 1: not finite, no such vertex, no area.)");
+  c.def(
+       "__init__", [](S* self, nb::handle v, nb::handle t) { new (self) S(shape_from(v, t)); },
+       nb::arg("vertices"), nb::arg("triangles"),
+       nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, triangles: "
+               "numpy.typing.ArrayLike) -> None"))
+      .def_prop_ro(
+          "vertices",
+          [](const S& s) {
+            return stacked(s.vertices().size(), {3},
+                           [&](std::size_t i) { return s.vertices()[i]; });
+          },
+          nb::for_getter(nb::sig((std::string("def vertices") + array_signature).c_str())),
+          "(N, 3).")
+      .def_prop_ro(
+          "triangles",
+          [](const S& s) {
+            return stacked(s.triangles().size(), {3},
+                           [&](std::size_t i) {
+                             const auto& t = s.triangles()[i];
+                             return Vec3{double(t[0]), double(t[1]), double(t[2])};
+                           })
+                .attr("astype")("uint32");
+          },
+          nb::for_getter(nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]")),
+          "(M, 3), from 0.")
+      .def_prop_ro(
+          "centres",
+          [](const S& s) {
+            return stacked(s.facets().size(), {3},
+                           [&](std::size_t i) { return s.facets()[i].centre; });
+          },
+          nb::for_getter(nb::sig((std::string("def centres") + array_signature).c_str())),
+          "(M, 3): of the facets.")
+      .def_prop_ro(
+          "normals",
+          [](const S& s) {
+            return stacked(s.facets().size(), {3},
+                           [&](std::size_t i) { return s.facets()[i].normal; });
+          },
+          nb::for_getter(nb::sig((std::string("def normals") + array_signature).c_str())),
+          "(M, 3): of length 1.")
+      .def_prop_ro(
+          "areas",
+          [](const S& s) {
+            return stacked(s.facets().size(), {},
+                           [&](std::size_t i) { return s.facets()[i].area; });
+          },
+          nb::for_getter(nb::sig((std::string("def areas") + array_signature).c_str())),
+          "(M,): of the facets.")
+      .def_prop_ro("area", &S::area, "Of all facets.")
+      .def_prop_ro("open_edge", &S::open_edge,
+                   "The first edge without a facet on its other side, in words; empty where the "
+                   "mesh is closed.")
+      .def(
+          "moved",
+          [](const S& s, nb::handle origin, double factor) {
+            return s.moved(vec3(origin, "origin"), factor);
+          },
+          nb::arg("origin"), nb::arg("factor") = 1.0,
+          nb::sig("def moved(self, origin: numpy.typing.ArrayLike, factor: float = 1.0) -> "
+                  "FacetShape"),
+          "x -> factor (x - origin).")
+      .def("__len__", [](const S& s) { return s.facets().size(); })
+      .def("__repr__",
+           [](const S& s) {
+             return "<FacetShape: " + std::to_string(s.vertices().size()) + " vertices, " +
+                    std::to_string(s.facets().size()) + " facets>";
+           })
+      .def("__copy__", [](const S& s) { return s; })
+      .def("__reduce__", [](nb::handle_t<S> self) {
+        return nb::make_tuple(nb::handle(self.type()),
+                              nb::make_tuple(self.attr("vertices"), self.attr("triangles")));
+      });
+  m.def("read_obj", &read_obj, nb::arg("path"),
+        "FacetShape of a Wavefront OBJ file. ValueError: FILE:LINE: what is wrong.");
+}
+
+void bind_mass(nb::module_& m) {
+  using P = MassProperties;
+  nb::class_<P>(m, "MassProperties",
+                "Of a closed shape of constant density, in the axes of its mesh: mass_properties.")
+      .def_ro("volume", &P::volume, "Inside the mesh.")
+      .def_ro("mass", &P::mass, "Density times volume.")
+      .def_prop_ro(
+          "centre", [](const P& p) { return array_of(p.centre); },
+          nb::for_getter(nb::sig((std::string("def centre") + array_signature).c_str())),
+          "(3,): of mass.")
+      .def_prop_ro(
+          "inertia", [](const P& p) { return array_of(p.inertia); },
+          nb::for_getter(nb::sig((std::string("def inertia") + array_signature).c_str())),
+          "(3, 3): tensor about the centre.")
+      .def_prop_ro(
+          "third", [](const P& p) { return moments_array(p.moments.third); },
+          nb::for_getter(nb::sig((std::string("def third") + array_signature).c_str())),
+          "(10,): integrals of xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz over the mass, about the "
+          "centre.")
+      .def_prop_ro(
+          "fourth", [](const P& p) { return moments_array(p.moments.fourth); },
+          nb::for_getter(nb::sig((std::string("def fourth") + array_signature).c_str())),
+          "(15,): integrals of xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz "
+          "yzzz zzzz.")
+      .def_prop_ro(
+          "principal_moments", [](const P& p) { return principal_moments(p, body(p)); },
+          nb::for_getter(nb::sig("def principal_moments(self) -> MassMoments")),
+          "MassMoments along the principal axes of `body`, as HigherGravity takes them.")
+      .def_prop_ro(
+          "body", [](const P& p) { return body(p); }, "Its Body, with the principal axes.")
+      .def("__repr__",
+           [](const P& p) { return "<MassProperties: mass " + std::to_string(p.mass) + ">"; });
+  m.def(
+      "mass_properties", &mass_properties, nb::arg("shape"), nb::arg("density"),
+      "MassProperties of a closed FacetShape filled with a constant density (mass per cube of the "
+      "shape's unit of length, whose units the results have). ValueError names an "
+      "edge of a mesh that is not closed; facets inward; a density that is not positive.");
+}
+
+constexpr std::size_t columns = 12;
+
+Surface surface_from(nb::handle rows) {
+  const Numbers n(rows, "rows", {columns});
+  std::vector<SurfaceFacet> facets;
+  for (std::size_t k = 0; k < rows_of(n, "(N, 12)"); ++k) {
+    const double* x = n.at(k);
+    facets.push_back(
+        {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], {x[7], x[8], x[9], x[10], x[11]}});
+  }
+  return Surface(std::move(facets));
+}
+
+nb::object rows_array(const Surface& s) {
+  Result out({s.facets().size()}, {columns});
+  for (std::size_t k = 0; k < s.facets().size(); ++k) {
+    const SurfaceFacet& f = s.facets()[k];
+    double* x = out.at(k);
+    put(x, f.centre);
+    put(x + 3, f.normal);
+    const double rest[] = {f.area,
+                           f.finish.specular,
+                           f.finish.diffuse,
+                           f.finish.emitted,
+                           f.finish.normal_accommodation,
+                           f.finish.tangential_accommodation};
+    std::copy(std::begin(rest), std::end(rest), x + 6);
+  }
+  return out.take();
+}
+
+void bind_surface(nb::module_& m) {
+  using S = Surface;
+  nb::class_<S> c(m, "Surface", R"(Flat facets with what light and air need to know of them.
+
+Surface.of_shape, Surface.of_plate, and + joins two. Along the principal axes of the body, centres
+from its centre of mass. `rows` (N, 12): centre, normal, area, specular, diffuse, emitted,
+normal_accommodation, tangential_accommodation. Fractions of the light: mirrored, scattered by
+Lambert's law, and of what is absorbed the part that leaves at once as heat. ValueError names the
+facet, counted from 1, and its wrong number.)");
+  c.def(
+       "__init__", [](S* self, nb::handle rows) { new (self) S(surface_from(rows)); },
+       nb::arg("rows"), nb::sig("def __init__(self, rows: numpy.typing.ArrayLike) -> None"))
+      .def_static(
+          "of_shape",
+          [](const FacetShape& shape, nb::handle centre, double specular, double diffuse,
+             double emitted, double normal, double tangential) {
+            return S::of_shape(shape, vec3(centre, "centre"),
+                               {specular, diffuse, emitted, normal, tangential});
+          },
+          nb::arg("shape"), nb::arg("centre"), nb::arg("specular") = 0.0, nb::arg("diffuse") = 0.0,
+          nb::arg("emitted") = 0.0, nb::arg("normal_accommodation") = 1.0,
+          nb::arg("tangential_accommodation") = 1.0,
+          nb::sig("def of_shape(shape: FacetShape, centre: numpy.typing.ArrayLike, specular: float "
+                  "= 0.0, diffuse: float = 0.0, emitted: float = 0.0, normal_accommodation: float "
+                  "= 1.0, tangential_accommodation: float = 1.0) -> Surface"),
+          "Every facet of a mesh, `centre` its centre of mass.")
+      .def_static(
+          "of_plate",
+          [](nb::handle centre, nb::handle direction, double area, double specular, double diffuse,
+             double emitted, double normal, double tangential, bool both_sides) {
+            return S::of_plate(vec3(centre, "centre"), vec3(direction, "normal"), area,
+                               {specular, diffuse, emitted, normal, tangential}, both_sides);
+          },
+          nb::arg("centre"), nb::arg("normal"), nb::arg("area"), nb::arg("specular") = 0.0,
+          nb::arg("diffuse") = 0.0, nb::arg("emitted") = 0.0, nb::arg("normal_accommodation") = 1.0,
+          nb::arg("tangential_accommodation") = 1.0, nb::arg("both_sides") = false,
+          nb::sig("def of_plate(centre: numpy.typing.ArrayLike, normal: numpy.typing.ArrayLike, "
+                  "area: float, specular: float = 0.0, diffuse: float = 0.0, emitted: float = 0.0, "
+                  "normal_accommodation: float = 1.0, tangential_accommodation: float = 1.0, "
+                  "both_sides: bool = False) -> Surface"),
+          "A flat plate: centre (3,) and normal (3,) along the body axes, in units of length; area "
+          "in "
+          "their square. The fractions are from 0 to 1, specular + diffuse at most 1. With both "
+          "sides, "
+          "two facets. ValueError for others.")
+      .def(
+          "along", [](const S& s, nb::handle q_FB) { return s.along(quaternion(q_FB, "q_FB")); },
+          nb::arg("q_FB"), nb::sig("def along(self, q_FB: numpy.typing.ArrayLike) -> Surface"),
+          "The same facets along axes B: q_FB is the rotation from them to those of this surface, "
+          "as Body.q_FB.")
+      .def_prop_ro("rows", rows_array,
+                   nb::for_getter(nb::sig((std::string("def rows") + array_signature).c_str())),
+                   "(N, 12).")
+      .def("__len__", [](const S& s) { return s.facets().size(); })
+      .def(
+          "__add__",
+          [](const S& a, const S& b) {
+            const Surface parts[] = {a, b};
+            return joined(parts);
+          },
+          nb::is_operator(), nb::arg("other"))
+      .def(
+          "__eq__", [](const S& a, const S& b) { return a == b; }, nb::is_operator(),
+          nb::arg("other"))
+      .def("__hash__", [](const S& s) { return s.facets().size(); })
+      .def("__repr__",
+           [](const S& s) { return "<Surface: " + std::to_string(s.facets().size()) + " facets>"; })
+      .def("__copy__", [](const S& s) { return s; })
+      .def("__reduce__", [](nb::handle_t<S> self) {
+        return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(self.attr("rows")));
+      });
+}
+
+void bind_yorp(nb::module_& m) {
+  m.def(
+      "yorp_torque",
+      [](const Surface& surface, nb::handle obliquity, nb::handle axis) {
+        const Numbers o(obliquity, "obliquity");
+        const Vec3 about = vec3(axis, "axis");
+        Result out(o.shape(), {3});
+        for_each(size_of(o.shape()), [&](std::size_t k) {
+          const YorpTorque y = yorp_torque(surface, o[k], about);
+          put(out.at(k), Vec3{y.spin, y.obliquity, y.precession});
+        });
+        return out.take();
+      },
+      nb::arg("surface"), nb::arg("obliquity"), nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0),
+      nb::sig("def yorp_torque(surface: Surface, obliquity: numpy.typing.ArrayLike, axis: "
+              "numpy.typing.ArrayLike = (0.0, 0.0, 1.0)) -> numpy.typing.NDArray[numpy.float64]"),
+      "Torque of sunlight averaged over rotation about `axis` and over the orbit, at mean pressure "
+      "1: (..., 3), along the spin axis, towards larger obliquity, and of the precession. "
+      "Multiply by mean_pressure. Facets do not shade each other.");
+  m.def(
+      "mean_pressure",
+      [](double pressure, double distance, double a, double e) {
+        return mean_pressure({pressure, distance}, a, e);
+      },
+      nb::arg("pressure"), nb::arg("distance"), nb::arg("semi_major_axis"),
+      nb::arg("eccentricity") = 0.0,
+      "P d^2 / (a^2 sqrt(1 - e^2)): of sunlight with the pressure P at the distance d, over an "
+      "orbit.");
+}
+
+}  // namespace
+
+void bind_shape(nb::module_& m) {
+  bind_facet_shape(m);
+  bind_mass(m);
+  bind_surface(m);
+  bind_yorp(m);
+}
+
+}  // namespace polhode::python

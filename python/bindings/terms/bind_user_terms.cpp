@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// Terms that Python writes.
+#include <limits>
+#include <span>
+
+#include "charts/states.hpp"
+#include "interface/choice.hpp"
+#include "interface/dual_number.hpp"
+#include "interface/value.hpp"
+#include "polhode/error.hpp"
+#include "polhode/perturb/user_terms.hpp"
+#include "terms/term_binding.hpp"
+#include "terms/term_value.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+
+// One C++ type per Python class.
+struct PythonTorqueTerm : PythonTerm {
+  using PythonTerm::PythonTerm;
+};
+struct PythonHamiltonianTerm : PythonTerm {
+  using PythonTerm::PythonTerm;
+};
+
+// Python's H(t, state) as the generic callable that HamiltonianTerm differentiates.
+class PythonHamiltonian {
+ public:
+  explicit PythonHamiltonian(SharedFunction function) : function_(std::move(function)) {}
+
+  template <Real T>
+  T operator()(const T& t, const BasicRotorState<T>& s) const {
+    const WithGil acquired;
+    const nb::object returned = (*function_)(time(t), state(s));
+    T out(0.0);
+    if (!from_python(returned, out))
+      function_->refuse(returned, "a number, the energy: a float, or a Dual made of the state");
+    return out;
+  }
+
+ private:
+  // No variable moves the time: a float, except where that would round it.
+  template <class T>
+  static nb::object time(const T& t) {
+    if constexpr (std::same_as<T, DoubleDouble> || std::same_as<T, Dual<DoubleDouble, 6>>)
+      return to_python(t);
+    else
+      return nb::float_(to_double(t));
+  }
+  static nb::object state(const RotorState& s) { return nb::cast(Rotors::one(s)); }
+  template <class T>
+  static nb::object state(const BasicRotorState<T>& s);
+
+  SharedFunction function_;
+};
+
+// What RotorState is to floats.
+struct DualState {
+  nb::object q;
+  nb::object g;
+};
+
+template <class T>
+nb::object PythonHamiltonian::state(const BasicRotorState<T>& s) {
+  return nb::cast(DualState{to_python(s.q), to_python(s.g)});
+}
+
+// Python's torque(t, state), on double alone.
+class PythonTorque {
+ public:
+  explicit PythonTorque(SharedFunction function) : function_(std::move(function)) {}
+
+  Vec3 operator()(const double& t, const RotorState& s) const {
+    const WithGil acquired;
+    return function_->three_numbers((*function_)(t, Rotors::one(s)),
+                                    "3 numbers, the torque along the body axes");
+  }
+
+ private:
+  SharedFunction function_;
+};
+
+// The same on given sides of its switching functions.
+class PythonSwitchedTorque {
+ public:
+  explicit PythonSwitchedTorque(SharedFunction function) : function_(std::move(function)) {}
+
+  Vec3 operator()(const double& t, const RotorState& s, std::span<const double> sides) const {
+    const WithGil acquired;
+    return function_->three_numbers((*function_)(t, Rotors::one(s), array_of(sides)),
+                                    "3 numbers, the torque along the body axes");
+  }
+
+ private:
+  SharedFunction function_;
+};
+
+// Python's switches(t, state): one number or several.
+class PythonSwitches {
+ public:
+  explicit PythonSwitches(SharedFunction function) : function_(std::move(function)) {}
+
+  std::vector<double> operator()(double t, const RotorState& s) const {
+    const WithGil acquired;
+    const nb::object returned = (*function_)(t, Rotors::one(s));
+    try {
+      Numbers numbers(returned, "");
+      if (numbers.shape().size() <= 1) {
+        std::vector<double> values(size_of(numbers.shape()));
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = numbers[i];
+        return values;
+      }
+    } catch (const nb::builtin_exception&) {
+    }
+    function_->refuse(returned, "a number or (n,) numbers, the switching functions");
+  }
+
+ private:
+  SharedFunction function_;
+};
+
+// A term that its user says to be a torque of time and attitude alone, for Splitting.
+template <class Term>
+struct KickOf {
+  static constexpr bool kick = true;
+  Term term;
+  std::string label;
+
+  template <Real T>
+    requires PerturbationOn<Term, T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const BasicEffect<T> e = term.effect(at);
+    const T zero(0.0);
+    for (const T& v : {e.v.x, e.v.y, e.v.z})
+      if (v < zero || v > zero)  // not NaN
+        throw DomainError(label + ": depends on the momentum, but was said to be a kick");
+    return e;
+  }
+  template <Real T>
+    requires Hamiltonian<Term, T>
+  T energy(const BasicSetting<T>& at) const {
+    return term.energy(at);
+  }
+  std::vector<double> switches(const Setting& at) const
+    requires Switching<Term>
+  {
+    return term.switches(at);
+  }
+  double time_scale() const
+    requires Timed<Term>
+  {
+    return term.time_scale();
+  }
+};
+
+template <class Term>
+AnyPerturbation user_term(const std::string& name, const std::string& label, Term term, bool kick) {
+  if (kick) return {name, KickOf<Term>{std::move(term), label}};
+  return {name, std::move(term)};
+}
+
+// Of C, the Python class of a term `Term<F>` of a Python function.
+template <class C, template <class> class Term, class F>
+void make_user_term(C* self, const char* type, nb::handle function, nb::handle name, bool kick) {
+  const std::string called = name_of(name, type, function), label = labelled(type, called);
+  const auto shared = std::make_shared<PythonFunction>(function, label);
+  new (self) C(
+      user_term(called, label, Term<F>(F(shared)), kick),
+      recipe_of("", {"function", "name", "kick"}, nb::make_tuple(function, name, kick), {shared}));
+}
+
+// None: not known.
+double time_scale_of(nb::handle value, const std::string& label) {
+  if (value.is_none()) return std::numeric_limits<double>::infinity();
+  const double time = number(value, "time_scale");
+  if (!(time > 0.0))
+    throw nb::value_error(
+        (label + ": time_scale: got " + number_text(time) + "; expected a positive time").c_str());
+  return time;
+}
+
+template <class C>
+void make_torque_term(C* self, nb::handle function, nb::handle name, bool kick, nb::handle switches,
+                      nb::handle time_scale) {
+  const std::string called = name_of(name, "TorqueTerm", function);
+  const std::string label = labelled("TorqueTerm", called);
+  const double time = time_scale_of(time_scale, label);
+  std::vector<SharedFunction> functions{std::make_shared<PythonFunction>(function, label)};
+  const auto term = [&]() -> AnyPerturbation {
+    if (switches.is_none())
+      return user_term(called, label, TorqueTerm(PythonTorque(functions[0]), time), kick);
+    functions.push_back(std::make_shared<PythonFunction>(switches, label + ": switches"));
+    return user_term(
+        called, label,
+        SwitchedTorqueTerm(PythonSwitchedTorque(functions[0]), PythonSwitches(functions[1]), time),
+        kick);
+  };
+  const AnyPerturbation made = term();
+  new (self) C(made, recipe_of("", {"function", "name", "kick", "switches", "time_scale"},
+                               nb::make_tuple(function, name, kick, switches, time_scale),
+                               std::move(functions)));
+}
+
+void bind_user_torque(nb::module_& m) {
+  using C = PythonTorqueTerm;
+  nb::class_<C, PythonTerm> c(m, "TorqueTerm", R"(Any torque, written in Python.
+
+Parameters
+----------
+function : f(t, s) -> 3 components along the body axes, momentum per time; t a float, s one
+    RotorState in the reference frame. With `switches` it is f(t, s, sides).
+name : stands in messages; None: the name of the function.
+kick : True says that it depends on time and attitude alone, so that Splitting can use it.
+switches : g(t, s) -> (n,) switching functions of a torque that jumps, or has a kink, where one of
+    them is zero; smooth there. Adaptive ends a step at each zero, and calls the function with
+    sides (n,), +1.0 or -1.0: what it takes for the signs of g, so that it is smooth at the zero.
+time_scale : the time in which the torque comes and goes: the default of Adaptive's largest_step.
+
+A pulse that lies within one step is stepped over where neither switches nor time_scale is given:
+at loose tolerances steps are long. A torque that drives its own switching function back to zero
+from both sides is refused when it gets there: give it a dead zone.
+
+It is called on float alone: ValueError from runs with Precision.double_double and from
+state_transitions. It has no energy. What it raises passes through;
+TypeError or ValueError, naming the term, for what is not three numbers; NaN is a number.)",
+                              nb::type_slots(recipe_slots<C>()));
+  c.def(
+       "__init__",
+       [](C* self, nb::handle function, nb::handle name, bool kick, nb::handle switches,
+          nb::handle time_scale) {
+         make_torque_term(self, function, name, kick, switches, time_scale);
+       },
+       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
+       nb::arg("switches") = nb::none(), nb::arg("time_scale") = nb::none(),
+       nb::sig("def __init__(self, function: typing.Callable[..., numpy.typing.ArrayLike], name: "
+               "str | None = None, kick: bool = False, switches: typing.Callable[[float, "
+               "RotorState], numpy.typing.ArrayLike] | None = None, time_scale: float | None = "
+               "None) -> None"))
+      .def_prop_ro(
+          "function", [](const C& term) { return term.recipe.argument(0); },
+          nb::for_getter(nb::sig("def function(self) -> typing.Any")),
+          "The very object that was given.")
+      .def_prop_ro(
+          "switches", [](const C& term) { return term.recipe.argument(3); },
+          nb::for_getter(nb::sig("def switches(self) -> typing.Any")),
+          "The very object that was given; None: none.");
+  def_term<C>(c);
+}
+
+void bind_user_hamiltonian(nb::module_& m) {
+  nb::class_<DualState>(m, "DualState",
+                        "The state that a HamiltonianTerm's function is called with: q (4,) and g "
+                        "(3,), object arrays of Dual.")
+      .def_ro("q", &DualState::q, nb::for_getter(nb::sig("def q(self) -> typing.Any")),
+              "(4,): attitude (w, x, y, z), body to reference frame.")
+      .def_ro("g", &DualState::g, nb::for_getter(nb::sig("def g(self) -> typing.Any")),
+              "(3,): angular momentum along the body axes.")
+      .def("__repr__", [](const DualState& s) {
+        return "DualState(q=" + nb::cast<std::string>(nb::repr(s.q)) +
+               ", g=" + nb::cast<std::string>(nb::repr(s.g)) + ")";
+      });
+  using C = PythonHamiltonianTerm;
+  nb::class_<C, PythonTerm> c(m, "HamiltonianTerm",
+                              R"(Any energy H'(t, state), written in Python. [SA (107)]
+
+v = dH'/dg and u = -dH'/d(theta_B) follow by dual numbers, so that they cannot disagree with the
+energy; also second derivatives, for state transitions and canonical_state.
+
+Parameters
+----------
+function : H(t, s) -> energy. s.q (4,) and s.g (3,) are arrays of numbers (s a RotorState) or of
+    Dual (s a DualState), in the reference frame; t is a float, a Dual in double-double runs.
+    Written with + - * / ** @, NumPy's functions, and attitude_matrix(s.q), which takes vectors from
+    the reference frame to the body. It may depend on q through products of two components.
+name : stands in messages; None: the name of the function.
+kick : True says that it does not depend on s.g, so that Splitting can use it; ValueError where it
+    does.
+
+What it raises passes through; TypeError, naming the term, for what is no number.
+
+>>> HamiltonianTerm(lambda t, s: 0.1 * (attitude_matrix(s.q) @ [0, 0, 1])[2] ** 2, name="field"))",
+                              nb::type_slots(recipe_slots<C>()));
+  c.def(
+       "__init__",
+       [](C* self, nb::handle function, nb::handle name, bool kick) {
+         make_user_term<C, HamiltonianTerm, PythonHamiltonian>(self, "HamiltonianTerm", function,
+                                                               name, kick);
+       },
+       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
+       nb::sig("def __init__(self, function: typing.Callable[[typing.Any, typing.Any], Dual | "
+               "float], name: str | None = None, kick: bool = False) -> None"))
+      .def_prop_ro(
+          "function", [](const C& term) { return term.recipe.argument(0); },
+          nb::for_getter(nb::sig("def function(self) -> typing.Any")),
+          "The very object that was given.");
+  def_term<C>(c);
+}
+
+}  // namespace
+
+void bind_user_terms(nb::module_& m) {
+  bind_user_torque(m);
+  bind_user_hamiltonian(m);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Orbits, as Python gives them: Kepler's, tables, or any function of time.
+#pragma once
+
+#include <variant>
+
+#include "interface/python_function.hpp"
+#include "polhode/orbit/table_orbit.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
+
+namespace polhode::python {
+
+// A Python function t -> 3 numbers as an Orbit. It is called with floats: DomainError in
+// double-double.
+class FunctionOrbit {
+ public:
+  explicit FunctionOrbit(SharedFunction function) : function_(std::move(function)) {}
+
+  Vec3 position(double t) const;
+  BasicVec3<DoubleDouble> position(const DoubleDouble& t) const;
+
+ private:
+  SharedFunction function_;
+};
+
+using AnyPythonOrbit =
+    std::variant<KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit, TableOrbit, FunctionOrbit>;
+
+// `label` names the function in messages; the one that was wrapped is added to `functions`.
+AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
+                        std::vector<SharedFunction>& functions);
+
+// Dates and planets, bound beside the orbits.
+void bind_ephemeris(nb::module_& m);
+
+}  // namespace polhode::python

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What the Python classes of terms share: their names, their orbits, and how they print, compare
+// and pickle.
+#pragma once
+
+#include <string>
+
+#include "interface/arrays.hpp"
+#include "terms/orbit_value.hpp"
+#include "terms/term_value.hpp"
+
+namespace polhode::python {
+
+// The name given, or that of the function, or of the class.
+inline std::string name_of(nb::handle name, const char* otherwise, nb::handle function = {}) {
+  if (nb::isinstance<nb::str>(name)) return nb::cast<std::string>(name);
+  if (!name.is_none())
+    throw nb::type_error(
+        (std::string(otherwise) + ": name: got " + class_name(name) + "; expected a str").c_str());
+  if (function.is_valid() && nb::hasattr(function, "__name__"))
+    return nb::cast<std::string>(nb::str(nb::object(function.attr("__name__"))));
+  return otherwise;
+}
+
+inline std::string labelled(const char* type, const std::string& name) {
+  return std::string(type) + " \"" + name + "\"";
+}
+
+inline nb::tuple tuple_of(const Vec3& v) { return nb::make_tuple(v.x, v.y, v.z); }
+
+inline nb::tuple rows_of(const Mat3& m) {
+  return nb::make_tuple(tuple_of(m.row[0]), tuple_of(m.row[1]), tuple_of(m.row[2]));
+}
+
+// What a term was made of: the names of its arguments and the very objects.
+struct Given {
+  std::initializer_list<const char*> names;
+  nb::object arguments;
+};
+
+// A term of class C along an orbit that Python gives: made(called, orbit) is an AnyPerturbation.
+template <class C, class Made>
+void make_along(C* self, const char* type, nb::handle orbit, nb::handle name, const Given& given,
+                const Made& made) {
+  const std::string called = name_of(name, type);
+  std::vector<SharedFunction> functions;
+  const AnyPythonOrbit any = orbit_of(orbit, labelled(type, called) + ": orbit", functions);
+  const AnyPerturbation term =
+      std::visit([&](const auto& o) -> AnyPerturbation { return made(called, o); }, any);
+  new (self) C(term, recipe_of("", given.names, given.arguments, std::move(functions)));
+}
+
+template <class C, class Class>
+void def_term(Class& c) {
+  def_recipe<C>(c, [](const C& term) { return "\"" + term.name() + "\""; });
+}
+
+}  // namespace polhode::python
