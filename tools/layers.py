@@ -43,26 +43,15 @@ LAYERS = {
 IO = {"text", "tables", "output", "scenario", "run"}
 # Details that other layers include: each is to become a header of its layer.
 FOREIGN_DETAILS = {
-    "dynamics/detail/adaptive_field.hpp",
-    "dynamics/detail/checked_problem.hpp",
-    "dynamics/detail/finite.hpp",
-    "dynamics/detail/free_event_search.hpp",
-    "dynamics/detail/sample_times.hpp",
-    "dynamics/detail/smooth_step.hpp",
-    "dynamics/detail/splitting_map.hpp",
-    "dynamics/detail/state_bytes.hpp",
-    "dynamics/detail/step_control.hpp",
-    "dynamics/detail/step_jumps.hpp",
     "free/detail/assembly.hpp",
     "free/detail/hub_tangent.hpp",
     "free/detail/precession.hpp",
     "free/detail/short_flow.hpp",
     "free/detail/sorted_state.hpp",
-    "perturb/detail/damper_kernel.hpp",
     "rotor/detail/squared_moments.hpp",
 }
 # Layers whose public headers hold details that have no file of their own yet.
-OPEN_DETAILS = {"math", "elliptic", "rotor", "free", "system"}
+OPEN_DETAILS = {"math", "elliptic", "rotor", "free"}
 # Sources side by side in one folder.
 MOST_SOURCES = 25
 # Headers that belong to no layer, for everybody.

@@ -27,6 +27,12 @@ struct BasicRotorState {
 };
 using RotorState = BasicRotorState<double>;
 
+// Every number of it, always in this order: what a checkpoint keeps and puts back.
+template <Real T, class Visit>
+constexpr void each_number(BasicRotorState<T>& s, Visit&& visit) {
+  for (T* x : {&s.q.w, &s.q.x, &s.q.y, &s.q.z, &s.g.x, &s.g.y, &s.g.z}) visit(*x);
+}
+
 // Angular momentum in inertial components, G_I = q g q*: constant in free rotation. (Not [SA (28)],
 // a misprint.)
 template <Real T>
