@@ -12,7 +12,7 @@
 //             that is NaN ends the search with Outcome::failed, a sentence, and the time of the
 //             last look before. What a function or `progress` throws passes through.
 // Cost        a microsecond or two per turn between start and stop, and two calls of every function
-//             per look; `progress` is told every few turns.
+//             per look; `progress` is called every few turns.
 #pragma once
 
 #include <vector>

@@ -73,16 +73,15 @@ class RotorEquations {
   [[gnu::always_inline]] BasicRotorRates<T> operator()(const DoubleDouble& t,
                                                        const BasicRotorState<T>& s,
                                                        const SwitchSides* sides = nullptr) const {
-    return rates(t, s, sides, [this](const BasicVec3<T>& g) { return free_rate(g); });
+    return rates(t, s, sides, FreeRate{*this});
   }
 
   // At the rate w0(g) that the body would have without terms: I^-1 g, and what a damper adds to it.
   // Asked for after the terms: what is kept in registers over their calls costs more.
-  template <class FreeRate>
+  template <class Rate>
   [[gnu::always_inline]] BasicRotorRates<T> rates(const DoubleDouble& t,
                                                   const BasicRotorState<T>& s,
-                                                  const SwitchSides* sides,
-                                                  const FreeRate& w0) const {
+                                                  const SwitchSides* sides, const Rate& w0) const {
     BasicSetting<T> at = setting(t, s);
     if (system_.frame().is_inertial()) {
       const BasicEffect<T> e = sum_of_terms(system_, at, sides);
@@ -122,6 +121,14 @@ class RotorEquations {
 
  private:
   static constexpr bool is_wide = std::same_as<T, DoubleDouble>;
+
+  // Not a lambda: one is not always taken in line.
+  struct FreeRate {
+    const RotorEquations& of;
+    [[gnu::always_inline]] BasicVec3<T> operator()(const BasicVec3<T>& g) const {
+      return of.free_rate(g);
+    }
+  };
 
   static DoubleDouble inverse(double I) { return DoubleDouble(1.0) / I; }
   static T working(const DoubleDouble& t) {

@@ -36,7 +36,7 @@ struct Outcome {
 struct Statistics {
   std::int64_t steps = 0;        // accepted
   std::int64_t rejected = 0;     // tried and repeated with a smaller step
-  std::int64_t evaluations = 0;  // of the perturbation terms, all together once
+  std::int64_t evaluations = 0;  // of the perturbation terms, all together once; for events too
 };
 
 // DomainError unless t is between start and stop, either of which may be the larger.

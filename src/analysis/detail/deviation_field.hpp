@@ -83,7 +83,7 @@ class Variational {
 // By a second motion, under the same steps.
 class Neighbour {
  public:
-  static constexpr std::size_t size = 17;
+  static constexpr std::size_t size = 18;  // one more to fill the processor's registers
   static constexpr std::size_t behind = 16;
   static constexpr double reach = neighbour_reach;
   using Values = std::array<double, size>;

@@ -10,9 +10,9 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Where the sign beside a zero is asked for, in intervals; and in roundings of the time, where
+// Where the sign next to a zero is looked at, in intervals; and in roundings of the time, where
 // these are coarse.
-constexpr double beside = 0x1p-20;
+constexpr double next_to_zero = 0x1p-20;
 constexpr double roundings = 4.0 * std::numeric_limits<double>::epsilon();
 // Of a time next to the lowest value of a function, relative.
 constexpr double time_grain = 2e-15;
@@ -24,7 +24,7 @@ double next_to(double t, double to) {
   const double h = to - t, length = std::fabs(h);
   const double grain = roundings * std::fmax(std::fabs(t), std::fabs(to));
   const double next =
-      t + std::copysign(std::fmin(std::fmax(beside * length, grain), 0.5 * length), h);
+      t + std::copysign(std::fmin(std::fmax(next_to_zero * length, grain), 0.5 * length), h);
   return next == t ? to : next;
 }
 

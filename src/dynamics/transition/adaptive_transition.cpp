@@ -19,7 +19,8 @@ class TransitionField {
   explicit TransitionField(const System& system) : rotor_(system) {}
 
   const RotorField<Tangent>& watched() const { return rotor_; }
-  Values operator()(const DoubleDouble& t, const Values& y, const SwitchSides* sides) const {
+  [[gnu::always_inline]] Values operator()(const DoubleDouble& t, const Values& y,
+                                           const SwitchSides* sides) const {
     return rotor_(t, y, sides);
   }
   static Values start(const RotorState& s) { return rotor_values<Tangent>(with_variables(s)); }

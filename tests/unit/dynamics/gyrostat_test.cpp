@@ -126,6 +126,8 @@ class Gyrostat {
   double wheel_rate_;
 };
 
+static_assert(Model<Gyrostat> && ModelOn<Gyrostat, DoubleDouble>);
+
 using GyrostatProblem = BasicProblem<Gyrostat>;
 using GyrostatTrajectory = BasicTrajectory<GyrostatState>;
 

@@ -168,6 +168,13 @@ TEST(Resume, WithADamper) {
         method,
         {{"height", height, Crossing::both, false, 0.0}}};
     expect_the_straight_run(p, SaveAt::count(0.0, 40.0, 401), 21);
+    Problem seen = free;  // the rotor alone, of a run with the damper
+    seen.system = p.system;
+    expect_the_straight_run(seen, SaveAt::count(0.0, 40.0, 401), 21);
+    DampedProblem unseen = p;  // a damper that rests, of a run without one
+    unseen.system = free.system;
+    unseen.initial.damper_rate = {};
+    expect_the_straight_run(unseen, SaveAt::count(0.0, 40.0, 401), 21);
 
     const SaveAt times = SaveAt::count(0.0, 40.0, 401);
     RecordOf<DampedRotorState> record, rest;

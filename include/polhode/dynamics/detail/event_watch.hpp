@@ -129,7 +129,7 @@ class EventWatch {
   static bool is_after(double a, double b, bool forward) { return forward ? a > b : a < b; }
   // Methods give an attitude either sign, and a function of the components of q is continuous in
   // one.
-  static Sample beside(const Sample& near, const Sample& s) {
+  static Sample in_near_form(const Sample& near, const Sample& s) {
     return {s.t, Motion::near(near.s, s.s)};
   }
   Met met_at(std::size_t i, const Zero& zero, const Sample& there) const {
@@ -182,7 +182,8 @@ class EventWatch {
   void keep_undecided(const Dense& step, const Sample& end) {
     for (Watched& w : watched_) {
       const std::optional<double> t = w.search.undecided();
-      if (t && *t != w.at_zero.t) w.at_zero = *t == end.t ? end : beside(end, step.sample(*t));
+      if (t && *t != w.at_zero.t)
+        w.at_zero = *t == end.t ? end : in_near_form(end, step.sample(*t));
     }
     last_ = end;
   }
@@ -223,7 +224,7 @@ auto EventWatch<Motion>::search(const Dense& inside, const Dense& step, const Sa
   for (double k = 1.0; k <= n && !stops; ++k) {
     const double t = k == n ? end.t : t0 + h * (k / n);
     if (t == at.t) continue;
-    at = beside(at, k == n ? end : inside.sample(t));
+    at = in_near_form(at, k == n ? end : inside.sample(t));
     for (std::size_t i = 0; i < events_.size(); ++i) look(i, looked, at, last[i], met);
     stops = std::any_of(met.begin(), met.end(), [](const Met& one) { return one.stops; });
     if (nan_event_ && !stops_before_nan(met, forward)) {
@@ -262,7 +263,9 @@ void EventWatch<Motion>::look(std::size_t i, const Looked& step, const Sample& a
   if (std::isnan(w.value)) return;
   const Sample before = motion_.moved(at, -step.apart_by);
   const Look now{at.t, w.value, (w.value - events_[i].function(before)) / step.apart_by};
-  const TimeFunction f = [&](double t) { return value(i, beside(at, step.inside.sample(t))); };
+  const TimeFunction f = [&](double t) {
+    return value(i, in_near_form(at, step.inside.sample(t)));
+  };
   std::vector<Zero> zeros;
   w.search.between(f, last, now, zeros);
   last = now;
@@ -270,7 +273,7 @@ void EventWatch<Motion>::look(std::size_t i, const Looked& step, const Sample& a
     if (!is_asked_for(i, zero.direction)) continue;
     const bool is_new = is_after(zero.t, last_.t, step.forward);
     const Sample there =
-        is_new ? beside(at, zero.t == step.end.t ? step.end : step.states.sample(zero.t))
+        is_new ? in_near_form(at, zero.t == step.end.t ? step.end : step.states.sample(zero.t))
                : w.at_zero;
     met.push_back(met_at(i, zero, there));
   }

@@ -97,7 +97,7 @@ class Run {
         keep_dense_(keep_dense),
         samples_(samples),
         progress_(progress),
-        told_(progress),
+        inside_progress_(progress),
         watch_(std::move(watch)),
         stepper_(std::move(stepper)),
         judge_(span_.initial.t) {}
@@ -109,7 +109,7 @@ class Run {
     streams_ = &streams;
     features_ = std::move(features);
     if (!streams.checkpoint_due) return;
-    told_ = [this](double t) {
+    inside_progress_ = [this](double t) {
       offer_checkpoint(t);
       if (progress_) progress_(t);
     };
@@ -188,7 +188,7 @@ class Run {
   // A step may hold many samples: a checkpoint may be made among them. Whether the run goes on.
   bool samples_of_step(const Dense* dense) {
     inside_step_ = true;
-    samples_.step(dense, end_, told_);
+    samples_.step(dense, end_, inside_progress_);
     inside_step_ = false;
     if (stopped_) {
       samples_.last(end_);
@@ -245,6 +245,7 @@ class Run {
   Parts finished() {
     samples_.flush();
     parts_.statistics = stepper_->statistics();
+    parts_.statistics.evaluations += watch_.evaluations();
     return std::move(parts_);
   }
 
@@ -252,7 +253,7 @@ class Run {
   bool keep_dense_;
   SampleQueue<S>& samples_;
   const Progress& progress_;
-  Progress told_;  // of samples inside a step
+  Progress inside_progress_;  // of samples inside a step
   Watch watch_;
   std::unique_ptr<BasicStepper<S>> stepper_;
   Parts parts_{};
