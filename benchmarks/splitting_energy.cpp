@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/detail/stepper.hpp"
+#include "dynamics/steppers.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "worst.hpp"

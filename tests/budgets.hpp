@@ -650,6 +650,11 @@ inline constexpr double internal_damping_wobble = 2e-3;
 // The energy that a sphere in a cavity takes where it follows closely: of first order in J w / c.
 inline constexpr double kane_limit = 2e-3;
 
+// --- a state of the tests' own (tests/unit/dynamics/gyrostat.cpp) ---
+// Momentum, energy and the wheel's angle over 200; states against long double and a closed form.
+inline constexpr double gyrostat_invariants = 1e-12;
+inline constexpr double gyrostat_motion = 1e-12;
+
 // --- runs with a Kane damper (tests/unit/dynamics/kane_damper.cpp) ---
 // Radians, relative momentum and relative rate of the sphere, at tolerance 1e-14, against two
 // bodies in inertial axes in long double.

@@ -42,21 +42,9 @@ LAYERS = {
 # Those of polhode::io, which read and write files.
 IO = {"text", "tables", "output", "scenario", "run"}
 # Details that other layers include: each is to become a header of its layer.
-FOREIGN_DETAILS = {
-    "dynamics/detail/adaptive_field.hpp",
-    "dynamics/detail/checked_problem.hpp",
-    "dynamics/detail/finite.hpp",
-    "dynamics/detail/free_event_search.hpp",
-    "dynamics/detail/sample_times.hpp",
-    "dynamics/detail/smooth_step.hpp",
-    "dynamics/detail/splitting_map.hpp",
-    "dynamics/detail/state_bytes.hpp",
-    "dynamics/detail/step_control.hpp",
-    "dynamics/detail/step_jumps.hpp",
-    "perturb/detail/damper_kernel.hpp",
-}
+FOREIGN_DETAILS = set()
 # Layers whose public headers hold details that have no file of their own yet.
-OPEN_DETAILS = {"elliptic", "system"}
+OPEN_DETAILS = {"elliptic"}
 # Sources side by side in one folder.
 MOST_SOURCES = 25
 # Headers that belong to no layer, for everybody.

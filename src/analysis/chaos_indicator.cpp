@@ -6,10 +6,11 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/detail/deviation_run.hpp"
-#include "dynamics/detail/checked_problem.hpp"
-#include "dynamics/detail/finite.hpp"
-#include "dynamics/detail/sample_times.hpp"
+#include "analysis/detail/deviated_state.hpp"
+#include "dynamics/checked_problem.hpp"
+#include "dynamics/finite.hpp"
+#include "dynamics/sample_times.hpp"
+#include "dynamics/sampled_run.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -95,28 +96,24 @@ ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
       method_text(problem.method) + (result.by == DeviationBy::variational
                                          ? ", variational equations"
                                          : ", a second motion at " + number_text(options.distance));
-  result.outcome.t = problem.start;
   const std::vector<double> times = detail::sample_times(function_name, problem, samples);
-  const std::unique_ptr<detail::DeviationRun> run = std::visit(
-      [&](const auto& method) -> std::unique_ptr<detail::DeviationRun> {
+  using Stepper = detail::BasicStepper<DeviatedState>;
+  std::unique_ptr<Stepper> stepper = std::visit(
+      [&](const auto& method) -> std::unique_ptr<Stepper> {
         if constexpr (std::is_same_v<std::decay_t<decltype(method)>, VariationOfConstants>) {
           return nullptr;  // it is Adaptive by now
         } else {
-          return detail::deviation_run(problem, method, options, result.by);
+          return detail::deviation_stepper(problem, method, options, result.by);
         }
       },
       problem.method);
-  for (const double t : times) {
-    while (run->time() != t && result.outcome.ok()) {
-      result.outcome.advice = run->advance(t);
-      result.outcome.t = run->time();
-      if (!result.outcome.advice.empty()) result.outcome.status = Outcome::Status::failed;
-      if (progress) progress(run->time());
-    }
-    if (!result.outcome.ok()) break;
-    result.samples.push_back(run->sample());
-  }
-  result.statistics = run->statistics();
+  const BasicTrajectory<DeviatedState> run =
+      detail::sampled_run(std::move(stepper), result.method, times, progress);
+  for (const BasicSample<DeviatedState>& at : run.samples())
+    result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.growth,
+                                               at.s.growth_integral, at.s.megno_integral));
+  result.outcome = run.outcome();
+  result.statistics = run.statistics();
   return result;
 }
 

@@ -29,8 +29,8 @@ double AndoyerState::*field_of(AndoyerAngle angle) {
   return angle == AndoyerAngle::g ? &AndoyerState::g : &AndoyerState::h;
 }
 
-template <class Point>
-BasicSection<Point> end_of(const Trajectory& run) {
+template <class Point, MotionState S>
+BasicSection<Point> end_of(const BasicTrajectory<S>& run) {
   return {{}, run.outcome(), run.statistics(), run.method()};
 }
 
@@ -43,13 +43,16 @@ BasicSection<Point> kept(const Sectioned& sectioned) {
   return section;
 }
 
-Problem without_events(Problem problem) {
+template <MotionState S>
+BasicProblem<System, S> without_events(BasicProblem<System, S> problem) {
   problem.events.clear();
   return problem;
 }
 
 // From the first strobe of the run on, whichever way it goes.
-SaveAt strobe_times(const Problem& problem, const Strobe& strobe, const char* function) {
+template <MotionState S>
+SaveAt strobe_times(const BasicProblem<System, S>& problem, const Strobe& strobe,
+                    const char* function) {
   const auto& [period, epoch] = strobe;
   if (!(period > 0.0) || !std::isfinite(period) || !std::isfinite(epoch))
     throw DomainError(std::string(function) + ": period " + number_text(period) + " and epoch " +
@@ -67,32 +70,38 @@ SaveAt strobe_times(const Problem& problem, const Strobe& strobe, const char* fu
   return SaveAt::steps(first, any ? problem.stop : first, sign * period);
 }
 
-AndoyerSection strobed(const Problem& problem, const Strobe& strobe,
+AndoyerPoint andoyer_point(double t, const RotorState& s) { return {t, s, to_andoyer(s)}; }
+
+template <MotionState S>
+AndoyerSection strobed(const BasicProblem<System, S>& problem, const Strobe& strobe,
                        const PointSink<AndoyerPoint>& sink, const Progress& progress) {
   const SaveAt times = strobe_times(problem, strobe, "andoyer_section");
   return end_of<AndoyerPoint>(integrate(
       without_events(problem), times,
-      [&](std::span<const Sample> samples) {
-        for (const Sample& sample : samples) sink({sample.t, sample.s, to_andoyer(sample.s)});
+      [&](std::span<const BasicSample<S>> samples) {
+        for (const BasicSample<S>& at : samples) sink(andoyer_point(at.t, rotor_of(at.s)));
       },
       progress));
 }
 
-AndoyerSection passed(const Problem& problem, const AndoyerSurface& surface,
+template <MotionState S>
+AndoyerSection passed(const BasicProblem<System, S>& problem, const AndoyerSurface& surface,
                       const PointSink<AndoyerPoint>& sink, const Progress& progress) {
   if (!std::isfinite(surface.value))
     throw DomainError("andoyer_section: value " + number_text(surface.value) + " must be finite");
-  Problem watched = without_events(problem);
+  BasicProblem<System, S> watched = without_events(problem);
   watched.events.push_back(
       {.name = "section",
        .function =
-           [angle = field_of(surface.angle), value = surface.value](double, const RotorState& s) {
-             return std::remainder(to_andoyer(s).*angle - value, turn);
+           [angle = field_of(surface.angle), value = surface.value](const BasicSample<S>& at) {
+             return std::remainder(to_andoyer(rotor_of(at.s)).*angle - value, turn);
            },
        .crossing = surface.crossing,
        .period = turn});
-  Streams streams;
-  streams.events = [&](const EventRecord& at) { sink({at.t, at.s, to_andoyer(at.s)}); };
+  BasicStreams<S> streams;
+  streams.events = [&](const BasicEventRecord<S>& at) {
+    sink(andoyer_point(at.t, rotor_of(at.s)));
+  };
   return end_of<AndoyerPoint>(integrate(watched, SaveAt::times({}), streams, progress));
 }
 
@@ -107,16 +116,22 @@ class PericentreView {
   Strobe strobe() const { return {turn / n_, elements_.epoch - elements_.mean_anomaly / n_}; }
 
   SpinOrbitPoint point(const System& system, const Sample& at) const {
-    const Quaternion q_IB = inertial_state(system, at.t, at.s).q;
-    const Quaternion q_OB = conj(orbit_axes(at.t)) * q_IB;
-    const Vec3 axis_1 = rotate(q_OB, Vec3{1.0, 0.0, 0.0}), axis_3 = rotate(q_OB, Vec3{0, 0, 1.0});
-    const System with_damper = at_damper_rate(system, at.damper_rate);
-    const Vec3 w = rotate(q_OB, angular_velocity(with_damper, at.t, at.s).inertial);
-    return {at.t, at.s, folded(std::atan2(axis_1.y, axis_1.x), std::numbers::pi), w.z / n_,
-            std::atan2(std::hypot(axis_3.x, axis_3.y), axis_3.z)};
+    return point(system, at.t, at.s);
+  }
+  SpinOrbitPoint point(const System& system, const DampedSample& at) const {
+    return point(at_damper_rate(system, at.s.damper_rate), at.t, at.s.rotor);
   }
 
  private:
+  SpinOrbitPoint point(const System& system, double t, const RotorState& s) const {
+    const Quaternion q_IB = inertial_state(system, t, s).q;
+    const Quaternion q_OB = conj(orbit_axes(t)) * q_IB;
+    const Vec3 axis_1 = rotate(q_OB, Vec3{1.0, 0.0, 0.0}), axis_3 = rotate(q_OB, Vec3{0, 0, 1.0});
+    const Vec3 w = rotate(q_OB, angular_velocity(system, t, s).inertial);
+    return {t, s, folded(std::atan2(axis_1.y, axis_1.x), std::numbers::pi), w.z / n_,
+            std::atan2(std::hypot(axis_3.x, axis_3.y), axis_3.z)};
+  }
+
   // Pericentre, along the motion there, normal.
   Quaternion orbit_axes(double t) const {
     const double age = t - elements_.epoch;
@@ -139,21 +154,26 @@ void require_pericentres(const KeplerElements& elements, const char* function) {
       (e > 0.0 ? "a hyperbola passes its pericentre once" : "a circular orbit has no pericentre"));
 }
 
-AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
-                               const PointSink<AndoyerPoint>& sink, const Progress& progress) {
+template <MotionState S>
+AndoyerSection andoyer_section(const BasicProblem<System, S>& problem,
+                               const SectionSurface& surface, const PointSink<AndoyerPoint>& sink,
+                               const Progress& progress) {
   if (const auto* strobe = std::get_if<Strobe>(&surface))
     return strobed(problem, *strobe, sink, progress);
   return passed(problem, std::get<AndoyerSurface>(surface), sink, progress);
 }
 
-AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
-                               const Progress& progress) {
+template <MotionState S>
+AndoyerSection andoyer_section(const BasicProblem<System, S>& problem,
+                               const SectionSurface& surface, const Progress& progress) {
   return kept<AndoyerPoint>([&](const PointSink<AndoyerPoint>& sink) {
     return andoyer_section(problem, surface, sink, progress);
   });
 }
 
-SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
+template <MotionState S>
+SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
+                                    const PrecessingKeplerOrbit& orbit,
                                     const PointSink<SpinOrbitPoint>& sink,
                                     const Progress& progress) {
   require_pericentres(orbit.elements(), "spin_orbit_section");
@@ -161,24 +181,59 @@ SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKepl
   const SaveAt times = strobe_times(problem, view.strobe(), "spin_orbit_section");
   return end_of<SpinOrbitPoint>(integrate(
       without_events(problem), times,
-      [&](std::span<const Sample> samples) {
-        for (const Sample& sample : samples) sink(view.point(problem.system, sample));
+      [&](std::span<const BasicSample<S>> samples) {
+        for (const BasicSample<S>& at : samples) sink(view.point(problem.system, at));
       },
       progress));
 }
 
-SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
-                                    const Progress& progress) {
+template <MotionState S>
+SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
+                                    const PrecessingKeplerOrbit& orbit, const Progress& progress) {
   return kept<SpinOrbitPoint>([&](const PointSink<SpinOrbitPoint>& sink) {
     return spin_orbit_section(problem, orbit, sink, progress);
   });
 }
 
-SpinOrbitSection spin_orbit_section(const Problem& problem, const KeplerOrbit& orbit,
-                                    const Progress& progress) {
+template <MotionState S>
+SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
+                                    const KeplerOrbit& orbit, const Progress& progress) {
   require_pericentres(orbit.elements(), "spin_orbit_section");
   return spin_orbit_section(problem, PrecessingKeplerOrbit(orbit.elements(), {}), progress);
 }
+
+AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
+                               const PointSink<AndoyerPoint>& sink, const Progress& progress) {
+  return andoyer_section<RotorState>(problem, surface, sink, progress);
+}
+AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
+                               const Progress& progress) {
+  return andoyer_section<RotorState>(problem, surface, progress);
+}
+SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
+                                    const PointSink<SpinOrbitPoint>& sink,
+                                    const Progress& progress) {
+  return spin_orbit_section<RotorState>(problem, orbit, sink, progress);
+}
+SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
+                                    const Progress& progress) {
+  return spin_orbit_section<RotorState>(problem, orbit, progress);
+}
+SpinOrbitSection spin_orbit_section(const Problem& problem, const KeplerOrbit& orbit,
+                                    const Progress& progress) {
+  return spin_orbit_section<RotorState>(problem, orbit, progress);
+}
+
+template AndoyerSection andoyer_section(const DampedProblem&, const SectionSurface&,
+                                        const PointSink<AndoyerPoint>&, const Progress&);
+template AndoyerSection andoyer_section(const DampedProblem&, const SectionSurface&,
+                                        const Progress&);
+template SpinOrbitSection spin_orbit_section(const DampedProblem&, const PrecessingKeplerOrbit&,
+                                             const PointSink<SpinOrbitPoint>&, const Progress&);
+template SpinOrbitSection spin_orbit_section(const DampedProblem&, const PrecessingKeplerOrbit&,
+                                             const Progress&);
+template SpinOrbitSection spin_orbit_section(const DampedProblem&, const KeplerOrbit&,
+                                             const Progress&);
 
 }  // namespace v0
 }  // namespace polhode

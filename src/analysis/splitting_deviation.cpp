@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "analysis/detail/deviation_run.hpp"
-#include "dynamics/detail/finite.hpp"
-#include "dynamics/detail/splitting_map.hpp"
-#include "dynamics/detail/step_jumps.hpp"
+#include "analysis/detail/deviated_state.hpp"
+#include "dynamics/finite.hpp"
+#include "dynamics/splitting/splitting_map.hpp"
+#include "dynamics/splitting/step_jumps.hpp"
 #include "math/number_text.hpp"
 
 namespace polhode {
@@ -27,7 +27,7 @@ struct Place {
   double megno_total = 0.0;                      // integral of Y
 };
 
-class SplittingDeviation final : public DeviationRun {
+class SplittingDeviation final : public BasicStepper<DeviatedState> {
  public:
   SplittingDeviation(const Problem& problem, const Splitting& method, const ChaosOptions& options,
                      DeviationBy by)
@@ -71,10 +71,21 @@ class SplittingDeviation final : public DeviationRun {
     return {};
   }
   double time() const override { return now_.motion.t.hi; }
-  ChaosSample sample() const override {
-    return sample_of(time(), elapsed(now_), now_.growth, now_.integral, now_.megno_total);
+  DeviatedState state() const override {
+    return {map_.state(now_.motion), now_.deviation, now_.growth, now_.integral, now_.megno_total};
   }
+  std::shared_ptr<const BasicDenseStep<DeviatedState>> dense(bool) override { return nullptr; }
   Statistics statistics() const override { return {steps_, 0, now_.motion.evaluations}; }
+  void transfer(StateBytes& bytes) override {
+    for (Place* place : {&grid_, &now_}) {
+      detail::transfer(bytes, place->motion);
+      bytes.all(place->deviation.turn, place->deviation.momentum, place->growth, place->integral,
+                place->megno_total);
+      if (place->neighbour) detail::transfer(bytes, *place->neighbour);
+    }
+    jumps_.transfer(bytes);
+    bytes(steps_);
+  }
 
  private:
   double elapsed(const Place& place) const {
@@ -143,8 +154,10 @@ class SplittingDeviation final : public DeviationRun {
 
 }  // namespace
 
-std::unique_ptr<DeviationRun> deviation_run(const Problem& problem, const Splitting& method,
-                                            const ChaosOptions& options, DeviationBy by) {
+std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
+                                                               const Splitting& method,
+                                                               const ChaosOptions& options,
+                                                               DeviationBy by) {
   return std::make_unique<SplittingDeviation>(problem, method, options, by);
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/detail/checked_problem.hpp"
+#include "dynamics/checked_problem.hpp"
 
 #include <cmath>
 
-#include "dynamics/detail/finite.hpp"
+#include "dynamics/finite.hpp"
 #include "math/number_text.hpp"
+#include "polhode/dynamics/detail/model_run.hpp"
 #include "polhode/error.hpp"
 #include "rotor/squared_moments.hpp"
 
@@ -15,23 +16,22 @@ namespace detail {
 namespace {
 
 // The damper's own state is integrated by Adaptive, and by nothing else.
-void require_place_of_damper(const std::string& function, const Problem& problem) {
-  const Vec3& s = problem.damper_rate;
-  if (!problem.system.damper()) {
-    if (s == Vec3{}) return;
-    throw DomainError(function + ": damper_rate " + tuple_text({s.x, s.y, s.z}) +
-                      " must be zero for a system without a damper");
+void require_place_of_damper(const std::string& function, const System& system, const Vec3& rate,
+                             const Method& method) {
+  const std::string given =
+      function + ": damper_rate " + tuple_text({rate.x, rate.y, rate.z}) + " must be ";
+  if (!system.damper()) {
+    if (rate == Vec3{}) return;
+    throw DomainError(given + "zero for a system without a damper");
   }
-  if (!is_finite(s))
-    throw DomainError(function + ": damper_rate " + tuple_text({s.x, s.y, s.z}) +
-                      " must be finite");
+  if (!is_finite(rate)) throw DomainError(given + "finite");
   const char* const instead = "InternalDamping, its limit of strong friction, has no state";
   if (function != "integrate")
     throw DomainError(function +
                       ": a Kane damper has a state of its own, which integrate alone "
                       "carries; " +
                       instead);
-  if (!std::holds_alternative<Adaptive>(problem.method))
+  if (!std::holds_alternative<Adaptive>(method))
     throw DomainError("integrate: a Kane damper has a state of its own: method must be Adaptive; " +
                       std::string(instead));
 }
@@ -44,25 +44,38 @@ void require_squared_moments(const std::string& function, const Body& body) {
                     " must be within a factor of 1e150 of each other");
 }
 
-}  // namespace
-
-Problem checked_problem(const std::string& function, Problem problem) {
-  const auto& [q, g] = problem.initial;
+void require_state(const std::string& function, const RotorState& s) {
+  const auto& [q, g] = s;
   const double size = norm(Vec3{std::hypot(q.w, q.x), q.y, q.z});
   if (!(size > 0.0) || !std::isfinite(size))
     throw DomainError(function + ": quaternion " + tuple_text({q.w, q.x, q.y, q.z}) +
                       " must be finite and not zero");
   if (!is_finite(g))
     throw DomainError(function + ": momentum " + tuple_text({g.x, g.y, g.z}) + " must be finite");
-  if (!std::isfinite(problem.start) || !std::isfinite(problem.stop))
-    throw DomainError(function + ": start " + number_text(problem.start) + " and stop " +
-                      number_text(problem.stop) + " must be finite");
+}
+
+RotorState normal(const RotorState& s) { return {normalized(s.q), s.g}; }
+DampedRotorState normal(const DampedRotorState& s) { return {normal(s.rotor), s.damper_rate}; }
+Vec3 rate_of_damper(const RotorState&) { return {}; }
+Vec3 rate_of_damper(const DampedRotorState& s) { return s.damper_rate; }
+
+}  // namespace
+
+template <MotionState S>
+BasicProblem<System, S> checked_problem(const std::string& function,
+                                        BasicProblem<System, S> problem) {
+  require_state(function, rotor_of(problem.initial));
+  require_finite_span(function, problem.start, problem.stop);
   require_squared_moments(function, problem.system.body());
   require_valid(problem.method);
-  require_place_of_damper(function, problem);
-  problem.initial.q = normalized(q);
+  require_place_of_damper(function, problem.system, rate_of_damper(problem.initial),
+                          problem.method);
+  problem.initial = normal(problem.initial);
   return problem;
 }
+
+template Problem checked_problem(const std::string&, Problem);
+template DampedProblem checked_problem(const std::string&, DampedProblem);
 
 }  // namespace detail
 }  // namespace v0

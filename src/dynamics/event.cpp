@@ -9,16 +9,17 @@
 namespace polhode {
 inline namespace v0 {
 
-void require_valid(const Event& event) {
-  const std::string name = "event \"" + event.name + "\"";
-  if (!event.function) throw DomainError(name + " must have a function");
+void require_valid_event(const std::string& event, bool has_function, double period,
+                         double interval) {
+  const std::string name = "event \"" + event + "\"";
+  if (!has_function) throw DomainError(name + " must have a function");
   const auto positive = [&](const char* what, double x) {
     if (!(x >= 0.0) || !std::isfinite(x))
       throw DomainError(name + ": " + what + " " + detail::number_text(x) +
                         " must be positive, or 0 for none");
   };
-  positive("period", event.period);
-  positive("interval", event.interval);
+  positive("period", period);
+  positive("interval", interval);
 }
 
 }  // namespace v0

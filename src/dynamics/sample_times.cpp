@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/detail/sample_times.hpp"
+#include "dynamics/sample_times.hpp"
 
 #include <algorithm>
 #include <cmath>

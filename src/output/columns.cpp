@@ -38,11 +38,11 @@ struct ColumnLocation {
 
 // f(RowSample) of a sample, with the system at the rate of its damper.
 template <class F>
-auto of_row(const RowOrigin& origin, const Sample& at, const F& f) {
+auto of_row(const RowOrigin& origin, const DampedSample& at, const F& f) {
   const auto of = [&](const System& system) {
-    return f(RowSample{system, origin.initial_energy, at.t, at.s, at.damper_rate});
+    return f(RowSample{system, origin.initial_energy, at.t, at.s.rotor, at.s.damper_rate});
   };
-  return origin.system.damper() ? of(at_damper_rate(origin.system, at.damper_rate))
+  return origin.system.damper() ? of(at_damper_rate(origin.system, at.s.damper_rate))
                                 : of(origin.system);
 }
 
@@ -80,7 +80,7 @@ Dimension column_dimension(std::string_view column) { return place_of(column).di
 
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy) {
   const ColumnLocation place = place_of(name);
-  return {place.dimension, [place, system, initial_energy](const Sample& at) {
+  return {place.dimension, [place, system, initial_energy](const DampedSample& at) {
             return of_row(RowOrigin{system, initial_energy}, at, place.numbers)[place.index];
           }};
 }
@@ -136,7 +136,7 @@ void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> t
   }
 }
 
-void RowLayout::write_rows(const RowOrigin& origin, std::span<const Sample> samples,
+void RowLayout::write_rows(const RowOrigin& origin, std::span<const DampedSample> samples,
                            std::span<double> out) const {
   for (std::size_t k = 0; k < samples.size(); ++k)
     of_row(origin, samples[k],

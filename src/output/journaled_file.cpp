@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/detail/state_bytes.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "math/number_text.hpp"
-#include "perturb/detail/damper_kernel.hpp"
+#include "perturb/damper_kernel.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -51,12 +51,12 @@ struct EventTable::Parts {
     return detail::csv_head(groups, provenance(scenario));
   }
 
-  std::string line(const EventRecord& event) const {
+  std::string line(const DampedEventRecord& event) const {
     std::vector<double> row(layout.width());
     if (motion) {
       layout.write_rows(*motion, {&event.t, 1}, row);
     } else {
-      const Sample sample{event.t, event.s, event.damper_rate};
+      const DampedSample sample{event.t, event.s};
       layout.write_rows(RowOrigin{problem.system, energy_0}, {&sample, 1}, row);
     }
     std::string text = event.name;
@@ -68,7 +68,7 @@ struct EventTable::Parts {
 
   const Scenario& scenario;
   RowLayout layout;
-  Problem problem;
+  DampedProblem problem;
   double energy_0;
   std::optional<FreeRotation> motion;  // of a free body: its rows are those of a run
   detail::PartFile file;
@@ -83,7 +83,7 @@ EventTable::EventTable(const std::string& path, const Scenario& scenario,
 
 EventTable::~EventTable() = default;
 
-void EventTable::push(const EventRecord& event) {
+void EventTable::push(const DampedEventRecord& event) {
   parts_->file.write(parts_->line(event));
   ++parts_->rows;
 }

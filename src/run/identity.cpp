@@ -4,7 +4,7 @@
 #include <exception>
 #include <string_view>
 
-#include "dynamics/detail/state_bytes.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "polhode/version.hpp"
 
 namespace polhode {
@@ -18,13 +18,13 @@ std::string fingerprint_text(std::string_view bytes) {
 
 // The same text and files may mean something else to another build.
 std::string surroundings_of(const Scenario& scenario) {
-  const Problem problem = rotor_problem(scenario);
-  const System system = at_damper_rate(problem.system, problem.damper_rate);
+  const DampedProblem problem = rotor_problem(scenario);
+  const System system = at_damper_rate(problem.system, problem.initial.damper_rate);
   StateBytes bytes;
   for (int i = 0; i < 16; ++i) {
     const double t = problem.stop * (i / 15.0);
     try {
-      Effect e = effect(system, t, problem.initial);
+      Effect e = effect(system, t, problem.initial.rotor);
       bytes.all(e.v, e.u);
     } catch (const std::exception&) {  // the run will say so
       double none = t;

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <utility>
 
-#include "dynamics/detail/state_bytes.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {

@@ -23,21 +23,23 @@ MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t w
   return {std::move(numbers), ""};
 }
 
-MapCell chaos_cell(const Problem& problem, const Progress& progress) {
+// Of a system without a damper: chaos_indicator says so.
+MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
+  const Problem problem{given.system, given.initial.rotor, given.start, given.stop, given.method};
   const ChaosIndicator found =
       chaos_indicator(problem, SaveAt::times({problem.stop}), {}, progress);
   return ended({found.mean_megno(), found.lyapunov()}, found.outcome, 2);
 }
 
 // The extremes and the last value.
-MapCell column_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
+MapCell column_cell(const DampedProblem& problem, const CellContext& of, const Progress& progress) {
   const System& system = problem.system;
   const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(problem));
   double least = nan, most = nan, last = nan;
-  const Trajectory trajectory = integrate(
+  const DampedTrajectory trajectory = integrate(
       problem, *of.rotation.time,
-      [&](std::span<const Sample> samples) {
-        for (const Sample& sample : samples) {
+      [&](std::span<const DampedSample> samples) {
+        for (const DampedSample& sample : samples) {
           last = column.value(sample);
           if (!(least <= last)) least = last;
           if (!(most >= last)) most = last;
@@ -62,7 +64,7 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-MapCell andoyer_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
+MapCell andoyer_cell(const DampedProblem& problem, const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const AndoyerSection end = andoyer_section(
@@ -89,7 +91,8 @@ PrecessingKeplerOrbit section_orbit(const CellContext& of) {
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
 }
 
-MapCell spin_orbit_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
+MapCell spin_orbit_cell(const DampedProblem& problem, const CellContext& of,
+                        const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const SpinOrbitSection end = spin_orbit_section(
@@ -137,7 +140,7 @@ MapCell failed_cell(std::size_t width, std::string why) {
 }
 
 MapCell map_cell(const CellContext& of, const Progress& progress) {
-  const Problem problem = rotor_problem(of.rotation);
+  const DampedProblem problem = rotor_problem(of.rotation);
   switch (of.plan.kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);

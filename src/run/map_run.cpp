@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
-#include "dynamics/detail/state_bytes.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "text/printable.hpp"
 
@@ -41,7 +41,7 @@ struct MapState {
   std::int64_t rows = 0;        // in the outputs
   std::vector<double> waiting;  // rows that are not
 
-  void transfer(detail::StateBytes& bytes) {
+  void transfer(StateBytes& bytes) {
     bytes.all(report.cells, report.points);
     sized(bytes, report.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
     sized(bytes, report.failures, [&](MapReport::Failure& f) { bytes.all(f.cell, f.why); });
@@ -51,7 +51,7 @@ struct MapState {
 
  private:
   template <class T, class Each>
-  static void sized(detail::StateBytes& bytes, std::vector<T>& all, const Each& each) {
+  static void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
     std::uint64_t size = all.size();
     bytes(size);
     if (bytes.reads()) all.clear();
@@ -97,7 +97,7 @@ class MapRun::Parts {
     state_.report.ranges.assign(width_, {infinity, -infinity});
     if (outputs_.is_complete()) return;
     if (outputs_.continues()) {
-      detail::StateBytes bytes(outputs_.state());
+      StateBytes bytes(outputs_.state());
       state_.transfer(bytes);
     }
     outputs_.with_remedy([&] { open(); });
@@ -184,7 +184,7 @@ class MapRun::Parts {
   }
 
   void keep() {
-    detail::StateBytes bytes;
+    StateBytes bytes;
     state_.transfer(bytes);
     outputs_.keep({bytes.bytes(), done_text(), "after " + done_text()});
   }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/detail/free_event_search.hpp"
+#include "dynamics/events/free_event_search.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
@@ -68,7 +68,7 @@ class RowWriter {
     layout_.write_rows(motion, times, numbers_);
     send(times.size());
   }
-  void push(const RowOrigin& origin, std::span<const Sample> samples) {
+  void push(const RowOrigin& origin, std::span<const DampedSample> samples) {
     numbers_.resize(samples.size() * layout_.width());
     layout_.write_rows(origin, samples, numbers_);
     send(samples.size());
@@ -91,17 +91,20 @@ class RowWriter {
 };
 
 // Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
-std::vector<Event> events_of(const Rotation& rotation, const System& system, double energy_0) {
-  std::vector<Event> events;
+template <MotionState S>
+std::vector<BasicEvent<S>> events_of(const Rotation& rotation, const System& system,
+                                     double energy_0) {
+  std::vector<BasicEvent<S>> events;
   for (const ScenarioEvent& wanted : rotation.events) {
     const ScalarColumn column = scalar_column(wanted.column, system, energy_0);
     const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
-    events.push_back({wanted.name,
-                      [value = column.value, target = wanted.value, turn](const Sample& at) {
-                        const double x = value(at) - target;
-                        return turn > 0.0 ? std::remainder(x, turn) : x;
-                      },
-                      wanted.crossing, wanted.stops, turn, wanted.interval});
+    events.push_back(
+        {wanted.name,
+         [value = column.value, target = wanted.value, turn](const BasicSample<S>& at) {
+           const double x = value({at.t, damped(at.s)}) - target;
+           return turn > 0.0 ? std::remainder(x, turn) : x;
+         },
+         wanted.crossing, wanted.stops, turn, wanted.interval});
   }
   return events;
 }
@@ -117,15 +120,16 @@ class FreeRun {
         system_(problem_.system),
         motion_(rotation.frame.is_inertial()
                     ? free_rotation(rotation)
-                    : FreeRotation(rotation.body, inertial_state(system_, 0.0, problem_.initial))),
+                    : FreeRotation(rotation.body,
+                                   inertial_state(system_, 0.0, problem_.initial.rotor))),
         origin_{system_, detail::initial_energy(problem_)},
         rows_(*rotation.time) {
     report_.outcome.t = rows_[rows_.size() - 1];
     if (rotation.events.empty()) return;
-    search_.emplace(motion_, rotation.frame, events_of(rotation, system_, origin_.initial_energy),
-                    rows_[0]);
+    search_.emplace(motion_, rotation.frame,
+                    events_of<RotorState>(rotation, system_, origin_.initial_energy), rows_[0]);
     if (control.from == nullptr) return;
-    detail::StateBytes bytes(control.from->integration);
+    StateBytes bytes(control.from->integration);
     search_->transfer(bytes);
   }
 
@@ -152,8 +156,9 @@ class FreeRun {
   }
   void write(std::span<const double> times) {
     if (rotation_.frame.is_inertial()) return writer_.push(motion_, times);
-    std::vector<Sample> samples;
-    for (const double t : times) samples.push_back({t, reference_state(system_, t, motion_.at(t))});
+    std::vector<DampedSample> samples;
+    for (const double t : times)
+      samples.push_back({t, damped(reference_state(system_, t, motion_.at(t)))});
     writer_.push(origin_, samples);
   }
 
@@ -178,8 +183,9 @@ class FreeRun {
     }
   }
 
-  void keep(const detail::EventWatch::Found& found) {
-    for (const EventRecord& event : found.records) {
+  void keep(const detail::RotorWatch::Found& found) {
+    for (const EventRecord& record : found.records) {
+      const DampedEventRecord event{record.name, record.t, damped(record.s), record.direction};
       if (control_.event) {
         control_.event(event);
       } else {
@@ -219,7 +225,7 @@ class FreeRun {
     state.t = t;
     state.pushed = writer_.rows();
     if (search_) {
-      detail::StateBytes bytes;
+      StateBytes bytes;
       search_->transfer(bytes);
       state.integration = bytes.bytes();
     }
@@ -229,7 +235,7 @@ class FreeRun {
   const Rotation& rotation_;
   RowWriter& writer_;
   const RunControl& control_;
-  Problem problem_;
+  DampedProblem problem_;
   const System& system_;
   FreeRotation motion_;
   RowOrigin origin_;
@@ -245,9 +251,9 @@ void add(Statistics& sum, const Statistics& more) {
 }
 
 // What integrate gives out of a stage of the run; `state` becomes that of each checkpoint.
-Streams streams_of(const RunControl& control, RunState& state, const RowWriter& writer,
-                   SampleSink samples) {
-  Streams streams{std::move(samples), control.event, control.due, {}};
+DampedStreams streams_of(const RunControl& control, RunState& state, const RowWriter& writer,
+                         DampedSampleSink samples) {
+  DampedStreams streams{std::move(samples), control.event, control.due, {}};
   streams.checkpoint = [&](const Checkpoint& now) {
     state.t = now.t();
     state.pushed = writer.rows();
@@ -257,22 +263,23 @@ Streams streams_of(const RunControl& control, RunState& state, const RowWriter& 
   return streams;
 }
 
-Trajectory integrated(const Problem& problem, const SaveAt& times, const RunState* from,
-                      const Streams& streams, const Progress& progress) {
+DampedTrajectory integrated(const DampedProblem& problem, const SaveAt& times, const RunState* from,
+                            const DampedStreams& streams, const Progress& progress) {
   return from == nullptr ? integrate(problem, times, streams, progress)
                          : resume(problem, times, Checkpoint(from->integration), streams, progress);
 }
 
 // The state at the first row, from that at t = 0.
-Sample at_first_row(const Problem& from_zero, RunReport& report, const RowWriter& writer,
-                    const RunControl& control) {
-  Sample there{from_zero.stop, from_zero.initial, from_zero.damper_rate};
+DampedSample at_first_row(const DampedProblem& from_zero, RunReport& report,
+                          const RowWriter& writer, const RunControl& control) {
+  DampedSample there{from_zero.stop, from_zero.initial};
   if (from_zero.start == from_zero.stop) return there;
   RunState state;
-  const Streams streams = streams_of(
-      control, state, writer, [&](std::span<const Sample> samples) { there = samples.back(); });
-  const Trajectory way = integrated(from_zero, SaveAt::times({from_zero.stop}), control.from,
-                                    streams, control.progress);
+  const DampedStreams streams =
+      streams_of(control, state, writer,
+                 [&](std::span<const DampedSample> samples) { there = samples.back(); });
+  const DampedTrajectory way = integrated(from_zero, SaveAt::times({from_zero.stop}), control.from,
+                                          streams, control.progress);
   report.outcome = way.outcome();
   add(report.statistics, way.statistics());
   return there;
@@ -280,7 +287,7 @@ Sample at_first_row(const Problem& from_zero, RunReport& report, const RowWriter
 
 RunReport run_integrated(const Rotation& rotation, RowWriter& writer, const RunControl& control) {
   RunReport report;
-  const Problem from_zero = rotor_problem(rotation);
+  const DampedProblem from_zero = rotor_problem(rotation);
   const System& system = from_zero.system;
   const double energy_0 = detail::initial_energy(from_zero);
   const SaveAt& rows = *rotation.time;
@@ -291,33 +298,33 @@ RunReport run_integrated(const Rotation& rotation, RowWriter& writer, const RunC
     state = *control.from;
     report.statistics = state.before;
   } else {
-    Problem way = from_zero;
+    DampedProblem way = from_zero;
     way.stop = first;
-    const Sample start = at_first_row(way, report, writer, control);
+    const DampedSample start = at_first_row(way, report, writer, control);
     if (!report.outcome.ok()) return report;
-    state.first = state.latest = {first, start.s, start.damper_rate};
+    state.first = state.latest = {first, start.s};
   }
   state.stage = RunState::rows;
   state.before = report.statistics;
 
   const RowOrigin origin{system, energy_0};
-  const Streams streams = streams_of(control, state, writer, [&](std::span<const Sample> samples) {
-    writer.push(origin, samples);
-    state.latest = samples.back();
-  });
-  Problem among_these = from_zero;
+  const DampedStreams streams =
+      streams_of(control, state, writer, [&](std::span<const DampedSample> samples) {
+        writer.push(origin, samples);
+        state.latest = samples.back();
+      });
+  DampedProblem among_these = from_zero;
   among_these.start = first;
   among_these.initial = state.first.s;
-  among_these.damper_rate = state.first.damper_rate;
-  among_these.events = events_of(rotation, system, energy_0);
-  const Trajectory trajectory =
+  among_these.events = events_of<DampedRotorState>(rotation, system, energy_0);
+  const DampedTrajectory trajectory =
       integrated(among_these, rows, among_rows ? control.from : nullptr, streams, control.progress);
   report.outcome = trajectory.outcome();
   report.events = trajectory.events();
   add(report.statistics, trajectory.statistics());
   if (system.has_energy()) {
-    const Sample& end = state.latest;
-    report.energy_change = energy(at_damper_rate(system, end.damper_rate), end.t, end.s) - energy_0;
+    const auto& [t, end] = state.latest;
+    report.energy_change = energy(at_damper_rate(system, end.damper_rate), t, end.rotor) - energy_0;
   }
   return report;
 }

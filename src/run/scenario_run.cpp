@@ -48,10 +48,10 @@ detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files,
 // All that the checkpoint of a run holds.
 struct Kept {
   detail::RunState run;
-  std::vector<EventRecord> events;
+  std::vector<DampedEventRecord> events;
   std::int64_t events_met = 0;
 
-  void transfer(detail::StateBytes& bytes) {
+  void transfer(StateBytes& bytes) {
     run.transfer(bytes);
     bytes.all(events, events_met);
   }
@@ -69,7 +69,7 @@ class ScenarioRun::Parts {
         outputs_(setup_of(scenario, files_, options_), provenance(scenario)) {
     if (outputs_.is_complete()) return;
     if (outputs_.continues()) {
-      detail::StateBytes bytes(outputs_.state());
+      StateBytes bytes(outputs_.state());
       kept_.transfer(bytes);
       from_ = kept_.run;
     }
@@ -114,7 +114,7 @@ class ScenarioRun::Parts {
   detail::RunControl control() {
     detail::RunControl control;
     control.progress = options_.progress;
-    control.event = [this](const EventRecord& event) {
+    control.event = [this](const DampedEventRecord& event) {
       if (events_) events_->push(event);
       ++kept_.events_met;
       if (options_.keep_events || kept_.events.size() < events_shown) kept_.events.push_back(event);
@@ -140,7 +140,7 @@ class ScenarioRun::Parts {
 
   void keep(const detail::RunState& state) {
     kept_.run = state;
-    detail::StateBytes bytes;
+    StateBytes bytes;
     kept_.transfer(bytes);
     const std::string at = "t = " + time_text(state.t);
     std::string reached = detail::printable(scenario_.document.name, 200) + " at " + at + ", " +

@@ -217,7 +217,7 @@ std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport&
                  Dimension::energy);
   const std::size_t shown = std::min(report.events.size(), most_events);
   for (std::size_t i = 0; i < shown; ++i) {
-    const EventRecord& event = report.events[i];
+    const DampedEventRecord& event = report.events[i];
     lines.number("event_time_" + std::to_string(i + 1),
                  event.name + ", " + direction_text(event.direction) + ", at t", event.t,
                  Dimension::time);

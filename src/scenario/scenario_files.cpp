@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "dynamics/detail/state_bytes.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/values.hpp"
 #include "text/printable.hpp"

@@ -54,7 +54,7 @@ AemOptions aem_options_of(const Values& values, const std::string& name);
 // Fills in frame, frame_text and precession; the orbits are there.
 void add_frame(Rotation& rotation, const Values& values, const std::string& name);
 // The energy where it starts; 0 where a term has none.
-double initial_energy(const Problem& problem);
+double initial_energy(const DampedProblem& problem);
 // What method, events, rows and columns ask of the system.
 void check_motion(const Rotation& rotation, const OutputPlan& output, const Values& values,
                   const std::string& name);

@@ -71,22 +71,20 @@ std::optional<Method> propagation_method(const Rotation& rotation) {
   return Adaptive{};
 }
 
-Problem rotor_problem(const Rotation& rotation) {
+DampedProblem rotor_problem(const Rotation& rotation) {
   if (!rotation.time) throw DomainError("rotor_problem: got no [time]; expected its rows");
   const SaveAt& rows = *rotation.time;
   return {rotor_system(rotation),
-          initial_state(rotation),
+          {initial_state(rotation), rotation.damper_rate},
           0.0,
           rows[rows.size() - 1],
-          propagation_method(rotation).value_or(Adaptive{}),
-          {},
-          rotation.damper_rate};
+          propagation_method(rotation).value_or(Adaptive{})};
 }
 
-double detail::initial_energy(const Problem& problem) {
+double detail::initial_energy(const DampedProblem& problem) {
   if (!problem.system.has_energy()) return 0.0;
-  return energy(at_damper_rate(problem.system, problem.damper_rate), problem.start,
-                problem.initial);
+  const auto& [rotor, damper_rate] = problem.initial;
+  return energy(at_damper_rate(problem.system, damper_rate), problem.start, rotor);
 }
 
 System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
@@ -95,7 +93,7 @@ FreeRotation free_rotation(const Scenario& scenario) { return free_rotation(scen
 std::optional<Method> propagation_method(const Scenario& scenario) {
   return propagation_method(scenario.rotation());
 }
-Problem rotor_problem(const Scenario& scenario) { return rotor_problem(scenario.rotation()); }
+DampedProblem rotor_problem(const Scenario& scenario) { return rotor_problem(scenario.rotation()); }
 
 }  // namespace v0
 }  // namespace polhode

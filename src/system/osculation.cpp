@@ -101,7 +101,7 @@ RotorState osculating_state(const System& system, double t, const RotorState& ca
 }
 
 RotorState canonical_state(const System& system, double t, const RotorState& osculating) {
-  if (system.damper()) detail::needs_damper_rate();
+  require_no_damper(system);
   const FrameMotion frame = system.frame().at(t);
   const Setting at{system.body(), t, {normalized(osculating.q), osculating.g}, frame.q_IS};
   const Vec3 mu_B = body_from_reference(at, frame.mu_S);

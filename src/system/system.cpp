@@ -50,7 +50,8 @@ System at_damper_rate(const System& system, const Vec3& rate) {
   return System(system.body(), system.frame(), std::move(terms));
 }
 
-void detail::needs_damper_rate() {
+void require_no_damper(const System& system) {
+  if (!system.damper()) return;
   throw DomainError(
       "a system with a Kane damper has no angular velocity without the rate of the damper: take "
       "at_damper_rate(system, rate)");
@@ -77,7 +78,7 @@ AngularVelocities angular_velocity(const System& system, double t, const RotorSt
 }
 
 double energy(const System& system, double t, const RotorState& s) {
-  if (system.damper()) detail::needs_damper_rate();
+  require_no_damper(system);
   const FrameMotion frame = system.frame().at(t);
   const Setting at = setting(system, t, s, frame);
   double sum = kinetic_energy(system.body(), s) - dot(frame.mu_S, rotate(at.s.q, s.g));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Events: crossings of any scalar function of time and state.
+// Events: crossings of any scalar function of time and state, whatever the state is.
 //
 // Equations   g(t, s) = 0, solved on the dense output between two looks at g and dg/dt. Looks are a
 //             twelfth part of the fastest turn apart at most (of the free body with its momentum,
 //             along its whole polhode, and of the frame), and at the end of every step.
 // Units       any; `interval` is a time.
-// Domain      a continuous function of (t, q_SB, g_B), or of a Sample, which has the rate of a
-//             damper too. It finds every change of sign from one look to the next; two zeros
+// Domain      a continuous function of time and state, (t, q_SB, g_B) for a rotor, or of a sample,
+//             which is both. It finds every change of sign from one look to the next; two zeros
 //             between two looks, where the function turns around beyond zero; and a touch, where it
 //             turns around at zero to rounding (1e-14 of its values around, and of t), of direction
 //             0, that rising and falling leave out. A function that turns around twice between two
@@ -27,39 +27,45 @@
 #include <type_traits>
 #include <utility>
 
-#include "polhode/trajectory/trajectory.hpp"
+#include "polhode/trajectory/sample.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 enum class Crossing { both, rising, falling };
 
-// double f(double t, const RotorState& s), or double f(const Sample&).
-class EventFunction {
+// double f(double t, const S& s), or double f(const BasicSample<S>&).
+template <MotionState S>
+class BasicEventFunction {
  public:
-  EventFunction() = default;
+  BasicEventFunction() = default;
+  // Not explicit: a lambda stands for an event function.
   template <class F>
-    requires std::invocable<const F&, double, const RotorState&>
-  EventFunction(F f) {
-    using Function = std::function<double(double, const RotorState&)>;
+    requires std::invocable<const F&, double, const S&>
+  BasicEventFunction(F f) {  // NOLINT(google-explicit-constructor)
+    using Function = std::function<double(double, const S&)>;
     if constexpr (std::is_pointer_v<F> || std::same_as<F, Function>)
       if (!f) return;
-    value_ = [f = std::move(f)](const Sample& at) { return f(at.t, at.s); };
+    value_ = [f = std::move(f)](const BasicSample<S>& at) { return f(at.t, at.s); };
   }
   template <class F>
-    requires(std::invocable<const F&, const Sample&> && !std::same_as<F, EventFunction>)
-  EventFunction(F f) : value_(std::move(f)) {}
+    requires(std::invocable<const F&, const BasicSample<S>&> &&
+             !std::same_as<F, BasicEventFunction>)
+  BasicEventFunction(F f)  // NOLINT(google-explicit-constructor)
+      : value_(std::move(f)) {}
 
-  double operator()(const Sample& at) const { return value_(at); }
+  double operator()(const BasicSample<S>& at) const { return value_(at); }
   explicit operator bool() const { return static_cast<bool>(value_); }
 
  private:
-  std::function<double(const Sample&)> value_;
+  std::function<double(const BasicSample<S>&)> value_;
 };
+using EventFunction = BasicEventFunction<RotorState>;
 
-struct Event {
+template <MotionState S>
+struct BasicEvent {
   std::string name;
-  EventFunction function;
+  BasicEventFunction<S> function;
   Crossing crossing = Crossing::both;  // as time runs, backwards too
   bool stops = false;                  // the run ends there, with a last sample at the event
   // Of a function that is an angle, folded into one turn: a jump by more than half of it is no
@@ -70,8 +76,15 @@ struct Event {
   double interval = 0.0;
 };
 
+using Event = BasicEvent<RotorState>;
+
 // DomainError for an event without a function, or an invalid period or interval.
-void require_valid(const Event& event);
+void require_valid_event(const std::string& name, bool has_function, double period,
+                         double interval);
+template <MotionState S>
+void require_valid(const BasicEvent<S>& event) {
+  require_valid_event(event.name, static_cast<bool>(event.function), event.period, event.interval);
+}
 
 }  // namespace v0
 }  // namespace polhode

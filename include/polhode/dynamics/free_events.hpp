@@ -21,6 +21,7 @@
 #include "polhode/frame/frame.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/trajectory/progress.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// integrate: one function for every method.
+// integrate: one function for every method and every state.
 //
 // Equations   those of System; of the method.
 // Units       those of the system.
 // Domain      any state with a non-zero quaternion, from `start` to `stop` in either direction.
 //             Samples outside the span are left out, but for a last one that rounding alone puts
 //             beyond `stop`. A sample at `stop` is the end of the last step; others come from the
-//             dense output.
+//             dense output. A Problem whose system has a damper is run with the damper, which
+//             starts at the rate 0, and shows the rotor; a DampedProblem gives the rate, and shows
+//             both. For models of your own: polhode/dynamics/integrate_model.hpp.
 // Accuracy    docs/guide/which-propagator.md.
-// Errors      DomainError for a problem that is none (NaN, a method out of range, a splitting of a
+// Errors      DomainError for an invalid problem (NaN, a method out of range, a splitting of a
 //             term without a flow, a damper with another method than Adaptive). A run that cannot
 //             go on (NaN, a step too small) ends with Outcome::failed and a sentence; samples so
 //             far are kept. What a user's callable or `progress` throws passes through after the
@@ -16,38 +18,15 @@
 // Cost        docs/guide/which-propagator.md.
 #pragma once
 
-#include <optional>
-#include <span>
+#include <type_traits>
 #include <vector>
 
-#include "polhode/dynamics/event.hpp"
-#include "polhode/dynamics/method.hpp"
+#include "polhode/dynamics/problem.hpp"
 #include "polhode/math/matrix6.hpp"
-#include "polhode/system/system.hpp"
 #include "polhode/trajectory/progress.hpp"
-#include "polhode/trajectory/save_at.hpp"
-#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct Problem {
-  System system;
-  RotorState initial;  // q_SB, g_B at `start`
-  double start;
-  double stop;
-  Method method = Adaptive{};
-  std::vector<Event> events = {};
-  Vec3 damper_rate = {};  // of the system's damper relative to the body, at `start`
-  // This run continues one that ended at `start`, which has already reported any event there.
-  bool continues = false;
-};
-
-// What to keep in memory.
-struct Keep {
-  std::optional<SaveAt> samples = std::nullopt;  // none: the end of every step
-  bool dense = true;
-};
 
 Trajectory integrate(const Problem& problem, const Keep& keep = {}, const Progress& progress = {});
 
@@ -55,6 +34,22 @@ Trajectory integrate(const Problem& problem, const Keep& keep = {}, const Progre
 // has no samples and no dense output.
 Trajectory integrate(const Problem& problem, const SaveAt& samples, const SampleSink& sink,
                      const Progress& progress = {});
+
+// Of any other state: a rotor with a damper, and every model.
+template <class M, MotionState S>
+BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const Keep& keep = {},
+                             const Progress& progress = {});
+template <class M, MotionState S>
+BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& samples,
+                             const std::type_identity_t<BasicSampleSink<S>>& sink,
+                             const Progress& progress = {});
+
+template <>
+DampedTrajectory integrate(const DampedProblem& problem, const Keep& keep,
+                           const Progress& progress);
+template <>
+DampedTrajectory integrate(const DampedProblem& problem, const SaveAt& samples,
+                           const DampedSampleSink& sink, const Progress& progress);
 
 // A state with the derivative of its hub tangent (dtheta_B, dg_B) by that of the initial state.
 struct TransitionSample {

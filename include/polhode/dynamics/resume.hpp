@@ -40,14 +40,18 @@ class Checkpoint {
 };
 
 // What a run gives out while it goes on: memory does not grow with its length.
-struct Streams {
-  SampleSink samples;
-  std::function<void(const EventRecord&)> events = {};  // empty: the trajectory returned has them
+template <MotionState S>
+struct BasicStreams {
+  BasicSampleSink<S> samples;
+  // Empty: the trajectory returned has them.
+  std::function<void(const BasicEventRecord<S>&)> events = {};
   // Asked after every step, and every sample inside one, with its time; where the answer is yes,
   // `checkpoint` is called. What that throws ends the run, which can go on from there.
   std::function<bool(double t)> checkpoint_due = {};
   std::function<void(const Checkpoint&)> checkpoint = {};
 };
+using Streams = BasicStreams<RotorState>;
+using DampedStreams = BasicStreams<DampedRotorState>;
 
 Trajectory integrate(const Problem& problem, const SaveAt& samples, const Streams& streams,
                      const Progress& progress = {});
@@ -56,6 +60,24 @@ Trajectory integrate(const Problem& problem, const SaveAt& samples, const Stream
 // the straight run pushes. Statistics and outcome are those of the whole.
 Trajectory resume(const Problem& problem, const SaveAt& samples, const Checkpoint& from,
                   const Streams& streams, const Progress& progress = {});
+
+// Of any other state, as integrate.
+template <class M, MotionState S>
+BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& samples,
+                             const std::type_identity_t<BasicStreams<S>>& streams,
+                             const Progress& progress = {});
+template <class M, MotionState S>
+BasicTrajectory<S> resume(const BasicProblem<M, S>& problem, const SaveAt& samples,
+                          const Checkpoint& from,
+                          const std::type_identity_t<BasicStreams<S>>& streams,
+                          const Progress& progress = {});
+
+template <>
+DampedTrajectory integrate(const DampedProblem& problem, const SaveAt& samples,
+                           const DampedStreams& streams, const Progress& progress);
+template <>
+DampedTrajectory resume(const DampedProblem& problem, const SaveAt& samples, const Checkpoint& from,
+                        const DampedStreams& streams, const Progress& progress);
 
 }  // namespace v0
 }  // namespace polhode

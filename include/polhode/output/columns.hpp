@@ -25,10 +25,10 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/dynamics/problem.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode/text/units.hpp"
-#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -61,7 +61,7 @@ struct RowOrigin {
 // One column as a function of a sample, in core units.
 struct ScalarColumn {
   Dimension dimension;
-  std::function<double(const Sample&)> value;
+  std::function<double(const DampedSample&)> value;
 };
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy);
 
@@ -82,7 +82,7 @@ class RowLayout {
   void write_rows(const FreeRotation& motion, std::span<const double> times,
                   std::span<double> out) const;
   // The same for samples of any motion.
-  void write_rows(const RowOrigin& origin, std::span<const Sample> samples,
+  void write_rows(const RowOrigin& origin, std::span<const DampedSample> samples,
                   std::span<double> out) const;
 
  private:

@@ -37,6 +37,12 @@ BasicRotorState<T> select(const Mask<T>& mask, const BasicRotorState<T>& a,
   return {select(mask, a.q, b.q), select(mask, a.g, b.g)};
 }
 
+// Every number of it, always in this order: what a checkpoint keeps and puts back.
+template <Real T, class Visit>
+constexpr void each_number(BasicRotorState<T>& s, Visit&& visit) {
+  for (T* x : {&s.q.w, &s.q.x, &s.q.y, &s.q.z, &s.g.x, &s.g.y, &s.g.z}) visit(*x);
+}
+
 // Angular momentum in inertial components, G_I = q g q*: constant in free rotation. (Not [SA (28)],
 // a misprint.)
 template <Number T>

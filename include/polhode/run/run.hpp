@@ -25,7 +25,6 @@
 #include "polhode/output/sink.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/trajectory/progress.hpp"
-#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -41,7 +40,7 @@ std::string propagation_text(const Scenario& scenario);
 struct RunReport {
   Outcome outcome;
   Statistics statistics;  // all 0 for exact free rotation
-  std::vector<EventRecord> events;
+  std::vector<DampedEventRecord> events;
   std::int64_t rows = 0;
   std::optional<double> energy_change;  // E at the last row - E(0), when every term has an energy
   std::int64_t events_met = 0;          // of which `events` may hold the first ones only
@@ -62,7 +61,7 @@ class EventTable {
   ~EventTable();
   EventTable(const EventTable&) = delete;
   EventTable& operator=(const EventTable&) = delete;
-  void push(const EventRecord& event);
+  void push(const DampedEventRecord& event);
   // As Sink's.
   std::optional<SinkPosition> position();
   void finish();

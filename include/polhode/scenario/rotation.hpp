@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "polhode/dynamics/event.hpp"
-#include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/method.hpp"
+#include "polhode/dynamics/problem.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
@@ -123,7 +123,7 @@ FreeRotation free_rotation(const Rotation& rotation);
 std::optional<Method> propagation_method(const Rotation& rotation);
 
 // From t = 0 to the last row, without its events; of exact free rotation as Adaptive would run it.
-Problem rotor_problem(const Rotation& rotation);
+DampedProblem rotor_problem(const Rotation& rotation);
 
 }  // namespace v0
 }  // namespace polhode

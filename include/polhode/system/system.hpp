@@ -55,11 +55,8 @@ class System {
 // the v and the energy that the damper has at that rate. All functions of a state take it.
 System at_damper_rate(const System& system, const Vec3& rate);
 
-namespace detail {
-
-[[noreturn]] void needs_damper_rate();
-
-}  // namespace detail
+// DomainError for a system with a damper, whose rate is not known.
+void require_no_damper(const System& system);
 
 // The angular velocity of the body in body components, twice.
 template <Real T>
@@ -79,22 +76,23 @@ using RotorRates = BasicRotorRates<double>;
 // The sum of the terms' effects, without the frame's own. T = double, DoubleDouble or Tangent.
 template <Real T>
 BasicEffect<T> terms_effect(const System& system, const BasicSetting<T>& at) {
-  if (system.damper()) detail::needs_damper_rate();
+  if (system.damper()) require_no_damper(system);
   BasicEffect<T> sum;
   for (const AnyPerturbation& term : system.terms()) sum = sum + term.effect(at);
   return sum;
 }
 
-namespace detail {
-
-// dq/dt and dg/dt in inertial axes, from w_IB = I^-1 g + v and u in body axes. Written out and
-// always inline: it is the inner loop of integrate, and a call of cross costs a tenth of it.
+// The equations of motion, here and nowhere else. In inertial axes, from the rate w0 = I^-1 g that
+// the body has without terms (a damper adds to it) and the sum e of the terms' effects. Written out
+// and always inline: it is the inner loop of integrate, and a call of cross costs a tenth of it.
 template <Real T>
 [[gnu::always_inline]] inline BasicRotorRates<T> inertial_rates(const BasicRotorState<T>& s,
-                                                                const BasicVec3<T>& w,
-                                                                const BasicVec3<T>& u) {
+                                                                const BasicVec3<T>& w0,
+                                                                const BasicEffect<T>& e) {
   const BasicQuaternion<T>& q = s.q;
   const BasicVec3<T>& g = s.g;
+  const BasicVec3<T>& u = e.u;
+  const BasicVec3<T> w{w0.x + e.v.x, w0.y + e.v.y, w0.z + e.v.z};
   const BasicVec3<T> h = T(0.5) * w;
   return {{-(q.x * h.x) - q.y * h.y - q.z * h.z, q.w * h.x + q.y * h.z - q.z * h.y,
            q.w * h.y - q.x * h.z + q.z * h.x, q.w * h.z + q.x * h.y - q.y * h.x},
@@ -112,18 +110,17 @@ BasicRotorRates<T> relative_rates(const BasicRotorRates<T>& rates, const BasicQu
   return {{rates.q.w - lag.w, rates.q.x - lag.x, rates.q.y - lag.y, rates.q.z - lag.z}, rates.g};
 }
 
-}  // namespace detail
-
-// The equations of motion. |q| = 1 is expected to rounding: q is not normalised here.
+// The rates of one state. |q| = 1 is expected to rounding: q is not normalised here. For many of
+// them: RotorEquations.
 template <Real T>
 BasicRotorRates<T> rotor_rates(const System& system, const T& t, const BasicRotorState<T>& s) {
   const BasicFrameMotion<T> frame = system.frame().at(t);
   const BasicEffect<T> e = terms_effect(system, BasicSetting<T>{system.body(), t, s, frame.q_IS});
   const Vec3& I = system.body().moments();
-  const BasicVec3<T> w{s.g.x / T(I.x) + e.v.x, s.g.y / T(I.y) + e.v.y, s.g.z / T(I.z) + e.v.z};
-  const BasicRotorRates<T> rates = detail::inertial_rates(s, w, e.u);
+  const BasicVec3<T> w0{s.g.x / T(I.x), s.g.y / T(I.y), s.g.z / T(I.z)};
+  const BasicRotorRates<T> rates = inertial_rates(s, w0, e);
   if (system.frame().is_inertial()) return rates;
-  return detail::relative_rates(rates, s.q, frame.mu_S);
+  return relative_rates(rates, s.q, frame.mu_S);
 }
 
 // The sum of all effects, the frame's own included: v is the convective term of the paper as a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trajectory: what a run leaves in memory. Samples at the times asked for, the events met, how the
-// run ended, what it cost, and the state at any time between.
+// Trajectory: what a run of any state leaves in memory. Samples at the times asked for, the events
+// met, how the run ended, what it cost, and the state at any time between.
 //
 // Equations   none: between its samples a trajectory is the dense output of the method.
 // Units       those of the run.
@@ -8,33 +8,20 @@
 //             initial state alone.
 // Accuracy    that of the method; at(t) has the order of the method.
 // Errors      at(t) throws DomainError outside the span, or when the run kept no dense output.
-// Cost        a sample is 88 bytes; dense output keeps some hundred bytes per step.
+// Cost        a sample of a rotor is 64 bytes; dense output keeps some hundred bytes per step.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "polhode/rotor/rotor_state.hpp"
+#include "polhode/trajectory/sample.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct Sample {
-  double t;
-  RotorState s;  // q normalised
-  // Rate of a damper relative to the body, body axes; zero without one.
-  Vec3 damper_rate = {};
-
-  constexpr bool operator==(const Sample&) const = default;
-};
-
-// Where a run puts its samples, block by block, in order of time.
-using SampleSink = std::function<void(std::span<const Sample>)>;
 
 // How a run ended. Only `completed` reached the end asked for.
 struct Outcome {
@@ -49,50 +36,33 @@ struct Outcome {
 struct Statistics {
   std::int64_t steps = 0;        // accepted
   std::int64_t rejected = 0;     // tried and repeated with a smaller step
-  std::int64_t evaluations = 0;  // of the perturbation terms, all together once
+  std::int64_t evaluations = 0;  // of the perturbation terms, all together once; for events too
 };
 
-// A crossing that an event function met.
-struct EventRecord {
-  std::string name;
-  double t;
-  RotorState s;
-  int direction;  // +1: rising through zero, -1: falling, 0: touching it
-  Vec3 damper_rate = {};
-};
+// DomainError unless t is between start and stop, either of which may be the larger.
+void require_inside(double t, double start, double stop);
+// DomainError: there is no dense output.
+[[noreturn]] void no_dense_output();
 
-// The state inside one step, t0 to t1 (t1 < t0 backwards).
-class DenseStep {
+template <MotionState S>
+class BasicTrajectory {
  public:
-  DenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
-  virtual ~DenseStep() = default;
-  virtual RotorState at(double t) const = 0;
-  // With the rate of a damper.
-  virtual Sample sample(double t) const { return {t, at(t)}; }
-  double t0() const { return t0_; }
-  double t1() const { return t1_; }
+  using State = S;
 
- private:
-  double t0_;
-  double t1_;
-};
-
-class Trajectory {
- public:
   struct Parts {
-    Sample initial;
-    std::vector<Sample> samples;
-    std::vector<EventRecord> events;
+    BasicSample<S> initial;
+    std::vector<BasicSample<S>> samples;
+    std::vector<BasicEventRecord<S>> events;
     Outcome outcome;
     Statistics statistics;
-    std::string method;                                   // in words: provenance
-    std::vector<std::shared_ptr<const DenseStep>> dense;  // in order; empty: none kept
+    std::string method;                                           // in words: provenance
+    std::vector<std::shared_ptr<const BasicDenseStep<S>>> dense;  // in order; empty: none kept
   };
-  explicit Trajectory(Parts parts) : parts_(std::move(parts)) {}
+  explicit BasicTrajectory(Parts parts) : parts_(std::move(parts)) {}
 
-  const std::vector<Sample>& samples() const& { return parts_.samples; }
-  std::vector<Sample> samples() && { return std::move(parts_.samples); }
-  const std::vector<EventRecord>& events() const { return parts_.events; }
+  const std::vector<BasicSample<S>>& samples() const& { return parts_.samples; }
+  std::vector<BasicSample<S>> samples() && { return std::move(parts_.samples); }
+  const std::vector<BasicEventRecord<S>>& events() const { return parts_.events; }
   const Outcome& outcome() const { return parts_.outcome; }
   const Statistics& statistics() const { return parts_.statistics; }
   const std::string& method() const { return parts_.method; }
@@ -101,12 +71,28 @@ class Trajectory {
   // Whether at(t) has an answer between the samples.
   bool has_dense() const { return !parts_.dense.empty(); }
 
-  RotorState at(double t) const { return sample(t).s; }
-  Sample sample(double t) const;
+  S at(double t) const { return sample(t).s; }
+  BasicSample<S> sample(double t) const {
+    require_inside(t, start(), stop());
+    if (t == start()) return parts_.initial;
+    if (parts_.dense.empty()) no_dense_output();
+    const bool forward = start() <= stop();
+    // the first step that ends at t or beyond it
+    const auto step = std::partition_point(
+        parts_.dense.begin(), parts_.dense.end(),
+        [&](const auto& piece) { return forward ? piece->t1() < t : piece->t1() > t; });
+    return (step == parts_.dense.end() ? parts_.dense.back() : *step)->sample(t);
+  }
+
+  // All that it holds, to make another of.
+  Parts parts() && { return std::move(parts_); }
 
  private:
   Parts parts_;
 };
+using Trajectory = BasicTrajectory<RotorState>;
+
+extern template class BasicTrajectory<RotorState>;
 
 }  // namespace v0
 }  // namespace polhode

@@ -8,15 +8,15 @@
 
 #include "bindings.hpp"
 #include "interface/arrays.hpp"
+#include "polhode/dynamics/problem.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode::python {
 
 // Name -> array of a number per row. `names` are groups ("andoyer") or columns ("theta"); a column
 // that two groups share comes once. Core units; components along principal axes. ValueError for an
 // unknown name, with the nearest known one.
-nb::dict columns_of(const System& system, std::span<const Sample> rows,
+nb::dict columns_of(const System& system, std::span<const DampedSample> rows,
                     const std::vector<std::string>& names, double initial_energy);
 
 // None, one name, or a sequence of names.

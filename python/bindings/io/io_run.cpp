@@ -177,7 +177,7 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def("states_in", states_in)
       .def("report_lines",
            [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
-              const std::vector<EventRecord>& events, std::optional<double> energy_change) {
+              const std::vector<DampedEventRecord>& events, std::optional<double> energy_change) {
              return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change, 0},
                                           "all in .events"));
            });

@@ -32,7 +32,7 @@ Deviation deviation_of(nb::handle value) {
 ChaosIndicator indicator(const PythonProblem& python_problem, nb::handle samples,
                          nb::handle deviation, double momentum_scale, double distance,
                          bool neighbour) {
-  const Problem problem = problem_of(python_problem);
+  const Problem problem = rotor_problem_of(python_problem, "chaos_indicator");
   const SaveAt times =
       samples.is_none() ? SaveAt::times({problem.stop}) : save_at_of(samples, "samples");
   ChaosOptions options{

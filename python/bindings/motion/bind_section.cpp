@@ -134,7 +134,7 @@ PythonSection<A> andoyer(const PythonProblem& python_problem, nb::handle angle, 
   SectionSurface surface = AndoyerSurface{choice<AndoyerAngle>(angle, "angle"), value,
                                           choice<Crossing>(crossing, "crossing")};
   if (period) surface = Strobe{*period, epoch};
-  const Problem problem = problem_of(python_problem);
+  const DampedProblem problem = problem_of(python_problem);
   return made_without_gil("andoyer_section", [&](const Progress& look) {
     return andoyer_section(problem, surface, look);
   });
@@ -142,7 +142,7 @@ PythonSection<A> andoyer(const PythonProblem& python_problem, nb::handle angle, 
 
 PythonSection<S> spin_orbit(const PythonProblem& python_problem,
                             const std::variant<KeplerOrbit, PrecessingKeplerOrbit>& orbit) {
-  const Problem problem = problem_of(python_problem);
+  const DampedProblem problem = problem_of(python_problem);
   return made_without_gil("spin_orbit_section", [&](const Progress& look) {
     return std::visit([&](const auto& o) { return spin_orbit_section(problem, o, look); }, orbit);
   });

@@ -21,7 +21,7 @@ namespace {
 using Rotors = Batch<RotorState>;
 using TrajectorySelf = nb::handle_t<PythonTrajectory>;
 
-const Trajectory& trajectory_of(TrajectorySelf self) {
+const DampedTrajectory& trajectory_of(TrajectorySelf self) {
   return nb::cast<const PythonTrajectory&>(self).run;
 }
 
@@ -137,33 +137,34 @@ void bind_statistics(nb::module_& m) {
 }
 
 void bind_event_record(nb::module_& m) {
-  nb::class_<EventRecord>(m, "EventRecord", "A crossing that the function of an event met.")
-      .def_ro("name", &EventRecord::name, "Of the event.")
-      .def_ro("t", &EventRecord::t, "When it was.")
+  nb::class_<DampedEventRecord>(m, "EventRecord", "A crossing that the function of an event met.")
+      .def_ro("name", &DampedEventRecord::name, "Of the event.")
+      .def_ro("t", &DampedEventRecord::t, "When it was.")
       .def_prop_ro(
-          "s", [](const EventRecord& e) { return Rotors::one(e.s); }, "The state there.")
-      .def_ro("direction", &EventRecord::direction,
+          "s", [](const DampedEventRecord& e) { return Rotors::one(e.s.rotor); },
+          "The state there.")
+      .def_ro("direction", &DampedEventRecord::direction,
               "1: rising as time ran; -1: falling; 0: a touch.")
       .def_prop_ro(
-          "damper_rate", [](const EventRecord& e) { return array_of(e.damper_rate); },
+          "damper_rate", [](const DampedEventRecord& e) { return array_of(e.s.damper_rate); },
           nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): rate of a damper there.")
       .def("__repr__",
-           [](const EventRecord& e) {
+           [](const DampedEventRecord& e) {
              return "<EventRecord: " + e.name + " at t = " + number_text(e.t) +
                     (e.direction > 0 ? ", rising>"
                                      : (e.direction < 0 ? ", falling>" : ", touching>"));
            })
       .def("__getstate__",
-           [](const EventRecord& e) {
-             return nb::make_tuple(e.name, e.t, Rotors::one(e.s), e.direction,
-                                   array_of(e.damper_rate));
+           [](const DampedEventRecord& e) {
+             return nb::make_tuple(e.name, e.t, Rotors::one(e.s.rotor), e.direction,
+                                   array_of(e.s.damper_rate));
            })
       .def("__setstate__",
-           [](EventRecord& e,
+           [](DampedEventRecord& e,
               const std::tuple<std::string, double, Rotors, int, nb::object>& state) {
              const auto& [name, t, s, direction, rate] = state;
-             new (&e) EventRecord{name, t, only(s), direction, vec3(rate, "damper_rate")};
+             new (&e) DampedEventRecord{name, t, {only(s), vec3(rate, "damper_rate")}, direction};
            });
 }
 
@@ -171,18 +172,18 @@ void bind_event_record(nb::module_& m) {
 nb::object times_of(TrajectorySelf self) {
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
   const double* first = rows->empty() ? nullptr : &rows->front().t;
-  return view_of(first, rows->size(), sizeof(Sample), {}, keeper(rows));
+  return view_of(first, rows->size(), sizeof(DampedSample), {}, keeper(rows));
 }
 Rotors states_of(TrajectorySelf self) {
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
   if (rows->empty()) return Rotors::filled({0}, [](RotorState*) {});
-  return Rotors({rows->size()}, rows, &rows->front().s, sizeof(Sample));
+  return Rotors({rows->size()}, rows, &rows->front().s.rotor, sizeof(DampedSample));
 }
 
 nb::object damper_rates_of(TrajectorySelf self) {
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
-  const double* first = rows->empty() ? nullptr : &rows->front().damper_rate.x;
-  return view_of(first, rows->size(), sizeof(Sample), {3}, keeper(rows));
+  const double* first = rows->empty() ? nullptr : &rows->front().s.damper_rate.x;
+  return view_of(first, rows->size(), sizeof(DampedSample), {3}, keeper(rows));
 }
 
 nb::object field_of(TrajectorySelf self, const char* name) {
@@ -196,13 +197,13 @@ Rotors states_at(const PythonTrajectory& trajectory, nb::handle times) {
   const std::size_t n = size_of(t.shape());
   return Rotors::filled(t.shape(), [&](RotorState* out) {
     if (n <= few) {
-      for (std::size_t k = 0; k < n; ++k) out[k] = trajectory.run.at(t[k]);
+      for (std::size_t k = 0; k < n; ++k) out[k] = trajectory.run.at(t[k]).rotor;
       return;
     }
     const Progress look = signal_check();
     const WithoutGil released;
     for (std::size_t k = 0; k < n; ++k) {
-      out[k] = trajectory.run.at(t[k]);
+      out[k] = trajectory.run.at(t[k]).rotor;
       if (look) look(t[k]);
     }
   });
@@ -212,12 +213,12 @@ nb::object damper_rates_at(const PythonTrajectory& trajectory, nb::handle times)
   const Numbers t(times, "t");
   Result rates(t.shape(), {3});
   for_each(size_of(t.shape()),
-           [&](std::size_t k) { put(rates.at(k), trajectory.run.sample(t[k]).damper_rate); });
+           [&](std::size_t k) { put(rates.at(k), trajectory.run.at(t[k]).damper_rate); });
   return rates.take();
 }
 
 nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle system) {
-  const Trajectory& trajectory = trajectory_of(self);
+  const DampedTrajectory& trajectory = trajectory_of(self);
   nb::dict table;
   table["t"] = times_of(self);
   const auto put_columns = [&](const nb::object& array, std::initializer_list<const char*> of) {
@@ -235,10 +236,10 @@ nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle
     throw nb::value_error(("columns: \"" + wanted.front() + "\" needs system=").c_str());
   const System& of = system_of(system, "columns: system");
   const double start = trajectory.start();
-  const Sample initial = trajectory.sample(start);
+  const DampedRotorState initial = trajectory.at(start);
   const double initial_energy =
       any_needs_energy(wanted)
-          ? energy(of.damper() ? at_damper_rate(of, initial.damper_rate) : of, start, initial.s)
+          ? energy(of.damper() ? at_damper_rate(of, initial.damper_rate) : of, start, initial.rotor)
           : 0.0;
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
   for (const auto& [name, numbers] : columns_of(of, *rows, wanted, initial_energy))
@@ -248,39 +249,39 @@ nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle
 
 // Without dense output, which is the method's own: at() says so afterwards.
 nb::tuple state_of(TrajectorySelf self) {
-  const Trajectory& trajectory = trajectory_of(self);
-  const Sample initial = trajectory.sample(trajectory.start());
-  return nb::make_tuple(trajectory.start(), Rotors::one(initial.s), times_of(self).attr("copy")(),
-                        states_of(self), trajectory.events(), trajectory.outcome(),
-                        trajectory.statistics(), trajectory.method(), array_of(initial.damper_rate),
-                        damper_rates_of(self).attr("copy")());
+  const DampedTrajectory& trajectory = trajectory_of(self);
+  const DampedRotorState initial = trajectory.at(trajectory.start());
+  return nb::make_tuple(trajectory.start(), Rotors::one(initial.rotor),
+                        times_of(self).attr("copy")(), states_of(self), trajectory.events(),
+                        trajectory.outcome(), trajectory.statistics(), trajectory.method(),
+                        array_of(initial.damper_rate), damper_rates_of(self).attr("copy")());
 }
-using State = std::tuple<double, Rotors, nb::object, Rotors, std::vector<EventRecord>, Outcome,
-                         Statistics, std::string, nb::object, nb::object>;
+using State = std::tuple<double, Rotors, nb::object, Rotors, std::vector<DampedEventRecord>,
+                         Outcome, Statistics, std::string, nb::object, nb::object>;
 void restore(PythonTrajectory& trajectory, const State& state) {
   const auto& [start, initial, times, states, events, outcome, statistics, method, rate, rates] =
       state;
   const Numbers t(times, "t"), of_damper(rates, "damper_rate", {3});
   if (t.shape() != states.shape() || of_damper.shape() != t.shape() || t.shape().size() != 1)
     throw nb::value_error("Trajectory: a pickle whose times and states do not fit");
-  std::vector<Sample> samples;
+  std::vector<DampedSample> samples;
   samples.reserve(states.size());
   for (std::size_t k = 0; k < states.size(); ++k) {
     const double* s = of_damper.at(k);
-    samples.push_back({t[k], states[k], {s[0], s[1], s[2]}});
+    samples.push_back({t[k], {states[k], {s[0], s[1], s[2]}}});
   }
-  new (&trajectory)
-      PythonTrajectory(Trajectory({.initial = {start, only(initial), vec3(rate, "damper_rate")},
-                                   .samples = std::move(samples),
-                                   .events = events,
-                                   .outcome = outcome,
-                                   .statistics = statistics,
-                                   .method = method,
-                                   .dense = {}}));
+  new (&trajectory) PythonTrajectory(
+      DampedTrajectory({.initial = {start, {only(initial), vec3(rate, "damper_rate")}},
+                        .samples = std::move(samples),
+                        .events = events,
+                        .outcome = outcome,
+                        .statistics = statistics,
+                        .method = method,
+                        .dense = {}}));
 }
 
 std::string shown(const PythonTrajectory& trajectory) {
-  const Trajectory& r = trajectory.run;
+  const DampedTrajectory& r = trajectory.run;
   std::string text = "<Trajectory: " + counted(trajectory.rows->size(), "sample") +
                      ", t = " + number_text(r.start()) + " to " + number_text(r.stop()) + "; " +
                      r.method() + ", " + std::to_string(r.statistics().steps) + " steps; ";
@@ -290,7 +291,7 @@ std::string shown(const PythonTrajectory& trajectory) {
 
 // polhode._tables, which knows pandas and xarray, makes the table.
 nb::object table_of(TrajectorySelf self, const char* kind, nb::handle names, nb::handle system) {
-  const Trajectory& trajectory = trajectory_of(self);
+  const DampedTrajectory& trajectory = trajectory_of(self);
   nb::dict notes;
   notes["method"] = trajectory.method();
   notes["outcome"] = text_of(trajectory.outcome());

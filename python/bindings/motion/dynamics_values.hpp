@@ -33,11 +33,15 @@ struct PythonProblem {
 // TypeError for what is none.
 Method method_of(nb::handle method);
 // The event of C++; the object that it is made of must outlive it.
-Event event_of(const PythonEvent& event);
+template <MotionState S>
+BasicEvent<S> event_of(const PythonEvent& event);
 // A tuple of PythonEvent. `what` stands for it in messages.
 nb::tuple events_of(nb::handle events, const char* what);
 // For the time of a run: the Python objects outlive it.
-Problem problem_of(const PythonProblem& problem);
+DampedProblem problem_of(const PythonProblem& problem);
+// Of the rotor alone, without events, for functions that carry no rate of a damper; they refuse a
+// system with one. ValueError, naming `function`, for a rate without a damper.
+Problem rotor_problem_of(const PythonProblem& problem, const char* function);
 // A failed run is a result, with its samples so far; but nobody should plot it unawares.
 void warn_of(const Outcome& outcome, const char* function);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bindings.hpp"
-#include "polhode/trajectory/trajectory.hpp"
+#include "polhode/dynamics/problem.hpp"
 
 namespace polhode::python {
 
@@ -14,13 +14,13 @@ namespace polhode::python {
 // collector does not see into arrays. One that kept the terms would keep, through a term in Python,
 // the globals of a script, hence itself.
 struct PythonTrajectory {
-  explicit PythonTrajectory(Trajectory trajectory, nb::object of = {})
+  explicit PythonTrajectory(DampedTrajectory trajectory, nb::object of = {})
       : run(std::move(trajectory)),
-        rows(std::make_shared<const std::vector<Sample>>(std::move(run).samples())),
+        rows(std::make_shared<const std::vector<DampedSample>>(std::move(run).samples())),
         system(std::move(of)) {}
 
-  Trajectory run;  // all but the samples
-  std::shared_ptr<const std::vector<Sample>> rows;
+  DampedTrajectory run;  // all but the samples
+  std::shared_ptr<const std::vector<DampedSample>> rows;
   // The Python object whose terms dense output asks: a term in Python lives as long as its object.
   // Null where there is none.
   nb::object system;

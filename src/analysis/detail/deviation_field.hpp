@@ -1,182 +1,181 @@
 // SPDX-License-Identifier: MIT
-// A motion with a deviation from it, as an ode sees them: 16 numbers, two of which are the integral
-// of the growth L (at 7) and that of MEGNO (at 15).
+// A motion with a deviation from it, as an ode sees them: the rotor, at 7 the integral of the
+// growth L, from 8 on the deviation, at 15 the integral of MEGNO; and the logarithm of what the
+// deviation was scaled down by.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <type_traits>
 
-#include "analysis/detail/growth.hpp"
-#include "dynamics/detail/adaptive_field.hpp"
+#include "analysis/detail/deviated_state.hpp"
+#include "dynamics/adaptive/rotor_field.hpp"
+#include "system/variational_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
 inline constexpr std::size_t growth_integral = 7;
+inline constexpr std::size_t second = 8;
 inline constexpr std::size_t megno_integral = 15;
-using DeviatedValues = std::array<double, 16>;
 
-inline RotorValues<double> first_rotor(const DeviatedValues& y) {
-  return {y[0], y[1], y[2], y[3], y[4], y[5], y[6], 0.0};
-}
-inline RotorValues<double> second_rotor(const DeviatedValues& y) {
-  return {y[8], y[9], y[10], y[11], y[12], y[13], y[14], 0.0};
+template <std::size_t N>
+RotorValues<double> rotor_at(const std::array<double, N>& y, std::size_t first) {
+  RotorValues<double> r{};
+  std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(first), 7, r.begin());
+  return r;
 }
 
-// What both kinds of deviation share: the clock of the run, and the growth behind them.
-struct GrowthClock {
+// What a deviation is measured by.
+struct Growth {
   double start = 0.0;
+  double forward = 1.0;  // or -1, as elapsed time runs
   double momentum_scale = 1.0;
+  double target = 1.0;  // the length that it is brought back to
   double initial_length = 1.0;
-  double behind = 0.0;  // ln of all factors that the deviation was scaled down by
 
   double elapsed(const DoubleDouble& t) const { return std::abs((t - start).hi); }
-  double growth(const Deviation& d) const { return behind + std::log(length(d) / initial_length); }
-
-  // The rates of the two integrals; `forward` is +1 or -1, as elapsed time runs.
-  void integrals(const DoubleDouble& t, const DeviatedValues& y, const Deviation& d, double forward,
-                 DeviatedValues& rates) const {
-    const double L = growth(d);
-    rates[growth_integral] = forward * L;
-    rates[megno_integral] = forward * megno(L, y[growth_integral], elapsed(t));
-  }
 };
 
-// By the variational equations: derivatives of the terms along the deviation are those of one
-// variable of a Tangent.
-class VariationalField {
+// By the variational equations.
+class Variational {
  public:
-  VariationalField(const System& system, const GrowthClock& clock, double forward)
-      : rotor_(system), clock_(&clock), forward_(forward) {}
+  static constexpr std::size_t size = 16;
+  static constexpr std::size_t behind = 14;
+  // A linear deviation is scaled down before it leaves the range of a double, and long before.
+  static constexpr double reach = 0x1p200;
+  using Values = std::array<double, size>;
 
-  static Deviation deviation_of(const DeviatedValues& y, double) {
+  Variational(const System& system, double momentum_scale)
+      : rotor_(system), equations_(system), scale_(momentum_scale) {}
+
+  static Deviation deviation_of(const Values& y, double) {
     return {{y[8], y[9], y[10]}, {y[11], y[12], y[13]}};
   }
-  static void put(DeviatedValues& y, const Deviation& d, double) {
+  static void put(Values& y, const Deviation& d, double) {
     const Vec3 &turn = d.turn, &momentum = d.momentum;
     const double values[] = {turn.x, turn.y, turn.z, momentum.x, momentum.y, momentum.z};
-    std::copy_n(values, 6, y.begin() + 8);
+    std::copy_n(values, 6, y.begin() + second);
   }
-
-  DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y,
-                            const SwitchSides* sides = nullptr) const {
-    const RotorValues<double> values = first_rotor(y);
-    const Setting at = rotor_.setting(t, values);
-    const System& system = rotor_.system();
-    const bool inertial = system.frame().is_inertial();
-    const FrameMotion frame = inertial ? FrameMotion{} : rotor_.frame_motion(t);
-    const Deviation d = deviation_of(y, 0.0);
-    const Vec3 dg = clock_->momentum_scale * d.momentum;
-    const auto [e, de] = effects(at, frame.q_IS, d.turn, dg, sides);
-    const Vec3& I = system.body().moments();
-    const Vec3& g = at.s.g;
-    const Vec3 w{g.x / I.x + e.v.x, g.y / I.y + e.v.y, g.z / I.z + e.v.z};
-    const Vec3 dw{dg.x / I.x + de.v.x, dg.y / I.y + de.v.y, dg.z / I.z + de.v.z};
-    RotorRates rates = inertial_rates(at.s, w, e.u);
-    if (!inertial) rates = relative_rates(rates, at.s.q, frame.mu_S);
-    // the frame turns both attitudes alike
-    const Vec3 turn = dw + cross(d.turn, w);
-    const Vec3 momentum = (1.0 / clock_->momentum_scale) * (cross(dg, w) + cross(g, dw) + de.u);
-    DeviatedValues r{rates.q.w, rates.q.x, rates.q.y, rates.q.z,
-                     rates.g.x, rates.g.y, rates.g.z, 0.0};
-    put(r, {turn, momentum}, 0.0);
-    clock_->integrals(t, y, d, forward_, r);
-    return r;
+  static double error_size(const Values& error, const Values& y, const Values&) {
+    return length(deviation_of(error, 0.0)) / length(deviation_of(y, 0.0));
   }
+  static void settle(CompensatedState<double, size>&) {}
 
   const RotorField<double>& rotor() const { return rotor_; }
-
- private:
-  // The sum of the terms and its change by (theta_B, dg).
-  std::pair<Effect, Effect> effects(const Setting& at, const Quaternion& q_IS, const Vec3& turn,
-                                    const Vec3& dg, const SwitchSides* sides) const {
-    const System& system = rotor_.system();
-    if (system.terms().empty()) return {};
-    const Vec3 half = 0.5 * turn;
-    const Quaternion dq = at.s.q * Quaternion{0.0, half.x, half.y, half.z};
-    const auto moving = [](double x, double dx) { return Tangent(x, {dx}); };
-    const BasicRotorState<Tangent> s{
-        {moving(at.s.q.w, dq.w), moving(at.s.q.x, dq.x), moving(at.s.q.y, dq.y),
-         moving(at.s.q.z, dq.z)},
-        {moving(at.s.g.x, dg.x), moving(at.s.g.y, dg.y), moving(at.s.g.z, dg.z)}};
-    const BasicSetting<Tangent> setting{at.body, Tangent(at.t), s, constant<double, 6>(q_IS),
-                                        Tangent(at.t_rest)};
-    BasicEffect<Tangent> sum;
-    if (sides) {
-      sum = sum_on_sides(system, setting, *sides);
-    } else {
-      sum = system.terms().front().effect(setting);
-      for (std::size_t i = 1; i < system.terms().size(); ++i)
-        sum = sum + system.terms()[i].effect(setting);
-    }
-    const auto value = [](const BasicVec3<Tangent>& v) {
-      return Vec3{v.x.value, v.y.value, v.z.value};
-    };
-    const auto slope = [](const BasicVec3<Tangent>& v) {
-      return Vec3{v.x.derivative[0], v.y.derivative[0], v.z.derivative[0]};
-    };
-    return {{value(sum.v), value(sum.u)}, {slope(sum.v), slope(sum.u)}};
+  Values operator()(const DoubleDouble& t, const Values& y, const SwitchSides* sides) const {
+    const Deviation d = deviation_of(y, 0.0);
+    const auto [r, along] =
+        equations_(t, rotor_state<double>(y), {d.turn, scale_ * d.momentum}, sides);
+    Values rates{r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z};
+    put(rates, {along.turn, (1.0 / scale_) * along.momentum}, 0.0);
+    return rates;
   }
 
+ private:
   RotorField<double> rotor_;
-  const GrowthClock* clock_;
-  double forward_;
+  VariationalEquations equations_;
+  double scale_;
 };
 
 // By a second motion, under the same steps.
-class NeighbourField {
+class Neighbour {
  public:
-  NeighbourField(const System& system, const GrowthClock& clock, double forward)
-      : rotor_(system), clock_(&clock), forward_(forward) {}
+  static constexpr std::size_t size = 18;  // one more to fill the processor's registers
+  static constexpr std::size_t behind = 16;
+  static constexpr double reach = neighbour_reach;
+  using Values = std::array<double, size>;
 
-  static Deviation deviation_of(const DeviatedValues& y, double momentum_scale) {
-    return deviation(rotor_state<double>(first_rotor(y)), rotor_state<double>(second_rotor(y)),
-                     momentum_scale);
-  }
-  static void put(DeviatedValues& y, const Deviation& d, double momentum_scale) {
-    const RotorValues<double> second =
-        rotor_values(moved_by(rotor_state<double>(first_rotor(y)), d, momentum_scale));
-    std::copy_n(second.begin(), 7, y.begin() + 8);
-  }
+  Neighbour(const System& system, double) : rotor_(system) {}
 
+  static Deviation deviation_of(const Values& y, double momentum_scale) {
+    return deviation(rotor_state<double>(y), rotor_state<double>(y, second), momentum_scale);
+  }
+  static void put(Values& y, const Deviation& d, double momentum_scale) {
+    const RotorValues<double> other =
+        rotor_values(moved_by(rotor_state<double>(y), d, momentum_scale));
+    std::copy_n(other.begin(), 7, y.begin() + second);
+  }
+  static double error_size(const Values& error, const Values& y, const Values& increment) {
+    return RotorErrorSize()(rotor_at(error, second), rotor_at(y, second),
+                            rotor_at(increment, second));
+  }
+  static void settle(CompensatedState<double, size>& s) { restore_norm(s, second); }
+
+  const RotorField<double>& rotor() const { return rotor_; }
   // Both on the sides of the first: they part by less than a step can see.
-  DeviatedValues operator()(const DoubleDouble& t, const DeviatedValues& y,
-                            const SwitchSides* sides = nullptr) const {
-    const RotorValues<double> a = rotor_(t, first_rotor(y), sides);
-    const RotorValues<double> b = rotor_(t, second_rotor(y), sides);
-    DeviatedValues r{};
+  Values operator()(const DoubleDouble& t, const Values& y, const SwitchSides* sides) const {
+    const RotorValues<double> a = rotor_(t, rotor_at(y, 0), sides);
+    const RotorValues<double> b = rotor_(t, rotor_at(y, second), sides);
+    Values r{};
     std::copy_n(a.begin(), 7, r.begin());
-    std::copy_n(b.begin(), 7, r.begin() + 8);
-    clock_->integrals(t, y, deviation_of(y, clock_->momentum_scale), forward_, r);
+    std::copy_n(b.begin(), 7, r.begin() + second);
     return r;
   }
 
-  const RotorField<double>& rotor() const { return rotor_; }
-
  private:
   RotorField<double> rotor_;
-  const GrowthClock* clock_;
-  double forward_;
 };
 
-// The error of a motion and that of its deviation, relative to each. The integrals follow: they
-// hold nothing that the rest does not.
-template <class Field>
-class DeviatedErrorSize {
+// `By` is one of the two.
+template <class By>
+class DeviationField {
  public:
-  double operator()(const DeviatedValues& error, const DeviatedValues& y,
-                    const DeviatedValues& increment) const {
-    const double first =
-        RotorErrorSize()(first_rotor(error), first_rotor(y), first_rotor(increment));
-    double second = 0.0;
-    if constexpr (std::is_same_v<Field, VariationalField>) {
-      second = length(Field::deviation_of(error, 0.0)) / length(Field::deviation_of(y, 0.0));
-    } else {
-      second = RotorErrorSize()(second_rotor(error), second_rotor(y), second_rotor(increment));
-    }
-    return first < second || second != second ? second : first;
+  using Number = double;
+  using Values = typename By::Values;
+  using State = DeviatedState;
+
+  DeviationField(const System& system, const Growth& growth)
+      : by_(system, growth.momentum_scale), growth_(growth) {}
+
+  const RotorField<double>& watched() const { return by_.rotor(); }
+
+  Values operator()(const DoubleDouble& t, const Values& y, const SwitchSides* sides) const {
+    Values r = by_(t, y, sides);
+    const double L = grown(y, deviation_of(y));
+    r[growth_integral] = growth_.forward * L;
+    r[megno_integral] = growth_.forward * megno(L, y[growth_integral], growth_.elapsed(t));
+    return r;
   }
+
+  Deviation deviation_of(const Values& y) const {
+    return By::deviation_of(y, growth_.momentum_scale);
+  }
+  static RotorState rotor(const Values& y) { return rounded(rotor_state<double>(y)); }
+  DeviatedState state(const Values& y) const {
+    const Deviation d = deviation_of(y);
+    return {rotor(y), d, grown(y, d), y[growth_integral], y[megno_integral]};
+  }
+  // The error of a motion and that of its deviation, relative to each. The integrals follow: they
+  // hold nothing that the rest does not.
+  double error_size(const Values& error, const Values& y, const Values& increment) const {
+    const double first =
+        RotorErrorSize()(rotor_at(error, 0), rotor_at(y, 0), rotor_at(increment, 0));
+    const double other = By::error_size(error, y, increment);
+    return first < other || other != other ? other : first;
+  }
+  // After a step: unit quaternions, and a deviation that is not too long or too short.
+  void settle(CompensatedState<double, By::size>& s) const {
+    restore_norm(s);
+    By::settle(s);
+    const Deviation d = deviation_of(s.y);
+    const double size = length(d), target = growth_.target;
+    if (target < By::reach * size && size < By::reach * target) return;
+    if (!(size > 0.0) || !std::isfinite(size)) return;  // state() says it
+    By::put(s.y, scaled(d, target / size), growth_.momentum_scale);
+    s.y[By::behind] += std::log(size / length(deviation_of(s.y)));
+    for (std::size_t i = second; i < megno_integral; ++i) s.carry[i] = 0.0;
+  }
+
+ private:
+  double grown(const Values& y, const Deviation& d) const {
+    return y[By::behind] + std::log(length(d) / growth_.initial_length);
+  }
+
+  By by_;
+  Growth growth_;
 };
 
 }  // namespace detail

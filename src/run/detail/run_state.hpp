@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "dynamics/detail/state_bytes.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -26,8 +26,8 @@ struct RunState {
   std::int64_t pushed = 0;  // rows, into the sinks
   std::string integration;  // bytes of a Checkpoint, or of that search
   Statistics before{};      // of the way
-  Sample first{};           // where the rows start
-  Sample latest{};          // of the rows pushed
+  DampedSample first{};     // where the rows start
+  DampedSample latest{};    // of the rows pushed
 
   void transfer(StateBytes& bytes) {
     bytes.all(stage, t, pushed, integration, before, first, latest);
@@ -36,8 +36,8 @@ struct RunState {
 
 struct RunControl {
   Progress progress = {};
-  std::function<void(const EventRecord&)> event = {};  // empty: the report has them
-  std::function<bool(double t)> due = {};              // whether to keep the state now
+  std::function<void(const DampedEventRecord&)> event = {};  // empty: the report has them
+  std::function<bool(double t)> due = {};                    // whether to keep the state now
   std::function<void(const RunState&)> keep = {};
   const RunState* from = nullptr;
 };

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "dynamics/detail/stepper.hpp"
+#include "dynamics/steppers.hpp"
+#include "polhode/dynamics/integrate.hpp"
 
 namespace polhode::test {
 

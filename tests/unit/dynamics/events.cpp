@@ -324,6 +324,17 @@ TEST_P(EventsOf, WhatIsFasterThanTheBodyNeedsAnInterval) {
   EXPECT_EQ(integrate(sphere(GetParam().method, 20.0, hum)).events().size(), 254U);
 }
 
+TEST_P(EventsOf, WhatTheyAskOfTheTermsIsCounted) {
+  const Event event{"w", [](double, const RotorState& s) { return s.q.w; }};
+  Problem p = sphere(GetParam().method, 40.0, event);
+  const Statistics with = integrate(p).statistics();
+  p.events.clear();
+  const Statistics without = integrate(p).statistics();
+  EXPECT_EQ(with.steps, without.steps);
+  // how fast the body turns at both ends of a step, and slopes there
+  EXPECT_GE(with.evaluations, without.evaluations + 4 * with.steps);
+}
+
 TEST_P(EventsOf, EndAtTheFirstThatStops) {
   Problem p{System(wing_nut), spinning, 0.0, 40.0, GetParam().method, functions};
   p.events[2].stops = true;

@@ -7,6 +7,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,15 +35,14 @@ const Vec3 s0{0.4, -0.7, 0.2};
 const Vec3 torque{0.02, -0.01, 0.03};  // inertial axes
 constexpr Adaptive sharp{.tolerance = 1e-14};
 
-Problem problem(double stop, const Method& method = sharp, const Frame& frame = Frame::inertial(),
-                std::vector<AnyPerturbation> terms = {}, double friction = c) {
+DampedProblem problem(double stop, const Method& method = sharp,
+                      const Frame& frame = Frame::inertial(),
+                      std::vector<AnyPerturbation> terms = {}, double friction = c) {
   return {System(body, frame, std::move(terms), KaneDamper(J, friction)),
-          start,
+          {start, s0},
           0.0,
           stop,
-          method,
-          {},
-          s0};
+          method};
 }
 
 using Long = long double;
@@ -84,16 +84,16 @@ class TwoBodies {
       stepper.do_step([this](const Values& a, Values& da, Long) { da = rates(a); }, v, 0.0L, h);
     return v;
   }
-  Sample sample(double t, const Values& v) const {
+  DampedSample sample(double t, const Values& v) const {
     const LongQuaternion q = attitude({v[0], v[1], v[2], v[3]});
     const LongVec3 P{v[4], v[5], v[6]}, H{v[7], v[8], v[9]};
     return {t,
-            {{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
-              static_cast<double>(q.z)},
-             narrow(rotate(conj(q), P + H))},
-            narrow(rotate(conj(q), (1.0L / J_) * H - rate(q, P)))};
+            {{{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
+               static_cast<double>(q.z)},
+              narrow(rotate(conj(q), P + H))},
+             narrow(rotate(conj(q), (1.0L / J_) * H - rate(q, P)))}};
   }
-  Sample sample(double t) const { return sample(t, at(t)); }
+  DampedSample sample(double t) const { return sample(t, at(t)); }
 
  private:
   // Of the hub, in space.
@@ -114,10 +114,10 @@ class TwoBodies {
   Long J_ = static_cast<Long>(J);
 };
 
-double distance(const Sample& a, const Sample& b) {
-  const Quaternion d = conj(a.s.q) * b.s.q;
-  return 2.0 * norm(Vec3{d.x, d.y, d.z}) + norm(a.s.g - b.s.g) / norm(b.s.g) +
-         norm(a.damper_rate - b.damper_rate);
+double distance(const DampedSample& a, const DampedSample& b) {
+  const Quaternion d = conj(a.s.rotor.q) * b.s.rotor.q;
+  return 2.0 * norm(Vec3{d.x, d.y, d.z}) + norm(a.s.rotor.g - b.s.rotor.g) / norm(b.s.rotor.g) +
+         norm(a.s.damper_rate - b.s.damper_rate);
 }
 
 AnyPerturbation thruster() { return {"thruster", ConstantTorque::in_space(torque)}; }
@@ -125,24 +125,24 @@ AnyPerturbation thruster() { return {"thruster", ConstantTorque::in_space(torque
 TEST(KaneDamperRun, IsThatOfTwoBodiesInSpace) {
   for (const Method& method : {Method(sharp), Method(Adaptive{.tolerance = 1e-18,
                                               .precision = Precision::double_double})}) {
-    const Trajectory run = integrate(problem(20.0, method, Frame::inertial(), {thruster()}));
+    const DampedTrajectory run = integrate(problem(20.0, method, Frame::inertial(), {thruster()}));
     ASSERT_TRUE(run.outcome().ok());
     for (const double t : {0.3, 7.1, 20.0}) {
-      const Sample want = TwoBodies().sample(t);
+      const DampedSample want = TwoBodies().sample(t);
       EXPECT_LE(distance(run.sample(t), want), budget::kane_two_bodies) << t;
       EXPECT_EQ(run.at(t), run.sample(t).s);
     }
-    EXPECT_LT(norm(run.sample(20.0).damper_rate), 0.5 * norm(s0));
+    EXPECT_LT(norm(run.at(20.0).damper_rate), 0.5 * norm(s0));
   }
 }
 
 TEST(KaneDamperRun, IsTheSameInAMovingFrame) {
   const Frame frame = Frame::precessing({0.3, -0.2, 1.0}, 0.7, 0.4);
-  Problem moving = problem(20.0, sharp, frame, {thruster()});
-  moving.initial = reference_state(moving.system, 0.0, start);
-  const Trajectory run = integrate(moving);
-  Sample end = run.sample(20.0);
-  end.s = inertial_state(moving.system, 20.0, end.s);
+  DampedProblem moving = problem(20.0, sharp, frame, {thruster()});
+  moving.initial.rotor = reference_state(moving.system, 0.0, start);
+  const DampedTrajectory run = integrate(moving);
+  DampedSample end = run.sample(20.0);
+  end.s.rotor = inertial_state(moving.system, 20.0, end.s.rotor);
   EXPECT_LE(distance(end, TwoBodies().sample(20.0)), budget::kane_two_bodies);
 }
 
@@ -164,14 +164,14 @@ TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
     if (with_terms) terms.emplace_back("coupling", Coupling{});
     const Frame frame =
         with_terms ? Frame::precessing({0.0, 0.6, 0.8}, 0.3, 0.0) : Frame::inertial();
-    const Problem p = problem(15.0, sharp, frame, terms);
-    const Trajectory run = integrate(p);
+    const DampedProblem p = problem(15.0, sharp, frame, terms);
+    const DampedTrajectory run = integrate(p);
     const auto energy_at = [&](double t) {
-      const Sample at = run.sample(t);
-      return energy(at_damper_rate(p.system, at.damper_rate), t, at.s);
+      const DampedRotorState at = run.at(t);
+      return energy(at_damper_rate(p.system, at.damper_rate), t, at.rotor);
     };
     const auto power = [&](double t) {
-      const Vec3 s = run.sample(t).damper_rate;
+      const Vec3 s = run.at(t).damper_rate;
       return c * dot(s, s);
     };
     double lost = 0.0;
@@ -180,7 +180,7 @@ TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
     EXPECT_GT(lost, 0.01);
     EXPECT_NEAR((energy_at(0.0) - energy_at(15.0)) / lost, 1.0, budget::kane_energy);
     const auto in_space = [&](double t) {
-      const RotorState s = inertial_state(p.system, t, run.at(t));
+      const RotorState s = inertial_state(p.system, t, run.at(t).rotor);
       return rotate(s.q, s.g);
     };
     if (with_terms) continue;
@@ -189,19 +189,20 @@ TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
 }
 
 TEST(KaneDamperRun, WithoutFrictionTheHubIsFree) {
-  const Problem p = problem(30.0, sharp, Frame::inertial(), {}, 0.0);
-  const Trajectory run = integrate(p);
+  const DampedProblem p = problem(30.0, sharp, Frame::inertial(), {}, 0.0);
+  const DampedTrajectory run = integrate(p);
   const Vec3& I = body.moments();
   const Vec3 h = p.system.damper()->momentum(body, start.g, s0);
   const FreeRotation hub(Body(I.x - J, I.y - J, I.z - J), {start.q, start.g - h});
   const Vec3 h_I = rotate(start.q, h);
   for (const double t : {3.0, 30.0}) {
-    const Sample at = run.sample(t);
+    const DampedSample at = run.sample(t);
     const RotorState alone = hub.at(t);
     const Vec3 of_sphere = rotate(conj(alone.q), h_I);
-    const Sample want{t,
-                      {alone.q, alone.g + of_sphere},
-                      p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)};
+    const DampedSample want{
+        t,
+        {{alone.q, alone.g + of_sphere},
+         p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)}};
     EXPECT_LE(distance(at, want), budget::kane_two_bodies);
   }
 }
@@ -223,49 +224,82 @@ TEST(KaneDamperRun, TendsToInternalDamping) {
 }
 
 TEST(KaneDamperRun, TurnsWithABodyThatSpins) {
-  Problem p = problem(50.0);
-  p.initial.g = {0.0, 0.0, 1.7};
-  p.damper_rate = {};
-  const Trajectory run = integrate(p);
-  EXPECT_EQ(run.samples().back().damper_rate, Vec3{});
-  EXPECT_EQ(run.samples().back().s.g, p.initial.g);
+  DampedProblem p = problem(50.0);
+  p.initial.rotor.g = {0.0, 0.0, 1.7};
+  p.initial.damper_rate = {};
+  const DampedTrajectory run = integrate(p);
+  EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
+  EXPECT_EQ(run.samples().back().s.rotor.g, p.initial.rotor.g);
 }
 
 TEST(KaneDamperRun, RestsWithABodyAtRest) {
-  Problem p = problem(50.0);
-  p.initial.g = {};
-  p.damper_rate = {};
-  const Trajectory run = integrate(p);
+  DampedProblem p = problem(50.0);
+  p.initial.rotor.g = {};
+  p.initial.damper_rate = {};
+  const DampedTrajectory run = integrate(p);
   EXPECT_EQ(run.outcome().status, Outcome::Status::completed) << run.outcome().advice;
   EXPECT_EQ(run.samples().back().s, p.initial);
-  EXPECT_EQ(run.samples().back().damper_rate, Vec3{});
+  EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
 }
 
 TEST(KaneDamperRun, GoesBackToItsStart) {
-  Problem p = problem(3.0, sharp, Frame::inertial(), {thruster()});
-  const Sample there = integrate(p).sample(3.0);
-  p.initial = there.s;
-  p.damper_rate = there.damper_rate;
+  DampedProblem p = problem(3.0, sharp, Frame::inertial(), {thruster()});
+  p.initial = integrate(p).at(3.0);
   p.start = 3.0;
   p.stop = 0.0;
-  EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, start, s0}), budget::kane_two_bodies);
+  EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, {start, s0}}), budget::kane_two_bodies);
 }
 
 TEST(KaneDamperRun, EventsAndSamplesHoldItsRate) {
-  Problem p = problem(20.0);
-  p.events.push_back({"slow", [](const Sample& at) { return norm(at.damper_rate) - 0.3; },
+  DampedProblem p = problem(20.0);
+  p.events.push_back({"slow",
+                      [](double, const DampedRotorState& s) { return norm(s.damper_rate) - 0.3; },
                       Crossing::falling, true});
-  const Trajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
+  const DampedTrajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
   ASSERT_EQ(run.events().size(), 1U);
-  EXPECT_NEAR(norm(run.events()[0].damper_rate), 0.3, budget::kane_two_bodies);
+  EXPECT_NEAR(norm(run.events()[0].s.damper_rate), 0.3, budget::kane_two_bodies);
   EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
-  EXPECT_EQ(run.samples()[0].damper_rate, s0);
-  EXPECT_EQ(run.samples().back().damper_rate, run.events()[0].damper_rate);
-  EXPECT_EQ(run.samples()[2].damper_rate, run.sample(0.5).damper_rate);
+  EXPECT_EQ(run.samples()[0].s.damper_rate, s0);
+  EXPECT_EQ(run.samples().back().s.damper_rate, run.events()[0].s.damper_rate);
+  EXPECT_EQ(run.samples()[2].s.damper_rate, run.at(0.5).damper_rate);
+}
+
+// A Problem shows the rotor, whatever its system has; a DampedProblem the damper too, at rest in
+// the body where there is none.
+TEST(KaneDamperRun, IsSeenAsTheStateOfTheProblem) {
+  const Crossing both = Crossing::both;
+  const auto height = [](double, const RotorState& s) { return s.g.z - 0.2; };
+  const auto of_rotor = [](double, const DampedRotorState& s) { return s.rotor.g.z - 0.2; };
+  for (const bool with_damper : {true, false}) {
+    SCOPED_TRACE(with_damper);
+    const System system =
+        with_damper ? problem(1.0).system : System(body, Frame::inertial(), {thruster()});
+    const Problem rotor{system, start, 0.0, 20.0, sharp, {{"height", height, both}}};
+    const DampedProblem damped{system, {start, {}}, 0.0, 20.0, sharp, {{"height", of_rotor, both}}};
+    const Trajectory a = integrate(rotor);
+    const DampedTrajectory b = integrate(damped);
+    ASSERT_EQ(a.samples().size(), b.samples().size());
+    ASSERT_FALSE(a.events().empty());
+    ASSERT_EQ(a.events().size(), b.events().size());
+    for (std::size_t k = 0; k < a.samples().size(); ++k) {
+      EXPECT_EQ(a.samples()[k].t, b.samples()[k].t);
+      EXPECT_EQ(a.samples()[k].s, b.samples()[k].s.rotor);
+    }
+    for (std::size_t k = 0; k < a.events().size(); ++k)
+      EXPECT_EQ(a.events()[k].s, b.events()[k].s.rotor);
+    EXPECT_EQ(a.at(7.7), b.at(7.7).rotor);
+    EXPECT_EQ(norm(b.at(7.7).damper_rate) > 0.0, with_damper);
+    std::vector<Sample> pushed;
+    integrate(rotor, SaveAt::count(0.0, 20.0, 9), [&](std::span<const Sample> block) {
+      pushed.insert(pushed.end(), block.begin(), block.end());
+    });
+    ASSERT_EQ(pushed.size(), 9U);
+    for (const Sample& at : pushed) EXPECT_EQ(at.s, b.at(at.t).rotor);
+  }
 }
 
 TEST(KaneDamperRun, SystemAtARateKnowsItsRotation) {
-  const Problem p = problem(1.0);
+  const DampedProblem p = problem(1.0);
   const System at = at_damper_rate(p.system, s0);
   const Vec3& I = body.moments();
   const Vec3 h = p.system.damper()->momentum(body, start.g, s0), rest = start.g - h;
@@ -278,30 +312,31 @@ TEST(KaneDamperRun, SystemAtARateKnowsItsRotation) {
 }
 
 TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
-  const Problem p = problem(1.0);
+  const DampedProblem p = problem(1.0);
   EXPECT_EQ(message_of([&] { angular_velocity(p.system, 0.0, start); }),
             "a system with a Kane damper has no angular velocity without the rate of the damper: "
             "take at_damper_rate(system, rate)");
   EXPECT_THAT(message_of([&] { energy(p.system, 0.0, start); }), HasSubstr("at_damper_rate"));
   EXPECT_THAT(message_of([&] { rotor_rates(p.system, 0.0, start); }), HasSubstr("at_damper_rate"));
+  const Problem bare{p.system, start, 0.0, 1.0, sharp};
   for (const Method& method : {Method(Splitting{0.1}), Method(VariationOfConstants{})})
     EXPECT_EQ(message_of([&] { integrate(problem(1.0, method)); }),
               "integrate: a Kane damper has a state of its own: method must be Adaptive; "
               "InternalDamping, its limit of strong friction, has no state");
-  EXPECT_EQ(message_of([&] { state_transitions(p, SaveAt::times({1.0})); }),
+  EXPECT_EQ(message_of([&] { state_transitions(bare, SaveAt::times({1.0})); }),
             "state_transitions: a Kane damper has a state of its own, which integrate alone "
             "carries; InternalDamping, its limit of strong friction, has no state");
-  EXPECT_THAT(message_of([&] { chaos_indicator(p, SaveAt::times({1.0})); }),
+  EXPECT_THAT(message_of([&] { chaos_indicator(bare, SaveAt::times({1.0})); }),
               HasSubstr("which integrate alone carries"));
-  Problem bare{System(body), start, 0.0, 1.0, sharp, {}, {0.0, 0.1, 0.0}};
-  EXPECT_EQ(message_of([&] { integrate(bare); }),
+  const DampedProblem without{System(body), {start, {0.0, 0.1, 0.0}}, 0.0, 1.0, sharp};
+  EXPECT_EQ(message_of([&] { integrate(without); }),
             "integrate: damper_rate (0, 0.1, 0) must be zero for a system without a damper");
   EXPECT_EQ(message_of([&] {
-              at_damper_rate(bare.system, {0.0, 0.1, 0.0});
+              at_damper_rate(without.system, {0.0, 0.1, 0.0});
             }),
             "at_damper_rate: rate (0, 0.1, 0) must be zero for a system without a damper");
-  Problem lost = p;
-  lost.damper_rate.y = std::nan("");
+  DampedProblem lost = p;
+  lost.initial.damper_rate.y = std::nan("");
   EXPECT_EQ(message_of([&] { integrate(lost); }),
             "integrate: damper_rate (0.4, nan, 0.2) must be finite");
   EXPECT_THAT(message_of([] { System(body, Frame::inertial(), {}, KaneDamper(0.6, 1.0)); }),

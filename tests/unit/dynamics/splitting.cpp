@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "dynamics/detail/splitting_map.hpp"
+#include "dynamics/splitting/splitting_map.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "splitting_support.hpp"

@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-#include "dynamics/detail/splitting_map.hpp"
+#include "dynamics/splitting/splitting_map.hpp"
 #include "splitting_support.hpp"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "budgets.hpp"
-#include "dynamics/detail/splitting_map.hpp"
+#include "dynamics/splitting/splitting_map.hpp"
 #include "unit/dynamics/splitting_support.hpp"
 
 namespace polhode::splitting_test {

@@ -10,7 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "dynamics/detail/stepper.hpp"
+#include "dynamics/steppers.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode::splitting_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Zeros of functions of time whose zeros are known.
-#include "dynamics/detail/time_zeros.hpp"
+#include "polhode/dynamics/detail/time_zeros.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

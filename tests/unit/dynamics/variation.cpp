@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "budgets.hpp"
-#include "dynamics/detail/variation_collocation.hpp"
+#include "dynamics/variation/variation_collocation.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "splitting_support.hpp"
 

@@ -83,24 +83,24 @@ TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
   sinks.push_back(std::move(rows));
   const RunReport report = run(s, row_layout(s), sinks);
   const System system = rotor_system(s);
-  const Trajectory straight =
-      integrate({system, initial_state(s), 0.0, 5.0, Adaptive{}, {}, s.rotation().damper_rate});
+  const DampedTrajectory straight = integrate(
+      DampedProblem{system, {initial_state(s), s.rotation().damper_rate}, 0.0, 5.0, Adaptive{}});
   const double E0 = energy(at_damper_rate(system, s.rotation().damper_rate), 0.0, initial_state(s));
   ASSERT_EQ(kept.numbers.size(), 3U * 9U);
   for (std::size_t k = 0; k < 3; ++k) {
     const double* row = &kept.numbers[9 * k];
-    const Sample at = straight.sample(row[0]);
+    const DampedRotorState at = straight.at(row[0]);
     const System then = at_damper_rate(system, at.damper_rate);
-    const Vec3 w = angular_velocity(then, at.t, at.s).inertial;
+    const Vec3 w = angular_velocity(then, row[0], at.rotor).inertial;
     EXPECT_LE(norm(Vec3{row[1], row[2], row[3]} - w), budget::adaptive_short_run);
     EXPECT_LE(norm(Vec3{row[4], row[5], row[6]} - at.damper_rate), budget::adaptive_short_run);
-    EXPECT_NEAR(row[7], energy(then, at.t, at.s), budget::adaptive_short_run);
+    EXPECT_NEAR(row[7], energy(then, row[0], at.rotor), budget::adaptive_short_run);
     EXPECT_NEAR(row[8], row[7] - E0, budget::adaptive_short_run);
   }
   EXPECT_LT(kept.numbers[26], kept.numbers[17]);
   EXPECT_EQ(report.energy_change, kept.numbers[26]);
-  for (const EventRecord& event : report.events)
-    EXPECT_NEAR(event.damper_rate.y, 0.1, budget::adaptive_short_run);
+  for (const DampedEventRecord& event : report.events)
+    EXPECT_NEAR(event.s.damper_rate.y, 0.1, budget::adaptive_short_run);
   EXPECT_FALSE(report.events.empty());
 }
 

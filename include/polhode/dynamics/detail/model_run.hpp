@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The run of a model.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "polhode/dynamics/detail/event_watch.hpp"
+#include "polhode/dynamics/detail/model_field.hpp"
+#include "polhode/dynamics/detail/run_forms.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// DomainError for times that are not finite, naming `function`.
+void require_finite_span(const std::string& function, double start, double stop);
+// Adaptive, in a precision that the model works in. DomainError for others.
+const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide);
+// Whether numbers differ by roundings alone.
+bool differ_by_rounding(const std::vector<double>& a, const std::vector<double>& b);
+
+template <MotionState S>
+std::vector<double> numbers_of(S s) {
+  std::vector<double> numbers;
+  each_number(s, [&numbers](double& x) { numbers.push_back(x); });
+  return numbers;
+}
+
+template <class M, class S>
+S started_state(const M& model, const S& s) {
+  if constexpr (requires { model.started(s); })
+    return model.started(s);
+  else
+    return s;
+}
+
+template <Real T, class M, MotionState S>
+std::unique_ptr<BasicStepper<S>> model_stepper(const BasicProblem<M, S>& problem, const S& initial,
+                                               const Adaptive& method) {
+  using Field = ModelField<M, T>;
+  double largest = method.largest_step;
+  if constexpr (requires { problem.system.time_scale(problem.start); })
+    if (std::isinf(largest)) largest = problem.system.time_scale(problem.start);
+  return std::make_unique<AdaptiveStepper<Field, PlainSteps>>(
+      std::make_shared<const Field>(problem.system), PlainSteps{M::name}, problem.start,
+      problem.system.template values<T>(initial),
+      StepControl{method.tolerance, method.first_step, largest});
+}
+
+template <class M, MotionState S>
+auto model_run(const BasicProblem<M, S>& problem, bool keep_dense, SampleQueue<S>& samples,
+               const Progress& progress) {
+  require_finite_span("integrate", problem.start, problem.stop);
+  require_valid(problem.method);
+  for (const BasicEvent<S>& event : problem.events) require_valid(event);
+  constexpr bool has_wide = ModelOn<M, DoubleDouble>;
+  const Adaptive& method = adaptive_method(M::name, problem.method, has_wide);
+  const S initial = started_state(problem.system, problem.initial);
+  std::unique_ptr<BasicStepper<S>> stepper;
+  if constexpr (has_wide)
+    if (method.precision == Precision::double_double)
+      stepper = model_stepper<DoubleDouble>(problem, initial, method);
+  if (stepper == nullptr) stepper = model_stepper<double>(problem, initial, method);
+  const bool is_started = differ_by_rounding(numbers_of(initial), numbers_of(problem.initial));
+  using Watch = EventWatch<ModelMotion<M>>;
+  return std::make_unique<Run<S, Watch>>(
+      RunSpan<S>{.initial = {problem.start, initial},
+                 .stop = problem.stop,
+                 .method = method_text(problem.method),
+                 .first_look = {problem.start, is_started ? problem.initial : initial},
+                 .continues = problem.continues},
+      Watch(ModelMotion<M>(problem.system), problem.events), std::move(stepper), keep_dense,
+      samples, progress);
+}
+
+// What makes the run of a problem.
+template <class M, MotionState S>
+auto maker_of(const BasicProblem<M, S>& problem, const Progress& progress) {
+  return [&problem, &progress](bool keep_dense, SampleQueue<S>& samples) {
+    return model_run(problem, keep_dense, samples, progress);
+  };
+}
+
+template <class M, MotionState S>
+Features model_features(const BasicProblem<M, S>& problem) {
+  std::string parameters;
+  if constexpr (requires { problem.system.parameters(); })
+    for (const double x : problem.system.parameters()) parameters += number_bytes(x);
+  return {{"model", std::string(std::string_view(M::name))},
+          {"parameters", parameters},
+          {"state", state_bytes(problem.initial)}};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// The loop: one run of any state by any method. Steps, and what they leave behind.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/dynamics/detail/sample_queue.hpp"
+#include "polhode/dynamics/detail/stepper.hpp"
+#include "polhode/dynamics/resume.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What a checkpoint says of its problem, in front of the numbers: a name and bytes. Two problems
+// that differ are told apart by the first that does.
+using Features = std::vector<std::pair<std::string, std::string>>;
+
+// Those of a run that do not depend on what moves; `method` and `events` as bytes.
+std::string event_bytes(const std::string& name, Crossing crossing, bool stops, double period,
+                        double interval);
+std::string method_bytes(const Method& method);
+std::string times_bytes(const SaveAt& times);
+std::string number_bytes(double x);
+template <MotionState S>
+std::string state_bytes(S s) {
+  StateBytes bytes;
+  bytes(s);
+  return bytes.bytes();
+}
+
+Checkpoint made_checkpoint(const Features& features, double t, const std::string& state);
+// The numbers behind the features. DomainError where these are of another problem, saying which.
+StateBytes opened_checkpoint(const Checkpoint& from, const Features& features);
+
+// Judges by the mean of many steps in a row whether a run will end.
+class EndJudge {
+ public:
+  explicit EndJudge(double t) : t_(t) {}
+  // Empty, or why it will not: `steps` have been made up to t.
+  std::string judged(double t, double stop, std::int64_t steps);
+  void transfer(StateBytes& bytes) { bytes.all(t_, steps_); }
+
+ private:
+  double t_;  // where it was seen last
+  std::int64_t steps_ = 0;
+};
+
+// Where a run begins and ends.
+template <MotionState S>
+struct RunSpan {
+  BasicSample<S> initial;
+  double stop;
+  std::string method;  // in words
+  // Where events are first looked at: the very state given, where it is normalised, so that a run
+  // that goes on from another sees the zero, or the side of it, that the other saw last.
+  BasicSample<S> first_look;
+  bool continues = false;
+  // Every sample is the end of a step; otherwise samples come from inside.
+  bool ends_at_samples = false;
+};
+
+// In place of an EventWatch where there are no events.
+template <MotionState S>
+struct NoEvents {
+  using State = S;
+  struct Found {
+    std::vector<BasicEventRecord<S>> records;
+    bool stops = false;
+  };
+  static bool watches() { return false; }
+  void begin(const BasicSample<S>&, bool) {}
+  Found search(const BasicDenseStep<S>&, const BasicDenseStep<S>&, const BasicSample<S>&, int) {
+    return {};
+  }
+  Found finish() { return {}; }
+  std::string refusal() const { return {}; }
+  static std::int64_t evaluations() { return 0; }
+  void transfer(StateBytes&) {}
+};
+
+template <MotionState S, class Watch>
+class Run {
+ public:
+  using Sample = BasicSample<S>;
+  using Dense = BasicDenseStep<S>;
+  using Parts = typename BasicTrajectory<S>::Parts;
+
+  Run(RunSpan<S> span, Watch watch, std::unique_ptr<BasicStepper<S>> stepper, bool keep_dense,
+      SampleQueue<S>& samples, const Progress& progress)
+      : span_(std::move(span)),
+        keep_dense_(keep_dense),
+        samples_(samples),
+        progress_(progress),
+        inside_progress_(progress),
+        watch_(std::move(watch)),
+        stepper_(std::move(stepper)),
+        judge_(span_.initial.t) {}
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  // What it gives out in addition to samples, and what a checkpoint of it says of its problem.
+  void connect(const BasicStreams<S>& streams, Features features) {
+    streams_ = &streams;
+    features_ = std::move(features);
+    if (!streams.checkpoint_due) return;
+    inside_progress_ = [this](double t) {
+      offer_checkpoint(t);
+      if (progress_) progress_(t);
+    };
+  }
+
+  // Goes on where a checkpoint was made.
+  void restore(const Checkpoint& from) {
+    StateBytes bytes = opened_checkpoint(from, features_);
+    transfer(bytes);
+    continued_ = true;
+  }
+
+  Parts result() {
+    parts_.initial = span_.initial;
+    parts_.method = span_.method;
+    if (!continued_) parts_.outcome.t = span_.initial.t;
+    try {
+      if (!continued_) {
+        samples_.begin(parts_.initial);
+        watch_.begin(span_.first_look, !span_.continues);
+        if (refused()) return finished();
+      }
+      const std::shared_ptr<const Dense> dense = inside_step_ ? stepper_->dense(false) : nullptr;
+      if (inside_step_ && !samples_of_step(dense.get())) return finished();
+      bool goes_on = true;
+      while (goes_on && stepper_->time() != span_.stop) goes_on = step();
+      if (goes_on) end_events();
+    } catch (...) {
+      samples_.flush();
+      throw;
+    }
+    return finished();
+  }
+
+ private:
+  // Whether the run goes on.
+  bool step() {
+    const std::string advice =
+        stepper_->advance(span_.ends_at_samples ? samples_.next(span_.stop) : span_.stop);
+    if (!advice.empty()) {
+      keep(watch_.finish().records);
+      fail(advice);
+      return false;
+    }
+    Sample end = end_of_step();
+    std::shared_ptr<const Dense> dense;
+    if (keep_dense_ || watch_.watches() || samples_.wants_dense(end.t))
+      dense = stepper_->dense(keep_dense_);
+    stopped_ = false;
+    if (watch_.watches()) {
+      const auto found = watch_.search(*stepper_->inside(), *dense, end, stepper_->intervals());
+      keep(found.records);
+      stopped_ = found.stops;
+      if (!stopped_ && refused()) return false;
+      if (stopped_) end = {found.records.back().t, found.records.back().s};
+    }
+    if (keep_dense_) parts_.dense.push_back(dense);
+    end_ = end;
+    return samples_of_step(dense.get());
+  }
+
+  // Where every sample is the end of a step, other steps need not say their state.
+  Sample end_of_step() const {
+    const double t = stepper_->time();
+    if (span_.ends_at_samples && !samples_.is_due(t)) return {t, {}};
+    return {t, stepper_->state()};
+  }
+
+  // Zeros at the stop itself.
+  void end_events() {
+    const auto found = watch_.finish();
+    keep(found.records);
+    if (found.stops) parts_.outcome.status = Outcome::Status::stopped_by_event;
+  }
+
+  // A step may hold many samples: a checkpoint may be made among them. Whether the run goes on.
+  bool samples_of_step(const Dense* dense) {
+    inside_step_ = true;
+    samples_.step(dense, end_, inside_progress_);
+    inside_step_ = false;
+    if (stopped_) {
+      samples_.last(end_);
+      parts_.outcome.status = Outcome::Status::stopped_by_event;
+    }
+    parts_.outcome.t = end_.t;
+    const bool goes_on = !stopped_ && !endless();
+    if (goes_on && end_.t != span_.stop) offer_checkpoint(end_.t);
+    if (progress_) progress_(end_.t);
+    return goes_on;
+  }
+
+  void keep(const std::vector<BasicEventRecord<S>>& found) {
+    if (streams_ != nullptr && streams_->events) {
+      for (const auto& event : found) streams_->events(event);
+    } else {
+      parts_.events.insert(parts_.events.end(), found.begin(), found.end());
+    }
+  }
+
+  void transfer(StateBytes& bytes) {
+    bytes.all(parts_.outcome.t, parts_.events, inside_step_, stopped_, end_);
+    judge_.transfer(bytes);
+    stepper_->transfer(bytes);
+    watch_.transfer(bytes);
+    samples_.transfer(bytes);
+  }
+
+  void offer_checkpoint(double t) {
+    if (streams_ == nullptr || !streams_->checkpoint_due || !streams_->checkpoint_due(t)) return;
+    StateBytes state;
+    transfer(state);
+    if (streams_->checkpoint) streams_->checkpoint(made_checkpoint(features_, t, state.bytes()));
+  }
+
+  bool endless() {
+    const std::string advice =
+        judge_.judged(parts_.outcome.t, span_.stop, stepper_->statistics().steps);
+    if (!advice.empty()) fail(advice);
+    return !advice.empty();
+  }
+
+  bool refused() {
+    if (watch_.refusal().empty()) return false;
+    fail(watch_.refusal());
+    return true;
+  }
+
+  void fail(const std::string& advice) {
+    parts_.outcome.status = Outcome::Status::failed;
+    parts_.outcome.advice = advice;
+  }
+
+  Parts finished() {
+    samples_.flush();
+    parts_.statistics = stepper_->statistics();
+    parts_.statistics.evaluations += watch_.evaluations();
+    return std::move(parts_);
+  }
+
+  RunSpan<S> span_;
+  bool keep_dense_;
+  SampleQueue<S>& samples_;
+  const Progress& progress_;
+  Progress inside_progress_;  // of samples inside a step
+  Watch watch_;
+  std::unique_ptr<BasicStepper<S>> stepper_;
+  Parts parts_{};
+  const BasicStreams<S>* streams_ = nullptr;
+  Features features_;
+  bool continued_ = false;
+  // The step made last, while its samples are pushed.
+  bool inside_step_ = false;
+  bool stopped_ = false;  // by an event, at
+  Sample end_{};
+  EndJudge judge_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

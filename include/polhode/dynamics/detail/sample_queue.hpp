@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The samples of a run: which times are due in a step, gathered into blocks for a sink.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "polhode/trajectory/progress.hpp"
+#include "polhode/trajectory/save_at.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// The times that are due, one after the other.
+class DueTimes {
+ public:
+  // DomainError for times that do not run from start towards stop.
+  DueTimes(double start, double stop, std::optional<SaveAt> times);
+
+  bool is_given() const { return times_.has_value(); }
+  bool is_done() const { return next_ == times_->size(); }
+  double due() const { return (*times_)[next_]; }
+  // Whether the next one is within a step that ends at t.
+  bool is_due(double t) const { return !is_done() && !is_before(reach(t), due()); }
+  // Whether one may be due elsewhere than at t, the end of the step.
+  bool wants_dense(double t) const {
+    return times_ && !is_done() && (t == stop_ || is_before(due(), t));
+  }
+  void pass() { ++next_; }
+  bool is_before(double a, double b) const { return forward_ ? a < b : a > b; }
+  void transfer(StateBytes& bytes) { bytes(next_); }
+
+ private:
+  // Up to where samples are due in a step that ends at t.
+  double reach(double t) const { return t == stop_ ? reach_of_stop_ : t; }
+
+  bool forward_;
+  double stop_;
+  double reach_of_stop_;  // beyond it: SaveAt keeps a row that rounding puts there
+  std::optional<SaveAt> times_;
+  std::int64_t next_ = 0;
+};
+
+template <MotionState S>
+class SampleQueue {
+ public:
+  // Without times: the start, and the end of every step.
+  SampleQueue(double start, double stop, std::optional<SaveAt> times,
+              const BasicSampleSink<S>& sink)
+      : times_(start, stop, std::move(times)), sink_(sink) {
+    block_.reserve(samples_per_block);
+  }
+
+  // A sample at the start, if one is due.
+  void begin(const BasicSample<S>& initial) {
+    if (!times_.is_given()) return push(initial);
+    for (; !times_.is_done() && times_.due() == initial.t; times_.pass()) push(initial);
+  }
+  bool wants_dense(double t) const { return times_.wants_dense(t); }
+  bool is_due(double t) const { return times_.is_due(t); }
+  // The sample that is due next, `stop` where there is none.
+  double next(double stop) const {
+    return times_.is_given() && !times_.is_done() ? times_.due() : stop;
+  }
+  // Samples due up to `end`; those not at it come from the step, each a step itself.
+  void step(const BasicDenseStep<S>* dense, const BasicSample<S>& end, const Progress& progress) {
+    if (!times_.is_given()) return push(end);
+    while (times_.is_due(end.t)) {
+      const double t = times_.due();
+      push(t == end.t ? end : dense->sample(t));
+      times_.pass();
+      if (progress && times_.is_before(t, end.t)) progress(t);
+    }
+  }
+  // One more sample where an event has stopped the run, unless it is there.
+  void last(const BasicSample<S>& end) {
+    if (!latest_ || times_.is_before(*latest_, end.t)) push(end);
+  }
+  void flush() {
+    if (block_.empty()) return;
+    // emptied first: a sink that throws must not get the same samples again
+    const std::vector<BasicSample<S>> full = std::exchange(block_, {});
+    block_.reserve(samples_per_block);
+    sink_(full);
+  }
+  // Which sample is next, and those that wait for their block to fill.
+  void transfer(StateBytes& bytes) {
+    times_.transfer(bytes);
+    bytes.all(latest_, block_);
+  }
+
+ private:
+  static constexpr std::size_t samples_per_block = 1024;
+
+  void push(const BasicSample<S>& sample) {
+    latest_ = sample.t;
+    block_.push_back(sample);
+    if (block_.size() == samples_per_block) flush();
+  }
+
+  DueTimes times_;
+  const BasicSampleSink<S>& sink_;
+  std::vector<BasicSample<S>> block_;
+  std::optional<double> latest_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// integrate and resume for models of your own: the loop of polhode/dynamics/integrate.hpp, made for
+// the state of the model where this header is included.
+//
+// Equations   those of the model: polhode/dynamics/model.hpp.
+// Units       those of the model.
+// Domain      a BasicProblem of a Model, by Adaptive; otherwise as integrate and resume.
+// Accuracy    that of Adaptive.
+// Errors      as integrate and resume.
+// Cost        as integrate; the compiler makes the loop for each model.
+#pragma once
+
+#include "polhode/dynamics/detail/model_run.hpp"
+
+namespace polhode {
+inline namespace v0 {
+template <class M, MotionState S>
+BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const Keep& keep,
+                             const Progress& progress) {
+  return detail::kept_run(problem, keep, detail::maker_of(problem, progress));
+}
+
+template <class M, MotionState S>
+BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& times,
+                             const std::type_identity_t<BasicSampleSink<S>>& sink,
+                             const Progress& progress) {
+  return detail::run_into(problem, times, sink, detail::maker_of(problem, progress));
+}
+
+template <class M, MotionState S>
+BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& times,
+                             const std::type_identity_t<BasicStreams<S>>& streams,
+                             const Progress& progress) {
+  return detail::streamed_run(problem, times, nullptr, streams,
+                              detail::run_features(problem, times, detail::model_features(problem)),
+                              detail::maker_of(problem, progress));
+}
+
+template <class M, MotionState S>
+BasicTrajectory<S> resume(const BasicProblem<M, S>& problem, const SaveAt& times,
+                          const Checkpoint& from,
+                          const std::type_identity_t<BasicStreams<S>>& streams,
+                          const Progress& progress) {
+  return detail::streamed_run(problem, times, &from, streams,
+                              detail::run_features(problem, times, detail::model_features(problem)),
+                              detail::maker_of(problem, progress));
+}
+
+}  // namespace v0
+}  // namespace polhode

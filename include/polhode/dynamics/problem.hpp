@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Problem: what moves, its state at the start, and how it is brought to the end.
+//
+// Equations   those of the system.
+// Units       those of the system.
+// Domain      any model of polhode/dynamics/model.hpp; of a System the type of the state says which
+//             motion is meant. Problem: a rotor. DampedProblem: a rotor whose system may have a
+//             damper, with the rate of the damper.
+// Accuracy    none.
+// Errors      none: it is a plain value. Functions that integrate it check it.
+// Cost        none.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "polhode/dynamics/event.hpp"
+#include "polhode/dynamics/method.hpp"
+#include "polhode/system/damped_rotor_state.hpp"
+#include "polhode/system/system.hpp"
+#include "polhode/trajectory/save_at.hpp"
+#include "polhode/trajectory/trajectory.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <class M, MotionState S = typename M::State>
+struct BasicProblem {
+  M system;
+  S initial;  // at `start`; of a rotor q_SB, g_B
+  double start;
+  double stop;
+  Method method = Adaptive{};
+  std::vector<BasicEvent<S>> events = {};
+  // This run continues one that ended at `start`, which has already reported any event there.
+  bool continues = false;
+};
+using Problem = BasicProblem<System, RotorState>;
+using DampedProblem = BasicProblem<System, DampedRotorState>;
+
+using DampedSample = BasicSample<DampedRotorState>;
+using DampedSampleSink = BasicSampleSink<DampedRotorState>;
+using DampedEvent = BasicEvent<DampedRotorState>;
+using DampedEventRecord = BasicEventRecord<DampedRotorState>;
+using DampedTrajectory = BasicTrajectory<DampedRotorState>;
+extern template class BasicTrajectory<DampedRotorState>;
+
+// What to keep in memory.
+struct Keep {
+  std::optional<SaveAt> samples = std::nullopt;  // none: the end of every step
+  bool dense = true;
+};
+
+}  // namespace v0
+}  // namespace polhode

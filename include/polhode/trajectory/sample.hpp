@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Samples of a run, the steps between them and the events met, for any state.
+//
+// Equations   none.
+// Units       those of the run.
+// Domain      a MotionState is a value that visits its own numbers: each_number(s, visit) calls
+//             visit(double&) for every one of them, always in the same order, and is found where
+//             the type is. A checkpoint keeps these numbers, so that they must be all of the state.
+// Accuracy    none.
+// Errors      none.
+// Cost        a sample of a rotor is 64 bytes.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "polhode/rotor/rotor_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <class S>
+concept MotionState = std::semiregular<S> && std::equality_comparable<S> &&
+                      requires(S& s, void (*visit)(double&)) { each_number(s, visit); };
+
+template <MotionState S>
+struct BasicSample {
+  double t;
+  S s;  // of a rotor: q normalised
+
+  constexpr bool operator==(const BasicSample&) const = default;
+};
+using Sample = BasicSample<RotorState>;
+
+// Where a run puts its samples, block by block, in order of time.
+template <MotionState S>
+using BasicSampleSink = std::function<void(std::span<const BasicSample<S>>)>;
+using SampleSink = BasicSampleSink<RotorState>;
+
+// A crossing that an event function met.
+template <MotionState S>
+struct BasicEventRecord {
+  std::string name;
+  double t;
+  S s;
+  int direction;  // +1: rising through zero, -1: falling, 0: touching it
+
+  bool operator==(const BasicEventRecord&) const = default;
+};
+using EventRecord = BasicEventRecord<RotorState>;
+
+// The state inside one step, t0 to t1 (t1 < t0 backwards): as accurate as the method is.
+template <MotionState S>
+class BasicDenseStep {
+ public:
+  BasicDenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
+  virtual ~BasicDenseStep() = default;
+  virtual S at(double t) const = 0;
+  BasicSample<S> sample(double t) const { return {t, at(t)}; }
+  double t0() const { return t0_; }
+  double t1() const { return t1_; }
+
+ private:
+  double t0_;
+  double t1_;
+};
+using DenseStep = BasicDenseStep<RotorState>;
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// One step of an adaptive solver within which every term is smooth: it ends at a breakpoint in
+// time, and at an edge, where a switching function changes its sign.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/adaptive/adaptive_failure.hpp"
+#include "dynamics/adaptive/breakpoints.hpp"
+#include "dynamics/adaptive/edge_search.hpp"
+#include "dynamics/adaptive/switch_watch.hpp"
+#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/ode/verner98.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// The step that a solver has made from `mark`, as a curve: a quartic of the values and rates at its
+// ends and of one rate inside, for the search, and shorter steps, which are the truth.
+template <class Solver>
+class StepCurve final : public SwitchCurve {
+ public:
+  using Values = typename Solver::Values;
+
+  StepCurve(Solver& solver, const typename Solver::Mark& mark, const SwitchWatch& switches)
+      : solver_(solver), mark_(mark), switches_(switches), h_(solver.trial()) {
+    const Values& y0 = mark.state.y;
+    const Values& y1 = solver.state().y;
+    const Values first = solver.rate_before(), last = solver.field()(solver.time(), y1);
+    for (std::size_t i = 0; i < y0.size(); ++i) {
+      chord_[i] = y1[i] - y0[i];
+      begin_[i] = first[i] * h_ - chord_[i];
+      end_[i] = chord_[i] - last[i] * h_;
+    }
+    // a cubic until here, whose rate at a quarter of the step errs by what the quartic has more:
+    // (x^2 (1 - x)^2)' = 3/16 there, and 0 in the middle
+    const double x = 0.25;
+    const Values inside = solver.field()(mark.t + x * h_, at(x));
+    for (std::size_t i = 0; i < y0.size(); ++i) {
+      const auto slope = chord_[i] + (begin_[i] * (1.0 - x) + end_[i] * x) * (1.0 - 2.0 * x) +
+                         (end_[i] - begin_[i]) * (x * (1.0 - x));
+      bow_[i] = (inside[i] * h_ - slope) * (16.0 / 3.0);
+    }
+    solver_.count(2);
+  }
+
+  std::vector<double> along(double x) const override {
+    if (x == 1.0)
+      return switches_.values(solver_.time(), solver_.field().field->rotor(solver_.state().y));
+    return switches_.values(mark_.t + x * h_, solver_.field().field->rotor(at(x)));
+  }
+  double truly(std::size_t which, double x) const override {
+    if (x == 1.0) return along(x)[which];
+    CompensatedState state = mark_.state;
+    state.add(
+        runge_kutta_step<Verner98>(solver_.field(), mark_.t, state.y, solver_.rate_before(), x * h_)
+            .increment);
+    solver_.count(Verner98::stages - 1);
+    return switches_.values(mark_.t + x * h_, solver_.field().field->rotor(state.y))[which];
+  }
+
+  double rounding(std::size_t which) const override { return switches_.rounding(which); }
+
+ private:
+  Values at(double x) const {
+    Values y = mark_.state.y;
+    const double left = 1.0 - x, both = x * left;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] = y[i] + chord_[i] * x + (begin_[i] * left + end_[i] * x + bow_[i] * both) * both;
+    return y;
+  }
+
+  Solver& solver_;
+  const typename Solver::Mark& mark_;
+  const SwitchWatch& switches_;
+  double h_;
+  Values chord_, begin_, end_, bow_{};
+};
+
+// A state on the way from one to the other, roughly.
+inline RotorState between(const RotorState& a, const RotorState& b) {
+  const auto middle = [](double x, double y) { return x + 0.375 * (y - x); };
+  const Quaternion q{middle(a.q.w, b.q.w), middle(a.q.x, b.q.x), middle(a.q.y, b.q.y),
+                     middle(a.q.z, b.q.z)};
+  return {normalized(q), a.g + 0.375 * (b.g - a.g)};
+}
+
+// One step of a solver.
+template <class Solver, class Field>
+class SmoothStep {
+ public:
+  SmoothStep(Solver& solver, const Field& field, const Breakpoints& breakpoints,
+             SwitchWatch& switches, double stop)
+      : solver_(solver),
+        field_(field),
+        switches_(switches),
+        stop_(stop),
+        begin_(solver.time()),
+        start_(switches.is_needed() ? rotor() : RotorState{}) {
+    solver_.field().stretch = breakpoints.stretch(begin_.hi, stop);
+    end_ = breakpoints.end(begin_.hi, stop);
+  }
+
+  // Towards `stop`. Empty when the step was made; otherwise why not, and the solver stays.
+  std::string made() {
+    if (std::string nan = switches_.begin(begin_, start_); !nan.empty()) return nan;
+    if (switches_.size() > 0) shorten_to(switches_.longest_step(start_));
+    for (;;) {
+      solver_.field().sides = switches_.sides();
+      std::optional<Mark> mark;
+      if (switches_.size() > 0) mark = solver_.mark();
+      const StepOutcome outcome = solver_.advance(end_);
+      if (outcome != StepOutcome::made) return failure(outcome);
+      if (crossed_ && solver_.time().hi == end_) {
+        if (std::string refused = cross(*mark); !refused.empty()) return refused;
+      }
+      if (!mark || crossed_) break;
+      const std::optional<Edge> edge = edge_since(*mark);
+      if (!edge) break;
+      if (std::string why = go_back(*mark, *edge); !why.empty()) return why;
+    }
+    switches_.stepped();
+    return {};
+  }
+
+ private:
+  using Mark = typename Solver::Mark;
+
+  RotorState rotor() const { return field_.rotor(solver_.state().y); }
+
+  void shorten_to(double longest) {
+    if (std::abs(end_ - begin_.hi) > longest)
+      end_ = begin_.hi + std::copysign(longest, end_ - begin_.hi);
+  }
+
+  std::string failure(StepOutcome outcome) const {
+    const auto& watched = field_.watched();
+    typename std::decay_t<decltype(watched)>::Values y{};  // without what a deviation adds
+    std::copy_n(solver_.state().y.begin(), std::min(y.size(), solver_.state().y.size()), y.begin());
+    return failure_text(watched, begin_, y, solver_.trial(), outcome);
+  }
+
+  // The step has ended at the edge that was looked for.
+  std::string cross(const Mark& mark) {
+    const RotorState s = rotor();
+    std::string refused =
+        switches_.refused_jump(*crossed_, solver_.time(), s, {start_, between(start_, s)});
+    if (refused.empty()) {
+      switches_.cross(*crossed_);
+    } else {
+      solver_.back_to(mark);
+    }
+    return refused;
+  }
+
+  std::optional<Edge> edge_since(const Mark& mark) {
+    const StepCurve<Solver> curve(solver_, mark, switches_);
+    const std::optional<Edge> edge = first_edge(curve);
+    if (!edge) switches_.see(curve.along(1.0));
+    return edge;
+  }
+
+  // To the start of the step, for one that ends at the edge.
+  std::string go_back(const Mark& mark, const Edge& edge) {
+    const double length = edge.x * solver_.trial();
+    const RotorState tried = rotor();
+    solver_.back_to(mark);
+    if (edge.is_nan) {  // nearer, as long as there is something nearer
+      const double least = 8.0 * epsilon<double>() * std::abs(stop_ - begin_.hi);
+      if (std::abs(length) < std::max(smallest_step(begin_), least))
+        return switches_.nan_text(edge.which, (begin_ + length).hi);
+      end_ = (begin_ + 0.5 * length).hi;
+      return {};
+    }
+    // at once: by the rounding of t, which says nothing at t = 0, or by that of the search
+    if (std::abs(length) < smallest_step(begin_) || edge.x < 8.0 * epsilon<double>()) {
+      std::string refused =
+          switches_.refused_jump(edge.which, begin_, start_, {tried, between(start_, tried)});
+      if (!refused.empty()) return refused;
+      if (!switches_.cross_at_once(edge.which))
+        return switches_.text(edge.which) + " stays at zero after t = " + number_text(begin_.hi) +
+               ", and its torque switches to and fro: give it a dead zone, or let it change "
+               "smoothly through zero";
+      return {};
+    }
+    end_ = (begin_ + length).hi;
+    crossed_ = edge.which;
+    return {};
+  }
+
+  Solver& solver_;
+  const Field& field_;
+  SwitchWatch& switches_;
+  double stop_;
+  DoubleDouble begin_;
+  RotorState start_;
+  double end_;
+  std::optional<std::size_t> crossed_;  // at `end_`
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

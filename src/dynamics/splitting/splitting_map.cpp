@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "dynamics/splitting/splitting_map.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "dynamics/finite.hpp"
+#include "math/larger.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "system/variational_equations.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr double largest_momentum = 1e140;  // its square has room to spare
+// Radians per unit of time, and in one arc that a quaternion of doubles does not see: a body that a
+// damping has brought to rest. Squares of its momentum would leave the range of a double.
+constexpr double slowest = 1e-28;
+constexpr double shortest_arc = 1e-20;
+// What is left of a component, as a rate, whose square would do so: nothing.
+constexpr double smallest_part = 1e-150;
+
+// The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
+TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g + (now - g.hi); }
+
+}  // namespace
+
+void transfer(StateBytes& bytes, SplittingState& s) {
+  bytes.all(s.t, s.q_IB, s.g.hi, s.g.lo, s.evaluations);
+  bool has_torque = s.torque.has_value();
+  bytes(has_torque);
+  if (!has_torque) return s.torque.reset();
+  if (!s.torque) s.torque.emplace();
+  bytes.all(s.torque->constant, s.torque->damping);
+}
+
+SplittingMap::SplittingMap(const System& system, SplittingScheme scheme)
+    : system_(system), free_(system.body()) {
+  for (const AnyPerturbation& term : system_.terms()) {
+    if (term.is_kick()) {
+      kicks_.push_back(term);
+    } else if (term.is_affine()) {
+      affine_.push_back(term);
+    } else if (term.supports_flow()) {
+      flows_.push_back(term);
+    } else {
+      throw DomainError("Splitting: term \"" + term.name() +
+                        "\" has no exact flow: use Adaptive, which needs none");
+    }
+  }
+  if (!flows_.empty()) {
+    flows_.insert(flows_.end(), affine_.begin(), affine_.end());
+    affine_.clear();
+  }
+  const bool exact = flows_.empty() || (kicks_.empty() && flows_.size() == 1);
+  coefficients_ = splitting_coefficients(scheme, exact);
+  composed_ = {1.0};
+  if (!exact && !composes_order2(scheme)) {
+    // Three symmetric steps of order 2 make one of order 4 (Yoshida 1990).
+    const double outer = 1.0 / (2.0 - std::cbrt(2.0));
+    composed_ = {outer, 1.0 - 2.0 * outer, outer};
+  }
+}
+
+SplittingState SplittingMap::start(double t, const RotorState& s) const {
+  const Quaternion q = normalized(s.q);
+  return {{t, 0.0},
+          system_.frame().is_inertial() ? q : system_.frame().at(t).q_IS * q,
+          {s.g, {}},
+          std::nullopt,
+          0};
+}
+
+RotorState SplittingMap::state(const SplittingState& s) const {
+  if (system_.frame().is_inertial()) return {normalized(s.q_IB), s.g.hi};
+  return {normalized(conj(system_.frame().at(s.t.hi).q_IS) * s.q_IB), s.g.hi};
+}
+
+double SplittingMap::rate(const SplittingState& s) const {
+  const Vec3& I = system_.body().moments();
+  const Vec3& g = s.g.hi;
+  return larger(std::abs(g.x / I.x), std::abs(g.y / I.y), std::abs(g.z / I.z));
+}
+
+Setting SplittingMap::setting(const SplittingState& s, const Quaternion& q_IS) const {
+  return {system_.body(), s.t.hi, {conj(q_IS) * s.q_IB, s.g.hi}, q_IS, s.t.lo};
+}
+
+std::string SplittingMap::term_not_finite(const SplittingState& s) const {
+  const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
+  for (const AnyPerturbation& term : system_.terms()) {
+    const Effect e = term.effect(setting(s, q_IS));
+    if (!is_finite(e.u) || !is_finite(e.v)) return term.name();
+  }
+  return "";
+}
+
+bool SplittingMap::is_at_rest(const SplittingState& s, double time) const {
+  const double fastest = rate(s);
+  return fastest < slowest && fastest * std::abs(time) < shortest_arc;
+}
+
+void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const noexcept {
+  // |g|^2 would be no number, and a modulus made of it an exception: the state says it instead
+  const Vec3& g = s.g.hi;
+  if (!(larger(std::abs(g.x), std::abs(g.y), std::abs(g.z)) < largest_momentum)) {
+    s.g.hi.x = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  if (!is_at_rest(s, time.hi)) {
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(s.g.hi[i]) < smallest_part * system_.body().moments()[i])
+        s.g.hi[i] = s.g.lo[i] = 0.0;
+    const ShortFlow::Arc arc = free_.after(s.g, time.hi, time.lo);
+    const Quaternion q = s.q_IB * arc.turn;
+    const double f = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    s.q_IB = {f * q.w, f * q.x, f * q.y, f * q.z};
+    s.g = arc.g;
+  }
+  const TwoTerms<double> t = two_sum(s.t.hi, time.hi);
+  s.t = quick_two_sum(t.hi, t.lo + (s.t.lo + time.lo));
+  s.torque.reset();
+}
+
+AffineTorque SplittingMap::torque(SplittingState& s) const {
+  const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
+  AffineTorque sum;
+  for (const AnyPerturbation& term : affine_) sum = sum + term.affine_torque(at);
+  for (const AnyPerturbation& term : kicks_) sum.constant = sum.constant + term.effect(at).u;
+  ++s.evaluations;
+  return sum;
+}
+
+void SplittingMap::kick(SplittingState& s, double h) const {
+  if (!flows_.empty()) {
+    for (const double fraction : composed_) composed_kick(s, fraction * h);
+    return;
+  }
+  if (kicks_.empty() && affine_.empty()) return;
+  if (!s.torque) s.torque = torque(s);
+  s.g = s.g + (affine_.empty() ? h * s.torque->constant : change_of_momentum(*s.torque, s.g.hi, h));
+}
+
+void SplittingMap::composed_kick(SplittingState& s, double h) const {
+  if (kicks_.empty() && flows_.size() == 1) {
+    flow(s, flows_[0], h);
+    return;
+  }
+  for (const AnyPerturbation& term : flows_) flow(s, term, 0.5 * h);
+  if (!kicks_.empty()) s.g = s.g + h * torque(s).constant;
+  for (std::size_t i = flows_.size(); i-- > 0;) flow(s, flows_[i], 0.5 * h);
+}
+
+void SplittingMap::flow(SplittingState& s, const AnyPerturbation& term, double h) const {
+  const Quaternion q_IS = system_.frame().at(s.t.hi).q_IS;
+  const RotorState after = term.flow(setting(s, q_IS), h);
+  s.q_IB = normalized(q_IS * after.q);
+  s.g = replaced(s.g, after.g);
+  ++s.evaluations;
+}
+
+SplittingState SplittingMap::stepped(SplittingState s, double h) const {
+  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((i % 2 == 0) == coefficients_.drift_first) {
+      drift(s, two_prod(coefficients_.drifts[i / 2], h));
+    } else {
+      kick(s, coefficients_.kicks[i / 2] * h);
+    }
+  }
+  return s;
+}
+
+// q -> q exp(dtheta_B / 2) moves the torque, and nothing else does.
+Matrix6 SplittingMap::kick_transition(const SplittingState& s, double h) const {
+  const BasicSetting<Tangent> at = with_variables(setting(s, system_.frame().at(s.t.hi).q_IS));
+  Matrix6 M = Matrix6::identity();
+  for (const AnyPerturbation& term : kicks_) {
+    const BasicEffect<Tangent> e = term.effect(at);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) M(3 + i, j) += h * e.u[i].derivative[static_cast<std::size_t>(j)];
+  }
+  return M;
+}
+
+bool SplittingMap::may_grow_backwards() const {
+  const auto is_negative = [](double c) { return c < 0.0; };
+  const bool backwards =
+      std::any_of(coefficients_.kicks.begin(), coefficients_.kicks.end(), is_negative) ||
+      std::any_of(composed_.begin(), composed_.end(), is_negative);
+  return backwards && !(flows_.empty() && affine_.empty());
+}
+
+void SplittingMap::require_kicks() const {
+  const std::vector<AnyPerturbation>& others = flows_.empty() ? affine_ : flows_;
+  if (!others.empty())
+    throw DomainError("Splitting: the flow of term \"" + others[0].name() +
+                      "\" has no derivative: use Adaptive for state transitions");
+}
+
+Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
+  require_kicks();
+  Matrix6 M = Matrix6::identity();
+  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((i % 2 == 0) == coefficients_.drift_first) {
+      const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
+      const Vec3 g = is_at_rest(s, time.hi) ? Vec3{} : s.g.hi;
+      M = FreeRotation::short_arc(system_.body(), {s.q_IB, g}).state_transition(time.hi) * M;
+      drift(s, time);
+    } else {
+      const double fraction = coefficients_.kicks[i / 2] * h;
+      M = kick_transition(s, fraction) * M;
+      kick(s, fraction);
+    }
+  }
+  return M;
+}
+
+// A turn of the start turns the whole arc; what a change of the momentum does is ShortFlow's.
+void SplittingMap::deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const {
+  const Vec3 g = is_at_rest(s, h) ? Vec3{} : s.g.hi;
+  const Quaternion arc = free_.plain(g, h).turn;
+  const FlowTangent<double> change = free_.tangent(g, dg, h, arc);
+  turn = rotate(conj(arc), turn) + change.attitude;
+  dg = change.momentum;
+}
+
+void SplittingMap::deviate_by_kick(const SplittingState& s, double h, const Vec3& turn,
+                                   Vec3& dg) const {
+  const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
+  const BasicSetting<Tangent> moving = moving_along(at, {turn, {}});
+  for (const AnyPerturbation& term : kicks_) {
+    dg = dg + h * slope_of(term.effect(moving).u);
+  }
+}
+
+std::array<double, 6> SplittingMap::step_deviation(SplittingState s, std::array<double, 6> x,
+                                                   double h) const {
+  require_kicks();
+  Vec3 turn{x[0], x[1], x[2]}, dg{x[3], x[4], x[5]};
+  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((i % 2 == 0) == coefficients_.drift_first) {
+      const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
+      deviate_by_drift(s, time.hi, turn, dg);
+      drift(s, time);
+    } else {
+      const double fraction = coefficients_.kicks[i / 2] * h;
+      deviate_by_kick(s, fraction, turn, dg);
+      kick(s, fraction);
+    }
+  }
+  return {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

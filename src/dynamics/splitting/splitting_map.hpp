@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// One step of a splitting as a map: exact free rotation in inertial axes, in turn with kicks by the
+// terms. The frame enters through q_SB = q_IS* q_IB where a term is asked, and nowhere else.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/splitting/splitting_scheme.hpp"
+#include "free/short_flow.hpp"
+#include "polhode/math/error_free.hpp"
+#include "polhode/math/matrix6.hpp"
+#include "polhode/system/system.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct SplittingState {
+  TwoTerms<double> t;
+  Quaternion q_IB;
+  TwoPartMomentum g;
+  // What the kick that ended the last step was; the next step starts with the same one.
+  std::optional<AffineTorque> torque;
+  std::int64_t evaluations = 0;
+};
+// Every number of it, kept or put back.
+void transfer(StateBytes& bytes, SplittingState& s);
+
+class SplittingMap {
+ public:
+  // DomainError when a term has no flow.
+  SplittingMap(const System& system, SplittingScheme scheme);
+
+  const System& system() const { return system_; }
+  SplittingState start(double t, const RotorState& s) const;
+  RotorState state(const SplittingState& s) const;  // q_SB, normalised
+
+  // A step from s. Non-finite numbers are passed on; what a term throws passes through.
+  SplittingState stepped(SplittingState s, double h) const;
+
+  // d(dtheta_B, dg_B) after the step by those before. DomainError when a term is not a kick written
+  // as a template on the number type.
+  Matrix6 step_transition(SplittingState s, double h) const;
+  // The same derivative along one deviation, in double precision and a hundred times as fast: what
+  // a step from s makes of x = (dtheta_B, dg_B).
+  std::array<double, 6> step_deviation(SplittingState s, std::array<double, 6> x, double h) const;
+
+  // The largest component of I^-1 g.
+  double rate(const SplittingState& s) const;
+  // Whether a damping acts for negative times in a part of a step, and grows there.
+  bool may_grow_backwards() const;
+  // The first term whose effect at s is not finite; empty if there is none.
+  std::string term_not_finite(const SplittingState& s) const;
+
+ private:
+  // A fraction of a step in two parts, so that the fractions of a step add up to it.
+  bool is_at_rest(const SplittingState& s, double time) const;
+  void drift(SplittingState& s, const TwoTerms<double>& time) const noexcept;
+  void kick(SplittingState& s, double h) const;
+  void composed_kick(SplittingState& s, double h) const;
+  void flow(SplittingState& s, const AnyPerturbation& term, double h) const;
+  AffineTorque torque(SplittingState& s) const;
+  Setting setting(const SplittingState& s, const Quaternion& q_IS) const;
+  void require_kicks() const;
+  Matrix6 kick_transition(const SplittingState& s, double h) const;
+  void deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const;
+  void deviate_by_kick(const SplittingState& s, double h, const Vec3& turn, Vec3& dg) const;
+
+  System system_;
+  ShortFlow free_;
+  std::vector<AnyPerturbation> kicks_;   // torques of time and attitude alone, summed
+  std::vector<AnyPerturbation> affine_;  // friction, in one flow with the kicks
+  std::vector<AnyPerturbation> flows_;   // others
+  SplittingCoefficients coefficients_;
+  std::vector<double> composed_;  // fractions of the flows within one kick
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

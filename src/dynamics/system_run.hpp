@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The run of a problem of a System: of a rotor, or of a rotor with its damper.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "dynamics/checked_problem.hpp"
+#include "dynamics/events/term_motion.hpp"
+#include "dynamics/steppers.hpp"
+#include "polhode/dynamics/detail/run_forms.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+inline RotorMotion motion_of(const Problem& p) { return RotorMotion(p.system); }
+inline DamperMotion motion_of(const DampedProblem& p) { return DamperMotion(p.system); }
+
+inline std::unique_ptr<Stepper> stepper_of(const Problem& p) {
+  return std::visit([&](const auto& method) { return make_stepper(p, method); }, p.method);
+}
+// Adaptive is all that a checked problem with a damper may have.
+inline std::unique_ptr<BasicStepper<DampedRotorState>> stepper_of(const DampedProblem& p) {
+  return make_stepper(p, std::get<Adaptive>(p.method));
+}
+
+template <MotionState S>
+BasicProblem<System, S> checked(const BasicProblem<System, S>& problem) {
+  BasicProblem<System, S> result = checked_problem("integrate", problem);
+  for (const BasicEvent<S>& event : result.events) require_valid(event);
+  return result;
+}
+
+template <MotionState S>
+BasicSample<S> first_look(const BasicProblem<System, S>& given,
+                          const BasicProblem<System, S>& checked) {
+  const Quaternion& q = rotor_of(given.initial).q;
+  const double excess = (q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z) - 1.0;
+  const bool is_normal = std::abs(excess) <= 8.0 * std::numeric_limits<double>::epsilon();
+  return {checked.start, is_normal ? given.initial : checked.initial};
+}
+
+template <MotionState S>
+auto system_run(const BasicProblem<System, S>& problem, bool keep_dense, SampleQueue<S>& samples,
+                const Progress& progress) {
+  BasicProblem<System, S> p = checked(problem);
+  using Watch = EventWatch<decltype(motion_of(p))>;
+  std::unique_ptr<BasicStepper<S>> stepper = stepper_of(p);
+  return std::make_unique<Run<S, Watch>>(RunSpan<S>{.initial = {p.start, p.initial},
+                                                    .stop = p.stop,
+                                                    .method = method_text(p.method),
+                                                    .first_look = first_look(problem, p),
+                                                    .continues = p.continues},
+                                         Watch(motion_of(p), std::move(p.events)),
+                                         std::move(stepper), keep_dense, samples, progress);
+}
+
+// What makes it.
+template <MotionState S>
+auto system_maker(const BasicProblem<System, S>& problem, const Progress& progress) {
+  return [&problem, &progress](bool keep_dense, SampleQueue<S>& samples) {
+    return system_run(problem, keep_dense, samples, progress);
+  };
+}
+
+template <MotionState S>
+Features system_features(const BasicProblem<System, S>& problem, const SaveAt& times) {
+  const BasicProblem<System, S> p = checked(problem);
+  const auto bytes_of = [](auto... x) {
+    StateBytes bytes;
+    bytes.all(x...);
+    return bytes.bytes();
+  };
+  std::string terms;
+  for (const AnyPerturbation& term : p.system.terms()) terms += bytes_of(term.name());
+  const std::optional<KaneDamper>& damper = p.system.damper();
+  Features moving{
+      {"state", state_bytes(rotor_of(p.initial))},
+      {"body", bytes_of(p.system.body().moments())},
+      {"terms", terms},
+      {"damper", damper ? bytes_of(damper->moment(), damper->friction()) : std::string()}};
+  if constexpr (std::is_same_v<S, DampedRotorState>)
+    moving.emplace_back("damper_rate", bytes_of(p.initial.damper_rate));
+  return run_features(p, times, std::move(moving));
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

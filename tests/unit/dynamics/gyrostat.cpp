@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+// A state of another shape, defined here and nowhere in the library: a gyrostat, a body with a
+// wheel that turns about an axis fixed in it with a constant momentum relative to the body. Its
+// oracles: what it conserves, an integration of its own in long double, and the closed form of an
+// axisymmetric body whose wheel lies along the axis.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/error.hpp"
+#include "worst.hpp"
+
+namespace {
+
+using namespace polhode;
+using polhode::test::message_of;
+using polhode::test::Worst;
+using testing::HasSubstr;
+
+// The wheel's angle relative to the body counts turns: it is no attitude.
+struct GyrostatState {
+  Quaternion q;
+  Vec3 g;  // of body and wheel together, body axes
+  double wheel = 0.0;
+
+  bool operator==(const GyrostatState&) const = default;
+};
+
+template <class Visit>
+void each_number(GyrostatState& s, Visit&& visit) {
+  for (double* x : {&s.q.w, &s.q.x, &s.q.y, &s.q.z, &s.g.x, &s.g.y, &s.g.z, &s.wheel}) visit(*x);
+}
+
+// dg/dt = g x w, w = I^-1 (g - h); h = J_w times the rate of the wheel relative to the body, which
+// is constant.
+class Gyrostat {
+ public:
+  using State = GyrostatState;
+  static constexpr std::string_view name = "a gyrostat";
+
+  Gyrostat(const Vec3& moments, const Vec3& h, double wheel_moment)
+      : I_(moments), h_(h), wheel_rate_(norm(h) / wheel_moment) {}
+
+  template <Real T>
+  std::array<T, 8> values(const State& s) const {
+    const BasicQuaternion<T> q =
+        normalized(BasicQuaternion<T>{T(s.q.w), T(s.q.x), T(s.q.y), T(s.q.z)});
+    return {q.w, q.x, q.y, q.z, T(s.g.x), T(s.g.y), T(s.g.z), T(s.wheel)};
+  }
+  template <Real T>
+  State state(const std::array<T, 8>& y) const {
+    const BasicQuaternion<T> q = normalized(BasicQuaternion<T>{y[0], y[1], y[2], y[3]});
+    return {{to_double(q.w), to_double(q.x), to_double(q.y), to_double(q.z)},
+            {to_double(y[4]), to_double(y[5]), to_double(y[6])},
+            to_double(y[7])};
+  }
+  template <Real T>
+  std::array<T, 8> rates(const DoubleDouble&, const std::array<T, 8>& y) const {
+    const BasicQuaternion<T> q{y[0], y[1], y[2], y[3]};
+    const BasicVec3<T> g{y[4], y[5], y[6]};
+    const BasicVec3<T> w{(g.x - T(h_.x)) / T(I_.x), (g.y - T(h_.y)) / T(I_.y),
+                         (g.z - T(h_.z)) / T(I_.z)};
+    const T half(0.5);
+    const BasicQuaternion<T> dq =
+        q * BasicQuaternion<T>{T(0.0), half * w.x, half * w.y, half * w.z};
+    const BasicVec3<T> dg = cross(g, w);
+    return {dq.w, dq.x, dq.y, dq.z, dg.x, dg.y, dg.z, T(wheel_rate_)};
+  }
+  template <Real T>
+  double error_size(const std::array<T, 8>& error, const std::array<T, 8>& y,
+                    const std::array<T, 8>&) const {
+    const auto size = [](const std::array<T, 8>& v, std::size_t i, std::size_t j) {
+      double sum = 0.0;
+      for (; i < j; ++i) sum += to_double(v[i]) * to_double(v[i]);
+      return std::sqrt(sum);
+    };
+    const double turned = 1.0 + size(y, 7, 8);
+    return size(error, 0, 4) + size(error, 4, 7) / size(y, 4, 7) + size(error, 7, 8) / turned;
+  }
+  template <Real T>
+  void settle(CompensatedState<T, 8>& s) const {
+    T excess = T(-1.0);
+    for (std::size_t i = 0; i < 4; ++i) excess = excess + s.y[i] * s.y[i];
+    std::array<T, 8> change{};
+    for (std::size_t i = 0; i < 4; ++i) change[i] = T(-0.5) * excess * s.y[i];
+    s.add(change);
+  }
+
+  State started(const State& s) const {
+    if (!std::isfinite(s.wheel)) throw DomainError("gyrostat: the angle of the wheel is no number");
+    return {normalized(s.q), s.g, s.wheel};
+  }
+  // |g| and the largest rate that it can make.
+  double turning_rate(double, const State& s) const {
+    return (norm(s.g) + norm(h_)) / smaller_moment();
+  }
+  static State near(const State& to, State s) {
+    const double cosine = to.q.w * s.q.w + to.q.x * s.q.x + to.q.y * s.q.y + to.q.z * s.q.z;
+    if (cosine < 0.0) s.q = {-s.q.w, -s.q.x, -s.q.y, -s.q.z};
+    return s;
+  }
+  std::vector<double> parameters() const {
+    return {I_.x, I_.y, I_.z, h_.x, h_.y, h_.z, wheel_rate_};
+  }
+
+  Vec3 rate_of_body(const State& s) const {
+    return {(s.g.x - h_.x) / I_.x, (s.g.y - h_.y) / I_.y, (s.g.z - h_.z) / I_.z};
+  }
+  double energy(const State& s) const { return 0.5 * dot(s.g - h_, rate_of_body(s)); }
+
+ private:
+  double smaller_moment() const { return polhode::test::smaller(I_.x, I_.y, I_.z); }
+
+  Vec3 I_;
+  Vec3 h_;
+  double wheel_rate_;
+};
+
+static_assert(Model<Gyrostat> && ModelOn<Gyrostat, DoubleDouble>);
+
+using GyrostatProblem = BasicProblem<Gyrostat>;
+using GyrostatTrajectory = BasicTrajectory<GyrostatState>;
+
+const Gyrostat satellite({1.0, 1.7, 2.2}, {0.15, -0.4, 0.9}, 0.05);
+const GyrostatState start{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}, 0.25};
+const double wheel_rate = std::sqrt(0.15 * 0.15 + 0.4 * 0.4 + 0.9 * 0.9) / 0.05;
+constexpr Adaptive sharp{.tolerance = 1e-14};
+
+GyrostatProblem problem(double stop, const Method& method = sharp) {
+  return {satellite, start, 0.0, stop, method};
+}
+
+Vec3 momentum_in_space(const GyrostatState& s) { return rotate(s.q, s.g); }
+
+// By the classical method of order 4 in long double, in steps of 1/2000: the momentum in space is
+// the datum, and the body's attitude all that is integrated.
+class InLongDouble {
+ public:
+  using Long = long double;
+  using Values = std::array<Long, 4>;
+
+  Quaternion attitude(double t) const {
+    const Long steps = std::ceil(static_cast<Long>(std::abs(t)) * 2000.0L);
+    const Long h = static_cast<Long>(t) / steps;
+    Values q{0.5L, 0.5L, -0.5L, 0.5L};
+    for (Long i = 0.0L; i < steps; i += 1.0L) {
+      const Values a = rates(q), b = rates(moved(q, a, 0.5L * h)), c = rates(moved(q, b, 0.5L * h)),
+                   d = rates(moved(q, c, h));
+      for (std::size_t k = 0; k < 4; ++k) q[k] += h / 6.0L * (a[k] + 2.0L * (b[k] + c[k]) + d[k]);
+    }
+    const auto narrow = [](Long x) { return static_cast<double>(x); };
+    return normalized(Quaternion{narrow(q[0]), narrow(q[1]), narrow(q[2]), narrow(q[3])});
+  }
+
+ private:
+  static Values moved(Values q, const Values& rate, Long h) {
+    for (std::size_t k = 0; k < 4; ++k) q[k] += h * rate[k];
+    return q;
+  }
+  // g = R^T G, from the matrix of the attitude and not by our quaternions.
+  static Values rates(const Values& q) {
+    const Long w = q[0], x = q[1], y = q[2], z = q[3];
+    const Long n = w * w + x * x + y * y + z * z;
+    // G of the start: that quaternion is a turn by 120 degrees, which permutes the axes
+    const Long G[] = {-1.9L, -0.3L, 0.8L};
+    const Long R[3][3] = {
+        {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+        {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+        {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+    const Long I[] = {1.0L, 1.7L, 2.2L}, h[] = {0.15L, -0.4L, 0.9L};
+    Long W[3];
+    for (int i = 0; i < 3; ++i)
+      W[i] = ((R[0][i] * G[0] + R[1][i] * G[1] + R[2][i] * G[2]) / n - h[i]) / I[i];
+    return {0.5L * (-x * W[0] - y * W[1] - z * W[2]), 0.5L * (w * W[0] + y * W[2] - z * W[1]),
+            0.5L * (w * W[1] + z * W[0] - x * W[2]), 0.5L * (w * W[2] + x * W[1] - y * W[0])};
+  }
+};
+
+double angle_between(const Quaternion& a, const Quaternion& b) {
+  const Quaternion d = conj(a) * b;
+  return 2.0 * norm(Vec3{d.x, d.y, d.z});
+}
+
+TEST(Gyrostat, KeepsMomentumAndEnergy) {
+  for (const Method& method : {Method(sharp), Method(Adaptive{.tolerance = 1e-18,
+                                              .precision = Precision::double_double})}) {
+    const GyrostatTrajectory run = integrate(problem(200.0, method), {.dense = false});
+    ASSERT_TRUE(run.outcome().ok()) << run.outcome().advice;
+    ASSERT_GT(run.samples().size(), 100U);
+    Worst momentum, energy, wheel;
+    for (const auto& [t, s] : run.samples()) {
+      momentum.add(norm(momentum_in_space(s) - momentum_in_space(start)));
+      energy.add(std::abs(satellite.energy(s) / satellite.energy(start) - 1.0));
+      wheel.add(std::abs(s.wheel - start.wheel - t * wheel_rate) / (1.0 + s.wheel));
+    }
+    EXPECT_LE(momentum.value(), budget::gyrostat_invariants);
+    EXPECT_LE(energy.value(), budget::gyrostat_invariants);
+    EXPECT_LE(wheel.value(), budget::gyrostat_invariants);
+  }
+}
+
+TEST(Gyrostat, MovesAsInLongDouble) {
+  for (const double stop : {12.0, -12.0}) {
+    const GyrostatTrajectory run = integrate(problem(stop));
+    ASSERT_TRUE(run.has_dense());
+    for (const double share : {0.11, 0.58, 1.0}) {
+      const double t = share * stop;
+      EXPECT_LE(angle_between(run.at(t).q, InLongDouble().attitude(t)), budget::gyrostat_motion);
+    }
+  }
+}
+
+// I1 = I2 and the wheel along 3: g3 is constant, and (g1, g2) turns about 3 at g3 - I1 w3 over I1.
+TEST(Gyrostat, OfAnAxisymmetricBodyIsAClosedForm) {
+  const double I1 = 1.3, I3 = 2.0, h = 0.7;
+  const Gyrostat symmetric({I1, I1, I3}, {0.0, 0.0, h}, 0.1);
+  const GyrostatTrajectory run =
+      integrate(GyrostatProblem{symmetric, start, 0.0, 60.0, sharp}, {.dense = true});
+  const double n = start.g.z / I1 - (start.g.z - h) / I3;
+  for (const double t : {0.7, 33.0, 60.0}) {
+    const Vec3 g = run.at(t).g;
+    EXPECT_NEAR(g.x, start.g.x * std::cos(n * t) - start.g.y * std::sin(n * t),
+                budget::gyrostat_motion);
+    EXPECT_NEAR(g.y, start.g.x * std::sin(n * t) + start.g.y * std::cos(n * t),
+                budget::gyrostat_motion);
+    EXPECT_NEAR(g.z, start.g.z, budget::gyrostat_motion);
+  }
+}
+
+TEST(Gyrostat, EventsAreZerosOfItsState) {
+  GyrostatProblem p = problem(30.0);
+  const double turn = 2.0 * 3.141592653589793;
+  // the wheel has turned ten times; and the momentum about axis 1 changes its sign
+  p.events = {
+      {"ten", [turn](double, const GyrostatState& s) { return s.wheel - 10.0 * turn; }},
+      {"g1", [](const BasicSample<GyrostatState>& at) { return at.s.g.x; }, Crossing::falling}};
+  const GyrostatTrajectory run = integrate(p);
+  std::vector<double> falls;
+  int tens = 0;
+  for (const BasicEventRecord<GyrostatState>& event : run.events()) {
+    if (event.name == "ten") {
+      ++tens;
+      EXPECT_EQ(event.direction, 1);
+      EXPECT_NEAR(event.t, (10.0 * turn - start.wheel) / wheel_rate, budget::gyrostat_motion);
+      continue;
+    }
+    falls.push_back(event.t);
+    EXPECT_EQ(event.direction, -1);
+    EXPECT_NEAR(event.s.g.x, 0.0, budget::gyrostat_motion);
+    EXPECT_EQ(event.s.g, run.at(event.t).g);
+  }
+  EXPECT_EQ(tens, 1);
+  // as many as changes of sign on a fine grid of the dense output
+  std::size_t changes = 0;
+  for (int k = 1; k <= 3000; ++k)
+    if (run.at(0.01 * (k - 1)).g.x > 0.0 && run.at(0.01 * k).g.x <= 0.0) ++changes;
+  EXPECT_GT(changes, 2U);
+  EXPECT_EQ(falls.size(), changes);
+}
+
+struct Record {
+  std::vector<BasicSample<GyrostatState>> samples;
+  std::vector<BasicEventRecord<GyrostatState>> events;
+  std::vector<Checkpoint> checkpoints;
+  std::vector<std::pair<std::size_t, std::size_t>> given;  // samples, events before each
+};
+
+BasicStreams<GyrostatState> into(Record& record, int every) {
+  return {[&record](std::span<const BasicSample<GyrostatState>> block) {
+            record.samples.insert(record.samples.end(), block.begin(), block.end());
+          },
+          [&record](const BasicEventRecord<GyrostatState>& e) { record.events.push_back(e); },
+          [every, calls = 0](double) mutable { return every > 0 && ++calls % every == 0; },
+          [&record](const Checkpoint& now) {
+            record.checkpoints.push_back(now);
+            record.given.emplace_back(record.samples.size(), record.events.size());
+          }};
+}
+
+TEST(Gyrostat, GoesOnFromACheckpointInTheSameBits) {
+  for (const Method& method :
+       {Method(Adaptive{.tolerance = 1e-10}),
+        Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double})}) {
+    GyrostatProblem p = problem(40.0, method);
+    p.events = {{"g3", [](double, const GyrostatState& s) { return s.g.z - 0.2; }}};
+    const SaveAt times = SaveAt::count(0.0, 40.0, 1201);
+    Record straight;
+    const GyrostatTrajectory whole = integrate(p, times, into(straight, 101));
+    ASSERT_GE(straight.checkpoints.size(), 8U);
+    for (std::size_t k = 0; k < straight.checkpoints.size(); ++k) {
+      Record rest;
+      const Checkpoint from(straight.checkpoints[k].bytes());
+      const GyrostatTrajectory end = resume(p, times, from, into(rest, 0));
+      const auto [samples, events] = straight.given[k];
+      ASSERT_EQ(samples + rest.samples.size(), straight.samples.size());
+      for (std::size_t i = 0; i < rest.samples.size(); ++i)
+        ASSERT_EQ(rest.samples[i], straight.samples[samples + i]) << k << " " << i;
+      ASSERT_EQ(events + rest.events.size(), straight.events.size());
+      for (std::size_t i = 0; i < rest.events.size(); ++i)
+        ASSERT_EQ(rest.events[i], straight.events[events + i]) << k << " " << i;
+      EXPECT_EQ(end.statistics().steps, whole.statistics().steps);
+      EXPECT_EQ(end.statistics().evaluations, whole.statistics().evaluations);
+    }
+  }
+}
+
+TEST(Gyrostat, ACheckpointKnowsItsProblem) {
+  const SaveAt times = SaveAt::count(0.0, 40.0, 41);
+  Record record, rest;
+  integrate(problem(40.0), times, into(record, 10));
+  const Checkpoint& from = record.checkpoints.at(0);
+  GyrostatProblem other = problem(40.0);
+  other.system = Gyrostat({1.0, 1.7, 2.2}, {0.15, -0.4, 0.8}, 0.05);
+  EXPECT_THAT(message_of([&] { resume(other, times, from, into(rest, 0)); }),
+              HasSubstr("parameters differs"));
+  other = problem(40.0);
+  other.initial.wheel = 0.3;
+  EXPECT_THAT(message_of([&] { resume(other, times, from, into(rest, 0)); }),
+              HasSubstr("state differs"));
+  const Problem rotor{System(Body(1.0, 1.7, 2.2)), {start.q, start.g}, 0.0, 40.0, sharp};
+  EXPECT_THAT(message_of([&] { resume(rotor, times, from, Streams{}); }), HasSubstr("differs"));
+}
+
+TEST(Gyrostat, RefusesWhatItCannotDo) {
+  EXPECT_THAT(message_of([] { integrate(problem(1.0, Splitting{0.1})); }),
+              HasSubstr("method of a gyrostat must be Adaptive"));
+  GyrostatProblem p = problem(1.0);
+  p.initial.wheel = std::nan("");
+  EXPECT_THAT(message_of([&] { integrate(p); }), HasSubstr("the angle of the wheel"));
+  p = problem(INFINITY);
+  EXPECT_THAT(message_of([&] { integrate(p); }), HasSubstr("stop inf must be finite"));
+  p = problem(1.0);
+  p.initial.g.x = std::nan("");
+  const GyrostatTrajectory run = integrate(p);
+  EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
+  EXPECT_THAT(run.outcome().advice, HasSubstr("rates of a gyrostat are not finite"));
+}
+
+TEST(Gyrostat, StopsAtAnEventAndGoesBack) {
+  GyrostatProblem p = problem(40.0);
+  p.events = {{.name = "g3",
+               .function = [](double, const GyrostatState& s) { return s.g.z - 0.2; },
+               .stops = true}};
+  const GyrostatTrajectory there = integrate(p, {.samples = SaveAt::steps(0.0, 40.0, 0.25)});
+  ASSERT_EQ(there.outcome().status, Outcome::Status::stopped_by_event);
+  const BasicSample<GyrostatState>& end = there.samples().back();
+  EXPECT_EQ(end.t, there.outcome().t);
+  const GyrostatTrajectory back = integrate(GyrostatProblem{satellite, end.s, end.t, 0.0, sharp});
+  const GyrostatState s = back.at(0.0);
+  EXPECT_LE(angle_between(s.q, start.q) + norm(s.g - start.g), budget::gyrostat_motion);
+  EXPECT_NEAR(s.wheel, start.wheel, budget::gyrostat_motion);
+}
+
+}  // namespace
