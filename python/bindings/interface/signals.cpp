@@ -37,7 +37,7 @@ Progress signal_check() {
   return [check = SignalCheck()](double) mutable { check(); };
 }
 
-Progress last_call_to(nb::handle function) {
+Progress progress_to(nb::handle function) {
   if (function.is_none()) return {};
   if (PyCallable_Check(function.ptr()) == 0)
     throw nb::type_error("progress: expected a function of the time");
