@@ -83,7 +83,7 @@ void announce(const CommandOptions& options, const Scenario& scenario, const Sce
 
 RunReport run_into_files(const CommandOptions& options, const Scenario& scenario,
                          const std::vector<std::string>& out, bool rows_on_terminal) {
-  const SaveAt& rows = *scenario.rotation().time;
+  const SaveAt& rows = *row_times(scenario);
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   RunOptions how;
@@ -107,11 +107,11 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
 
 void run_scenario(const CommandOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
-  if (!scenario.rotation().time)
+  if (!row_times(scenario))
     throw DomainError(
         options.scenario +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!options.events.empty() && scenario.rotation().events.empty())
+  if (!options.events.empty() && !has_events(scenario))
     throw DomainError(options.scenario +
                       ": event: got nothing; expected tables [[event]] for --events");
   std::vector<std::string> out = options.out;

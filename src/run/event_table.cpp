@@ -6,6 +6,7 @@
 #include "output/sinks.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
+#include "run/detail/experiment_parts.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
@@ -36,9 +37,7 @@ struct EventTable::Parts {
         layout(row_layout(of)),
         problem(rotor_problem(of)),
         energy_0(detail::initial_energy(problem)),
-        motion(!propagation_method(of) && of.rotation().frame.is_inertial()
-                   ? std::optional(free_rotation(of))
-                   : std::nullopt),
+        motion(detail::constant_motion(of)),
         file(csv_path(path),
              from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
         rows(from ? from->rows : 0) {}

@@ -6,6 +6,7 @@
 
 #include "polhode/error.hpp"
 #include "run/detail/map_cells.hpp"
+#include "scenario/map_plan.hpp"
 #include "scenario/prepared_base.hpp"
 #include "scenario/value_reader.hpp"
 
@@ -87,8 +88,10 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   const Document& of = scenario().document;
   try {
     const Experiment experiment = parts_->base.experiment(place(index));
-    detail::require_map({of.checked->values, of.units, of.path}, experiment);
-    return detail::map_cell({std::get<Rotation>(experiment), plan(), of.units}, progress);
+    const detail::MapSubject subject = detail::subject_of(experiment);
+    detail::require_map({of.checked->values, of.units, of.path}, subject);
+    return detail::map_cell({problem(experiment), *subject.rows, subject.orbits, plan(), of.units},
+                            progress);
   } catch (const DomainError& error) {
     return detail::failed_cell(width(), error.what());
   }

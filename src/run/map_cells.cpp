@@ -35,7 +35,7 @@ MapCell column_cell(const Problem& problem, const CellContext& of, const Progres
   const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(problem));
   double least = nan, most = nan, last = nan;
   const Trajectory trajectory = integrate(
-      problem, *of.rotation.time,
+      problem, of.rows,
       [&](std::span<const Sample> samples) {
         for (const Sample& sample : samples) {
           last = column.value(sample);
@@ -83,7 +83,7 @@ MapCell andoyer_cell(const Problem& problem, const CellContext& of, const Progre
 
 PrecessingKeplerOrbit section_orbit(const CellContext& of) {
   const auto orbit =
-      std::find_if(of.rotation.orbits.begin(), of.rotation.orbits.end(),
+      std::find_if(of.orbits.begin(), of.orbits.end(),
                    [&](const ScenarioOrbit& one) { return one.name == of.plan.orbit; });
   const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit->motion);
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
@@ -137,7 +137,7 @@ MapCell failed_cell(std::size_t width, std::string why) {
 }
 
 MapCell map_cell(const CellContext& of, const Progress& progress) {
-  const Problem problem = rotor_problem(of.rotation);
+  const Problem& problem = of.problem;
   switch (of.plan.kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);

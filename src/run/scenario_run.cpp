@@ -153,8 +153,8 @@ class ScenarioRun::Parts {
 
   RunReport complete_report() const {
     RunReport report;
-    report.rows = scenario_.rotation().time->size();
-    report.outcome.t = (*scenario_.rotation().time)[report.rows - 1];
+    report.rows = row_times(scenario_)->size();
+    report.outcome.t = (*row_times(scenario_))[report.rows - 1];
     return report;
   }
 
@@ -171,7 +171,7 @@ class ScenarioRun::Parts {
 };
 
 ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions options) {
-  if (!scenario.rotation().time)
+  if (!row_times(scenario))
     throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
   parts_ = std::make_unique<Parts>(scenario, std::move(files), std::move(options));
 }

@@ -86,7 +86,8 @@ Scenario scenario_from_text(std::string_view text, const std::string& path) {
   Experiment experiment =
       detail::kind_of(values).make({values, document.units, output, document.path});
   std::optional<MapPlan> map;
-  if (has(values, "map")) map = detail::map_plan({values, document.units, path}, experiment);
+  if (has(values, "map"))
+    map = detail::map_plan({values, document.units, path}, detail::subject_of(experiment));
   return {std::move(document), std::move(experiment), std::move(output), std::move(map)};
 }
 
