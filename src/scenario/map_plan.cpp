@@ -2,10 +2,10 @@
 #include "scenario/map_plan.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
+#include "scenario/number_location.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
@@ -16,12 +16,6 @@ namespace detail {
 namespace {
 
 constexpr double most_cells = 1e9;
-
-bool is_number(const Value& value) {
-  const KeyType type = value.key->type;
-  return type == KeyType::number || type == KeyType::numbers || type == KeyType::matrix ||
-         type == KeyType::linear_map;
-}
 
 // The numbers of a file by their keys; of arrays the first, or that with the index in `key`.
 std::vector<std::string> numbers_of(const Values& values, const std::string& key) {
@@ -126,24 +120,6 @@ void require_rows(const Values& values, const std::optional<SaveAt>& time,
 }
 
 }  // namespace
-
-std::optional<NumberLocation> number_location(const Values& values, std::string_view key) {
-  NumberLocation place{std::string(key), 0};
-  const std::size_t bracket = key.rfind('[');
-  const bool indexed = key.ends_with("]") && bracket != std::string_view::npos;
-  if (indexed) {
-    place.path = std::string(key.substr(0, bracket));
-    const std::string_view digits = key.substr(bracket + 1, key.size() - bracket - 2);
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), place.index);
-    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
-  }
-  const auto found = values.find(place.path);
-  if (found == values.end() || !is_number(found->second) || place.path.starts_with("map.") ||
-      indexed == (found->second.key->type == KeyType::number) ||
-      place.index >= found->second.numbers.size())
-    return std::nullopt;
-  return place;
-}
 
 MapSubject map_subject(const Rotation& rotation) {
   return {rotor_system(rotation), rotation.orbits, rotation.time};

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to its [map], and to the numbers that a map changes.
+// From the values of a file to its [map].
 #pragma once
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "polhode/scenario/scenario.hpp"
@@ -13,13 +12,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-struct NumberLocation {
-  std::string path;
-  std::size_t index;
-};
-// Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
-std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
 
 // Where [map] is read.
 struct MapContext {

@@ -184,13 +184,11 @@ TEST(Schema, AKindBringsItsOwnTablesAndSharesOthers) {
        [] {
          return std::vector{detail::body_keys(), detail::time_keys()};
        },
-       {},
        {}},
       {"spin",
        [] {
          return std::vector{detail::SchemaPart{spin_keys, of_spin}, detail::time_keys()};
        },
-       {},
        {}},
   };
   const detail::SchemaTable table(kinds);
