@@ -33,12 +33,6 @@ struct CommandOptions {
   double checkpoint = 5.0;
 };
 
-void require_different(std::vector<std::string> paths) {
-  for (auto path = paths.begin(); path != paths.end(); ++path)
-    if (std::find(paths.begin(), path, *path) != path)
-      throw DomainError("run: " + *path + " is there twice");
-}
-
 // The input was right: whatever goes wrong from here on is a run that failed.
 RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
   try {
@@ -119,7 +113,7 @@ void run_scenario(const CommandOptions& options) {
   if (out.empty() && options.events.empty() && !table_only) out.push_back("-");
   std::vector<std::string> paths = out;
   if (!options.events.empty()) paths.push_back(options.events);
-  require_different(paths);
+  require_different("run", paths);
 
   RunReport report;
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();

@@ -31,6 +31,13 @@ void append_number(std::string& text, double number) {
 
 }  // namespace
 
+std::vector<ColumnGroup> detail::event_groups(const RowLayout& layout) {
+  std::vector<ColumnGroup> groups = layout.groups();
+  groups.insert(groups.begin(), {"name", {{"name", "text"}}});
+  groups.insert(groups.begin() + 2, {"direction", {{"direction", "1"}}});
+  return groups;
+}
+
 struct EventTable::Parts {
   Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
       : scenario(of),
@@ -42,12 +49,8 @@ struct EventTable::Parts {
              from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
         rows(from ? from->rows : 0) {}
 
-  // The columns of a row, t and direction in front.
   std::string header() const {
-    std::vector<ColumnGroup> groups = layout.groups();
-    groups.insert(groups.begin(), {"name", {{"name", "text"}}});
-    groups.insert(groups.begin() + 2, {"direction", {{"direction", "1"}}});
-    return detail::csv_head(groups, provenance(scenario));
+    return detail::csv_head(detail::event_groups(layout), provenance(scenario));
   }
 
   std::string line(const EventRecord& event) const {

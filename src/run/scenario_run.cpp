@@ -21,25 +21,18 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-std::vector<std::string> paths_of(const RunFiles& files) {
-  std::vector<std::string> all = files.outputs;
-  if (!files.events.empty()) all.push_back(files.events);
+std::vector<detail::PlannedOutput> planned(const RunFiles& files, const RowLayout& layout) {
+  std::vector<detail::PlannedOutput> all;
+  for (const std::string& path : files.outputs) all.push_back({path, layout.groups()});
+  if (!files.events.empty()) all.push_back({files.events, detail::event_groups(layout)});
   return all;
 }
 
-detail::Identity identity_of(const Scenario& scenario, const RunFiles& files) {
-  std::string columns, outputs;
-  for (const std::string& column : scenario.output.columns) columns += column + " ";
-  for (const std::string& path : files.outputs) outputs += file_name(path) + " ";
-  if (!files.events.empty()) outputs += "events " + file_name(files.events);
-  return detail::identity_of(scenario, outputs, columns);
-}
-
-detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files,
+detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files, const RowLayout& layout,
                            const RunOptions& options) {
   return {{"run", "runs the scenario anew"},
-          identity_of(scenario, files),
-          paths_of(files),
+          detail::identity_of(scenario, {files.outputs, files.events, scenario.output.columns}),
+          planned(files, layout),
           options.begin,
           options.words,
           options.checkpoint_seconds};
@@ -66,7 +59,7 @@ class ScenarioRun::Parts {
         files_(std::move(files)),
         options_(std::move(options)),
         layout_(row_layout(scenario)),
-        outputs_(setup_of(scenario, files_, options_), provenance(scenario)) {
+        outputs_(setup_of(scenario, files_, layout_, options_), provenance(scenario)) {
     if (outputs_.is_complete()) return;
     if (outputs_.continues()) {
       detail::StateBytes bytes(outputs_.state());
@@ -108,7 +101,7 @@ class ScenarioRun::Parts {
       events_.emplace(path, scenario_, from);
       return detail::KeptOutput{[this] { return events_->position(); }, [] {}};
     });
-    if (options_.also) sinks_.push_back(std::move(options_.also));
+    if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 
   detail::RunControl control() {
@@ -145,9 +138,10 @@ class ScenarioRun::Parts {
     const std::string at = "t = " + time_text(state.t);
     std::string reached = detail::printable(scenario_.document.name, 200) + " at " + at + ", " +
                           std::to_string(state.pushed) + " rows, in ";
-    const std::vector<std::string> all = paths_of(files_);
-    for (const std::string& path : all)
-      reached += (path == all.front() ? "" : ", ") + detail::printable(file_name(path), 200);
+    const std::vector<detail::PlannedOutput> all = planned(files_, layout_);
+    for (const detail::PlannedOutput& output : all)
+      reached += (output.path == all.front().path ? "" : ", ") +
+                 detail::printable(file_name(output.path), 200);
     outputs_.keep({bytes.bytes(), reached, "from " + at});
   }
 

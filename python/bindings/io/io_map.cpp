@@ -152,7 +152,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
     options.threads = threads;
     options.stop = [&loop] { return loop.is_stopped(); };
     options.progress = [&loop](std::int64_t cells) { loop.reach(cells); };
-    options.also = std::make_unique<TableSink>(result.rows);
+    options.extra_sink = std::make_unique<TableSink>(result.rows);
     return std::make_unique<MapRun>(map, paths, std::move(options));
   };
   std::unique_ptr<MapRun> run = begun(begin_of("map", resume, restart));

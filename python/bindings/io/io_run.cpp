@@ -88,7 +88,7 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   options.stop = Stop(raised);
   if (keep) {
     reserve(result, row_times(scenario)->size());  // before any file is there
-    options.also = std::make_unique<TableSink>(result.rows);
+    options.extra_sink = std::make_unique<TableSink>(result.rows);
   }
   ScenarioRun run(scenario, std::move(files), std::move(options));
   result.rows_before = run.is_complete() ? row_times(scenario)->size() : run.rows();
