@@ -67,17 +67,11 @@ std::vector<std::string> command_of(const MapOfFile& options) {
   return words;
 }
 
-void require_different(const std::vector<std::string>& out) {
-  for (auto path = out.begin(); path != out.end(); ++path)
-    if (std::find(out.begin(), path, *path) != path)
-      throw DomainError("map: " + *path + " is there twice");
-}
-
 void make_map(const MapOfFile& options) {
   const ScenarioMap map(read_scenario(options.scenario));
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
-  require_different(out);
+  require_different("map", out);
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
   const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
   const StopSignals signals;

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cstring>
 
+#include "polhode/error.hpp"
+
 namespace polhode::cli {
 namespace {
 
@@ -33,6 +35,12 @@ void add_begin_options(CLI::App& command, BeginOptions& options, const std::stri
 }
 
 BeginWords begin_words() { return {"--resume", "--restart"}; }
+
+void require_different(const std::string& command, const std::vector<std::string>& paths) {
+  for (auto path = paths.begin(); path != paths.end(); ++path)
+    if (std::find(paths.begin(), path, *path) != path)
+      throw DomainError(command + ": " + *path + " is named twice");
+}
 
 std::string how_to_continue(const std::vector<std::string>& command, bool can_resume) {
   if (!can_resume) return "; outputs that are not files cannot be continued";

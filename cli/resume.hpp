@@ -21,6 +21,9 @@ void add_begin_options(CLI::App& command, BeginOptions& options, const std::stri
                        const std::string& restart_help);
 BeginWords begin_words();
 
+// DomainError when a command has one path twice.
+void require_different(const std::string& command, const std::vector<std::string>& paths);
+
 // The end of the line of one that was stopped: "; continue with: polhode map FILE --resume".
 std::string how_to_continue(const std::vector<std::string>& command, bool can_resume);
 // "NAME: nothing to do: complete in a.csv, a.h5"

@@ -33,12 +33,6 @@ struct CommandOptions {
   double checkpoint = 5.0;
 };
 
-void require_different(std::vector<std::string> paths) {
-  for (auto path = paths.begin(); path != paths.end(); ++path)
-    if (std::find(paths.begin(), path, *path) != path)
-      throw DomainError("run: " + *path + " is there twice");
-}
-
 // The input was right: whatever goes wrong from here on is a run that failed.
 RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
   try {
@@ -83,7 +77,7 @@ void announce(const CommandOptions& options, const Scenario& scenario, const Sce
 
 RunReport run_into_files(const CommandOptions& options, const Scenario& scenario,
                          const std::vector<std::string>& out, bool rows_on_terminal) {
-  const SaveAt& rows = *scenario.rotation().time;
+  const SaveAt& rows = *row_times(scenario);
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   RunOptions how;
@@ -107,11 +101,11 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
 
 void run_scenario(const CommandOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
-  if (!scenario.rotation().time)
+  if (!row_times(scenario))
     throw DomainError(
         options.scenario +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!options.events.empty() && scenario.rotation().events.empty())
+  if (!options.events.empty() && !has_events(scenario))
     throw DomainError(options.scenario +
                       ": event: got nothing; expected tables [[event]] for --events");
   std::vector<std::string> out = options.out;
@@ -119,7 +113,7 @@ void run_scenario(const CommandOptions& options) {
   if (out.empty() && options.events.empty() && !table_only) out.push_back("-");
   std::vector<std::string> paths = out;
   if (!options.events.empty()) paths.push_back(options.events);
-  require_different(paths);
+  require_different("run", paths);
 
   RunReport report;
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();

@@ -420,7 +420,7 @@ def _require_files(paths: Sequence[Path], function: str = "run") -> None:
         if name == "-":
             raise ValueError(f"{function}: got \"-\"; expected files, PATH.csv or PATH.h5")
         if name in seen:
-            raise ValueError(f"{function}: {name} is there twice")
+            raise ValueError(f"{function}: {name} is named twice")
         seen.add(name)
 
 

@@ -188,7 +188,7 @@ def test_paths_that_are_no_outputs(tmp_path):
         s.run(tmp_path / "a.txt")
     with pytest.raises(polhode.DomainError, match="is a folder"):
         s.run(tmp_path)
-    with pytest.raises(ValueError, match="is there twice"):
+    with pytest.raises(ValueError, match="is named twice"):
         s.run([tmp_path / "a.csv", str(tmp_path / "a.csv")])
     with pytest.raises(ValueError, match="got \"-\"; expected files"):
         s.run("-")
@@ -316,7 +316,7 @@ def test_paths_of_bytes_are_paths(tmp_path):
     s.run(folder + b"/a.csv")
     s.run([folder + b"/b.csv"]).write(folder + b"/c.csv")
     assert sorted(os.listdir(tmp_path)) == ["a.csv", "b.csv", "c.csv", "mine.toml"]
-    with pytest.raises(ValueError, match="b.csv is there twice"):
+    with pytest.raises(ValueError, match="b.csv is named twice"):
         s.run([tmp_path / "b.csv", folder + b"/b.csv"])
     with pytest.warns(RuntimeWarning, match=r"in /.*/d\.csv\.part$"):
         Scenario.from_text(FAILING).run(folder + b"/d.csv")

@@ -259,6 +259,18 @@ def test_a_map_goes_on_behind_the_rows_of_its_file(tmp_path, extension):
     assert again == whole
 
 
+def test_a_complete_run_is_no_complete_map(tmp_path):
+    scenario = Scenario.from_text(SECTION)
+    for name in ("a.csv", "a.h5"):
+        path = tmp_path / name
+        scenario.run(path)
+        with pytest.raises(ValueError, match="of another run or map of this scenario"):
+            scenario.map(path, resume=True)
+        scenario.map(path, restart=True)
+        with pytest.raises(ValueError, match="of another run or map of this scenario"):
+            scenario.run(path, resume=True)
+
+
 def test_ctrl_c_ends_a_map(tmp_path):
     long = Scenario.from_text(CHAOS.replace("stop = 100", "stop = 1e6"))
     assert seconds_from_signal(lambda: long.map(threads=2)) < LATEST

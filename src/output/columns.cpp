@@ -103,7 +103,7 @@ RowLayout::RowLayout(std::span<const std::string> groups, const Units& units, Br
       cells_.push_back({group, i, column.dimension});
     }
     if (shown.columns.empty())
-      throw DomainError("RowLayout: column group \"" + name + "\" is there twice");
+      throw DomainError("RowLayout: column group \"" + name + "\" is named twice");
     groups_.push_back(std::move(shown));
   }
   width_ = cells_.size() + 1;

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "polhode/output/sink.hpp"
 
@@ -26,9 +27,10 @@ void append_comment(std::string& out, const CommentStyle& style, std::string_vie
 // Version, title, notes, citations and scenario.
 void append_origin(std::string& out, const CommentStyle& style, const Provenance& provenance);
 
-// Why a complete output is none of this scenario and its files: "of another scenario". Empty: it is
-// one.
-std::string foreign_origin(const std::string& path, const Provenance& provenance);
+// Why a complete output is not that of this scenario, of its files or with these columns: "of
+// another scenario". Empty: it is.
+std::string foreign_origin(const std::string& path, const std::vector<ColumnGroup>& groups,
+                           const Provenance& provenance);
 
 }  // namespace detail
 }  // namespace v0

@@ -23,7 +23,7 @@ namespace detail {
 namespace {
 
 constexpr std::size_t longest_path = 500;
-constexpr int most_trips = 100;  // other runs that finish just when a file is opened
+constexpr int most_trips = 100;  // other processes that finish just when a file is opened
 
 }  // namespace
 
@@ -56,17 +56,18 @@ void rename_part(const std::string& part, const std::string& path) {
 
 namespace {
 
-// Locks of an open file: they keep other runs out, and no reader. Not every file system has them.
+// Locks of an open file: they keep other processes out, and no reader. Not every file system has
+// them.
 void require_alone(int descriptor, const std::string& part) {
   struct flock lock {};
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;
   if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
   ::close(descriptor);
-  throw FileInUse(printable(part, longest_path) + ": another run is writing it");
+  throw FileInUse(printable(part, longest_path) + ": another process is writing it");
 }
 
-// Not where another run has given the file its name, or removed it, between open and lock.
+// Not where another process has given the file its name, or removed it, between open and lock.
 bool is_still_at(int descriptor, const std::string& path) {
   struct stat of {};
   struct stat there {};
@@ -108,7 +109,7 @@ int locked_file(const std::string& path) {
     if (is_still_at(descriptor, path)) return descriptor;
     ::close(descriptor);
   }
-  throw FileInUse(printable(path, longest_path) + ": other runs are writing it");
+  throw FileInUse(printable(path, longest_path) + ": other processes are writing it");
 }
 
 void require_not_in_use(const std::string& path) {
@@ -121,7 +122,7 @@ void require_not_in_use(const std::string& path) {
   lock.l_whence = SEEK_SET;
   const bool free = ::fcntl(descriptor, F_OFD_GETLK, &lock) != 0 || lock.l_type == F_UNLCK;
   ::close(descriptor);
-  if (!free) throw FileInUse(printable(part, longest_path) + ": another run is writing it");
+  if (!free) throw FileInUse(printable(part, longest_path) + ": another process is writing it");
 }
 
 int new_part(const std::string& part) {
@@ -143,12 +144,12 @@ int reopened_part(const std::string& part, const PartState& state) {
   if (descriptor < 0)
     throw DomainError(printable(part, longest_path) + ": cannot be continued: " +
                       (errno == ENOENT ? "it is gone" : std::strerror(errno)) + "; expected the " +
-                      std::to_string(state.bytes) + " bytes that the unfinished run has written");
+                      std::to_string(state.bytes) + " bytes that its checkpoint counts");
   require_alone(descriptor, part);
   if (!is_still_at(descriptor, there)) {
     ::close(descriptor);
     throw FileInUse(printable(part, longest_path) +
-                    ": cannot be continued: another run has just finished it");
+                    ": cannot be continued: another process has just finished it");
   }
   std::string why = difference(descriptor, state);
   if (why.empty() && (::ftruncate(descriptor, state.bytes) != 0 ||

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "polhode/scenario/schema.hpp"
+#include "run/detail/experiment_parts.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -194,23 +195,27 @@ struct MethodParts {
 // Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
 // sources of its orbits, and what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
-  std::vector<std::string> parts = scenario.output.columns;
-  parts.push_back(rotation.chart);
+  std::vector<std::string> parts = detail::cited_parts(scenario);
+  parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
+  if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
+  if (scenario.output.writes_aem) parts.push_back("aem");
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::string> detail::cited_parts(const Rotation& rotation) {
+  std::vector<std::string> parts = {rotation.chart};
   parts.insert(parts.end(), rotation.kinds.begin(), rotation.kinds.end());
   if (!rotation.frame.is_inertial()) parts.push_back("moving frame");
   for (const ScenarioOrbit& orbit : rotation.orbits) {
     if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
     parts.insert(parts.end(), orbit.sources.begin(), orbit.sources.end());
   }
-  if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
-  if (scenario.output.writes_aem) parts.push_back("aem");
   if (const std::optional<Method> method = propagation_method(rotation))
     for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
   return parts;
 }
-
-}  // namespace
 
 std::vector<Citation> citations(const Scenario& scenario) {
   const std::vector<std::string> parts = parts_of(scenario);

@@ -22,9 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view pointer_head = "the checkpoint of this run is\n";
-
-std::string shown(const std::string& path) { return printable(path, 500); }
+constexpr std::string_view pointer_head = "the checkpoint is\n";
 
 bool is_there(const std::string& path) {
   std::error_code ignored;
@@ -46,6 +44,8 @@ std::string followed(const std::string& file) {
 
 }  // namespace
 
+std::string shown_path(const std::string& path) { return printable(path, 500); }
+
 std::string checkpoint_path(const std::string& output) { return output + ".checkpoint"; }
 
 std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words) {
@@ -54,8 +54,9 @@ std::string checkpoint_among(std::span<const std::string> outputs, const BeginWo
     if (output == "-" || !is_there(own)) continue;
     std::string checkpoint = followed(own);
     if (is_there(checkpoint)) return checkpoint;
-    throw DomainError(shown(own) + ": an unfinished run is there; expected its checkpoint " +
-                      shown(checkpoint) + ", which is gone: put it back, or " + words.restart +
+    throw DomainError(shown_path(own) +
+                      ": an unfinished run or map is there; expected its checkpoint " +
+                      shown_path(checkpoint) + ", which is gone: put it back, or " + words.restart +
                       " begins anew");
   }
   return {};
@@ -88,21 +89,21 @@ void sync_folder_of(const std::string& path) {
 
 void refuse_unfinished(const std::string& file, const std::string& kind,
                        const std::string& progress, const BeginWords& words) {
-  throw DomainError(shown(file) + ": an unfinished " + kind + " is there (" +
+  throw DomainError(shown_path(file) + ": an unfinished " + kind + " is there (" +
                     printable(progress, 500) + "); " + words.resume + " continues it, " +
                     words.restart + " begins anew and loses what it has done");
 }
 
-bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,
+bool are_complete(std::span<const PlannedOutput> outputs, const Provenance& provenance,
                   const BeginWords& words) {
-  if (std::any_of(outputs.begin(), outputs.end(), [](const auto& path) {
-        return path == "-" || !is_there(path) || is_there(path + ".part");
+  if (std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
+        return output.path == "-" || !is_there(output.path) || is_there(output.path + ".part");
       }))
     return false;
-  for (const std::string& path : outputs) {
-    const std::string why = foreign_origin(path, provenance);
+  for (const auto& [path, groups] : outputs) {
+    const std::string why = foreign_origin(path, groups, provenance);
     if (!why.empty())
-      throw DomainError(shown(path) + ": is there, " + why + "; " + words.restart +
+      throw DomainError(shown_path(path) + ": is there, " + why + "; " + words.restart +
                         " runs this one anew");
   }
   return true;

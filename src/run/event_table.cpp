@@ -6,6 +6,7 @@
 #include "output/sinks.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
+#include "run/detail/experiment_parts.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
@@ -30,25 +31,26 @@ void append_number(std::string& text, double number) {
 
 }  // namespace
 
+std::vector<ColumnGroup> detail::event_groups(const RowLayout& layout) {
+  std::vector<ColumnGroup> groups = layout.groups();
+  groups.insert(groups.begin(), {"name", {{"name", "text"}}});
+  groups.insert(groups.begin() + 2, {"direction", {{"direction", "1"}}});
+  return groups;
+}
+
 struct EventTable::Parts {
   Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
       : scenario(of),
         layout(row_layout(of)),
         problem(rotor_problem(of)),
         energy_0(detail::initial_energy(problem)),
-        motion(!propagation_method(of) && of.rotation().frame.is_inertial()
-                   ? std::optional(free_rotation(of))
-                   : std::nullopt),
+        motion(detail::constant_motion(of)),
         file(csv_path(path),
              from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
         rows(from ? from->rows : 0) {}
 
-  // The columns of a row, t and direction in front.
   std::string header() const {
-    std::vector<ColumnGroup> groups = layout.groups();
-    groups.insert(groups.begin(), {"name", {{"name", "text"}}});
-    groups.insert(groups.begin() + 2, {"direction", {{"direction", "1"}}});
-    return detail::csv_head(groups, provenance(scenario));
+    return detail::csv_head(detail::event_groups(layout), provenance(scenario));
   }
 
   std::string line(const DampedEventRecord& event) const {

@@ -2,6 +2,7 @@
 #include "run/detail/identity.hpp"
 
 #include <exception>
+#include <filesystem>
 #include <string_view>
 
 #include "polhode/trajectory/state_bytes.hpp"
@@ -34,21 +35,38 @@ std::string surroundings_of(const Scenario& scenario) {
   return fingerprint_text(bytes.bytes());
 }
 
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 }  // namespace
 
-Identity identity_of(const Scenario& scenario, const std::string& outputs,
-                     const std::string& columns) {
+Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs) {
   const Document& document = scenario.document;
-  std::string files;
+  std::string files, columns;
   for (const ScenarioFile& file : document.files)
     files += (files.empty() ? "" : "; ") + file_note(file);
-  return {{"version of polhode", std::string(version())},
-          {"outputs", outputs},
-          {"columns", columns},
-          {"scenario", document.name + " " + std::to_string(document.text.size()) + " bytes, " +
-                           fingerprint_text(document.text)},
-          {"files of the scenario", files},
-          {"orbits and torques", surroundings_of(scenario)}};
+  for (const std::string& column : outputs.columns)
+    columns += (columns.empty() ? "" : " ") + column;
+  Identity identity = {{"version of polhode", std::string(version())},
+                       {"columns", columns},
+                       {"scenario", document.name + " " + std::to_string(document.text.size()) +
+                                        " bytes, " + fingerprint_text(document.text)},
+                       {"files of the scenario", files},
+                       {"orbits and torques", surroundings_of(scenario)}};
+  for (const std::string& path : outputs.paths) identity.push_back({"outputs", file_name(path)});
+  if (!outputs.events.empty())
+    identity.push_back({"outputs", "events " + file_name(outputs.events)});
+  return identity;
+}
+
+std::string difference(const Identity& theirs, const Identity& ours) {
+  for (std::size_t i = 0; i < theirs.size() || i < ours.size(); ++i) {
+    const IdentityPart was = i < theirs.size() ? theirs[i] : IdentityPart{ours[i].name, ""};
+    const IdentityPart is = i < ours.size() ? ours[i] : IdentityPart{was.name, ""};
+    if (was.text != is.text) return is.name + " was \"" + was.text + "\", is \"" + is.text + "\"";
+  }
+  return {};
 }
 
 }  // namespace detail

@@ -11,6 +11,7 @@
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
+#include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -20,17 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view format = "polhode checkpoint 3";
+constexpr std::string_view format = "polhode outputs 1";
 constexpr std::size_t hash_bytes = 8;
 
-std::string shown(const std::string& path) { return printable(path, 500); }
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream all;
-  all << file.rdbuf();
-  return all.str();
-}
+}  // namespace
 
 // The file of a checkpoint: a line for people, then these.
 struct CheckpointFile {
@@ -45,20 +39,16 @@ struct CheckpointFile {
     bytes.all(state.bytes, state.reached, state.goes_on);
     sized(bytes, positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
   }
-
- private:
-  template <class T, class Each>
-  static void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
-    std::uint64_t size = all.size();
-    bytes(size);
-    if (!bytes.reads()) {
-      for (T& one : all) each(one);
-      return;
-    }
-    all.clear();
-    for (std::uint64_t i = 0; i < size; ++i) each(all.emplace_back());
-  }
 };
+
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream all;
+  all << file.rdbuf();
+  return all.str();
+}
 
 std::string bytes_of(CheckpointFile file) {
   StateBytes body, head;
@@ -69,9 +59,8 @@ std::string bytes_of(CheckpointFile file) {
   return file.state.reached + "\n" + head.bytes() + body.bytes();
 }
 
-// None of a file that is no checkpoint of this format, or was damaged.
-std::optional<CheckpointFile> file_in(const std::string& path) {
-  const std::string text = text_of(path);
+// None of a text that is not a checkpoint of this format, or was damaged.
+std::optional<CheckpointFile> file_in(const std::string& text) {
   const std::size_t line = text.find('\n');
   const std::string bytes = line == std::string::npos ? "" : text.substr(line + 1);
   StateBytes reader(bytes);
@@ -98,6 +87,7 @@ KeptOutput kept_output(Sink& sink) {
 
 KeptOutputs::KeptOutputs(KeptSetup setup, const Provenance& provenance)
     : setup_(std::move(setup)), pace_(setup_.seconds) {
+  for (const PlannedOutput& output : setup_.outputs) paths_.push_back(output.path);
   find(provenance);
 }
 
@@ -107,7 +97,7 @@ bool KeptOutputs::are_files() const {
     const fs::file_status status = fs::status(path, ignored);
     return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
   };
-  return !setup_.paths.empty() && std::all_of(setup_.paths.begin(), setup_.paths.end(), is_file);
+  return !paths_.empty() && std::all_of(paths_.begin(), paths_.end(), is_file);
 }
 
 std::string KeptOutputs::remedy() const {
@@ -119,39 +109,36 @@ void KeptOutputs::find(const Provenance& provenance) {
   if (setup_.begin == RunBegin::restart) return;  // open() removes them
   const BeginWords& words = setup_.words;
   const std::string& kind = setup_.kind.name;
-  const std::string found = checkpoint_among(setup_.paths, words);
-  const std::optional<CheckpointFile> file = found.empty() ? std::nullopt : file_in(found);
+  const std::string found = checkpoint_among(paths_, words);
+  const std::string text = found.empty() ? std::string() : text_of(found);
+  std::optional<CheckpointFile> file = file_in(text);
   if (!found.empty())
-    for (const std::string& path : setup_.paths) require_not_in_use(path);
+    for (const std::string& path : paths_) require_not_in_use(path);
   if (file && file->kind != kind)
-    throw DomainError(shown(found) + ": an unfinished " + file->kind +
+    throw DomainError(shown_path(found) + ": an unfinished " + file->kind +
                       " is there; expected another file for the " + kind + ", or " + words.restart +
                       ", which loses the " + file->kind);
   if (setup_.begin == RunBegin::anew) {
     if (found.empty()) return;
-    const std::string text = text_of(found);
     refuse_unfinished(found, kind, text.substr(0, text.find('\n')), words);
   }
   if (!are_files())
     throw DomainError(kind + ": " + words.resume + " needs outputs that are files, which a " +
                       kind + " leaves behind");
-  if (!found.empty()) return take_up(found);
-  complete_ = are_complete(setup_.paths, provenance, words);
+  if (!found.empty()) return take_up(found, std::move(file));
+  complete_ = are_complete(setup_.outputs, provenance, words);
 }
 
-void KeptOutputs::take_up(const std::string& found) {
-  std::optional<CheckpointFile> file = file_in(found);
+void KeptOutputs::take_up(const std::string& found, std::optional<CheckpointFile> file) {
   const std::string remedy = setup_.words.restart + " " + setup_.kind.again;
   if (!file)
-    throw DomainError(shown(found) +
-                      ": is no checkpoint of this version of polhode, or was damaged; " + remedy);
-  for (std::size_t i = 0; i < setup_.identity.size(); ++i) {
-    const IdentityPart& ours = setup_.identity[i];
-    const std::string theirs = i < file->identity.size() ? file->identity[i].text : "";
-    if (theirs != ours.text)
-      throw DomainError(shown(found) + ": is of another " + setup_.kind.name + ": " + ours.name +
-                        " was \"" + theirs + "\", is \"" + ours.text + "\"; " + remedy);
-  }
+    throw DomainError(shown_path(found) +
+                      ": is not a checkpoint of this version of polhode, or was damaged; " +
+                      remedy);
+  const std::string differs = difference(file->identity, setup_.identity);
+  if (!differs.empty())
+    throw DomainError(shown_path(found) + ": is of another " + setup_.kind.name + ": " + differs +
+                      "; " + remedy);
   state_ = std::move(file->state);
   positions_ = std::move(file->positions);
   is_safe_ = true;
@@ -160,9 +147,9 @@ void KeptOutputs::take_up(const std::string& found) {
 
 void KeptOutputs::open(const Open& open) {
   try {
-    for (std::size_t i = 0; i < setup_.paths.size(); ++i)
+    for (std::size_t i = 0; i < paths_.size(); ++i)
       outputs_.push_back(
-          open(setup_.paths[i], continues_ ? std::optional(positions_.at(i)) : std::nullopt));
+          open(paths_[i], continues_ ? std::optional(positions_.at(i)) : std::nullopt));
   } catch (const FileInUse&) {
     throw;
   } catch (const DomainError& error) {
@@ -171,7 +158,7 @@ void KeptOutputs::open(const Open& open) {
                       " " + setup_.kind.again);
   }
   // Now they are ours alone.
-  if (setup_.begin == RunBegin::restart) forget_checkpoints(setup_.paths);
+  if (setup_.begin == RunBegin::restart) forget_checkpoints(paths_);
   keeps_ = are_files();
 }
 
@@ -185,21 +172,21 @@ void KeptOutputs::keep(KeptState state) {
     if (position) positions.push_back(*position);
   }
   if (!keeps_) return;
-  const std::string checkpoint = checkpoint_path(setup_.paths.front());
+  const std::string checkpoint = checkpoint_path(paths_.front());
   replace_file(checkpoint, bytes_of({setup_.kind.name, setup_.identity, state, positions}));
   sync_folder_of(checkpoint);  // before what the checkpoint of before needs is gone
   for (const KeptOutput& output : outputs_) output.kept();
   state_ = std::move(state);
   positions_ = std::move(positions);
   is_safe_ = true;
-  for (std::size_t i = 1; i < setup_.paths.size() && !pointed_; ++i)
-    point_to_checkpoint(setup_.paths[i], checkpoint);
+  for (std::size_t i = 1; i < paths_.size() && !pointed_; ++i)
+    point_to_checkpoint(paths_[i], checkpoint);
   pointed_ = true;
   pace_.made(begun);
 }
 
 void KeptOutputs::forget() {
-  forget_checkpoints(setup_.paths);
+  forget_checkpoints(paths_);
   for (const KeptOutput& output : outputs_) output.kept();
 }
 

@@ -6,6 +6,7 @@
 
 #include "polhode/error.hpp"
 #include "run/detail/map_cells.hpp"
+#include "scenario/map_plan.hpp"
 #include "scenario/prepared_base.hpp"
 #include "scenario/value_reader.hpp"
 
@@ -73,7 +74,7 @@ std::size_t ScenarioMap::width() const {
   return detail::result_columns(plan(), scenario().units()).columns.size();
 }
 
-std::vector<double> ScenarioMap::place(std::int64_t index) const {
+std::vector<double> ScenarioMap::axis_values(std::int64_t index) const {
   const std::vector<MapAxis>& axes = plan().axes;
   std::vector<double> values(axes.size());
   for (std::size_t i = axes.size(); i-- > 0;) {
@@ -86,9 +87,11 @@ std::vector<double> ScenarioMap::place(std::int64_t index) const {
 MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   const Document& of = scenario().document;
   try {
-    const Experiment experiment = parts_->base.experiment(place(index));
-    detail::require_map({of.checked->values, of.units, of.path}, experiment);
-    return detail::map_cell({std::get<Rotation>(experiment), plan(), of.units}, progress);
+    const Experiment experiment = parts_->base.experiment(axis_values(index));
+    const detail::MapSubject subject = detail::subject_of(experiment);
+    detail::require_map({of.checked->values, of.units, of.path}, subject);
+    return detail::map_cell({problem(experiment), *subject.rows, subject.orbits, plan(), of.units},
+                            progress);
   } catch (const DomainError& error) {
     return detail::failed_cell(width(), error.what());
   }

@@ -37,7 +37,7 @@ MapCell column_cell(const DampedProblem& problem, const CellContext& of, const P
   const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(problem));
   double least = nan, most = nan, last = nan;
   const DampedTrajectory trajectory = integrate(
-      problem, *of.rotation.time,
+      problem, of.rows,
       [&](std::span<const DampedSample> samples) {
         for (const DampedSample& sample : samples) {
           last = column.value(sample);
@@ -64,7 +64,8 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-MapCell andoyer_cell(const DampedProblem& problem, const CellContext& of, const Progress& progress) {
+MapCell andoyer_cell(const DampedProblem& problem, const CellContext& of,
+                     const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const AndoyerSection end = andoyer_section(
@@ -85,7 +86,7 @@ MapCell andoyer_cell(const DampedProblem& problem, const CellContext& of, const 
 
 PrecessingKeplerOrbit section_orbit(const CellContext& of) {
   const auto orbit =
-      std::find_if(of.rotation.orbits.begin(), of.rotation.orbits.end(),
+      std::find_if(of.orbits.begin(), of.orbits.end(),
                    [&](const ScenarioOrbit& one) { return one.name == of.plan.orbit; });
   const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit->motion);
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
@@ -140,7 +141,7 @@ MapCell failed_cell(std::size_t width, std::string why) {
 }
 
 MapCell map_cell(const CellContext& of, const Progress& progress) {
-  const DampedProblem problem = rotor_problem(of.rotation);
+  const DampedProblem& problem = of.problem;
   switch (of.plan.kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "polhode/ensemble/cells.hpp"
@@ -12,6 +12,7 @@
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
+#include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -26,13 +27,34 @@ constexpr std::size_t longest_reason = 1000;
 // Ends the loop over the cells, from within.
 struct Stopped {};
 
-detail::Identity identity_of(const ScenarioMap& map, const std::vector<std::string>& paths) {
-  std::string columns, outputs;
+detail::KeptSetup setup_of(const ScenarioMap& map, const std::vector<std::string>& paths,
+                           const MapOptions& options) {
+  std::vector<std::string> columns;
   for (const ColumnGroup& group : map.groups())
-    for (const Column& column : group.columns) columns += column.name + " ";
-  for (const std::string& path : paths)
-    outputs += std::filesystem::path(path).filename().string() + " ";
-  return detail::identity_of(map.scenario(), outputs, columns);
+    for (const Column& column : group.columns) columns.push_back(column.name);
+  std::vector<detail::PlannedOutput> outputs;
+  for (const std::string& path : paths) outputs.push_back({path, map.groups()});
+  return {{"map", "runs this one anew"},
+          detail::identity_of(map.scenario(), {paths, {}, columns}),
+          std::move(outputs),
+          options.begin,
+          options.words,
+          options.checkpoint_seconds};
+}
+
+// Each reason once: many cells fail for the same one.
+void transfer_failures(StateBytes& bytes, std::vector<MapReport::Failure>& failures) {
+  std::vector<std::string> reasons;
+  std::map<std::string, std::uint64_t> numbers;
+  if (!bytes.reads())
+    for (const MapReport::Failure& failure : failures)
+      if (numbers.try_emplace(failure.why, reasons.size()).second) reasons.push_back(failure.why);
+  bytes(reasons);
+  detail::sized(bytes, failures, [&](MapReport::Failure& failure) {
+    std::uint64_t number = bytes.reads() ? 0 : numbers.at(failure.why);
+    bytes.all(failure.cell, number);
+    if (bytes.reads()) failure.why = reasons.at(number);
+  });
 }
 
 // Where a map is between two cells: all that its checkpoint holds.
@@ -43,19 +65,10 @@ struct MapState {
 
   void transfer(StateBytes& bytes) {
     bytes.all(report.cells, report.points);
-    sized(bytes, report.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
-    sized(bytes, report.failures, [&](MapReport::Failure& f) { bytes.all(f.cell, f.why); });
-    sized(bytes, report.groups, [&](MapReport::Group& g) { bytes.all(g.cells, g.rows); });
+    detail::sized(bytes, report.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
+    transfer_failures(bytes, report.failures);
+    detail::sized(bytes, report.groups, [&](MapReport::Group& g) { bytes.all(g.cells, g.rows); });
     bytes.all(rows, waiting);
-  }
-
- private:
-  template <class T, class Each>
-  static void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
-    std::uint64_t size = all.size();
-    bytes(size);
-    if (bytes.reads()) all.clear();
-    for (std::uint64_t i = 0; i < size; ++i) each(bytes.reads() ? all.emplace_back() : all[i]);
   }
 };
 
@@ -82,17 +95,11 @@ void add(MapReport& report, const MapCell& cell, std::size_t width) {
 
 class MapRun::Parts {
  public:
-  Parts(const ScenarioMap& map, std::vector<std::string> paths, MapOptions options)
+  Parts(const ScenarioMap& map, const std::vector<std::string>& paths, MapOptions options)
       : map_(map),
         width_(map.width()),
         options_(std::move(options)),
-        outputs_({{"map", "runs this one anew"},
-                  identity_of(map, paths),
-                  std::move(paths),
-                  options_.begin,
-                  options_.words,
-                  options_.checkpoint_seconds},
-                 provenance(map.scenario())) {
+        outputs_(setup_of(map, paths, options_), provenance(map.scenario())) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     state_.report.ranges.assign(width_, {infinity, -infinity});
     if (outputs_.is_complete()) return;
@@ -127,7 +134,7 @@ class MapRun::Parts {
       sinks_.push_back(open_sink(path, map_.groups(), origin, from));
       return detail::kept_output(*sinks_.back());
     });
-    if (options_.also) sinks_.push_back(std::move(options_.also));
+    if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 
   bool is_stopped() const { return options_.stop && options_.stop(); }
@@ -152,7 +159,7 @@ class MapRun::Parts {
 
   // The next one, in order.
   void take(std::int64_t index, const MapCell& cell) {
-    const std::vector<double> place = map_.place(index);
+    const std::vector<double> place = map_.axis_values(index);
     for (std::size_t k = 0; k < cell.numbers.size(); k += width_) {
       const auto row = cell.numbers.begin() + static_cast<std::ptrdiff_t>(k);
       state_.waiting.insert(state_.waiting.end(), place.begin(), place.end());
@@ -200,8 +207,8 @@ class MapRun::Parts {
   std::exception_ptr raised_;  // by `progress`
 };
 
-MapRun::MapRun(const ScenarioMap& map, std::vector<std::string> outputs, MapOptions options)
-    : parts_(std::make_unique<Parts>(map, std::move(outputs), std::move(options))) {}
+MapRun::MapRun(const ScenarioMap& map, const std::vector<std::string>& outputs, MapOptions options)
+    : parts_(std::make_unique<Parts>(map, outputs, std::move(options))) {}
 MapRun::~MapRun() = default;
 bool MapRun::continues() const { return parts_->outputs().continues(); }
 bool MapRun::is_complete() const { return parts_->outputs().is_complete(); }

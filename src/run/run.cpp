@@ -15,8 +15,7 @@
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
-#include "polhode/run/citations.hpp"
-#include "polhode/version.hpp"
+#include "run/detail/experiment_parts.hpp"
 #include "run/detail/run_state.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
@@ -37,11 +36,11 @@ bool has_constants(const Rotation& rotation) {
 }
 
 // What the numbers of a group do not say themselves: it is constant along the motion.
-std::vector<std::string> branch_notes(const Scenario& scenario) {
+std::vector<std::string> branch_notes(const Rotation& rotation, const OutputPlan& output) {
   std::vector<std::string> notes;
-  if (!has_constants(scenario.rotation())) return notes;
-  const FreeRotation motion = free_rotation(scenario);
-  for (const std::string& group : scenario.output.columns) {
+  if (!has_constants(rotation)) return notes;
+  const FreeRotation motion = free_rotation(rotation);
+  for (const std::string& group : output.columns) {
     if (group == "sadov") {
       const SadovState s = to_sadov(motion, 0.0);
       notes.push_back(s.region == SadovRegion::short_axis
@@ -347,8 +346,7 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 
 }  // namespace
 
-AemOutput aem_output(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
+AemOutput detail::aem_output(const Rotation& rotation, const Scenario& scenario) {
   AemOutput result{
       .options = scenario.output.aem,
       .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
@@ -369,60 +367,53 @@ AemOutput aem_output(const Scenario& scenario) {
   return result;
 }
 
-RowLayout row_layout(const Scenario& scenario) {
+RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {
   return RowLayout(scenario.output.columns, scenario.units(),
-                   has_constants(scenario.rotation()) ? Branch::in_notes : Branch::in_columns);
+                   has_constants(rotation) ? Branch::in_notes : Branch::in_columns);
 }
 
-std::string propagation_text(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
+std::optional<FreeRotation> detail::constant_motion(const Rotation& rotation) {
+  return has_constants(rotation) ? std::optional(free_rotation(rotation)) : std::nullopt;
+}
+
+std::string detail::propagation_text(const Rotation& rotation, const Units& units) {
   const std::optional<Method> method = propagation_method(rotation);
   if (!method)
     return rotation.frame.is_inertial() ? "exact free rotation"
                                         : "exact free rotation, seen from the moving frame";
   const bool has_step = std::holds_alternative<Splitting>(*method);  // the last word
-  return method_text(*method) + (has_step ? " " + scenario.units().time() : "") +
+  return method_text(*method) + (has_step ? " " + units.time() : "") +
          (rotation.method ? "" : " (chosen: the file names no method)");
 }
 
-Provenance provenance(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
-  Provenance result;
-  result.version = version();
-  result.title = scenario.document.title;
-  result.scenario_name = scenario.document.name;
-  result.scenario_text = scenario.document.text;
+std::vector<std::string> detail::notes_of(const Rotation& rotation, const Scenario& scenario) {
+  std::vector<std::string> notes;
   const std::string since = rotation.epoch.empty() ? "the epoch" : rotation.epoch;
-  result.notes.push_back("t counts from " + since + "; axes: " + rotation.axes);
+  notes.push_back("t counts from " + since + "; axes: " + rotation.axes);
   if (!rotation.frame.is_inertial())
-    result.notes.push_back("attitudes and elements refer to the moving frame: " +
-                           rotation.frame_text + "; q_inertial and axes to inertial axes");
-  for (std::string& note : rate_notes(scenario)) result.notes.push_back(std::move(note));
+    notes.push_back("attitudes and elements refer to the moving frame: " + rotation.frame_text +
+                    "; q_inertial and axes to inertial axes");
+  for (std::string& note : rate_notes(scenario)) notes.push_back(std::move(note));
   const Quaternion& q = rotation.body.q_FB();
   if (!(q == Quaternion{}))
-    result.notes.push_back(
+    notes.push_back(
         "q, g and the body components of vectors refer to the axes of the tensor, charts to "
         "principal axes, q_FB = [" +
         detail::number_text(q.w) + ", " + detail::number_text(q.x) + ", " +
         detail::number_text(q.y) + ", " + detail::number_text(q.z) + "]");
   for (const AnyPerturbation& term : rotation.terms)
-    result.notes.push_back("perturbation: " + term.name());
-  if (rotation.damper) result.notes.push_back("perturbation: Kane damper");
+    notes.push_back("perturbation: " + term.name());
+  if (rotation.damper) notes.push_back("perturbation: Kane damper");
   for (const ScenarioFile& file : scenario.document.files)
-    result.notes.push_back("file " + file_note(file));
-  result.notes.push_back("method: " + propagation_text(scenario));
-  for (std::string& note : branch_notes(scenario)) result.notes.push_back(std::move(note));
-  for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
-  result.aem = aem_output(scenario);
-  return result;
+    notes.push_back("file " + file_note(file));
+  notes.push_back("method: " + propagation_text(rotation, scenario.units()));
+  for (std::string& note : branch_notes(rotation, scenario.output))
+    notes.push_back(std::move(note));
+  return notes;
 }
 
-RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
-                           std::span<const std::unique_ptr<Sink>> sinks,
-                           const RunControl& control) {
-  const Rotation& rotation = scenario.rotation();
-  if (!rotation.time)
-    throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
+RunReport detail::rows_of(const Rotation& rotation, const RowLayout& layout,
+                          std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   RowWriter writer(layout, sinks, control.from == nullptr ? 0 : control.from->pushed);
   RunReport report;
   if (is_free(rotation)) {
@@ -434,11 +425,6 @@ RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
   report.events_met = static_cast<std::int64_t>(report.events.size());
   if (report.outcome.ok()) writer.finish();
   return report;
-}
-
-RunReport run(const Scenario& scenario, const RowLayout& layout,
-              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress) {
-  return detail::run_rows(scenario, layout, sinks, {.progress = progress});
 }
 
 }  // namespace v0

@@ -21,25 +21,18 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-std::vector<std::string> paths_of(const RunFiles& files) {
-  std::vector<std::string> all = files.outputs;
-  if (!files.events.empty()) all.push_back(files.events);
+std::vector<detail::PlannedOutput> planned(const RunFiles& files, const RowLayout& layout) {
+  std::vector<detail::PlannedOutput> all;
+  for (const std::string& path : files.outputs) all.push_back({path, layout.groups()});
+  if (!files.events.empty()) all.push_back({files.events, detail::event_groups(layout)});
   return all;
 }
 
-detail::Identity identity_of(const Scenario& scenario, const RunFiles& files) {
-  std::string columns, outputs;
-  for (const std::string& column : scenario.output.columns) columns += column + " ";
-  for (const std::string& path : files.outputs) outputs += file_name(path) + " ";
-  if (!files.events.empty()) outputs += "events " + file_name(files.events);
-  return detail::identity_of(scenario, outputs, columns);
-}
-
-detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files,
+detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files, const RowLayout& layout,
                            const RunOptions& options) {
   return {{"run", "runs the scenario anew"},
-          identity_of(scenario, files),
-          paths_of(files),
+          detail::identity_of(scenario, {files.outputs, files.events, scenario.output.columns}),
+          planned(files, layout),
           options.begin,
           options.words,
           options.checkpoint_seconds};
@@ -66,7 +59,7 @@ class ScenarioRun::Parts {
         files_(std::move(files)),
         options_(std::move(options)),
         layout_(row_layout(scenario)),
-        outputs_(setup_of(scenario, files_, options_), provenance(scenario)) {
+        outputs_(setup_of(scenario, files_, layout_, options_), provenance(scenario)) {
     if (outputs_.is_complete()) return;
     if (outputs_.continues()) {
       StateBytes bytes(outputs_.state());
@@ -108,7 +101,7 @@ class ScenarioRun::Parts {
       events_.emplace(path, scenario_, from);
       return detail::KeptOutput{[this] { return events_->position(); }, [] {}};
     });
-    if (options_.also) sinks_.push_back(std::move(options_.also));
+    if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 
   detail::RunControl control() {
@@ -145,16 +138,17 @@ class ScenarioRun::Parts {
     const std::string at = "t = " + time_text(state.t);
     std::string reached = detail::printable(scenario_.document.name, 200) + " at " + at + ", " +
                           std::to_string(state.pushed) + " rows, in ";
-    const std::vector<std::string> all = paths_of(files_);
-    for (const std::string& path : all)
-      reached += (path == all.front() ? "" : ", ") + detail::printable(file_name(path), 200);
+    const std::vector<detail::PlannedOutput> all = planned(files_, layout_);
+    for (const detail::PlannedOutput& output : all)
+      reached += (output.path == all.front().path ? "" : ", ") +
+                 detail::printable(file_name(output.path), 200);
     outputs_.keep({bytes.bytes(), reached, "from " + at});
   }
 
   RunReport complete_report() const {
     RunReport report;
-    report.rows = scenario_.rotation().time->size();
-    report.outcome.t = (*scenario_.rotation().time)[report.rows - 1];
+    report.rows = row_times(scenario_)->size();
+    report.outcome.t = (*row_times(scenario_))[report.rows - 1];
     return report;
   }
 
@@ -171,7 +165,7 @@ class ScenarioRun::Parts {
 };
 
 ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions options) {
-  if (!scenario.rotation().time)
+  if (!row_times(scenario))
     throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
   parts_ = std::make_unique<Parts>(scenario, std::move(files), std::move(options));
 }

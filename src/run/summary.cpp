@@ -9,6 +9,7 @@
 
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/text/epoch.hpp"
+#include "run/detail/experiment_parts.hpp"
 #include "run/detail/table_error.hpp"
 #include "text/json.hpp"
 
@@ -87,49 +88,47 @@ void add_interpolation(Lines& lines, const ScenarioOrbit& orbit) {
 }
 
 // What the doubles of the input leave open at the end of a free rotation.
-void add_sensitivity(Lines& lines, const Scenario& scenario, const FreeRotation& motion) {
-  if (propagation_method(scenario) || !scenario.rotation().time || motion.regime() == Regime::rest)
-    return;
-  const SaveAt& time = *scenario.rotation().time;
+void add_sensitivity(Lines& lines, const Rotation& rotation, const Units& units,
+                     const FreeRotation& motion) {
+  if (propagation_method(rotation) || !rotation.time || motion.regime() == Regime::rest) return;
+  const SaveAt& time = *rotation.time;
   if (time.size() == 0) return;
-  const double moved = scenario.units().from_core(
-      rounding_sensitivity(motion, time[time.size() - 1]), Dimension::angle);
+  const double moved =
+      units.from_core(rounding_sensitivity(motion, time[time.size() - 1]), Dimension::angle);
   // Of an order of magnitude one digit is known.
   lines.number("rounding_sensitivity", "an input rounding moves the end by",
-               scenario.units().to_core(std::stod(fmt::format("{:.0e}", moved)), Dimension::angle),
+               units.to_core(std::stod(fmt::format("{:.0e}", moved)), Dimension::angle),
                Dimension::angle);
 }
 
 // What moves the body, apart from its own spin.
-void add_motion(Lines& lines, const Scenario& scenario) {
-  if (!scenario.rotation().frame.is_inertial())
-    lines.text("frame", "reference frame", scenario.rotation().frame_text);
-  for (const ScenarioOrbit& orbit : scenario.rotation().orbits) {
+void add_motion(Lines& lines, const Rotation& rotation, const Units& units) {
+  if (!rotation.frame.is_inertial()) lines.text("frame", "reference frame", rotation.frame_text);
+  for (const ScenarioOrbit& orbit : rotation.orbits) {
     const std::string key = "orbit_" + orbit.name, label = "orbit " + orbit.name;
     const KeplerElements* elements = kepler_elements(orbit);
     if (elements == nullptr)
-      lines.text(key, label, orbit_text(scenario.units(), orbit));
+      lines.text(key, label, orbit_text(units, orbit));
     else if (elements->eccentricity < 1.0)
       lines.number(key, label + ": period", 2.0 * std::numbers::pi / mean_motion(*elements),
                    Dimension::time);
     else
       lines.text(key, label, "hyperbola");
   }
-  for (const ScenarioOrbit& orbit : scenario.rotation().orbits) add_interpolation(lines, orbit);
-  for (std::size_t i = 0; i < scenario.rotation().terms.size(); ++i)
-    lines.text("perturbation_" + std::to_string(i + 1), "perturbation",
-               scenario.rotation().terms[i].name());
-  if (scenario.rotation().damper)
-    lines.text("perturbation_" + std::to_string(scenario.rotation().terms.size() + 1),
-               "perturbation", "Kane damper");
-  lines.text("method", "method", propagation_text(scenario));
-  for (std::size_t i = 0; i < scenario.rotation().events.size(); ++i) {
-    const ScenarioEvent& event = scenario.rotation().events[i];
+  for (const ScenarioOrbit& orbit : rotation.orbits) add_interpolation(lines, orbit);
+  for (std::size_t i = 0; i < rotation.terms.size(); ++i)
+    lines.text("perturbation_" + std::to_string(i + 1), "perturbation", rotation.terms[i].name());
+  if (rotation.damper)
+    lines.text("perturbation_" + std::to_string(rotation.terms.size() + 1), "perturbation",
+               "Kane damper");
+  lines.text("method", "method", detail::propagation_text(rotation, units));
+  for (std::size_t i = 0; i < rotation.events.size(); ++i) {
+    const ScenarioEvent& event = rotation.events[i];
     const Dimension dimension = column_dimension(event.column);
-    const std::string unit = scenario.units().label(dimension);
+    const std::string unit = units.label(dimension);
     lines.text("event_" + std::to_string(i + 1), "event " + event.name,
                event.column + " = " +
-                   fmt::format("{:.10g}", scenario.units().from_core(event.value, dimension)) +
+                   fmt::format("{:.10g}", units.from_core(event.value, dimension)) +
                    (unit == "1" ? "" : " " + unit) + crossing_text(event.crossing) +
                    (event.stops ? ", stops the run" : ""));
   }
@@ -162,7 +161,8 @@ std::string outcome_text(const Outcome& outcome) {
 
 }  // namespace
 
-std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion) {
+std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenario& scenario,
+                                         const FreeRotation& motion) {
   Lines lines(scenario.units());
   const Vec3& I = motion.body().moments();
   const double I3 = largest(I);
@@ -171,9 +171,7 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
       motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
   lines.text("title", "title", scenario.document.title);
   lines.text("mode",
-             scenario.rotation().terms.empty() && !scenario.rotation().damper
-                 ? "mode"
-                 : "mode (if free from t = 0 on)",
+             rotation.terms.empty() && !rotation.damper ? "mode" : "mode (if free from t = 0 on)",
              mode(motion.regime()));
   lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
   lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},
@@ -191,24 +189,24 @@ std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& m
   lines.number("energy", "kinetic energy T", motion.energy(), Dimension::energy);
   lines.number("modulus", "elliptic parameter m", motion.modulus().m(), Dimension::number);
   lines.number("complement", "its complement 1 - m", motion.modulus().m1(), Dimension::number);
-  add_sensitivity(lines, scenario, motion);
-  lines.text("epoch", "epoch (t = 0)", scenario.rotation().epoch);
-  if (!scenario.rotation().epoch.empty() && is_dubious(epoch_date(scenario.rotation().epoch)))
+  add_sensitivity(lines, rotation, scenario.units(), motion);
+  lines.text("epoch", "epoch (t = 0)", rotation.epoch);
+  if (!rotation.epoch.empty() && is_dubious(epoch_date(rotation.epoch)))
     lines.text("epoch_note", "of the epoch", "leap seconds of UTC are not known for this year");
-  lines.text("axes", "inertial axes", scenario.rotation().axes);
+  lines.text("axes", "inertial axes", rotation.axes);
   const Quaternion& q = motion.body().q_FB();
   if (!(q == Quaternion{}))
     lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
                   {q.w, q.x, q.y, q.z}, Dimension::number);
-  add_motion(lines, scenario);
+  add_motion(lines, rotation, scenario.units());
   return lines.take();
 }
 
-std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report,
-                                      const std::string& events) {
+std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Scenario& scenario,
+                                              const RunReport& report, const std::string& events) {
   Lines lines(scenario.units());
-  const bool is_exact = !propagation_method(scenario);
-  if (is_exact && scenario.rotation().events.empty()) return lines.take();
+  const bool is_exact = !propagation_method(rotation);
+  if (is_exact && rotation.events.empty()) return lines.take();
   lines.text("outcome", "outcome", outcome_text(report.outcome));
   lines.number("end", "the run ended at t", report.outcome.t, Dimension::time);
   if (!is_exact) add_cost(lines, report.statistics);

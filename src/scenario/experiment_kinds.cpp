@@ -17,17 +17,19 @@ std::vector<SchemaPart> rotation_keys() {
           perturbation_keys(), surface_keys(), method_keys(), time_keys()};
 }
 
-Experiment make_rotation(const KindContext& at) { return made_rotation(at).rotation; }
-
-Remake prepare_rotation(const KindContext& at, std::vector<std::string> changed) {
-  return [at, base = made_rotation(at), changed = std::move(changed)](const Values& values) {
-    return Experiment(
-        made_rotation({values, at.units, at.output, at.name}, &base, changed).rotation);
-  };
+MadeExperiment make_rotation(const KindContext& of) {
+  const auto base = std::make_shared<const MadeRotation>(made_rotation(of));
+  return {
+      base->rotation, [base](const KindContext& at, std::vector<std::string> changed) -> Remake {
+        return [at, base, changed = std::move(changed)](const Values& values) {
+          return Experiment(
+              made_rotation({values, at.units, at.output, at.name}, base.get(), changed).rotation);
+        };
+      }};
 }
 
 constexpr ExperimentKind kinds[] = {
-    {"rotation", rotation_keys, make_rotation, prepare_rotation},
+    {"rotation", rotation_keys, make_rotation},
 };
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include "scenario/map_plan.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
+#include "scenario/number_location.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
@@ -16,12 +16,6 @@ namespace detail {
 namespace {
 
 constexpr double most_cells = 1e9;
-
-bool is_number(const Value& value) {
-  const KeyType type = value.key->type;
-  return type == KeyType::number || type == KeyType::numbers || type == KeyType::matrix ||
-         type == KeyType::linear_map;
-}
 
 // The numbers of a file by their keys; of arrays the first, or that with the index in `key`.
 std::vector<std::string> numbers_of(const Values& values, const std::string& key) {
@@ -56,14 +50,14 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
           units.label(dimension)};
 }
 
-std::string column_of(const Values& values, const Rotation& rotation, const std::string& name) {
+std::string column_of(const Values& values, const System& system, const std::string& name) {
   const std::string& column = word(values, "map.column");
   const std::vector<std::string_view> known = column_names();
   if (std::find(known.begin(), known.end(), column) == known.end())
     refuse(values, "map.column", name,
            "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
                did_you_mean(column, known));
-  if (needs_energy(column) && !rotor_system(rotation).has_energy())
+  if (needs_energy(column) && !system.has_energy())
     refuse(values, "map.column", name,
            "expected another column, since a perturbation has no energy");
   return column;
@@ -87,8 +81,9 @@ SectionSurface surface_of(const Values& values, const std::string& name) {
   return Strobe{period, number(values, "map.epoch")};
 }
 
-std::string section_orbit(const Values& values, const Rotation& rotation, const std::string& name) {
-  const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "map.orbit", name);
+std::string section_orbit(const Values& values, const std::vector<ScenarioOrbit>& orbits,
+                          const std::string& name) {
+  const ScenarioOrbit& orbit = orbit_named(orbits, values, "map.orbit", name);
   const KeplerElements* const elements = kepler_elements(orbit);
   if (elements == nullptr)
     refuse(values, "map.orbit", name, "expected an orbit with elements: others have no pericentre");
@@ -100,22 +95,24 @@ std::string section_orbit(const Values& values, const Rotation& rotation, const 
 }
 
 // All but the grid.
-MapPlan without_axes(const Values& values, const Rotation& rotation, const std::string& name) {
+MapPlan without_axes(const Values& values, const MapSubject& subject, const std::string& name) {
   const std::string& kind = word(values, "map.kind");
-  if (kind == "chaos" && rotation.damper)
+  if (kind == "chaos" && subject.system.damper())
     refuse(values, "map.kind", name,
            "expected another kind, since the state of a Kane damper has no indicator of chaos");
   if (kind == "chaos") return {.kind = MapKind::chaos};
   if (kind == "column")
-    return {.kind = MapKind::column, .column = column_of(values, rotation, name)};
+    return {.kind = MapKind::column, .column = column_of(values, subject.system, name)};
   if (kind == "andoyer-section")
     return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
-  return {.kind = MapKind::spin_orbit_section, .orbit = section_orbit(values, rotation, name)};
+  return {.kind = MapKind::spin_orbit_section,
+          .orbit = section_orbit(values, subject.orbits, name)};
 }
 
-void require_rows(const Values& values, const Rotation& rotation, const std::string& name) {
-  if (!rotation.time) refuse(values, "map", name, "expected a table [time] as well");
-  const SaveAt& rows = *rotation.time;
+void require_rows(const Values& values, const std::optional<SaveAt>& time,
+                  const std::string& name) {
+  if (!time) refuse(values, "map", name, "expected a table [time] as well");
+  const SaveAt& rows = *time;
   const double first = rows[0], last = rows[rows.size() - 1];
   if (last == 0.0 || first * last < 0.0 || rows.is_list())
     refuse(values, "time", name,
@@ -124,28 +121,16 @@ void require_rows(const Values& values, const Rotation& rotation, const std::str
 
 }  // namespace
 
-std::optional<NumberLocation> number_location(const Values& values, std::string_view key) {
-  NumberLocation place{std::string(key), 0};
-  const std::size_t bracket = key.rfind('[');
-  const bool indexed = key.ends_with("]") && bracket != std::string_view::npos;
-  if (indexed) {
-    place.path = std::string(key.substr(0, bracket));
-    const std::string_view digits = key.substr(bracket + 1, key.size() - bracket - 2);
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), place.index);
-    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
-  }
-  const auto found = values.find(place.path);
-  if (found == values.end() || !is_number(found->second) || place.path.starts_with("map.") ||
-      indexed == (found->second.key->type == KeyType::number) ||
-      place.index >= found->second.numbers.size())
-    return std::nullopt;
-  return place;
+MapSubject map_subject(const Rotation& rotation) {
+  return {rotor_system(rotation), rotation.orbits, rotation.time};
+}
+MapSubject subject_of(const Experiment& experiment) {
+  return std::visit([](const auto& kind) { return map_subject(kind); }, experiment);
 }
 
-MapPlan map_plan(const MapContext& at, const Experiment& experiment) {
+MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
   const auto& [values, units, name] = at;
-  const Rotation& rotation = std::get<Rotation>(experiment);
-  MapPlan plan = without_axes(values, rotation, name);
+  MapPlan plan = without_axes(values, subject, name);
   double cells = 1.0;
   for (std::size_t i = 0; has(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
@@ -158,14 +143,13 @@ MapPlan map_plan(const MapContext& at, const Experiment& experiment) {
       refuse(values, path + ".count", name, "expected a map of at most 1e9 cells");
     plan.axes.push_back(std::move(axis));
   }
-  require_rows(values, rotation, name);
+  require_rows(values, subject.rows, name);
   return plan;
 }
 
-void require_map(const MapContext& at, const Experiment& experiment) {
-  const Rotation& rotation = std::get<Rotation>(experiment);
-  static_cast<void>(without_axes(at.values, rotation, at.name));
-  require_rows(at.values, rotation, at.name);
+void require_map(const MapContext& at, const MapSubject& subject) {
+  static_cast<void>(without_axes(at.values, subject, at.name));
+  require_rows(at.values, subject.rows, at.name);
 }
 
 }  // namespace detail

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to its [map], and to the numbers that a map changes.
+// From the values of a file to its [map].
 #pragma once
 
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/values.hpp"
@@ -13,23 +13,26 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-struct NumberLocation {
-  std::string path;
-  std::size_t index;
-};
-// Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
-std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
-
 // Where [map] is read.
 struct MapContext {
   const Values& values;
   const Units& units;
   const std::string& name;  // of the file, for messages
 };
-// The experiment is there. ScenarioError at the place of what is wrong.
-MapPlan map_plan(const MapContext& at, const Experiment& experiment);
+// What sections, columns and the indicator of chaos ask of an experiment, which must outlive it.
+struct MapSubject {
+  System system;
+  const std::vector<ScenarioOrbit>& orbits;
+  const std::optional<SaveAt>& rows;
+};
+// One overload for each kind: here, and nowhere else, it says whether a map can wrap it.
+MapSubject map_subject(const Rotation& rotation);
+MapSubject subject_of(const Experiment& experiment);
+
+// ScenarioError at the place of what is wrong.
+MapPlan map_plan(const MapContext& at, const MapSubject& subject);
 // What the plan asks of the experiment of a cell, whose numbers are others.
-void require_map(const MapContext& at, const Experiment& experiment);
+void require_map(const MapContext& at, const MapSubject& subject);
 
 }  // namespace detail
 }  // namespace v0

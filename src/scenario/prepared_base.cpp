@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/prepared_base.hpp"
 
+#include <utility>
+
 #include "scenario/value_reader.hpp"
 #include "text/number_text.hpp"
 
@@ -9,38 +11,52 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-std::vector<NumberLocation> places_of(const Values& values, std::span<const std::string> keys) {
-  std::vector<NumberLocation> places;
-  for (const std::string& key : keys) places.push_back(*number_location(values, key));
-  return places;
+std::vector<NumberLocation> locations_of(const Values& values, std::span<const std::string> keys) {
+  std::vector<NumberLocation> locations;
+  for (const std::string& key : keys) locations.push_back(*number_location(values, key));
+  return locations;
 }
 
-std::vector<std::string> paths_of(const std::vector<NumberLocation>& places) {
+std::vector<std::string> paths_of(const std::vector<NumberLocation>& locations) {
   std::vector<std::string> paths;
-  for (const NumberLocation& place : places) paths.push_back(place.path);
+  for (const NumberLocation& location : locations) paths.push_back(location.path);
   return paths;
 }
 
 }  // namespace
 
 PreparedBase::PreparedBase(const Scenario& scenario, std::span<const std::string> keys)
-    : scenario_(scenario), places_(places_of(scenario.document.checked->values, keys)) {
+    : scenario_(scenario), locations_(locations_of(scenario.document.checked->values, keys)) {
   const Document& of = scenario.document;
-  remake_ =
-      kind_of(of.checked->values)
-          .prepare({of.checked->values, of.units, scenario.output, of.path}, paths_of(places_));
+  remake_ = of.checked->made->prepare({of.checked->values, of.units, scenario.output, of.path},
+                                      paths_of(locations_));
+}
+
+std::unique_ptr<Values> PreparedBase::taken() const {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!free_.empty()) {
+      std::unique_ptr<Values> values = std::move(free_.back());
+      free_.pop_back();
+      return values;
+    }
+  }
+  return std::make_unique<Values>(scenario_.document.checked->values);
 }
 
 Experiment PreparedBase::experiment(std::span<const double> numbers) const {
-  Values values = scenario_.document.checked->values;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    Value& value = values.find(places_[i].path)->second;
-    value.numbers[places_[i].index] =
+  std::unique_ptr<Values> values = taken();
+  for (std::size_t i = 0; i < locations_.size(); ++i) {
+    Value& value = values->find(locations_[i].path)->second;
+    value.numbers[locations_[i].index] =
         scenario_.document.units.to_core(numbers[i], value.key->dimension);
     value.shown = number_text(numbers[i]);
     value.is_explicit = true;
   }
-  return remake_(values);
+  Experiment made = remake_(*values);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  free_.push_back(std::move(values));
+  return made;
 }
 
 }  // namespace detail

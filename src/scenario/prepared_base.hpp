@@ -4,13 +4,14 @@
 // shared unless a number below them changes.
 #pragma once
 
-#include <cstddef>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "scenario/detail/experiment_kinds.hpp"
-#include "scenario/map_plan.hpp"
+#include "scenario/number_location.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -26,9 +27,15 @@ class PreparedBase {
   Experiment experiment(std::span<const double> numbers) const;
 
  private:
+  std::unique_ptr<Values> taken() const;
+
   const Scenario& scenario_;
-  std::vector<NumberLocation> places_;
+  std::vector<NumberLocation> locations_;
   Remake remake_;
+  // Copies of the values, one for each thread at a time. Every cell sets the same of their numbers,
+  // so that what the cell before has left does not matter.
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Values>> free_;
 };
 
 }  // namespace detail

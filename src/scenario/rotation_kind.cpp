@@ -229,6 +229,8 @@ class RotationBuilder {
     rotation.method = method_of(values, name);
     rotation.events =
         keeps({"event["}) ? base_->rotation.events : events_of(values, at_.units, name);
+    if (base_ == nullptr)  // reported here, between the state and what acts on it
+      static_cast<void>(aem_options_of(values, name));
     add_frame(rotation, values, name);
     same_axes_ = base_ != nullptr && rotation.q_file == base_->rotation.q_file;
     same_surface_ = same_axes_ && keeps({"surface["}) && rotation.shape == base_->rotation.shape;

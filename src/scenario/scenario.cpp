@@ -48,7 +48,7 @@ std::string file_text(const std::string& path) {
   return text;
 }
 
-Document document_of(std::string_view text, const std::string& path) {
+detail::ReadFile read_file(std::string_view text, const std::string& path) {
   Diagnostics diagnostics(path);
   if (text.size() > largest_file) {
     diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
@@ -56,6 +56,11 @@ Document document_of(std::string_view text, const std::string& path) {
   }
   detail::ReadFile read = detail::read_values(text, scenario_schema(), diagnostics);
   diagnostics.raise();
+  return read;
+}
+
+// The checked values are given to it when what they describe is made.
+Document document_of(std::string_view text, const std::string& path, const detail::ReadFile& read) {
   const Values& values = read.values;
   // first: what changes while it is read differs from what is noted here
   std::vector<ScenarioFile> files = detail::files_of(values, path);
@@ -68,26 +73,31 @@ Document document_of(std::string_view text, const std::string& path) {
           .kind = detail::word(values, "kind"),
           .units = read.units,
           .files = std::move(files),
-          .checked = std::make_shared<const detail::ReadFile>(std::move(read))};
+          .checked = nullptr};
 }
 
-OutputPlan output_of(const Values& values, const std::string& path) {
+// But for the options of AEM files: what is wrong in them comes after what is wrong in the state.
+OutputPlan output_of(const Values& values) {
   return {.columns = detail::value_at(values, "output.columns").words,
-          .aem = detail::aem_options_of(values, path),
           .writes_aem = has(values, "output.aem")};
 }
 
 }  // namespace
 
 Scenario scenario_from_text(std::string_view text, const std::string& path) {
-  Document document = document_of(text, path);
-  const Values& values = document.checked->values;
-  OutputPlan output = output_of(values, path);
-  Experiment experiment =
-      detail::kind_of(values).make({values, document.units, output, document.path});
+  detail::ReadFile read = read_file(text, path);
+  Document document = document_of(text, path, read);
+  OutputPlan output = output_of(read.values);
+  const auto made = std::make_shared<const detail::MadeExperiment>(
+      detail::kind_of(read.values).make({read.values, document.units, output, path}));
+  output.aem = detail::aem_options_of(read.values, path);
   std::optional<MapPlan> map;
-  if (has(values, "map")) map = detail::map_plan({values, document.units, path}, experiment);
-  return {std::move(document), std::move(experiment), std::move(output), std::move(map)};
+  if (has(read.values, "map"))
+    map =
+        detail::map_plan({read.values, document.units, path}, detail::subject_of(made->experiment));
+  read.made = made;
+  document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
+  return {std::move(document), made->experiment, std::move(output), std::move(map)};
 }
 
 Scenario read_scenario(const std::string& path) {

@@ -71,6 +71,9 @@ std::optional<Method> propagation_method(const Rotation& rotation) {
   return Adaptive{};
 }
 
+const std::optional<SaveAt>& row_times(const Rotation& rotation) { return rotation.time; }
+bool has_events(const Rotation& rotation) { return !rotation.events.empty(); }
+
 DampedProblem rotor_problem(const Rotation& rotation) {
   if (!rotation.time) throw DomainError("rotor_problem: got no [time]; expected its rows");
   const SaveAt& rows = *rotation.time;
@@ -87,13 +90,29 @@ double detail::initial_energy(const DampedProblem& problem) {
   return energy(at_damper_rate(problem.system, damper_rate), problem.start, rotor);
 }
 
-System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
-RotorState initial_state(const Scenario& scenario) { return initial_state(scenario.rotation()); }
-FreeRotation free_rotation(const Scenario& scenario) { return free_rotation(scenario.rotation()); }
-std::optional<Method> propagation_method(const Scenario& scenario) {
-  return propagation_method(scenario.rotation());
+const std::optional<SaveAt>& row_times(const Scenario& scenario) {
+  return std::visit([](const auto& kind) -> const auto& { return row_times(kind); },
+                    scenario.experiment);
 }
-DampedProblem rotor_problem(const Scenario& scenario) { return rotor_problem(scenario.rotation()); }
+bool has_events(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return has_events(kind); }, scenario.experiment);
+}
+DampedProblem problem(const Experiment& experiment) {
+  return std::visit([](const auto& kind) { return rotor_problem(kind); }, experiment);
+}
+System rotor_system(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return rotor_system(kind); }, scenario.experiment);
+}
+RotorState initial_state(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return initial_state(kind); }, scenario.experiment);
+}
+FreeRotation free_rotation(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return free_rotation(kind); }, scenario.experiment);
+}
+std::optional<Method> propagation_method(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return propagation_method(kind); }, scenario.experiment);
+}
+DampedProblem rotor_problem(const Scenario& scenario) { return problem(scenario.experiment); }
 
 }  // namespace v0
 }  // namespace polhode

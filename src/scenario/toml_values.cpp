@@ -441,7 +441,7 @@ void Reader::read_units(const toml::table& file) {
 ReadFile Reader::read(const toml::table& file) {
   if (!keys_of(schema_, "units").empty()) read_units(file);
   read_table(file, "", "");
-  return {std::move(values_), std::move(units_)};
+  return {.values = std::move(values_), .units = std::move(units_)};
 }
 
 }  // namespace
@@ -449,14 +449,14 @@ ReadFile Reader::read(const toml::table& file) {
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics) {
   if (const std::optional<Refusal> refused = refusal(text)) {
     diagnostics.add(refused->where, "file", refused->text);
-    return {{}, Units()};
+    return {.values = {}, .units = Units()};
   }
   try {
     const toml::table file = toml::parse(text);
     if (file.empty()) {
       diagnostics.add({}, "file",
                       "got no key at all; expected a scenario (polhode init prints one)");
-      return {{}, Units()};
+      return {.values = {}, .units = Units()};
     }
     return Reader(schema, diagnostics).read(file);
   } catch (const toml::parse_error& error) {
@@ -465,7 +465,7 @@ ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& d
   } catch (const TomlAssertion&) {
     diagnostics.add({}, "file", "not TOML");
   }
-  return {{}, Units()};
+  return {.values = {}, .units = Units()};
 }
 
 }  // namespace detail

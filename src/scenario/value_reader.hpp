@@ -2,6 +2,7 @@
 // From the text of a scenario to its values.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,9 +21,13 @@ struct Refusal {
 // Why a text must not reach the TOML parser: what it would crash on, or answer undefined.
 std::optional<Refusal> refusal(std::string_view text);
 
+struct MadeExperiment;
+
 struct ReadFile {
   Values values;
   Units units;
+  // What was made of the values, for those who make it again with other numbers.
+  std::shared_ptr<const MadeExperiment> made = nullptr;
 };
 // Everything wrong goes to `diagnostics`; what is right is in the result.
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);

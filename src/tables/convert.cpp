@@ -193,7 +193,7 @@ void Converter::assign_roles() {
            (near.empty() ? "" : "; did you mean it by " + detail::printable(near) + "?"));
     }
     if (std::find(found + 1, names.end(), old[i]) != names.end())
-      fail("column " + old[i] + " is there twice");
+      fail("column " + old[i] + " is named twice");
     require_radians(old[i]);
     fields_[index].role = static_cast<int>(i);
     if (std::find(std::begin(angle_columns), std::end(angle_columns), old[i]) !=

@@ -20,6 +20,26 @@ TIME = "[time]\nstart = {start}\nstop = {stop}\nstep = {step}\n"
 GENERIC = "[0.1, 0.7, -0.5, 0.4]"
 
 
+ANDOYER_AEM = """schema = 1
+[body]
+moments = [1, 2, 2.5]
+[state]
+epoch = "2029-04-13T21:46:00 TDB"
+[state.andoyer]
+l = 0.1
+g = 0.2
+h = 0.3
+L = 0.5
+G = 1
+H = 0.1
+[time]
+stop = 1
+step = 0.5
+[output.aem]
+creation_date = "yesterday"
+"""
+
+
 def text(aem="", epoch="2029-04-13T21:46:00 TDB", axes="equator-J2000", q=GENERIC, start=0,
          stop=3, step=0.25, columns='"q", "omega"', more=""):
     return (HEAD + BODY + STATE.format(epoch=epoch, axes=axes, q=q)
@@ -231,6 +251,21 @@ def test_what_cannot_be_an_aem(run, tmp_path, scenario, message):
     result = run("run", tmp_path / "a.toml", "--out", tmp_path / "a.aem")
     assert result.returncode == 2 and message in result.stderr, result.stderr
     assert not list(tmp_path.glob("*.aem*"))
+
+
+# A message for the first of them alone: the state, then the AEM, then what acts on the body.
+@pytest.mark.parametrize("old, new, key", [
+    ("G = 1", "G = -1", "state.andoyer"),
+    ("[output.aem]", '[[perturbation]]\nkind = "gravity-gradient"\norbit = "none"\n[output.aem]',
+     "output.aem.creation_date"),
+])
+def test_what_is_wrong_is_reported_in_one_order(run, tmp_path, old, new, key):
+    wrong = ANDOYER_AEM.replace(old, new)
+    assert wrong != ANDOYER_AEM
+    (tmp_path / "a.toml").write_text(wrong, encoding="utf-8")
+    result = run("run", tmp_path / "a.toml", "--out", tmp_path / "a.aem")
+    assert result.returncode == 2 and f": {key}" in result.stderr, result.stderr
+    assert result.stderr.count("\n") == 1
 
 
 @pytest.mark.parametrize("key, message", [

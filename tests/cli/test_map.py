@@ -196,7 +196,7 @@ def test_one_map_at_a_time(polhode, run, slow_map, map_file, tmp_path):
             for path in (slow_map, map_file):
                 done = run("map", path, "--out", out, *option)
                 assert done.returncode == 2
-                assert done.stderr == f"{out}.part: another run is writing it\n"
+                assert done.stderr == f"{out}.part: another process is writing it\n"
         assert checkpoint.read_bytes() == before
     finally:
         process.kill()
@@ -276,6 +276,20 @@ def test_a_map_with_another_table_does_not_go_on(polhode, run, slow_map, tmp_pat
     assert checkpoint.read_bytes() == before
 
 
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_a_complete_run_is_no_complete_map(run, map_file, tmp_path, extension):
+    path = tmp_path / f"a.{extension}"
+    for first, second in (("run", "map"), ("map", "run")):
+        assert run(first, map_file, "--out", path, "--restart").returncode == 0
+        before = path.read_bytes()
+        done = run(second, map_file, "--out", path, "--resume")
+        assert (done.returncode, done.stderr) == (
+            2, f"{path}: is there, of another run or map of this scenario; --restart runs this one "
+               "anew\n")
+        assert path.read_bytes() == before
+        assert "nothing to do" in run(first, map_file, "--out", path, "--resume").stdout
+
+
 def test_a_pipe_gets_one_head(run, polhode, map_file, tmp_path):
     whole = tmp_path / "whole.csv"
     assert run("map", map_file, "--out", whole).returncode == 0
@@ -307,7 +321,7 @@ def test_a_run_does_not_take_the_file_of_a_map(polhode, run, scenario, slow_map,
         process.send_signal(signal.SIGSTOP)
         done = run("run", scenario(name="other.toml"), "--out", out)
         assert done.returncode == 2
-        assert done.stderr == f"{out}.part: another run is writing it\n"
+        assert done.stderr == f"{out}.part: another process is writing it\n"
     finally:
         process.kill()
         process.communicate()
@@ -320,5 +334,5 @@ def test_what_is_no_map(run, scenario, map_file, tmp_path):
     assert result.returncode == 2 and "--resume" in result.stderr
     (tmp_path / "m.csv.checkpoint").write_text("something else\n")
     result = run("map", map_file, "--out", tmp_path / "m.csv", "--resume")
-    assert result.returncode == 2 and "is no checkpoint of this version" in result.stderr
+    assert result.returncode == 2 and "is not a checkpoint of this version" in result.stderr
     assert "--restart runs this one anew" in result.stderr

@@ -169,7 +169,7 @@ def test_an_output_whose_checkpoint_is_gone(polhode, run, long, scenario, tmp_pa
     for option in ([], ["--resume"]):
         done = run("run", short, "--out", there / "p.h5", *option)
         assert done.returncode == 2 and done.stderr == (
-            f"{there}/p.h5.checkpoint: an unfinished run is there; expected its checkpoint "
+            f"{there}/p.h5.checkpoint: an unfinished run or map is there; expected its checkpoint "
             f"{there}/p.csv.checkpoint, which is gone: put it back, or --restart begins anew\n")
     assert run("run", short, "--out", there / "p.h5", "--restart").returncode == 0
     assert not (there / "p.h5.checkpoint").exists()
@@ -200,7 +200,7 @@ def test_damaged_checkpoints_and_parts_are_refused(polhode, run, long, tmp_path)
     for damaged in (b"", whole[:-1], whole[:200], whole[:-9] + b"x" + whole[-8:]):
         checkpoint.write_bytes(damaged)
         done = run("run", long, "--out", path, "--resume")
-        assert done.returncode == 2 and "is no checkpoint" in done.stderr
+        assert done.returncode == 2 and "is not a checkpoint" in done.stderr
     checkpoint.write_bytes(whole)
     part = (tmp_path / "a.csv.part").read_bytes()
     for damaged in (part[:100], b"X" + part[1:]):
@@ -223,6 +223,19 @@ def test_complete_runs_have_nothing_to_do(run, scenario, tmp_path):
     other = run("run", body, "--out", path, "--resume")
     assert other.returncode == 2 and "of another scenario" in other.stderr
     assert run("run", body, "--out", path, "--restart").returncode == 0
+
+
+def test_complete_rows_are_no_complete_events(run, scenario, tmp_path):
+    rows, events = tmp_path / "a.csv", tmp_path / "e.csv"
+    body = scenario()
+    body.write_text(body.read_text().replace("[output]", '[[event]]\ncolumn = "qw"\n[output]'))
+    command = ["run", body, "--out", rows, "--events", events]
+    assert run(*command).returncode == 0
+    assert "nothing to do" in run(*command, "--resume").stdout
+    events.write_bytes(rows.read_bytes())
+    other = run(*command, "--resume")
+    assert other.returncode == 2 and other.stderr.startswith(
+        f"{events}: is there, of another run or map of this scenario; ")
 
 
 def with_epoch(path):
@@ -323,7 +336,7 @@ def test_one_run_at_a_time(polhode, run, long, tmp_path):
         process.wait()
     for refused in (done, resumed):
         assert refused.returncode == 2
-        assert refused.stderr.endswith("a.csv.part: another run is writing it\n")
+        assert refused.stderr.endswith("a.csv.part: another process is writing it\n")
 
 
 # A limit on the size of files stands for a full disk.

@@ -53,7 +53,7 @@ class ScenarioMap {
   // How many numbers of results a row has.
   std::size_t width() const;
   // The numbers of the axes at a cell.
-  std::vector<double> place(std::int64_t index) const;
+  std::vector<double> axis_values(std::int64_t index) const;
   // From any thread. What `progress` throws passes through.
   MapCell cell(std::int64_t index, const Progress& progress = {}) const;
 

@@ -7,7 +7,7 @@
 // Domain      rows go to the outputs in the order of the cells, block by block. While it goes on,
 //             FIRST_OUTPUT.checkpoint says how to go on, as that of a run does
 //             (polhode/run/scenario_run.hpp). Outputs that are not files ("-", a pipe, a device)
-//             make a map without checkpoints; without outputs its rows go to `also` alone.
+//             make a map without checkpoints; without outputs its rows go to `extra_sink` alone.
 // Accuracy    the files do not depend on the number of threads, nor on where a map was stopped,
 //             killed and continued, however often: text files byte for byte, HDF5 with the same
 //             contents (same build of polhode).
@@ -47,8 +47,8 @@ struct MapOptions {
   int threads = 0;                  // cells at a time; 0: one on each processor
   // Called after each cell with their number so far, one call after the other, from any thread.
   std::function<void(std::int64_t cells)> progress = {};
-  std::function<bool()> stop = {};  // asked after every step, from any thread
-  std::unique_ptr<Sink> also = {};  // gets the rows too: those of this part of the map
+  std::function<bool()> stop = {};        // asked after every step, from any thread
+  std::unique_ptr<Sink> extra_sink = {};  // gets the rows of this part of the map too
   BeginWords words = {};
 };
 
@@ -77,7 +77,7 @@ struct MapReport {
 class MapRun {
  public:
   // Opens every output. `map` must outlive it.
-  MapRun(const ScenarioMap& map, std::vector<std::string> outputs, MapOptions options);
+  MapRun(const ScenarioMap& map, const std::vector<std::string>& outputs, MapOptions options);
   ~MapRun();
   MapRun(const MapRun&) = delete;
   MapRun& operator=(const MapRun&) = delete;

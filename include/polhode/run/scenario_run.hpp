@@ -59,11 +59,11 @@ struct BeginWords {
 
 struct RunOptions {
   RunBegin begin = RunBegin::anew;
-  double checkpoint_seconds = 5.0;  // between two checkpoints, at least
-  Progress progress = {};           // in core units
-  std::function<bool()> stop = {};  // asked after every step whether the run shall end
-  std::unique_ptr<Sink> also = {};  // gets the rows too: those of this part of the run
-  bool keep_events = false;         // all of them in the report; otherwise the first 20
+  double checkpoint_seconds = 5.0;        // between two checkpoints, at least
+  Progress progress = {};                 // in core units
+  std::function<bool()> stop = {};        // asked after every step whether the run shall end
+  std::unique_ptr<Sink> extra_sink = {};  // gets the rows of this part of the run too
+  bool keep_events = false;               // all of them in the report; otherwise the first 20
   BeginWords words = {};
 };
 

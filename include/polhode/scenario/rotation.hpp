@@ -122,6 +122,9 @@ FreeRotation free_rotation(const Rotation& rotation);
 // otherwise Adaptive.
 std::optional<Method> propagation_method(const Rotation& rotation);
 
+const std::optional<SaveAt>& row_times(const Rotation& rotation);
+bool has_events(const Rotation& rotation);
+
 // From t = 0 to the last row, without its events; of exact free rotation as Adaptive would run it.
 DampedProblem rotor_problem(const Rotation& rotation);
 

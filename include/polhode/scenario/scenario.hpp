@@ -35,6 +35,7 @@ struct Scenario {
   std::optional<MapPlan> map = std::nullopt;
 
   const Units& units() const { return document.units; }
+  // Where the kind is known to be "rotation".
   const Rotation& rotation() const { return std::get<Rotation>(experiment); }
 };
 
@@ -43,7 +44,11 @@ Scenario scenario_from_text(std::string_view text, const std::string& path);
 // "-" is standard input. DomainError when there is no such file, or it is a folder.
 Scenario read_scenario(const std::string& path);
 
-// Of kind "rotation": see polhode/scenario/rotation.hpp.
+// These visit the experiment with the overloads of its kind (polhode/scenario/rotation.hpp).
+// The times of its rows, and whether it has events.
+const std::optional<SaveAt>& row_times(const Scenario& scenario);
+bool has_events(const Scenario& scenario);
+DampedProblem problem(const Experiment& experiment);
 System rotor_system(const Scenario& scenario);
 RotorState initial_state(const Scenario& scenario);
 FreeRotation free_rotation(const Scenario& scenario);

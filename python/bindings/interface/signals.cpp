@@ -31,9 +31,13 @@ void SignalCheck::read_clock() {
   asked_ = Clock::now();  // the GIL may have been waited for
 }
 
-Progress signal_check() {
+bool handles_signals() {
   const nb::module_ threading = nb::module_::import_("threading");
-  if (!threading.attr("current_thread")().is(threading.attr("main_thread")())) return {};
+  return threading.attr("current_thread")().is(threading.attr("main_thread")());
+}
+
+Progress signal_check() {
+  if (!handles_signals()) return {};
   return [check = SignalCheck()](double) mutable { check(); };
 }
 

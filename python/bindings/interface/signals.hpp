@@ -28,6 +28,9 @@ class SignalCheck {
   Clock::time_point asked_ = read_;
 };
 
+// Whether this is the main thread, which alone handles signals. With the GIL.
+bool handles_signals();
+
 // A listener that raises KeyboardInterrupt. Empty outside the main thread, which alone handles
 // signals: runs in other threads never wait for the GIL. With the GIL.
 Progress signal_check();

@@ -21,6 +21,8 @@ namespace polhode::python {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::milliseconds between_looks(20);
 
 // What a map leaves in memory.
@@ -88,15 +90,24 @@ class Loop {
         const WithGil acquired;
         staying_put([&] { return nb::handle(progress_)(cells, of); });
       }
-      if (signals_) signals_(0.0);
+      ask_signals();
     } catch (...) {
       return std::current_exception();
     }
     return nullptr;
   }
 
+  // By the clock, since the thread also wakes for every cell.
+  void ask_signals() {
+    if (!handles_signals_ || Clock::now() - asked_ < between_looks) return;
+    const WithGil acquired;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    asked_ = Clock::now();  // the GIL may have been waited for
+  }
+
   PyObject* progress_;
-  Progress signals_ = signal_check();
+  bool handles_signals_ = handles_signals();
+  Clock::time_point asked_ = Clock::now();
   std::mutex mutex_;
   std::condition_variable changed_;
   std::int64_t reached_ = 0;
@@ -141,7 +152,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
     options.threads = threads;
     options.stop = [&loop] { return loop.is_stopped(); };
     options.progress = [&loop](std::int64_t cells) { loop.reach(cells); };
-    options.also = std::make_unique<TableSink>(result.rows);
+    options.extra_sink = std::make_unique<TableSink>(result.rows);
     return std::make_unique<MapRun>(map, paths, std::move(options));
   };
   std::unique_ptr<MapRun> run = begun(begin_of("map", resume, restart));

@@ -68,11 +68,11 @@ class Stop {
 // The GIL is not held while rows are computed and written.
 Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
                  bool resume, bool restart, nb::handle progress) {
-  if (!scenario.rotation().time)
+  if (!row_times(scenario))
     throw DomainError(
         scenario.document.name +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!events.is_none() && scenario.rotation().events.empty())
+  if (!events.is_none() && !has_events(scenario))
     throw DomainError(scenario.document.name +
                       ": event: got nothing; expected tables [[event]] for events");
   Run result{{}, row_layout(scenario).width(), {}};
@@ -87,11 +87,11 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   std::exception_ptr raised;
   options.stop = Stop(raised);
   if (keep) {
-    reserve(result, scenario.rotation().time->size());  // before any file is there
-    options.also = std::make_unique<TableSink>(result.rows);
+    reserve(result, row_times(scenario)->size());  // before any file is there
+    options.extra_sink = std::make_unique<TableSink>(result.rows);
   }
   ScenarioRun run(scenario, std::move(files), std::move(options));
-  result.rows_before = run.is_complete() ? scenario.rotation().time->size() : run.rows();
+  result.rows_before = run.is_complete() ? row_times(scenario)->size() : run.rows();
   result.complete = run.is_complete();
   try {
     const WithoutGil released;

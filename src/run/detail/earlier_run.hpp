@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "output/part_file.hpp"
 #include "polhode/run/scenario_run.hpp"
@@ -12,6 +13,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// As messages name it.
+std::string shown_path(const std::string& path);
 // PATH.checkpoint
 std::string checkpoint_path(const std::string& output);
 // The checkpoint of the unfinished run that an output belongs to: next to it, or next to the first
@@ -27,9 +30,14 @@ void sync_folder_of(const std::string& path);
 [[noreturn]] void refuse_unfinished(const std::string& file, const std::string& kind,
                                     const std::string& progress, const BeginWords& words);
 
-// Whether all outputs are there, with none on its way. DomainError for one of another scenario, or
-// of other files that the scenario names, and for one that does not say.
-bool are_complete(std::span<const std::string> outputs, const Provenance& provenance,
+// Where an output is to be, and its columns.
+struct PlannedOutput {
+  std::string path;
+  std::vector<ColumnGroup> groups;
+};
+// Whether all outputs are there, with none on its way. DomainError for one of another scenario, of
+// other files that the scenario names or with other columns, and for one that does not say.
+bool are_complete(std::span<const PlannedOutput> outputs, const Provenance& provenance,
                   const BeginWords& words);
 
 // A disk that was full says what to do: make space, and what `next` says. Empty: nothing helps.

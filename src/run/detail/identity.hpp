@@ -17,10 +17,17 @@ struct IdentityPart {
 };
 using Identity = std::vector<IdentityPart>;
 
-// The version, the outputs, the columns, the text and the files of the scenario, and what acts on
-// the body at some times of the run. The scenario has [time].
-Identity identity_of(const Scenario& scenario, const std::string& outputs,
-                     const std::string& columns);
+// What is written: the names of files without their folders, and those of columns.
+struct IdentityOutputs {
+  std::vector<std::string> paths;
+  std::string events = {};  // empty: none
+  std::vector<std::string> columns;
+};
+// The version, the columns, the text and the files of the scenario, what acts on the body at some
+// times of the run, and each output. The scenario has [time].
+Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs);
+// "columns was "q g", is "q"": how the first part that differs does. Empty: none.
+std::string difference(const Identity& theirs, const Identity& ours);
 
 }  // namespace detail
 }  // namespace v0

@@ -28,7 +28,7 @@ struct KeptKind {
 struct KeptSetup {
   KeptKind kind;
   Identity identity;
-  std::vector<std::string> paths;  // of all outputs; the checkpoint stands next to the first
+  std::vector<PlannedOutput> outputs;  // the checkpoint stands next to the first
   RunBegin begin = RunBegin::anew;
   BeginWords words = {};
   double seconds = 5.0;  // between two checkpoints, at least
@@ -47,6 +47,8 @@ struct KeptState {
   std::string reached;  // "7 of 143 cells": where an unfinished one is
   std::string goes_on;  // "after 7 of 143 cells", behind "--resume goes on "
 };
+
+struct CheckpointFile;
 
 class KeptOutputs {
  public:
@@ -80,11 +82,12 @@ class KeptOutputs {
 
  private:
   void find(const Provenance& provenance);
-  void take_up(const std::string& found);
+  void take_up(const std::string& found, std::optional<CheckpointFile> file);
   bool are_files() const;
   std::string remedy() const;
 
   KeptSetup setup_;
+  std::vector<std::string> paths_;  // of the outputs
   Pace pace_;
   KeptState state_;  // of the latest checkpoint
   std::vector<SinkPosition> positions_;

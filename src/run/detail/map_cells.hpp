@@ -2,6 +2,9 @@
 // What one cell of a map is: the run of an experiment, and the rows that are kept of it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "polhode/output/columns.hpp"
 #include "polhode/run/map.hpp"
 
@@ -15,7 +18,9 @@ ColumnGroup result_columns(const MapPlan& plan, const Units& units);
 MapCell failed_cell(std::size_t width, std::string why);
 // A cell: its experiment, and what the map wants of it.
 struct CellContext {
-  const Rotation& rotation;
+  DampedProblem problem;
+  const SaveAt& rows;
+  const std::vector<ScenarioOrbit>& orbits;
   const MapPlan& plan;
   const Units& units;
 };

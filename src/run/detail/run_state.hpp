@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
@@ -41,6 +42,9 @@ struct RunControl {
   std::function<void(const RunState&)> keep = {};
   const RunState* from = nullptr;
 };
+
+// What an EventTable holds: the columns of a row, with name in front and direction behind t.
+std::vector<ColumnGroup> event_groups(const RowLayout& layout);
 
 RunReport run_rows(const Scenario& scenario, const RowLayout& layout,
                    std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);

@@ -31,13 +31,21 @@ struct KindContext {
 // Makes the experiment again with other numbers at the paths that it was made for; from any thread.
 using Remake = std::function<Experiment(const Values&)>;
 
+// Prepares that of an experiment, for numbers at the paths `changed`, next to which all else is
+// shared with it. What `at` refers to must outlive the result.
+using PrepareRemake =
+    std::function<Remake(const KindContext& at, std::vector<std::string> changed)>;
+
+struct MadeExperiment {
+  Experiment experiment;
+  PrepareRemake prepare;
+};
+
 struct ExperimentKind {
   std::string_view name;
   std::vector<SchemaPart> (*keys)();
   // Throws a ScenarioError at the place of what is wrong.
-  Experiment (*make)(const KindContext& at);
-  // What `at` refers to must outlive the result. `changed` are paths of numbers.
-  Remake (*prepare)(const KindContext& at, std::vector<std::string> changed);
+  MadeExperiment (*make)(const KindContext& at);
 };
 
 std::span<const ExperimentKind> experiment_kinds();

@@ -2,6 +2,9 @@
 // The table of scenario keys: what every file has, the body and the rows of a rotation. The keys of
 // a kind stand between the head of a file and its output; their order is that of its row in
 // experiment_kinds.cpp, which documents and templates follow.
+#include "scenario/detail/schema_table.hpp"
+
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -146,46 +149,59 @@ constexpr Key keys_of_time[] = {
 constexpr Alternatives of_body[] = {{"body", "moments|tensor|shape+density"}};
 constexpr Alternatives of_time[] = {{"time", "stop+step|stop+count|at"}};
 
-// "rotation|..."
-std::string kind_words() {
-  std::string words;
-  for (const detail::ExperimentKind& kind : detail::experiment_kinds())
-    words += (words.empty() ? "" : "|") + std::string(kind.name);
-  return words;
+// The parts of all kinds, each once, with the words of the kinds that have it.
+struct PartOfKinds {
+  detail::SchemaPart part;
+  std::string kinds;
+};
+
+void join(std::string& words, std::string_view word) {
+  words += (words.empty() ? "" : "|") + std::string(word);
 }
 
-// The parts of the table one after the other.
-class Table {
- public:
-  Table() {
-    add({head_keys, {}});
-    for (const detail::ExperimentKind& kind : detail::experiment_kinds())
-      for (const detail::SchemaPart& part : kind.keys()) add(part);
-    add(detail::output_keys());
-    add(detail::map_keys());
-    for (Key& key : keys_)
-      if (key.path == "kind") key.allowed = kinds_;
-  }
-  Schema schema() const { return {keys_, alternatives_}; }
-
- private:
-  void add(const detail::SchemaPart& part) {
-    keys_.insert(keys_.end(), part.keys.begin(), part.keys.end());
-    alternatives_.insert(alternatives_.end(), part.alternatives.begin(), part.alternatives.end());
-  }
-
-  std::string kinds_ = kind_words();
-  std::vector<Key> keys_;
-  std::vector<Alternatives> alternatives_;
-};
+std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentKind> kinds) {
+  std::vector<PartOfKinds> parts;
+  for (const detail::ExperimentKind& kind : kinds)
+    for (const detail::SchemaPart& part : kind.keys()) {
+      const auto same = std::find_if(parts.begin(), parts.end(), [&](const PartOfKinds& other) {
+        return other.part.keys.data() == part.keys.data();
+      });
+      join(same == parts.end() ? parts.emplace_back(PartOfKinds{part, {}}).kinds : same->kinds,
+           kind.name);
+    }
+  return parts;
+}
 
 }  // namespace
 
 detail::SchemaPart detail::body_keys() { return {keys_of_body, of_body}; }
 detail::SchemaPart detail::time_keys() { return {keys_of_time, of_time}; }
 
+detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds) {
+  std::string& all = words_.emplace_back();
+  for (const ExperimentKind& kind : kinds) join(all, kind.name);
+  add({head_keys, {}}, {});
+  for (Key& key : keys_)
+    if (key.path == "kind") key.allowed = all;
+  for (const PartOfKinds& one : parts_of(kinds))
+    add(one.part, one.kinds == all ? std::string_view() : words_.emplace_back(one.kinds));
+  add(output_keys(), {});
+  add(map_keys(), {});
+}
+
+void detail::SchemaTable::add(const SchemaPart& part, std::string_view kinds) {
+  for (const Key& key : part.keys) {
+    keys_.push_back(key);
+    if (key_table(key.path).empty() && !kinds.empty()) keys_.back().kinds = kinds;
+  }
+  for (const Alternatives& row : part.alternatives) {
+    alternatives_.push_back(row);
+    if (row.table.empty() && !kinds.empty()) alternatives_.back().kinds = kinds;
+  }
+}
+
 const Schema& scenario_schema() {
-  static const Table table;
+  static const detail::SchemaTable table(detail::experiment_kinds());
   static const Schema schema = table.schema();
   return schema;
 }

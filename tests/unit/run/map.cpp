@@ -54,8 +54,8 @@ std::string text_of(const std::string& path) {
 TEST(ScenarioMap, ACellIsTheScenarioWithItsNumbers) {
   const ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
   ASSERT_EQ(map.size(), 6);
-  EXPECT_EQ(map.place(0), (std::vector<double>{1.5, 60.0}));
-  EXPECT_EQ(map.place(3), (std::vector<double>{1.7, 90.0}));
+  EXPECT_EQ(map.axis_values(0), (std::vector<double>{1.5, 60.0}));
+  EXPECT_EQ(map.axis_values(3), (std::vector<double>{1.7, 90.0}));
   std::string plain = body;
   plain.replace(plain.find("theta = 60"), 10, "theta = 90");
   const Scenario scenario = scenario_from_text(plain, "plain");
@@ -394,6 +394,25 @@ count = 2
   EXPECT_EQ(lines_of(map.cell(1)), lines_of(before));  // no file is read again
 }
 
+TEST_F(Overrides, ShareFilesWithTheScenarioThatWasRead) {
+  const Scenario scenario = scenario_from_text(body + R"([map]
+kind = "column"
+column = "L"
+[[perturbation]]
+kind = "torque-table"
+file = "burn.csv"
+outside = "zero"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.5
+to = 1.9
+count = 2
+)",
+                                               folder_ + "/shares.toml");
+  std::filesystem::remove(folder_ + "/burn.csv");
+  EXPECT_EQ(ScenarioMap(scenario).cell(1).failure, "");
+}
+
 // A map into a file, in a folder of its own.
 class MapRuns : public ::testing::Test {
  protected:
@@ -467,6 +486,21 @@ TEST_F(MapRuns, KeepSectionsWhole) {
   }
 }
 
+TEST_F(MapRuns, KeepAReasonOnce) {
+  std::string text = section;
+  text.replace(text.find("from = 0.8\nto = 2\ncount = 13"), 28, "from = 2\nto = 2\ncount = 9");
+  const ScenarioMap map(text, "m.toml");
+  EXPECT_THROW(run(map, RunBegin::anew, 7), MapInterrupted);
+  const std::string kept = text_of(checkpoint()), reason = map.cell(0).failure;
+  ASSERT_NE(reason, "");
+  const std::size_t first = kept.find(reason);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(kept.find(reason, first + 1), std::string::npos);
+  const MapReport report = run(map, RunBegin::resume);
+  ASSERT_EQ(report.failures.size(), 9U);
+  for (const MapReport::Failure& failure : report.failures) EXPECT_EQ(failure.why, reason);
+}
+
 // Several blocks of rows: the checkpoint stands after five cells that are in the file and two that
 // wait for their block to fill.
 const std::string strobed = moon + R"([map]
@@ -527,7 +561,7 @@ TEST_F(MapRuns, RefuseWhatIsOfAnother) {
   for (const std::string& bytes : {damaged, kept.substr(0, kept.size() - 1), kept + "x",
                                    std::string("another file\n"), std::string()}) {
     std::ofstream(checkpoint(), std::ios::binary) << bytes;
-    EXPECT_THAT(refusal_of(map), HasSubstr("is no checkpoint of this version")) << bytes.size();
+    EXPECT_THAT(refusal_of(map), HasSubstr("is not a checkpoint of this version")) << bytes.size();
   }
   std::ofstream(checkpoint(), std::ios::binary) << kept;
   std::ofstream(path_ + ".part", std::ios::binary) << part.substr(0, part.size() - 1);

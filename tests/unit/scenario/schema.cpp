@@ -12,6 +12,7 @@
 
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "scenario/detail/schema_table.hpp"
 #include "scenario/diagnostics.hpp"
 #include "scenario/value_reader.hpp"
 #include "scenario/values.hpp"
@@ -163,6 +164,59 @@ TEST(Schema, KeysMayBelongToAKind) {
             "f:3:1: term[0].x: a key of kind \"a\"; expected with kind = \"b\" only kind or y");
   EXPECT_EQ(error("[[term]]\nkind = \"a\"\n"), "f:1:1: term[0].x: got nothing; expected a number");
   EXPECT_THAT(json_schema(kinded), HasSubstr("\"const\": \"a\""));
+}
+
+constexpr Key spin_keys[] = {
+    {.path = "spin", .presence = Presence::required, .help = "Of the second kind alone."},
+    {.path = "spin.rate",
+     .type = KeyType::number,
+     .presence = Presence::required,
+     .example = "1",
+     .help = "A number."},
+    {.path = "here", .type = KeyType::number, .presence = Presence::alternative, .help = "A."},
+    {.path = "there", .type = KeyType::number, .presence = Presence::alternative, .help = "B."},
+};
+constexpr Alternatives of_spin[] = {{"", "here|there"}};
+
+TEST(Schema, AKindBringsItsOwnTablesAndSharesOthers) {
+  const detail::ExperimentKind kinds[] = {
+      {"rotation",
+       [] {
+         return std::vector{detail::body_keys(), detail::time_keys()};
+       },
+       {}},
+      {"spin",
+       [] {
+         return std::vector{detail::SchemaPart{spin_keys, of_spin}, detail::time_keys()};
+       },
+       {}},
+  };
+  const detail::SchemaTable table(kinds);
+  const Schema schema = table.schema();
+  const auto error = [&](const std::string& text) -> std::string {
+    detail::Diagnostics diagnostics("f");
+    detail::read_values("schema = 1\n" + text, schema, diagnostics);
+    try {
+      diagnostics.raise();
+    } catch (const ScenarioError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string body = "[body]\nmoments = [1, 2, 2]\n", spin = "[spin]\nrate = 1\n",
+                    time = "[time]\nat = [1]\n", kind = "kind = \"spin\"\n";
+  EXPECT_EQ(error(body + time), "");
+  EXPECT_EQ(error(kind + "here = 1\n" + spin + time), "");
+  EXPECT_EQ(error(time), "f:1:1: body: got nothing; expected a table");
+  EXPECT_EQ(error(kind + "there = 1\n" + time), "f:1:1: spin: got nothing; expected a table");
+  EXPECT_THAT(error(kind + "here = 1\n" + spin + body),
+              HasSubstr("body: a key of kind \"rotation\"; expected with kind = \"spin\" only"));
+  EXPECT_THAT(error(body + spin), HasSubstr("spin: a key of kind \"spin\"; expected with"));
+  EXPECT_THAT(error(kind + spin), HasSubstr("expected exactly one of"));
+  EXPECT_THAT(error(kind + "here = 1\nspni.rate = 1\n"), HasSubstr("did you mean spin?"));
+  EXPECT_THAT(json_schema(schema), HasSubstr("\"const\": \"spin\""));
+  const auto is_time = [](const Key& key) { return key.path == "time"; };
+  EXPECT_EQ(std::count_if(schema.keys.begin(), schema.keys.end(), is_time), 1);
 }
 
 TEST(Schema, NamesThatTheFileChoosesArePlain) {

@@ -139,7 +139,7 @@ TEST(Convert, ABadHeaderStopsIt) {
   EXPECT_THAT(converted("rotor", "andoyer", "# c\nt,qw,qx,qy,qz,g1,g2\n").error,
               StartsWith("in.csv:2: column g3 is missing; chart rotor needs qw,qx"));
   EXPECT_EQ(converted("rotor", "andoyer", "qw,qx,qy,qz,g1,g2,g3,qw\n").error,
-            "in.csv:1: column qw is there twice");
+            "in.csv:1: column qw is named twice");
   EXPECT_THAT(converted("rotor", "andoyr", "").error,
               HasSubstr("unknown chart \"andoyr\"; expected rotor, "));
   EXPECT_THAT(converted("rotor", "andoyr", "").error, HasSubstr("did you mean andoyer?"));

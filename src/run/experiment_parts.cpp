@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What the layer says of a scenario whatever its kind: here, and nowhere else in it, the variant is
+// visited.
+#include "run/detail/experiment_parts.hpp"
+
+#include <variant>
+
+#include "polhode/error.hpp"
+#include "polhode/run/citations.hpp"
+#include "polhode/version.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+RowLayout row_layout(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return detail::row_layout(kind, scenario); },
+                    scenario.experiment);
+}
+
+AemOutput aem_output(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return detail::aem_output(kind, scenario); },
+                    scenario.experiment);
+}
+
+std::string propagation_text(const Scenario& scenario) {
+  return std::visit(
+      [&](const auto& kind) { return detail::propagation_text(kind, scenario.units()); },
+      scenario.experiment);
+}
+
+Provenance provenance(const Scenario& scenario) {
+  Provenance result;
+  result.version = version();
+  result.title = scenario.document.title;
+  result.scenario_name = scenario.document.name;
+  result.scenario_text = scenario.document.text;
+  result.notes = std::visit([&](const auto& kind) { return detail::notes_of(kind, scenario); },
+                            scenario.experiment);
+  for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
+  result.aem = aem_output(scenario);
+  return result;
+}
+
+std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion) {
+  return std::visit([&](const auto& kind) { return detail::summary(kind, scenario, motion); },
+                    scenario.experiment);
+}
+
+std::vector<SummaryLine> report_lines(const Scenario& scenario, const RunReport& report,
+                                      const std::string& events) {
+  return std::visit(
+      [&](const auto& kind) { return detail::report_lines(kind, scenario, report, events); },
+      scenario.experiment);
+}
+
+std::vector<std::string> detail::cited_parts(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return detail::cited_parts(kind); },
+                    scenario.experiment);
+}
+
+std::optional<FreeRotation> detail::constant_motion(const Scenario& scenario) {
+  return std::visit([](const auto& kind) { return detail::constant_motion(kind); },
+                    scenario.experiment);
+}
+
+RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
+                           std::span<const std::unique_ptr<Sink>> sinks,
+                           const RunControl& control) {
+  if (!row_times(scenario))
+    throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
+  return std::visit([&](const auto& kind) { return detail::rows_of(kind, layout, sinks, control); },
+                    scenario.experiment);
+}
+
+RunReport run(const Scenario& scenario, const RowLayout& layout,
+              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress) {
+  return detail::run_rows(scenario, layout, sinks, {.progress = progress});
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The table of keys of every kind of experiment: the head of a file, the parts of the kinds, then
+// output and map.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/scenario/schema.hpp"
+#include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/schema_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class SchemaTable {
+ public:
+  // A part that several kinds share is there once. Its keys at the top of the file belong to these
+  // kinds alone; those of all kinds say nothing of kinds.
+  explicit SchemaTable(std::span<const ExperimentKind> kinds);
+  SchemaTable(const SchemaTable&) = delete;
+  SchemaTable& operator=(const SchemaTable&) = delete;
+
+  Schema schema() const { return {keys_, alternatives_}; }
+
+ private:
+  void add(const SchemaPart& part, std::string_view kinds);
+
+  std::deque<std::string> words_;  // that keys refer to
+  std::vector<Key> keys_;
+  std::vector<Alternatives> alternatives_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
