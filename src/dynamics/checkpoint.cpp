@@ -11,7 +11,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr std::string_view mark = "polhode checkpoint 4";
+constexpr std::string_view magic = "polhode checkpoint 4";
 
 template <class... X>
 std::string bytes_of(X... x) {
@@ -27,7 +27,7 @@ Checkpoint::Checkpoint(std::string bytes) : bytes_(std::move(bytes)) {
   std::string head;
   std::uint64_t hash = 0;
   reader.all(head, hash, t_);
-  if (head != mark) throw DomainError("Checkpoint: bytes that are no checkpoint of this version");
+  if (head != magic) throw DomainError("Checkpoint: bytes that are no checkpoint of this version");
   const std::size_t length = 8 + head.size() + 8 + 8;
   if (fingerprint(std::string_view(bytes_).substr(length)) != hash)
     throw DomainError("Checkpoint: its bytes were damaged");
@@ -71,7 +71,7 @@ Checkpoint made_checkpoint(const Features& features, double t, const std::string
   body(count);
   for (auto [name, value] : features) body.all(name, value);
   const std::string all = body.bytes() + state;
-  return Checkpoint(bytes_of(std::string(mark), fingerprint(all), t) + all);
+  return Checkpoint(bytes_of(std::string(magic), fingerprint(all), t) + all);
 }
 
 StateBytes opened_checkpoint(const Checkpoint& from, const Features& features) {

@@ -277,10 +277,10 @@ DampedSample at_first_row(const DampedProblem& from_zero, RunReport& report,
   const DampedStreams streams =
       streams_of(control, state, writer,
                  [&](std::span<const DampedSample> samples) { there = samples.back(); });
-  const DampedTrajectory way = integrated(from_zero, SaveAt::times({from_zero.stop}), control.from,
-                                          streams, control.progress);
-  report.outcome = way.outcome();
-  add(report.statistics, way.statistics());
+  const DampedTrajectory lead_in = integrated(from_zero, SaveAt::times({from_zero.stop}),
+                                              control.from, streams, control.progress);
+  report.outcome = lead_in.outcome();
+  add(report.statistics, lead_in.statistics());
   return there;
 }
 
@@ -297,9 +297,9 @@ RunReport run_integrated(const Rotation& rotation, RowWriter& writer, const RunC
     state = *control.from;
     report.statistics = state.before;
   } else {
-    DampedProblem way = from_zero;
-    way.stop = first;
-    const DampedSample start = at_first_row(way, report, writer, control);
+    DampedProblem lead_in = from_zero;
+    lead_in.stop = first;
+    const DampedSample start = at_first_row(lead_in, report, writer, control);
     if (!report.outcome.ok()) return report;
     state.first = state.latest = {first, start.s};
   }

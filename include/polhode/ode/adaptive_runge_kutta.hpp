@@ -95,18 +95,18 @@ class AdaptiveRungeKutta {
   }
 
   // Where a step begins: what its owner keeps to go back there.
-  struct Mark {
+  struct Savepoint {
     DoubleDouble t;
     CompensatedState<T, N> state;
     double before;
   };
-  Mark mark() const { return {t_, state_, before_}; }
+  Savepoint savepoint() const { return {t_, state_, before_}; }
   // Back to where the step made last began, as if it had not been made. The next one is as long as
   // it was, or shorter; the work counts.
-  void back_to(const Mark& mark) {
-    t_ = mark.t;
-    state_ = mark.state;
-    before_ = mark.before;
+  void roll_back(const Savepoint& savepoint) {
+    t_ = savepoint.t;
+    state_ = savepoint.state;
+    before_ = savepoint.before;
     h_ = std::abs(trial_);
     rate_known_ = false;
     --steps_;

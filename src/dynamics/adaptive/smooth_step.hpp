@@ -21,16 +21,17 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The step that a solver has made from `mark`, as a curve: a quartic of the values and rates at its
-// ends and of one rate inside, for the search, and shorter steps, which are the truth.
+// The step that a solver has made from `savepoint`, as a curve: a quartic of the values and rates
+// at its ends and of one rate inside, for the search, and shorter steps, which are the truth.
 template <class Solver>
 class StepCurve final : public SwitchCurve {
  public:
   using Values = typename Solver::Values;
 
-  StepCurve(Solver& solver, const typename Solver::Mark& mark, const SwitchWatch& switches)
-      : solver_(solver), mark_(mark), switches_(switches), h_(solver.trial()) {
-    const Values& y0 = mark.state.y;
+  StepCurve(Solver& solver, const typename Solver::Savepoint& savepoint,
+            const SwitchWatch& switches)
+      : solver_(solver), savepoint_(savepoint), switches_(switches), h_(solver.trial()) {
+    const Values& y0 = savepoint.state.y;
     const Values& y1 = solver.state().y;
     const Values first = solver.rate_before(), last = solver.field()(solver.time(), y1);
     for (std::size_t i = 0; i < y0.size(); ++i) {
@@ -41,7 +42,7 @@ class StepCurve final : public SwitchCurve {
     // a cubic until here, whose rate at a quarter of the step errs by what the quartic has more:
     // (x^2 (1 - x)^2)' = 3/16 there, and 0 in the middle
     const double x = 0.25;
-    const Values inside = solver.field()(mark.t + x * h_, at(x));
+    const Values inside = solver.field()(savepoint.t + x * h_, at(x));
     for (std::size_t i = 0; i < y0.size(); ++i) {
       const auto slope = chord_[i] + (begin_[i] * (1.0 - x) + end_[i] * x) * (1.0 - 2.0 * x) +
                          (end_[i] - begin_[i]) * (x * (1.0 - x));
@@ -53,23 +54,23 @@ class StepCurve final : public SwitchCurve {
   std::vector<double> along(double x) const override {
     if (x == 1.0)
       return switches_.values(solver_.time(), solver_.field().field->rotor(solver_.state().y));
-    return switches_.values(mark_.t + x * h_, solver_.field().field->rotor(at(x)));
+    return switches_.values(savepoint_.t + x * h_, solver_.field().field->rotor(at(x)));
   }
   double truly(std::size_t which, double x) const override {
     if (x == 1.0) return along(x)[which];
-    CompensatedState state = mark_.state;
-    state.add(
-        runge_kutta_step<Verner98>(solver_.field(), mark_.t, state.y, solver_.rate_before(), x * h_)
-            .increment);
+    CompensatedState state = savepoint_.state;
+    state.add(runge_kutta_step<Verner98>(solver_.field(), savepoint_.t, state.y,
+                                         solver_.rate_before(), x * h_)
+                  .increment);
     solver_.count(Verner98::stages - 1);
-    return switches_.values(mark_.t + x * h_, solver_.field().field->rotor(state.y))[which];
+    return switches_.values(savepoint_.t + x * h_, solver_.field().field->rotor(state.y))[which];
   }
 
   double rounding(std::size_t which) const override { return switches_.rounding(which); }
 
  private:
   Values at(double x) const {
-    Values y = mark_.state.y;
+    Values y = savepoint_.state.y;
     const double left = 1.0 - x, both = x * left;
     for (std::size_t i = 0; i < y.size(); ++i)
       y[i] = y[i] + chord_[i] * x + (begin_[i] * left + end_[i] * x + bow_[i] * both) * both;
@@ -77,7 +78,7 @@ class StepCurve final : public SwitchCurve {
   }
 
   Solver& solver_;
-  const typename Solver::Mark& mark_;
+  const typename Solver::Savepoint& savepoint_;
   const SwitchWatch& switches_;
   double h_;
   Values chord_, begin_, end_, bow_{};
@@ -113,24 +114,24 @@ class SmoothStep {
     if (switches_.size() > 0) shorten_to(switches_.longest_step(start_));
     for (;;) {
       solver_.field().sides = switches_.sides();
-      std::optional<Mark> mark;
-      if (switches_.size() > 0) mark = solver_.mark();
+      std::optional<Savepoint> savepoint;
+      if (switches_.size() > 0) savepoint = solver_.savepoint();
       const StepOutcome outcome = solver_.advance(end_);
       if (outcome != StepOutcome::made) return failure(outcome);
       if (crossed_ && solver_.time().hi == end_) {
-        if (std::string refused = cross(*mark); !refused.empty()) return refused;
+        if (std::string refused = cross(*savepoint); !refused.empty()) return refused;
       }
-      if (!mark || crossed_) break;
-      const std::optional<Edge> edge = edge_since(*mark);
+      if (!savepoint || crossed_) break;
+      const std::optional<Edge> edge = edge_since(*savepoint);
       if (!edge) break;
-      if (std::string why = go_back(*mark, *edge); !why.empty()) return why;
+      if (std::string why = go_back(*savepoint, *edge); !why.empty()) return why;
     }
     switches_.stepped();
     return {};
   }
 
  private:
-  using Mark = typename Solver::Mark;
+  using Savepoint = typename Solver::Savepoint;
 
   RotorState rotor() const { return field_.rotor(solver_.state().y); }
 
@@ -147,30 +148,30 @@ class SmoothStep {
   }
 
   // The step has ended at the edge that was looked for.
-  std::string cross(const Mark& mark) {
+  std::string cross(const Savepoint& savepoint) {
     const RotorState s = rotor();
     std::string refused =
         switches_.refused_jump(*crossed_, solver_.time(), s, {start_, between(start_, s)});
     if (refused.empty()) {
       switches_.cross(*crossed_);
     } else {
-      solver_.back_to(mark);
+      solver_.roll_back(savepoint);
     }
     return refused;
   }
 
-  std::optional<Edge> edge_since(const Mark& mark) {
-    const StepCurve<Solver> curve(solver_, mark, switches_);
+  std::optional<Edge> edge_since(const Savepoint& savepoint) {
+    const StepCurve<Solver> curve(solver_, savepoint, switches_);
     const std::optional<Edge> edge = first_edge(curve);
     if (!edge) switches_.see(curve.along(1.0));
     return edge;
   }
 
   // To the start of the step, for one that ends at the edge.
-  std::string go_back(const Mark& mark, const Edge& edge) {
+  std::string go_back(const Savepoint& savepoint, const Edge& edge) {
     const double length = edge.x * solver_.trial();
     const RotorState tried = rotor();
-    solver_.back_to(mark);
+    solver_.roll_back(savepoint);
     if (edge.is_nan) {  // nearer, as long as there is something nearer
       const double least = 8.0 * epsilon<double>() * std::abs(stop_ - begin_.hi);
       if (std::abs(length) < std::max(smallest_step(begin_), least))

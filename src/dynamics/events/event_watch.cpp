@@ -12,7 +12,7 @@ namespace detail {
 namespace {
 
 // In the time of the fastest turn. With slopes a function is known by twice as many numbers: a sine
-// of three times that frequency is still told from its neighbours.
+// of three times that frequency is still distinguished from its neighbours.
 constexpr double looks_per_turn = 12.0;
 // Over which a slope is taken, in intervals; and in roundings of the time, where these are coarse.
 constexpr double short_while = 0x1p-16;

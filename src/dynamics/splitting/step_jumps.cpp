@@ -14,7 +14,8 @@ namespace detail {
 std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from, double h,
                             const SplittingState& to) {
   if (!switches_.is_needed()) return {};
-  // A kink is told from a jump where the change of torque is 1e-6 of what it is at the ends.
+  // A kink is distinguished from a jump where the change of torque is 1e-6 of what it is at the
+  // ends.
   constexpr double close = 1e-9;
   const auto time = [](const SplittingState& s) { return DoubleDouble(s.t.hi, s.t.lo); };
   if (!has_begun_) {

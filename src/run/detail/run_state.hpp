@@ -18,15 +18,15 @@ namespace detail {
 
 // What the rest of the run depends on, in addition to the scenario.
 struct RunState {
-  static constexpr int way = 0;   // to the first row, from t = 0
-  static constexpr int rows = 1;  // integrated
-  static constexpr int free = 2;  // exact: by the number of rows, and the search for events
+  static constexpr int lead_in = 0;  // to the first row, from t = 0
+  static constexpr int rows = 1;     // integrated
+  static constexpr int free = 2;     // exact: by the number of rows, and the search for events
 
-  int stage = way;
+  int stage = lead_in;
   double t = 0.0;
   std::int64_t pushed = 0;  // rows, into the sinks
   std::string integration;  // bytes of a Checkpoint, or of that search
-  Statistics before{};      // of the way
+  Statistics before{};      // of the lead-in
   DampedSample first{};     // where the rows start
   DampedSample latest{};    // of the rows pushed
 

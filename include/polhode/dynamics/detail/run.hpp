@@ -18,7 +18,7 @@ inline namespace v0 {
 namespace detail {
 
 // What a checkpoint says of its problem, in front of the numbers: a name and bytes. Two problems
-// that differ are told apart by the first that does.
+// that differ are recognised by the first that does.
 using Features = std::vector<std::pair<std::string, std::string>>;
 
 // Those of a run that do not depend on what moves; `method` and `events` as bytes.
