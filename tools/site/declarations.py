@@ -75,6 +75,8 @@ def kind_of(head: str) -> str:
         return "verbatim"
     if re.match(r"(class|struct|union)\b", code) and "(" not in code.split(":")[0]:
         return "class"
+    if re.search(r"\)\s*requires\s*\([^()]*\)\s*$", code):
+        return "function"  # with a clause behind its parameters
     if re.search(r"^concept\b|\brequires\s*\([^()]*\)\s*$", code):
         return "verbatim"
     before_call = code.split("(")[0]
