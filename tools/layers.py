@@ -41,8 +41,6 @@ LAYERS = {
 }
 # Those of polhode::io, which read and write files.
 IO = {"text", "tables", "output", "scenario", "run"}
-# Details that other layers include: each is to become a header of its layer.
-FOREIGN_DETAILS = set()
 # Layers whose public headers hold details that have no file of their own yet.
 OPEN_DETAILS = {"elliptic"}
 # Sources side by side in one folder.
@@ -121,7 +119,7 @@ def complaint(path, layer, bracket, name, allowed):
         return f'"{name}": no such layer'
     if target not in allowed[layer]:
         return f'"{name}": {layer} may not include {target}'
-    if "detail" in parts and target != layer and name not in FOREIGN_DETAILS:
+    if "detail" in parts and target != layer:
         return f'"{name}" is for {target} alone'
     return None
 
@@ -153,7 +151,7 @@ def resolved(name):
 
 
 def main():
-    allowed, errors, graph, foreign = allowed_layers(), list(crowded_folders()), {}, set()
+    allowed, errors, graph = allowed_layers(), list(crowded_folders()), {}
     files = [p for base in ("include", "src", "cli")
              for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
     for path in files:
@@ -170,9 +168,6 @@ def main():
         errors += [f"{where}: {message}" for message in found if message]
         if message := detail_complaint(path, layer, text):
             errors.append(f"{where}: {message}")
-        foreign |= {name for _, name in includes if layer != name.split("/")[0]}
-    errors += [f"tools/layers.py: no layer includes {name} any more: take it out of FOREIGN_DETAILS"
-               for name in sorted(FOREIGN_DETAILS - foreign)]
     try:
         graphlib.TopologicalSorter(graph).prepare()
     except graphlib.CycleError as cycle:

@@ -15,11 +15,9 @@ def messages(root, tmp_path, monkeypatch, capsys):
     import layers
 
     monkeypatch.setattr(layers, "ROOT", tmp_path)
-    monkeypatch.setattr(layers, "FOREIGN_DETAILS", {"free/detail/known.hpp"})
 
     def run(files):
-        known = {"src/dynamics/known.cpp": '#include "free/detail/known.hpp"\n'}
-        for name, text in (known | files).items():
+        for name, text in files.items():
             path = tmp_path / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
@@ -36,7 +34,6 @@ ALLOWED = [
     ("src/tables/x.cpp", '#include "text/printable.hpp"'),
     ("src/tables/x.cpp", '#include "tables/detail/x.hpp"'),
     ("include/polhode/orbit/x.hpp", '#include "polhode/orbit/detail/x.hpp"'),
-    ("src/dynamics/x.cpp", '#include "free/detail/known.hpp"'),
     ("include/polhode/orbit/x.hpp", "namespace detail {\n\nclass X;\n\n}  // namespace detail"),
     ("include/polhode/orbit/detail/x.hpp",
      "namespace detail {\n\nint x();\n\n}  // namespace detail"),
@@ -47,6 +44,7 @@ REFUSED = [
      "output may not include scenario"),
     ("src/run/x.cpp", '#include "tables/detail/x.hpp"', "is for tables alone"),
     ("src/run/x.cpp", '#include "polhode/orbit/detail/x.hpp"', "is for orbit alone"),
+    ("src/dynamics/x.cpp", '#include "free/detail/x.hpp"', "is for free alone"),
     ("cli/x.cpp", '#include "polhode/orbit/detail/x.hpp"', "is for orbit alone"),
     ("include/polhode/orbit/x.hpp", '#include "orbit/x.hpp"', "write it from the root"),
     ("src/tables/x.cpp", "#include <hdf5.h>", "is not for this file"),
@@ -74,8 +72,3 @@ def test_a_folder_has_25_sources_at_most(messages):
     assert messages(full | {"src/tables/detail/x.hpp": ""}) == []
     assert messages(full | {"src/tables/one_more.cpp": ""}) == [
         "src/tables: 26 sources, at most 25"]
-
-
-def test_a_detail_that_is_foreign_to_nobody_leaves_the_list(messages):
-    (line,) = messages({"src/dynamics/known.cpp": ""})
-    assert "free/detail/known.hpp" in line
