@@ -99,8 +99,8 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   }
 }
 
-void run_scenario(const CommandOptions& options) {
-  const Scenario scenario = read_scenario(options.scenario);
+void run_scenario(const CommandOptions& options, const Kinds& kinds) {
+  const Scenario scenario = read_scenario(options.scenario, kinds);
   if (!row_times(scenario))
     throw DomainError(
         options.scenario +
@@ -140,7 +140,7 @@ void run_scenario(const CommandOptions& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app) {
+void add_run(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
   const auto options = std::make_shared<CommandOptions>();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
@@ -168,7 +168,7 @@ void add_run(CLI::App& app) {
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"
       "\nExample:\n  polhode run examples/apophis.toml --out apophis.csv --out apophis.h5");
-  command->callback([options] { run_scenario(*options); });
+  command->callback([options, kinds] { run_scenario(*options, kinds); });
 }
 
 }  // namespace polhode::cli

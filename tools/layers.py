@@ -38,6 +38,7 @@ LAYERS = {
     "output": "*",
     "scenario": "*",
     "run": "*",
+    "cli": "*",
 }
 # Those of polhode::io, which read and write files.
 IO = {"text", "tables", "output", "scenario", "run"}

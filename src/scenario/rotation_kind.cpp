@@ -271,6 +271,28 @@ class RotationBuilder {
                        [&](std::size_t orbit) { return same_orbits_[orbit]; });
   }
 
+  MadeTerms made_terms(const Rotation& rotation, const std::string& kind, const std::string& path,
+                       TermUses& uses) const {
+    const PerturbationKind* const description = at_.kinds.perturbation(kind);
+    if (description == nullptr)
+      throw std::logic_error("perturbation: the schema allows a kind without a description: " +
+                             kind);
+    const KeyValues table(at_.values, at_.units, path, at_.name);
+    return table.built("kind",
+                       [&] { return description->made(TermContext(table, rotation, uses)); });
+  }
+
+  void add_made(Rotation& rotation, MadeTerms made, const std::string& path) const {
+    if (made.damper && rotation.damper)
+      refuse(at_.values, path + ".kind", at_.name,
+             "expected at most one perturbation of this kind");
+    if (made.damper) {
+      rotation.damper = made.damper->damper;
+      rotation.damper_rate = made.damper->rate;
+    }
+    for (AnyPerturbation& term : made.terms) rotation.terms.push_back(std::move(term));
+  }
+
   void add_terms(MadeRotation& made) {
     Rotation& rotation = made.rotation;
     const std::vector<std::string> paths = array_paths(at_.values, "perturbation");
@@ -278,22 +300,14 @@ class RotationBuilder {
       const std::string& kind = word(at_.values, paths[i] + ".kind");
       rotation.kinds.push_back(kind);
       TermTable table{{}, rotation.terms.size(), 0};
-      const TermContext place(rotation, at_.values, at_.units, paths[i], at_.name, table.uses);
-      if (kind == kane_damper_kind) {
-        if (rotation.damper)
-          refuse(at_.values, paths[i] + ".kind", at_.name,
-                 "expected at most one perturbation of this kind");
-        const DamperAtStart damper = kane_damper(place);
-        rotation.damper = damper.damper;
-        rotation.damper_rate = damper.rate;
-      } else if (base_ != nullptr && keeps_term(paths[i], base_->tables[i].uses)) {
-        table = base_->tables[i];
+      const MadeRotation* const base =
+          base_ != nullptr && keeps_term(paths[i], base_->tables[i].uses) ? base_ : nullptr;
+      if (base != nullptr && base->tables[i].count > 0) {
+        table = base->tables[i];
         for (std::size_t k = 0; k < table.count; ++k)
-          rotation.terms.push_back(base_->rotation.terms[table.first + k]);
+          rotation.terms.push_back(base->rotation.terms[table.first + k]);
       } else {
-        for (AnyPerturbation& term : built(at_.values, paths[i] + ".kind", at_.name,
-                                           [&] { return perturbations_of(kind, place); }))
-          rotation.terms.push_back(std::move(term));
+        add_made(rotation, made_terms(rotation, kind, paths[i], table.uses), paths[i]);
         table.count = rotation.terms.size() - table.first;
       }
       made.tables.push_back(std::move(table));

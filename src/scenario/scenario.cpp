@@ -48,19 +48,20 @@ std::string file_text(const std::string& path) {
   return text;
 }
 
-detail::ReadFile read_file(std::string_view text, const std::string& path) {
+detail::ReadFile read_file(std::string_view text, const std::string& path, const Kinds& kinds) {
   Diagnostics diagnostics(path);
   if (text.size() > largest_file) {
     diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
     diagnostics.raise();
   }
-  detail::ReadFile read = detail::read_values(text, scenario_schema(), diagnostics);
+  detail::ReadFile read = detail::read_values(text, kinds.schema(), diagnostics);
   diagnostics.raise();
   return read;
 }
 
 // The checked values are given to it when what they describe is made.
-Document document_of(std::string_view text, const std::string& path, const detail::ReadFile& read) {
+Document document_of(std::string_view text, const std::string& path, const Kinds& kinds,
+                     const detail::ReadFile& read) {
   const Values& values = read.values;
   // first: what changes while it is read differs from what is noted here
   std::vector<ScenarioFile> files = detail::files_of(values, path);
@@ -73,6 +74,7 @@ Document document_of(std::string_view text, const std::string& path, const detai
           .kind = detail::word(values, "kind"),
           .units = read.units,
           .files = std::move(files),
+          .kinds = std::make_shared<const Kinds>(kinds),
           .checked = nullptr};
 }
 
@@ -84,12 +86,12 @@ OutputPlan output_of(const Values& values) {
 
 }  // namespace
 
-Scenario scenario_from_text(std::string_view text, const std::string& path) {
-  detail::ReadFile read = read_file(text, path);
-  Document document = document_of(text, path, read);
+Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
+  detail::ReadFile read = read_file(text, path, kinds);
+  Document document = document_of(text, path, kinds, read);
   OutputPlan output = output_of(read.values);
   const auto made = std::make_shared<const detail::MadeExperiment>(
-      detail::kind_of(read.values).make({read.values, document.units, output, path}));
+      detail::kind_of(read.values).make({read.values, document.units, kinds, output, path}));
   output.aem = detail::aem_options_of(read.values, path);
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
@@ -100,8 +102,8 @@ Scenario scenario_from_text(std::string_view text, const std::string& path) {
   return {std::move(document), made->experiment, std::move(output), std::move(map)};
 }
 
-Scenario read_scenario(const std::string& path) {
-  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path);
+Scenario read_scenario(const std::string& path, const Kinds& kinds) {
+  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path, kinds);
 }
 
 }  // namespace v0

@@ -61,6 +61,9 @@ struct Key {
   std::string_view kinds = {};      // words of `kind` in its table that it belongs to; empty: all
   std::string_view needed_by = {};  // those that an optional key must come with
   bool is_file = false;             // a text: the path of a file, from the folder of the scenario
+  bool in_template = false;         // stands in what `polhode init` writes, though it is optional
+
+  bool operator==(const Key&) const = default;
 };
 
 // Exactly one of several sets of keys of a table: "quaternion|euler", "stop+step|stop+count|at".
@@ -70,10 +73,20 @@ struct Alternatives {
   std::string_view kinds = {};  // words of `kind` in the table that it belongs to; empty: all
 };
 
+// What a word of the key `kind` of a table stands for, in one sentence.
+struct KindText {
+  std::string_view table;
+  std::string_view kind;
+  std::string_view text;
+  bool on_surface = false;  // acts on the facets of [[surface]]
+};
+
 struct Schema {
   std::span<const Key> keys;
   std::span<const Alternatives> alternatives;
+  std::span<const KindText> kinds = {};
 };
+// That of default_kinds (polhode/scenario/kinds.hpp).
 const Schema& scenario_schema();
 
 // The last name of a path, without "[]", and the path of the table that holds it ("" at the top).
@@ -98,10 +111,10 @@ std::string markdown_units();
 // The charts that [state.CHART] knows.
 std::vector<std::string_view> state_charts();
 // What scenario_template knows: the charts, for free rotation, and the kinds of [[perturbation]].
-std::vector<std::string_view> scenario_templates();
+std::vector<std::string_view> scenario_templates(const Schema& schema = scenario_schema());
 // A commented scenario to start from, with the given chart in [state.CHART] or the given kind of
 // perturbation. DomainError when there is none of this name.
-std::string scenario_template(std::string_view name);
+std::string scenario_template(std::string_view name, const Schema& schema = scenario_schema());
 
 }  // namespace v0
 }  // namespace polhode

@@ -21,11 +21,11 @@ class SchemaTable {
  public:
   // A part that several kinds share is there once. Its keys at the top of the file belong to these
   // kinds alone; those of all kinds say nothing of kinds.
-  explicit SchemaTable(std::span<const ExperimentKind> kinds);
+  explicit SchemaTable(std::span<const ExperimentKind> kinds, const DescribedParts& described = {});
   SchemaTable(const SchemaTable&) = delete;
   SchemaTable& operator=(const SchemaTable&) = delete;
 
-  Schema schema() const { return {keys_, alternatives_}; }
+  Schema schema() const { return {keys_, alternatives_, texts_}; }
 
  private:
   void add(const SchemaPart& part, std::string_view kinds);
@@ -33,6 +33,7 @@ class SchemaTable {
   std::deque<std::string> words_;  // that keys refer to
   std::vector<Key> keys_;
   std::vector<Alternatives> alternatives_;
+  std::vector<KindText> texts_;
 };
 
 }  // namespace detail

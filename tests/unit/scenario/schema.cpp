@@ -181,12 +181,12 @@ constexpr Alternatives of_spin[] = {{"", "here|there"}};
 TEST(Schema, AKindBringsItsOwnTablesAndSharesOthers) {
   const detail::ExperimentKind kinds[] = {
       {"rotation",
-       [] {
+       [](const detail::DescribedParts&) {
          return std::vector{detail::body_keys(), detail::time_keys()};
        },
        {}},
       {"spin",
-       [] {
+       [](const detail::DescribedParts&) {
          return std::vector{detail::SchemaPart{spin_keys, of_spin}, detail::time_keys()};
        },
        {}},
