@@ -25,18 +25,10 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 T agm(T a, T b);
-template <Real T>
+template <Number T>
 T cel(T kc, T p, T a, T b);
-
-// Of packs: in lockstep, and lane by lane where one of them has no ordinary arguments.
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack agm(const Pack& a, const Pack& b);
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack cel(const Pack& kc, const Pack& p, const Pack& a, const Pack& b);
 
 template <Number T>
 T complete_k(const BasicModulus<T>& mod);
@@ -46,7 +38,7 @@ template <Number T>
 T complete_b(const BasicModulus<T>& mod);
 template <Number T>
 T complete_d(const BasicModulus<T>& mod);
-template <Real T>
+template <Number T>
 T complete_pi(const T& n, const BasicModulus<T>& mod);
 
 }  // namespace v0

@@ -28,9 +28,9 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 T carlson_rc(const T& x, const T& y);
-template <Real T>
+template <Number T>
 T carlson_rj(T x, T y, T z, T p);
 
 }  // namespace v0

@@ -24,18 +24,10 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 T carlson_rf(T x, T y, T z);
-template <Real T>
+template <Number T>
 T carlson_rd(T x, T y, T z);
-
-// Of packs: in lockstep, and lane by lane where one of them has no ordinary arguments.
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack carlson_rf(const Pack& x, const Pack& y, const Pack& z);
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack carlson_rd(const Pack& x, const Pack& y, const Pack& z);
 
 }  // namespace v0
 }  // namespace polhode

@@ -26,17 +26,12 @@ namespace polhode {
 inline namespace v0 {
 
 // sn, cn, dn of u.
-template <Real T>
+template <Number T>
 Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod);
 
 // am u: the angle phi with u = F(phi), continuous, odd, am(u + 2K) = am u + pi.
-template <Real T>
+template <Number T>
 T amplitude(const T& u, const BasicModulus<T>& mod);
-
-// Of packs: in lockstep, and lane by lane where the modulus of one of them is below 0 or above 1.
-template <Number Pack>
-  requires(!Real<Pack>)
-Jacobi<Pack> jacobi(const Pack& u, const BasicModulus<Pack>& mod);
 
 }  // namespace v0
 }  // namespace polhode

@@ -28,25 +28,25 @@ namespace polhode {
 inline namespace v0 {
 
 // phi = atan2(s, c).
-template <Real T>
+template <Number T>
 T legendre_f(const T& s, const T& c, const BasicModulus<T>& mod);
-template <Real T>
+template <Number T>
 T legendre_e(const T& s, const T& c, const BasicModulus<T>& mod);
 // D = (F - E)/m, without its cancellation as m -> 0.
-template <Real T>
+template <Number T>
 T legendre_d(const T& s, const T& c, const BasicModulus<T>& mod);
 // B = F - D = (E - m1 F)/m.
-template <Real T>
+template <Number T>
 T legendre_b(const T& s, const T& c, const BasicModulus<T>& mod);
 
 // The same of any angle phi.
-template <Real T>
+template <Number T>
 T legendre_f(const T& phi, const BasicModulus<T>& mod);
-template <Real T>
+template <Number T>
 T legendre_e(const T& phi, const BasicModulus<T>& mod);
-template <Real T>
+template <Number T>
 T legendre_d(const T& phi, const BasicModulus<T>& mod);
-template <Real T>
+template <Number T>
 T legendre_b(const T& phi, const BasicModulus<T>& mod);
 
 }  // namespace v0

@@ -32,11 +32,11 @@ namespace polhode {
 inline namespace v0 {
 
 // phi = atan2(s, c).
-template <Real T>
+template <Number T>
 T legendre_pi(const T& s, const T& c, const T& n, const BasicModulus<T>& mod);
 
 // The same of any angle phi.
-template <Real T>
+template <Number T>
 T legendre_pi(const T& phi, const T& n, const BasicModulus<T>& mod);
 
 }  // namespace v0

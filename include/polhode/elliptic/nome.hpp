@@ -18,10 +18,10 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 T nome(const BasicModulus<T>& mod);
 
-template <Real T>
+template <Number T>
 T complementary_nome(const BasicModulus<T>& mod);
 
 }  // namespace v0

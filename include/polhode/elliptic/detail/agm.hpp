@@ -8,6 +8,7 @@
 
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/detail/lockstep.hpp"
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
@@ -92,9 +93,14 @@ bool cel_within(const T& kc, const T& p, const T& a, const T& b) {
 
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 T agm(T a, T b) {
-  if (a < T(0.0) || b < T(0.0)) return T(std::numeric_limits<double>::quiet_NaN()) * (a * b);
+  const T zero(0.0);
+  if constexpr (Real<T>) {
+    if (a < zero || b < zero) return T(std::numeric_limits<double>::quiet_NaN()) * (a * b);
+  } else if (!lanes_within(0x1p-480, 0x1p480, a, b) || !all(a >= zero && b >= zero)) {
+    return each_lane([](const auto& x, const auto& y) { return agm(x, y); }, a, b);
+  }
   if constexpr (NarrowRange<T>) {
     if (!within(0x1p-480, 0x1p480, a, b)) {
       return Widening<T>::narrowed(detail::agm_loop(widened(a), widened(b)));
@@ -103,12 +109,19 @@ T agm(T a, T b) {
   return detail::agm_loop(a, b);
 }
 
-template <Real T>
+template <Number T>
 T cel(T kc, T p, T a, T b) {
   using std::abs;
   using std::sqrt;
-  if (kc == T(0.0)) return b == T(0.0) ? a * carlson_rc(T(1.0), p) : b / T(0.0);
-  if (!(p > T(0.0) && kc > T(0.0))) return p * T(std::numeric_limits<double>::quiet_NaN());
+  const T zero(0.0);
+  if constexpr (Real<T>) {
+    if (kc == zero) return b == zero ? a * carlson_rc(T(1.0), p) : b / zero;
+    if (!(p > zero && kc > zero)) return p * T(std::numeric_limits<double>::quiet_NaN());
+  } else {
+    const bool ordinary = all(kc > zero && p > zero) && lanes_within(0x1p-540, 0x1p270, kc) &&
+                          lanes_within(0x1p-270, 0x1p270, p, detail::largest(T(abs(a)), T(abs(b))));
+    if (!ordinary) return each_lane([](const auto&... x) { return cel(x...); }, kc, p, a, b);
+  }
   if constexpr (NarrowRange<T>) {
     if (!detail::cel_within(kc, p, a, b)) {
       return Widening<T>::narrowed(cel(widened(kc), widened(p), widened(a), widened(b)));
@@ -118,27 +131,6 @@ T cel(T kc, T p, T a, T b) {
     if (4.0 * kc * kc < p && 8.0 * abs(b) < abs(a)) return detail::cel_of_cosine(kc, p, a, b);
   }
   return detail::cel_loop(kc, T(sqrt(p)), a, b);
-}
-
-// Of packs: in lockstep, and lane by lane where one of them has no ordinary arguments.
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack agm(const Pack& a, const Pack& b) {
-  const bool ordinary =
-      lanes_within(0x1p-480, 0x1p480, a, b) && all(a >= Pack(0.0) && b >= Pack(0.0));
-  if (!ordinary) return each_lane([](const auto& x, const auto& y) { return agm(x, y); }, a, b);
-  return detail::agm_loop(a, b);
-}
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack cel(const Pack& kc, const Pack& p, const Pack& a, const Pack& b) {
-  using std::abs;
-  using std::sqrt;
-  const Pack zero(0.0), size = select(abs(a) < abs(b), abs(b), abs(a));
-  const bool ordinary = all(kc > zero && p > zero) && lanes_within(0x1p-540, 0x1p270, kc) &&
-                        lanes_within(0x1p-270, 0x1p270, p, size);
-  if (!ordinary) return each_lane([](const auto&... x) { return cel(x...); }, kc, p, a, b);
-  return detail::cel_loop(kc, Pack(sqrt(p)), a, b);
 }
 
 template <Number T>
@@ -161,16 +153,20 @@ T complete_d(const BasicModulus<T>& mod) {
   using std::sqrt;
   return cel(T(sqrt(mod.m1())), T(1.0), T(0.0), T(1.0));
 }
-template <Real T>
+template <Number T>
 T complete_pi(const T& n, const BasicModulus<T>& mod) {
   using std::sqrt;
   const T one(1.0);
-  if (n == one) return T(std::numeric_limits<double>::infinity());
-  if (n > one) {
-    const T p = ((n - one) + mod.m1()) / n;  // 1 - m/n
-    return -(mod.m() / n) * cel(T(sqrt(mod.m1())), p, T(0.0), one);
+  if constexpr (Real<T>) {
+    if (n == one) return T(std::numeric_limits<double>::infinity());
+    if (n > one) {
+      const T p = ((n - one) + mod.m1()) / n;  // 1 - m/n
+      return -(mod.m() / n) * cel(T(sqrt(mod.m1())), p, T(0.0), one);
+    }
+  } else if (!all(n < one)) {
+    return detail::each_lane_of([](const auto&... x) { return complete_pi(x...); }, mod, n);
   }
-  return cel(sqrt(mod.m1()), one - n, one, one);
+  return cel(T(sqrt(mod.m1())), T(one - n), one, one);
 }
 
 // Compiled once, in the library.

@@ -28,7 +28,10 @@ inline constexpr std::array<DoubleDouble, 64> odd_reciprocals = [] {
 }();
 template <class T>
 auto odd_reciprocal(std::size_t k) {
-  if constexpr (std::same_as<T, double>) {
+  if constexpr (!Real<T>) {
+    const auto one = odd_reciprocal<ScalarOf<T>>(k);
+    return each_lane([&](const auto& /*lane*/) { return one; }, T(0.0));
+  } else if constexpr (std::same_as<T, double>) {
     return odd_reciprocals[k].hi;
   } else if constexpr (std::same_as<T, DoubleDouble>) {
     return odd_reciprocals[k];
@@ -42,12 +45,14 @@ auto odd_reciprocal(std::size_t k) {
 // RC(1, 1 + e) = arctan(sqrt e)/sqrt e for |e| < 0.05, by its series.
 template <class T>
 T carlson_rc_near_one(const T& e) {
+  Lockstep<T> trips;
   T term(1.0);
   T sum(1.0);
   for (std::size_t k = 1; k < 64; ++k) {  // at most 12 in double, 24 in DoubleDouble
     term = -(term * e);
-    sum = sum + term * odd_reciprocal<T>(k);
-    if (std::abs(to_double(term)) < epsilon<T>() && k > derivative_order<T>) break;
+    sum = trips.kept(sum, sum + term * odd_reciprocal<T>(k));
+    trips.stop(rounded_size(term) < Rounded<T>(epsilon<T>()) && k > derivative_order<T>);
+    if (trips.all_done()) break;
   }
   return sum;
 }
@@ -59,15 +64,22 @@ T carlson_rc_unit(const T& e, const T& w) {
   using std::log;
   using std::log1p;
   using std::sqrt;
-  if (std::abs(to_double(e)) < 0.05) return carlson_rc_near_one(e);
-  if (e > T(0.0)) {
+  const T zero(0.0), one(1.0);
+  const auto near = rounded_size(e) < Rounded<T>(0.05);
+  const auto by_series = [&]() -> T { return carlson_rc_near_one(select(near, e, zero)); };
+  const auto by_arctangent = [&]() -> T {
     const T r = sqrt(e);
     return atan(r) / r;
-  }
+  };
   // artanh(r)/r with r = sqrt(-e): (1 + r)/(1 - r) = (1 + r)^2/w = 1 + 2 r (1 + r)/w
-  const T r = sqrt(-e);
-  if (e > T(-0.5)) return T(0.5) * log1p(T(2.0) * r * (T(1.0) + r) / w) / r;
-  return log((T(1.0) + r) / sqrt(w)) / r;
+  const auto by_logarithm = [&]() -> T {
+    const T r = sqrt(-e);
+    return where(
+        e > T(-0.5), [&]() -> T { return T(0.5) * log1p(T(2.0) * r * (one + r) / w) / r; },
+        [&]() -> T { return log((one + r) / sqrt(w)) / r; });
+  };
+  return where(near, by_series,
+               [&]() -> T { return where(e > zero, by_arctangent, by_logarithm); });
 }
 
 // RC(1, 1 + e)/d of one duplication: d = product of (sp + s_i), e = product of (sp - s_i)/(sp +
@@ -76,25 +88,60 @@ template <class T>
 T carlson_rj_term(const T& sx, const T& sy, const T& sz, const T& sp) {
   const T d = (sp + sx) * (sp + sy) * (sp + sz);
   const T e = (sp - sx) * (sp - sy) * (sp - sz) / d;
-  if (!(e < T(-0.5))) return carlson_rc_unit(e, T(1.0) + e) / d;
   // 1 - (1 - t1)(1 - t2)(1 - t3) as a sum of positive terms; not 1 + e: cancels
-  const T tx = 2.0 * (sx < sp ? sx : sp) / (sp + sx);
-  const T ty = 2.0 * (sy < sp ? sy : sp) / (sp + sy);
-  const T tz = 2.0 * (sz < sp ? sz : sp) / (sp + sz);
-  const T w = tx + (T(1.0) - tx) * (ty + (T(1.0) - ty) * tz);
+  const auto small_w = [&]() -> T {
+    const T tx = 2.0 * select(sx < sp, sx, sp) / (sp + sx);
+    const T ty = 2.0 * select(sy < sp, sy, sp) / (sp + sy);
+    const T tz = 2.0 * select(sz < sp, sz, sp) / (sp + sz);
+    return tx + (T(1.0) - tx) * (ty + (T(1.0) - ty) * tz);
+  };
+  const T w = where(e < T(-0.5), small_w, [&]() -> T { return T(1.0) + e; });
   return carlson_rc_unit(e, w) / d;
+}
+
+// x >= 0 and y > 0 (of a scalar, y = 0 and NaN too), both finite.
+template <class T>
+T carlson_rc_of(const T& x, const T& y) {
+  using std::atan2;
+  using std::log;
+  using std::sqrt;
+  const T difference = y - x;
+  const auto near =
+      rounded_size(difference) < in_double([](const auto& at) { return 0.05 * at; }, x);
+  const auto by_series = [&]() -> T {
+    return carlson_rc_near_one(select(near, T(difference / x), T(0.0))) / sqrt(x);
+  };
+  const auto by_arctangent = [&]() -> T {
+    const T r = sqrt(difference);
+    return atan2(r, T(sqrt(x))) / r;
+  };
+  const auto by_unit = [&]() -> T {
+    return carlson_rc_unit(T(difference / x), T(y / x)) / sqrt(x);
+  };
+  const auto by_logarithm = [&]() -> T {
+    const T r = sqrt(-difference);
+    return log((sqrt(x) + r) / sqrt(y)) / r;  // NaN for y < 0, inf for y = 0
+  };
+  const auto not_above = [&]() -> T { return where(y > T(0.5) * x, by_unit, by_logarithm); };
+  return where(near, by_series,
+               [&]() -> T { return where(difference > T(0.0), by_arctangent, not_above); });
 }
 
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 T carlson_rc(const T& x, const T& y) {
-  using std::atan2;
-  using std::log;
   using std::sqrt;
-  if (y < T(0.0) && x >= T(0.0)) {  // [DLMF 19.2.20], by quarters: x - y may overflow
-    const T quarter = T(0.25) * x - T(0.25) * y;
-    return T(0.25) * (sqrt(x / quarter) * carlson_rc(quarter, T(-0.25 * y)));
+  const T zero(0.0);
+  if constexpr (Real<T>) {
+    if (y < zero && x >= zero) {  // [DLMF 19.2.20], by quarters: x - y may overflow
+      const T quarter = T(0.25) * x - T(0.25) * y;
+      return T(0.25) * (sqrt(x / quarter) * carlson_rc(quarter, T(-0.25 * y)));
+    }
+  } else {
+    const T infinity(std::numeric_limits<double>::infinity());
+    if (!all(x >= zero && y > zero && x < infinity && y < infinity))
+      return each_lane([](const auto& a, const auto& b) { return carlson_rc(a, b); }, x, y);
   }
   if constexpr (derivative_order<T> > 0) {
     // By the closed rule: the formulas below lose digits of the slope around x = y.
@@ -105,27 +152,19 @@ T carlson_rc(const T& x, const T& y) {
     if constexpr (NarrowRange<T>) {
       if (std::isinf(to_double(x)) || std::isinf(to_double(y))) return T(1.0) / (x + y);
     }
-    const T difference = y - x;
-    if (std::abs(to_double(difference)) < 0.05 * to_double(x)) {
-      return detail::carlson_rc_near_one(T(difference / x)) / sqrt(x);
-    }
-    if (difference > T(0.0)) {
-      const T r = sqrt(difference);
-      return atan2(r, sqrt(x)) / r;
-    }
-    if (y > T(0.5) * x) {
-      return detail::carlson_rc_unit(T(difference / x), T(y / x)) / sqrt(x);
-    }
-    const T r = sqrt(-difference);
-    return log((sqrt(x) + r) / sqrt(y)) / r;  // NaN for y < 0, inf for y = 0
+    return detail::carlson_rc_of(x, y);
   }
 }
 
-template <Real T>
+template <Number T>
 T carlson_rj(T x, T y, T z, T p);
 
 namespace detail {
 
+template <class T>
+auto is_far(const T& x, const T& y, const T& z, const T& p) {
+  return p > T(4096.0) * largest(largest(x, y), z);
+}
 // p far above the others, where each duplication brings it down by 4 only: exchanged for q next to
 // the least of them  [DLMF 19.21.12]. RF dominates the difference.
 template <class T>
@@ -158,48 +197,58 @@ T carlson_rj_principal(T x, T y, T z, const T& q) {
 
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 T carlson_rj(T x, T y, T z, T p) {
   const T zero(0.0);
-  if (p == zero || detail::two_zeros(x == zero, y == zero, z == zero)) {
-    return T(std::numeric_limits<double>::infinity());
-  }
-  if constexpr (std::same_as<T, double>) {
-    if (p < 0.0) return to_double(carlson_rj<DoubleDouble>(x, y, z, p));
-  }
-  if constexpr (NarrowRange<T> || is_wide<T>) {
-    if (is_wide<T> || !within(0x1p-320, 0x1p320, x, y, z, p)) {
-      const bool principal = p < zero;
-      const auto f = [principal](auto&&... at) {
-        return principal ? detail::carlson_rj_principal(std::move(at)...)
-                         : detail::carlson_rj_of(std::move(at)...);
-      };
-      return detail::carlson_scaled(3, f, x, y, z, principal ? T(-p) : p);
+  const auto infinite = p == zero || detail::two_zeros(x == zero, y == zero, z == zero);
+  if constexpr (!Real<T>) {
+    const auto ordinary =
+        !infinite && x >= zero && y >= zero && z >= zero && p > zero && !detail::is_far(x, y, z, p);
+    if (!all(ordinary) || !lanes_within(0x1p-320, 0x1p320, x, y, z, p))
+      return each_lane([](const auto&... v) { return carlson_rj(v...); }, x, y, z, p);
+    return detail::carlson_rj_of(x, y, z, p);
+  } else {
+    if (infinite) return T(std::numeric_limits<double>::infinity());
+    // The exchanges below do not end where one of these is negative.
+    if (x < zero || y < zero || z < zero) return T(std::numeric_limits<double>::quiet_NaN());
+    if constexpr (std::same_as<T, double>) {
+      if (p < 0.0) return to_double(carlson_rj<DoubleDouble>(x, y, z, p));
     }
+    const bool principal = p < zero;
+    if constexpr (NarrowRange<T> || is_wide<T>) {
+      if (is_wide<T> || !within(0x1p-320, 0x1p320, x, y, z, p)) {
+        const auto f = [principal](auto&&... at) {
+          return principal ? detail::carlson_rj_principal(std::move(at)...)
+                           : detail::carlson_rj_of(std::move(at)...);
+        };
+        return detail::carlson_scaled(3, f, x, y, z, principal ? T(-p) : p);
+      }
+    }
+    return principal ? detail::carlson_rj_principal(x, y, z, T(-p))
+                     : detail::carlson_rj_of(x, y, z, p);
   }
-  return p < zero ? detail::carlson_rj_principal(x, y, z, T(-p))
-                  : detail::carlson_rj_of(x, y, z, p);
 }
 
 template <class T>
 T detail::carlson_rj_of(T x, T y, T z, T p) {
   using std::sqrt;
-  if (p > T(4096.0) * (x < y ? (y < z ? z : y) : (x < z ? z : x))) {
-    return detail::carlson_rj_far(x, y, z, p);
+  if constexpr (Real<T>) {
+    if (detail::is_far(x, y, z, p)) return detail::carlson_rj_far(x, y, z, p);
   }
   T a = (x + y + z + 2.0 * p) / 5.0;
   T sum(0.0);
   detail::CarlsonTrips<T> trips(
-      detail::largest(detail::deviation(a, x, y, z), std::abs(to_double(a - p))));
+      detail::largest(detail::deviation(a, x, y, z), detail::rounded_size(T(a - p))));
   while (!trips.converged(a)) {  // at most 40
     const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z), sp = sqrt(p);
     const T lambda = sx * (sy + sz) + sy * sz;
-    sum = sum + trips.factor() * detail::carlson_rj_term(sx, sy, sz, sp);
-    a = 0.25 * (a + lambda);
-    x = 0.25 * (x + lambda);
-    y = 0.25 * (y + lambda);
-    z = 0.25 * (z + lambda);
-    p = 0.25 * (p + lambda);
+    sum = trips.kept(sum, sum + trips.factor() * detail::carlson_rj_term(sx, sy, sz, sp));
+    const auto next = [&](const T& v) { return trips.kept(v, 0.25 * (v + lambda)); };
+    a = next(a);
+    x = next(x);
+    y = next(y);
+    z = next(z);
+    p = next(p);
     trips.next();
   }
   const T dx = (a - x) / a;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "polhode/elliptic/detail/lockstep.hpp"
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
@@ -25,29 +25,17 @@ double carlson_tolerance() {
   return std::sqrt(std::sqrt(std::sqrt(epsilon<T>())));
 }
 
-// What decides when to stop: doubles for a scalar, the numbers themselves for a pack.
-template <Number T>
-using StopOf = std::conditional_t<Real<T>, double, T>;
-template <Number T>
-StopOf<T> stop_of(const T& x) {
-  if constexpr (Real<T>) {
-    return to_double(x);
-  } else {
-    return x;
-  }
-}
-
-template <Number T>
-T largest(const T& a, const T& b) {
-  return select(a < b, b, a);
-}
-
 // The largest deviation from the mean a.
 template <class T>
-StopOf<T> deviation(const T& a, const T& x, const T& y, const T& z) {
-  using std::abs;
-  using Stop = StopOf<T>;
-  const auto off = [&](const T& v) { return Stop(abs(stop_of(a) - stop_of(v))); };
+Rounded<T> deviation(const T& a, const T& x, const T& y, const T& z) {
+  const auto off = [&](const T& v) {
+    return in_double(
+        [](const auto& mean, const auto& at) {
+          using std::abs;
+          return abs(mean - at);
+        },
+        a, v);
+  };
   return largest(largest(off(x), off(y)), off(z));
 }
 
@@ -64,11 +52,14 @@ T carlson_rj_series(const T& e2, const T& e3, const T& e4, const T& e5) {
 template <class T>
 class CarlsonTrips {
  public:
-  using Stop = StopOf<T>;
+  using Stop = Rounded<T>;
   explicit CarlsonTrips(const Stop& first_deviation)
-      : deviation_(first_deviation / Stop(carlson_tolerance<T>())) {}
+      : deviation_(
+            in_double([](const auto& d) { return d / carlson_tolerance<T>(); }, first_deviation)) {}
   bool converged(const T& mean) {
-    trips_.converge(!(factor_ * deviation_ >= stop_of(mean)));
+    const Stop now =
+        in_double([](const auto& f, const auto& d) { return f * d; }, factor_, deviation_);
+    trips_.converge(!(now >= rounded(mean)));
     trips_.stop(factor_ < Stop(0x1p-80));
     return trips_.all_done();
   }
@@ -88,7 +79,10 @@ class CarlsonTrips {
   Lockstep<T> trips_;
 };
 
-inline bool two_zeros(bool x, bool y, bool z) { return (x && y) || (y && z) || (x && z); }
+template <class Mask>
+Mask two_zeros(const Mask& x, const Mask& y, const Mask& z) {
+  return (x && y) || (y && z) || (x && z);
+}
 
 // Carlson's functions where T has room for every step.
 template <class T>
@@ -120,11 +114,15 @@ T carlson_scaled(int halves, const Function& f, const T& first, const Rest&... r
 
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 T carlson_rf(T x, T y, T z) {
   const T zero(0.0);
-  if (detail::two_zeros(x == zero, y == zero, z == zero)) {
-    return T(std::numeric_limits<double>::infinity());
+  const auto infinite = detail::two_zeros(x == zero, y == zero, z == zero);
+  if constexpr (Real<T>) {
+    if (infinite) return T(std::numeric_limits<double>::infinity());
+  } else if (!all(!infinite && x >= zero && y >= zero && z >= zero) ||
+             !lanes_within(0x1p-900, 0x1p1000, x, y, z)) {
+    return each_lane([](const auto&... v) { return carlson_rf(v...); }, x, y, z);
   }
   if constexpr (NarrowRange<T> || is_wide<T>) {
     if (is_wide<T> || !within(0x1p-900, 0x1p1000, x, y, z)) {
@@ -132,18 +130,6 @@ T carlson_rf(T x, T y, T z) {
       return detail::carlson_scaled(1, f, x, y, z);
     }
   }
-  return detail::carlson_rf_of(x, y, z);
-}
-
-// Of packs: in lockstep, and lane by lane where one of them has no ordinary arguments.
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack carlson_rf(const Pack& x, const Pack& y, const Pack& z) {
-  const Pack zero(0.0);
-  const auto one_zero = !(x == zero && y == zero) && !(y == zero && z == zero) &&
-                        !(x == zero && z == zero) && x >= zero && y >= zero && z >= zero;
-  if (!all(one_zero) || !lanes_within(0x1p-900, 0x1p1000, x, y, z))
-    return each_lane([](const auto&... v) { return carlson_rf(v...); }, x, y, z);
   return detail::carlson_rf_of(x, y, z);
 }
 
@@ -172,26 +158,22 @@ T detail::carlson_rf_of(T x, T y, T z) {
   return (T(1.0) + sum / 240240.0) / sqrt(a);  // [DLMF 19.36.1]
 }
 
-template <Real T>
+template <Number T>
 T carlson_rd(T x, T y, T z) {
   const T zero(0.0);
-  if (z == zero || (x == zero && y == zero)) return T(std::numeric_limits<double>::infinity());
+  const auto infinite = z == zero || (x == zero && y == zero);
+  if constexpr (Real<T>) {
+    if (infinite) return T(std::numeric_limits<double>::infinity());
+  } else if (!all(!infinite && x >= zero && y >= zero && z >= zero) ||
+             !lanes_within(0x1p-320, 0x1p320, x, y, z)) {
+    return each_lane([](const auto&... v) { return carlson_rd(v...); }, x, y, z);
+  }
   if constexpr (NarrowRange<T> || is_wide<T>) {
     if (is_wide<T> || !within(0x1p-320, 0x1p320, x, y, z)) {
       const auto f = [](auto&&... at) { return detail::carlson_rd_of(std::move(at)...); };
       return detail::carlson_scaled(3, f, x, y, z);
     }
   }
-  return detail::carlson_rd_of(x, y, z);
-}
-
-template <Number Pack>
-  requires(!Real<Pack>)
-Pack carlson_rd(const Pack& x, const Pack& y, const Pack& z) {
-  const Pack zero(0.0);
-  const auto usual = z > zero && x >= zero && y >= zero && !(x == zero && y == zero);
-  if (!all(usual) || !lanes_within(0x1p-320, 0x1p320, x, y, z))
-    return each_lane([](const auto&... v) { return carlson_rd(v...); }, x, y, z);
   return detail::carlson_rd_of(x, y, z);
 }
 

@@ -7,6 +7,7 @@
 
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/elliptic/jacobi_values.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
@@ -28,10 +29,11 @@ struct HalfPeriods {
 template <class T>
 HalfPeriods<T> half_periods(const T& u, const BasicModulus<T>& mod) {
   using std::round;
-  if (mod.m1() == T(0.0)) return {T(0.0), u};
+  const auto on_separatrix = mod.m1() == T(0.0);
+  if (all(on_separatrix)) return {T(0.0), u};
   const T whole = T(2.0) * complete_k(mod);
   const T n = round(u / whole);
-  return {n, u - n * whole};
+  return {select(on_separatrix, T(0.0), n), select(on_separatrix, u, T(u - n * whole))};
 }
 
 // At m1 = 0.
@@ -114,11 +116,11 @@ Jacobi<T> jacobi_of(const T& u, const BasicModulus<T>& mod) {
 }  // namespace detail
 
 // sn, cn, dn of u.
-template <Real T>
+template <Number T>
 Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod);
 
 // am u: the angle phi with u = F(phi), continuous, odd, am(u + 2K) = am u + pi.
-template <Real T>
+template <Number T>
 T amplitude(const T& u, const BasicModulus<T>& mod);
 
 namespace detail {
@@ -185,49 +187,50 @@ Jacobi<T> jacobi_of_reciprocal(const T& u, const BasicModulus<T>& mod) {
 
 }  // namespace detail
 
-template <Real T>
+// Of packs, lane by lane where the modulus of one of them is below 0 or above 1.
+template <Number T>
 Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod) {
   const T zero(0.0);
-  if (mod.m() < zero) {
-    const auto at = detail::imaginary_modulus(u, mod);
-    const Jacobi<T> j = detail::jacobi_of(at.u, at.mu);
-    return {j.sn / j.dn / at.k1, j.cn / j.dn, T(1.0) / j.dn};
+  if constexpr (Real<T>) {
+    if (mod.m() < zero) {
+      const auto at = detail::imaginary_modulus(u, mod);
+      const Jacobi<T> j = detail::jacobi_of(at.u, at.mu);
+      return {j.sn / j.dn / at.k1, j.cn / j.dn, T(1.0) / j.dn};
+    }
+    if (mod.m1() < zero) return detail::jacobi_of_reciprocal(u, mod);
+  } else if (!all(mod.m() >= zero && mod.m1() >= zero)) {
+    using L = LaneTraits<T>;
+    Jacobi<T> r{zero, zero, zero};
+    for (std::size_t i = 0; i < L::count; ++i) {
+      const auto one = jacobi(L::get(u, i), mod.lane(i));
+      L::set(r.sn, i, one.sn);
+      L::set(r.cn, i, one.cn);
+      L::set(r.dn, i, one.dn);
+    }
+    return r;
   }
-  if (mod.m1() < zero) return detail::jacobi_of_reciprocal(u, mod);
   return detail::jacobi_of(u, mod);
 }
 
-template <Real T>
+template <Number T>
 T amplitude(const T& u, const BasicModulus<T>& mod) {
   using std::atan2;
   const T zero(0.0);
-  if (mod.m() < zero) {
-    const auto at = detail::imaginary_modulus(u, mod);
-    const auto h = detail::half_periods(at.u, at.mu);
-    const Jacobi<T> j = detail::jacobi_of(h.rest, at.mu);
-    return h.periods * pi<T>() + atan2(T(j.sn / at.k1), j.cn);
-  }
-  if (mod.m1() < zero) {
-    const Jacobi<T> j = detail::jacobi_of_reciprocal(u, mod);
-    return atan2(j.sn, j.cn);
+  if constexpr (Real<T>) {
+    if (mod.m() < zero) {
+      const auto at = detail::imaginary_modulus(u, mod);
+      const auto h = detail::half_periods(at.u, at.mu);
+      const Jacobi<T> j = detail::jacobi_of(h.rest, at.mu);
+      return h.periods * pi<T>() + atan2(T(j.sn / at.k1), j.cn);
+    }
+    if (mod.m1() < zero) {
+      const Jacobi<T> j = detail::jacobi_of_reciprocal(u, mod);
+      return atan2(j.sn, j.cn);
+    }
+  } else if (!all(mod.m() >= zero && mod.m1() >= zero)) {
+    return detail::each_lane_of([](const auto&... x) { return amplitude(x...); }, mod, u);
   }
   return detail::amplitude_of(u, mod);
-}
-
-// Of packs: in lockstep, and lane by lane where the modulus of one of them is below 0 or above 1.
-template <Number Pack>
-  requires(!Real<Pack>)
-Jacobi<Pack> jacobi(const Pack& u, const BasicModulus<Pack>& mod) {
-  using L = LaneTraits<Pack>;
-  if (all(mod.m() >= Pack(0.0) && mod.m1() >= Pack(0.0))) return detail::jacobi_of(u, mod);
-  Jacobi<Pack> r{};
-  for (std::size_t i = 0; i < L::count; ++i) {
-    const auto one = jacobi(L::get(u, i), mod.lane(i));
-    L::set(r.sn, i, one.sn);
-    L::set(r.cn, i, one.cn);
-    L::set(r.dn, i, one.dn);
-  }
-  return r;
 }
 
 // Compiled once, in the library.

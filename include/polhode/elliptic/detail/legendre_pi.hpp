@@ -7,6 +7,7 @@
 
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
@@ -33,7 +34,7 @@ T legendre_pi_behind(const T& s, const T& c, const T& p, const T& n, const Basic
   return (s < T(0.0) ? T(-pole) : pole) - regular;
 }
 
-// phi in [-pi/2, pi/2].
+// phi in [-pi/2, pi/2]; of a pack before the pole, with 0 <= m < 1.
 template <class T>
 T legendre_pi_inside(const T& s, const T& c, const T& n, const BasicModulus<T>& mod) {
   const T zero(0.0), one(1.0);
@@ -41,25 +42,36 @@ T legendre_pi_inside(const T& s, const T& c, const T& n, const BasicModulus<T>& 
   const T s2 = s * s;
   const T d2 = squared_delta(s, c, mod);
   const T p = c2 + (one - n) * s2;
-  if (p < zero) return d2 < zero ? T(d2 / zero * zero) : legendre_pi_behind(s, c, p, n, mod);
-  if (!(n < T(-0.25))) {
+  const auto led = n < T(-0.25);  // to positive terms
+  if constexpr (Real<T>) {
+    if (p < zero) return d2 < zero ? T(d2 / zero * zero) : legendre_pi_behind(s, c, p, n, mod);
+    if (led && mod.m() < zero) {
+      const T nu = -n;
+      const T ratio = mod.m1() * s2 / (one + nu);
+      const T q = c2 + ratio;
+      const T third = c * carlson_rc(d2, T(p * q)) + ratio * carlson_rj(c2, d2, one, q) / 3.0;
+      return s * ((carlson_rf(c2, d2, one) + nu * third) / (one + nu));
+    }
+  }
+  const auto direct = [&]() -> T {
     return s * (carlson_rf(c2, d2, one) + n * s2 * carlson_rj(c2, d2, one, p) / 3.0);
-  }
-  if (mod.m() < zero) {
-    const T nu = -n;
-    const T ratio = mod.m1() * s2 / (one + nu);
-    const T q = c2 + ratio;
-    const T third = c * carlson_rc(d2, T(p * q)) + ratio * carlson_rj(c2, d2, one, q) / 3.0;
-    return s * ((carlson_rf(c2, d2, one) + nu * third) / (one + nu));
-  }
-  const T r = mod.m() * s2 / -n;
-  const T q = one + r;
-  return s * (carlson_rc(T(c2 * d2), T(p * q)) + r * carlson_rj(c2, d2, one, q) / 3.0);
+  };
+  const auto by_positive_terms = [&]() -> T {
+    const T r = mod.m() * s2 / select(led, T(-n), one);
+    const T q = one + r;
+    return s * (carlson_rc(T(c2 * d2), T(p * q)) + r * carlson_rj(c2, d2, one, q) / 3.0);
+  };
+  return where(led, by_positive_terms, direct);
 }
 
 template <class T>
 T legendre_pi_at(const T& s, const T& c, const T& n, const BasicModulus<T>& mod) {
   using std::abs;
+  if constexpr (!Real<T>) {
+    const T p = c * c + (T(1.0) - n) * (s * s);
+    if (!is_ordinary(s, c, mod) || !lanes_within(0.0, 0x1p300, n) || !all(p >= T(0.0)))
+      return each_lane_of([](const auto&... x) { return legendre_pi_at(x...); }, mod, s, c, n);
+  }
   T inside(0.0);
   if constexpr (NarrowRange<T>) {
     if (!within(0x1p-250, 2.0, s, c) || !within(0x1p-900, 0x1p300, mod.m1()) ||
@@ -75,7 +87,7 @@ T legendre_pi_at(const T& s, const T& c, const T& n, const BasicModulus<T>& mod)
 
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 T legendre_pi(const T& s, const T& c, const T& n, const BasicModulus<T>& mod) {
   using std::sqrt;
   if constexpr (derivative_order<T> > 0) {
@@ -89,13 +101,17 @@ T legendre_pi(const T& s, const T& c, const T& n, const BasicModulus<T>& mod) {
 }
 
 // The same of any angle phi.
-template <Real T>
+template <Number T>
 T legendre_pi(const T& phi, const T& n, const BasicModulus<T>& mod) {
   if constexpr (std::same_as<T, double>) {
     if (n > 1.0 || mod.m1() < 0.0) {
       const auto wider = detail::promoted(mod);
       return to_double(legendre_pi(DoubleDouble(phi), DoubleDouble(n), wider));
     }
+  }
+  if constexpr (!Real<T>) {
+    if (!detail::all_before_separatrix(mod) || !all(n <= T(1.0)))
+      return detail::each_lane_of([](const auto&... x) { return legendre_pi(x...); }, mod, phi, n);
   }
   const HalfTurns<T> h = half_turns(phi);
   return detail::continued(h.turns, legendre_pi(h.s, h.c, n, mod),

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
@@ -42,26 +43,36 @@ SmallNome<T> small_nome(const T& m, const T& m1) {
 
 }  // namespace detail
 
-template <Real T>
+template <Number T>
 T nome(const BasicModulus<T>& mod) {
   using std::exp;
   using std::log;
-  const T zero(0.0);
-  if (mod.m() < zero) return -nome(BasicModulus<T>::from_ratio(T(-mod.m()), T(1.0)));
-  if (mod.m1() < zero) return mod.m1() * T(std::numeric_limits<double>::quiet_NaN());
-  if (!(mod.m1() < mod.m())) {
-    const auto [l, sum] = detail::small_nome(mod.m(), mod.m1());
-    return l * sum;
+  const T zero(0.0), one(1.0);
+  const T &m = mod.m(), &m1 = mod.m1();
+  if constexpr (Real<T>) {
+    if (m < zero) return -nome(BasicModulus<T>::from_ratio(T(-m), one));
+    if (m1 < zero) return m1 * T(std::numeric_limits<double>::quiet_NaN());
+  } else if (!all(m >= zero && m1 >= zero)) {
+    return detail::each_lane_of([](const auto& at) { return nome(at); }, mod);
   }
-  if (mod.m1() == zero) return T(1.0);
+  // The smaller of the two; q1 above m = 1/2.
+  const auto swapped = m1 < m;
+  const auto [l, sum] = detail::small_nome(select(swapped, m1, m), select(swapped, m, m1));
+  const T smaller = l * sum;
+  if (!any(swapped)) return smaller;
   // Where q1 is next to underflow, ln q1 = ln m1 - ln 16.
-  const bool tiny = to_double(mod.m1()) < 0x1p-900;
-  const auto [l, sum] = detail::small_nome(mod.m1(), mod.m());
-  const T ln_q1 = tiny ? log(mod.m1()) - log(T(16.0)) : T(log(l * sum));
-  return exp(pi<T>() * pi<T>() / ln_q1);
+  const auto tiny = detail::rounded(m1) < detail::Rounded<T>(0x1p-900);
+  const auto of_other = [&]() -> T {
+    const T ln_q1 = where(
+        tiny, [&]() -> T { return log(m1) - log(T(16.0)); }, [&]() -> T { return log(smaller); });
+    return exp(pi<T>() * pi<T>() / ln_q1);
+  };
+  const T other = where(
+      m1 == zero, [&]() -> T { return one; }, of_other);
+  return select(swapped, other, smaller);
 }
 
-template <Real T>
+template <Number T>
 T complementary_nome(const BasicModulus<T>& mod) {
   return nome(mod.complement());
 }
