@@ -42,7 +42,7 @@ struct EventTable::Parts {
   Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
       : scenario(of),
         layout(row_layout(of)),
-        problem(rotor_problem(of)),
+        problem(polhode::problem(of.experiment)),
         energy_0(detail::initial_energy(problem)),
         motion(detail::constant_motion(of)),
         file(csv_path(path),

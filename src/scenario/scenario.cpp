@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "polhode/scenario/schema.hpp"
@@ -14,6 +15,7 @@
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
+#include "text/file_bytes.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -26,26 +28,15 @@ using detail::Values;
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 
-struct CloseFile {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
-  }
-};
-
 std::string file_text(const std::string& path) {
   const std::string shown = detail::printable(path, largest_file);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw DomainError(shown + ": is a folder; expected a scenario file");
-  errno = 0;
-  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
-                                                               : std::fopen(path.c_str(), "rb"));
-  if (!file) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
-  std::string text(largest_file + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-  if (std::ferror(file.get()) != 0)
-    throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
-  return text;
+  std::optional<std::string> text = path == "-" ? detail::file_bytes(stdin, largest_file + 1)
+                                                : detail::file_bytes(path, largest_file + 1);
+  if (!text) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  return *std::move(text);
 }
 
 detail::ReadFile read_file(std::string_view text, const std::string& path, const Kinds& kinds) {

@@ -112,7 +112,6 @@ FreeRotation free_rotation(const Scenario& scenario) {
 std::optional<Method> propagation_method(const Scenario& scenario) {
   return std::visit([](const auto& kind) { return propagation_method(kind); }, scenario.experiment);
 }
-DampedProblem rotor_problem(const Scenario& scenario) { return problem(scenario.experiment); }
 
 }  // namespace v0
 }  // namespace polhode

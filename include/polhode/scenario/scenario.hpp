@@ -55,7 +55,6 @@ System rotor_system(const Scenario& scenario);
 RotorState initial_state(const Scenario& scenario);
 FreeRotation free_rotation(const Scenario& scenario);
 std::optional<Method> propagation_method(const Scenario& scenario);
-DampedProblem rotor_problem(const Scenario& scenario);
 
 }  // namespace v0
 }  // namespace polhode
