@@ -19,6 +19,9 @@ struct Paper {
   std::string_view uses;
 };
 
+// The place in the list of a work that an output format cites. Those that have none come last.
+constexpr Paper of_format(std::string_view key) { return {key, {}, {}, {}}; }
+
 constexpr Paper papers[] = {
     {"gurfil2007",
      "Gurfil, P., Elipe, A., Tangren, W., Efroimsky, M. (2007). The Serret-Andoyer formalism in "
@@ -99,10 +102,7 @@ constexpr Paper papers[] = {
      "Consultative Committee for Space Data Systems (2023). Orbit Data Messages. Recommended "
      "Standard CCSDS 502.0-B-3.",
      "the file of an orbit", "oem"},
-    {"ccsds504",
-     "Consultative Committee for Space Data Systems (2024). Attitude Data Messages. Recommended "
-     "Standard CCSDS 504.0-B-2.",
-     "files of attitudes", "aem"},
+    of_format("ccsds504"),
     {"praly2012",
      "Praly, N., Hillion, M., Bonnal, C., Laurent-Varin, J., Petit, N. (2012). Study on the eddy "
      "current damping of the spin dynamics of space debris from the Ariane launcher upper stages. "
@@ -198,8 +198,20 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
   parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
-  if (scenario.output.writes_aem) parts.push_back("aem");
   return parts;
+}
+
+// Of the formats that the scenario has something to say to, each work once.
+std::vector<Citation> citations_of_formats(const OutputPlan& output) {
+  std::vector<Citation> all;
+  for (const OutputFormat& format : output.formats.all()) {
+    if (!output.options.contains(format.name)) continue;
+    for (const Citation& own : format.citations)
+      if (std::none_of(all.begin(), all.end(),
+                       [&](const Citation& one) { return one.key == own.key; }))
+        all.push_back(own);
+  }
+  return all;
 }
 
 }  // namespace
@@ -225,11 +237,20 @@ std::vector<Citation> citations(const Scenario& scenario) {
              return std::find(parts.begin(), parts.end(), part) != parts.end();
            });
   };
+  std::vector<Citation> of_formats = citations_of_formats(scenario.output);
   std::vector<Citation> result;
-  for (const Paper& paper : papers)
-    if (used(paper.uses))
+  for (const Paper& paper : papers) {
+    const auto own = std::find_if(of_formats.begin(), of_formats.end(),
+                                  [&](const Citation& one) { return one.key == paper.key; });
+    if (own != of_formats.end()) {
+      result.push_back(*own);
+      of_formats.erase(own);
+    } else if (!paper.text.empty() && used(paper.uses)) {
       result.push_back(
           {std::string(paper.key), std::string(paper.text), std::string(paper.reason)});
+    }
+  }
+  result.insert(result.end(), of_formats.begin(), of_formats.end());
   return result;
 }
 

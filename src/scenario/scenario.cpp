@@ -10,6 +10,7 @@
 
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/schema_table.hpp"
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
@@ -48,13 +49,17 @@ std::string file_text(const std::string& path) {
   return text;
 }
 
-detail::ReadFile read_file(std::string_view text, const std::string& path) {
+detail::ReadFile read_file(std::string_view text, const std::string& path,
+                           const OutputFormats& formats) {
   Diagnostics diagnostics(path);
   if (text.size() > largest_file) {
     diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
     diagnostics.raise();
   }
-  detail::ReadFile read = detail::read_values(text, scenario_schema(), diagnostics);
+  const auto table =
+      std::make_shared<const detail::SchemaTable>(detail::experiment_kinds(), formats);
+  detail::ReadFile read = detail::read_values(text, table->schema(), diagnostics);
+  read.table = table;
   diagnostics.raise();
   return read;
 }
@@ -76,21 +81,21 @@ Document document_of(std::string_view text, const std::string& path, const detai
           .checked = nullptr};
 }
 
-// But for the options of AEM files: what is wrong in them comes after what is wrong in the state.
-OutputPlan output_of(const Values& values) {
-  return {.columns = detail::value_at(values, "output.columns").words,
-          .writes_aem = has(values, "output.aem")};
+// But for the options of formats: what is wrong in them comes after what is wrong in the state.
+OutputPlan output_of(const Values& values, const OutputFormats& formats) {
+  return {.columns = detail::value_at(values, "output.columns").words, .formats = formats};
 }
 
 }  // namespace
 
-Scenario scenario_from_text(std::string_view text, const std::string& path) {
-  detail::ReadFile read = read_file(text, path);
+Scenario scenario_from_text(std::string_view text, const std::string& path,
+                            const OutputFormats& formats) {
+  detail::ReadFile read = read_file(text, path, formats);
   Document document = document_of(text, path, read);
-  OutputPlan output = output_of(read.values);
+  OutputPlan output = output_of(read.values, formats);
   const auto made = std::make_shared<const detail::MadeExperiment>(
       detail::kind_of(read.values).make({read.values, document.units, output, path}));
-  output.aem = detail::aem_options_of(read.values, path);
+  output.options = detail::format_options_of(read.values, formats, path);
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
     map =
@@ -100,8 +105,8 @@ Scenario scenario_from_text(std::string_view text, const std::string& path) {
   return {std::move(document), made->experiment, std::move(output), std::move(map)};
 }
 
-Scenario read_scenario(const std::string& path) {
-  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path);
+Scenario read_scenario(const std::string& path, const OutputFormats& formats) {
+  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path, formats);
 }
 
 }  // namespace v0

@@ -22,12 +22,15 @@ struct Refusal {
 std::optional<Refusal> refusal(std::string_view text);
 
 struct MadeExperiment;
+class SchemaTable;
 
 struct ReadFile {
   Values values;
   Units units;
   // What was made of the values, for those who make it again with other numbers.
   std::shared_ptr<const MadeExperiment> made = nullptr;
+  // What the values point to.
+  std::shared_ptr<const SchemaTable> table = nullptr;
 };
 // Everything wrong goes to `diagnostics`; what is right is in the result.
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);

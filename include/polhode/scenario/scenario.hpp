@@ -40,9 +40,11 @@ struct Scenario {
 };
 
 // `path` stands for the file in messages, its last part in outputs.
-Scenario scenario_from_text(std::string_view text, const std::string& path);
+Scenario scenario_from_text(std::string_view text, const std::string& path,
+                            const OutputFormats& formats = default_output_formats());
 // "-" is standard input. DomainError when there is no such file, or it is a folder.
-Scenario read_scenario(const std::string& path);
+Scenario read_scenario(const std::string& path,
+                       const OutputFormats& formats = default_output_formats());
 
 // These visit the experiment with the overloads of its kind (polhode/scenario/rotation.hpp).
 // The times of its rows, and whether it has events.
