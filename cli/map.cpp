@@ -111,8 +111,9 @@ void add_map(CLI::App& app, const Kinds& kinds) {
       ->required();
   command
       ->add_option("--out,-o", options->out,
-                   "PATH.csv or PATH.h5, any number of them; - is CSV to standard output, also the "
-                   "default")
+                   paths_in_words(default_output_formats(),
+                                  [](const OutputFormat& format) { return !format.needs.dates; }) +
+                       ", any number of them; - is CSV to standard output, also the default")
       ->type_name("PATH");
   command
       ->add_option("--threads", options->threads,

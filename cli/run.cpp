@@ -99,6 +99,14 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   }
 }
 
+// "PATH.csv, PATH.h5"
+std::string output_paths(const OutputFormats& formats) {
+  std::string paths;
+  for (const OutputFormat& format : formats.all())
+    paths += (paths.empty() ? "PATH" : ", PATH") + format.extension;
+  return paths;
+}
+
 void run_scenario(const CommandOptions& options, const Kinds& kinds) {
   const Scenario scenario = read_scenario(options.scenario, kinds);
   if (!row_times(scenario))
@@ -135,7 +143,8 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
       lines.push_back(std::move(line));
   print(summary_table(lines));
   if (table_only)
-    print("(no rows written: --out PATH.csv, PATH.h5, PATH.aem, or - for standard output)\n");
+    print("(no rows written: --out " + output_paths(scenario.output.formats) +
+          ", or - for standard output)\n");
 }
 
 }  // namespace
@@ -148,8 +157,9 @@ void add_run(CLI::App& app, const Kinds& kinds) {
   command
       ->add_option(
           "--out,-o", options->out,
-          "PATH.csv, PATH.h5 or PATH.aem, any number of them; - is CSV to standard output, "
-          "also the default unless that is a terminal")
+          paths_in_words(default_output_formats()) +
+              ", any number of them; - is CSV to standard output, also the default unless that is "
+              "a terminal")
       ->type_name("PATH");
   command
       ->add_option("--events", options->events,

@@ -19,7 +19,8 @@ struct Paper {
   std::string_view uses;
 };
 
-// The place in the list of a work that a kind of torque cites. Those that have none come last.
+// The place in the list of a work that a kind of torque or an output format cites. Those that have
+// none come last.
 constexpr Paper of_kind(std::string_view key) { return {key, {}, {}, {}}; }
 
 constexpr Paper papers[] = {
@@ -97,10 +98,7 @@ constexpr Paper papers[] = {
      "Consultative Committee for Space Data Systems (2023). Orbit Data Messages. Recommended "
      "Standard CCSDS 502.0-B-3.",
      "the file of an orbit", "oem"},
-    {"ccsds504",
-     "Consultative Committee for Space Data Systems (2024). Attitude Data Messages. Recommended "
-     "Standard CCSDS 504.0-B-2.",
-     "files of attitudes", "aem"},
+    of_kind("ccsds504"),
     of_kind("praly2012"),
     of_kind("thebault2015"),
     {"verner2010",
@@ -173,21 +171,26 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
   parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
-  if (scenario.output.writes_aem) parts.push_back("aem");
   return parts;
 }
 
-// Each once.
+void add_each_once(std::vector<Citation>& all, const std::vector<Citation>& more) {
+  for (const Citation& own : more)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Citation& one) { return one.key == own.key; }))
+      all.push_back(own);
+}
+
+// What the kinds of torques of a scenario cite, and the formats that it has something to say to.
 std::vector<Citation> citations_of_kinds(const Scenario& scenario,
                                          const std::vector<std::string>& parts) {
   std::vector<Citation> all;
-  for (const PerturbationKind& kind : scenario.document.kinds->perturbations()) {
-    if (std::find(parts.begin(), parts.end(), kind.name) == parts.end()) continue;
-    for (const Citation& own : kind.citations)
-      if (std::none_of(all.begin(), all.end(),
-                       [&](const Citation& one) { return one.key == own.key; }))
-        all.push_back(own);
-  }
+  const Kinds& kinds = *scenario.document.kinds;
+  for (const PerturbationKind& kind : kinds.perturbations())
+    if (std::find(parts.begin(), parts.end(), kind.name) != parts.end())
+      add_each_once(all, kind.citations);
+  for (const OutputFormat& format : kinds.formats().all())
+    if (scenario.output.options.contains(format.name)) add_each_once(all, format.citations);
   return all;
 }
 
@@ -214,20 +217,20 @@ std::vector<Citation> citations(const Scenario& scenario) {
              return std::find(parts.begin(), parts.end(), part) != parts.end();
            });
   };
-  std::vector<Citation> of_kinds = citations_of_kinds(scenario, parts);
+  std::vector<Citation> own_works = citations_of_kinds(scenario, parts);
   std::vector<Citation> result;
   for (const Paper& paper : papers) {
-    const auto own = std::find_if(of_kinds.begin(), of_kinds.end(),
+    const auto own = std::find_if(own_works.begin(), own_works.end(),
                                   [&](const Citation& one) { return one.key == paper.key; });
-    if (own != of_kinds.end()) {
+    if (own != own_works.end()) {
       result.push_back(*own);
-      of_kinds.erase(own);
+      own_works.erase(own);
     } else if (!paper.text.empty() && used(paper.uses)) {
       result.push_back(
           {std::string(paper.key), std::string(paper.text), std::string(paper.reason)});
     }
   }
-  result.insert(result.end(), of_kinds.begin(), of_kinds.end());
+  result.insert(result.end(), own_works.begin(), own_works.end());
   return result;
 }
 

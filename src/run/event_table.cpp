@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
-#include "output/sinks.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/experiment_parts.hpp"

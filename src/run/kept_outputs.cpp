@@ -118,7 +118,7 @@ void KeptOutputs::find(const Provenance& provenance) {
     throw DomainError(kind + ": " + words.resume + " needs outputs that are files, which a " +
                       kind + " leaves behind");
   if (!found.empty()) return take_up(found, std::move(file));
-  complete_ = are_complete(setup_.outputs, provenance, words);
+  complete_ = are_complete(setup_.outputs, setup_.formats, provenance, words);
 }
 
 void KeptOutputs::take_up(const std::string& found, std::optional<CheckpointFile> file) {

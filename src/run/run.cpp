@@ -346,9 +346,8 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 
 }  // namespace
 
-AemOutput detail::aem_output(const Rotation& rotation, const Scenario& scenario) {
-  AemOutput result{
-      .options = scenario.output.aem,
+RunFacts detail::run_facts(const Rotation& rotation, const Scenario& scenario) {
+  RunFacts result{
       .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
       .epoch = rotation.epoch,
       .axes = rotation.axes,

@@ -11,6 +11,7 @@
 
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/schema_table.hpp"
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
@@ -69,10 +70,9 @@ Document document_of(std::string_view text, const std::string& path, const Kinds
           .checked = nullptr};
 }
 
-// But for the options of AEM files: what is wrong in them comes after what is wrong in the state.
-OutputPlan output_of(const Values& values) {
-  return {.columns = detail::value_at(values, "output.columns").words,
-          .writes_aem = has(values, "output.aem")};
+// But for the options of formats: what is wrong in them comes after what is wrong in the state.
+OutputPlan output_of(const Values& values, const OutputFormats& formats) {
+  return {.columns = detail::value_at(values, "output.columns").words, .formats = formats};
 }
 
 }  // namespace
@@ -80,10 +80,10 @@ OutputPlan output_of(const Values& values) {
 Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
   detail::ReadFile read = read_file(text, path, kinds);
   Document document = document_of(text, path, kinds, read);
-  OutputPlan output = output_of(read.values);
+  OutputPlan output = output_of(read.values, kinds.formats());
   const auto made = std::make_shared<const detail::MadeExperiment>(
       detail::kind_of(read.values).make({read.values, document.units, kinds, output, path}));
-  output.aem = detail::aem_options_of(read.values, path);
+  output.options = detail::format_options_of(read.values, kinds.formats(), path);
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
     map =

@@ -11,12 +11,13 @@
 
 #include <vector>
 
-#include "polhode/scenario/citation.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "polhode/text/citation.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
+// In the order of their weight, each once.
 std::vector<Citation> citations(const Scenario& scenario);
 
 }  // namespace v0

@@ -9,7 +9,7 @@
 // Domain      a name that no other kind of its sort has, of letters, digits and -; keys of equal
 //             names may differ between kinds.
 // Accuracy    none.
-// Errors      DomainError from with() for a name that is taken or not plain.
+// Errors      DomainError from with() for a name or an extension that is taken, or not plain.
 // Cost        copies share. with() makes the table of keys anew: some ten microseconds.
 #pragma once
 
@@ -17,6 +17,7 @@
 #include <span>
 #include <string_view>
 
+#include "polhode/output/output_format.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
 
@@ -26,10 +27,12 @@ inline namespace v0 {
 class Kinds {
  public:
   Kinds with(PerturbationKind kind) const;
+  Kinds with(OutputFormat format) const;
 
   std::span<const PerturbationKind> perturbations() const;
   // Null where there is none of this name.
   const PerturbationKind* perturbation(std::string_view name) const;
+  const OutputFormats& formats() const;
   // The keys of a scenario file.
   const Schema& schema() const;
 

@@ -22,11 +22,11 @@
 #include <vector>
 
 #include "polhode/perturb/any_perturbation.hpp"
-#include "polhode/scenario/citation.hpp"
 #include "polhode/scenario/key_values.hpp"
 #include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/rotation.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "polhode/text/citation.hpp"
 
 namespace polhode {
 inline namespace v0 {

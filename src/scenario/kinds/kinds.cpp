@@ -62,13 +62,15 @@ bool is_plain(std::string_view name) {
 }  // namespace
 
 struct Kinds::Parts {
-  explicit Parts(std::vector<PerturbationKind> of)
+  Parts(std::vector<PerturbationKind> of, OutputFormats all_formats)
       : perturbations(std::move(of)),
+        formats(std::move(all_formats)),
         rows(perturbation_table, perturbation_kind_key, kinds_of_table(perturbations)),
-        table(detail::experiment_kinds(), {rows.part()}),
+        table(detail::experiment_kinds(), {rows.part()}, formats),
         schema(table.schema()) {}
 
   std::vector<PerturbationKind> perturbations;
+  OutputFormats formats;
   detail::KindRows rows;
   detail::SchemaTable table;
   Schema schema;
@@ -77,7 +79,7 @@ struct Kinds::Parts {
 Kinds::Kinds(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
 Kinds default_kinds() {
-  static const auto ours = std::make_shared<const Kinds::Parts>(our_perturbations());
+  static const auto ours = std::make_shared<const Kinds::Parts>(our_perturbations(), default_output_formats());
   return Kinds(ours);
 }
 
@@ -88,8 +90,15 @@ Kinds Kinds::with(PerturbationKind kind) const {
     throw DomainError(shown + "\" is there; expected another name");
   std::vector<PerturbationKind> all = parts_->perturbations;
   all.push_back(std::move(kind));
-  return Kinds(std::make_shared<const Parts>(std::move(all)));
+  return Kinds(std::make_shared<const Parts>(std::move(all), parts_->formats));
 }
+
+Kinds Kinds::with(OutputFormat format) const {
+  return Kinds(std::make_shared<const Parts>(parts_->perturbations,
+                                             parts_->formats.with(std::move(format))));
+}
+
+const OutputFormats& Kinds::formats() const { return parts_->formats; }
 
 std::span<const PerturbationKind> Kinds::perturbations() const { return parts_->perturbations; }
 

@@ -179,7 +179,8 @@ detail::SchemaPart detail::body_keys() { return {keys_of_body, of_body}; }
 detail::SchemaPart detail::time_keys() { return {keys_of_time, of_time}; }
 
 detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds,
-                                 const DescribedParts& described) {
+                                 const DescribedParts& described,
+                                 const OutputFormats& formats) {
   std::string& all = words_.emplace_back();
   for (const ExperimentKind& kind : kinds) join(all, kind.name);
   add({head_keys, {}}, {});
@@ -188,7 +189,19 @@ detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds,
   for (const PartOfKinds& one : parts_of(kinds, described))
     add(one.part, one.kinds == all ? std::string_view() : words_.emplace_back(one.kinds));
   add(output_keys(), {});
+  for (const OutputFormat& format : formats.all()) add(format);
   add(map_keys(), {});
+}
+
+// [output.NAME] of a format that has keys.
+void detail::SchemaTable::add(const OutputFormat& format) {
+  if (format.keys.empty()) return;
+  const std::string& table = words_.emplace_back("output." + format.name);
+  keys_.push_back({.path = table, .help = words_.emplace_back(format.help)});
+  for (const OptionKey& option : format.keys) {
+    keys_.push_back(option.key());
+    keys_.back().path = words_.emplace_back(table + "." + std::string(option.key().path));
+  }
 }
 
 void detail::SchemaTable::add(const SchemaPart& part, std::string_view kinds) {

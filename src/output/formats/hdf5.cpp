@@ -2,12 +2,14 @@
 // HDF5: one dataset per column group, units and provenance as attributes, flushed block by block.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "output/detail/hdf5_handle.hpp"
+#include "output/detail/origin.hpp"
+#include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
-#include "output/sinks.hpp"
 #include "polhode/error.hpp"
 #include "text/printable.hpp"
 
@@ -54,13 +56,6 @@ class Hdf5Sink : public Sink {
   hsize_t written_ = 0;
   std::vector<double> columns_;
 };
-
-std::string regular_part_path(const std::string& path) {
-  std::string part = part_path(path);
-  if (part == path)
-    throw DomainError(printable(path, path.size()) + ": is not a regular file; HDF5 needs one");
-  return part;
-}
 
 void Hdf5Sink::require(bool good) const {
   if (!good) fail_to_write(part_, errno == 0 ? EIO : errno);
@@ -125,13 +120,13 @@ void Hdf5Sink::attach(hid_t object, const char* name, const std::vector<std::str
       checked(scalar ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Handle attribute =
       checked(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  require(H5Awrite(attribute.id(), type.id(), pointers.data()) >= 0);
+  require(pointers.empty() || H5Awrite(attribute.id(), type.id(), pointers.data()) >= 0);
 }
 
 Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
                    const Provenance& provenance, const std::optional<SinkPosition>& from)
     : path_(path),
-      part_(regular_part_path(path)),
+      part_(part_path(path)),
       bytes_(from ? JournaledFile(part_, {from->bytes, from->rows}) : JournaledFile(part_)),
       file_(opened_file(from.has_value())),
       written_(from ? static_cast<hsize_t>(from->rows) : 0) {
@@ -242,12 +237,113 @@ void Hdf5Sink::finish() {
   rename_part(part_, path_);
 }
 
+std::string group_text(const std::string& name, const std::vector<std::string>& columns) {
+  std::string text = name + ":";
+  for (const std::string& column : columns) text += " " + column;
+  return text;
+}
+
+// Every dataset with its columns, by name.
+std::vector<std::string> groups_in(hid_t file) {
+  std::vector<std::string> groups;
+  H5G_info_t info;
+  if (H5Gget_info(file, &info) < 0) return groups;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    char name[256] = {};
+    H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof name, H5P_DEFAULT);
+    const Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+    groups.push_back(group_text(name, attribute_texts(dataset.id(), "columns")));
+  }
+  std::sort(groups.begin(), groups.end());
+  return groups;
+}
+
+Origin origin_of(const std::string& path) {
+  const QuietScope quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  Origin origin;
+  if (file.id() < 0) return origin;
+  origin.scenario = attribute_texts(file.id(), "scenario");
+  for (std::string& note : attribute_texts(file.id(), "notes"))
+    if (note.starts_with(file_lead)) origin.files.push_back(std::move(note));
+  origin.columns = groups_in(file.id());
+  return origin;
+}
+
+Origin origin_of(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
+  Origin origin{{provenance.scenario_text}, {}, {}};
+  for (const ColumnGroup& group : groups) {
+    std::vector<std::string> columns;
+    for (const Column& column : group.columns) columns.push_back(column.name);
+    if (!columns.empty()) origin.columns.push_back(group_text(group.name, columns));
+  }
+  std::sort(origin.columns.begin(), origin.columns.end());
+  for (const std::string& note : provenance.notes)
+    if (note.starts_with(file_lead)) origin.files.push_back(note);
+  return origin;
+}
+
+// The first rows of a dataset of so many columns; empty where it has not as many.
+std::vector<double> first_rows(hid_t file, const std::string& name, std::size_t columns,
+                               hsize_t count) {
+  const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.id() < 0) return {};
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  hsize_t size[2] = {0, 1};
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), size, nullptr) < 0 ||
+      size[0] < count || size[1] != columns)
+    return {};
+  const hsize_t start[] = {0, 0}, block[] = {count, columns};
+  const Handle memory(H5Screate_simple(rank, block, nullptr), H5Sclose);
+  std::vector<double> numbers(count * columns);
+  const bool good =
+      H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, block, nullptr) >= 0 &&
+      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT,
+              numbers.data()) >= 0;
+  return good ? numbers : std::vector<double>();
+}
+
+std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGroup>& groups,
+                            std::int64_t count) {
+  const QuietScope quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const auto n = static_cast<std::size_t>(count);
+  std::size_t width = 0, first = 0;
+  for (const ColumnGroup& group : groups) width += group.columns.size();
+  std::vector<double> rows(n * width);
+  for (const ColumnGroup& group : groups) {
+    const std::size_t columns = group.columns.size();
+    if (columns == 0) continue;
+    const std::vector<double> own =
+        file.id() < 0 ? std::vector<double>() : first_rows(file.id(), group.name, columns, n);
+    if (own.size() != n * columns)
+      throw DomainError(printable(path, path.size()) + ": expected " + std::to_string(count) +
+                        " rows in " + group.name);
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t i = 0; i < columns; ++i)
+        rows[row * width + first + i] = own[row * columns + i];
+    first += columns;
+  }
+  return rows;
+}
+
 }  // namespace
 
-std::unique_ptr<Sink> hdf5_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                                const Provenance& provenance,
-                                const std::optional<SinkPosition>& from) {
-  return std::make_unique<Hdf5Sink>(path, groups, provenance, from);
+OutputFormat hdf5_format() {
+  OutputFormat format("hdf5", ".h5", "HDF5: a dataset for each group of columns.",
+                      [](const SinkRequest& request) {
+                        return std::make_unique<Hdf5Sink>(request.path, request.groups,
+                                                          request.provenance, request.from);
+                      });
+  format.label = "HDF5";
+  format.needs.file = true;
+  format.difference = [](const std::string& path, const std::vector<ColumnGroup>& groups,
+                         const Provenance& provenance) {
+    return difference(origin_of(path), origin_of(groups, provenance));
+  };
+  format.rows = rows_of;
+  return format;
 }
 
 }  // namespace detail

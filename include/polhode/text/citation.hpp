@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Citation: a work that a scenario rests on, and what it takes from it.
+// Citation: a work that something rests on, and what is taken from it.
 //
 // Equations   none.
 // Units       none.
@@ -17,7 +17,7 @@ inline namespace v0 {
 struct Citation {
   std::string key;     // "sadov1970"
   std::string text;    // authors, year, title, place
-  std::string reason;  // what the scenario takes from it
+  std::string reason;  // what is taken from it
 };
 
 }  // namespace v0
