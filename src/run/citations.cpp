@@ -19,6 +19,9 @@ struct Paper {
   std::string_view uses;
 };
 
+// The place of those that charts rest on.
+constexpr Paper of_charts = {};
+
 constexpr Paper papers[] = {
     {"gurfil2007",
      "Gurfil, P., Elipe, A., Tangren, W., Efroimsky, M. (2007). The Serret-Andoyer formalism in "
@@ -40,22 +43,7 @@ constexpr Paper papers[] = {
     {"pravec2014",
      "Pravec, P., et al. (2014). The tumbling spin state of (99942) Apophis. Icarus 233, 48-60.",
      "the convention of its angles", "tumbler"},
-    {"andoyer1923",
-     "Andoyer, H. (1923). Cours de mecanique celeste, vol. 1. Gauthier-Villars, Paris.",
-     "Andoyer variables", "andoyer"},
-    {"serret1866",
-     "Serret, J. A. (1866). Memoire sur l'emploi de la methode de la variation des arbitraires "
-     "dans la theorie des mouvements de rotation. Memoires de l'Academie des sciences de Paris "
-     "35, 585-616.",
-     "Serret's elements", "serret"},
-    {"sadov1970",
-     "Sadov, Yu. A. (1970). The action-angle variables in the Euler-Poinsot problem. Journal of "
-     "Applied Mathematics and Mechanics 34, 922-925.",
-     "action-angle variables", "sadov"},
-    {"kinoshita1972",
-     "Kinoshita, H. (1972). First-order perturbations of the two finite body problem. "
-     "Publications of the Astronomical Society of Japan 24, 423-457.",
-     "action-angle variables, the form with Heuman's Lambda", "sadov"},
+    of_charts,
     {"efroimsky2007",
      "Efroimsky, M., Escapa, A. (2007). The theory of canonical perturbations applied to attitude "
      "dynamics and to the Earth rotation. Osculating and nonosculating Andoyer variables. "
@@ -192,6 +180,20 @@ struct MethodParts {
   }
 };
 
+// Of the charts among the parts, each once.
+std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts) {
+  std::vector<Citation> all;
+  for (const ChartKind& chart : default_charts()) {
+    if (std::find(parts.begin(), parts.end(), chart.name) == parts.end()) continue;
+    for (const ChartSource& source : chart.sources)
+      if (std::none_of(all.begin(), all.end(),
+                       [&](const Citation& one) { return one.key == source.key; }))
+        all.push_back(
+            {std::string(source.key), std::string(source.text), std::string(source.reason)});
+  }
+  return all;
+}
+
 // Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
 // sources of its orbits, and what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
@@ -226,10 +228,15 @@ std::vector<Citation> citations(const Scenario& scenario) {
            });
   };
   std::vector<Citation> result;
-  for (const Paper& paper : papers)
-    if (used(paper.uses))
+  for (const Paper& paper : papers) {
+    if (paper.key.empty()) {
+      const std::vector<Citation> charts = citations_of_charts(parts);
+      result.insert(result.end(), charts.begin(), charts.end());
+    } else if (used(paper.uses)) {
       result.push_back(
           {std::string(paper.key), std::string(paper.text), std::string(paper.reason)});
+    }
+  }
   return result;
 }
 
