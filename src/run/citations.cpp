@@ -22,6 +22,8 @@ struct Paper {
 // The place in the list of a work that a kind of torque or an output format cites. Those that have
 // none come last.
 constexpr Paper of_kind(std::string_view key) { return {key, {}, {}, {}}; }
+// The place of those that charts rest on.
+constexpr Paper of_charts = {};
 
 constexpr Paper papers[] = {
     {"gurfil2007",
@@ -44,22 +46,7 @@ constexpr Paper papers[] = {
     {"pravec2014",
      "Pravec, P., et al. (2014). The tumbling spin state of (99942) Apophis. Icarus 233, 48-60.",
      "the convention of its angles", "tumbler"},
-    {"andoyer1923",
-     "Andoyer, H. (1923). Cours de mecanique celeste, vol. 1. Gauthier-Villars, Paris.",
-     "Andoyer variables", "andoyer"},
-    {"serret1866",
-     "Serret, J. A. (1866). Memoire sur l'emploi de la methode de la variation des arbitraires "
-     "dans la theorie des mouvements de rotation. Memoires de l'Academie des sciences de Paris "
-     "35, 585-616.",
-     "Serret's elements", "serret"},
-    {"sadov1970",
-     "Sadov, Yu. A. (1970). The action-angle variables in the Euler-Poinsot problem. Journal of "
-     "Applied Mathematics and Mechanics 34, 922-925.",
-     "action-angle variables", "sadov"},
-    {"kinoshita1972",
-     "Kinoshita, H. (1972). First-order perturbations of the two finite body problem. "
-     "Publications of the Astronomical Society of Japan 24, 423-457.",
-     "action-angle variables, the form with Heuman's Lambda", "sadov"},
+    of_charts,
     {"efroimsky2007",
      "Efroimsky, M., Escapa, A. (2007). The theory of canonical perturbations applied to attitude "
      "dynamics and to the Earth rotation. Osculating and nonosculating Andoyer variables. "
@@ -165,6 +152,20 @@ struct MethodParts {
   }
 };
 
+// Of the charts among the parts, each once.
+std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts) {
+  std::vector<Citation> all;
+  for (const ChartKind& chart : default_charts()) {
+    if (std::find(parts.begin(), parts.end(), chart.name) == parts.end()) continue;
+    for (const ChartSource& source : chart.sources)
+      if (std::none_of(all.begin(), all.end(),
+                       [&](const Citation& one) { return one.key == source.key; }))
+        all.push_back(
+            {std::string(source.key), std::string(source.text), std::string(source.reason)});
+  }
+  return all;
+}
+
 // Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
 // sources of its orbits, and what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
@@ -222,7 +223,9 @@ std::vector<Citation> citations(const Scenario& scenario) {
   for (const Paper& paper : papers) {
     const auto own = std::find_if(own_works.begin(), own_works.end(),
                                   [&](const Citation& one) { return one.key == paper.key; });
-    if (own != own_works.end()) {
+    if (paper.key.empty()) {
+      add_each_once(result, citations_of_charts(parts));
+    } else if (own != own_works.end()) {
       result.push_back(*own);
       own_works.erase(own);
     } else if (!paper.text.empty() && used(paper.uses)) {

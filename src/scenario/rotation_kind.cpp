@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -13,7 +14,6 @@
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
-#include "tables/sadov_region.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -128,49 +128,36 @@ AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
   return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
 }
 
-SadovState sadov_of(const Values& values, const Body& body) {
-  const auto value = [&](const char* key) {
-    return number(values, std::string("state.sadov.") + key);
-  };
-  const double I_l = value("I_l"), I_g = value("I_g");
-  const bool is_given = has(values, "state.sadov.region");
-  const SadovRegion region =
-      is_given ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
-                                                              : SadovRegion::long_axis)
-               : sadov_region(body, I_l, I_g);
-  return {value("phi_l"),
-          value("phi_g"),
-          value("phi_h"),
-          I_l,
-          I_g,
-          value("I_h"),
-          region,
-          sign(values, "state.sadov.lobe")};
+// Integers stand for themselves, words for their places in the list.
+double option_of(const Values& values, const std::string& path, const ChartOption& option) {
+  if (!has(values, path)) return std::numeric_limits<double>::quiet_NaN();
+  const Value& value = value_at(values, path);
+  return value.words.empty() ? static_cast<double>(value.whole)
+                             : option_number(option, value.words.front());
+}
+
+ChartState chart_state_of(const Values& values, const ChartKind& chart, const Body& body) {
+  const std::string path = "state." + std::string(chart.name) + ".";
+  ChartState state{chart, {}};
+  std::size_t place = 0;
+  for (const ChartVariable& variable : chart.variables)
+    state.numbers[place++] = number(values, path + std::string(variable.name));
+  for (const ChartOption& option : chart.options)
+    state.numbers[place++] = option_of(values, path + std::string(option.name), option);
+  state.numbers = completed(chart, state.numbers, {&body});
+  // what needs a body is seen when all else is there: see RotationBuilder::made
+  if (!chart.needs_body) static_cast<void>(chart.to_hub(state.numbers, {nullptr}));
+  return state;
 }
 
 InitialState state_of(const Values& values, const std::string& chart, const Body& body,
                       const std::string& name) {
-  const std::string path = "state." + chart;
-  const auto value = [&](const char* key) { return number(values, path + "." + key); };
   if (chart == "tumbler") return tumbler_of(values, name);
   if (chart == "attitude-rate") return attitude_rate_of(values, name);
-  return built(values, path, name, [&]() -> InitialState {
-    if (chart == "euler")
-      return euler_state(value("phi"), value("theta"), value("psi"), value("Phi"), value("Theta"),
-                         value("Psi"));
-    if (chart == "andoyer")
-      return andoyer_state(value("l"), value("g"), value("h"), value("L"), value("G"), value("H"));
-    if (chart == "serret")
-      return SerretState{value("g0"),
-                         value("h"),
-                         value("t0"),
-                         value("G"),
-                         value("H"),
-                         value("T"),
-                         sign(values, path + ".sign_g1"),
-                         sign(values, path + ".sign_g3")};
-    return sadov_of(values, body);
-  });
+  const ChartKind* const kind = chart_named(chart);
+  if (kind == nullptr)
+    throw std::logic_error("state: the schema allows a chart without a description: " + chart);
+  return built(values, "state." + chart, name, [&] { return chart_state_of(values, *kind, body); });
 }
 
 std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
