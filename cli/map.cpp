@@ -111,7 +111,7 @@ void add_map(CLI::App& app, const Kinds& kinds) {
       ->required();
   command
       ->add_option("--out,-o", options->out,
-                   paths_in_words(default_output_formats(),
+                   paths_in_words(kinds.formats(),
                                   [](const OutputFormat& format) { return !format.needs.dates; }) +
                        ", any number of them; - is CSV to standard output, also the default")
       ->type_name("PATH");

@@ -157,7 +157,7 @@ void add_run(CLI::App& app, const Kinds& kinds) {
   command
       ->add_option(
           "--out,-o", options->out,
-          paths_in_words(default_output_formats()) +
+          paths_in_words(kinds.formats()) +
               ", any number of them; - is CSV to standard output, also the default unless that is "
               "a terminal")
       ->type_name("PATH");

@@ -135,6 +135,7 @@ class OutputFormatTest : public ::testing::Test {
   }
 
   const Kinds kinds_ = default_kinds().with(json_lines());
+  const OutputFormats formats_ = kinds_.formats();
 
  private:
   fs::path folder_;
