@@ -26,8 +26,9 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
 // Made once for the charts that nearly everybody has.
 std::shared_ptr<const ColumnTable> table_of(std::span<const ChartKind> charts) {
   static const auto ours = std::make_shared<const ColumnTable>(default_charts());
-  return charts.data() == default_charts().data() ? ours
-                                                  : std::make_shared<const ColumnTable>(charts);
+  const bool are_ours =
+      charts.data() == default_charts().data() && charts.size() == default_charts().size();
+  return are_ours ? ours : std::make_shared<const ColumnTable>(charts);
 }
 
 std::size_t group_index(const ColumnTable& table, const std::string& name,
