@@ -2,7 +2,6 @@
 """The worked examples of docs/extending, each built from a directory that holds nothing but its
 files, against an installed polhode, and run as its page says."""
 
-import re
 import shutil
 import subprocess
 
@@ -70,13 +69,55 @@ def test_a_torque_of_your_own_is_a_kind_like_ours(built, tmp_path):
         program, "info", wrong, status=2)
 
 
+def test_an_output_format_of_your_own_writes_resumes_and_refuses(built, root):
+    source = built("output-format")
+    command = ["build/fixed-width", "scenario.toml", "rows.txt"]
+    assert sh(*command, cwd=source) == "3 rows in rows.txt\n"
+    written = (source / "rows.txt").read_text()
+    assert "! | [output.fixed]\n" in written
+    shown = "".join(line for line in written.splitlines(keepends=True) if line[0] != "!")
+    page = (root / "docs/extending/output-format.md").read_text()
+    assert shown in page
+    assert sh(*command, cwd=source) == "3 rows in rows.txt\n"  # complete: nothing to do
+    assert (source / "rows.txt").read_text() == written
+    text = (source / "scenario.toml").read_text().replace("digits = 6", "digits = 7")
+    (source / "scenario.toml").write_text(text)
+    refused = subprocess.run(command, cwd=source, text=True, capture_output=True)
+    assert refused.returncode == 2
+    assert "19:10: output.fixed.digits: got 7; expected 6, 9 or 17" in refused.stderr
+
+
+@pytest.fixture(scope="module")
+def spherical(built):
+    return built("chart") / "build/spherical"
+
+
+def test_a_chart_of_your_own_is_converted_and_its_bad_row_is_found(spherical, root):
+    def converted(text, *charts):
+        return subprocess.run([spherical, *charts], input=text, text=True, capture_output=True)
+
+    given = (root / "examples/extending/chart/states.csv").read_text()
+    there = converted(given, "spherical", "serret")
+    assert there.returncode == 2
+    assert there.stderr.startswith("stdin:3: andoyer_state: H = ")
+    back = converted(there.stdout, "serret", "spherical")
+    assert back.returncode == 0, back.stderr
+    first, last = given.splitlines(), back.stdout.splitlines()
+    assert last[0] == first[0] and len(last) == 2
+    assert [float(x) for x in last[1].split(",")] == pytest.approx(
+        [float(x) for x in first[1].split(",")], abs=budgets.cli_carried)
+
+
+def test_columns_of_that_chart_are_those_of_its_page(spherical, root):
+    page = (root / "docs/extending/chart.md").read_text()
+    assert f"```\n{sh(spherical)}```" in page
+
+
 def test_pages_show_the_files_of_their_examples(root):
-    for page in sorted((root / "docs/extending").glob("*.md")):
-        blocks = re.findall(r"<!-- file: (.*?) -->\n(?:<!-- .*? -->\n)?```\w*\n(.*?)```",
-                            page.read_text(), re.DOTALL)
-        folder = root / "examples/extending" / page.stem
-        shown = {name for name, _ in blocks}
-        assert shown == {path.name for path in folder.iterdir()}
-        for name, text in blocks:
-            lines = (folder / name).read_text().splitlines(keepends=True)
-            assert text == "".join(line for line in lines if "SPDX" not in line), name
+    pages = {path.stem: path.read_text() for path in (root / "docs/extending").glob("*.md")}
+    assert set(pages) == {path.name for path in (root / "examples/extending").iterdir()}
+    for name, page in pages.items():
+        for path in (root / "examples/extending" / name).iterdir():
+            lines = path.read_text().splitlines(keepends=True)
+            text = "".join(line for line in lines if "SPDX" not in line)
+            assert text.strip() in page, f"{path} is not what docs/extending/{name}.md shows"

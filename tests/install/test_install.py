@@ -2,7 +2,6 @@
 """An installed polhode is found by find_package, links, runs, and says its headers' version."""
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -10,7 +9,6 @@ import budgets
 import pytest
 
 CONSUMER = Path(__file__).resolve().parent / "consumer"
-EXTENDING = Path(__file__).resolve().parents[2] / "examples/extending"
 
 
 def sh(*arguments, cwd=None):
@@ -39,35 +37,6 @@ def consumer(prefix, tmp_path_factory):
 def version(root):
     text = (root / "include/polhode/version.hpp").read_text()
     return ".".join(re.findall(r"#define POLHODE_VERSION_\w+ (\d+)", text))
-
-
-def built_example(name, prefix, folder):
-    """The program of examples/extending/NAME, from a directory that holds nothing but its files."""
-    source = folder / "source"
-    shutil.copytree(EXTENDING / name, source)
-    sh("cmake", "-S", source, "-B", folder / "build", "-G", "Ninja",
-       f"-DCMAKE_PREFIX_PATH={prefix}")
-    sh("cmake", "--build", folder / "build")
-    return folder / "build", source
-
-
-def test_an_output_format_of_ones_own(prefix, root, tmp_path):
-    build, source = built_example("output-format", prefix, tmp_path)
-    command = [build / "fixed-width", "scenario.toml", "rows.txt"]
-    assert sh(*command, cwd=source) == "3 rows in rows.txt\n"
-    written = (source / "rows.txt").read_text()
-    assert "! | [output.fixed]\n" in written
-    shown = "".join(line for line in written.splitlines(keepends=True) if line[0] != "!")
-    page = (root / "docs/extending/output-format.md").read_text()
-    for block in (shown, *((source / name).read_text() for name in ("main.cpp", "scenario.toml"))):
-        assert block in page
-    assert sh(*command, cwd=source) == "3 rows in rows.txt\n"  # complete: nothing to do
-    assert (source / "rows.txt").read_text() == written
-    text = (source / "scenario.toml").read_text().replace("digits = 6", "digits = 7")
-    (source / "scenario.toml").write_text(text)
-    refused = subprocess.run(command, cwd=source, text=True, capture_output=True)
-    assert refused.returncode == 2
-    assert "19:10: output.fixed.digits: got 7; expected 6, 9 or 17" in refused.stderr
 
 
 def test_core_consumer_runs(consumer, root):
