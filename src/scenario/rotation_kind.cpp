@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -270,14 +272,18 @@ class RotationBuilder {
   }
 
   void add_made(Rotation& rotation, MadeTerms made, const std::string& path) const {
-    if (made.damper && rotation.damper)
-      refuse(at_.values, path + ".kind", at_.name,
-             "expected at most one perturbation of this kind");
-    if (made.damper) {
-      rotation.damper = made.damper->damper;
-      rotation.damper_rate = made.damper->rate;
+    if (auto* const one = std::get_if<AnyPerturbation>(&made)) {
+      rotation.terms.push_back(std::move(*one));
+    } else if (auto* const several = std::get_if<std::vector<AnyPerturbation>>(&made)) {
+      for (AnyPerturbation& term : *several) rotation.terms.push_back(std::move(term));
+    } else {
+      if (rotation.damper)
+        refuse(at_.values, path + ".kind", at_.name,
+               "expected at most one perturbation of this kind");
+      const auto& damper = std::get<DamperAtStart>(made);
+      rotation.damper = damper.damper;
+      rotation.damper_rate = damper.rate;
     }
-    for (AnyPerturbation& term : made.terms) rotation.terms.push_back(std::move(term));
   }
 
   void add_terms(MadeRotation& made) {

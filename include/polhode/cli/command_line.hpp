@@ -9,8 +9,8 @@
 // Units       none.
 // Domain      the arguments of `polhode`; `polhode --help` lists them.
 // Accuracy    none.
-// Errors      none are thrown: a message on standard error, and exit status 2 for bad input, 1 for a
-//             run that failed, 128 + signal for one that was stopped.
+// Errors      none are thrown: a message on standard error, and exit status 2 for bad input, 1 for
+//             a run that failed, 128 + signal for one that was stopped.
 // Cost        that of the command.
 #pragma once
 

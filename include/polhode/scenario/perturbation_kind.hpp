@@ -15,10 +15,9 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string_view>
-#include <utility>
+#include <variant>
 #include <vector>
 
 #include "polhode/perturb/any_perturbation.hpp"
@@ -67,19 +66,13 @@ class TermContext : public KeyValues {
   TermUses& uses_;
 };
 
-// What a table stands for: terms, or a damper, which is no term since it has a state of its own.
+// What a table stands for: a term, several, or a damper, which is no term since it has a state of
+// its own.
 struct DamperAtStart {
   KaneDamper damper;
   Vec3 rate;  // relative to the body, principal axes
 };
-struct MadeTerms {
-  std::vector<AnyPerturbation> terms = {};
-  std::optional<DamperAtStart> damper = std::nullopt;
-
-  MadeTerms(AnyPerturbation term) { terms.push_back(std::move(term)); }
-  MadeTerms(std::vector<AnyPerturbation> all) : terms(std::move(all)) {}
-  MadeTerms(DamperAtStart one) : damper(std::move(one)) {}
-};
+using MadeTerms = std::variant<AnyPerturbation, std::vector<AnyPerturbation>, DamperAtStart>;
 
 // Texts are constant data: they outlive every kind.
 struct PerturbationKind {
@@ -97,11 +90,11 @@ template <class A>
 PerturbationKind perturbation_kind(std::string_view name, std::string_view help,
                                    std::span<const KindKey<A>> keys,
                                    MadeTerms (*made)(const A&, const TermContext&),
-                                   std::vector<Citation> citations = {}) {
+                                   const std::vector<Citation>& citations = {}) {
   return {.name = name,
           .help = help,
           .keys = keys_of(keys),
-          .citations = std::move(citations),
+          .citations = citations,
           .made = [keys, made](const TermContext& at) { return made(arguments(keys, at), at); }};
 }
 

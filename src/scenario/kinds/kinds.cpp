@@ -79,7 +79,8 @@ struct Kinds::Parts {
 Kinds::Kinds(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
 Kinds default_kinds() {
-  static const auto ours = std::make_shared<const Kinds::Parts>(our_perturbations(), default_output_formats());
+  static const auto ours =
+      std::make_shared<const Kinds::Parts>(our_perturbations(), default_output_formats());
   return Kinds(ours);
 }
 

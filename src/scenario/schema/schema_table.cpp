@@ -179,8 +179,7 @@ detail::SchemaPart detail::body_keys() { return {keys_of_body, of_body}; }
 detail::SchemaPart detail::time_keys() { return {keys_of_time, of_time}; }
 
 detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds,
-                                 const DescribedParts& described,
-                                 const OutputFormats& formats) {
+                                 const DescribedParts& described, const OutputFormats& formats) {
   std::string& all = words_.emplace_back();
   for (const ExperimentKind& kind : kinds) join(all, kind.name);
   add({head_keys, {}}, {});

@@ -231,8 +231,7 @@ TEST_F(OutputFormatTest, ARunThatLacksWhatItNeedsIsRefused) {
     format.needs = needs;
     format.columns = [](const SinkRequest&) { return std::vector<std::string>{"omega"}; };
     const Kinds kinds = default_kinds().with(std::move(format));
-    return message_of(
-        [&] { run(scenario_from_text(head + more, "f.toml", kinds), {path(name)}); });
+    return message_of([&] { run(scenario_from_text(head + more, "f.toml", kinds), {path(name)}); });
   };
   const std::string epoch = "state.epoch = \"2029-04-13T21:46:00 ";
   EXPECT_EQ(refused({.dates = true}, ""),
