@@ -70,13 +70,15 @@ ColumnLocation location_of(std::string_view name, std::span<const ChartKind> cha
 
 std::vector<std::string_view> column_group_names(std::span<const ChartKind> charts) {
   std::vector<std::string_view> names;
-  for (const GroupSpec& group : table_of(charts)->groups()) names.push_back(group.name);
+  const std::shared_ptr<const ColumnTable> table = table_of(charts);
+  for (const GroupSpec& group : table->groups()) names.push_back(group.name);
   return names;
 }
 
 std::vector<std::string_view> column_names(std::span<const ChartKind> charts) {
   std::vector<std::string_view> names;
-  for (const GroupSpec& group : table_of(charts)->groups())
+  const std::shared_ptr<const ColumnTable> table = table_of(charts);
+  for (const GroupSpec& group : table->groups())
     for (const ColumnSpec& column : group.columns)
       if (std::find(names.begin(), names.end(), column.name) == names.end())
         names.push_back(column.name);
