@@ -48,7 +48,7 @@ class TermContext : public KeyValues {
 
   const Body& body() const;
   // The body axes of the file are those of its tensor; terms want principal ones. Components along
-  // these, and a matrix along these (even where it should be).
+  // these, and a symmetric matrix along these.
   Vec3 principal(const Vec3& x_F) const;
   Mat3 principal(const Mat3& m_F) const;
   bool has_principal_axes() const;  // whether the two are the same
@@ -95,7 +95,8 @@ PerturbationKind perturbation_kind(std::string_view name, std::string_view help,
           .help = help,
           .keys = keys_of(keys),
           .citations = citations,
-          .made = [keys, made](const TermContext& at) { return made(arguments(keys, at), at); }};
+          .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
+                   made](const TermContext& at) { return made(arguments<A>(all, at), at); }};
 }
 
 }  // namespace v0
