@@ -21,7 +21,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::SizeIs;
 
 enum class Sense { forward, backward };
 
@@ -153,7 +152,21 @@ to = 2
 count = 2
 )";
   const ScenarioMap cells(scenario_from_text(file + map, "f.toml", kinds));
-  EXPECT_THAT(cells.plan().axes, SizeIs(1));
+  ASSERT_EQ(cells.size(), 2);
+  const auto one = [&](const std::string& radius) {
+    const std::string text = file + map;
+    const std::size_t at = text.find("from = 1");
+    return ScenarioMap(
+               scenario_from_text(text.substr(0, at) + "from = " + radius + text.substr(at + 8),
+                                  "f.toml", kinds))
+        .cell(0);
+  };
+  for (const int cell : {0, 1}) {
+    const MapCell found = cells.cell(cell);
+    EXPECT_EQ(found.failure, "");
+    EXPECT_EQ(found.numbers, one(cell == 0 ? "1" : "2").numbers) << cell;
+  }
+  EXPECT_NE(cells.cell(0).numbers, cells.cell(1).numbers);
 }
 
 TEST(Kinds, ANameIsPlainAndNotTaken) {
