@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "polhode/cli/command_line.hpp"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -16,7 +18,8 @@
 #include "polhode/version.hpp"
 #include "stop_signals.hpp"
 
-namespace polhode::cli {
+namespace polhode {
+namespace cli {
 namespace {
 
 constexpr int bad_input = 2;
@@ -84,21 +87,26 @@ void print(std::string_view text) {
     throw OutputError(std::string("<stdout>: cannot be written: ") + std::strerror(errno));
 }
 
-int command_line(int argc, const char* const* argv) {
+}  // namespace cli
+
+inline namespace v0 {
+
+int command_line(int argc, const char* const* argv, const Kinds& kinds) {
+  using namespace cli;
   let_large_writes_fail();
   CLI::App app("Exact rotation of rigid bodies, in every variable set.", "polhode");
   app.set_version_flag("--version", "polhode " + std::string(version()));
   app.require_subcommand(1);
   app.footer(
       "\nExample:\n  polhode init tumbler > body.toml && polhode run body.toml --out body.csv");
-  add_run(app);
-  add_map(app);
-  add_info(app);
+  add_run(app, kinds);
+  add_map(app, kinds);
+  add_info(app, kinds);
   add_convert(app);
-  add_init(app);
-  add_cite(app);
+  add_init(app, kinds);
+  add_cite(app, kinds);
   add_golden(app);
-  add_schema(app);
+  add_schema(app, kinds);
   add_shape(app);
   try {
     app.parse(argc, argv);
@@ -116,4 +124,5 @@ int command_line(int argc, const char* const* argv) {
   }
 }
 
-}  // namespace polhode::cli
+}  // namespace v0
+}  // namespace polhode

@@ -7,16 +7,19 @@
 #include <string>
 #include <string_view>
 
+#include "polhode/scenario/kinds.hpp"
+
 namespace polhode::cli {
 
-void add_run(CLI::App& app);
-void add_info(CLI::App& app);
+// Those that read scenarios know the kinds of things that these may hold.
+void add_run(CLI::App& app, const Kinds& kinds);
+void add_info(CLI::App& app, const Kinds& kinds);
 void add_convert(CLI::App& app);
-void add_init(CLI::App& app);
-void add_cite(CLI::App& app);
+void add_init(CLI::App& app, const Kinds& kinds);
+void add_cite(CLI::App& app, const Kinds& kinds);
 void add_golden(CLI::App& app);
-void add_map(CLI::App& app);
-void add_schema(CLI::App& app);
+void add_map(CLI::App& app, const Kinds& kinds);
+void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
 
 // Writes to standard output; OutputError when it cannot.
@@ -27,9 +30,5 @@ struct Interrupted : std::runtime_error {
   Interrupted(int by, const std::string& what) : std::runtime_error(what), signal(by) {}
   int signal;
 };
-
-// The whole program: exit status 0, 2 for bad input, 1 for a run that failed, 128 + signal for one
-// that was stopped. Never throws.
-int command_line(int argc, const char* const* argv);
 
 }  // namespace polhode::cli

@@ -98,6 +98,17 @@ void convert_file(const ConvertOptions& options) {
       conversion, in.name(), [&](std::span<char> buffer) { return in.read(buffer); }, write);
 }
 
+// "serret: g0,h,t0,G,H,T (sign_g1,sign_g3); --moments"
+std::string chart_line(const ChartKind& chart) {
+  std::string numbers, branch;
+  for (const ChartVariable& variable : chart.variables)
+    numbers += (numbers.empty() ? "" : ",") + std::string(variable.name);
+  for (const std::string_view name : branch_columns(chart))
+    branch += (branch.empty() ? "" : ",") + std::string(name);
+  return std::string(chart.name) + ": " + numbers + (branch.empty() ? "" : " (" + branch + ")") +
+         (chart.needs_body ? "; --moments" : "");
+}
+
 }  // namespace
 
 void add_convert(CLI::App& app) {
@@ -105,10 +116,7 @@ void add_convert(CLI::App& app) {
       "convert", "Convert a CSV table of states to another chart, row by row (angles in radians)");
   const auto options = std::make_shared<ConvertOptions>();
   std::string charts = "Charts and the columns they need:\n";
-  for (const TableChart& chart : table_charts())
-    charts += "  " + std::string(chart.name) + ": " + std::string(chart.columns) +
-              (chart.options.empty() ? "" : " (" + std::string(chart.options) + ")") +
-              (chart.needs_body ? "; --moments" : "") + "\n";
+  for (const ChartKind& chart : default_charts()) charts += "  " + chart_line(chart) + "\n";
   charts += "\nA CCSDS Attitude Ephemeris Message becomes a table by --from aem --to csv.\n";
   command->add_option("--from", options->from, "Chart of the input, or aem")->required();
   command->add_option("--to", options->to, "Chart of the output; csv of aem")->required();

@@ -7,7 +7,7 @@
 
 namespace polhode::cli {
 
-void add_info(CLI::App& app) {
+void add_info(CLI::App& app, const Kinds& kinds) {
   struct Options {
     std::string scenario;
     bool json = false;
@@ -18,8 +18,8 @@ void add_info(CLI::App& app) {
       ->required();
   command->add_flag("--json", options->json, "For programs: every digit");
   command->footer("Example:\n  polhode info examples/toutatis.toml");
-  command->callback([options] {
-    const Scenario scenario = read_scenario(options->scenario);
+  command->callback([options, kinds] {
+    const Scenario scenario = read_scenario(options->scenario, kinds);
     const auto lines = summary(scenario, free_rotation(scenario));
     print(options->json ? summary_json(lines) : summary_table(lines));
   });

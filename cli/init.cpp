@@ -8,20 +8,20 @@
 
 namespace polhode::cli {
 
-void add_init(CLI::App& app) {
+void add_init(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("init", "Print a commented scenario to start from");
   const auto chart = std::make_shared<std::string>("attitude-rate");
   std::string names;
-  for (const std::string_view name : scenario_templates())
+  for (const std::string_view name : scenario_templates(kinds.schema()))
     names += (names.empty() ? "" : ", ") + std::string(name);
   command
       ->add_option("CHART", *chart,
                    "How the state of a free body is given, or what perturbs it: " + names)
       ->capture_default_str();
   command->footer("Example:\n  polhode init gravity-gradient > body.toml");
-  command->callback([chart] {
+  command->callback([chart, kinds] {
     try {
-      print(scenario_template(*chart));
+      print(scenario_template(*chart, kinds.schema()));
     } catch (const DomainError& error) {
       throw DomainError(std::string("polhode init: ") + error.what());
     }

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "commands.hpp"
+#include "polhode/cli/command_line.hpp"
 
-int main(int argc, char** argv) { return polhode::cli::command_line(argc, argv); }
+int main(int argc, char** argv) { return polhode::command_line(argc, argv); }

@@ -67,8 +67,8 @@ std::vector<std::string> command_of(const MapOfFile& options) {
   return words;
 }
 
-void make_map(const MapOfFile& options) {
-  const ScenarioMap map(read_scenario(options.scenario));
+void make_map(const MapOfFile& options, const Kinds& kinds) {
+  const ScenarioMap map(read_scenario(options.scenario, kinds));
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   require_different("map", out);
@@ -102,7 +102,7 @@ void make_map(const MapOfFile& options) {
 
 }  // namespace
 
-void add_map(CLI::App& app) {
+void add_map(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
@@ -111,8 +111,9 @@ void add_map(CLI::App& app) {
       ->required();
   command
       ->add_option("--out,-o", options->out,
-                   "PATH.csv or PATH.h5, any number of them; - is CSV to standard output, also the "
-                   "default")
+                   paths_in_words(kinds.formats(),
+                                  [](const OutputFormat& format) { return !format.needs.dates; }) +
+                       ", any number of them; - is CSV to standard output, also the default")
       ->type_name("PATH");
   command
       ->add_option("--threads", options->threads,
@@ -131,7 +132,7 @@ void add_map(CLI::App& app) {
   command->footer(
       "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"
       "\nExample:\n  polhode map examples/hyperion-map.toml --out hyperion.csv --threads 2");
-  command->callback([options] { make_map(*options); });
+  command->callback([options, kinds] { make_map(*options, kinds); });
 }
 
 }  // namespace polhode::cli

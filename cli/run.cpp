@@ -99,8 +99,16 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   }
 }
 
-void run_scenario(const CommandOptions& options) {
-  const Scenario scenario = read_scenario(options.scenario);
+// "PATH.csv, PATH.h5"
+std::string output_paths(const OutputFormats& formats) {
+  std::string paths;
+  for (const OutputFormat& format : formats.all())
+    paths += (paths.empty() ? "PATH" : ", PATH") + format.extension;
+  return paths;
+}
+
+void run_scenario(const CommandOptions& options, const Kinds& kinds) {
+  const Scenario scenario = read_scenario(options.scenario, kinds);
   if (!row_times(scenario))
     throw DomainError(
         options.scenario +
@@ -135,12 +143,13 @@ void run_scenario(const CommandOptions& options) {
       lines.push_back(std::move(line));
   print(summary_table(lines));
   if (table_only)
-    print("(no rows written: --out PATH.csv, PATH.h5, PATH.aem, or - for standard output)\n");
+    print("(no rows written: --out " + output_paths(scenario.output.formats) +
+          ", or - for standard output)\n");
 }
 
 }  // namespace
 
-void add_run(CLI::App& app) {
+void add_run(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
   const auto options = std::make_shared<CommandOptions>();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
@@ -148,8 +157,9 @@ void add_run(CLI::App& app) {
   command
       ->add_option(
           "--out,-o", options->out,
-          "PATH.csv, PATH.h5 or PATH.aem, any number of them; - is CSV to standard output, "
-          "also the default unless that is a terminal")
+          paths_in_words(kinds.formats()) +
+              ", any number of them; - is CSV to standard output, also the default unless that is "
+              "a terminal")
       ->type_name("PATH");
   command
       ->add_option("--events", options->events,
@@ -168,7 +178,7 @@ void add_run(CLI::App& app) {
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"
       "\nExample:\n  polhode run examples/apophis.toml --out apophis.csv --out apophis.h5");
-  command->callback([options] { run_scenario(*options); });
+  command->callback([options, kinds] { run_scenario(*options, kinds); });
 }
 
 }  // namespace polhode::cli

@@ -9,7 +9,7 @@
 
 namespace polhode::cli {
 
-void add_schema(CLI::App& app) {
+void add_schema(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of scenario files");
   const auto part = std::make_shared<std::string>("json");
   command->add_option("PART", *part, "json, or the keys or units of docs/reference/scenario.md")
@@ -17,8 +17,8 @@ void add_schema(CLI::App& app) {
       ->capture_default_str();
   command->footer("Example:\n  polhode schema > scenario.schema.json");
   command->group("");
-  command->callback([part] {
-    const Schema& schema = scenario_schema();
+  command->callback([part, kinds] {
+    const Schema& schema = kinds.schema();
     print(*part == "json"   ? json_schema(schema)
           : *part == "keys" ? markdown_reference(schema)
                             : markdown_units());

@@ -654,6 +654,10 @@ inline constexpr double kane_limit = 2e-3;
 // Momentum, energy and the wheel's angle over 200; states against long double and a closed form.
 inline constexpr double gyrostat_invariants = 1e-12;
 inline constexpr double gyrostat_motion = 1e-12;
+// Two numbers (tests/unit/dynamics/small_models.cpp): 50 radians, and roots; what a step may be
+// longer than its limit.
+inline constexpr double small_model_motion = 2e-13;
+inline constexpr double length_of_last_step = 1e-9;
 
 // --- runs with a Kane damper (tests/unit/dynamics/kane_damper.cpp) ---
 // Radians, relative momentum and relative rate of the sphere, at tolerance 1e-14, against two

@@ -25,6 +25,7 @@
 #include "polhode/elliptic/half_turns.hpp"
 #include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/jacobi.hpp"
+#include "polhode/elliptic/jacobi_values.hpp"
 #include "polhode/elliptic/jacobi_zeta.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"

@@ -11,8 +11,7 @@ from typing import Any
 from polhode import _core
 from polhode._building_terms import tables_of
 
-_CHARTS = {"EulerState": "euler", "AndoyerState": "andoyer", "SerretState": "serret"}
-_TO_HUB = ("EulerRates", "SadovState", "TumblerState")  # what needs the body
+_TO_HUB = ("EulerRates",)  # what needs the body
 
 
 def data_of(
@@ -88,28 +87,24 @@ class _Writer:
         kind = type(state).__name__
         if getattr(state, "shape", None) != () or not hasattr(_core, kind):
             raise TypeError(f"build: state: got {state!r}; expected one state of any chart")
-        if kind in _CHARTS:
-            return {_CHARTS[kind]: self._fields(state, kind)}
-        if kind == "SadovState":
-            short = state.region == _core.SadovRegion.short_axis
-            return {"sadov": {**self._fields(state, kind), "region": "SAM" if short else "LAM"}}
         if kind == "TumblerState":
             return {"tumbler": self._tumbler(state, axes)}
+        for name, kept_by, fields, numbers, options in _core._state_charts():
+            if kept_by == kind and all(getattr(state, f).name == w for f, w in fields.items()):
+                return {name: self._chart(state, numbers, options)}
         hub = state if kind == "RotorState" else _to_hub(state, body, kind)
         return {
             "attitude-rate": {"quaternion": hub.q.tolist(), "momentum_body": hub.g.tolist()}
         }
 
-    def _fields(self, state: Any, kind: str) -> dict[str, Any]:
-        names = {
-            "EulerState": "phi theta psi Phi Theta Psi",
-            "AndoyerState": "l g h L G H",
-            "SerretState": "g0 h t0 G H T sign_g1 sign_g3",
-            "SadovState": "phi_l phi_g phi_h I_l I_g I_h lobe",
-        }
-        angles = {"phi", "theta", "psi", "l", "g", "h", "g0", "phi_l", "phi_g", "phi_h"}
-        fields = {name: getattr(state, name) for name in names[kind].split()}
-        return {name: self.angle(x) if name in angles else x for name, x in fields.items()}
+    def _chart(self, state: Any, numbers: Any, options: Any) -> dict[str, Any]:
+        data = {}
+        for name, is_angle in numbers:
+            data[name] = self.angle(getattr(state, name)) if is_angle else getattr(state, name)
+        for name, words in options:
+            value = getattr(state, name)
+            data[name] = words[value.value] if hasattr(value, "value") else value
+        return data
 
     def _tumbler(self, state: Any, axes: str) -> dict[str, Any]:
         x, y, z = state.pole.tolist()

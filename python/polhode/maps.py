@@ -6,8 +6,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from polhode import _rows
-
 if TYPE_CHECKING:
     import numpy
     import numpy.typing
@@ -120,10 +118,7 @@ def run_map(
     import numpy
 
     done = scenario._file.map(list(paths), threads or 0, resume, restart, progress)
-    table = done.table
-    if done.rows_before:
-        table = _rows.stacked(_rows.rows_in(paths, done.rows_before, done.groups), table)
     groups = numpy.array(done.cells_and_rows, dtype=numpy.int64).reshape(-1, 2)
     rows = numpy.repeat(groups[:, 1], groups[:, 0])  # of each cell
     cells = numpy.repeat(numpy.arange(len(rows), dtype=numpy.int64), rows)
-    return MapResults(scenario, done.columns, done.axes, table, cells, done.failures)
+    return MapResults(scenario, done.columns, done.axes, done.table, cells, done.failures)

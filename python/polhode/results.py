@@ -159,7 +159,7 @@ class Results(Mapping[str, "Array"]):
         return _tables.to_xarray(dict(self), self._notes(), self._units)
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes PATH.csv or PATH.h5: the file that the run would have written, byte for byte.
+        """Writes PATH.csv, PATH.h5, ...: the file that the run would have written, byte for byte.
 
         A file of that name is replaced when the new one is complete (until then it is PATH.part);
         Scenario.save, which may meet a file written by hand, refuses to.

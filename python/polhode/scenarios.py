@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
-from polhode import _building, _core, _rows, _toml
+from polhode import _building, _core, _toml
 from polhode._summary import Summary
 from polhode.maps import MapResults, run_map
 from polhode.results import Results
@@ -189,9 +189,9 @@ class Scenario:
 
         Parameters
         ----------
-        outputs : PATH.csv, .h5, .aem, one or several: the files that `polhode run` writes, byte for
-            byte. A file is written as PATH.part, and renamed when it is complete: it replaces one
-            of that name (save refuses to).
+        outputs : paths, one or several, whose extensions say the format (.csv, .h5, ...): the files
+            that `polhode run` writes, byte for byte. A file is written as PATH.part, and renamed
+            when it is complete: it replaces one of that name (save refuses to).
         events : PATH.csv for the events of the scenario; replaces one of that name.
         keep : False: no rows in memory, for runs that only a file can hold.
         resume : continues a run that was stopped or killed, from its PATH.checkpoint: its files
@@ -217,16 +217,9 @@ class Scenario:
             raise TypeError(f"run: outputs: got {outputs!r}; expected a path or several")
         paths = [outputs] if one else list(outputs)
         _require_files(paths if events is None else [*paths, events])
-        if resume and keep and paths:
-            _rows.require_readable(paths)
         done = self._file.run(paths, events, keep, resume, restart, progress)
-        table = done.table
-        if keep and done.rows_before:
-            groups = [group for group, columns in self._file.groups if columns]
-            before = _rows.rows_in(paths, done.rows_before, groups)
-            table = _rows.stacked(before, table)
         results = Results(
-            self, table, done.outcome, done.statistics, done.events, done.energy_change, keep
+            self, done.table, done.outcome, done.statistics, done.events, done.energy_change, keep
         )
         if not done.outcome.ok:
             warnings.warn(_failure(self, done, paths), RuntimeWarning, stacklevel=2)
@@ -418,7 +411,7 @@ def _require_files(paths: Sequence[Path], function: str = "run") -> None:
     for path in paths:
         name = os.fsdecode(path)
         if name == "-":
-            raise ValueError(f"{function}: got \"-\"; expected files, PATH.csv or PATH.h5")
+            raise ValueError(f"{function}: got \"-\"; expected files, {_core._readable_paths()}")
         if name in seen:
             raise ValueError(f"{function}: {name} is named twice")
         seen.add(name)

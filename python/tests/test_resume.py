@@ -2,12 +2,12 @@
 """Runs of scenarios that were stopped go on."""
 
 import signal
-import threading
 
 import h5py
 import numpy as np
 import polhode
 import pytest
+from interrupts import grows, seconds_from_signal
 from polhode import Scenario
 
 TEXT = """schema = 1
@@ -37,19 +37,12 @@ def scenario(stop):
     return Scenario.from_text(TEXT.replace("STOP", str(stop)))
 
 
-def stop_soon(call):
-    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        call()
-    timer.join()
-
-
 @pytest.mark.parametrize("extension", ["csv", "h5"])
 def test_ctrl_c_leaves_a_run_to_continue(tmp_path, extension):
     path = tmp_path / f"a.{extension}"
     s = scenario(1e7)
-    stop_soon(lambda: s.run(path, events=tmp_path / "e.csv", keep=False))
+    part = tmp_path / f"a.{extension}.part"
+    seconds_from_signal(lambda: s.run(path, events=tmp_path / "e.csv", keep=False), grows(part))
     assert (tmp_path / f"a.{extension}.checkpoint").exists()
     with pytest.raises(ValueError, match="unfinished run .* resume=True continues it, restart"):
         s.run(path, events=tmp_path / "e.csv")
@@ -57,16 +50,16 @@ def test_ctrl_c_leaves_a_run_to_continue(tmp_path, extension):
         s.run(path, resume=True)
     with pytest.raises(ValueError, match="expected one of them"):
         s.run(path, resume=True, restart=True)
-    stop_soon(lambda: s.run(path, events=tmp_path / "e.csv", keep=False, resume=True))
+    seconds_from_signal(
+        lambda: s.run(path, events=tmp_path / "e.csv", keep=False, resume=True), grows(part))
     # the rows of both parts are those of a shorter straight run
     with pytest.raises(ValueError, match="scenario was"):
         scenario(1e6).run(path, events=tmp_path / "e.csv", resume=True)
-    name = path.with_name(path.name + ".part")
     if extension == "h5":
-        with h5py.File(name) as file:
+        with h5py.File(part) as file:
             rows = np.column_stack([file["t"], file["q"], file["omega"]])
     else:
-        with name.open() as file:
+        with part.open() as file:
             lines = [line for line in file if not line.startswith("#")][1:]
         rows = np.array([[float(x) for x in line.split(",")] for line in lines])
     assert len(rows) > 1024

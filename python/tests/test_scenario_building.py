@@ -49,16 +49,18 @@ CHARTS = {
     "andoyer": polhode.to_andoyer,
     "serret": lambda s: polhode.to_serret(FreeRotation(BODY, s), 0.0),
     "sadov": lambda s: polhode.to_sadov(FreeRotation(BODY, s), 0.0),
+    "poincare-0-0": lambda s: polhode.to_poincare(s, "zero", "zero"),
+    "poincare-0-pi": lambda s: polhode.to_poincare(s, "zero", "pi"),
+    "poincare-pi-0": lambda s: polhode.to_poincare(s, "pi", "zero"),
+    "poincare-pi-pi": lambda s: polhode.to_poincare(s, "pi", "pi"),
 }
 TO_HUB = {
     "rotor": lambda s: s,
-    "poincare": polhode.nearest_poincare,
     "euler_rates": lambda s: polhode.to_euler_rates(BODY, s),
     "free_rotation": lambda s: FreeRotation(BODY, s),
 }
 HUB = {
     "rotor": lambda x: x,
-    "poincare": polhode.to_rotor,
     "euler_rates": lambda x: polhode.to_rotor(BODY, x),
     "free_rotation": lambda x: x.initial_state,
 }
@@ -71,6 +73,14 @@ def test_a_chart_of_files_keeps_its_bits(chart, units):
         state = CHARTS[chart](s)
         made = Scenario.build(BODY, state, units=units)
         assert made.chart == chart and made.state == state
+
+
+@pytest.mark.parametrize("units", UNITS, ids=["core", "deg", "arcsec"])
+def test_a_poincare_state_starts_where_it_is(units):
+    for s in STATES:
+        state = polhode.nearest_poincare(s)
+        made = Scenario.build(BODY, state, units=units)
+        assert made.state == state and made.initial_state == polhode.to_rotor(state)
 
 
 @pytest.mark.parametrize("kind", TO_HUB)

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 import polhode
 import pytest
-from interrupts import LATEST, seconds_from_signal
+from interrupts import LATEST, grows, seconds_from_signal
 from polhode import OutputError, Scenario, ScenarioError, Units, load
 from scenario_texts import (
     BODY,
@@ -230,7 +230,8 @@ def test_a_run_that_fails_keeps_its_rows(tmp_path):
 def test_ctrl_c_stops_a_run_and_leaves_what_it_wrote(text, tmp_path):
     s = Scenario.from_text(text)
     paths = [tmp_path / "a.csv", tmp_path / "a.h5"]
-    assert seconds_from_signal(lambda: s.run(paths, keep=False)) < LATEST
+    begun = grows(tmp_path / "a.csv.part")
+    assert seconds_from_signal(lambda: s.run(paths, keep=False), begun) < LATEST
     assert set(os.listdir(tmp_path)) - {"a.h5.part-undo"} == {
         "a.csv.checkpoint", "a.csv.part", "a.h5.checkpoint", "a.h5.part"}
     rows = sum(line[0] not in "#t" for line in (tmp_path / "a.csv.part").open())

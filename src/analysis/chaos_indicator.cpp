@@ -85,7 +85,7 @@ double ChaosIndicator::lyapunov_time() const { return 1.0 / lyapunov(); }
 
 ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
                                const ChaosOptions& given_options, const Progress& progress) {
-  Problem problem = detail::checked_problem(function_name, given);
+  Problem problem = detail::checked_problem(function_name, given, detail::DamperState::refused);
   require_tolerance(problem.method);
   const ChaosOptions options = checked(problem, given_options);
   ChaosIndicator result;

@@ -18,7 +18,7 @@ constexpr double largest_arc = 0x1p20;  // radians a step: as for the motion its
 constexpr double stretch = 1e-9;        // the last step to a sample may be longer by this
 
 // Where a run is: the motion, its deviation of length one (or a neighbour), and what has grown.
-struct Place {
+struct RunState {
   SplittingState motion;
   Deviation deviation;
   std::optional<SplittingState> neighbour = {};  // where the deviation is that to it
@@ -53,7 +53,7 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
     if (map_.rate(grid_.motion) * std::abs(h) > largest_arc)
       return "a step is more than 1e6 radians of rotation at t = " +
              number_text(grid_.motion.t.hi) + ": take a step of less than a turn";
-    Place next = stepped(grid_, h);
+    RunState next = stepped(grid_, h);
     const RotorState s = map_.state(next.motion);
     if (!is_finite(s.g) || !std::isfinite(s.q.w + s.q.x + s.q.y + s.q.z) ||
         !std::isfinite(next.growth))
@@ -77,23 +77,23 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
   std::shared_ptr<const BasicDenseStep<DeviatedState>> dense(bool) override { return nullptr; }
   Statistics statistics() const override { return {steps_, 0, now_.motion.evaluations}; }
   void transfer(StateBytes& bytes) override {
-    for (Place* place : {&grid_, &now_}) {
-      detail::transfer(bytes, place->motion);
-      bytes.all(place->deviation.turn, place->deviation.momentum, place->growth, place->integral,
-                place->megno_total);
-      if (place->neighbour) detail::transfer(bytes, *place->neighbour);
+    for (RunState* run : {&grid_, &now_}) {
+      detail::transfer(bytes, run->motion);
+      bytes.all(run->deviation.turn, run->deviation.momentum, run->growth, run->integral,
+                run->megno_total);
+      if (run->neighbour) detail::transfer(bytes, *run->neighbour);
     }
     jumps_.transfer(bytes);
     bytes(steps_);
   }
 
  private:
-  double elapsed(const Place& place) const {
-    return std::abs((place.motion.t.hi - start_) + place.motion.t.lo);
+  double elapsed(const RunState& run) const {
+    return std::abs((run.motion.t.hi - start_) + run.motion.t.lo);
   }
 
-  Place stepped(const Place& from, double h) const {
-    Place to = from;
+  RunState stepped(const RunState& from, double h) const {
+    RunState to = from;
     to.motion = map_.stepped(from.motion, h);
     if (by_ == DeviationBy::variational) {
       const Vec3 dg = scale_ * from.deviation.momentum;
@@ -117,22 +117,22 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
     return to;
   }
 
-  Place brought_back(Place place) const {
-    const double size = length(place.deviation);
+  RunState brought_back(RunState run) const {
+    const double size = length(run.deviation);
     const bool is_near = target_ < neighbour_reach * size && size < neighbour_reach * target_;
-    if (place.neighbour && is_near) return place;
-    place.deviation = scaled(place.deviation, target_ / size);
+    if (run.neighbour && is_near) return run;
+    run.deviation = scaled(run.deviation, target_ / size);
     if (by_ == DeviationBy::neighbour) {
-      place.neighbour = neighbour_of(place);
-      place.deviation = difference(place.motion, *place.neighbour);  // as it is after rounding
+      run.neighbour = neighbour_of(run);
+      run.deviation = difference(run.motion, *run.neighbour);  // as it is after rounding
     }
-    return place;
+    return run;
   }
-  SplittingState neighbour_of(const Place& place) const {
-    const RotorState s = moved_by({place.motion.q_IB, place.motion.g.hi}, place.deviation, scale_);
-    SplittingState other = place.motion;
+  SplittingState neighbour_of(const RunState& run) const {
+    const RotorState s = moved_by({run.motion.q_IB, run.motion.g.hi}, run.deviation, scale_);
+    SplittingState other = run.motion;
     other.q_IB = s.q;
-    other.g = {s.g, place.motion.g.lo};
+    other.g = {s.g, run.motion.g.lo};
     other.torque.reset();
     return other;
   }
@@ -147,8 +147,8 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
   double step_;
   double start_;
   StepJumps jumps_;  // after whole steps
-  Place grid_;       // after whole steps
-  Place now_;
+  RunState grid_;    // after whole steps
+  RunState now_;
   std::int64_t steps_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 #include "dynamics/finite.hpp"
 #include "math/number_text.hpp"
-#include "polhode/dynamics/detail/model_run.hpp"
+#include "polhode/dynamics/detail/run_forms.hpp"
 #include "polhode/error.hpp"
 #include "rotor/squared_moments.hpp"
 
@@ -17,16 +17,16 @@ namespace {
 
 // The damper's own state is integrated by Adaptive, and by nothing else.
 void require_place_of_damper(const std::string& function, const System& system, const Vec3& rate,
-                             const Method& method) {
-  const std::string given =
+                             const Method& method, DamperState carried) {
+  const std::string what =
       function + ": damper_rate " + tuple_text({rate.x, rate.y, rate.z}) + " must be ";
   if (!system.damper()) {
     if (rate == Vec3{}) return;
-    throw DomainError(given + "zero for a system without a damper");
+    throw DomainError(what + "zero for a system without a damper");
   }
-  if (!is_finite(rate)) throw DomainError(given + "finite");
+  if (!is_finite(rate)) throw DomainError(what + "finite");
   const char* const instead = "InternalDamping, its limit of strong friction, has no state";
-  if (function != "integrate")
+  if (carried == DamperState::refused)
     throw DomainError(function +
                       ": a Kane damper has a state of its own, which integrate alone "
                       "carries; " +
@@ -63,19 +63,19 @@ Vec3 rate_of_damper(const DampedRotorState& s) { return s.damper_rate; }
 
 template <MotionState S>
 BasicProblem<System, S> checked_problem(const std::string& function,
-                                        BasicProblem<System, S> problem) {
+                                        BasicProblem<System, S> problem, DamperState carried) {
   require_state(function, rotor_of(problem.initial));
   require_finite_span(function, problem.start, problem.stop);
   require_squared_moments(function, problem.system.body());
   require_valid(problem.method);
-  require_place_of_damper(function, problem.system, rate_of_damper(problem.initial),
-                          problem.method);
+  require_place_of_damper(function, problem.system, rate_of_damper(problem.initial), problem.method,
+                          carried);
   problem.initial = normal(problem.initial);
   return problem;
 }
 
-template Problem checked_problem(const std::string&, Problem);
-template DampedProblem checked_problem(const std::string&, DampedProblem);
+template Problem checked_problem(const std::string&, Problem, DamperState);
+template DampedProblem checked_problem(const std::string&, DampedProblem, DamperState);
 
 }  // namespace detail
 }  // namespace v0

@@ -28,8 +28,8 @@ Checkpoint::Checkpoint(std::string bytes) : bytes_(std::move(bytes)) {
   std::uint64_t hash = 0;
   reader.all(head, hash, t_);
   if (head != magic) throw DomainError("Checkpoint: bytes that are no checkpoint of this version");
-  const std::size_t length = 8 + head.size() + 8 + 8;
-  if (fingerprint(std::string_view(bytes_).substr(length)) != hash)
+  const std::size_t hashed = 8 + head.size() + 8;  // t and all that follows
+  if (fingerprint(std::string_view(bytes_).substr(hashed)) != hash)
     throw DomainError("Checkpoint: its bytes were damaged");
 }
 
@@ -66,22 +66,17 @@ std::string times_bytes(const SaveAt& times) {
 }
 
 Checkpoint made_checkpoint(const Features& features, double t, const std::string& state) {
-  StateBytes body;
-  std::uint64_t count = features.size();
-  body(count);
-  for (auto [name, value] : features) body.all(name, value);
-  const std::string all = body.bytes() + state;
-  return Checkpoint(bytes_of(std::string(magic), fingerprint(all), t) + all);
+  const std::string hashed = bytes_of(t, features) + state;
+  return Checkpoint(bytes_of(std::string(magic), fingerprint(hashed)) + hashed);
 }
 
 StateBytes opened_checkpoint(const Checkpoint& from, const Features& features) {
   StateBytes bytes(from.bytes());
   std::string head;
-  std::uint64_t hash = 0, count = 0;
+  std::uint64_t hash = 0;
   double t = 0.0;
-  bytes.all(head, hash, t, count);
-  Features kept(count);
-  for (auto& [name, value] : kept) bytes.all(name, value);
+  Features kept;
+  bytes.all(head, hash, t, kept);
   for (std::size_t i = 0; i < features.size(); ++i)
     if (i >= kept.size() || kept[i] != features[i])
       throw DomainError("resume: the checkpoint is of another problem: " + features[i].first +

@@ -33,7 +33,8 @@ BasicTrajectory<S> dispatched(const BasicProblem<System, S>& problem, const Own&
                               const Other& other) {
   using Else = std::conditional_t<has_rate<S>, RotorState, DampedRotorState>;
   if (problem.system.damper().has_value() == has_rate<S>) return own(problem);
-  if constexpr (has_rate<S>) detail::checked_problem("integrate", problem);
+  if constexpr (has_rate<S>)
+    detail::checked_problem("integrate", problem, detail::DamperState::carried);
   return shown_run<S>(other(problem_of<Else>(problem)));
 }
 

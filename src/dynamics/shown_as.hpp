@@ -52,10 +52,10 @@ BasicProblem<System, From> problem_of(const BasicProblem<System, To>& p) {
 template <MotionState From, MotionState To>
 BasicSampleSink<From> sink_into(const BasicSampleSink<To>& sink) {
   return [sink](std::span<const BasicSample<From>> block) {
-    std::vector<BasicSample<To>> shown;
-    shown.reserve(block.size());
-    for (const BasicSample<From>& at : block) shown.push_back(shown_sample<To>(at));
-    sink(shown);
+    std::vector<BasicSample<To>> rows;
+    rows.reserve(block.size());
+    for (const BasicSample<From>& at : block) rows.push_back(shown_sample<To>(at));
+    sink(rows);
   };
 }
 

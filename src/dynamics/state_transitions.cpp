@@ -46,7 +46,8 @@ struct StepperOf {
 std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples,
                                                 const Progress& progress) {
   require_terms(problem);
-  const Problem checked = detail::checked_problem("state_transitions", problem);
+  const Problem checked =
+      detail::checked_problem("state_transitions", problem, detail::DamperState::refused);
   const std::vector<double> times = detail::sample_times("state_transitions", checked, samples);
   const BasicTrajectory<TransitionState> run = detail::sampled_run(
       std::visit(StepperOf{checked}, checked.method), method_text(checked.method), times, progress);

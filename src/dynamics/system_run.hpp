@@ -30,7 +30,7 @@ inline std::unique_ptr<BasicStepper<DampedRotorState>> stepper_of(const DampedPr
 
 template <MotionState S>
 BasicProblem<System, S> checked(const BasicProblem<System, S>& problem) {
-  BasicProblem<System, S> result = checked_problem("integrate", problem);
+  BasicProblem<System, S> result = checked_problem("integrate", problem, DamperState::carried);
   for (const BasicEvent<S>& event : result.events) require_valid(event);
   return result;
 }

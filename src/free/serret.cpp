@@ -271,7 +271,7 @@ SerretState held(const FreeRotation& m, double t, const SerretState& s) {
                     "; these elements would be those of another state");
 }
 
-// Beside the separatrix: the set of the phase of the motion, if it holds the state, or that of the
+// Next to the separatrix: the set of the phase of the motion, if it holds the state, or that of the
 // nearest place on the curve that G and T hold.
 SerretState held_by_either(const FreeRotation& m, double t, const SerretState& by_phase) {
   if (missed_by(m, t, by_phase) <= held_state) return by_phase;

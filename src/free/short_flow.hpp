@@ -105,7 +105,7 @@ class BasicShortFlow {
     BasicTwoPartMomentum<T> g;  // at the end
   };
   // After time + time_lo, of which the low part counts for the precession alone. A body at rest
-  // stays; NaN in, NaN out.
+  // stays; NaN in, NaN out, and NaN where squares of rates leave the range of a double.
   Arc after(const BasicTwoPartMomentum<T>& start, const T& time,
             const T& time_lo = T(0.0)) const noexcept {
     const BasicVec3<T> g0 = sorted(start.hi);

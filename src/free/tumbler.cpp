@@ -102,9 +102,9 @@ detail::PolhodeCurve<DD> curve_with_ratio(const Body& body, bool long_axis, cons
     const FamilyRates r = family_rates(curve(v));
     return r.precession / (ratio * r.rotation) - DD(1.0);
   };
-  // A double ratio tells no polhode smaller than J^2 = 1e-18 from a point, but next to the
+  // A double ratio separates no polhode smaller than J^2 = 1e-18 from a point, but next to the
   // separatrix it holds the logarithm of the distance: k'^2 down to 1e-220. Where equal lesser
-  // moments make kappa^2 large, polhodes of that size have a k^2 that the ratio tells.
+  // moments make kappa^2 large, polhodes of that size have a k^2 that the ratio resolves.
   const DD start = kap2.hi > 1e4 ? DD(-50.0) - log(kap2) : DD(-50.0);
   return curve(detail::family_root(excess, start, detail::family_end(kap2, 1e220, 600.0)));
 }

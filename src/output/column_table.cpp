@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "output/detail/column_table.hpp"
 
-#include "polhode/free/sadov.hpp"
-#include "polhode/free/serret.hpp"
+#include <array>
+
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/osculation.hpp"
-#include "tables/sadov_region.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -51,8 +50,6 @@ Numbers convective_numbers(const RowSample& s) {
 }
 Numbers damper_numbers(const RowSample& s) { return numbers_of(in_body_axes(s, s.damper_rate)); }
 Numbers momentum_numbers(const RowSample& s) { return numbers_of(in_body_axes(s, s.state.g)); }
-Numbers euler_numbers(const RowSample& s) { return numbers_of(to_euler(s.state)); }
-Numbers andoyer_numbers(const RowSample& s) { return numbers_of(to_andoyer(s.state)); }
 Numbers osculating_euler_numbers(const RowSample& s) {
   return numbers_of(to_euler(osculating_state(s.system, s.t, s.state)));
 }
@@ -70,68 +67,29 @@ Numbers energy_numbers(const RowSample& s) {
   return {E, E - s.initial_energy};
 }
 
-SadovState sadov_elements(const RowSample& s) {
-  if (s.motion != nullptr) return to_sadov(*s.motion, s.t);
-  return to_sadov(FreeRotation(s.system.body(), s.state, s.t), s.t);
-}
-Numbers sadov_numbers(const RowSample& s) {
-  const SadovState a = sadov_elements(s);
-  return {a.phi_l, a.phi_g, a.phi_h, a.I_l, a.I_g, a.I_h, lobe_column(a)};
-}
-Numbers serret_numbers(const RowSample& s) {
-  const SerretState a = s.elements != nullptr
-                            ? *s.elements
-                            : to_serret(FreeRotation(s.system.body(), s.state, s.t), s.t);
-  return {a.g0,
-          a.t0,
-          a.T,
-          a.h,
-          a.G,
-          a.H,
-          static_cast<double>(a.sign_g1),
-          static_cast<double>(a.sign_g3)};
+// The numbers of a motion that is not free are those of the free motion through the row.
+Numbers chart_numbers(const ChartKind& chart, const RowSample& s) {
+  const Body& body = s.system.body();
+  if (chart.from_motion == nullptr) return chart.from_hub(s.state, {&body, s.t});
+  if (s.motion != nullptr) return chart.from_motion(*s.motion, chart.is_constant ? 0.0 : s.t);
+  return chart.from_motion(FreeRotation(body, s.state, s.t), s.t);
 }
 
-constexpr GroupSpec specs[] = {
+// A group that is no chart.
+constexpr std::size_t widest_group = 6;
+struct OwnGroup {
+  std::string_view name;
+  std::array<ColumnSpec, widest_group> columns;  // an empty name ends them
+  Numbers (*of_row)(const RowSample&);
+};
+
+constexpr OwnGroup before_charts[] = {
     {"q", {{{"qw"}, {"qx"}, {"qy"}, {"qz"}}}, attitude_numbers},
     {"omega", {{{"w1", rate}, {"w2", rate}, {"w3", rate}}}, omega_numbers},
     {"omega_inertial", {{{"W1", rate}, {"W2", rate}, {"W3", rate}}}, inertial_omega_numbers},
     {"g", {{{"g1", momentum}, {"g2", momentum}, {"g3", momentum}}}, momentum_numbers},
-    {"euler",
-     {{{"phi", angle},
-       {"theta", angle},
-       {"psi", angle},
-       {"Phi", momentum},
-       {"Theta", momentum},
-       {"Psi", momentum}}},
-     euler_numbers},
-    {"andoyer",
-     {{{"l", angle},
-       {"g", angle},
-       {"h", angle},
-       {"L", momentum},
-       {"G", momentum},
-       {"H", momentum}}},
-     andoyer_numbers},
-    {"sadov",
-     {{{"phi_l", angle},
-       {"phi_g", angle},
-       {"phi_h", angle},
-       {"I_l", momentum},
-       {"I_g", momentum},
-       {"I_h", momentum},
-       {"lobe", Dimension::number, true}}},
-     sadov_numbers},
-    {"serret",
-     {{{"g0", angle},
-       {"t0", time},
-       {"T", Dimension::energy},
-       {"h", angle},
-       {"G", momentum},
-       {"H", momentum},
-       {"sign_g1", Dimension::number, true},
-       {"sign_g3", Dimension::number, true}}},
-     serret_numbers},
+};
+constexpr OwnGroup behind_charts[] = {
     {"q_inertial", {{{"Qw"}, {"Qx"}, {"Qy"}, {"Qz"}}}, inertial_attitude_numbers},
     {"omega_rel", {{{"w1_rel", rate}, {"w2_rel", rate}, {"w3_rel", rate}}}, relative_omega_numbers},
     {"convective", {{{"v1", rate}, {"v2", rate}, {"v3", rate}}}, convective_numbers},
@@ -171,9 +129,43 @@ constexpr GroupSpec specs[] = {
     {"energy", {{{"E", Dimension::energy}, {"dE", Dimension::energy}}}, energy_numbers},
 };
 
+GroupSpec group_of(const OwnGroup& own) {
+  GroupSpec group{own.name, {}, own.of_row, std::nullopt};
+  for (const ColumnSpec& column : own.columns) {
+    if (column.name.empty()) break;
+    group.columns.push_back(column);
+    group.columns.back().place = group.columns.size() - 1;
+  }
+  return group;
+}
+
+GroupSpec group_of(const ChartKind& chart) {
+  GroupSpec group{chart.name, {}, nullptr, chart};
+  const std::size_t own = chart.variables.size();
+  for (std::size_t i = 0; i < own; ++i) {
+    const std::size_t place = chart.column_order.empty() ? i : chart.column_order[i];
+    const ChartVariable& variable = chart.variables[place];
+    group.columns.push_back({variable.column, variable.dimension, false, place});
+  }
+  const bool is_branch = chart.from_motion != nullptr;  // constant along a free motion
+  for (const std::string_view name : branch_columns(chart))
+    group.columns.push_back({name, Dimension::number, is_branch, group.columns.size()});
+  return group;
+}
+
 }  // namespace
 
-std::span<const GroupSpec> column_table() { return specs; }
+Numbers numbers_of(const GroupSpec& group, const RowSample& row) {
+  return group.chart ? to_columns(*group.chart, chart_numbers(*group.chart, row))
+                     : group.of_row(row);
+}
+
+ColumnTable::ColumnTable(std::span<const ChartKind> charts) {
+  for (const OwnGroup& own : before_charts) groups_.push_back(group_of(own));
+  for (const ChartKind& chart : charts)
+    if (chart.in_scenarios) groups_.push_back(group_of(chart));
+  for (const OwnGroup& own : behind_charts) groups_.push_back(group_of(own));
+}
 
 }  // namespace detail
 }  // namespace v0

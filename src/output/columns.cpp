@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "output/detail/column_table.hpp"
 #include "polhode/error.hpp"
@@ -12,7 +13,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-using detail::column_table;
+using detail::ColumnSpec;
+using detail::ColumnTable;
 using detail::GroupSpec;
 using detail::Numbers;
 
@@ -21,19 +23,28 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
   return near.empty() ? "" : "; did you mean " + std::string(near) + "?";
 }
 
-std::size_t group_index(const std::string& name) {
-  const std::span<const GroupSpec> specs = column_table();
-  const auto found = std::find_if(specs.begin(), specs.end(),
-                                  [&](const GroupSpec& spec) { return spec.name == name; });
-  if (found != specs.end()) return static_cast<std::size_t>(found - specs.begin());
+// Made once for the charts that nearly everybody has.
+std::shared_ptr<const ColumnTable> table_of(std::span<const ChartKind> charts) {
+  static const auto ours = std::make_shared<const ColumnTable>(default_charts());
+  const bool are_ours =
+      charts.data() == default_charts().data() && charts.size() == default_charts().size();
+  return are_ours ? ours : std::make_shared<const ColumnTable>(charts);
+}
+
+std::size_t group_index(const ColumnTable& table, const std::string& name,
+                        std::span<const ChartKind> charts) {
+  const std::span<const GroupSpec> groups = table.groups();
+  const auto found = std::find_if(groups.begin(), groups.end(),
+                                  [&](const GroupSpec& group) { return group.name == name; });
+  if (found != groups.end()) return static_cast<std::size_t>(found - groups.begin());
   throw DomainError("RowLayout: unknown column group \"" + name + "\"" +
-                    did_you_mean(name, column_group_names()));
+                    did_you_mean(name, column_group_names(charts)));
 }
 
 struct ColumnLocation {
-  Numbers (*numbers)(const RowSample&);
-  std::size_t index;
-  Dimension dimension;
+  std::shared_ptr<const ColumnTable> table;
+  std::size_t group;
+  ColumnSpec column;
 };
 
 // f(RowSample) of a sample, with the system at the rate of its damper.
@@ -46,27 +57,30 @@ auto of_row(const RowOrigin& origin, const DampedSample& at, const F& f) {
                                 : of(origin.system);
 }
 
-ColumnLocation place_of(std::string_view column) {
-  for (const GroupSpec& spec : column_table())
-    for (std::size_t i = 0; i < spec.columns.size() && !spec.columns[i].name.empty(); ++i)
-      if (spec.columns[i].name == column) return {spec.numbers, i, spec.columns[i].dimension};
-  throw DomainError("unknown column \"" + std::string(column) + "\"" +
-                    did_you_mean(column, column_names()));
+ColumnLocation location_of(std::string_view name, std::span<const ChartKind> charts) {
+  std::shared_ptr<const ColumnTable> table = table_of(charts);
+  for (std::size_t group = 0; group < table->groups().size(); ++group)
+    for (const ColumnSpec& column : table->groups()[group].columns)
+      if (column.name == name) return {std::move(table), group, column};
+  throw DomainError("unknown column \"" + std::string(name) + "\"" +
+                    did_you_mean(name, column_names(charts)));
 }
 
 }  // namespace
 
-std::vector<std::string_view> column_group_names() {
+std::vector<std::string_view> column_group_names(std::span<const ChartKind> charts) {
   std::vector<std::string_view> names;
-  for (const GroupSpec& spec : column_table()) names.push_back(spec.name);
+  const std::shared_ptr<const ColumnTable> table = table_of(charts);
+  for (const GroupSpec& group : table->groups()) names.push_back(group.name);
   return names;
 }
 
-std::vector<std::string_view> column_names() {
+std::vector<std::string_view> column_names(std::span<const ChartKind> charts) {
   std::vector<std::string_view> names;
-  for (const GroupSpec& spec : column_table())
-    for (const detail::ColumnSpec& column : spec.columns)
-      if (!column.name.empty() && std::find(names.begin(), names.end(), column.name) == names.end())
+  const std::shared_ptr<const ColumnTable> table = table_of(charts);
+  for (const GroupSpec& group : table->groups())
+    for (const ColumnSpec& column : group.columns)
+      if (std::find(names.begin(), names.end(), column.name) == names.end())
         names.push_back(column.name);
   return names;
 }
@@ -76,31 +90,49 @@ bool needs_energy(std::string_view group_or_column) {
   return std::find(std::begin(names), std::end(names), group_or_column) != std::end(names);
 }
 
-Dimension column_dimension(std::string_view column) { return place_of(column).dimension; }
+Dimension column_dimension(std::string_view column, std::span<const ChartKind> charts) {
+  return location_of(column, charts).column.dimension;
+}
 
-ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy) {
-  const ColumnLocation place = place_of(name);
-  return {place.dimension, [place, system, initial_energy](const DampedSample& at) {
-            return of_row(RowOrigin{system, initial_energy}, at, place.numbers)[place.index];
+ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy,
+                           std::span<const ChartKind> charts) {
+  const ColumnLocation of = location_of(name, charts);
+  return {of.column.dimension, [of, system, initial_energy](const DampedSample& at) {
+            return of_row(RowOrigin{system, initial_energy}, at, [&](const RowSample& row) {
+              return numbers_of(of.table->groups()[of.group], row)[of.column.place];
+            });
           }};
 }
 
-RowLayout::RowLayout(std::span<const std::string> groups, const Units& units, Branch branch)
-    : units_(units) {
+std::string branch_note(std::string_view group, const FreeRotation& motion,
+                        std::span<const ChartKind> charts) {
+  const ChartKind* const chart = chart_named(group, charts);
+  if (chart == nullptr || chart->from_motion == nullptr || chart->options.empty()) return {};
+  const ChartNumbers numbers = chart->from_motion(motion, 0.0);
+  std::string note;
+  for (std::size_t i = 0; i < chart->options.size(); ++i) {
+    const ChartOption& option = chart->options[i];
+    const std::string_view word = option_word(option, numbers[chart->variables.size() + i]);
+    if (word.empty()) continue;  // says nothing here
+    note += (note.empty() ? "" : ", ") + std::string(option.name) + " " + std::string(word);
+  }
+  return std::string(group) + ": " + note;
+}
+
+RowLayout::RowLayout(std::span<const std::string> groups, const Units& units, Branch branch,
+                     std::span<const ChartKind> charts)
+    : table_(table_of(charts)), units_(units) {
   groups_.push_back({"t", {{"t", units.label(Dimension::time)}}});
   std::vector<std::string_view> taken;
   for (const std::string& name : groups) {
-    const std::size_t group = group_index(name);
-    const GroupSpec& spec = column_table()[group];
+    const std::size_t group = group_index(*table_, name, charts);
     ColumnGroup shown{name, {}};
-    for (std::size_t i = 0; i < spec.columns.size(); ++i) {
-      const detail::ColumnSpec& column = spec.columns[i];
-      if (column.name.empty()) break;
+    for (const ColumnSpec& column : table_->groups()[group].columns) {
       if (column.is_branch && branch == Branch::in_notes) continue;
       if (std::find(taken.begin(), taken.end(), column.name) != taken.end()) continue;
       taken.push_back(column.name);
       shown.columns.push_back({std::string(column.name), units.label(column.dimension)});
-      cells_.push_back({group, i, column.dimension});
+      cells_.push_back({group, column.place, column.dimension});
     }
     if (shown.columns.empty())
       throw DomainError("RowLayout: column group \"" + name + "\" is named twice");
@@ -115,20 +147,22 @@ void RowLayout::write_row(const RowSample& sample, std::span<double> out) const 
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Cell& cell = cells_[i];
     if (i == 0 || cells_[i - 1].group != cell.group)
-      numbers = column_table()[cell.group].numbers(sample);
-    out[i + 1] = units_.from_core(numbers[cell.index], cell.dimension);
+      numbers = sample.constants.empty() || !table_->is_constant(cell.group)
+                    ? numbers_of(table_->groups()[cell.group], sample)
+                    : sample.constants[cell.group];
+    out[i + 1] = units_.from_core(numbers[cell.place], cell.dimension);
   }
 }
 
 void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> times,
                            std::span<double> out) const {
   const System system(motion.body());
-  const bool serret = std::any_of(cells_.begin(), cells_.end(), [](const Cell& cell) {
-    return column_table()[cell.group].name == "serret";
-  });
-  const SerretState elements = serret ? to_serret(motion, 0.0) : SerretState{};
-  RowSample sample{system,   energy(system, 0.0, motion.initial_state()), 0.0, {}, {}, &motion,
-                   &elements};
+  RowSample sample{system, energy(system, 0.0, motion.initial_state()), 0.0, {}, {}, &motion, {}};
+  std::vector<Numbers> constants(table_->groups().size());
+  for (const Cell& cell : cells_)
+    if (table_->is_constant(cell.group))
+      constants[cell.group] = numbers_of(table_->groups()[cell.group], sample);
+  sample.constants = constants;
   for (std::size_t k = 0; k < times.size(); ++k) {
     sample.t = times[k];
     sample.state = motion.at(times[k]);

@@ -15,6 +15,7 @@
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
+#include "text/file_bytes.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -53,17 +54,6 @@ bool read_at(int descriptor, std::span<char> out, std::uint64_t offset) {
   return true;
 }
 
-// Empty when there is none.
-std::string file_text(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return {};
-  const off_t size = ::lseek(descriptor, 0, SEEK_END);
-  std::string text(static_cast<std::size_t>(std::max<off_t>(size, 0)), '\0');
-  const bool good = read_at(descriptor, text, 0);
-  ::close(descriptor);
-  return good ? text : std::string();
-}
-
 // One piece of an undo file: what stood at `offset`.
 struct Piece {
   std::uint64_t offset = 0;
@@ -74,8 +64,10 @@ struct Piece {
   std::uint64_t true_hash() const { return fingerprint(bytes) ^ offset; }
 };
 
-// Up to the first that was not written to its end: the file has not been changed there yet.
-std::vector<Piece> pieces_of(const std::string& undo, const JournaledFile::Savepoint& savepoint) {
+// Of the undo file of `path`, up to the first that was not written to its end: the file has not
+// been changed there yet. None where there is no undo file.
+std::vector<Piece> pieces_of(const std::string& path, const JournaledFile::Savepoint& savepoint) {
+  const std::string undo = file_bytes(JournaledFile::undo_path(path)).value_or("");
   std::vector<Piece> pieces;
   StateBytes reader(undo);
   try {
@@ -125,11 +117,11 @@ JournaledFile::~JournaledFile() {
 void JournaledFile::fail(int error_number) const { fail_to_write(path_, error_number); }
 
 bool JournaledFile::can_roll_back(const std::string& path, const Savepoint& savepoint) {
-  return !pieces_of(file_text(undo_path(path)), savepoint).empty();
+  return !pieces_of(path, savepoint).empty();
 }
 
 void JournaledFile::roll_back(const Savepoint& savepoint) {
-  for (const Piece& piece : pieces_of(file_text(undo_path(path_)), savepoint))
+  for (const Piece& piece : pieces_of(path_, savepoint))
     if (!written(descriptor_, piece.bytes, piece.offset)) fail(errno);
   if (::ftruncate(descriptor_, savepoint.bytes) != 0) fail(errno);
   sync();

@@ -19,6 +19,12 @@ struct Paper {
   std::string_view uses;
 };
 
+// The place in the list of a work that a kind of torque or an output format cites. Those that have
+// none come last.
+constexpr Paper of_kind(std::string_view key) { return {key, {}, {}, {}}; }
+// The place of those that charts rest on.
+constexpr Paper of_charts = {};
+
 constexpr Paper papers[] = {
     {"gurfil2007",
      "Gurfil, P., Elipe, A., Tangren, W., Efroimsky, M. (2007). The Serret-Andoyer formalism in "
@@ -40,22 +46,7 @@ constexpr Paper papers[] = {
     {"pravec2014",
      "Pravec, P., et al. (2014). The tumbling spin state of (99942) Apophis. Icarus 233, 48-60.",
      "the convention of its angles", "tumbler"},
-    {"andoyer1923",
-     "Andoyer, H. (1923). Cours de mecanique celeste, vol. 1. Gauthier-Villars, Paris.",
-     "Andoyer variables", "andoyer"},
-    {"serret1866",
-     "Serret, J. A. (1866). Memoire sur l'emploi de la methode de la variation des arbitraires "
-     "dans la theorie des mouvements de rotation. Memoires de l'Academie des sciences de Paris "
-     "35, 585-616.",
-     "Serret's elements", "serret"},
-    {"sadov1970",
-     "Sadov, Yu. A. (1970). The action-angle variables in the Euler-Poinsot problem. Journal of "
-     "Applied Mathematics and Mechanics 34, 922-925.",
-     "action-angle variables", "sadov"},
-    {"kinoshita1972",
-     "Kinoshita, H. (1972). First-order perturbations of the two finite body problem. "
-     "Publications of the Astronomical Society of Japan 24, 423-457.",
-     "action-angle variables, the form with Heuman's Lambda", "sadov"},
+    of_charts,
     {"efroimsky2007",
      "Efroimsky, M., Escapa, A. (2007). The theory of canonical perturbations applied to attitude "
      "dynamics and to the Earth rotation. Osculating and nonosculating Andoyer variables. "
@@ -63,14 +54,9 @@ constexpr Paper papers[] = {
      "Mechanics and Dynamical Astronomy 98, 251-283.",
      "osculating and canonical elements, and which angular velocity is which",
      "moving frame|convective|omega_rel|andoyer_osc|euler_osc|axes_rel"},
-    {"wertz1978",
-     "Wertz, J. R. (ed.) (1978). Spacecraft Attitude Determination and Control. Reidel, Dordrecht.",
-     "the force of sunlight on a facet", "solar-pressure"},
-    {"montenbruck2000", "Montenbruck, O., Gill, E. (2000). Satellite Orbits. Springer, Berlin.",
-     "umbra and penumbra", "solar-pressure"},
-    {"schaaf1961",
-     "Schaaf, S. A., Chambre, P. L. (1961). Flow of Rarefied Gases. Princeton University Press.",
-     "the force of free molecules on a facet", "drag"},
+    of_kind("wertz1978"),
+    of_kind("montenbruck2000"),
+    of_kind("schaaf1961"),
     {"markley1995",
      "Markley, F. L. (1995). Kepler equation solver. Celestial Mechanics and Dynamical Astronomy "
      "63, 101-111.",
@@ -99,19 +85,9 @@ constexpr Paper papers[] = {
      "Consultative Committee for Space Data Systems (2023). Orbit Data Messages. Recommended "
      "Standard CCSDS 502.0-B-3.",
      "the file of an orbit", "oem"},
-    {"ccsds504",
-     "Consultative Committee for Space Data Systems (2024). Attitude Data Messages. Recommended "
-     "Standard CCSDS 504.0-B-2.",
-     "files of attitudes", "aem"},
-    {"praly2012",
-     "Praly, N., Hillion, M., Bonnal, C., Laurent-Varin, J., Petit, N. (2012). Study on the eddy "
-     "current damping of the spin dynamics of space debris from the Ariane launcher upper stages. "
-     "Acta Astronautica 76, 145-153.",
-     "the torque on eddy currents", "eddy-currents"},
-    {"thebault2015",
-     "Thebault, E., et al. (2015). International Geomagnetic Reference Field: the 12th generation. "
-     "Earth, Planets and Space 67, 79.",
-     "the dipole field and its Gauss coefficients", "eddy-currents|residual-dipole"},
+    of_kind("ccsds504"),
+    of_kind("praly2012"),
+    of_kind("thebault2015"),
     {"verner2010",
      "Verner, J. H. (2010). Numerically optimal Runge-Kutta pairs with interpolants. Numerical "
      "Algorithms 53, 383-396.",
@@ -146,27 +122,11 @@ constexpr Paper papers[] = {
      "Cincotta, P. M., Simo, C. (2000). Simple tools to study global dynamics in non-axisymmetric "
      "galactic potentials - I. Astronomy and Astrophysics Supplement Series 147, 205-228.",
      "MEGNO", "chaos"},
-    {"mignard1979",
-     "Mignard, F. (1979). The evolution of the lunar orbit revisited. I. The Moon and the Planets "
-     "20, 301-315.",
-     "tides with a constant time lag", "tide"},
-    {"hut1981",
-     "Hut, P. (1981). Tidal evolution in close binary systems. Astronomy and Astrophysics 99, "
-     "126-140.",
-     "tides with a constant time lag", "tide"},
-    {"burns1973",
-     "Burns, J. A., Safronov, V. S. (1973). Asteroid nutation angles. Monthly Notices of the Royal "
-     "Astronomical Society 165, 403-411.",
-     "the time in which a wobble dies", "anelastic-damping"},
-    {"kane1966",
-     "Kane, T. R., Barba, P. M. (1966). Effects of energy dissipation on a spinning satellite. "
-     "AIAA "
-     "Journal 4, 1392-1394.",
-     "a sphere in a cavity that damps", "kane-damper"},
-    {"fritsch1984",
-     "Fritsch, F. N., Butland, J. (1984). A method for constructing local monotone piecewise cubic "
-     "interpolants. SIAM Journal on Scientific and Statistical Computing 5, 300-304.",
-     "torque tables by cubics", "torque-table"},
+    of_kind("mignard1979"),
+    of_kind("hut1981"),
+    of_kind("burns1973"),
+    of_kind("kane1966"),
+    of_kind("fritsch1984"),
 };
 
 struct MethodParts {
@@ -192,14 +152,47 @@ struct MethodParts {
   }
 };
 
+// Of the charts among the parts, each once.
+std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts) {
+  std::vector<Citation> all;
+  for (const ChartKind& chart : default_charts()) {
+    if (std::find(parts.begin(), parts.end(), chart.name) == parts.end()) continue;
+    for (const ChartSource& source : chart.sources)
+      if (std::none_of(all.begin(), all.end(),
+                       [&](const Citation& one) { return one.key == source.key; }))
+        all.push_back(
+            {std::string(source.key), std::string(source.text), std::string(source.reason)});
+  }
+  return all;
+}
+
 // Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
 // sources of its orbits, and what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
   parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
-  if (scenario.output.writes_aem) parts.push_back("aem");
   return parts;
+}
+
+void add_each_once(std::vector<Citation>& all, const std::vector<Citation>& more) {
+  for (const Citation& own : more)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Citation& one) { return one.key == own.key; }))
+      all.push_back(own);
+}
+
+// What the kinds of torques of a scenario cite, and the formats that it has something to say to.
+std::vector<Citation> citations_of_kinds(const Scenario& scenario,
+                                         const std::vector<std::string>& parts) {
+  std::vector<Citation> all;
+  const Kinds& kinds = *scenario.document.kinds;
+  for (const PerturbationKind& kind : kinds.perturbations())
+    if (std::find(parts.begin(), parts.end(), kind.name) != parts.end())
+      add_each_once(all, kind.citations);
+  for (const OutputFormat& format : kinds.formats().all())
+    if (scenario.output.options.contains(format.name)) add_each_once(all, format.citations);
+  return all;
 }
 
 }  // namespace
@@ -225,11 +218,22 @@ std::vector<Citation> citations(const Scenario& scenario) {
              return std::find(parts.begin(), parts.end(), part) != parts.end();
            });
   };
+  std::vector<Citation> own_works = citations_of_kinds(scenario, parts);
   std::vector<Citation> result;
-  for (const Paper& paper : papers)
-    if (used(paper.uses))
+  for (const Paper& paper : papers) {
+    const auto own = std::find_if(own_works.begin(), own_works.end(),
+                                  [&](const Citation& one) { return one.key == paper.key; });
+    if (paper.key.empty()) {
+      add_each_once(result, citations_of_charts(parts));
+    } else if (own != own_works.end()) {
+      result.push_back(*own);
+      own_works.erase(own);
+    } else if (!paper.text.empty() && used(paper.uses)) {
       result.push_back(
           {std::string(paper.key), std::string(paper.text), std::string(paper.reason)});
+    }
+  }
+  result.insert(result.end(), own_works.begin(), own_works.end());
   return result;
 }
 

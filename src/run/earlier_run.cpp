@@ -10,7 +10,6 @@
 #include <ranges>
 #include <sstream>
 
-#include "output/comments.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "text/printable.hpp"
@@ -94,14 +93,16 @@ void refuse_unfinished(const std::string& file, const std::string& kind,
                     words.restart + " begins anew and loses what it has done");
 }
 
-bool are_complete(std::span<const PlannedOutput> outputs, const Provenance& provenance,
-                  const BeginWords& words) {
+bool are_complete(std::span<const PlannedOutput> outputs, const OutputFormats& formats,
+                  const Provenance& provenance, const BeginWords& words) {
   if (std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
         return output.path == "-" || !is_there(output.path) || is_there(output.path + ".part");
       }))
     return false;
   for (const auto& [path, groups] : outputs) {
-    const std::string why = foreign_origin(path, groups, provenance);
+    const OutputFormat& format = formats.of_output(path);
+    const std::string why = format.difference ? format.difference(path, groups, provenance)
+                                              : "and does not say of which scenario";
     if (!why.empty())
       throw DomainError(shown_path(path) + ": is there, " + why + "; " + words.restart +
                         " runs this one anew");

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
-#include "output/sinks.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/experiment_parts.hpp"
@@ -42,7 +42,7 @@ struct EventTable::Parts {
   Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
       : scenario(of),
         layout(row_layout(of)),
-        problem(rotor_problem(of)),
+        problem(polhode::problem(of.experiment)),
         energy_0(detail::initial_energy(problem)),
         motion(detail::constant_motion(of)),
         file(csv_path(path),

@@ -17,8 +17,8 @@ RowLayout row_layout(const Scenario& scenario) {
                     scenario.experiment);
 }
 
-AemOutput aem_output(const Scenario& scenario) {
-  return std::visit([&](const auto& kind) { return detail::aem_output(kind, scenario); },
+RunFacts run_facts(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return detail::run_facts(kind, scenario); },
                     scenario.experiment);
 }
 
@@ -37,7 +37,8 @@ Provenance provenance(const Scenario& scenario) {
   result.notes = std::visit([&](const auto& kind) { return detail::notes_of(kind, scenario); },
                             scenario.experiment);
   for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
-  result.aem = aem_output(scenario);
+  result.run = run_facts(scenario);
+  result.options = scenario.output.options;
   return result;
 }
 

@@ -19,7 +19,7 @@ std::string fingerprint_text(std::string_view bytes) {
 
 // The same text and files may mean something else to another build.
 std::string surroundings_of(const Scenario& scenario) {
-  const DampedProblem problem = rotor_problem(scenario);
+  const DampedProblem problem = polhode::problem(scenario.experiment);
   const System system = at_damper_rate(problem.system, problem.initial.damper_rate);
   StateBytes bytes;
   for (int i = 0; i < 16; ++i) {

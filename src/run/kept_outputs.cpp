@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/sized.hpp"
+#include "text/file_bytes.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -42,13 +41,6 @@ struct CheckpointFile {
 };
 
 namespace {
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream all;
-  all << file.rdbuf();
-  return all.str();
-}
 
 std::string bytes_of(CheckpointFile file) {
   StateBytes body, head;
@@ -110,7 +102,7 @@ void KeptOutputs::find(const Provenance& provenance) {
   const BeginWords& words = setup_.words;
   const std::string& kind = setup_.kind.name;
   const std::string found = checkpoint_among(paths_, words);
-  const std::string text = found.empty() ? std::string() : text_of(found);
+  const std::string text = found.empty() ? std::string() : file_bytes(found).value_or("");
   std::optional<CheckpointFile> file = file_in(text);
   if (!found.empty())
     for (const std::string& path : paths_) require_not_in_use(path);
@@ -126,7 +118,7 @@ void KeptOutputs::find(const Provenance& provenance) {
     throw DomainError(kind + ": " + words.resume + " needs outputs that are files, which a " +
                       kind + " leaves behind");
   if (!found.empty()) return take_up(found, std::move(file));
-  complete_ = are_complete(setup_.outputs, provenance, words);
+  complete_ = are_complete(setup_.outputs, setup_.formats, provenance, words);
 }
 
 void KeptOutputs::take_up(const std::string& found, std::optional<CheckpointFile> file) {

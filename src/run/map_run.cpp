@@ -37,6 +37,7 @@ detail::KeptSetup setup_of(const ScenarioMap& map, const std::vector<std::string
   return {{"map", "runs this one anew"},
           detail::identity_of(map.scenario(), {paths, {}, columns}),
           std::move(outputs),
+          map.scenario().output.formats,
           options.begin,
           options.words,
           options.checkpoint_seconds};
@@ -131,7 +132,8 @@ class MapRun::Parts {
   void open() {
     const Provenance origin = provenance(map_.scenario());
     outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
-      sinks_.push_back(open_sink(path, map_.groups(), origin, from));
+      sinks_.push_back(
+          open_sink(path, map_.groups(), origin, from, map_.scenario().output.formats));
       return detail::kept_output(*sinks_.back());
     });
     if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));

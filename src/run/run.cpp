@@ -13,8 +13,6 @@
 #include "dynamics/events/free_event_search.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/sadov.hpp"
-#include "polhode/free/serret.hpp"
 #include "run/detail/experiment_parts.hpp"
 #include "run/detail/run_state.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -40,18 +38,9 @@ std::vector<std::string> branch_notes(const Rotation& rotation, const OutputPlan
   std::vector<std::string> notes;
   if (!has_constants(rotation)) return notes;
   const FreeRotation motion = free_rotation(rotation);
-  for (const std::string& group : output.columns) {
-    if (group == "sadov") {
-      const SadovState s = to_sadov(motion, 0.0);
-      notes.push_back(s.region == SadovRegion::short_axis
-                          ? "sadov: region SAM"
-                          : "sadov: region LAM, lobe " + std::to_string(s.lobe));
-    } else if (group == "serret") {
-      const SerretState s = to_serret(motion, 0.0);
-      notes.push_back("serret: sign_g1 " + std::to_string(s.sign_g1) + ", sign_g3 " +
-                      std::to_string(s.sign_g3));
-    }
-  }
+  for (const std::string& group : output.columns)
+    if (std::string note = branch_note(group, motion); !note.empty())
+      notes.push_back(std::move(note));
   return notes;
 }
 
@@ -346,9 +335,8 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 
 }  // namespace
 
-AemOutput detail::aem_output(const Rotation& rotation, const Scenario& scenario) {
-  AemOutput result{
-      .options = scenario.output.aem,
+RunFacts detail::run_facts(const Rotation& rotation, const Scenario& scenario) {
+  RunFacts result{
       .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
       .epoch = rotation.epoch,
       .axes = rotation.axes,

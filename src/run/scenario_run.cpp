@@ -33,6 +33,7 @@ detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files, cons
   return {{"run", "runs the scenario anew"},
           detail::identity_of(scenario, {files.outputs, files.events, scenario.output.columns}),
           planned(files, layout),
+          scenario.output.formats,
           options.begin,
           options.words,
           options.checkpoint_seconds};
@@ -95,7 +96,7 @@ class ScenarioRun::Parts {
     const Provenance origin = provenance(scenario_);
     outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
       if (sinks_.size() < files_.outputs.size()) {
-        sinks_.push_back(open_sink(path, layout_.groups(), origin, from));
+        sinks_.push_back(open_sink(path, layout_.groups(), origin, from, scenario_.output.formats));
         return detail::kept_output(*sinks_.back());
       }
       events_.emplace(path, scenario_, from);

@@ -12,9 +12,9 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-std::vector<SchemaPart> rotation_keys() {
-  return {body_keys(),         state_keys(),   frame_keys(),  orbit_keys(),
-          perturbation_keys(), surface_keys(), method_keys(), time_keys()};
+std::vector<SchemaPart> rotation_keys(const DescribedParts& described) {
+  return {body_keys(),    state_keys(),  frame_keys(), orbit_keys(), described.perturbations,
+          surface_keys(), method_keys(), time_keys()};
 }
 
 MadeExperiment make_rotation(const KindContext& of) {
@@ -23,7 +23,8 @@ MadeExperiment make_rotation(const KindContext& of) {
       base->rotation, [base](const KindContext& at, std::vector<std::string> changed) -> Remake {
         return [at, base, changed = std::move(changed)](const Values& values) {
           return Experiment(
-              made_rotation({values, at.units, at.output, at.name}, base.get(), changed).rotation);
+              made_rotation({values, at.units, at.kinds, at.output, at.name}, base.get(), changed)
+                  .rotation);
         };
       }};
 }

@@ -28,8 +28,8 @@ std::vector<std::string> paths_of(const std::vector<NumberLocation>& locations) 
 PreparedBase::PreparedBase(const Scenario& scenario, std::span<const std::string> keys)
     : scenario_(scenario), locations_(locations_of(scenario.document.checked->values, keys)) {
   const Document& of = scenario.document;
-  remake_ = of.checked->made->prepare({of.checked->values, of.units, scenario.output, of.path},
-                                      paths_of(locations_));
+  remake_ = of.checked->made->prepare(
+      {of.checked->values, of.units, *of.kinds, scenario.output, of.path}, paths_of(locations_));
 }
 
 std::unique_ptr<Values> PreparedBase::taken() const {

@@ -4,16 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
-#include "tables/sadov_region.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -128,49 +130,36 @@ AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
   return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
 }
 
-SadovState sadov_of(const Values& values, const Body& body) {
-  const auto value = [&](const char* key) {
-    return number(values, std::string("state.sadov.") + key);
-  };
-  const double I_l = value("I_l"), I_g = value("I_g");
-  const bool is_given = has(values, "state.sadov.region");
-  const SadovRegion region =
-      is_given ? (word(values, "state.sadov.region") == "SAM" ? SadovRegion::short_axis
-                                                              : SadovRegion::long_axis)
-               : sadov_region(body, I_l, I_g);
-  return {value("phi_l"),
-          value("phi_g"),
-          value("phi_h"),
-          I_l,
-          I_g,
-          value("I_h"),
-          region,
-          sign(values, "state.sadov.lobe")};
+// Integers stand for themselves, words for their places in the list.
+double option_of(const Values& values, const std::string& path, const ChartOption& option) {
+  if (!has(values, path)) return std::numeric_limits<double>::quiet_NaN();
+  const Value& value = value_at(values, path);
+  return value.words.empty() ? static_cast<double>(value.whole)
+                             : option_number(option, value.words.front());
+}
+
+ChartState chart_state_of(const Values& values, const ChartKind& chart, const Body& body) {
+  const std::string path = "state." + std::string(chart.name) + ".";
+  ChartState state{chart, {}};
+  std::size_t place = 0;
+  for (const ChartVariable& variable : chart.variables)
+    state.numbers[place++] = number(values, path + std::string(variable.name));
+  for (const ChartOption& option : chart.options)
+    state.numbers[place++] = option_of(values, path + std::string(option.name), option);
+  state.numbers = completed(chart, state.numbers, {&body});
+  // what needs a body is seen when all else is there: see RotationBuilder::made
+  if (!chart.needs_body) static_cast<void>(chart.to_hub(state.numbers, {nullptr}));
+  return state;
 }
 
 InitialState state_of(const Values& values, const std::string& chart, const Body& body,
                       const std::string& name) {
-  const std::string path = "state." + chart;
-  const auto value = [&](const char* key) { return number(values, path + "." + key); };
   if (chart == "tumbler") return tumbler_of(values, name);
   if (chart == "attitude-rate") return attitude_rate_of(values, name);
-  return built(values, path, name, [&]() -> InitialState {
-    if (chart == "euler")
-      return euler_state(value("phi"), value("theta"), value("psi"), value("Phi"), value("Theta"),
-                         value("Psi"));
-    if (chart == "andoyer")
-      return andoyer_state(value("l"), value("g"), value("h"), value("L"), value("G"), value("H"));
-    if (chart == "serret")
-      return SerretState{value("g0"),
-                         value("h"),
-                         value("t0"),
-                         value("G"),
-                         value("H"),
-                         value("T"),
-                         sign(values, path + ".sign_g1"),
-                         sign(values, path + ".sign_g3")};
-    return sadov_of(values, body);
-  });
+  const ChartKind* const kind = chart_named(chart);
+  if (kind == nullptr)
+    throw std::logic_error("state: the schema allows a chart without a description: " + chart);
+  return built(values, "state." + chart, name, [&] { return chart_state_of(values, *kind, body); });
 }
 
 std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
@@ -230,7 +219,7 @@ class RotationBuilder {
     rotation.events =
         keeps({"event["}) ? base_->rotation.events : events_of(values, at_.units, name);
     if (base_ == nullptr)  // reported here, between the state and what acts on it
-      static_cast<void>(aem_options_of(values, name));
+      static_cast<void>(format_options_of(values, at_.output.formats, name));
     add_frame(rotation, values, name);
     same_axes_ = base_ != nullptr && rotation.q_file == base_->rotation.q_file;
     same_surface_ = same_axes_ && keeps({"surface["}) && rotation.shape == base_->rotation.shape;
@@ -271,6 +260,32 @@ class RotationBuilder {
                        [&](std::size_t orbit) { return same_orbits_[orbit]; });
   }
 
+  MadeTerms made_terms(const Rotation& rotation, const std::string& kind, const std::string& path,
+                       TermUses& uses) const {
+    const PerturbationKind* const description = at_.kinds.perturbation(kind);
+    if (description == nullptr)
+      throw std::logic_error("perturbation: the schema allows a kind without a description: " +
+                             kind);
+    const KeyValues table(at_.values, at_.units, path, at_.name);
+    return table.built("kind",
+                       [&] { return description->made(TermContext(table, rotation, uses)); });
+  }
+
+  void add_made(Rotation& rotation, MadeTerms made, const std::string& path) const {
+    if (auto* const one = std::get_if<AnyPerturbation>(&made)) {
+      rotation.terms.push_back(std::move(*one));
+    } else if (auto* const several = std::get_if<std::vector<AnyPerturbation>>(&made)) {
+      for (AnyPerturbation& term : *several) rotation.terms.push_back(std::move(term));
+    } else {
+      if (rotation.damper)
+        refuse(at_.values, path + ".kind", at_.name,
+               "expected at most one perturbation of this kind");
+      const auto& damper = std::get<DamperAtStart>(made);
+      rotation.damper = damper.damper;
+      rotation.damper_rate = damper.rate;
+    }
+  }
+
   void add_terms(MadeRotation& made) {
     Rotation& rotation = made.rotation;
     const std::vector<std::string> paths = array_paths(at_.values, "perturbation");
@@ -278,22 +293,14 @@ class RotationBuilder {
       const std::string& kind = word(at_.values, paths[i] + ".kind");
       rotation.kinds.push_back(kind);
       TermTable table{{}, rotation.terms.size(), 0};
-      const TermContext place(rotation, at_.values, at_.units, paths[i], at_.name, table.uses);
-      if (kind == kane_damper_kind) {
-        if (rotation.damper)
-          refuse(at_.values, paths[i] + ".kind", at_.name,
-                 "expected at most one perturbation of this kind");
-        const DamperAtStart damper = kane_damper(place);
-        rotation.damper = damper.damper;
-        rotation.damper_rate = damper.rate;
-      } else if (base_ != nullptr && keeps_term(paths[i], base_->tables[i].uses)) {
-        table = base_->tables[i];
+      const MadeRotation* const base =
+          base_ != nullptr && keeps_term(paths[i], base_->tables[i].uses) ? base_ : nullptr;
+      if (base != nullptr && base->tables[i].count > 0) {
+        table = base->tables[i];
         for (std::size_t k = 0; k < table.count; ++k)
-          rotation.terms.push_back(base_->rotation.terms[table.first + k]);
+          rotation.terms.push_back(base->rotation.terms[table.first + k]);
       } else {
-        for (AnyPerturbation& term : built(at_.values, paths[i] + ".kind", at_.name,
-                                           [&] { return perturbations_of(kind, place); }))
-          rotation.terms.push_back(std::move(term));
+        add_made(rotation, made_terms(rotation, kind, paths[i], table.uses), paths[i]);
         table.count = rotation.terms.size() - table.first;
       }
       made.tables.push_back(std::move(table));

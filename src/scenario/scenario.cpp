@@ -6,14 +6,17 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/schema_table.hpp"
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
+#include "text/file_bytes.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -26,41 +29,31 @@ using detail::Values;
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 
-struct CloseFile {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
-  }
-};
-
 std::string file_text(const std::string& path) {
   const std::string shown = detail::printable(path, largest_file);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw DomainError(shown + ": is a folder; expected a scenario file");
-  errno = 0;
-  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
-                                                               : std::fopen(path.c_str(), "rb"));
-  if (!file) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
-  std::string text(largest_file + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-  if (std::ferror(file.get()) != 0)
-    throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
-  return text;
+  std::optional<std::string> text = path == "-" ? detail::file_bytes(stdin, largest_file + 1)
+                                                : detail::file_bytes(path, largest_file + 1);
+  if (!text) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  return *std::move(text);
 }
 
-detail::ReadFile read_file(std::string_view text, const std::string& path) {
+detail::ReadFile read_file(std::string_view text, const std::string& path, const Kinds& kinds) {
   Diagnostics diagnostics(path);
   if (text.size() > largest_file) {
     diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
     diagnostics.raise();
   }
-  detail::ReadFile read = detail::read_values(text, scenario_schema(), diagnostics);
+  detail::ReadFile read = detail::read_values(text, kinds.schema(), diagnostics);
   diagnostics.raise();
   return read;
 }
 
 // The checked values are given to it when what they describe is made.
-Document document_of(std::string_view text, const std::string& path, const detail::ReadFile& read) {
+Document document_of(std::string_view text, const std::string& path, const Kinds& kinds,
+                     const detail::ReadFile& read) {
   const Values& values = read.values;
   // first: what changes while it is read differs from what is noted here
   std::vector<ScenarioFile> files = detail::files_of(values, path);
@@ -73,24 +66,24 @@ Document document_of(std::string_view text, const std::string& path, const detai
           .kind = detail::word(values, "kind"),
           .units = read.units,
           .files = std::move(files),
+          .kinds = std::make_shared<const Kinds>(kinds),
           .checked = nullptr};
 }
 
-// But for the options of AEM files: what is wrong in them comes after what is wrong in the state.
-OutputPlan output_of(const Values& values) {
-  return {.columns = detail::value_at(values, "output.columns").words,
-          .writes_aem = has(values, "output.aem")};
+// But for the options of formats: what is wrong in them comes after what is wrong in the state.
+OutputPlan output_of(const Values& values, const OutputFormats& formats) {
+  return {.columns = detail::value_at(values, "output.columns").words, .formats = formats};
 }
 
 }  // namespace
 
-Scenario scenario_from_text(std::string_view text, const std::string& path) {
-  detail::ReadFile read = read_file(text, path);
-  Document document = document_of(text, path, read);
-  OutputPlan output = output_of(read.values);
+Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
+  detail::ReadFile read = read_file(text, path, kinds);
+  Document document = document_of(text, path, kinds, read);
+  OutputPlan output = output_of(read.values, kinds.formats());
   const auto made = std::make_shared<const detail::MadeExperiment>(
-      detail::kind_of(read.values).make({read.values, document.units, output, path}));
-  output.aem = detail::aem_options_of(read.values, path);
+      detail::kind_of(read.values).make({read.values, document.units, kinds, output, path}));
+  output.options = detail::format_options_of(read.values, kinds.formats(), path);
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
     map =
@@ -100,8 +93,8 @@ Scenario scenario_from_text(std::string_view text, const std::string& path) {
   return {std::move(document), made->experiment, std::move(output), std::move(map)};
 }
 
-Scenario read_scenario(const std::string& path) {
-  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path);
+Scenario read_scenario(const std::string& path, const Kinds& kinds) {
+  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path, kinds);
 }
 
 }  // namespace v0

@@ -6,7 +6,6 @@
 
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
-#include "scenario/detail/perturbation_kinds.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"

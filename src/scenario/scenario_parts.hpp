@@ -49,8 +49,9 @@ Crossing crossing_of(const std::string& word);
 std::optional<Method> method_of(const Values& values, const std::string& name);
 std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);
-// [output.aem]
-AemOptions aem_options_of(const Values& values, const std::string& name);
+// Of the formats that have a table [output.NAME].
+FormatOptions format_options_of(const Values& values, const OutputFormats& formats,
+                                const std::string& name);
 // Fills in frame, frame_text and precession; the orbits are there.
 void add_frame(Rotation& rotation, const Values& values, const std::string& name);
 // The energy where it starts; 0 where a term has none.

@@ -8,7 +8,6 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-// One overload per chart.
 struct ToMotion {
   const Body& body;
   const Quaternion& q_file;
@@ -19,12 +18,7 @@ struct ToMotion {
     return FreeRotation(body, to_rotor(body, s));
   }
   FreeRotation operator()(const AttitudeRate& s) const { return FreeRotation(body, hub_state(s)); }
-  FreeRotation operator()(const EulerState& s) const { return FreeRotation(body, to_rotor(s)); }
-  FreeRotation operator()(const AndoyerState& s) const { return FreeRotation(body, to_rotor(s)); }
-  FreeRotation operator()(const SerretState& s) const { return free_rotation(body, s); }
-  FreeRotation operator()(const SadovState& s) const {
-    return FreeRotation(body, to_rotor(body, s));
-  }
+  FreeRotation operator()(const ChartState& s) const { return free_rotation(body, s); }
 
   RotorState hub_state(const AttitudeRate& s) const {
     // without a tensor the numbers of the file, bit for bit
@@ -112,7 +106,6 @@ FreeRotation free_rotation(const Scenario& scenario) {
 std::optional<Method> propagation_method(const Scenario& scenario) {
   return std::visit([](const auto& kind) { return propagation_method(kind); }, scenario.experiment);
 }
-DampedProblem rotor_problem(const Scenario& scenario) { return problem(scenario.experiment); }
 
 }  // namespace v0
 }  // namespace polhode

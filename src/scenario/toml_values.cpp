@@ -378,12 +378,18 @@ bool Reader::is_foreign(const Key& key, const toml::table& table, const std::str
   if (belongs(key, kind)) return false;
   const std::string_view name = key_name(key.path);
   if (kind.empty() || !table.contains(name)) return true;
-  std::vector<std::string_view> own;
-  for (const Key* other : keys_of(schema_, key_table(key.path)))
+  std::vector<std::string_view> own, kinds;
+  const Key* first = nullptr;  // of the rows of several kinds: one of them reports
+  for (const Key* other : keys_of(schema_, key_table(key.path))) {
     if (belongs(*other, kind)) own.push_back(key_name(other->path));
+    if (other->path != key.path) continue;
+    if (first == nullptr) first = other;
+    for (const std::string_view one : separated(other->kinds, '|')) kinds.push_back(one);
+  }
+  if (first != &key || std::find(own.begin(), own.end(), name) != own.end()) return true;
   diagnostics_.add(position(table.find(name)->first.source()), joined(path, name),
-                   "a key of kind " + one_of(separated(key.kinds, '|'), "\"") +
-                       "; expected with kind = \"" + std::string(kind) + "\" only " + one_of(own));
+                   "a key of kind " + one_of(kinds, "\"") + "; expected with kind = \"" +
+                       std::string(kind) + "\" only " + one_of(own));
   return true;
 }
 

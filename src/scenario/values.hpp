@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "polhode/scenario/detail/values_fwd.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/units.hpp"
 #include "scenario/diagnostics.hpp"
@@ -25,10 +25,6 @@ struct Value {
   std::vector<std::string> words;
   std::int64_t whole = 0;
 };
-
-// By path as the file has it: "body.moments", "orbit.moon.period", "perturbation[0].kind". Tables
-// have an entry too.
-using Values = std::map<std::string, Value, std::less<>>;
 
 }  // namespace detail
 }  // namespace v0

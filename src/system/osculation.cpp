@@ -82,8 +82,8 @@ Vec3 canonical_momentum(const System& system, Setting at, const Vec3& mu_B, cons
     std::optional<Residual> nearer;
     for (int halving = 0; halving < 12 && !nearer; ++halving, part *= 0.5) {
       at.s.g = g - part * change;
-      const Residual there = residual(system, at, mu_B, g_osc);
-      if (norm(there.value) < norm(r.value)) nearer = there;
+      const Residual tried = residual(system, at, mu_B, g_osc);
+      if (norm(tried.value) < norm(r.value)) nearer = tried;
     }
     if (!nearer && norm(r.value) <= stalled * r.size) return g;
     if (!nearer) no_canonical_momentum(g_osc, r);

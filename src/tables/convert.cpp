@@ -10,27 +10,21 @@
 
 #include "polhode/error.hpp"
 #include "polhode/text/separated.hpp"
-#include "tables/detail/chart_rows.hpp"
 #include "tables/detail/line_reader.hpp"
 #include "tables/detail/table_notes.hpp"
 #include "text/nearest.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
+#include "text/word_list.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-using detail::ChartMaps;
-using detail::ChartRow;
-
-constexpr int passes = -1;    // the field goes through
-constexpr int replaced = -2;  // the new chart has a column of this name
-constexpr int is_time = -3;   // goes through, and is the time of the row
-// Columns of angles in any chart; a double beyond the largest has lost six of its digits.
-constexpr std::string_view angle_columns[] = {"l",   "g",     "h",     "g0",    "phi",  "theta",
-                                              "psi", "phi_l", "phi_g", "phi_h", "sigma"};
-constexpr double largest_angle = 1e10;
+constexpr int passes = -1;              // the field goes through
+constexpr int replaced = -2;            // the new chart has a column of this name
+constexpr int is_time = -3;             // goes through, and is the time of the row
+constexpr double largest_angle = 1e10;  // a double beyond it has lost six of its digits
 constexpr std::size_t flush_size = std::size_t{1} << 18;
 
 std::string_view without_blanks(std::string_view text) {
@@ -62,7 +56,8 @@ const char* field_end(const char* begin, const char* end) {
 
 class Converter {
  public:
-  Converter(const Conversion& conversion, const std::string& name, const ByteSink& sink);
+  Converter(const Conversion& conversion, const std::string& name, const ByteSink& sink,
+            std::span<const ChartKind> charts);
   void line(std::string_view line);
   // After the last line, or the first that is too long.
   void finish(bool too_long);
@@ -78,46 +73,72 @@ class Converter {
   [[noreturn]] void fail(const std::string& text);
   void read_header(std::string_view line);
   void assign_roles();
+  void assign_role(std::size_t field, std::size_t column);
+  std::size_t field_of(std::size_t column) const;
   void require_radians(const std::string& column);
   void write_header();
   void read_fields(std::string_view line);
   const char* read_number(Field& field, const char* begin, const char* end);
   void convert_row();
-  void write_row(const ChartRow& row);
+  ChartNumbers state_numbers(const ChartPlace& place) const;
+  void write_row(const ChartNumbers& row);
 
   std::string name_;
   const ByteSink& sink_;
   std::optional<Body> body_;
-  const ChartMaps& from_;
-  const ChartMaps& to_;
-  std::vector<std::string> columns_;  // of the new chart
+  const ChartKind& from_;
+  const ChartKind& to_;
+  std::vector<std::string_view> old_columns_;
+  std::vector<std::string_view> columns_;  // of the new chart
   std::vector<Field> fields_;
   std::size_t place_ = 0;  // the field before which the new columns are written
   bool header_done_ = false;
   std::size_t line_number_ = 0;
   detail::TableNotes notes_;
-  ChartRow numbers_{};
+  ChartNumbers numbers_{};
   double time_ = 0.0;
   std::string out_;
 };
 
-std::vector<std::string> column_names(const TableChart& chart) {
-  std::vector<std::string> names;
-  for (const std::string_view name : separated(chart.columns, ',')) names.emplace_back(name);
-  for (const std::string_view name : separated(chart.options, ',')) names.emplace_back(name);
+std::vector<std::string_view> column_names(const ChartKind& chart) {
+  std::vector<std::string_view> names;
+  for (const ChartVariable& variable : chart.variables) names.push_back(variable.name);
+  for (const std::string_view name : branch_columns(chart)) names.push_back(name);
   return names;
 }
 
-Converter::Converter(const Conversion& conversion, const std::string& name, const ByteSink& sink)
+// "l,g,h,L,G,H": those that a table must have.
+std::string needed_columns(const ChartKind& chart) {
+  std::string names;
+  for (const ChartVariable& variable : chart.variables)
+    names += (names.empty() ? "" : ",") + std::string(variable.name);
+  return names;
+}
+
+const ChartKind& chart_of(const std::string& name, const char* option,
+                          std::span<const ChartKind> charts) {
+  if (const ChartKind* const chart = chart_named(name, charts)) return *chart;
+  std::vector<std::string_view> names;
+  for (const ChartKind& chart : charts) names.push_back(chart.name);
+  const std::string_view near = detail::nearest(name, names);
+  throw DomainError(std::string("convert: ") + option + ": unknown chart \"" + name +
+                    "\"; expected " + detail::one_of(names) +
+                    (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
+}
+
+Converter::Converter(const Conversion& conversion, const std::string& name, const ByteSink& sink,
+                     std::span<const ChartKind> charts)
     : name_(name),
       sink_(sink),
       body_(conversion.body),
-      from_(detail::chart_maps(conversion.from, "--from")),
-      to_(detail::chart_maps(conversion.to, "--to")),
-      columns_(column_names(to_.chart)) {
-  for (const ChartMaps* maps : {&from_, &to_})
-    if (maps->chart.needs_body && !body_)
-      throw DomainError("convert: chart " + std::string(maps->chart.name) +
+      from_(chart_of(conversion.from, "--from", charts)),
+      to_(chart_of(conversion.to, "--to", charts)),
+      old_columns_(column_names(from_)),
+      columns_(column_names(to_)),
+      notes_(charts) {
+  for (const ChartKind* chart : {&from_, &to_})
+    if (chart->needs_body && !body_)
+      throw DomainError("convert: chart " + std::string(chart->name) +
                         " needs the moments of inertia (--moments I1,I2,I3)");
   out_.reserve(2 * flush_size);
 }
@@ -136,7 +157,7 @@ void Converter::finish(bool too_long) {
   ++line_number_;
   if (too_long) fail("a line of more than 1 MiB");
   if (!header_done_)
-    fail("got no header line; expected one with the columns " + std::string(from_.chart.columns));
+    fail("got no header line; expected one with the columns " + needed_columns(from_));
   flush();
 }
 
@@ -172,40 +193,52 @@ void Converter::read_header(std::string_view line) {
   header_done_ = true;
 }
 
+// By its name in the chart, else by that in rows; fields_.size() where there is none.
+std::size_t Converter::field_of(std::size_t column) const {
+  const auto named = [&](std::string_view name) {
+    return static_cast<std::size_t>(
+        std::find_if(fields_.begin(), fields_.end(),
+                     [&](const Field& field) { return field.name == name; }) -
+        fields_.begin());
+  };
+  const std::size_t own = named(old_columns_[column]);
+  const bool other = own == fields_.size() && column < from_.variables.size();
+  return other ? named(from_.variables[column].column) : own;
+}
+
+void Converter::assign_role(std::size_t index, std::size_t column) {
+  Field& field = fields_[index];
+  for (std::size_t i = index + 1; i < fields_.size(); ++i)
+    if (fields_[i].name == field.name) fail("column " + field.name + " is named twice");
+  require_radians(field.name);
+  field.role = static_cast<int>(column);
+  if (column < from_.variables.size() && from_.variables[column].dimension == Dimension::angle)
+    field.largest = largest_angle;
+  place_ = std::min(place_, index);
+}
+
 void Converter::assign_roles() {
-  const std::vector<std::string> old = column_names(from_.chart);
-  const std::size_t needed = separated(from_.chart.columns, ',').size();
-  std::vector<std::string_view> names;
-  for (const Field& field : fields_) names.push_back(field.name);
   place_ = fields_.size();
-  for (std::size_t i = 0; i < old.size(); ++i) {
-    const auto found = std::find(names.begin(), names.end(), old[i]);
-    const auto index = static_cast<std::size_t>(found - names.begin());
-    if (found == names.end() && i >= needed) {
-      const double unknown = std::numeric_limits<double>::quiet_NaN();
-      numbers_[i] = notes_.constant(old[i]).value_or(unknown);
-      continue;
-    }
-    if (found == names.end()) {
-      const std::string_view near = detail::nearest(old[i], names);
-      fail("column " + old[i] + " is missing; chart " + std::string(from_.chart.name) + " needs " +
-           std::string(from_.chart.columns) +
+  for (std::size_t i = 0; i < old_columns_.size(); ++i) {
+    const std::size_t index = field_of(i);
+    if (index < fields_.size()) {
+      assign_role(index, i);
+    } else if (i >= from_.variables.size()) {
+      numbers_[i] = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      std::vector<std::string_view> names;
+      for (const Field& field : fields_) names.push_back(field.name);
+      const std::string_view near = detail::nearest(old_columns_[i], names);
+      fail("column " + std::string(old_columns_[i]) + " is missing; chart " +
+           std::string(from_.name) + " needs " + needed_columns(from_) +
            (near.empty() ? "" : "; did you mean it by " + detail::printable(near) + "?"));
     }
-    if (std::find(found + 1, names.end(), old[i]) != names.end())
-      fail("column " + old[i] + " is named twice");
-    require_radians(old[i]);
-    fields_[index].role = static_cast<int>(i);
-    if (std::find(std::begin(angle_columns), std::end(angle_columns), old[i]) !=
-        std::end(angle_columns))
-      fields_[index].largest = largest_angle;
-    place_ = std::min(place_, index);
   }
   for (Field& field : fields_) {
     if (field.role != passes) continue;
     if (std::find(columns_.begin(), columns_.end(), field.name) != columns_.end())
       field.role = replaced;
-    else if (field.name == "t" && (from_.chart.name == "serret" || to_.chart.name == "serret"))
+    else if (field.name == "t" && (from_.is_constant || to_.is_constant))
       field.role = is_time;
   }
 }
@@ -227,7 +260,7 @@ void Converter::write_header() {
   };
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (i == place_)
-      for (const std::string& name : columns_) add(name);
+      for (const std::string_view name : columns_) add(std::string(name));
     if (fields_[i].role == passes || fields_[i].role == is_time) add(fields_[i].name);
   }
   out_ += header + "\n";
@@ -275,20 +308,33 @@ void Converter::read_fields(std::string_view line) {
   }
 }
 
+// What the columns leave out of the options, a note of the table may say.
+ChartNumbers Converter::state_numbers(const ChartPlace& place) const {
+  if (from_.options.empty()) return numbers_;
+  ChartNumbers numbers = from_columns(from_, numbers_);
+  for (std::size_t i = 0; i < from_.options.size(); ++i) {
+    double& number = numbers[from_.variables.size() + i];
+    if (std::isnan(number))
+      number = notes_.option(from_.name, from_.options[i].name).value_or(number);
+  }
+  return completed(from_, numbers, place);
+}
+
 void Converter::convert_row() {
   try {
-    const detail::ChartContext origin{body_ ? &*body_ : nullptr, time_};
-    write_row(to_.row(from_.hub(numbers_, origin), origin));
+    const ChartPlace place{body_ ? &*body_ : nullptr, time_};
+    write_row(to_columns(to_, to_.from_hub(from_.to_hub(state_numbers(place), place), place)));
   } catch (const DomainError& error) {
     fail(error.what());
   }
 }
 
-void Converter::write_row(const ChartRow& row) {
-  char text[detail::widest_chart * detail::longest_number];
+void Converter::write_row(const ChartNumbers& row) {
+  char text[most_chart_numbers * detail::longest_number];
   char* end = text;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (!std::isfinite(row[i])) throw DomainError(columns_[i] + " is beyond double range");
+    if (!std::isfinite(row[i]))
+      throw DomainError(std::string(columns_[i]) + " is beyond double range");
     end = detail::write_number(end, row[i]);
     *end++ = ',';
   }
@@ -305,8 +351,8 @@ void Converter::write_row(const ChartRow& row) {
 }  // namespace
 
 void convert(const Conversion& conversion, const std::string& name, const ByteSource& source,
-             const ByteSink& sink) {
-  Converter converter(conversion, detail::printable(name, name.size()), sink);
+             const ByteSink& sink, std::span<const ChartKind> charts) {
+  Converter converter(conversion, detail::printable(name, name.size()), sink, charts);
   detail::LineReader reader(source);
   while (const std::optional<std::string_view> line = reader.next()) converter.line(*line);
   converter.finish(reader.too_long());

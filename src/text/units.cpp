@@ -4,7 +4,6 @@
 #include <udunits2.h>
 
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -318,6 +317,11 @@ constexpr DimensionSpec dimensions_table[] = {
      .name = "a fourth-degree moment of mass",
      .moment = 1,
      .length = 2},
+    {.dimension = Dimension::root_momentum,  // of what stands under the root
+     .name = "a root of an angular momentum",
+     .moment = 1,
+     .time = -1,
+     .radians = 1},
 };
 
 const DimensionSpec& spec_of(Dimension dimension) {
@@ -393,6 +397,14 @@ std::string missing_units(const Units& units, std::string_view unit, Dimension d
   return text.empty() ? text : "; set " + text;
 }
 
+constexpr std::string_view root_of = "sqrt(";
+
+// "kg m2/s" of "sqrt(kg m2/s)"; empty of what is no root.
+std::string_view under_root(std::string_view unit) {
+  const bool wrapped = unit.starts_with(root_of) && unit.ends_with(')');
+  return wrapped ? unit.substr(root_of.size(), unit.size() - root_of.size() - 1) : "";
+}
+
 void require_name(std::string_view what, std::string_view unit, std::string_view like) {
   parsed_unit(unit);
   for (const char c : unit)
@@ -440,12 +452,16 @@ double Units::to_core(double value, Dimension dimension) const {
 
 double Units::to_core(double value, std::string_view unit, Dimension dimension) const {
   const Alone alone(one_at_a_time());
-  const UnitPointer own = parsed_unit(unit);
+  const bool is_root = dimension == Dimension::root_momentum;
+  const std::string_view inside = is_root ? under_root(unit) : unit;
+  const bool none = is_root && inside.empty();
+  const UnitPointer own = parsed_unit(none ? unit : inside);
   if (!std::isfinite(value)) throw DomainError("numbers must be finite");
   for (const bool radians : {false, true}) {
-    const double result =
-        converted(value, own.get(), parsed_unit(core_unit(*this, dimension, radians)).get());
-    if (!std::isnan(result)) return result;
+    if (none) break;
+    const double result = converted(is_root ? 1.0 : value, own.get(),
+                                    parsed_unit(core_unit(*this, dimension, radians)).get());
+    if (!std::isnan(result)) return is_root ? value * std::sqrt(result) : result;
   }
   std::string expected = "\"" + std::string(unit) + "\" is not a unit of ";
   expected +=
@@ -462,27 +478,12 @@ double Units::from_core(double value, Dimension dimension) const {
 std::string Units::label(Dimension dimension) const {
   if (dimension == Dimension::angle) return angle_;
   if (dimension == Dimension::rate) return angle_ + "/" + time_;
+  if (dimension == Dimension::root_momentum)
+    return std::string(root_of) + label(Dimension::momentum) + ")";
   if (moment_ == "kg m2" && length_ == "m" && time_ == "s")
     for (const SiName& si : si_names)
       if (si.dimension == dimension) return std::string(si.unit);
   return label_of(*this, spec_of(dimension));
-}
-
-Quantity quantity_from_text(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  std::string_view number = text;
-  if (number.starts_with('+') && !number.starts_with("+-")) number.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error == std::errc::result_out_of_range) throw DomainError("a number beyond double range");
-  if (error != std::errc() || !std::isfinite(value))
-    throw DomainError("no number at the start of the text");
-  std::string_view unit(end, static_cast<std::size_t>(number.data() + number.size() - end));
-  while (!unit.empty() && blank(unit.front())) unit.remove_prefix(1);
-  if (unit.empty()) throw DomainError("a number without its unit; a bare number needs no quotes");
-  return {value, std::string(unit)};
 }
 
 }  // namespace v0

@@ -133,6 +133,31 @@ def test_a_run_tells_convert_its_branch(polhode, run, tmp_path):
         assert rates == pytest.approx(wanted, abs=budgets.cli_carried)
 
 
+@pytest.mark.parametrize("chart", ["poincare-0-0", "poincare-0-pi", "poincare-pi-0",
+                                   "poincare-pi-pi"])
+def test_a_run_in_a_chart_is_the_run_of_the_hub(run, scenario, table, chart):
+    """Columns of a Poincare-type set have names of their own, sigma_0_pi; convert knows them."""
+    path = scenario(columns=f'"{chart}", "q", "g"')
+    names, rows = table(run("run", path).stdout)
+    assert len(rows) == 21
+    numbers = "\n".join(",".join(map(repr, row[:7])) for row in rows)
+    back = run("convert", "--from", chart, "--to", "rotor",
+               stdin=",".join(names[:7]) + "\n" + numbers + "\n")
+    assert back.returncode == 0, back.stderr
+    for row, state in zip(rows, table(back.stdout)[1], strict=True):
+        hub = [row[names.index(name)] for name in "qw qx qy qz g1 g2 g3".split()]
+        sign = 1 if sum(x * y for x, y in zip(hub[:4], state[1:5], strict=True)) > 0 else -1
+        turned = [sign * x for x in state[1:5]] + state[5:]
+        assert largest(abs(x - y) for x, y in zip(hub, turned, strict=True)) < budgets.cli_carried
+
+
+def test_two_poincare_sets_stand_next_to_each_other(run, scenario, table):
+    names, rows = table(run("run", scenario(columns='"poincare-0-0", "poincare-pi-0"')).stdout)
+    assert names == ["t", "sigma_0_0", "Q1_0_0", "Q2_0_0", "G", "P1_0_0", "P2_0_0",
+                     "sigma_pi_0", "Q1_pi_0", "Q2_pi_0", "P1_pi_0", "P2_pi_0"]
+    assert all(len(row) == len(names) for row in rows)
+
+
 def test_degrees_of_a_run_are_refused(polhode, run, tmp_path):
     table = "# units: t [h], phi [deg], theta [deg]\nt,phi,theta,psi,Phi,Theta,Psi\n0,1,1,1,1,1,1\n"
     result = run("convert", "--from", "euler", "--to", "rotor", stdin=table)

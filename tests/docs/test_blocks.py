@@ -136,6 +136,7 @@ def command(block, scratch, build, polhode):
     if name:
         path = scratch / name
         path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)  # a link to a file of the checkout is not written through
         path.write_text(block.text, encoding="utf-8")
     if block.language == "sh":
         return [["bash", "-euo", "pipefail", "-c", block.text]]

@@ -51,6 +51,8 @@ REFUSED = [
     ("src/perturb/x.cpp", "#include <fstream>", "is not for this layer"),
     ("include/polhode/orbit/x.hpp", "namespace detail {\n\nint x();\n\n}  // namespace detail",
      "belongs into include/polhode/orbit/detail/"),
+    ("include/polhode/elliptic/x.hpp", "namespace detail {\n\nint x();\n\n}  // namespace detail",
+     "belongs into include/polhode/elliptic/detail/"),
     ("src/rooms/x.cpp", "", "unknown layer rooms"),
 ]
 

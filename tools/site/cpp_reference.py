@@ -30,6 +30,7 @@ LAYERS = {
     "output": "Columns of a run, and the files that hold them.",
     "scenario": "Scenario files: their keys, and what is read from them.",
     "run": "Scenarios run into files: runs, maps, summaries, citations, golden cases.",
+    "cli": "The command line as a library, for programs with kinds of their own.",
     "ode": "Integrators of plain equations.",
     "elliptic": "Elliptic integrals and functions, with modulus and complement.",
     "math": "Vectors, quaternions, dual numbers, double-double.",

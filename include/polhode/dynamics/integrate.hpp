@@ -18,9 +18,11 @@
 // Cost        docs/guide/which-propagator.md.
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 #include <vector>
 
+#include "polhode/dynamics/model.hpp"
 #include "polhode/dynamics/problem.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/trajectory/progress.hpp"
@@ -35,11 +37,18 @@ Trajectory integrate(const Problem& problem, const Keep& keep = {}, const Progre
 Trajectory integrate(const Problem& problem, const SaveAt& samples, const SampleSink& sink,
                      const Progress& progress = {});
 
+// What the templates take: a model with its own state, and a System with a rotor and its damper.
+template <class M, class S>
+concept Integrable = (Model<M> && std::same_as<S, typename M::State>) ||
+                     (std::same_as<M, System> && std::same_as<S, DampedRotorState>);
+
 // Of any other state: a rotor with a damper, and every model.
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const Keep& keep = {},
                              const Progress& progress = {});
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& samples,
                              const std::type_identity_t<BasicSampleSink<S>>& sink,
                              const Progress& progress = {});

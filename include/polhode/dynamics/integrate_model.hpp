@@ -15,12 +15,14 @@
 namespace polhode {
 inline namespace v0 {
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const Keep& keep,
                              const Progress& progress) {
   return detail::kept_run(problem, keep, detail::maker_of(problem, progress));
 }
 
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& times,
                              const std::type_identity_t<BasicSampleSink<S>>& sink,
                              const Progress& progress) {
@@ -28,6 +30,7 @@ BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& ti
 }
 
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& times,
                              const std::type_identity_t<BasicStreams<S>>& streams,
                              const Progress& progress) {
@@ -37,6 +40,7 @@ BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& ti
 }
 
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> resume(const BasicProblem<M, S>& problem, const SaveAt& times,
                           const Checkpoint& from,
                           const std::type_identity_t<BasicStreams<S>>& streams,

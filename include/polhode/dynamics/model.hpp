@@ -13,10 +13,12 @@
 //               settle(y)                   y is a CompensatedState: restores invariants after a
 //                                           step, as |q| = 1
 //               turning_rate(t, s)          rad per time, the fastest: how often events are looked
-//                                           at. Without it: a few times a step, and as `interval`
-//                                           of an event says
+//                                           at. Without it: as often as steps of that tolerance
+//                                           need, at 1e-12 once, and as `interval` of an event
+//                                           says
 //               near(to, s)                 s in that of its forms which is nearer to `to`: q or -q
-//               time_scale(t)               no step is longer, unless the method says largest_step
+//               time_scale(t)               no step that begins at t is longer, unless the method
+//                                           says largest_step
 //               parameters()                numbers that a checkpoint compares, as a vector
 // Units       any consistent set.
 // Domain      T is double, and DoubleDouble too where the model is a template on the number type:

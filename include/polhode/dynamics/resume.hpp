@@ -63,10 +63,12 @@ Trajectory resume(const Problem& problem, const SaveAt& samples, const Checkpoin
 
 // Of any other state, as integrate.
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& samples,
                              const std::type_identity_t<BasicStreams<S>>& streams,
                              const Progress& progress = {});
 template <class M, MotionState S>
+  requires Integrable<M, S>
 BasicTrajectory<S> resume(const BasicProblem<M, S>& problem, const SaveAt& samples,
                           const Checkpoint& from,
                           const std::type_identity_t<BasicStreams<S>>& streams,

@@ -20,25 +20,28 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Real T>
+template <Number T>
 struct HalfTurns {
   T turns;
   T s;
   T c;
 };
 
-template <Real T>
+template <Number T>
 HalfTurns<T> half_turns(const T& phi) {
   using std::floor;
   using std::round;
   const T zero(0.0), one(1.0);
   const auto [s, c] = sincos(phi);
-  T turns = round(phi / pi<T>());
-  const bool odd = !(turns == 2.0 * floor(T(0.5 * turns)));
-  const bool left = c < zero;
+  const T turns = round(phi / pi<T>());
+  const auto odd = !(turns == 2.0 * floor(T(0.5 * turns)));
+  const auto left = c < zero;
   // At an odd quarter the quotient can round to the wrong side: the cosine knows.
-  if (odd != left) turns = phi - turns * pi<T>() < zero ? T(turns - one) : T(turns + one);
-  return left ? HalfTurns<T>{turns, -s, -c} : HalfTurns<T>{turns, s, c};
+  const T mended = where(
+      odd != left,
+      [&]() -> T { return select(phi - turns * pi<T>() < zero, T(turns - one), T(turns + one)); },
+      [&]() -> T { return turns; });
+  return {mended, select(left, T(-s), T(s)), select(left, T(-c), T(c))};
 }
 
 }  // namespace v0

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "polhode/elliptic/agm.hpp"
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/elliptic/half_turns.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
@@ -28,28 +29,36 @@ namespace polhode {
 inline namespace v0 {
 
 // psi in [-pi/2, pi/2], given by its sine and cosine.
-template <Real T>
+template <Number T>
 T heuman_lambda0(const T& s, const T& c, const BasicModulus<T>& mod) {
   using std::atan2;
   using std::sqrt;
   const T zero(0.0), one(1.0);
-  if (mod.m() < zero || mod.m1() < zero) return T(std::numeric_limits<double>::quiet_NaN());
-  if (mod.m1() == zero) return T(2.0) * atan2(s, c) / pi<T>();
   T square = c * c + mod.m() * (s * s);
   T scale = one;
-  if (to_double(square) < 0x1p-900) {  // both are next to underflow: sin psi is 1
-    const T up(0x1p500);
-    square = (up * c) * (up * c) + (up * mod.m()) * up;
-    scale = up;
-  }
-  if (square == zero) return s;
   const T k1 = sqrt(mod.m1());
+  if constexpr (Real<T>) {
+    if (mod.m() < zero || mod.m1() < zero) return T(std::numeric_limits<double>::quiet_NaN());
+    if (mod.m1() == zero) return T(2.0) * atan2(s, c) / pi<T>();
+    if (to_double(square) < 0x1p-900) {  // both are next to underflow: sin psi is 1
+      const T up(0x1p500);
+      square = (up * c) * (up * c) + (up * mod.m()) * up;
+      scale = up;
+    }
+    if (square == zero) return s;
+  }
   const T root = k1 * (scale * c) / sqrt(square);
-  if (!(to_double(root) > 0x1p-900)) return s + root * zero;  // at pi/2, where s = +-1; or NaN
+  if constexpr (Real<T>) {
+    if (!(to_double(root) > 0x1p-900)) return s + root * zero;  // at pi/2, where s = +-1; or NaN
+  } else {
+    const T least(0x1p-899);
+    if (!detail::all_before_separatrix(mod) || !all(square > least && root > least))
+      return detail::each_lane_of([](const auto&... x) { return heuman_lambda0(x...); }, mod, s, c);
+  }
   return T(2.0) / pi<T>() * (k1 * detail::cel_loop(k1, root, root, root)) * s;
 }
 
-template <Real T>
+template <Number T>
 T heuman_lambda0(const T& psi, const BasicModulus<T>& mod) {
   const HalfTurns<T> h = half_turns(psi);
   return 2.0 * h.turns + heuman_lambda0(h.s, h.c, mod);

@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "polhode/elliptic/agm.hpp"
+#include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/real.hpp"
@@ -26,12 +27,17 @@ namespace polhode {
 inline namespace v0 {
 
 // phi = atan2(s, c).
-template <Real T>
+template <Number T>
 T jacobi_zeta(const T& s, const T& c, const BasicModulus<T>& mod) {
   using std::sqrt;
   const T zero(0.0);
-  if (mod.m1() < zero) return T(std::numeric_limits<double>::quiet_NaN());
-  if (mod.m1() == zero) return c < zero ? -s : (c > zero ? s : c);
+  if constexpr (Real<T>) {
+    if (mod.m1() < zero) return T(std::numeric_limits<double>::quiet_NaN());
+    if (mod.m1() == zero) return c < zero ? -s : (c > zero ? s : c);
+  } else if (!detail::all_before_separatrix(mod) || !lanes_within(0x1p-900, 0x1p300, mod.m1()) ||
+             !lanes_within(0x1p-400, 1.0, s, c)) {
+    return detail::each_lane_of([](const auto&... x) { return jacobi_zeta(x...); }, mod, s, c);
+  }
   if constexpr (NarrowRange<T>) {
     if (!within(0x1p-900, 0x1p300, mod.m1()) || !within(0x1p-400, 1.0, s, c)) {
       const auto wide = BasicModulus<typename Widening<T>::Wide>::from_any_pair(widened(mod.m()),
@@ -44,7 +50,7 @@ T jacobi_zeta(const T& s, const T& c, const BasicModulus<T>& mod) {
   return s * (mod.m() * (c * (delta * mean)));
 }
 
-template <Real T>
+template <Number T>
 T jacobi_zeta(const T& phi, const BasicModulus<T>& mod) {
   const auto [s, c] = sincos(phi);
   return jacobi_zeta(T(s), T(c), mod);

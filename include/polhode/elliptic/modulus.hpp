@@ -17,17 +17,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "polhode/elliptic/detail/modulus_errors.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-namespace detail {
-[[noreturn]] void throw_bad_ratio(double a, double b);
-[[noreturn]] void throw_bad_modulus_pair(double m, double m1);
-[[noreturn]] void throw_bad_any_pair(double m, double m1);
-}  // namespace detail
 
 template <Number T>
 class BasicModulus {

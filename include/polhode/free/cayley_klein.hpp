@@ -36,9 +36,9 @@ using SeriesPolynomial = std::array<T, max_series_terms>;
 
 // Coefficients of a Cayley-Klein series. Made by prepare().
 //   trigonometric: w = A(y), z = sin 2x B(y), x = sin x C(y), y = cos x D(y) with y = cos 2x.
-//   hyperbolic:    with v = qt e^(2|chi|), e = e^(-2|chi|): w = A(v) + e A(qt e), z = -+(B(v) - e
-//   B(qt e)),
-//                  x = +-(C(v) - e C(qt e)), y = D(v) + e D(qt e), upper signs for chi >= 0.
+//   hyperbolic:    with v = qt e^(2|chi|), e = e^(-2|chi|) and upper signs for chi >= 0:
+//                  w = A(v) + e A(qt e),      z = -+(B(v) - e B(qt e)),
+//                  x = +-(C(v) - e C(qt e)),  y = D(v) + e D(qt e).
 template <Number T>
 struct CayleyKleinSeries {
   Mask<T> hyperbolic = false;

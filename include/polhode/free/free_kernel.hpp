@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // FreeKernel: one free arc, prepared. Plain numbers from which the state at any time follows
-// without an elliptic function, without a branch on a value, and without allocation.
+// without an elliptic function, without a branch whose outcome changes a result, and without
+// allocation.
 //
 // Equations   Cayley-Klein parameters by theta series, docs/design/0002-free-rotation.md; who
 //             decides what, docs/design/0016-prepare-and-evaluate.md.

@@ -8,8 +8,9 @@
 //             doubles, each lane with its own body, state and epoch.
 //             Derivatives of a Dual, by moments, state and epoch, are those of the motion. At spin
 //             about an axis, at rest, on the separatrix and within k'^2 = 2^-200 of it, and of a
-//             body with equal moments the form of the arc is another one next door: there those by
-//             moments and momentum are NaN (FreeRotation::state_transition has those by momentum).
+//             body with equal moments the form of the arc differs for neighbouring bodies or
+//             states: there those by moments and momentum are NaN (FreeRotation::state_transition
+//             has those by momentum).
 // Accuracy    docs/accuracy/free-rotation.md; derivatives: budget free_dual in tests/budgets.hpp.
 // Errors      DomainError, as FreeRotation.
 // Cost        tens of microseconds for a double and per lane, some hundred for a Dual.

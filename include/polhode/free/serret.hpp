@@ -8,13 +8,13 @@
 // Units       g0, h in radians, (-pi, pi]; G, H angular momentum, T energy, t0 time.
 // Domain      refers to the body axes sorted by moment (long, intermediate, short; a proper
 //             permutation). Short-axis mode: sign_g1 = 1, sign_g3 the sense of circulation;
-//             long-axis mode the reverse; on the separatrix both signs tell which of the four
+//             long-axis mode the reverse; on the separatrix both signs say which of the four
 //             branches. The elements are multivalued: t0 + a period goes with g0 + n_g times it; t0
 //             nearest to t is returned. Limits: spin about the short or long axis t0 = t; about the
 //             middle axis, where t0 is infinite, that of a momentum 2^-440 G away; across the axis
 //             of an axisymmetric body (n = 0) t0 = t and g0 = g, and l is lost; sphere the same,
-//             which to_rotor refuses, since T no longer tells J; I = 0, pi: h = 0. Within 2^-40 G^2
-//             of the separatrix both signs tell the branch; T within 2 eps of G^2/2I2 is read as
+//             which to_rotor refuses, since T no longer gives J; I = 0, pi: h = 0. Within 2^-40 G^2
+//             of the separatrix both signs say the branch; T within 2 eps of G^2/2I2 is read as
 //             the separatrix itself.
 // Accuracy    budgets flow_round_trip, flow_round_trip_eps, flow_canonical_eps and
 //             serret_separatrix in tests/budgets.hpp; measured: docs/accuracy/charts.md. T and G

@@ -122,6 +122,8 @@ class AdaptiveRungeKutta {
   const F& field() const { return f_; }
   // For what of f its owner changes between steps.
   F& field() { return f_; }
+  // From the next step on, none is longer.
+  void limit_steps(double largest) { control_.largest_step = largest; }
   // The step tried last, with its sign.
   double trial() const { return trial_; }
 

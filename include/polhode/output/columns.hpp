@@ -12,6 +12,7 @@
 //             serret) is in the first of them only. With a full tensor q, g and the body components
 //             of vectors refer to its axes, everything else to principal axes. sadov and serret are
 //             the elements of the free motion through the state of the row.
+//             Other numbers of a chart have another name in its column: sigma_0_pi.
 // Accuracy    that of the motion and of the charts.
 // Errors      DomainError for an unknown or repeated group; energy of a system that has none.
 // Cost        one evaluation of the motion per row, and one conversion per chart; sadov and serret
@@ -20,6 +21,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,12 +30,16 @@
 #include "polhode/dynamics/problem.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/system/system.hpp"
+#include "polhode/tables/chart_kind.hpp"
 #include "polhode/text/units.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 struct RowSample;
+namespace detail {
+class ColumnTable;
+}  // namespace detail
 
 struct Column {
   std::string name;
@@ -44,11 +50,14 @@ struct ColumnGroup {
   std::vector<Column> columns;
 };
 
-// The names that [output] columns may list, and those of all their columns.
-std::vector<std::string_view> column_group_names();
-std::vector<std::string_view> column_names();
+// The names that [output] columns may list, and those of all their columns: those of the charts
+// stand between g and q_inertial.
+std::vector<std::string_view> column_group_names(
+    std::span<const ChartKind> charts = default_charts());
+std::vector<std::string_view> column_names(std::span<const ChartKind> charts = default_charts());
 // DomainError for an unknown column.
-Dimension column_dimension(std::string_view column);
+Dimension column_dimension(std::string_view column,
+                           std::span<const ChartKind> charts = default_charts());
 // Whether a group (or one of its columns) is an energy, which not every system has.
 bool needs_energy(std::string_view group_or_column);
 
@@ -63,16 +72,21 @@ struct ScalarColumn {
   Dimension dimension;
   std::function<double(const DampedSample&)> value;
 };
-ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy);
+ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy,
+                           std::span<const ChartKind> charts = default_charts());
 
-// Sadov's and Serret's sets have a branch (region, lobe, signs). It is constant along a free
-// motion, and a note of the output says it; another motion changes it, and then it has columns.
+// Sadov's and Serret's sets have a branch (region, lobe, signs), the options of a chart. It is
+// constant along a free motion, and a note of the output says it; another motion changes it, and
+// then it has columns.
 enum class Branch { in_notes, in_columns };
+// "sadov: region LAM, lobe 1"; empty of a group that has no branch.
+std::string branch_note(std::string_view group, const FreeRotation& motion,
+                        std::span<const ChartKind> charts = default_charts());
 
 class RowLayout {
  public:
   RowLayout(std::span<const std::string> groups, const Units& units,
-            Branch branch = Branch::in_notes);
+            Branch branch = Branch::in_notes, std::span<const ChartKind> charts = default_charts());
 
   // "t" first, then as asked for, without columns that an earlier group has.
   const std::vector<ColumnGroup>& groups() const { return groups_; }
@@ -90,9 +104,10 @@ class RowLayout {
 
   struct Cell {
     std::size_t group;  // in the table of groups
-    std::size_t index;  // in that group
+    std::size_t place;  // among its numbers
     Dimension dimension;
   };
+  std::shared_ptr<const detail::ColumnTable> table_;
   std::vector<ColumnGroup> groups_;
   std::vector<Cell> cells_;
   std::size_t width_ = 0;

@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "polhode/output/aem_options.hpp"
+#include "polhode/output/output_format.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 struct OutputPlan {
   std::vector<std::string> columns;  // names of column groups
-  AemOptions aem = {};               // [output.aem]
-  bool writes_aem = false;           // whether the file has that table
+  OutputFormats formats = default_output_formats();
+  FormatOptions options = {};  // of the formats whose tables [output.NAME] the file has
 };
 
 }  // namespace v0

@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: MIT
 // Sink: where a run puts its rows, block by block, so that any number of rows needs constant
-// memory. CSV, HDF5 and CCSDS AEM files are sinks.
+// memory. A file is one, of the format that its extension says (polhode/output/output_format.hpp).
 //
 // Equations   none.
 // Units       those that the columns name.
-// Domain      open_sink: "-" (CSV to standard output), PATH.csv, PATH.h5 or PATH.aem. A file is
-//             written as PATH.part, flushed after each block, and renamed by finish(); a run that
-//             fails or is killed leaves PATH.part, readable up to its last block, and PATH as it
-//             was. With a position, open_sink cuts PATH.part back to it and goes on from there.
-// Accuracy    CSV numbers are the shortest that read back to the same double; HDF5 holds doubles.
-// Errors      DomainError for a path that cannot be an output, and for a PATH.part that is not what
-//             a position belongs to; OutputError when writing fails.
-// Cost        CSV about 60 ns per number. No time stamps: equal runs give equal files.
+// Domain      a file is written as PATH.part, flushed after each block, and renamed by finish(); a
+//             run that fails or is killed leaves PATH.part, readable up to its last block, and PATH
+//             as it was.
+// Accuracy    that of the format.
+// Errors      OutputError when writing fails.
+// Cost        that of the format. No time stamps: equal runs give equal files.
 #pragma once
 
+#include <any>
 #include <cstdint>
-#include <memory>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "polhode/output/aem_options.hpp"
 #include "polhode/output/columns.hpp"
 
 namespace polhode {
@@ -34,6 +33,21 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What [output.NAME] asks of formats: by the name of each, its own struct.
+using FormatOptions = std::map<std::string, std::any, std::less<>>;
+
+// What the rows of a run stand on, for formats whose files say it.
+struct RunFacts {
+  std::string name;   // of what turns: the title of the scenario, or else the name of its file
+  std::string epoch;  // of t = 0; empty: there is none
+  std::string axes;
+  bool moving_frame = false;
+  double seconds = 1.0;  // in the unit of time of the rows
+  double first = 0.0;    // times of the rows, in that unit
+  double last = 0.0;
+  bool rising = true;  // whether each row is later than the one before
+};
+
 // What an output says of its origin.
 struct Provenance {
   std::string version;                 // of polhode
@@ -42,7 +56,8 @@ struct Provenance {
   std::string scenario_text;           // may be empty
   std::vector<std::string> notes;      // one sentence each: epoch, axes
   std::vector<std::string> citations;  // one line each
-  AemOutput aem = {};                  // what only an AEM needs
+  RunFacts run = {};
+  FormatOptions options = {};
 };
 
 // How far an output has been written.
@@ -66,10 +81,6 @@ class Sink {
   // The output is complete: gives it its name. Without this PATH.part stays.
   virtual void finish() = 0;
 };
-
-std::unique_ptr<Sink> open_sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                                const Provenance& provenance,
-                                const std::optional<SinkPosition>& from = std::nullopt);
 
 }  // namespace v0
 }  // namespace polhode

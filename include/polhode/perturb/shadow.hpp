@@ -52,16 +52,16 @@ class Shadow {
     if (away < radius || away == radius) return T(0.0);
     const BasicVec3<T> s = (T(1.0) / sun) * to_sun;
     const T across = norm(cross(s, to_body)), ahead = dot(s, to_body);
-    const bool given = !sides.empty();
+    const bool has_sides = !sides.empty();
     if (shape_ == ShadowShape::cylinder) {
-      const bool dark = given ? sides[0] < 0.0 : T(0.0) < ahead && across < radius;
+      const bool dark = has_sides ? sides[0] < 0.0 : T(0.0) < ahead && across < radius;
       return dark ? T(0.0) : T(1.0);
     }
     if (!(T(sun_radius_) < sun)) return T(1.0);
     const T a = asin(T(sun_radius_) / sun), b = asin(radius / away), c = atan2(across, ahead);
-    if (given ? sides[0] > 0.0 : !(c < a + b)) return T(1.0);
+    if (has_sides ? sides[0] > 0.0 : !(c < a + b)) return T(1.0);
     const T apart = b < a ? a - b : b - a;
-    if (given ? !(sides[1] < 0.0) : apart < c) return uncovered(a, b, c);
+    if (has_sides ? !(sides[1] < 0.0) : apart < c) return uncovered(a, b, c);
     return b < a ? T(1.0) - (b / a) * (b / a) : T(0.0);
   }
 

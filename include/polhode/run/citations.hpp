@@ -9,19 +9,13 @@
 // Cost        none.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "polhode/scenario/scenario.hpp"
+#include "polhode/text/citation.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct Citation {
-  std::string key;     // "sadov1970"
-  std::string text;    // authors, year, title, place
-  std::string reason;  // what the scenario takes from it
-};
 
 // In the order of their weight, each once.
 std::vector<Citation> citations(const Scenario& scenario);

@@ -32,7 +32,7 @@ inline namespace v0 {
 // What the outputs of a scenario say of their origin.
 Provenance provenance(const Scenario& scenario);
 RowLayout row_layout(const Scenario& scenario);
-AemOutput aem_output(const Scenario& scenario);
+RunFacts run_facts(const Scenario& scenario);
 
 // How a scenario is propagated, in words: "exact free rotation", "adaptive, tolerance 1e-12".
 std::string propagation_text(const Scenario& scenario);

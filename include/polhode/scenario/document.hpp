@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+class Kinds;
 namespace detail {
 struct ReadFile;
 }  // namespace detail
@@ -51,6 +52,8 @@ struct Document {
   std::string kind;    // of what it describes: "rotation"
   Units units;
   std::vector<ScenarioFile> files;  // each once, by path
+  // Those that it was read with.
+  std::shared_ptr<const Kinds> kinds;
   // The values by path, for the kinds and for the tables that wrap them.
   std::shared_ptr<const detail::ReadFile> checked;
 };

@@ -2,7 +2,7 @@
 // Rotation: what a scenario of kind "rotation" describes: a real body, its state at an epoch, what
 // acts on it and when rows are wanted. It knows no text and no output.
 //
-// Equations   none of its own; each chart is converted by its header in rotor/ and free/.
+// Equations   none of its own; each chart is converted by its description.
 // Units       core units (polhode/text/units.hpp): the unit of time of the file, radians, its unit
 //             of moment.
 // Domain      a full tensor gives principal axes; the body axes of the file (attitude-rate,
@@ -24,20 +24,17 @@
 #include "polhode/dynamics/method.hpp"
 #include "polhode/dynamics/problem.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/free/sadov.hpp"
-#include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/orbit/turned_kepler_orbit.hpp"
-#include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
-#include "polhode/rotor/euler.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "polhode/shape/surface.hpp"
 #include "polhode/system/system.hpp"
+#include "polhode/tables/chart_kind.hpp"
 #include "polhode/trajectory/save_at.hpp"
 
 namespace polhode {
@@ -51,8 +48,8 @@ struct AttitudeRate {
   Given given = Given::omega_body;
 };
 
-using InitialState =
-    std::variant<TumblerState, AttitudeRate, EulerState, AndoyerState, SerretState, SadovState>;
+// [state.CHART]: observers' words and an attitude with a rate are more than numbers of a chart.
+using InitialState = std::variant<TumblerState, AttitudeRate, ChartState>;
 
 // [body] shape = "FILE"
 struct ScenarioShape {

@@ -19,6 +19,7 @@
 
 #include "polhode/output/output_plan.hpp"
 #include "polhode/scenario/document.hpp"
+#include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
 #include "polhode/scenario/rotation.hpp"
 
@@ -40,9 +41,10 @@ struct Scenario {
 };
 
 // `path` stands for the file in messages, its last part in outputs.
-Scenario scenario_from_text(std::string_view text, const std::string& path);
+Scenario scenario_from_text(std::string_view text, const std::string& path,
+                            const Kinds& kinds = default_kinds());
 // "-" is standard input. DomainError when there is no such file, or it is a folder.
-Scenario read_scenario(const std::string& path);
+Scenario read_scenario(const std::string& path, const Kinds& kinds = default_kinds());
 
 // These visit the experiment with the overloads of its kind (polhode/scenario/rotation.hpp).
 // The times of its rows, and whether it has events.
@@ -53,7 +55,6 @@ System rotor_system(const Scenario& scenario);
 RotorState initial_state(const Scenario& scenario);
 FreeRotation free_rotation(const Scenario& scenario);
 std::optional<Method> propagation_method(const Scenario& scenario);
-DampedProblem rotor_problem(const Scenario& scenario);
 
 }  // namespace v0
 }  // namespace polhode

@@ -19,7 +19,7 @@ inline namespace v0 {
 
 // The place of x^a y^b z^c among the moments of degree a + b + c. It does not depend on a.
 constexpr std::size_t moment_place(int b, int c) {
-  const auto n = static_cast<std::size_t>(b + c);
+  const auto n = static_cast<std::size_t>(b) + static_cast<std::size_t>(c);
   return n * (n + 1) / 2 + static_cast<std::size_t>(c);
 }
 // How many moments, or coefficients of a homogeneous polynomial, a degree has.

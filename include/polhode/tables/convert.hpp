@@ -7,7 +7,8 @@
 //             by name, all others pass through as they are. Comma separated; lines that start with
 //             # pass through, blank lines are dropped, CR LF is read as LF, a quoted field may hold
 //             commas but no line break. Lines of at most 1 MiB. A column that the new chart has
-//             too is replaced.
+//             too is replaced. A column may also have the name that rows of `polhode run` give it
+//             (ChartVariable::column).
 // Accuracy    that of the charts; numbers are written as the shortest that reads back the same.
 // Errors      DomainError "NAME:LINE: ..." for the first bad row or header; all rows before it have
 //             been written. What the sink throws passes through.
@@ -24,18 +25,10 @@
 #include <vector>
 
 #include "polhode/rotor/body.hpp"
+#include "polhode/tables/chart_kind.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct TableChart {
-  std::string_view name;     // "andoyer"
-  std::string_view columns;  // "l,g,h,L,G,H"
-  std::string_view options;  // columns that the input may lack: "sign_g1,sign_g3"
-  bool needs_body;           // --moments
-  std::string_view help;
-};
-std::span<const TableChart> table_charts();
 
 struct Conversion {
   std::string from;
@@ -47,9 +40,9 @@ struct Conversion {
 using ByteSource = std::function<std::size_t(std::span<char>)>;
 using ByteSink = std::function<void(std::string_view)>;
 
-// `name` stands for the input in messages.
+// `name` stands for the input in messages. The conversion names two of the charts.
 void convert(const Conversion& conversion, const std::string& name, const ByteSource& source,
-             const ByteSink& sink);
+             const ByteSink& sink, std::span<const ChartKind> charts = default_charts());
 
 }  // namespace v0
 }  // namespace polhode

@@ -46,7 +46,8 @@ enum class Dimension {
   magnetic_moment,  // of a dipole: current times area
   magnetic_tensor,  // a torque per angular rate and field squared
   moment3,          // a mass times a length cubed
-  moment4           // a mass times the fourth power of a length
+  moment4,          // a mass times the fourth power of a length
+  root_momentum     // the square root of a momentum, with units like sqrt(kg m2/s)
 };
 
 // "a time", "an angular rate", ...: for messages and documents.

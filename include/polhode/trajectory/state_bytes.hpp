@@ -4,7 +4,7 @@
 //
 // Equations   none.
 // Units       any.
-// Domain      numbers, texts, vectors and quaternions, arrays, lists and optional ones of them,
+// Domain      numbers, texts, vectors, quaternions, arrays, lists, pairs, optional ones of them,
 //             samples and events of any state. To write: visit, then bytes(). To read: visit the
 //             same things in the same order.
 // Accuracy    exact: every double is kept as its bits, the lowest byte first on every machine.
@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "polhode/error.hpp"
@@ -28,7 +29,7 @@
 
 namespace polhode {
 inline namespace v0 {
-// FNV-1a of 64 bits: tells texts apart and finds bytes that were damaged. Of a text in pieces,
+// FNV-1a of 64 bits: distinguishes texts and finds bytes that were damaged. Of a text in pieces,
 // each goes on from the hash of those before.
 inline std::uint64_t fingerprint(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325U) {
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
@@ -101,14 +102,18 @@ class StateBytes {
   }
   template <class T>
   void operator()(std::optional<T>& x) {
-    bool there = x.has_value();
-    (*this)(there);
-    if (!there) {
+    bool is_given = x.has_value();
+    (*this)(is_given);
+    if (!is_given) {
       x.reset();
       return;
     }
     if (!x) x.emplace(T{});
     (*this)(*x);
+  }
+  template <class A, class B>
+  void operator()(std::pair<A, B>& x) {
+    all(x.first, x.second);
   }
   template <class T>
   void operator()(std::vector<T>& values) {

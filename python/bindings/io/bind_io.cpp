@@ -7,6 +7,7 @@
 #include "polhode/output/columns.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/text/separated.hpp"
 
 namespace polhode::python {
 
@@ -17,6 +18,29 @@ nb::object method_object(const std::optional<Method>& method) {
   return std::visit([](const auto& value) { return nb::cast(value); }, *method);
 }
 
+nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
+
+template <class Names>
+nb::list names_list(const Names& names) {
+  nb::list list;
+  for (const std::string_view name : names) list.append(text(name));
+  return list;
+}
+
+// Of the class that the chart names; its numbers by name where there is none.
+nb::object state_of(const ChartState& state) {
+  nb::dict fields;
+  std::size_t place = 0;
+  for (const ChartVariable& variable : state.chart.variables)
+    fields[text(variable.name)] = state.numbers.at(place++);
+  for (const ChartOption& option : state.chart.options)
+    fields[text(option.name)] = state.numbers.at(place++);
+  for (const ChartField& field : state.chart.state_fields)
+    fields[text(field.name)] = text(field.word);
+  if (state.chart.state_class.empty()) return fields;
+  return nb::module_::import_("polhode._core").attr(text(state.chart.state_class))(**fields);
+}
+
 // The state as the file gives it; an attitude with a rate is the hub state.
 nb::object state_object(const Scenario& scenario) {
   return std::visit(
@@ -24,10 +48,30 @@ nb::object state_object(const Scenario& scenario) {
         using S = std::decay_t<decltype(s)>;
         if constexpr (std::is_same_v<S, AttitudeRate>)
           return nb::cast(Batch<RotorState>::one(initial_state(scenario)));
+        else if constexpr (std::is_same_v<S, ChartState>)
+          return state_of(s);
         else
           return nb::cast(Batch<S>::one(s));
       },
       scenario.rotation().state);
+}
+
+// The charts of [state]: (name, class, {field: word}, [(number, is an angle)], [(option, words)]).
+nb::list state_charts_list() {
+  nb::list charts;
+  for (const ChartKind& chart : default_charts()) {
+    if (!chart.in_scenarios) continue;
+    nb::dict fields;
+    for (const ChartField& field : chart.state_fields) fields[text(field.name)] = text(field.word);
+    nb::list numbers, options;
+    for (const ChartVariable& variable : chart.variables)
+      numbers.append(nb::make_tuple(text(variable.name), variable.dimension == Dimension::angle));
+    for (const ChartOption& option : chart.options)
+      options.append(nb::make_tuple(text(option.name), names_list(separated(option.words, '|'))));
+    charts.append(
+        nb::make_tuple(text(chart.name), text(chart.state_class), fields, numbers, options));
+  }
+  return charts;
 }
 
 // [(group, [(column, unit), ...]), ...], t first.
@@ -41,13 +85,6 @@ nb::list groups_of(const Scenario& scenario) {
     groups.append(nb::make_tuple(group.name, columns));
   }
   return groups;
-}
-
-template <class Names>
-nb::list names_list(const Names& names) {
-  nb::list list;
-  for (const std::string_view name : names) list.append(nb::str(name.data(), name.size()));
-  return list;
 }
 
 nb::list citations_of(const Scenario& scenario) {
@@ -114,6 +151,7 @@ void bind_io(nb::module_& m) {
   });
   m.def("_shown_number", &shown_number);
   m.def("_column_names", [] { return names_list(column_names()); });
+  m.def("_state_charts", state_charts_list);
   m.def("_column_group_names", [] { return names_list(column_group_names()); });
 }
 

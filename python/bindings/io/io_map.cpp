@@ -159,6 +159,10 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   if (run->is_complete()) run = begun(RunBegin::restart);  // its rows are wanted all the same
   result.rows_before = run->rows();
   result.report = report_of(*run, loop, map.size());
+  run.reset();  // closes its files
+  if (result.rows_before > 0)
+    put_first(result.rows,
+              first_rows(scenario.output.formats, paths, map.groups(), result.rows_before));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/output/sink.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "polhode/run/summary.hpp"
@@ -34,6 +35,10 @@ RunBegin begin_of(const char* function, bool resume, bool restart);
 BeginWords begin_words();
 // A path as the file system has it.
 std::string path_text(nb::handle path);
+// In front of the rows of this part of a run, those that an earlier part has left in its files.
+void put_first(std::vector<double>& rows, const std::vector<double>& before);
+// "PATH.csv or PATH.h5": what such a part can be read from.
+std::string readable_paths(const OutputFormats& formats);
 // Rows into memory, one after the other.
 class TableSink : public Sink {
  public:

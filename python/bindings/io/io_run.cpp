@@ -65,7 +65,20 @@ class Stop {
   Progress look_;
 };
 
-// The GIL is not held while rows are computed and written.
+// Its files are closed at the end. The GIL is not held while rows are computed and written.
+void run_into(Run& result, const Scenario& scenario, const RunFiles& files, RunOptions options,
+              const std::exception_ptr& raised) {
+  ScenarioRun run(scenario, files, std::move(options));
+  result.rows_before = run.is_complete() ? row_times(scenario)->size() : run.rows();
+  result.complete = run.is_complete();
+  try {
+    const WithoutGil released;
+    result.report = run.run();
+  } catch (const RunInterrupted&) {
+    std::rethrow_exception(raised);
+  }
+}
+
 Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
                  bool resume, bool restart, nb::handle progress) {
   if (!row_times(scenario))
@@ -83,6 +96,10 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   options.begin = begin_of("run", resume, restart);
   options.words = begin_words();
   options.keep_events = keep;
+  const OutputFormats& formats = scenario.output.formats;
+  if (resume && keep && !files.outputs.empty() && !can_read_rows(formats, files.outputs))
+    throw DomainError("run: resume=True with keep=True reads the rows so far from " +
+                      readable_paths(formats) + "; expected one of them, or keep=False");
   options.progress = progress_to(progress);
   std::exception_ptr raised;
   options.stop = Stop(raised);
@@ -90,15 +107,10 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
     reserve(result, row_times(scenario)->size());  // before any file is there
     options.extra_sink = std::make_unique<TableSink>(result.rows);
   }
-  ScenarioRun run(scenario, std::move(files), std::move(options));
-  result.rows_before = run.is_complete() ? row_times(scenario)->size() : run.rows();
-  result.complete = run.is_complete();
-  try {
-    const WithoutGil released;
-    result.report = run.run();
-  } catch (const RunInterrupted&) {
-    std::rethrow_exception(raised);
-  }
+  run_into(result, scenario, files, std::move(options), raised);
+  if (keep && result.rows_before > 0)
+    put_first(result.rows, first_rows(formats, files.outputs, row_layout(scenario).groups(),
+                                      result.rows_before));
   return result;
 }
 
@@ -113,7 +125,8 @@ void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
   const Numbers rows(table, "table", {layout.width()});
   const std::size_t n = size_of(rows.shape());
   const std::unique_ptr<Sink> sink =
-      open_sink(path_text(path), layout.groups(), provenance(scenario));
+      open_sink(path_text(path), layout.groups(), provenance(scenario), std::nullopt,
+                scenario.output.formats);
   for (std::size_t k = 0; k < n; k += rows_per_block) {
     const std::size_t more = std::min(rows_per_block, n - k);
     {
@@ -151,6 +164,14 @@ std::string path_text(nb::handle path) {
   return {bytes.c_str(), bytes.size()};
 }
 
+void put_first(std::vector<double>& rows, const std::vector<double>& before) {
+  rows.insert(rows.begin(), before.begin(), before.end());
+}
+
+std::string readable_paths(const OutputFormats& formats) {
+  return paths_in_words(formats, [](const OutputFormat& format) { return bool(format.rows); });
+}
+
 RunBegin begin_of(const char* function, bool resume, bool restart) {
   if (resume && restart)
     throw DomainError(std::string(function) +
@@ -170,6 +191,7 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
       .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
       .def_prop_ro("complete", [](const Run& r) { return r.complete; });
+  m.def("_readable_paths", [] { return readable_paths(default_output_formats()); });
   scenario
       .def("run", run_scenario, nb::arg("outputs"), nb::arg("events").none(), nb::arg("keep"),
            nb::arg("resume"), nb::arg("restart"), nb::arg("progress").none())

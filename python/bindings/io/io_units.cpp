@@ -66,7 +66,8 @@ void bind_dimension(nb::module_& m) {
       .value("magnetic_moment", Dimension::magnetic_moment)
       .value("magnetic_tensor", Dimension::magnetic_tensor)
       .value("moment3", Dimension::moment3)
-      .value("moment4", Dimension::moment4);
+      .value("moment4", Dimension::moment4)
+      .value("root_momentum", Dimension::root_momentum);
 }
 
 nb::tuple names_of_units(const Units& u) {

@@ -15,9 +15,9 @@ namespace detail {
 double time_scale(const System& system, double start);
 
 inline StepControl step_control(const System& system, double start, const Adaptive& method) {
-  const bool given = method.largest_step < std::numeric_limits<double>::infinity();
+  const bool is_limited = method.largest_step < std::numeric_limits<double>::infinity();
   return {method.tolerance, method.first_step,
-          given ? method.largest_step : time_scale(system, start)};
+          is_limited ? method.largest_step : time_scale(system, start)};
 }
 
 }  // namespace detail

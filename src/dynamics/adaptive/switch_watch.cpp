@@ -141,8 +141,8 @@ Effect SwitchWatch::change(std::size_t which, const DoubleDouble& t, const Rotor
   at.sides = sides.of(term);
   const Effect here = system_.terms()[term].effect(at);
   sides.values[which] = -sides.values[which];
-  const Effect there = system_.terms()[term].effect(at);
-  return {there.v - here.v, there.u - here.u};
+  const Effect beyond = system_.terms()[term].effect(at);
+  return {beyond.v - here.v, beyond.u - here.u};
 }
 
 std::string SwitchWatch::refused_jump(std::size_t which, const DoubleDouble& t, const RotorState& s,

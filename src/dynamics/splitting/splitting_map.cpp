@@ -105,7 +105,7 @@ bool SplittingMap::is_at_rest(const SplittingState& s, double time) const {
 }
 
 void SplittingMap::drift(SplittingState& s, const TwoTerms<double>& time) const noexcept {
-  // |g|^2 would be no number, and a modulus made of it an exception: the state says it instead
+  // |g|^2 would be no number: the state says it
   const Vec3& g = s.g.hi;
   if (!(larger(std::abs(g.x), std::abs(g.y), std::abs(g.z)) < largest_momentum)) {
     s.g.hi.x = std::numeric_limits<double>::quiet_NaN();

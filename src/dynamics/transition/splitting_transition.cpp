@@ -43,12 +43,12 @@ class SplittingTransition final : public BasicStepper<TransitionState> {
     }
     // what is left is a part of a step, not kept
     const double h = rest(t);
-    const SplittingState there = map_.stepped(grid_, h);
-    std::string refused = not_finite(there);
-    if (refused.empty()) refused = jumps_.seen_in_part(map_, grid_, h, there);
+    const SplittingState next = map_.stepped(grid_, h);
+    std::string refused = not_finite(next);
+    if (refused.empty()) refused = jumps_.seen_in_part(map_, grid_, h, next);
     if (!refused.empty()) return refused;
     t_ = t;
-    now_ = part(there, h);
+    now_ = part(next, h);
     return {};
   }
   double time() const override { return t_; }
@@ -64,8 +64,8 @@ class SplittingTransition final : public BasicStepper<TransitionState> {
 
  private:
   double rest(double t) const { return (t - grid_.t.hi) - grid_.t.lo; }
-  TransitionState part(const SplittingState& there, double h) const {
-    return {map_.state(there), map_.step_transition(grid_, h) * transition_};
+  TransitionState part(const SplittingState& to, double h) const {
+    return {map_.state(to), map_.step_transition(grid_, h) * transition_};
   }
   std::string not_finite(const SplittingState& next) const {
     const RotorState s = map_.state(next);
@@ -78,7 +78,7 @@ class SplittingTransition final : public BasicStepper<TransitionState> {
   double step_;  // with its sign
   StepJumps jumps_;
   SplittingState grid_;  // after whole steps
-  Matrix6 transition_;   // up to there
+  Matrix6 transition_;   // up to grid_
   double t_;
   TransitionState now_;
   std::int64_t steps_ = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Euler's flow g0 -> g(t) and its precession angle as smooth functions of g0, for dual numbers.
+// Euler's flow g0 -> g(t) and its precession angle as smooth functions of g0, in every number type:
+// dual numbers get derivatives.
 //
 // The addition theorems of sn, cn, dn and Pi turn the solution into rational functions of g0 and of
 // S = sn(nt)/n, C = cn(nt), D = dn(nt), which depend on g0 only through mu = n^2 and nu = k^2 n^2.

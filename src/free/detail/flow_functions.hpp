@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include "polhode/elliptic/agm.hpp"
@@ -163,10 +164,22 @@ FlowHalfPeriod<T> flow_half_period(const FlowParameters<T>& p) {
   return {T(2.0) * complete_k(modulus) / root, T(2.0) * p.weight * quarter_w};
 }
 
+// Squared rates that are NaN or beyond the range of a double make no modulus.
+template <Real T>
+bool has_half_period(const FlowParameters<T>& p) {
+  const double mu = to_double(p.mu), nu = to_double(p.nu), delta = to_double(p.delta);
+  const double sum = (delta > 0.0 ? nu : mu) + std::abs(delta);
+  return mu >= 0.0 && nu >= 0.0 && sum > 0.0 && std::isfinite(sum);
+}
+
 // At any time: whole half periods are taken off first. Next to the separatrix an arc beyond a
 // quarter of the period grows by what the rest takes away again, with the digits.
 template <Real T, class S>
 FlowFunctions<T> long_flow(const FlowParameters<T>& p, const S& time) {
+  if (!has_half_period(p)) {
+    const T none(std::numeric_limits<double>::quiet_NaN());
+    return {none, none, none, none, none};
+  }
   const FlowHalfPeriod<T> half = flow_half_period(p);
   const double count = std::rint(to_double(time) / to_double(half.time));
   if (count == 0.0) return flow_functions(p, time);

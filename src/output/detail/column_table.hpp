@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The table of column groups: names, dimensions, and the function that fills a group.
+// The table of column groups: names, dimensions, and what fills a group: a function, or a chart.
 #pragma once
 
-#include <array>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
-#include "polhode/free/serret.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/tables/chart_kind.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-// The state of a row. A motion that is free in inertial axes is there itself, with its elements. A
-// system with a damper is that at the rate of the row.
+// The state of a row. A motion that is free in inertial axes is there itself, with the numbers, by
+// group, of the charts that are constant along it. A system with a damper is that at the rate of
+// the row.
 struct RowSample {
   const System& system;
   double initial_energy;
@@ -21,26 +23,39 @@ struct RowSample {
   RotorState state;
   Vec3 damper_rate = {};
   const FreeRotation* motion = nullptr;
-  const SerretState* elements = nullptr;
+  std::span<const ChartNumbers> constants = {};
 };
 
 namespace detail {
 
-constexpr std::size_t widest_group = 8;
-using Numbers = std::array<double, widest_group>;
+using Numbers = ChartNumbers;
 
 struct ColumnSpec {
   std::string_view name;
   Dimension dimension = Dimension::number;
   bool is_branch = false;
+  std::size_t place = 0;  // among the numbers of the group
 };
 struct GroupSpec {
   std::string_view name;
-  std::array<ColumnSpec, widest_group> columns;  // an empty name ends them
-  Numbers (*numbers)(const RowSample&);
+  std::vector<ColumnSpec> columns;
+  Numbers (*of_row)(const RowSample&);  // null of a chart
+  std::optional<ChartKind> chart;
 };
+Numbers numbers_of(const GroupSpec& group, const RowSample& row);
 
-std::span<const GroupSpec> column_table();
+// In the order of documents.
+class ColumnTable {
+ public:
+  explicit ColumnTable(std::span<const ChartKind> charts);
+  std::span<const GroupSpec> groups() const { return groups_; }
+  bool is_constant(std::size_t group) const {
+    return groups_[group].chart && groups_[group].chart->is_constant;
+  }
+
+ private:
+  std::vector<GroupSpec> groups_;
+};
 
 }  // namespace detail
 }  // namespace v0

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/part_file.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/run/scenario_run.hpp"
 
 namespace polhode {
@@ -37,8 +38,8 @@ struct PlannedOutput {
 };
 // Whether all outputs are there, with none on its way. DomainError for one of another scenario, of
 // other files that the scenario names or with other columns, and for one that does not say.
-bool are_complete(std::span<const PlannedOutput> outputs, const Provenance& provenance,
-                  const BeginWords& words);
+bool are_complete(std::span<const PlannedOutput> outputs, const OutputFormats& formats,
+                  const Provenance& provenance, const BeginWords& words);
 
 // A disk that was full says what to do: make space, and what `next` says. Empty: nothing helps.
 template <class F, class Next>

@@ -19,7 +19,7 @@ inline namespace v0 {
 namespace detail {
 
 RowLayout row_layout(const Rotation& rotation, const Scenario& scenario);
-AemOutput aem_output(const Rotation& rotation, const Scenario& scenario);
+RunFacts run_facts(const Rotation& rotation, const Scenario& scenario);
 std::string propagation_text(const Rotation& rotation, const Units& units);
 // What outputs say of it, in addition to text, title and citations.
 std::vector<std::string> notes_of(const Rotation& rotation, const Scenario& scenario);

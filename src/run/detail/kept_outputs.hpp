@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/output/sink.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "run/detail/earlier_run.hpp"
 #include "run/detail/identity.hpp"
@@ -29,6 +29,7 @@ struct KeptSetup {
   KeptKind kind;
   Identity identity;
   std::vector<PlannedOutput> outputs;  // the checkpoint stands next to the first
+  OutputFormats formats;               // that there are
   RunBegin begin = RunBegin::anew;
   BeginWords words = {};
   double seconds = 5.0;  // between two checkpoints, at least

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/output/output_plan.hpp"
+#include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/values.hpp"
@@ -24,6 +25,7 @@ namespace detail {
 struct KindContext {
   const Values& values;
   const Units& units;
+  const Kinds& kinds;        // of what it holds
   const OutputPlan& output;  // what it must be able to give
   const std::string& name;   // of the file, for messages
 };
@@ -43,7 +45,7 @@ struct MadeExperiment {
 
 struct ExperimentKind {
   std::string_view name;
-  std::vector<SchemaPart> (*keys)();
+  std::vector<SchemaPart> (*keys)(const DescribedParts& described);
   // Throws a ScenarioError at the place of what is wrong.
   MadeExperiment (*make)(const KindContext& at);
 };

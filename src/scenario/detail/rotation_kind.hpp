@@ -9,7 +9,6 @@
 
 #include "polhode/scenario/rotation.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
-#include "scenario/detail/perturbation_kinds.hpp"
 #include "scenario/scenario_parts.hpp"
 
 namespace polhode {

@@ -13,12 +13,17 @@ namespace detail {
 struct SchemaPart {
   std::span<const Key> keys;
   std::span<const Alternatives> alternatives;
+  std::span<const KindText> kinds = {};
+};
+
+// The parts that the descriptions of kinds make.
+struct DescribedParts {
+  SchemaPart perturbations;
 };
 SchemaPart body_keys();
 SchemaPart state_keys();
 SchemaPart frame_keys();
 SchemaPart orbit_keys();
-SchemaPart perturbation_keys();
 SchemaPart surface_keys();
 SchemaPart method_keys();
 SchemaPart time_keys();

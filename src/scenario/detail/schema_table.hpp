@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of keys of every kind of experiment: the head of a file, the parts of the kinds, then
-// output and map.
+// output with its formats, and map.
 #pragma once
 
 #include <deque>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/output/output_format.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
@@ -21,18 +22,21 @@ class SchemaTable {
  public:
   // A part that several kinds share is there once. Its keys at the top of the file belong to these
   // kinds alone; those of all kinds say nothing of kinds.
-  explicit SchemaTable(std::span<const ExperimentKind> kinds);
+  explicit SchemaTable(std::span<const ExperimentKind> kinds, const DescribedParts& described = {},
+                       const OutputFormats& formats = default_output_formats());
   SchemaTable(const SchemaTable&) = delete;
   SchemaTable& operator=(const SchemaTable&) = delete;
 
-  Schema schema() const { return {keys_, alternatives_}; }
+  Schema schema() const { return {keys_, alternatives_, texts_}; }
 
  private:
   void add(const SchemaPart& part, std::string_view kinds);
+  void add(const OutputFormat& format);
 
   std::deque<std::string> words_;  // that keys refer to
   std::vector<Key> keys_;
   std::vector<Alternatives> alternatives_;
+  std::vector<KindText> texts_;
 };
 
 }  // namespace detail

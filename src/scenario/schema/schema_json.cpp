@@ -180,6 +180,12 @@ void write_alternatives(JsonWriter& json, const Alternatives& row) {
   json.end_array();
 }
 
+// Of the rows that several kinds have under one name.
+bool is_first(const std::vector<const Key*>& keys, const Key& key) {
+  return *std::find_if(keys.begin(), keys.end(),
+                       [&](const Key* other) { return other->path == key.path; }) == &key;
+}
+
 bool always_required(const Key& key) {
   return key.kinds.empty() && key.presence == Presence::required;
 }
@@ -199,7 +205,10 @@ void write_kind(JsonWriter& json, const Schema& schema, std::string_view table,
     if (!always_required(*key) && is_required(*key, kind)) json.value(key_name(key->path));
   json.end_array().key("properties").begin_object();
   for (const Key* key : keys)
-    if (!belongs(*key, kind)) json.key(key_name(key->path)).value(false);
+    if (is_first(keys, *key) && std::none_of(keys.begin(), keys.end(), [&](const Key* other) {
+          return other->path == key->path && belongs(*other, kind);
+        }))
+      json.key(key_name(key->path)).value(false);
   json.end_object();
   for (const Alternatives& row : schema.alternatives)
     if (row.table == table && !row.kinds.empty() && belongs(row, kind))
@@ -250,6 +259,17 @@ void write_key(JsonWriter& json, const Schema& schema, const Key& key) {
   json.end_object();
 }
 
+// One row, or those of several kinds.
+void write_property(JsonWriter& json, const Schema& schema, const std::vector<const Key*>& keys,
+                    const Key& key) {
+  const auto is_row = [&](const Key* other) { return other->path == key.path; };
+  if (std::count_if(keys.begin(), keys.end(), is_row) == 1) return write_key(json, schema, key);
+  json.begin_object().key("anyOf").begin_array();
+  for (const Key* row : keys)
+    if (is_row(row)) write_key(json, schema, *row);
+  json.end_array().end_object();
+}
+
 void write_table(JsonWriter& json, const Schema& schema, std::string_view table) {
   const std::vector<const Key*> keys = keys_of(schema, table);
   const Key* named = nullptr;
@@ -259,8 +279,9 @@ void write_table(JsonWriter& json, const Schema& schema, std::string_view table)
       named = key;
       continue;
     }
+    if (!is_first(keys, *key)) continue;
     json.key(key_name(key->path));
-    write_key(json, schema, *key);
+    write_property(json, schema, keys, *key);
   }
   json.end_object().key("additionalProperties");
   if (named == nullptr) {

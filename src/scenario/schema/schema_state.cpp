@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The table of scenario keys: the state of the body at t = 0.
+// The table of scenario keys: the state of the body at t = 0. Two ways to say it are written out
+// here, the others are charts.
+#include <charconv>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "polhode/tables/chart_kind.hpp"
 #include "scenario/detail/schema_parts.hpp"
+#include "scenario/detail/state_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -164,197 +172,57 @@ constexpr Key keys[] = {
      .length = 3,
      .example = "[0.1, 2.0, 0.5]",
      .help = "Angular momentum instead, components along the body axes: exact where omega is not."},
-
-    {.path = "state.euler",
-     .presence = alternative,
-     .help = "3-1-3 Euler angles and their canonical momenta."},
-    {.path = "state.euler.phi",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "10",
-     .help = "First angle, about inertial axis 3."},
-    {.path = "state.euler.theta",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "60",
-     .help = "Second angle, about the line of nodes; not 0 or 180 deg, where the momenta end."},
-    {.path = "state.euler.psi",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "30",
-     .help = "Third angle, about body axis 3."},
-    {.path = "state.euler.Phi",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.8",
-     .help = "Momentum of phi: the angular momentum along inertial axis 3."},
-    {.path = "state.euler.Theta",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.1",
-     .help = "Momentum of theta: the angular momentum along the line of nodes."},
-    {.path = "state.euler.Psi",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.9",
-     .help = "Momentum of psi: the angular momentum along body axis 3."},
-
-    {.path = "state.andoyer", .presence = alternative, .help = "Andoyer variables."},
-    {.path = "state.andoyer.l",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "70",
-     .help = "From the node of the body equator on the invariable plane to body axis 1."},
-    {.path = "state.andoyer.g",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "20",
-     .help = "From the node of the invariable plane to the node of the body equator."},
-    {.path = "state.andoyer.h",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "40",
-     .help = "From inertial axis 1 to the node of the invariable plane."},
-    {.path = "state.andoyer.L",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.8",
-     .help = "Angular momentum along body axis 3; |L| <= G."},
-    {.path = "state.andoyer.G",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "1.0",
-     .help = "Length of the angular momentum; not negative."},
-    {.path = "state.andoyer.H",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.5",
-     .help = "Angular momentum along inertial axis 3; |H| <= G."},
-
-    {.path = "state.serret",
-     .presence = alternative,
-     .help = "Serret's elements: constants of the free motion."},
-    {.path = "state.serret.g0",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "20",
-     .help = "Andoyer's g at the instant t0."},
-    {.path = "state.serret.h",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "40",
-     .help = "From inertial axis 1 to the node of the invariable plane."},
-    {.path = "state.serret.t0",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::time,
-     .example = "0.2",
-     .help = "Instant at which the elliptic argument is zero."},
-    {.path = "state.serret.G",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "1.0",
-     .help = "Length of the angular momentum; positive."},
-    {.path = "state.serret.H",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.5",
-     .help = "Angular momentum along inertial axis 3; |H| <= G."},
-    {.path = "state.serret.T",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::energy,
-     .example = "0.505",
-     .help = "Kinetic energy, from G^2/(2 Imax) to G^2/(2 Imin)."},
-    {.path = "state.serret.sign_g1",
-     .type = integer,
-     .allowed = "1|-1",
-     .fallback = "1",
-     .example = "1",
-     .help = "Sign of the momentum along the long axis at t0: the side that it circles in LAM."},
-    {.path = "state.serret.sign_g3",
-     .type = integer,
-     .allowed = "1|-1",
-     .fallback = "1",
-     .example = "1",
-     .help = "Sign of the momentum along the short axis at t0: the side that it circles in SAM."},
-
-    {.path = "state.sadov", .presence = alternative, .help = "Sadov's action-angle variables."},
-    {.path = "state.sadov.phi_l",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "20",
-     .help = "Angle of the motion in the body."},
-    {.path = "state.sadov.phi_g",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "30",
-     .help = "Angle of the precession about the angular momentum."},
-    {.path = "state.sadov.phi_h",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::angle,
-     .example = "40",
-     .help = "From inertial axis 1 to the node of the invariable plane."},
-    {.path = "state.sadov.I_l",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.95",
-     .help = "Action of phi_l; |I_l| <= I_g, and I_l >= 0 in LAM."},
-    {.path = "state.sadov.I_g",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "1.0",
-     .help = "Length of the angular momentum; positive."},
-    {.path = "state.sadov.I_h",
-     .type = number,
-     .presence = required,
-     .dimension = Dimension::momentum,
-     .example = "0.5",
-     .help = "Angular momentum along inertial axis 3; |I_h| <= I_g."},
-    {.path = "state.sadov.region",
-     .type = choice,
-     .allowed = "SAM|LAM",
-     .example = "\"SAM\"",
-     .help = "Left out: SAM where |I_l|/I_g is above its value on the separatrix, else LAM."},
-    {.path = "state.sadov.lobe",
-     .type = integer,
-     .allowed = "1|-1",
-     .fallback = "1",
-     .example = "1",
-     .help = "In LAM the sign of the momentum along the long axis; in SAM I_l carries the sign."},
 };
 
+constexpr std::string_view written_out = "tumbler|attitude-rate";
 constexpr Alternatives alternatives[] = {
-    {"state", "tumbler|attitude-rate|euler|andoyer|serret|sadov"},
     {"state.tumbler.pole", "longitude+latitude|ra+dec"},
     {"state.attitude-rate", "quaternion|euler"},
     {"state.attitude-rate", "omega_body|omega_inertial|omega_relative|momentum_body"},
 };
 
+bool are_integers(std::string_view words) {
+  int number = 0;
+  return std::from_chars(words.data(), words.data() + words.size(), number).ec == std::errc();
+}
+
 }  // namespace
 
-SchemaPart state_keys() { return {keys, alternatives}; }
+StateKeys::StateKeys(std::span<const ChartKind> charts) : keys_(std::begin(keys), std::end(keys)) {
+  std::string& sets = words_.emplace_back(written_out);
+  for (const ChartKind& chart : charts)
+    if (chart.in_scenarios) {
+      add(chart);
+      sets += "|" + std::string(chart.name);
+    }
+  alternatives_.push_back({"state", sets});
+  alternatives_.insert(alternatives_.end(), std::begin(alternatives), std::end(alternatives));
+}
+
+void StateKeys::add(const ChartKind& chart) {
+  const std::string table = "state." + std::string(chart.name);
+  keys_.push_back(
+      {.path = words_.emplace_back(table), .presence = alternative, .help = chart.help});
+  for (const ChartVariable& variable : chart.variables)
+    keys_.push_back({.path = words_.emplace_back(table + "." + std::string(variable.name)),
+                     .type = number,
+                     .presence = required,
+                     .dimension = variable.dimension,
+                     .example = variable.example,
+                     .help = variable.help});
+  for (const ChartOption& option : chart.options)
+    keys_.push_back({.path = words_.emplace_back(table + "." + std::string(option.name)),
+                     .type = are_integers(option.words) ? integer : choice,
+                     .allowed = option.words,
+                     .fallback = option.fallback,
+                     .example = option.example,
+                     .help = option.help});
+}
+
+SchemaPart state_keys() {
+  static const StateKeys ours(default_charts());
+  return ours.part();
+}
 
 }  // namespace detail
 }  // namespace v0

@@ -159,10 +159,11 @@ void join(std::string& words, std::string_view word) {
   words += (words.empty() ? "" : "|") + std::string(word);
 }
 
-std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentKind> kinds) {
+std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentKind> kinds,
+                                  const detail::DescribedParts& described) {
   std::vector<PartOfKinds> parts;
   for (const detail::ExperimentKind& kind : kinds)
-    for (const detail::SchemaPart& part : kind.keys()) {
+    for (const detail::SchemaPart& part : kind.keys(described)) {
       const auto same = std::find_if(parts.begin(), parts.end(), [&](const PartOfKinds& other) {
         return other.part.keys.data() == part.keys.data();
       });
@@ -177,16 +178,29 @@ std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentKind> kinds)
 detail::SchemaPart detail::body_keys() { return {keys_of_body, of_body}; }
 detail::SchemaPart detail::time_keys() { return {keys_of_time, of_time}; }
 
-detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds) {
+detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds,
+                                 const DescribedParts& described, const OutputFormats& formats) {
   std::string& all = words_.emplace_back();
   for (const ExperimentKind& kind : kinds) join(all, kind.name);
   add({head_keys, {}}, {});
   for (Key& key : keys_)
     if (key.path == "kind") key.allowed = all;
-  for (const PartOfKinds& one : parts_of(kinds))
+  for (const PartOfKinds& one : parts_of(kinds, described))
     add(one.part, one.kinds == all ? std::string_view() : words_.emplace_back(one.kinds));
   add(output_keys(), {});
+  for (const OutputFormat& format : formats.all()) add(format);
   add(map_keys(), {});
+}
+
+// [output.NAME] of a format that has keys.
+void detail::SchemaTable::add(const OutputFormat& format) {
+  if (format.keys.empty()) return;
+  const std::string& table = words_.emplace_back("output." + format.name);
+  keys_.push_back({.path = table, .help = words_.emplace_back(format.help)});
+  for (const OptionKey& option : format.keys) {
+    keys_.push_back(option.key());
+    keys_.back().path = words_.emplace_back(table + "." + std::string(option.key().path));
+  }
 }
 
 void detail::SchemaTable::add(const SchemaPart& part, std::string_view kinds) {
@@ -198,12 +212,7 @@ void detail::SchemaTable::add(const SchemaPart& part, std::string_view kinds) {
     alternatives_.push_back(row);
     if (row.table.empty() && !kinds.empty()) alternatives_.back().kinds = kinds;
   }
-}
-
-const Schema& scenario_schema() {
-  static const detail::SchemaTable table(detail::experiment_kinds());
-  static const Schema schema = table.schema();
-  return schema;
+  texts_.insert(texts_.end(), part.kinds.begin(), part.kinds.end());
 }
 
 }  // namespace v0

@@ -111,6 +111,17 @@ std::string heading(const Key* table) {
          std::string(table->help) + "\n\n";
 }
 
+// What each kind of the table is.
+void append_kinds(std::string& page, const Schema& schema, std::string_view table) {
+  bool any = false;
+  for (const KindText& one : schema.kinds) {
+    if (one.table != table) continue;
+    page += "- `\"" + std::string(one.kind) + "\"`: " + std::string(one.text) + "\n";
+    any = true;
+  }
+  if (any) page += "\n";
+}
+
 void append_section(std::string& page, const Schema& schema, const Key* table) {
   const std::string_view path = table == nullptr ? std::string_view() : table->path;
   page += heading(table);
@@ -120,6 +131,7 @@ void append_section(std::string& page, const Schema& schema, const Key* table) {
                    ? "Exactly"
                    : "With kind " + detail::one_of(separated(row.kinds, '|'), "`") + " exactly") +
               std::string(" one of: ") + set_in_words(row.sets) + ".\n\n";
+  append_kinds(page, schema, path);
   page += "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const Key* key : keys_of(schema, path))
     page += "| `" + std::string(key_name(key->path)) + "` | " + value_cell(*key) + " | " +
@@ -174,7 +186,6 @@ struct Subject {
 constexpr std::string_view perturbation_table = "perturbation[]";
 constexpr std::string_view orbit_table = "orbit.*";
 constexpr std::string_view surface_table = "surface[]";
-constexpr std::string_view kinds_on_facets[] = {"solar-pressure", "drag"};
 constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
                                               "surface[]", "method", "event[]"};
 
@@ -184,8 +195,8 @@ bool is_motion(std::string_view table) {
          std::end(motion_tables);
 }
 
-std::vector<std::string_view> perturbation_kinds() {
-  for (const Key* key : keys_of(scenario_schema(), perturbation_table))
+std::vector<std::string_view> perturbation_kinds(const Schema& schema) {
+  for (const Key* key : keys_of(schema, perturbation_table))
     if (key_name(key->path) == "kind") return separated(key->allowed, '|');
   return {};
 }
@@ -201,8 +212,21 @@ std::string_view example_orbit(const Schema& schema) {
 
 bool needs_orbit(const Schema& schema, std::string_view kind) {
   for (const Key* key : keys_of(schema, perturbation_table))
-    if (key_name(key->path) == "orbit") return belongs(*key, kind);
+    if (key_name(key->path) == "orbit" && belongs(*key, kind)) return true;
   return false;
+}
+
+bool needs_surface(const Schema& schema, std::string_view kind) {
+  return std::any_of(schema.kinds.begin(), schema.kinds.end(), [&](const KindText& one) {
+    return one.table == perturbation_table && one.kind == kind && one.on_surface;
+  });
+}
+
+// What a word of the key `kind` stands for; empty where nothing is said of it.
+std::string_view kind_text(const Schema& schema, std::string_view table, std::string_view kind) {
+  for (const KindText& one : schema.kinds)
+    if (one.table == table && one.kind == kind) return one.text;
+  return {};
 }
 
 // Whether what a kind needs has units that moments without one cannot give: those of air, light,
@@ -222,9 +246,7 @@ bool is_physical(const Schema& schema, std::string_view kind) {
 bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
-  if (key.path == surface_table)
-    return std::find(std::begin(kinds_on_facets), std::end(kinds_on_facets),
-                     subject.perturbation) != std::end(kinds_on_facets);
+  if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
   if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
   if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame" ||
       key.path == "map")
@@ -261,9 +283,11 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     }
     if (physical && key->path == "units.time") value = "\"s\"";
     if (physical && key->path == "units.moment") value = "\"kg m2\"";
-    append_comment(page, key->help);
-    const bool may_be_left_out = key->presence == Presence::optional && !is_required(*key, kind) &&
-                                 key->path != "perturbation[].torque_3";  // a table of no torque
+    const std::string_view text =
+        key_name(key->path) == "kind" ? kind_text(schema, path, kind) : std::string_view();
+    append_comment(page, text.empty() ? key->help : text);
+    const bool may_be_left_out =
+        key->presence == Presence::optional && !is_required(*key, kind) && !key->in_template;
     const bool stands_here =
         stands(schema, *key) && !((is_motion(path) || path == "body") && may_be_left_out);
     page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
@@ -301,15 +325,14 @@ std::vector<std::string_view> state_charts() {
   return charts;
 }
 
-std::vector<std::string_view> scenario_templates() {
+std::vector<std::string_view> scenario_templates(const Schema& schema) {
   std::vector<std::string_view> names = state_charts();
-  for (const std::string_view kind : perturbation_kinds()) names.push_back(kind);
+  for (const std::string_view kind : perturbation_kinds(schema)) names.push_back(kind);
   return names;
 }
 
-std::string scenario_template(std::string_view name) {
-  const Schema& schema = scenario_schema();
-  const std::vector<std::string_view> names = scenario_templates(), charts = state_charts();
+std::string scenario_template(std::string_view name, const Schema& schema) {
+  const std::vector<std::string_view> names = scenario_templates(schema), charts = state_charts();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     const std::string_view near = detail::nearest(name, names);
     throw DomainError("chart: got \"" + std::string(name) + "\"; expected " +

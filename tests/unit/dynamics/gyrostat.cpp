@@ -220,15 +220,27 @@ TEST(Gyrostat, MovesAsInLongDouble) {
   }
 }
 
-// I1 = I2 and the wheel along 3: g3 is constant, and (g1, g2) turns about 3 at g3 - I1 w3 over I1.
+Quaternion turned_about(const Vec3& axis, double angle) {
+  const Vec3 v = std::sin(0.5 * angle) * axis;
+  return {std::cos(0.5 * angle), v.x, v.y, v.z};
+}
+
+// I1 = I2 and the wheel along 3: g3 is constant, (g1, g2) turns about 3 at g3 - I1 w3 over I1, and
+// the body about 3 by the opposite angle and about the momentum in space at G / I1.
 TEST(Gyrostat, OfAnAxisymmetricBodyIsAClosedForm) {
   const double I1 = 1.3, I3 = 2.0, h = 0.7;
   const Gyrostat symmetric({I1, I1, I3}, {0.0, 0.0, h}, 0.1);
   const GyrostatTrajectory run =
       integrate(GyrostatProblem{symmetric, start, 0.0, 60.0, sharp}, {.dense = true});
   const double n = start.g.z / I1 - (start.g.z - h) / I3;
+  const Vec3 G = momentum_in_space(start);
   for (const double t : {0.7, 33.0, 60.0}) {
-    const Vec3 g = run.at(t).g;
+    const GyrostatState s = run.at(t);
+    const Vec3& g = s.g;
+    const Quaternion q = turned_about((1.0 / norm(G)) * G, norm(G) * t / I1) * start.q *
+                         turned_about({0.0, 0.0, 1.0}, -n * t);
+    EXPECT_LE(angle_between(s.q, q), budget::gyrostat_motion);
+    EXPECT_NEAR(s.wheel, start.wheel + h / 0.1 * t, budget::gyrostat_motion * s.wheel);
     EXPECT_NEAR(g.x, start.g.x * std::cos(n * t) - start.g.y * std::sin(n * t),
                 budget::gyrostat_motion);
     EXPECT_NEAR(g.y, start.g.x * std::sin(n * t) + start.g.y * std::cos(n * t),
@@ -328,7 +340,19 @@ TEST(Gyrostat, ACheckpointKnowsItsProblem) {
   EXPECT_THAT(message_of([&] { resume(other, times, from, into(rest, 0)); }),
               HasSubstr("state differs"));
   const Problem rotor{System(Body(1.0, 1.7, 2.2)), {start.q, start.g}, 0.0, 40.0, sharp};
-  EXPECT_THAT(message_of([&] { resume(rotor, times, from, Streams{}); }), HasSubstr("differs"));
+  EXPECT_THAT(message_of([&] { resume(rotor, times, from, Streams{}); }),
+              HasSubstr("another problem: state differs"));
+}
+
+TEST(Gyrostat, ACheckpointKnowsTheStateAsItIsStarted) {
+  const SaveAt times = SaveAt::count(0.0, 40.0, 41);
+  Record record, rest;
+  integrate(problem(40.0), times, into(record, 10));
+  GyrostatProblem same = problem(40.0);
+  same.initial.q = {1.0, 1.0, -1.0, 1.0};  // twice as long
+  resume(same, times, record.checkpoints.at(0), into(rest, 0));
+  ASSERT_FALSE(rest.samples.empty());
+  EXPECT_EQ(rest.samples.back(), record.samples.back());
 }
 
 TEST(Gyrostat, RefusesWhatItCannotDo) {

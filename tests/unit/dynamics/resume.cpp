@@ -7,21 +7,25 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 
 namespace {
 
 using namespace polhode;
+using polhode::test::message_of;
 using testing::HasSubstr;
 
 Problem problem(const Method& method, double stop) {
@@ -256,6 +260,54 @@ TEST(Resume, BytesThatAreNoCheckpoint) {
   EXPECT_THROW(Checkpoint(bytes.substr(0, bytes.size() - 1)), DomainError);
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   EXPECT_THROW(Checkpoint{bytes}, DomainError);
+}
+
+// t and what a run has written are in the hash, and so is the hash itself by its comparison.
+TEST(Resume, AFlippedBitAnywhereIsSeen) {
+  Record record;
+  integrate(problem(Splitting{.step = 0.1}, 40.0), SaveAt::count(0.0, 40.0, 41), into(record, 100));
+  const std::string& bytes = record.checkpoints.at(0).bytes();
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    EXPECT_THROW(Checkpoint{damaged}, DomainError) << i;
+  }
+}
+
+// What follows the hash, under a head that is right.
+Checkpoint with_hash(const Checkpoint& from, const std::string& hashed) {
+  StateBytes reader(from.bytes()), head;
+  std::string magic;
+  reader(magic);
+  std::uint64_t hash = fingerprint(hashed);
+  head.all(magic, hash);
+  return Checkpoint(head.bytes() + hashed);
+}
+
+std::string behind_hash(const Checkpoint& from) {
+  StateBytes reader(from.bytes());
+  std::string magic;
+  reader(magic);
+  return from.bytes().substr(8 + magic.size() + 8);
+}
+
+TEST(Resume, BytesThatWereMadeUp) {
+  const Problem p = problem(Splitting{.step = 0.1}, 40.0);
+  const SaveAt times = SaveAt::count(0.0, 40.0, 41);
+  Record record;
+  integrate(p, times, into(record, 100));
+  const Checkpoint& from = record.checkpoints.at(0);
+  const std::string hashed = behind_hash(from);
+  const auto refusal = [&](const std::string& bytes) {
+    return message_of([&] { resume(p, times, with_hash(from, bytes), Streams{}); });
+  };
+  EXPECT_EQ(refusal(hashed), "");
+  EXPECT_THAT(refusal(hashed + std::string(8, '\0')), HasSubstr("holds more numbers"));
+  EXPECT_THAT(refusal(hashed.substr(0, hashed.size() - 8)), HasSubstr("end too early"));
+  // more features than memory holds: their number stands behind t
+  std::string many = hashed;
+  many[8 + 7] = '\x10';
+  EXPECT_THAT(refusal(many), HasSubstr("end too early"));
 }
 
 }  // namespace

@@ -137,6 +137,9 @@ TYPED_TEST(Carlson, Limits) {
   EXPECT_TRUE(std::isnan(to_double(carlson_rd(one, one, -one))));
   EXPECT_TRUE(std::isnan(to_double(carlson_rj(-one, one, one, one))));
   EXPECT_TRUE(std::isnan(to_double(carlson_rj(one, -one, one, -one))));
+  // where p far above the others would be exchanged without an end
+  const TypeParam far(-0x1p64), below(-10.5), above(0x1p18);
+  EXPECT_TRUE(std::isnan(to_double(carlson_rj(far, below, one, above))));
   EXPECT_TRUE(std::isnan(to_double(carlson_rf(one, zero / zero, one))));
 }
 

@@ -10,11 +10,19 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 
 #include "oracle/random_draw.hpp"
 #include "polhode/elliptic/agm.hpp"
-#include "polhode/elliptic/carlson_rf_rd.hpp"
+#include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/jacobi.hpp"
+#include "polhode/elliptic/jacobi_zeta.hpp"
+#include "polhode/elliptic/legendre.hpp"
+#include "polhode/elliptic/legendre_pi.hpp"
+#include "polhode/elliptic/nome.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace {
 
@@ -43,10 +51,25 @@ std::uint64_t bits(double x) {
   return std::bit_cast<std::uint64_t>(std::isnan(x) ? std::numeric_limits<double>::quiet_NaN() : x);
 }
 void expect_equal(double a, double b) { EXPECT_EQ(bits(a), bits(b)) << a << " " << b; }
+void expect_equal(const DoubleDouble& a, const DoubleDouble& b) {
+  expect_equal(a.hi, b.hi);
+  if (std::isfinite(a.hi)) expect_equal(a.lo, b.lo);
+}
+
+// The number with digits of its own behind those of a double.
+template <class T>
+T with_digits(oracle::Draw& draw, double x) {
+  if constexpr (std::is_same_v<T, DoubleDouble>) {
+    const double low = std::abs(x) > 1e-250 ? x * draw.uniform(-0.5, 0.5) * 0x1p-53 : 0.0;
+    return DoubleDouble(x) + low;
+  } else {
+    return x;
+  }
+}
 
 template <class T>
 class EllipticLanes : public testing::Test {};
-using Types = testing::Types<double>;
+using Types = testing::Types<double, DoubleDouble>;
 TYPED_TEST_SUITE(EllipticLanes, Types);
 
 // f of packs against f of their lanes.
@@ -57,7 +80,7 @@ void expect_lanes(const F& f) {
     const bool ordinary = k % 4 != 0;
     std::array<Pack<T>, arguments> x;
     for (Pack<T>& pack : x)
-      for (T& lane : pack.lane) lane = T(drawn(draw, ordinary));
+      for (T& lane : pack.lane) lane = with_digits<T>(draw, drawn(draw, ordinary));
     const Pack<T> got = std::apply([&](const auto&... a) { return f(a...); }, x);
     for (std::size_t i = 0; i < lanes; ++i) {
       const T alone = std::apply([&](const auto&... a) { return f(a.lane[i]...); }, x);
@@ -83,6 +106,24 @@ TYPED_TEST(EllipticLanes, CarlsonRd) {
       [](const auto& x, const auto& y, const auto& z) { return carlson_rd(x, y, z); });
 }
 
+TYPED_TEST(EllipticLanes, CarlsonRc) {
+  expect_lanes<TypeParam, 2>([](const auto& x, const auto& y) { return carlson_rc(x, y); });
+  // arguments next to each other, by the series and by both logarithms
+  expect_lanes<TypeParam, 2>([](const auto& x, const auto& y) {
+    using std::abs;
+    return carlson_rc(abs(x), abs(x) * (1.0 + 0.001 * (y - 10.0)));
+  });
+}
+TYPED_TEST(EllipticLanes, CarlsonRj) {
+  expect_lanes<TypeParam, 4>([](const auto& x, const auto& y, const auto& z, const auto& p) {
+    return carlson_rj(x, y, z, p);
+  });
+  // p not far above the others
+  expect_lanes<TypeParam, 4>([](const auto& x, const auto& y, const auto& z, const auto& p) {
+    return carlson_rj(x, y, z, (x + y + z) * (p / (1.0 + p)));
+  });
+}
+
 template <class T>
 BasicModulus<Pack<T>> pack_of(const std::array<std::array<double, 2>, lanes>& ratio) {
   Pack<T> a, b;
@@ -91,6 +132,128 @@ BasicModulus<Pack<T>> pack_of(const std::array<std::array<double, 2>, lanes>& ra
     b.lane[i] = T(ratio[i][1]);
   }
   return BasicModulus<Pack<T>>::from_ratio(a, b);
+}
+
+// Lanes of moduli with angles, sines and cosines or arguments, and characteristics.
+template <class T>
+struct Arguments {
+  Pack<T> m, m1, s, c, u, n;
+
+  BasicModulus<Pack<T>> modulus() const { return BasicModulus<Pack<T>>::from_any_pair(m, m1); }
+};
+// Ordinary: 0 <= m < 1, n < 1. Otherwise any m and n, multiples of the quarter turn, 0 and NaN.
+template <class T>
+Arguments<T> drawn_arguments(oracle::Draw& draw, bool ordinary) {
+  Arguments<T> a;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double lowest = ordinary ? -200.0 : -300.0;
+    const double small = !ordinary && draw.chance(0.2) ? 0.0 : draw.power_of_ten(lowest, 0.0);
+    const bool near_one = draw.chance(0.5);
+    T m = near_one ? T(1.0) / (T(1.0) + small) : T(small) / (T(1.0) + small);
+    T m1 = near_one ? T(small) / (T(1.0) + small) : T(1.0) / (T(1.0) + small);
+    if (!ordinary && draw.chance(0.2)) {
+      m = T(draw.sign() * draw.power_of_ten(-3.0, 3.0));
+      m1 = T(1.0) - m;
+    }
+    double u = draw.sign() * draw.power_of_ten(-20.0, 3.0);
+    double n = draw.chance(0.5) ? draw.uniform(-3.0, 1.0) : -draw.power_of_ten(-10.0, 10.0);
+    if (!ordinary) {
+      if (draw.chance(0.1)) u = 0.0;
+      if (draw.chance(0.1)) u = 1.5707963267948966 * std::floor(draw.uniform(-9.0, 9.0));
+      if (draw.chance(0.05)) u = std::numeric_limits<double>::quiet_NaN();
+      if (draw.chance(0.3)) n = draw.chance(0.2) ? 1.0 : draw.power_of_ten(-3.0, 3.0);
+    }
+    a.m.lane[i] = m;
+    a.m1.lane[i] = m1;
+    a.u.lane[i] = with_digits<T>(draw, u);
+    const auto [s, c] = sincos(a.u.lane[i]);
+    a.s.lane[i] = s;
+    a.c.lane[i] = c;
+    a.n.lane[i] = with_digits<T>(draw, n);
+  }
+  return a;
+}
+
+// f(u, s, c, n, modulus) of packs against that of their lanes.
+template <class T, class F>
+void expect_lanes_of_moduli(const F& f) {
+  oracle::Draw draw(63, 0);
+  for (int k = 0; k < packs; ++k) {
+    const Arguments<T> a = drawn_arguments<T>(draw, k % 4 != 0);
+    const BasicModulus<Pack<T>> mod = a.modulus();
+    const Pack<T> got = f(a.u, a.s, a.c, a.n, mod);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      SCOPED_TRACE(testing::Message() << "pack " << k << ", lane " << i);
+      expect_equal(got.lane[i], f(a.u.lane[i], a.s.lane[i], a.c.lane[i], a.n.lane[i], mod.lane(i)));
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TYPED_TEST(EllipticLanes, LegendreOfSineAndCosine) {
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_f(s, c, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_e(s, c, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_d(s, c, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_b(s, c, mod); });
+}
+TYPED_TEST(EllipticLanes, LegendreOfAngle) {
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_f(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_e(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_d(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return legendre_b(u, mod); });
+}
+TYPED_TEST(EllipticLanes, LegendrePi) {
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& n,
+                                       const auto& mod) { return legendre_pi(s, c, n, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& n,
+                                       const auto& mod) { return legendre_pi(u, n, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& n,
+                                       const auto& mod) { return complete_pi(n, mod); });
+}
+TYPED_TEST(EllipticLanes, Amplitude) {
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return amplitude(u, mod); });
+}
+TYPED_TEST(EllipticLanes, Nome) {
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/, const auto& mod) { return nome(mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return complementary_nome(mod); });
+}
+TYPED_TEST(EllipticLanes, HeumanAndZeta) {
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return heuman_lambda0(s, c, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return heuman_lambda0(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return jacobi_zeta(s, c, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
+                                       const auto& /*n*/,
+                                       const auto& mod) { return jacobi_zeta(u, mod); });
 }
 
 // Moduli 0 and 1 and next to both, arguments up to many periods, 0 and NaN.

@@ -349,9 +349,9 @@ TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
 
 // NaN in, NaN out: next to the separatrix, too.
 TEST(ChartEdges, SerretAtATimeThatIsNoNumber) {
-  const FreeRotation beside(Body(1.0, 1.7, 2.1), {attitude, {1e-9, 1.0, 1e-10}});
+  const FreeRotation near_separatrix(Body(1.0, 1.7, 2.1), {attitude, {1e-9, 1.0, 1e-10}});
   for (const double t : {std::nan(""), HUGE_VAL, -HUGE_VAL})
-    EXPECT_TRUE(std::isnan(to_serret(beside, t).g0)) << t;
+    EXPECT_TRUE(std::isnan(to_serret(near_separatrix, t).g0)) << t;
 }
 
 TEST(ChartEdges, SerretNeedsATimeThatADoubleHolds) {

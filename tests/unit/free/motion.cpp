@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every free rotation does: it starts where it was told to, keeps its invariants, composes in
+// What every free rotation does: it starts where it should, keeps its invariants, composes in
 // time, and does not care how axes, units, time and quaternions were chosen.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

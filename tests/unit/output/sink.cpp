@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/output/sink.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,6 +14,7 @@
 #include <sstream>
 
 #include "polhode/error.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/separated.hpp"

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
@@ -141,6 +143,48 @@ TEST(Body, PrincipalAxesAreTheOnesNearestToTheTensorsAxes) {
     EXPECT_LE(norm(Vec3{d.x, d.y, d.z}), budget::body_axes);
     EXPECT_LE(norm(body.moments() - m), budget::body_tensor * 2.5);
   }
+}
+
+// Of the 24 proper ways to name axes and their directions: the smallest angle to the file's.
+TEST(Body, NoOtherNamesOfItsAxesAreNearer) {
+  const double half = 0.5, root = std::sqrt(0.5);
+  std::vector<Quaternion> names;
+  for (int i = 0; i < 4; ++i) {
+    std::array<double, 4> one{}, two{};
+    one[static_cast<std::size_t>(i)] = 1.0;
+    names.push_back({one[0], one[1], one[2], one[3]});
+    for (int j = 0; j < i; ++j)
+      for (const double sign : {-root, root}) {
+        two = {};
+        two[static_cast<std::size_t>(j)] = root;
+        two[static_cast<std::size_t>(i)] = sign;
+        names.push_back({two[0], two[1], two[2], two[3]});
+      }
+  }
+  for (int signs = 0; signs < 8; ++signs)
+    names.push_back({half, (signs & 1) != 0 ? -half : half, (signs & 2) != 0 ? -half : half,
+                     (signs & 4) != 0 ? -half : half});
+  ASSERT_EQ(names.size(), 24U);
+  std::mt19937_64 engine(12);
+  std::normal_distribution<double> n;
+  for (int k = 0; k < 300; ++k) {
+    const Quaternion q{n(engine), n(engine), n(engine), n(engine)};
+    const Quaternion found = Body::from_tensor(tensor_of({1, 2, 2.5}, q)).q_FB();
+    for (const Quaternion& p : names)
+      EXPECT_LE(std::abs((p * found).w), std::abs(found.w) + budget::chart_rounding) << k;
+  }
+}
+
+TEST(Body, EveryEntryOfATensorMustBeFinite) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (const double bad : {nan, inf, -inf}) {
+        Mat3 t{{{2, 0.1, 0.1}, {0.1, 2, 0.1}, {0.1, 0.1, 2}}};
+        t(i, j) = bad;
+        EXPECT_THAT(message_of([&] { Body::from_tensor(t); }),
+                    testing::StartsWith("Body::from_tensor: entry "))
+            << i << j;
+      }
 }
 
 TEST(Body, TensorErrorsNameTheEntries) {

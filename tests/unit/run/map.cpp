@@ -16,6 +16,7 @@
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/error.hpp"
+#include "polhode/rotor/euler.hpp"
 #include "polhode/run/map_run.hpp"
 #include "worst.hpp"
 

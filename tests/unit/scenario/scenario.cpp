@@ -5,15 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <variant>
 
 #include "budgets.hpp"
+#include "worst.hpp"
 
 namespace polhode {
 namespace {
 
+using polhode::test::Worst;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -44,15 +49,72 @@ TEST(Scenario, KeepsWhatTheFileSays) {
   EXPECT_EQ(s.rotation().epoch, "JD 2456297.5 TDB");
   EXPECT_EQ(s.rotation().axes, "ecliptic-J2000");
   EXPECT_EQ(s.rotation().body.moments(), (Vec3{2.0, 1.0, 2.5}));
-  const AndoyerState a = std::get<AndoyerState>(s.rotation().state);
-  EXPECT_EQ(a.l, std::numbers::pi);
-  EXPECT_EQ(a.g, 1.0);
-  EXPECT_EQ(a.h, std::numbers::pi);
-  EXPECT_EQ(a.G, 2.0);
+  const ChartState a = std::get<ChartState>(s.rotation().state);
+  EXPECT_EQ(a.chart.name, "andoyer");
+  EXPECT_THAT(std::span(a.numbers).first(a.chart.variables.size()),
+              ElementsAre(std::numbers::pi, 1.0, std::numbers::pi, 0.5, 2.0, 0.1));
   ASSERT_TRUE(s.rotation().time);
   EXPECT_EQ(s.rotation().time->size(), 5);
   EXPECT_EQ((*s.rotation().time)[3], 0.75);
   EXPECT_EQ(s.output.columns, (std::vector<std::string>{"g", "serret"}));
+}
+
+// Numbers of a file as text that reads back the same.
+std::string digits(double x) {
+  std::ostringstream out;
+  out.precision(17);
+  out << x;
+  return out.str();
+}
+
+// In the half of the states whose poles are nearest: beyond it the numbers say less.
+TEST(Scenario, APoincareSetIsTheStateThatItsAndoyerVariablesAre) {
+  for (const ChartKind& chart : default_charts()) {
+    if (!chart.name.starts_with("poincare")) continue;
+    const double J = chart.state_fields[0].word == "pi" ? -1.0 : 1.0;
+    const double I = chart.state_fields[1].word == "pi" ? -1.0 : 1.0;
+    for (const double L : {0.0, J * 0.7, J * 0.999, J})
+      for (const double H : {0.0, I * 0.4, I * 0.9999, I}) {
+        const std::string text =
+            "l = 0.3\ng = 2\nh = -1.2\nL = " + digits(L) + "\nG = 1\nH = " + digits(H) + "\n";
+        const Scenario from = scenario_from_text(head + "[state.andoyer]\n" + text, "f.toml");
+        const ChartNumbers numbers = chart.from_hub(initial_state(from), {nullptr});
+        std::string state = "[state." + std::string(chart.name) + "]\n";
+        for (std::size_t i = 0; i < chart.variables.size(); ++i)
+          state += std::string(chart.variables[i].name) + " = " + digits(numbers[i]) + "\n";
+        const Scenario s = scenario_from_text(head + state, "f.toml");
+        EXPECT_EQ(s.rotation().chart, chart.name);
+        const RotorState a = initial_state(from), b = initial_state(s);
+        const double sign = a.q.w * b.q.w + a.q.x * b.q.x + a.q.y * b.q.y + a.q.z * b.q.z;
+        Worst worst;
+        for (const double x : {a.q.w - sign * b.q.w, a.q.x - sign * b.q.x, a.q.y - sign * b.q.y,
+                               a.q.z - sign * b.q.z, norm(a.g - b.g), 1.0 - std::fabs(sign)})
+          worst.add(std::fabs(x));
+        EXPECT_LE(worst.value(), budget::io_state) << chart.name << " " << L << " " << H;
+      }
+  }
+}
+
+TEST(Scenario, RootsOfMomentaHaveUnits) {
+  const std::string units = "[units]\ntime = \"h\"\nmoment = \"kg m2\"\n";
+  const auto text = [](const std::string& Q1) {
+    return "[state.poincare-pi-0]\nsigma = 1\nQ1 = " + Q1 +
+           "\nQ2 = 0.1\nG = 1\nP1 = 0.2\nP2 = 0.3\n";
+  };
+  const std::string body = "[body]\nmoments = [1, 2, 2.5]\n";
+  const auto read = [&](const std::string& Q1) {
+    return scenario_from_text("schema = 1\n" + units + body + text(Q1), "f.toml");
+  };
+  const auto Q1 = [](const Scenario& s) {
+    return std::get<ChartState>(s.rotation().state).numbers[1];
+  };
+  EXPECT_EQ(Q1(read("0.5")), 0.5);
+  EXPECT_EQ(Q1(read("\"0.5 sqrt(kg m2/h)\"")), 0.5);
+  EXPECT_EQ(Q1(read("{ value = 0.0125, unit = \"sqrt(kg m2/s)\" }")), 0.0125 * 60.0);
+  EXPECT_THAT(error_of(head + text("\"0.5 kg\"")),
+              HasSubstr("f.toml:6:6: state.poincare-pi-0.Q1: "));
+  EXPECT_THAT(error_of(head + text("3")),
+              HasSubstr("poincare_state: (Q1, P1) = (3, 0.2) must have"));
 }
 
 TEST(Scenario, DefaultsAreThoseOfTheSchema) {
@@ -331,7 +393,7 @@ TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
           "kind = \"constant-torque\"\ntorque = [0, 0, 1]\n[method]\nkind = \"splitting\"\n" +
           "step = 0.5\n",
       "f.toml");
-  const DampedProblem problem = rotor_problem(s);
+  const DampedProblem problem = polhode::problem(s.experiment);
   EXPECT_EQ(problem.start, 0.0);
   EXPECT_EQ(problem.stop, 8.0);
   EXPECT_EQ(problem.initial.rotor, initial_state(s));
@@ -339,7 +401,8 @@ TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
   EXPECT_EQ(problem.method, Method(Splitting{.step = 0.5}));
   EXPECT_EQ(problem.system.terms().size(), 1U);
   EXPECT_TRUE(problem.events.empty());
-  EXPECT_THROW(rotor_problem(scenario_from_text(head + andoyer, "f.toml")), DomainError);
+  EXPECT_THROW(polhode::problem(scenario_from_text(head + andoyer, "f.toml").experiment),
+               DomainError);
 }
 
 TEST(Scenario, ManyErrorsStayFew) {

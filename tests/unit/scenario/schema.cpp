@@ -80,7 +80,8 @@ TEST(Schema, ColumnsAreThoseThatRowsCanHold) {
 
 TEST(Schema, TemplatesAreScenarios) {
   EXPECT_THAT(state_charts(),
-              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov"));
+              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "poincare-0-0",
+                          "poincare-0-pi", "poincare-pi-0", "poincare-pi-pi", "serret", "sadov"));
   for (const std::string_view chart : state_charts()) {
     const Scenario scenario = scenario_from_text(scenario_template(chart), "template");
     EXPECT_EQ(scenario.rotation().chart, chart);
@@ -91,7 +92,8 @@ TEST(Schema, TemplatesAreScenarios) {
 
 TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
   EXPECT_THAT(scenario_templates(),
-              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "serret", "sadov",
+              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "poincare-0-0",
+                          "poincare-0-pi", "poincare-pi-0", "poincare-pi-pi", "serret", "sadov",
                           "gravity-gradient", "constant-torque", "damping", "tide",
                           "internal-damping", "anelastic-damping", "torque-table", "solar-pressure",
                           "drag", "residual-dipole", "eddy-currents", "kane-damper"));
@@ -181,12 +183,12 @@ constexpr Alternatives of_spin[] = {{"", "here|there"}};
 TEST(Schema, AKindBringsItsOwnTablesAndSharesOthers) {
   const detail::ExperimentKind kinds[] = {
       {"rotation",
-       [] {
+       [](const detail::DescribedParts&) {
          return std::vector{detail::body_keys(), detail::time_keys()};
        },
        {}},
       {"spin",
-       [] {
+       [](const detail::DescribedParts&) {
          return std::vector{detail::SchemaPart{spin_keys, of_spin}, detail::time_keys()};
        },
        {}},

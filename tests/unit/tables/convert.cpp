@@ -61,7 +61,7 @@ TEST(Convert, EveryChartComesBack) {
   const std::vector<double> start = last_row(rotor_header + rotor_row);
   const double length = std::sqrt(start[1] * start[1] + start[2] * start[2] + start[3] * start[3] +
                                   start[4] * start[4]);
-  for (const TableChart& chart : table_charts()) {
+  for (const ChartKind& chart : default_charts()) {
     const std::string name(chart.name);
     const Outcome there = converted("rotor", name, rotor_header + rotor_row);
     ASSERT_EQ(there.error, "") << name;

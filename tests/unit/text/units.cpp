@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -80,6 +81,29 @@ TEST(Units, GravityTorqueAndDamping) {
             "\"km2/s2\" is not a unit of gravitational parameter here; expected one like km3/s2");
   EXPECT_EQ(error_of([&] { Units().to_core(1.0, "km", Dimension::length); }),
             "\"km\" is not a unit of length here; expected one like 1; set units.length = \"m\"");
+}
+
+TEST(Units, RootsOfMomentaAreWrittenAsRoots) {
+  const Units si("s", "deg", "kg m2"), hours("h");
+  EXPECT_EQ(si.label(Dimension::root_momentum), "sqrt(kg m2/s)");
+  EXPECT_EQ(hours.label(Dimension::root_momentum), "sqrt(1/h)");
+  EXPECT_EQ(si.to_core(0.1, Dimension::root_momentum), 0.1);
+  EXPECT_EQ(si.from_core(0.1, Dimension::root_momentum), 0.1);
+  EXPECT_EQ(si.to_core(0.1, "sqrt(kg m2/s)", Dimension::root_momentum), 0.1);
+  EXPECT_EQ(hours.to_core(2.0, "sqrt(1/s)", Dimension::root_momentum), 120.0);
+  EXPECT_DOUBLE_EQ(si.to_core(3.0, "sqrt(g m2 rad/s)", Dimension::root_momentum),
+                   3.0 * std::sqrt(1e-3));
+  for (const char* unit :
+       {"kg m2/s", "sqrt(kg m2)", "sqrt()", "sqrt(", "sqrt(kg m2/s", "2 sqrt(1)"})
+    EXPECT_THROW(si.to_core(1.0, unit, Dimension::root_momentum), DomainError) << unit;
+  EXPECT_THROW(si.to_core(1.0, "sqrt(s2)", Dimension::time), DomainError);
+  EXPECT_EQ(error_of([&] { si.to_core(1.0, "kg m2/s", Dimension::root_momentum); }),
+            "\"kg m2/s\" is not a unit of root of an angular momentum here; expected one like "
+            "sqrt(kg m2/s)");
+  EXPECT_EQ(
+      error_of([&] { hours.to_core(1.0, "sqrt(kg m2/s)", Dimension::root_momentum); }),
+      "\"sqrt(kg m2/s)\" is not a unit of root of an angular momentum here; expected one like "
+      "sqrt(1/h); set units.moment = \"kg m2\"");
 }
 
 TEST(Units, ReciprocalsAndOtherDimensionsAreRefused) {

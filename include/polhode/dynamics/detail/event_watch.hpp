@@ -67,7 +67,7 @@ class EventWatch {
     std::vector<Record> records;
     bool stops = false;
   };
-  // Those of a step from the last end to `end`, and of zeros before that it decides about. States
+  // Those of a step from the last end to `end`, and of earlier zeros that it decides on. States
   // come from `step`; `inside`, of the same step, is what is looked at, `intervals` times at least.
   Found search(const Dense& inside, const Dense& step, const Sample& end, int intervals);
 

@@ -47,13 +47,17 @@ struct PlainRates {
 
 struct PlainSteps {
   std::string_view name;  // of the model
+  // The method gives the largest step: the time scale of the model is not asked for.
+  bool method_limits;
 
   template <class Field>
   PlainRates<Field> rates(std::shared_ptr<const Field> field) const {
     return {std::move(field)};
   }
   template <class Solver, class Field>
-  std::string advance(Solver& solver, const Field&, double stop) const {
+  std::string advance(Solver& solver, const Field& field, double stop) const {
+    if constexpr (requires { field.model.time_scale(stop); })
+      if (!method_limits) solver.limit_steps(field.model.time_scale(solver.time().hi));
     const StepOutcome outcome = solver.advance(stop);
     if (outcome == StepOutcome::made) return {};
     return model_failure_text(name, solver.time().hi, solver.trial(), outcome);

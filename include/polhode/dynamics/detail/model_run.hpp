@@ -19,12 +19,10 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// DomainError for times that are not finite, naming `function`.
-void require_finite_span(const std::string& function, double start, double stop);
-// Adaptive, in a precision that the model works in. DomainError for others.
+// Adaptive, in a precision that the model works in. DomainError for other methods and precisions.
 const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide);
-// Whether numbers differ by roundings alone.
-bool differ_by_rounding(const std::vector<double>& a, const std::vector<double>& b);
+// Whether two lists of numbers are equal but for a few roundings of the largest.
+bool equal_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b);
 
 template <MotionState S>
 std::vector<double> numbers_of(S s) {
@@ -45,13 +43,11 @@ template <Real T, class M, MotionState S>
 std::unique_ptr<BasicStepper<S>> model_stepper(const BasicProblem<M, S>& problem, const S& initial,
                                                const Adaptive& method) {
   using Field = ModelField<M, T>;
-  double largest = method.largest_step;
-  if constexpr (requires { problem.system.time_scale(problem.start); })
-    if (std::isinf(largest)) largest = problem.system.time_scale(problem.start);
   return std::make_unique<AdaptiveStepper<Field, PlainSteps>>(
-      std::make_shared<const Field>(problem.system), PlainSteps{M::name}, problem.start,
+      std::make_shared<const Field>(problem.system),
+      PlainSteps{M::name, !std::isinf(method.largest_step)}, problem.start,
       problem.system.template values<T>(initial),
-      StepControl{method.tolerance, method.first_step, largest});
+      StepControl{method.tolerance, method.first_step, method.largest_step});
 }
 
 template <class M, MotionState S>
@@ -68,13 +64,13 @@ auto model_run(const BasicProblem<M, S>& problem, bool keep_dense, SampleQueue<S
     if (method.precision == Precision::double_double)
       stepper = model_stepper<DoubleDouble>(problem, initial, method);
   if (stepper == nullptr) stepper = model_stepper<double>(problem, initial, method);
-  const bool is_started = differ_by_rounding(numbers_of(initial), numbers_of(problem.initial));
+  const bool was_normal = equal_but_for_rounding(numbers_of(initial), numbers_of(problem.initial));
   using Watch = EventWatch<ModelMotion<M>>;
   return std::make_unique<Run<S, Watch>>(
       RunSpan<S>{.initial = {problem.start, initial},
                  .stop = problem.stop,
                  .method = method_text(problem.method),
-                 .first_look = {problem.start, is_started ? problem.initial : initial},
+                 .first_look = {problem.start, was_normal ? problem.initial : initial},
                  .continues = problem.continues},
       Watch(ModelMotion<M>(problem.system), problem.events), std::move(stepper), keep_dense,
       samples, progress);
@@ -95,7 +91,7 @@ Features model_features(const BasicProblem<M, S>& problem) {
     for (const double x : problem.system.parameters()) parameters += number_bytes(x);
   return {{"model", std::string(std::string_view(M::name))},
           {"parameters", parameters},
-          {"state", state_bytes(problem.initial)}};
+          {"state", state_bytes(started_state(problem.system, problem.initial))}};
 }
 
 }  // namespace detail

@@ -12,6 +12,7 @@
 #include "polhode/dynamics/detail/sample_queue.hpp"
 #include "polhode/dynamics/detail/stepper.hpp"
 #include "polhode/dynamics/resume.hpp"
+#include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -21,7 +22,7 @@ namespace detail {
 // that differ are recognised by the first that does.
 using Features = std::vector<std::pair<std::string, std::string>>;
 
-// Those of a run that do not depend on what moves; `method` and `events` as bytes.
+// Of a run, whatever moves. The bytes of its method, events and times.
 std::string event_bytes(const std::string& name, Crossing crossing, bool stops, double period,
                         double interval);
 std::string method_bytes(const Method& method);
@@ -104,7 +105,7 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  // What it gives out in addition to samples, and what a checkpoint of it says of its problem.
+  // What it emits in addition to samples, and what a checkpoint of it says of its problem.
   void connect(const BasicStreams<S>& streams, Features features) {
     streams_ = &streams;
     features_ = std::move(features);
@@ -119,6 +120,10 @@ class Run {
   void restore(const Checkpoint& from) {
     StateBytes bytes = opened_checkpoint(from, features_);
     transfer(bytes);
+    if (!bytes.is_done())
+      throw DomainError(
+          "resume: the checkpoint is of another problem: it holds more numbers than a run of this "
+          "one");
     continued_ = true;
   }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,9 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// DomainError for times that are not finite, naming `function`.
+void require_finite_span(const std::string& function, double start, double stop);
 
 template <class M, MotionState S, class Make>
 BasicTrajectory<S> kept_run(const BasicProblem<M, S>& problem, const Keep& keep, const Make& make) {

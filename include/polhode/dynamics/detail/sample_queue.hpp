@@ -22,14 +22,13 @@ class DueTimes {
   DueTimes(double start, double stop, std::optional<SaveAt> times);
 
   bool is_given() const { return times_.has_value(); }
-  bool is_done() const { return next_ == times_->size(); }
+  bool is_done() const { return !times_ || next_ == times_->size(); }
+  // Unless it is done.
   double due() const { return (*times_)[next_]; }
   // Whether the next one is within a step that ends at t.
   bool is_due(double t) const { return !is_done() && !is_before(reach(t), due()); }
   // Whether one may be due elsewhere than at t, the end of the step.
-  bool wants_dense(double t) const {
-    return times_ && !is_done() && (t == stop_ || is_before(due(), t));
-  }
+  bool wants_dense(double t) const { return !is_done() && (t == stop_ || is_before(due(), t)); }
   void pass() { ++next_; }
   bool is_before(double a, double b) const { return forward_ ? a < b : a > b; }
   void transfer(StateBytes& bytes) { bytes(next_); }
@@ -61,11 +60,10 @@ class SampleQueue {
     for (; !times_.is_done() && times_.due() == initial.t; times_.pass()) push(initial);
   }
   bool wants_dense(double t) const { return times_.wants_dense(t); }
-  bool is_due(double t) const { return times_.is_due(t); }
+  // Whether the end of a step, at t, is a sample or has some behind it.
+  bool is_due(double t) const { return !times_.is_given() || times_.is_due(t); }
   // The sample that is due next, `stop` where there is none.
-  double next(double stop) const {
-    return times_.is_given() && !times_.is_done() ? times_.due() : stop;
-  }
+  double next(double stop) const { return times_.is_done() ? stop : times_.due(); }
   // Samples due up to `end`; those not at it come from the step, each a step itself.
   void step(const BasicDenseStep<S>* dense, const BasicSample<S>& end, const Progress& progress) {
     if (!times_.is_given()) return push(end);

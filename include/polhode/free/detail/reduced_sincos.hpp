@@ -18,8 +18,7 @@ inline namespace v0 {
 namespace detail {
 
 // Sine and cosine after k quarter turns: k mod 4 decides which is which, and the signs. shifted is
-// k
-// + 1.5 2^52, with k in its low bits.
+// k + 1.5 2^52, with k in its low bits.
 template <Number T>
 SinCos<T> quarters_turned(const T& sine, const T& cosine, const T& /*shifted*/, const T& k) {
   using std::floor;

@@ -14,7 +14,7 @@ inline namespace v0 {
 namespace detail {
 
 // The four numbers of the series, not normalised, and by how much the invariable frame has turned
-// besides. The phase is x (trigonometric) or u (hyperbolic) less its whole periods.
+// in addition. The phase is x (trigonometric) or u (hyperbolic) less its whole periods.
 template <Number T>
 struct SeriesValue {
   BasicQuaternion<T> p;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How AdaptiveRungeKutta tells a jump of f from a solution that grows beyond all bounds.
+// How AdaptiveRungeKutta distinguishes a jump of f from a solution that grows beyond all bounds.
 #pragma once
 
 namespace polhode {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// An output format of one's own, columns of fixed width, and a program that runs scenarios with it:
+//
+//     fixed-width scenario.toml rows.txt
+#include <any>
+#include <cstdio>
+#include <iterator>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/output/text_sink.hpp"
+#include "polhode/run/scenario_run.hpp"
+
+namespace {
+
+// [output.fixed], as constant data. A key without a text does not compile.
+struct Options {
+  int digits = 9;
+};
+constexpr polhode::OptionKey keys[] = {
+    polhode::integer_option("digits", "6|9|17", "Digits of each number.").otherwise("9"),
+};
+
+constexpr polhode::CommentStyle comments{"! "};
+
+// Where the file is from, then the names of the columns.
+std::string head(const std::vector<polhode::ColumnGroup>& groups,
+                 const polhode::Provenance& provenance) {
+  std::string text;
+  polhode::append_origin(text, comments, provenance);
+  for (const polhode::ColumnGroup& group : groups)
+    for (const polhode::Column& column : group.columns)
+      text += (text.ends_with('\n') ? "" : " ") + column.name;
+  return text + "\n";
+}
+
+polhode::OutputFormat fixed_width() {
+  polhode::OutputFormat format(
+      "fixed", ".txt", "How the columns of --out PATH.txt are written.",
+      [](const polhode::SinkRequest& request) {
+        const int digits = request.options<Options>().digits;
+        const auto row = [digits](std::string& out, std::span<const double> numbers) {
+          char cell[48];
+          for (const double number : numbers)
+            out.append(cell, std::snprintf(cell, sizeof cell, "%*.*g", digits + 8, digits, number));
+          out += '\n';
+        };
+        return polhode::text_sink(request, head(request.groups, request.provenance), row);
+      });
+  format.keys.assign(std::begin(keys), std::end(keys));
+  format.options = [](const polhode::OptionValues& values) {
+    return std::any(Options{.digits = static_cast<int>(values.whole("digits"))});
+  };
+  format.difference = [](const std::string& path, const std::vector<polhode::ColumnGroup>& groups,
+                         const polhode::Provenance& provenance) {
+    return polhode::text_difference(path, comments, head(groups, provenance));
+  };
+  return format;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 3) throw polhode::DomainError("expected fixed-width SCENARIO PATH");
+  const polhode::Kinds kinds = polhode::default_kinds().with(fixed_width());
+  const polhode::Scenario scenario = polhode::read_scenario(argv[1], kinds);
+  polhode::ScenarioRun run(scenario, {{argv[2]}}, {.begin = polhode::RunBegin::resume});
+  std::printf("%d rows in %s\n", static_cast<int>(run.run().rows), argv[2]);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The program `polhode` with a kind of [[perturbation]] of its own, "spin-brake".
+#include <span>
+
+#include "polhode/cli/command_line.hpp"
+#include "spin_brake.hpp"
+
+namespace {
+
+using polhode::Dimension;
+using polhode::KindKey;
+using polhode::quantity_key;
+
+struct Arguments {
+  polhode::Vec3 axis;
+  double damping;
+  double limit;
+};
+
+constexpr KindKey<Arguments> keys[] = {
+    quantity_key<&Arguments::axis>("axis", Dimension::number, "The axis, along the body axes.")
+        .otherwise("[0, 0, 1]"),
+    quantity_key<&Arguments::damping>("damping", Dimension::damping, "Torque per rate, if small.")
+        .required()
+        .example("0.01")
+        .positive(),
+    quantity_key<&Arguments::limit>("limit", Dimension::torque, "The largest torque.")
+        .required()
+        .example("0.001")
+        .positive(),
+};
+
+polhode::MadeTerms made(const Arguments& a, const polhode::TermContext& at) {
+  if (a.axis == polhode::Vec3{}) at.refuse("axis", "expected a vector that has a direction");
+  return polhode::AnyPerturbation("spin brake",
+                                  SpinBrake(at.principal(a.axis), a.damping, a.limit));
+}
+
+polhode::PerturbationKind spin_brake() {
+  return polhode::perturbation_kind<Arguments>(
+      "spin-brake", "A brake about one axis of the body, of a limited torque.", keys, made,
+      {{"brake2026", "A. Author (2026). On brakes. Journal of Examples 1, 1-2.", "the brake"}});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return polhode::command_line(argc, argv, polhode::default_kinds().with(spin_brake()));
+}

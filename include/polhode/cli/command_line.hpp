@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// command_line: the program `polhode`, with what a program of your own adds to it:
+//
+//     int main(int argc, char** argv) {
+//       return polhode::command_line(argc, argv, polhode::default_kinds().with(my_torque()));
+//     }
+//
+// Equations   none.
+// Units       none.
+// Domain      the arguments of `polhode`; `polhode --help` lists them.
+// Accuracy    none.
+// Errors      none are thrown: a message on standard error, and exit status 2 for bad input, 1 for
+//             a run that failed, 128 + signal for one that was stopped.
+// Cost        that of the command.
+#pragma once
+
+#include "polhode/scenario/kinds.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+int command_line(int argc, const char* const* argv, const Kinds& kinds = default_kinds());
+
+}  // namespace v0
+}  // namespace polhode

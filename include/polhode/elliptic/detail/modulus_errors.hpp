@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Errors of pairs that are not the members of a modulus.
+#pragma once
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+[[noreturn]] void throw_bad_ratio(double a, double b);
+[[noreturn]] void throw_bad_modulus_pair(double m, double m1);
+[[noreturn]] void throw_bad_any_pair(double m, double m1);
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// How the members of arguments are written in a file, and read from its values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/math/vector.hpp"
+#include "polhode/scenario/key_values.hpp"
+#include "polhode/scenario/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// A matrix, or three numbers, its diagonal.
+struct LinearMap {
+  Mat3 matrix;
+  bool is_diagonal;
+};
+
+// What a number must be.
+enum class Range { any, positive, not_negative };
+
+namespace detail {
+
+template <class A, class M>
+A owner(M A::*);
+template <class A, class M>
+M member(M A::*);
+template <auto at>
+using Owner = decltype(owner(at));
+template <auto at>
+using Member = decltype(member(at));
+
+template <class M>
+struct Plain {
+  using type = M;
+  static constexpr bool is_optional = false;
+};
+template <class M>
+struct Plain<std::optional<M>> {
+  using type = M;
+  static constexpr bool is_optional = true;
+};
+
+// How a member is written in a file, and read from its value.
+template <class M>
+struct KeyForm;
+template <>
+struct KeyForm<double> {
+  static constexpr KeyType type = KeyType::number;
+  static constexpr int length = 0;
+  static double read(const KeyValues& at, std::string_view key) { return at.number(key); }
+};
+template <>
+struct KeyForm<Vec3> {
+  static constexpr KeyType type = KeyType::numbers;
+  static constexpr int length = 3;
+  static Vec3 read(const KeyValues& at, std::string_view key) { return at.vector(key); }
+};
+template <std::size_t count>
+struct KeyForm<std::array<double, count>> {
+  static constexpr KeyType type = KeyType::numbers;
+  static constexpr int length = static_cast<int>(count);
+  static std::array<double, count> read(const KeyValues& at, std::string_view key) {
+    std::array<double, count> all{};
+    for (std::size_t i = 0; i < count; ++i) all[i] = at.numbers(key).at(i);
+    return all;
+  }
+};
+template <>
+struct KeyForm<std::vector<double>> {
+  static constexpr KeyType type = KeyType::numbers;
+  static constexpr int length = 0;
+  static std::vector<double> read(const KeyValues& at, std::string_view key) {
+    return at.numbers(key);
+  }
+};
+template <>
+struct KeyForm<LinearMap> {
+  static constexpr KeyType type = KeyType::linear_map;
+  static constexpr int length = 0;
+  static LinearMap read(const KeyValues& at, std::string_view key);
+};
+template <>
+struct KeyForm<bool> {
+  static bool read(const KeyValues& at, std::string_view key) { return at.flag(key); }
+};
+template <>
+struct KeyForm<std::string> {
+  static std::string read(const KeyValues& at, std::string_view key) { return at.word(key); }
+};
+template <>
+struct KeyForm<std::vector<std::string>> {
+  static std::vector<std::string> read(const KeyValues& at, std::string_view key) {
+    return at.words(key);
+  }
+};
+
+template <auto at>
+using KeyFormOf = KeyForm<typename Plain<Member<at>>::type>;
+
+template <auto at, class A>
+void fill_member(A& arguments, const KeyValues& values, std::string_view key) {
+  if (values.has(key)) arguments.*at = KeyFormOf<at>::read(values, key);
+}
+
+// Fails to compile: a name and a sentence are what makes a key.
+consteval void require_words(std::string_view name, std::string_view help) {
+  if (name.empty()) throw "a key needs a name";
+  if (help.empty() || !help.ends_with('.')) throw "a key needs a sentence that says what it is";
+}
+
+// Throws a ScenarioError at the place of a number outside.
+void require_range(const KeyValues& at, std::string_view key, Range range);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// KeyValues: the values of one table of a scenario, by the names of its keys: [[perturbation]],
+// [method]. What a kind of thing is made from.
+//
+// Equations   none.
+// Units       core units (polhode/text/units.hpp).
+// Domain      names of keys of the kind. What is asked for with number, vector, ... is there: the
+//             reader has seen to required keys and defaults; ask has() of others.
+// Accuracy    none.
+// Errors      refuse and built throw a ScenarioError at the place of the key in the file.
+// Cost        a lookup in a map for each value.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/error.hpp"
+#include "polhode/math/vector.hpp"
+#include "polhode/scenario/detail/values_fwd.hpp"
+#include "polhode/scenario/document.hpp"
+#include "polhode/text/units.hpp"
+
+namespace polhode {
+inline namespace v0 {
+class KeyValues {
+ public:
+  // `path` is that of the table, "perturbation[0]"; `file` stands for the scenario in messages, and
+  // paths of files start at its folder. All of them must outlive this.
+  KeyValues(const detail::Values& values, const Units& units, const std::string& path,
+            const std::string& file)
+      : values_(values), units_(units), path_(path), file_(file) {}
+
+  // Whether the file or a default has a value, and whether the file has it.
+  bool has(std::string_view key) const;
+  bool is_explicit(std::string_view key) const;
+
+  double number(std::string_view key) const;
+  Vec3 vector(std::string_view key) const;
+  const std::vector<double>& numbers(std::string_view key) const;
+  // Text, a name, a unit or a choice; the words of an array.
+  const std::string& word(std::string_view key) const;
+  const std::vector<std::string>& words(std::string_view key) const;
+  // The place of the word of a choice among those allowed.
+  std::size_t choice(std::string_view key) const;
+  bool flag(std::string_view key) const;
+  // Where the file is that the key names.
+  std::string file_at(std::string_view key) const;
+  // What one unit of the quantity is, by a key that holds a unit; 1 where the key is left out.
+  double unit(std::string_view key, Dimension dimension) const;
+
+  // "expected ..." at the place of a key; the message is completed by what the file has there.
+  [[noreturn]] void refuse(std::string_view key, std::string_view message) const;
+
+  // What a constructor of the library refuses becomes a message at the place of the key.
+  template <class Build>
+  auto built(std::string_view key, const Build& build) const {
+    try {
+      return build();
+    } catch (const ScenarioError&) {
+      throw;
+    } catch (const DomainError& error) {
+      refuse(key, error.what());
+    }
+  }
+
+  const Units& units() const { return units_; }
+  const std::string& path() const { return path_; }
+  const std::string& file() const { return file_; }
+  std::string key_path(std::string_view key) const { return path_ + "." + std::string(key); }
+  const detail::Values& values() const { return values_; }
+
+ private:
+  const detail::Value& at(std::string_view key) const;
+
+  const detail::Values& values_;
+  const Units& units_;
+  const std::string& path_;
+  const std::string& file_;
+};
+
+}  // namespace v0
+}  // namespace polhode

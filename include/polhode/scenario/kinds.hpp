@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Kinds: what a scenario may hold. default_kinds() has ours; a program of your own adds its own:
+//
+//     const Kinds kinds = default_kinds().with(my_torque());
+//     const Scenario scenario = read_scenario("mine.toml", kinds);
+//
+// Equations   none.
+// Units       none.
+// Domain      a name that no other kind of its sort has, of letters, digits and -; keys of equal
+//             names may differ between kinds.
+// Accuracy    none.
+// Errors      DomainError from with() for a name or an extension that is taken, or not plain.
+// Cost        copies share. with() makes the table of keys anew: some ten microseconds.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "polhode/output/output_format.hpp"
+#include "polhode/scenario/perturbation_kind.hpp"
+#include "polhode/scenario/schema.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+class Kinds {
+ public:
+  Kinds with(PerturbationKind kind) const;
+  Kinds with(OutputFormat format) const;
+
+  std::span<const PerturbationKind> perturbations() const;
+  // Null where there is none of this name.
+  const PerturbationKind* perturbation(std::string_view name) const;
+  const OutputFormats& formats() const;
+  // The keys of a scenario file.
+  const Schema& schema() const;
+
+ private:
+  struct Parts;
+  explicit Kinds(std::shared_ptr<const Parts> parts);
+  friend Kinds default_kinds();
+
+  std::shared_ptr<const Parts> parts_;
+};
+
+Kinds default_kinds();
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// PerturbationKind: all that there is to say of one kind of [[perturbation]]: its keys, how its
+// terms are made from them, what they rest on. Readers, schema, pages, templates, summaries and
+// citations come from it; docs/extending/torque.md adds one.
+//
+// Equations   none of its own; the terms have theirs (polhode/perturb/).
+// Units       core units (polhode/text/units.hpp).
+// Domain      vectors of a file refer to its body axes, terms to principal axes: see
+//             TermContext::principal.
+// Accuracy    that of the terms.
+// Errors      a builder throws a DomainError, or says by TermContext::refuse what it expected: both
+//             become a ScenarioError at the place in the file. It may be called from any thread.
+// Cost        that of the terms.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "polhode/perturb/any_perturbation.hpp"
+#include "polhode/scenario/key_values.hpp"
+#include "polhode/scenario/kind_key.hpp"
+#include "polhode/scenario/rotation.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "polhode/text/citation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Which parts of the rotation a term was made of, next to its own keys: it is made again when one
+// of them changes.
+struct TermUses {
+  bool body = false;
+  bool file_axes = false;
+  bool surface = false;
+  std::vector<std::size_t> orbits = {};  // by their numbers
+};
+
+// Where a term is made: its own table, and the parts of the rotation that stand before it. What is
+// asked for is noted in `uses`, which must outlive this like all else.
+class TermContext : public KeyValues {
+ public:
+  TermContext(const KeyValues& table, const Rotation& rotation, TermUses& uses)
+      : KeyValues(table), rotation_(rotation), uses_(uses) {}
+
+  const Body& body() const;
+  // The body axes of the file are those of its tensor; terms want principal ones. Components along
+  // these, and a symmetric matrix along these.
+  Vec3 principal(const Vec3& x_F) const;
+  Mat3 principal(const Mat3& m_F) const;
+  bool has_principal_axes() const;  // whether the two are the same
+  // Turns the file's vectors along principal axes.
+  const Quaternion& q_FB() const;
+  // What the tables [[surface]] describe. Refused where there are none.
+  const Surface& surface() const;
+  // The orbit that the key names.
+  const ScenarioOrbit& orbit(std::string_view key) const;
+  // The number of the key, else that of the orbit that `orbit` names; positive.
+  double gm(std::string_view key, std::string_view orbit) const;
+
+ private:
+  const Rotation& rotation_;
+  TermUses& uses_;
+};
+
+// What a table stands for: a term, several, or a damper, which is no term since it has a state of
+// its own.
+struct DamperAtStart {
+  KaneDamper damper;
+  Vec3 rate;  // relative to the body, principal axes
+};
+using MadeTerms = std::variant<AnyPerturbation, std::vector<AnyPerturbation>, DamperAtStart>;
+
+// Texts are constant data: they outlive every kind.
+struct PerturbationKind {
+  std::string_view name;            // "residual-dipole"
+  std::string_view help;            // one sentence: what acts
+  std::vector<Key> keys;            // paths are their own names
+  std::string_view sets = {};       // exactly one of "times|file" is there; empty: none such
+  std::vector<Citation> citations;  // what it rests on
+  std::function<MadeTerms(const TermContext&)> made;
+  bool on_surface = false;  // acts on the facets of [[surface]]
+};
+
+// A kind whose arguments are a plain struct A, filled by its keys.
+template <class A>
+PerturbationKind perturbation_kind(std::string_view name, std::string_view help,
+                                   std::span<const KindKey<A>> keys,
+                                   MadeTerms (*made)(const A&, const TermContext&),
+                                   const std::vector<Citation>& citations = {}) {
+  return {.name = name,
+          .help = help,
+          .keys = keys_of(keys),
+          .citations = citations,
+          .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
+                   made](const TermContext& at) { return made(arguments<A>(all, at), at); }};
+}
+
+}  // namespace v0
+}  // namespace polhode

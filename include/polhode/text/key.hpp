@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Key: one key of a TOML file as constant data, a row of the table of keys
+// (polhode/scenario/schema.hpp). What a kind of thing says of its keys is said with it.
+//
+// Equations   none.
+// Units       a key with a dimension takes a bare number (in the units of the file), "27.38 h", or
+//             { value = 27.38, unit = "h" }.
+// Domain      in a path, "*" stands for a name that the file chooses (orbit.*; letters, digits, -
+//             and _) and "[]" after a name for each table of an array (perturbation[]). In a table
+//             with a key `kind` a key may belong to some kinds alone.
+// Accuracy    none.
+// Errors      none.
+// Cost        constant data.
+#pragma once
+
+#include <string_view>
+
+#include "polhode/text/units.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+enum class KeyType {
+  table,       // [body]
+  integer,     // 1
+  number,      // 27.38, "27.38 h" or { value = 27.38, unit = "h" }
+  numbers,     // an array of them; { value = [..], unit = ".." } gives them one unit
+  matrix,      // three rows of three
+  linear_map,  // a matrix, or three numbers, its diagonal
+  boolean,     // true or false
+  text,        // "any text"
+  name,        // "moon": letters, digits, - and _
+  unit,        // "h", "kg m2"
+  choice,      // one word of a list
+  choices,     // an array of words of a list, none twice
+  epoch,       // "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB"
+  columns,     // an array of column names of a data file, or of their numbers
+};
+
+enum class Presence {
+  optional,     // may be left out; `fallback` then stands in, if there is one
+  required,     // must be there
+  alternative,  // belongs to an Alternatives row of its table
+};
+
+struct Key {
+  std::string_view path;
+  KeyType type = KeyType::table;
+  Presence presence = Presence::optional;
+  Dimension dimension = Dimension::number;
+  int length = 0;                   // of numbers; 0: any, but not none
+  std::string_view allowed = {};    // words (or integers) joined by "|"
+  std::string_view fallback = {};   // as TOML; "{}" of a table: read as if it were there, empty
+  std::string_view example = {};    // as TOML, what `polhode init` writes
+  std::string_view help = {};       // one sentence
+  std::string_view kinds = {};      // words of `kind` in its table that it belongs to; empty: all
+  std::string_view needed_by = {};  // those that an optional key must come with
+  bool is_file = false;             // a text: the path of a file, from the folder of the scenario
+  bool in_template = false;         // stands in what `polhode init` writes, though it is optional
+
+  bool operator==(const Key&) const = default;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+// HDF5: one dataset per column group, units and provenance as attributes, flushed block by block.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "output/detail/hdf5_handle.hpp"
+#include "output/detail/origin.hpp"
+#include "output/formats/formats.hpp"
+#include "output/part_file.hpp"
+#include "polhode/error.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr hsize_t rows_per_chunk = 1024;
+class Hdf5Sink : public Sink {
+ public:
+  Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
+           const Provenance& provenance, const std::optional<SinkPosition>& from);
+  ~Hdf5Sink() override;
+  void push(std::span<const double> rows) override;
+  std::optional<SinkPosition> position() override;
+  void kept() override;
+  void finish() override;
+
+ private:
+  struct Group {
+    Handle dataset;
+    std::size_t first;  // column in a row
+    std::size_t columns;
+  };
+  void require(bool good) const;
+  Handle checked(hid_t id, herr_t (*close)(hid_t)) const;
+  Handle opened_file(bool exists);
+  Handle opened_dataset(const ColumnGroup& group) const;
+  Handle created_dataset(const ColumnGroup& group) const;
+  void attach(hid_t object, const char* name, const std::vector<std::string>& texts, bool scalar);
+  void append(const Group& group, std::span<const double> rows, std::size_t count);
+  void describe(const std::vector<ColumnGroup>& groups, const Provenance& provenance);
+  void require_same_scenario(const Provenance& provenance) const;
+  // The state that HDF5 has flushed becomes the file.
+  void commit();
+
+  std::string path_;
+  std::string part_;
+  JournaledFile bytes_;
+  Handle file_;
+  std::vector<Group> groups_;
+  std::size_t width_ = 0;
+  hsize_t written_ = 0;
+  std::vector<double> columns_;
+};
+
+void Hdf5Sink::require(bool good) const {
+  if (!good) fail_to_write(part_, errno == 0 ? EIO : errno);
+}
+
+Handle Hdf5Sink::checked(hid_t id, herr_t (*close)(hid_t)) const {
+  require(id >= 0);
+  return {id, close};
+}
+
+Handle Hdf5Sink::opened_file(bool exists) {
+  const QuietScope quiet;
+  errno = 0;
+  const Handle access = checked(access_to(bytes_), H5Pclose);
+  if (exists) {
+    const hid_t id = H5Fopen(part_.c_str(), H5F_ACC_RDWR, access.id());
+    if (id < 0) throw DomainError(printable(part_, part_.size()) + ": HDF5 cannot read it");
+    return {id, H5Fclose};
+  }
+  const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  require(H5Pset_obj_track_times(creation.id(), false) >= 0);
+  return checked(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+}
+
+// With as many rows as have been written.
+Handle Hdf5Sink::opened_dataset(const ColumnGroup& group) const {
+  Handle dataset = checked(H5Dopen2(file_.id(), group.name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space = checked(H5Dget_space(dataset.id()), H5Sclose);
+  hsize_t size[2] = {0, 1};
+  require(H5Sget_simple_extent_ndims(space.id()) <= 2 &&
+          H5Sget_simple_extent_dims(space.id(), size, nullptr) >= 0);
+  if (size[0] != written_)
+    throw DomainError(printable(part_, part_.size()) + ": has " + std::to_string(size[0]) +
+                      " rows; expected " + std::to_string(written_));
+  return dataset;
+}
+
+Handle Hdf5Sink::created_dataset(const ColumnGroup& group) const {
+  const bool flat = group.columns.size() == 1 && group.name == "t";
+  const int rank = flat ? 1 : 2;
+  const hsize_t columns = group.columns.size();
+  const hsize_t now[] = {0, columns}, most[] = {H5S_UNLIMITED, columns};
+  const hsize_t chunk[] = {rows_per_chunk, columns};
+  const Handle space = checked(H5Screate_simple(rank, now, most), H5Sclose);
+  const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  require(H5Pset_chunk(creation.id(), rank, chunk) >= 0 &&
+          H5Pset_obj_track_times(creation.id(), false) >= 0);
+  return checked(H5Dcreate2(file_.id(), group.name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
+                            creation.id(), H5P_DEFAULT),
+                 H5Dclose);
+}
+
+// Texts of any length: variable-length UTF-8, which h5py reads as str.
+void Hdf5Sink::attach(hid_t object, const char* name, const std::vector<std::string>& texts,
+                      bool scalar) {
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  const hsize_t count = pointers.size();
+  const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(H5Tset_size(type.id(), H5T_VARIABLE) >= 0 && H5Tset_cset(type.id(), H5T_CSET_UTF8) >= 0);
+  const Handle space =
+      checked(scalar ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Handle attribute =
+      checked(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  require(pointers.empty() || H5Awrite(attribute.id(), type.id(), pointers.data()) >= 0);
+}
+
+Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
+                   const Provenance& provenance, const std::optional<SinkPosition>& from)
+    : path_(path),
+      part_(part_path(path)),
+      bytes_(from ? JournaledFile(part_, {from->bytes, from->rows}) : JournaledFile(part_)),
+      file_(opened_file(from.has_value())),
+      written_(from ? static_cast<hsize_t>(from->rows) : 0) {
+  const QuietScope quiet;
+  if (from) require_same_scenario(provenance);
+  for (const ColumnGroup& group : groups) {
+    if (group.columns.empty()) continue;
+    groups_.push_back(
+        {from ? opened_dataset(group) : created_dataset(group), width_, group.columns.size()});
+    width_ += group.columns.size();
+  }
+  if (from) return;
+  describe(groups, provenance);
+  commit();
+}
+
+void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
+  auto dataset = groups_.begin();
+  for (const ColumnGroup& group : groups) {
+    if (group.columns.empty()) continue;
+    std::vector<std::string> names, units;
+    for (const Column& column : group.columns) {
+      names.push_back(column.name);
+      units.push_back(column.unit);
+    }
+    attach(dataset->dataset.id(), "columns", names, false);
+    attach(dataset->dataset.id(), "units", units, false);
+    ++dataset;
+  }
+  attach(file_.id(), "polhode", {provenance.version}, true);
+  attach(file_.id(), "title", {provenance.title}, true);
+  attach(file_.id(), "scenario_name", {provenance.scenario_name}, true);
+  attach(file_.id(), "scenario", {provenance.scenario_text}, true);
+  attach(file_.id(), "notes", provenance.notes, false);
+  attach(file_.id(), "citations", provenance.citations, false);
+}
+
+void Hdf5Sink::require_same_scenario(const Provenance& provenance) const {
+  const bool same =
+      attribute_texts(file_.id(), "scenario") == std::vector{provenance.scenario_text};
+  if (!same)
+    throw DomainError(printable(part_, part_.size()) +
+                      ": cannot be continued: it is the output of another scenario");
+}
+
+// Without finish(): what HDF5 writes when it closes is not committed.
+Hdf5Sink::~Hdf5Sink() {
+  const QuietScope quiet;
+  groups_.clear();
+  file_.close();
+}
+
+void Hdf5Sink::commit() {
+  require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
+  hsize_t bytes = 0;
+  require(H5Fget_filesize(file_.id(), &bytes) >= 0);
+  bytes_.commit(static_cast<std::int64_t>(bytes));
+}
+
+std::optional<SinkPosition> Hdf5Sink::position() {
+  bytes_.sync();
+  return SinkPosition{bytes_.bytes(), static_cast<std::int64_t>(written_)};
+}
+
+void Hdf5Sink::kept() {
+  if (groups_.empty()) {  // finished
+    bytes_.forget_savepoints();
+  } else {
+    bytes_.savepoint(static_cast<std::int64_t>(written_));
+  }
+}
+
+void Hdf5Sink::append(const Group& group, std::span<const double> rows, std::size_t count) {
+  columns_.clear();
+  for (std::size_t row = 0; row < count; ++row)
+    for (std::size_t i = 0; i < group.columns; ++i)
+      columns_.push_back(rows[row * width_ + group.first + i]);
+  const hsize_t total[] = {written_ + count, group.columns};
+  const hsize_t start[] = {written_, 0}, block[] = {count, group.columns};
+  require(H5Dset_extent(group.dataset.id(), total) >= 0);
+  const Handle space = checked(H5Dget_space(group.dataset.id()), H5Sclose);
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, block, nullptr) >= 0);
+  const Handle memory = checked(H5Screate_simple(rank, block, nullptr), H5Sclose);
+  require(H5Dwrite(group.dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT,
+                   columns_.data()) >= 0);
+}
+
+void Hdf5Sink::push(std::span<const double> rows) {
+  const QuietScope quiet;
+  errno = 0;
+  const std::size_t count = rows.size() / width_;
+  for (const Group& group : groups_) append(group, rows, count);
+  written_ += count;
+  commit();
+}
+
+void Hdf5Sink::finish() {
+  const QuietScope quiet;
+  errno = 0;
+  for (Group& group : groups_) require(group.dataset.close());
+  groups_.clear();
+  require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
+  hsize_t bytes = 0;
+  require(H5Fget_filesize(file_.id(), &bytes) >= 0 && file_.close());
+  bytes_.commit(static_cast<std::int64_t>(bytes));
+  bytes_.sync();
+  rename_part(part_, path_);
+}
+
+std::string group_text(const std::string& name, const std::vector<std::string>& columns) {
+  std::string text = name + ":";
+  for (const std::string& column : columns) text += " " + column;
+  return text;
+}
+
+// Every dataset with its columns, by name.
+std::vector<std::string> groups_in(hid_t file) {
+  std::vector<std::string> groups;
+  H5G_info_t info;
+  if (H5Gget_info(file, &info) < 0) return groups;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    char name[256] = {};
+    H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof name, H5P_DEFAULT);
+    const Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+    groups.push_back(group_text(name, attribute_texts(dataset.id(), "columns")));
+  }
+  std::sort(groups.begin(), groups.end());
+  return groups;
+}
+
+Origin origin_of(const std::string& path) {
+  const QuietScope quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  Origin origin;
+  if (file.id() < 0) return origin;
+  origin.scenario = attribute_texts(file.id(), "scenario");
+  for (std::string& note : attribute_texts(file.id(), "notes"))
+    if (note.starts_with(file_lead)) origin.files.push_back(std::move(note));
+  origin.columns = groups_in(file.id());
+  return origin;
+}
+
+Origin origin_of(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
+  Origin origin{{provenance.scenario_text}, {}, {}};
+  for (const ColumnGroup& group : groups) {
+    std::vector<std::string> columns;
+    for (const Column& column : group.columns) columns.push_back(column.name);
+    if (!columns.empty()) origin.columns.push_back(group_text(group.name, columns));
+  }
+  std::sort(origin.columns.begin(), origin.columns.end());
+  for (const std::string& note : provenance.notes)
+    if (note.starts_with(file_lead)) origin.files.push_back(note);
+  return origin;
+}
+
+// The first rows of a dataset of so many columns; empty where it has not as many.
+std::vector<double> first_rows(hid_t file, const std::string& name, std::size_t columns,
+                               hsize_t count) {
+  const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.id() < 0) return {};
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  hsize_t size[2] = {0, 1};
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), size, nullptr) < 0 ||
+      size[0] < count || size[1] != columns)
+    return {};
+  const hsize_t start[] = {0, 0}, block[] = {count, columns};
+  const Handle memory(H5Screate_simple(rank, block, nullptr), H5Sclose);
+  std::vector<double> numbers(count * columns);
+  const bool good =
+      H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, block, nullptr) >= 0 &&
+      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT,
+              numbers.data()) >= 0;
+  return good ? numbers : std::vector<double>();
+}
+
+std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGroup>& groups,
+                            std::int64_t count) {
+  const QuietScope quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const auto n = static_cast<std::size_t>(count);
+  std::size_t width = 0, first = 0;
+  for (const ColumnGroup& group : groups) width += group.columns.size();
+  std::vector<double> rows(n * width);
+  for (const ColumnGroup& group : groups) {
+    const std::size_t columns = group.columns.size();
+    if (columns == 0) continue;
+    const std::vector<double> own =
+        file.id() < 0 ? std::vector<double>() : first_rows(file.id(), group.name, columns, n);
+    if (own.size() != n * columns)
+      throw DomainError(printable(path, path.size()) + ": expected " + std::to_string(count) +
+                        " rows in " + group.name);
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t i = 0; i < columns; ++i)
+        rows[row * width + first + i] = own[row * columns + i];
+    first += columns;
+  }
+  return rows;
+}
+
+}  // namespace
+
+OutputFormat hdf5_format() {
+  OutputFormat format("hdf5", ".h5", "HDF5: a dataset for each group of columns.",
+                      [](const SinkRequest& request) {
+                        return std::make_unique<Hdf5Sink>(request.path, request.groups,
+                                                          request.provenance, request.from);
+                      });
+  format.label = "HDF5";
+  format.needs.file = true;
+  format.difference = [](const std::string& path, const std::vector<ColumnGroup>& groups,
+                         const Provenance& provenance) {
+    return difference(origin_of(path), origin_of(groups, provenance));
+  };
+  format.rows = rows_of;
+  return format;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

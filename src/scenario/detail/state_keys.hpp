@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The keys of [state]: those of the file, and a table for each chart that scenarios know.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/tables/chart_kind.hpp"
+#include "scenario/detail/schema_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class StateKeys {
+ public:
+  explicit StateKeys(std::span<const ChartKind> charts);
+  StateKeys(const StateKeys&) = delete;
+  StateKeys& operator=(const StateKeys&) = delete;
+
+  // Refers to this.
+  SchemaPart part() const { return {keys_, alternatives_}; }
+
+ private:
+  void add(const ChartKind& chart);
+
+  std::deque<std::string> words_;  // that keys refer to
+  std::vector<Key> keys_;
+  std::vector<Alternatives> alternatives_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

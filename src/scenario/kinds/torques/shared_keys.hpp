@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Keys that several kinds of torque have, each written once.
+#pragma once
+
+#include "polhode/scenario/kind_key.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template <auto at, class A = Owner<at>>
+consteval auto orbit_key() {
+  return name_key<at, A>(
+             "orbit",
+             "The name of a table [orbit.NAME]: where the attracting point mass, or what "
+             "has the magnetic field, is; or what the body goes round.")
+      .required()
+      .example("\"earth\"");
+}
+
+template <auto at>
+consteval auto gm_key() {
+  return quantity_key<at>(
+             "gm", Dimension::gm,
+             "Gravitational parameter of the attracting mass; left out, that of the orbit.")
+      .example("\"398600.4418 km3/s2\"");
+}
+
+template <auto at, auto body, auto attractor>
+consteval auto orbit_of_key() {
+  return choice_key<at, body, attractor>(
+             "orbit_of", "body|attractor",
+             "Whose path the orbit is as seen from the other: the body's, or that of what attracts "
+             "it, which it goes round. With third_moments it may not be left out.")
+      .otherwise("\"body\"");
+}
+
+template <auto at, class A = Owner<at>>
+consteval auto pole_key() {
+  return quantity_key<at, A>(
+             "pole", Dimension::number,
+             "Pole of the attracting body, that J2 belongs to, or about which its magnetic field "
+             "turns; in inertial axes, of any length.")
+      .otherwise("[0.0, 0.0, 1.0]");
+}
+
+template <auto at>
+consteval auto body_radius_key() {
+  return quantity_key<at>("radius", Dimension::length,
+                          "Radius of the rotating body, that k2 belongs to.")
+      .required()
+      .example("\"1 km\"");
+}
+
+template <auto at, auto body, auto inertial>
+consteval auto torque_axes_key() {
+  return choice_key<at, body, inertial>("axes", "body|inertial", "The axes of its components.")
+      .otherwise("\"body\"");
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/detail/kind_rows.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// Without what says which kinds a row belongs to.
+bool are_alike(Key a, const Key& b) {
+  a.kinds = b.kinds;
+  return a == b;
+}
+
+std::string joined(std::string_view words, std::string_view word) {
+  return std::string(words) + (words.empty() ? "" : "|") + std::string(word);
+}
+
+}  // namespace
+
+KindRows::KindRows(const Key& table, const Key& kind, std::span<const KindOfTable> kinds) {
+  keys_ = {table, kind};
+  std::string all;
+  for (const KindOfTable& one : kinds) {
+    all = joined(all, one.text.kind);
+    for (const Key& key : one.keys) add(key, table.path, one.text.kind);
+    if (!one.sets.empty()) alternatives_.push_back({table.path, one.sets, one.text.kind});
+    texts_.push_back(one.text);
+    texts_.back().table = table.path;
+  }
+  keys_[1].allowed = words_.emplace_back(std::move(all));
+}
+
+void KindRows::add(const Key& key, std::string_view table, std::string_view kind) {
+  Key row = key;
+  const std::string path = std::string(table) + "." + std::string(key.path);
+  row.path = path;
+  for (Key& other : keys_) {
+    if (!are_alike(row, other)) continue;
+    other.kinds = words_.emplace_back(joined(other.kinds, kind));
+    return;
+  }
+  row.path = words_.emplace_back(path);
+  row.kinds = kind;
+  keys_.push_back(row);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

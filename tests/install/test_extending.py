@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""The worked examples of docs/extending, each built from a directory that holds nothing but its
+files, against an installed polhode, and run as its page says."""
+
+import shutil
+import subprocess
+
+import budgets
+import pytest
+
+
+def sh(*arguments, cwd=None, status=0):
+    done = subprocess.run(list(map(str, arguments)), cwd=cwd, text=True, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert done.returncode == status, f"{arguments}\n{done.stdout}"
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(build, tmp_path_factory):
+    path = tmp_path_factory.mktemp("prefix")
+    sh("cmake", "--install", build, "--prefix", path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def built(root, prefix, tmp_path_factory):
+    """The directory of an example, built in place."""
+
+    def build(name):
+        path = tmp_path_factory.mktemp(name) / name
+        shutil.copytree(root / "examples/extending" / name, path)
+        sh("cmake", "-S", path, "-B", path / "build", "-G", "Ninja",
+           f"-DCMAKE_PREFIX_PATH={prefix}")
+        sh("cmake", "--build", path / "build")
+        return path
+
+    return build
+
+
+def test_a_torque_of_your_own_is_a_kind_like_ours(built, tmp_path):
+    path = built("torque")
+    program = path / "build/spin-brake"
+    out = tmp_path / "brake.csv"
+    assert "completed" in sh(program, "run", path / "spin-brake.toml", "--out", out)
+    rows = [line.split(",") for line in out.read_text().splitlines() if not line.startswith("#")]
+    w3 = [float(row[rows[0].index("w3")]) for row in rows[1:]]
+    assert w3[0] == pytest.approx(30, rel=budgets.cli_rounding) and abs(w3[-1]) < 1  # braked
+    # the checkpoint of a run that was stopped, and the run that never was
+    cut = tmp_path / "cut.csv"
+    started = subprocess.Popen([program, "run", path / "spin-brake.toml", "--out", cut,
+                                "--checkpoint", "0"], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    while not cut.with_name("cut.csv.checkpoint").exists() and started.poll() is None:
+        pass
+    started.kill()
+    started.wait()
+    sh(program, "run", path / "spin-brake.toml", "--out", cut, "--resume")
+    assert cut.read_bytes() == out.read_bytes()
+    assert "spin brake" in sh(program, "info", path / "spin-brake.toml")
+    assert "[brake2026]" in sh(program, "cite", path / "spin-brake.toml")
+    assert '"const": "spin-brake"' in sh(program, "schema")
+    template = tmp_path / "template.toml"
+    template.write_text(sh(program, "init", "spin-brake"))
+    sh(program, "run", template, "--out", tmp_path / "template.csv")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text((path / "spin-brake.toml").read_text().replace('"0.02 N m s"', '"0.02 N m"'))
+    assert ':15:11: perturbation[0].damping: got "0.02 N m"; expected a damping coefficient' in sh(
+        program, "info", wrong, status=2)
+
+
+def test_an_output_format_of_your_own_writes_resumes_and_refuses(built, root):
+    source = built("output-format")
+    command = ["build/fixed-width", "scenario.toml", "rows.txt"]
+    assert sh(*command, cwd=source) == "3 rows in rows.txt\n"
+    written = (source / "rows.txt").read_text()
+    assert "! | [output.fixed]\n" in written
+    shown = "".join(line for line in written.splitlines(keepends=True) if line[0] != "!")
+    page = (root / "docs/extending/output-format.md").read_text()
+    assert shown in page
+    assert sh(*command, cwd=source) == "3 rows in rows.txt\n"  # complete: nothing to do
+    assert (source / "rows.txt").read_text() == written
+    text = (source / "scenario.toml").read_text().replace("digits = 6", "digits = 7")
+    (source / "scenario.toml").write_text(text)
+    refused = subprocess.run(command, cwd=source, text=True, capture_output=True)
+    assert refused.returncode == 2
+    assert "19:10: output.fixed.digits: got 7; expected 6, 9 or 17" in refused.stderr
+
+
+@pytest.fixture(scope="module")
+def spherical(built):
+    return built("chart") / "build/spherical"
+
+
+def test_a_chart_of_your_own_is_converted_and_its_bad_row_is_found(spherical, root):
+    def converted(text, *charts):
+        return subprocess.run([spherical, *charts], input=text, text=True, capture_output=True)
+
+    given = (root / "examples/extending/chart/states.csv").read_text()
+    there = converted(given, "spherical", "serret")
+    assert there.returncode == 2
+    assert there.stderr.startswith("stdin:3: andoyer_state: H = ")
+    back = converted(there.stdout, "serret", "spherical")
+    assert back.returncode == 0, back.stderr
+    first, last = given.splitlines(), back.stdout.splitlines()
+    assert last[0] == first[0] and len(last) == 2
+    assert [float(x) for x in last[1].split(",")] == pytest.approx(
+        [float(x) for x in first[1].split(",")], abs=budgets.cli_carried)
+
+
+def test_columns_of_that_chart_are_those_of_its_page(spherical, root):
+    page = (root / "docs/extending/chart.md").read_text()
+    assert f"```\n{sh(spherical)}```" in page
+
+
+def test_pages_show_the_files_of_their_examples(root):
+    pages = {path.stem: path.read_text() for path in (root / "docs/extending").glob("*.md")}
+    assert set(pages) == {path.name for path in (root / "examples/extending").iterdir()}
+    for name, page in pages.items():
+        for path in (root / "examples/extending" / name).iterdir():
+            lines = path.read_text().splitlines(keepends=True)
+            text = "".join(line for line in lines if "SPDX" not in line)
+            assert text.strip() in page, f"{path} is not what docs/extending/{name}.md shows"

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Kinds of torques that a program adds to ours.
+#include "polhode/scenario/kinds.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "polhode/perturb/constant_torque.hpp"
+#include "polhode/run/citations.hpp"
+#include "polhode/run/map.hpp"
+#include "polhode/scenario/scenario.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+enum class Sense { forward, backward };
+
+struct Arguments {
+  double radius;  // of other dimensions than ours has
+  std::optional<Vec3> axis;
+  Sense sense = Sense::forward;
+  bool strong = false;
+};
+
+constexpr KindKey<Arguments> keys[] = {
+    quantity_key<&Arguments::radius>("radius", Dimension::torque, "Not a length.")
+        .required()
+        .example("0.25")
+        .positive(),
+    quantity_key<&Arguments::axis>("axis", Dimension::number, "Its axis; left out, axis 3.")
+        .example("[1, 0, 0]"),
+    choice_key<&Arguments::sense, Sense::forward, Sense::backward>("sense", "forward|backward",
+                                                                   "Which way.")
+        .otherwise("\"forward\""),
+    flag_key<&Arguments::strong>("strong", "Twice as much.").otherwise("false"),
+};
+
+MadeTerms made(const Arguments& a, const TermContext& at) {
+  const double size = a.radius * (a.sense == Sense::forward ? 1.0 : -1.0) * (a.strong ? 2.0 : 1.0);
+  return AnyPerturbation(
+      "push", ConstantTorque::in_body(at.principal(size * a.axis.value_or(Vec3{0.0, 0.0, 1.0}))));
+}
+
+PerturbationKind push(std::string_view name = "push") {
+  return perturbation_kind<Arguments>(name, "A torque for tests.", keys, made,
+                                      {{"own2026", "A. Author (2026).", "the push"}});
+}
+
+const std::string file = R"(schema = 1
+body.moments = [1, 1.7, 2.2]
+state.euler = { phi = 0.1, theta = 1, psi = 0.5, Phi = 0.8, Theta = 0.1, Psi = 0.9 }
+time = { stop = 5, count = 2 }
+[[perturbation]]
+kind = "push"
+)";
+
+std::string error_of(const std::string& text, const Kinds& kinds) {
+  try {
+    scenario_from_text(text, "f.toml", kinds);
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+Vec3 torque(const Scenario& scenario) {
+  const auto* term = scenario.rotation().terms.at(0).target<ConstantTorque>();
+  return term == nullptr ? Vec3{} : term->torque();
+}
+
+TEST(Kinds, OneOfYourOwnMakesTermsFromItsKeys) {
+  const Kinds kinds = default_kinds().with(push());
+  const auto read = [&](const std::string& own) {
+    return torque(scenario_from_text(file + own, "f.toml", kinds));
+  };
+  EXPECT_EQ(read("radius = 2\n"), (Vec3{0.0, 0.0, 2.0}));
+  EXPECT_EQ(read("radius = 2\naxis = [1, 0, 0]\nsense = \"backward\"\nstrong = true\n"),
+            (Vec3{-4.0, 0.0, 0.0}));
+}
+
+TEST(Kinds, WhatItsKeysRefuseStandsAtTheirPlace) {
+  const Kinds kinds = default_kinds().with(push());
+  EXPECT_EQ(error_of(file, kinds),
+            "f.toml:5:1: perturbation[0].radius: got nothing; expected a torque: a number (of "
+            "1/s2), \"1 1/s2\" or { value = 1, unit = \"1/s2\" }");
+  EXPECT_EQ(error_of(file + "radius = -1\n", kinds),
+            "f.toml:7:10: perturbation[0].radius: got -1; expected a positive torque");
+  EXPECT_THAT(error_of(file + "radius = 1\nsense = \"forwrad\"\n", kinds),
+              HasSubstr("expected \"forward\" or \"backward\"; did you mean \"forward\"?"));
+  EXPECT_THAT(error_of(file + "radius = 1\nk2 = 1\n", kinds),
+              HasSubstr("perturbation[0].k2: a key of kind \"tide\"; expected with kind = "
+                        "\"push\" only kind, radius, axis, sense or strong"));
+  EXPECT_THAT(error_of(file + "radius = 1\n", default_kinds()),
+              HasSubstr("perturbation[0].kind: got \"push\"; expected \"gravity-gradient\", "));
+}
+
+// Two kinds may have keys of one name that differ; each reads its own.
+TEST(Kinds, AKeyMayMeanAnotherThingInAnotherKind) {
+  const Kinds kinds = default_kinds().with(push());
+  const std::string anelastic = R"(kind = "anelastic-damping"
+rigidity = 1
+quality_factor = 100
+body_density = 1
+)";
+  const std::string text = file.substr(0, file.rfind("kind"));
+  EXPECT_EQ(error_of(text + anelastic + "radius = -1\n", kinds),
+            "f.toml:10:10: perturbation[0].radius: got -1; expected a positive length");
+  EXPECT_THAT(error_of(text + "kind = \"damping\"\ncoefficients = [1, 1, 1]\nradius = 1\n", kinds),
+              HasSubstr("radius: a key of kind \"tide\", \"anelastic-damping\" or \"push\"; "));
+}
+
+TEST(Kinds, SchemaPageAndTemplateKnowIt) {
+  const Kinds kinds = default_kinds().with(push());
+  EXPECT_THAT(json_schema(kinds.schema()), HasSubstr("\"const\": \"push\""));
+  EXPECT_THAT(json_schema(default_kinds().schema()), Not(HasSubstr("push")));
+  EXPECT_THAT(markdown_reference(kinds.schema()), HasSubstr("- `\"push\"`: A torque for tests."));
+  EXPECT_THAT(markdown_reference(kinds.schema()),
+              HasSubstr("| `radius` | torque | required | With kind `push`: Not a length. |"));
+  const Scenario scenario =
+      scenario_from_text(scenario_template("push", kinds.schema()), "template", kinds);
+  EXPECT_THAT(scenario.rotation().kinds, ElementsAre("push"));
+  EXPECT_EQ(torque(scenario), (Vec3{0.0, 0.0, 0.25}));
+}
+
+TEST(Kinds, CitationsComeWithIt) {
+  const Kinds kinds = default_kinds().with(push());
+  const std::vector<Citation> all =
+      citations(scenario_from_text(file + "radius = 1\n", "f.toml", kinds));
+  EXPECT_EQ(all.back().key, "own2026");
+  EXPECT_EQ(all.back().reason, "the push");
+}
+
+TEST(Kinds, MapsMakeItAgain) {
+  const Kinds kinds = default_kinds().with(push());
+  const std::string map = R"(radius = 1
+[map]
+kind = "column"
+column = "w3"
+[[map.axis]]
+key = "perturbation[0].radius"
+from = 1
+to = 2
+count = 2
+)";
+  const ScenarioMap cells(scenario_from_text(file + map, "f.toml", kinds));
+  ASSERT_EQ(cells.size(), 2);
+  const auto one = [&](const std::string& radius) {
+    const std::string text = file + map;
+    const std::size_t at = text.find("from = 1");
+    return ScenarioMap(
+               scenario_from_text(text.substr(0, at) + "from = " + radius + text.substr(at + 8),
+                                  "f.toml", kinds))
+        .cell(0);
+  };
+  for (const int cell : {0, 1}) {
+    const MapCell found = cells.cell(cell);
+    EXPECT_EQ(found.failure, "");
+    EXPECT_EQ(found.numbers, one(cell == 0 ? "1" : "2").numbers) << cell;
+  }
+  EXPECT_NE(cells.cell(0).numbers, cells.cell(1).numbers);
+}
+
+TEST(Kinds, ANameIsPlainAndNotTaken) {
+  const auto error = [](std::string_view name) -> std::string {
+    try {
+      default_kinds().with(push(name));
+    } catch (const DomainError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(error("push"), "");
+  EXPECT_EQ(error("tide"), "Kinds: perturbation \"tide\" is there; expected another name");
+  EXPECT_EQ(error("my push"), "Kinds: perturbation \"my push\"; expected letters, digits and -");
+  EXPECT_EQ(error(""), "Kinds: perturbation \"\"; expected letters, digits and -");
+}
+
+// A key without a dimension or a sentence does not compile.
+template <auto at>
+concept WithBoth = requires {
+  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A."), true)>;
+};
+template <auto at>
+concept WithoutDimension = requires { quantity_key<at>("r", "A."); };
+template <auto at>
+concept WithoutText = requires { quantity_key<at>("r", Dimension::torque); };
+template <auto at>
+concept WithEmptyText =
+    requires { typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, ""), true)>; };
+static_assert(WithBoth<&Arguments::radius>);
+static_assert(!WithoutDimension<&Arguments::radius>);
+static_assert(!WithoutText<&Arguments::radius>);
+static_assert(!WithEmptyText<&Arguments::radius>);
+
+}  // namespace
+}  // namespace polhode

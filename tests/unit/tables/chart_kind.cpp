@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// A chart is described once: ours, and one that a program of somebody else adds.
+#include "polhode/tables/chart_kind.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "budgets.hpp"
+#include "modified_spherical.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/output/columns.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "polhode/tables/convert.hpp"
+#include "scenario/detail/state_keys.hpp"
+#include "worst.hpp"
+
+namespace polhode {
+namespace {
+
+using test::modified_spherical;
+using test::Worst;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+using Word = std::string_view;
+
+// A number without a dimension, a sentence or an example does not compile; nor does an option.
+template <class T, class... Arguments>
+constexpr bool is_made_of = std::is_constructible_v<T, Arguments...>;
+static_assert(is_made_of<ChartVariable, Word, Dimension, Word, Word>);
+static_assert(!is_made_of<ChartVariable, Word, Dimension, Word>);
+static_assert(!is_made_of<ChartVariable, Word, Word, Word>);
+static_assert(!is_made_of<ChartVariable, Word>);
+static_assert(!is_made_of<ChartVariable>);
+static_assert(is_made_of<ChartOption, Word, Word, Word, Word, Word>);
+static_assert(!is_made_of<ChartOption, Word, Word, Word>);
+
+std::string error_of(const auto& action) {
+  try {
+    action();
+  } catch (const DomainError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+RotorState start() { return {unit_quaternion(0.5, 0.1, -0.7, 0.5), {0.3, -0.2, 1.1}}; }
+
+double difference(const RotorState& a, const RotorState& b) {
+  const double sign = a.q.w * b.q.w + a.q.x * b.q.x + a.q.y * b.q.y + a.q.z * b.q.z < 0.0 ? -1 : 1;
+  Worst worst;
+  for (const double x : {a.q.w - sign * b.q.w, a.q.x - sign * b.q.x, a.q.y - sign * b.q.y,
+                         a.q.z - sign * b.q.z, norm(a.g - b.g)})
+    worst.add(std::fabs(x));
+  return worst.value();
+}
+
+TEST(ChartKind, EveryChartComesBackAtEveryTime) {
+  const Body body(2.0, 1.0, 2.5);
+  for (const ChartKind& chart : with_chart(default_charts(), modified_spherical))
+    for (const double t : {0.0, 3.5}) {
+      const ChartPlace place{&body, t};
+      const ChartNumbers numbers = chart.from_hub(start(), place);
+      const ChartNumbers row = to_columns(chart, numbers);
+      const ChartNumbers back = completed(chart, from_columns(chart, row), place);
+      EXPECT_LE(difference(chart.to_hub(back, place), start()), budget::io_convert) << chart.name;
+      for (std::size_t i = 0; i < chart.variables.size() + branch_columns(chart).size(); ++i)
+        EXPECT_TRUE(std::isfinite(row[i])) << chart.name << " " << i;
+    }
+}
+
+TEST(ChartKind, AStateGivesItsMotion) {
+  const Body body(2.0, 1.0, 2.5);
+  for (const ChartKind& chart : default_charts()) {
+    const ChartPlace place{&body, 0.0};
+    const ChartState state{chart, completed(chart, chart.from_hub(start(), place), place)};
+    EXPECT_LE(difference(free_rotation(body, state).at(0.0), start()), budget::io_elements)
+        << chart.name;
+  }
+}
+
+// Rows write a column once: what two charts call alike must be one number.
+TEST(ChartKind, ColumnsOfOneNameAreOneNumber) {
+  const Body body(2.0, 1.0, 2.5);
+  std::set<std::string_view> names;
+  std::map<std::string_view, double> columns;
+  for (const ChartKind& chart : default_charts()) {
+    EXPECT_TRUE(names.insert(chart.name).second) << chart.name;
+    EXPECT_TRUE(chart.help.ends_with('.')) << chart.name;
+    if (!chart.in_scenarios) continue;
+    const ChartNumbers numbers = chart.from_hub(start(), {&body, 0.0});
+    for (std::size_t i = 0; i < chart.variables.size(); ++i) {
+      const auto [known, is_new] = columns.emplace(chart.variables[i].column, numbers[i]);
+      EXPECT_NEAR(known->second, numbers[i], budget::io_elements)
+          << chart.name << " " << known->first;
+    }
+  }
+  EXPECT_TRUE(columns.contains("sigma_pi_0"));
+}
+
+TEST(ChartKind, OptionsAreWordsAndNumbers) {
+  constexpr ChartOption sign{"s", "1|-1", "1", "A sign.", "1"};
+  constexpr ChartOption region{"r", "SAM|LAM", "", "A region.", "\"SAM\""};
+  EXPECT_EQ(option_number(sign, "-1"), -1.0);
+  EXPECT_EQ(option_number(region, "LAM"), 1.0);
+  EXPECT_TRUE(std::isnan(option_number(sign, "2")));
+  EXPECT_TRUE(std::isnan(option_number(region, "lam")));
+  EXPECT_EQ(option_word(sign, -1.0), "-1");
+  EXPECT_EQ(option_word(region, 0.0), "SAM");
+  EXPECT_EQ(option_word(region, 2.0), "");
+  EXPECT_EQ(option_word(region, std::numeric_limits<double>::quiet_NaN()), "");
+}
+
+TEST(ChartKind, AnOptionThatIsLeftOutIsFound) {
+  const Body body(1.0, 2.0, 2.5);
+  const ChartKind& sadov = *chart_named("sadov");
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto region = [&](double I_l, double given) {
+    return completed(sadov, {0.1, 0.2, 0.3, I_l, 1.0, 0.5, given, none}, {&body})[6];
+  };
+  EXPECT_EQ(region(0.99, none), 0.0);
+  EXPECT_EQ(region(0.01, none), 1.0);
+  EXPECT_EQ(region(0.01, 0.0), 0.0);
+  EXPECT_EQ(completed(sadov, {0.1, 0.2, 0.3, 0.9, 1.0, 0.5, none, none}, {&body})[7], 1.0);
+  const ChartKind& serret = *chart_named("serret");
+  EXPECT_EQ(error_of([&] {
+              completed(serret, {1, 1, 1, 1, 1, 1, 0.5, 1}, {&body});
+            }),
+            "a column of signs must hold 1 or -1");
+}
+
+TEST(ChartKind, WhatIsNoChartIsRefused) {
+  const auto error = [](const auto& change) {
+    ChartKind chart = modified_spherical;
+    change(chart);
+    return error_of([&] { with_chart(default_charts(), chart); });
+  };
+  EXPECT_EQ(error([](ChartKind& c) { c.name = "serret"; }), "chart \"serret\": the name is taken");
+  EXPECT_EQ(error([](ChartKind& c) { c.name = "my chart"; }),
+            "chart \"my chart\": expected a name of letters, digits, - and _");
+  EXPECT_THAT(error([](ChartKind& c) { c.to_hub = nullptr; }), HasSubstr("expected to_hub"));
+  EXPECT_THAT(error([](ChartKind& c) { c.variables = {}; }), HasSubstr("expected variables"));
+  EXPECT_THAT(error([](ChartKind& c) { c.is_constant = true; }), HasSubstr("from_motion"));
+  constexpr std::size_t order[] = {1, 0}, twice[] = {0, 1, 2, 3, 4, 4},
+                        beyond[] = {0, 1, 2, 3, 4, 6};
+  EXPECT_THAT(error([&](ChartKind& c) { c.column_order = order; }), HasSubstr("column_order"));
+  EXPECT_THAT(error([&](ChartKind& c) { c.column_order = twice; }), HasSubstr("column_order"));
+  EXPECT_THAT(error([&](ChartKind& c) { c.column_order = beyond; }), HasSubstr("column_order"));
+  constexpr Word columns[] = {"side"};
+  EXPECT_THAT(error([&](ChartKind& c) { c.branch_columns = columns; }), HasSubstr("to_columns"));
+  constexpr ChartVariable one{"x", Dimension::number, "A number.", "1"};
+  const std::vector<ChartVariable> many(most_chart_numbers + 1, one);
+  EXPECT_THAT(error([&](ChartKind& c) { c.variables = many; }), HasSubstr("at most 16 numbers"));
+  EXPECT_EQ(error([](ChartKind&) {}), "no error");
+}
+
+// Somebody else's chart: table, columns and keys of [state].
+TEST(ChartKind, AChartFromOutsideIsKnownEverywhere) {
+  const std::vector<ChartKind> charts = with_chart(default_charts(), modified_spherical);
+  std::string table = "t,qw,qx,qy,qz,g1,g2,g3\n0,0.5,0.1,-0.7,0.5,0.3,-0.2,1.1\n", out;
+  const auto convert_with = [&](const std::string& from, const std::string& to) {
+    std::string_view rest = table;
+    convert(
+        {from, to, std::nullopt}, "in.csv",
+        [&](std::span<char> buffer) {
+          const std::size_t count = rest.copy(buffer.data(), buffer.size());
+          rest.remove_prefix(count);
+          return count;
+        },
+        [&](std::string_view bytes) { out += bytes; }, charts);
+    table = std::exchange(out, {});
+  };
+  convert_with("rotor", "modified-spherical");
+  EXPECT_THAT(table, ::testing::StartsWith("t,l,g,h,log_G,cos_J,cos_I\n0,"));
+  convert_with("modified-spherical", "andoyer");
+  EXPECT_THAT(table, ::testing::StartsWith("t,l,g,h,L,G,H\n0,"));
+  EXPECT_THROW(convert_with("modified-sphericle", "rotor"), DomainError);
+
+  EXPECT_THAT(column_group_names(charts), Contains("modified-spherical"));
+  EXPECT_EQ(column_dimension("log_G", charts), Dimension::number);
+  EXPECT_THROW(column_dimension("log_G"), DomainError);
+  const std::vector<std::string> groups = {"modified-spherical"};
+  const RowLayout layout(groups, Units(), Branch::in_notes, charts);
+  const Body body(1.0, 2.0, 2.5);
+  const FreeRotation motion(body, start());
+  std::vector<double> row(layout.width());
+  layout.write_rows(motion, std::vector<double>{0.0}, row);
+  EXPECT_DOUBLE_EQ(row[4], std::log(norm(start().g)));
+  EXPECT_DOUBLE_EQ(row[5], start().g.z / norm(start().g));
+
+  const detail::StateKeys keys(charts);
+  const Schema schema{keys.part().keys, keys.part().alternatives};
+  EXPECT_THAT(markdown_reference(schema), HasSubstr("## `[state.modified-spherical]`"));
+  EXPECT_THAT(keys_of(schema, "state.modified-spherical"), ::testing::SizeIs(6));
+  EXPECT_THAT(std::string(schema.alternatives.front().sets),
+              ::testing::EndsWith("|modified-spherical"));
+}
+
+}  // namespace
+}  // namespace polhode
