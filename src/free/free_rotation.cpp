@@ -70,10 +70,12 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const PrimedArc
 template <Real T>
 FreeRotation::Parts FreeRotation::prepared(const Body& body, const RotorState& s0, double t0) {
   detail::require_preparable("FreeRotation", body, s0, t0);
-  const auto [arc, kernel] = detail::prepared_arc<double>(
-      detail::converted<T>(body.moments()),
-      BasicRotorState<T>{detail::converted<T>(s0.q), detail::converted<T>(s0.g)}, t0);
-  return {kernel, summarized(body, arc, kernel, s0.g)};
+  const BasicVec3<T> moments = detail::converted<T>(body.moments());
+  const BasicRotorState<T> s{detail::converted<T>(s0.q), detail::converted<T>(s0.g)};
+  const PrimedArc<T> arc = detail::primed_arc(moments, s.g);
+  Parts parts{detail::arc_kernel<double>(arc, moments, s, t0), {}};
+  parts.summary = summarized(body, arc, parts.kernel, s0.g);
+  return parts;
 }
 
 FreeRotation::FreeRotation(const Body& body, const RotorState& s0, double t0)

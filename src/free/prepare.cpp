@@ -2,6 +2,7 @@
 #include "polhode/free/prepare.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "free/detail/sorted_state.hpp"
@@ -26,21 +27,24 @@ void require_held_moments(const char* function, const Body& body) {
 }
 
 void require_preparable(const char* function, const Body& body, const RotorState& s, double t0) {
-  const std::string name(function);
+  const auto name = [&] { return std::string(function); };
   const Quaternion& q = s.q;
   const bool finite_q =
       std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
   if (!finite_q || q == Quaternion{0.0, 0.0, 0.0, 0.0})
-    throw DomainError(name + ": q " + tuple_text({q.w, q.x, q.y, q.z}) +
+    throw DomainError(name() + ": q " + tuple_text({q.w, q.x, q.y, q.z}) +
                       " is not a finite, non-zero quaternion");
   if (!std::isfinite(s.g.x) || !std::isfinite(s.g.y) || !std::isfinite(s.g.z))
-    throw DomainError(name + ": g " + tuple_text({s.g.x, s.g.y, s.g.z}) + " is not finite");
-  if (!std::isfinite(t0)) throw DomainError(name + ": t0 = " + number_text(t0) + " is not finite");
+    throw DomainError(name() + ": g " + tuple_text({s.g.x, s.g.y, s.g.z}) + " is not finite");
+  if (!std::isfinite(t0))
+    throw DomainError(name() + ": t0 = " + number_text(t0) + " is not finite");
   require_held_moments(function, body);
   const Vec3& I = body.moments();
   const Scale scale{exponent_of_largest(I), exponent_of_largest(s.g)};
-  if (!std::isnormal(std::ldexp(1.0, scale.rate())))
-    throw DomainError(name + ": g " + tuple_text({s.g.x, s.g.y, s.g.z}) + " over moments " +
+  using Limits = std::numeric_limits<double>;
+  // 2^rate is not a normal double
+  if (scale.rate() < Limits::min_exponent - 1 || scale.rate() >= Limits::max_exponent)
+    throw DomainError(name() + ": g " + tuple_text({s.g.x, s.g.y, s.g.z}) + " over moments " +
                       tuple_text({I.x, I.y, I.z}) + " is a rate beyond double range");
 }
 

@@ -73,7 +73,14 @@ class RotorEquations {
   [[gnu::always_inline]] BasicRotorRates<T> operator()(const DoubleDouble& t,
                                                        const BasicRotorState<T>& s,
                                                        const SwitchSides* sides = nullptr) const {
-    return rates(t, s, sides, FreeRate{*this});
+    return (*this)(t, s, sides, Unchanged{});
+  }
+  // As what `as` makes of them, in each kind of frame by itself: GCC writes an array of rates later
+  // where the two meet first.
+  template <class As>
+  [[gnu::always_inline]] auto operator()(const DoubleDouble& t, const BasicRotorState<T>& s,
+                                         const SwitchSides* sides, const As& as) const {
+    return rates(t, s, sides, FreeRate{*this}, as);
   }
 
   // At the rate w0(g) that the body would have without terms: I^-1 g, and what a damper adds to it.
@@ -82,15 +89,7 @@ class RotorEquations {
   [[gnu::always_inline]] BasicRotorRates<T> rates(const DoubleDouble& t,
                                                   const BasicRotorState<T>& s,
                                                   const SwitchSides* sides, const Rate& w0) const {
-    BasicSetting<T> at = setting(t, s);
-    if (system_.frame().is_inertial()) {
-      const BasicEffect<T> e = sum_of_terms(system_, at, sides);
-      return inertial_rates(at.s, w0(at.s.g), e);
-    }
-    const BasicFrameMotion<T> frame = frame_motion(t);
-    at.q_IS = frame.q_IS;
-    const BasicEffect<T> e = sum_of_terms(system_, at, sides);
-    return relative_rates(inertial_rates(at.s, w0(at.s.g), e), at.s.q, frame.mu_S);
+    return rates(t, s, sides, w0, Unchanged{});
   }
 
   // I^-1 g
@@ -122,6 +121,25 @@ class RotorEquations {
  private:
   static constexpr bool is_wide = std::same_as<T, DoubleDouble>;
 
+  template <class Rate, class As>
+  [[gnu::always_inline]] auto rates(const DoubleDouble& t, const BasicRotorState<T>& s,
+                                    const SwitchSides* sides, const Rate& w0, const As& as) const {
+    BasicSetting<T> at = setting(t, s);
+    if (system_.frame().is_inertial()) {
+      const BasicEffect<T> e = sum_of_terms(system_, at, sides);
+      return as(inertial_rates(at.s, w0(at.s.g), e));
+    }
+    const BasicFrameMotion<T> frame = frame_motion(t);
+    at.q_IS = frame.q_IS;
+    const BasicEffect<T> e = sum_of_terms(system_, at, sides);
+    return as(relative_rates(inertial_rates(at.s, w0(at.s.g), e), at.s.q, frame.mu_S));
+  }
+
+  struct Unchanged {
+    [[gnu::always_inline]] BasicRotorRates<T> operator()(const BasicRotorRates<T>& r) const {
+      return r;
+    }
+  };
   // Not a lambda: one is not always taken in line.
   struct FreeRate {
     const RotorEquations& of;

@@ -25,8 +25,7 @@ class RotorField {
 
   [[gnu::always_inline]] Values operator()(const DoubleDouble& t, const Values& y,
                                            const SwitchSides* sides = nullptr) const {
-    const BasicRotorRates<T> r = equations_(t, rotor_state<T>(y), sides);
-    return {r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z};
+    return equations_(t, rotor_state<T>(y), sides, AsValues{});
   }
 
   static Values start(const RotorState& s) { return rotor_values(widened<T>(s)); }
@@ -39,6 +38,12 @@ class RotorField {
   static void settle(CompensatedState<T, rotor_size<T>>& s) { restore_norm(s); }
 
  private:
+  struct AsValues {
+    [[gnu::always_inline]] Values operator()(const BasicRotorRates<T>& r) const {
+      return {r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z};
+    }
+  };
+
   RotorEquations<T> equations_;
 };
 

@@ -44,9 +44,9 @@ BasicVec3<T> restored(const AxisOrder& p, const BasicVec3<T>& v) {
 inline AxisOrder inverse(const AxisOrder& p) {
   AxisOrder r;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto j = static_cast<std::size_t>(p.axis[i]);
-    r.axis[j] = static_cast<int>(i);
-    r.sign[j] = p.sign[i];
+    const int j = static_cast<int>(i);
+    r.axis[i] = p.axis[0] == j ? 0 : p.axis[1] == j ? 1 : 2;
+    r.sign[i] = p.sign[static_cast<std::size_t>(r.axis[i])];
   }
   return r;
 }

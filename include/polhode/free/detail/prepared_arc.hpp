@@ -118,7 +118,8 @@ CayleyKleinSeries<T> rounded(const CayleyKleinSeries<P>& s) {
   CayleyKleinSeries<T> d;
   d.hyperbolic = s.hyperbolic;
   d.terms = s.terms;
-  for (std::size_t i = 0; i < max_series_terms; ++i) {
+  const auto given = static_cast<std::size_t>(s.terms);
+  for (std::size_t i = 0; i < given; ++i) {
     d.A[i] = To::of(s.A[i]);
     d.B[i] = To::of(s.B[i]);
     d.C[i] = To::of(s.C[i]);
@@ -128,7 +129,7 @@ CayleyKleinSeries<T> rounded(const CayleyKleinSeries<P>& s) {
   d.chi_per_u = To::of(s.chi_per_u);
   d.phase_per_u = To::of(s.phase_per_u);
   d.terms = terms_needed(d);
-  for (auto i = static_cast<std::size_t>(d.terms); i < max_series_terms; ++i)
+  for (auto i = static_cast<std::size_t>(d.terms); i < given; ++i)
     d.A[i] = d.B[i] = d.C[i] = d.D[i] = T(0.0);
   if (d.terms == 1) d.nome = T(0.0);
   return d;
@@ -199,29 +200,23 @@ void unset_derivatives(BasicFreeKernel<Dual<S, N>>& k, const BasicVec3<Dual<S, N
   }
 }
 
-// The arc and its kernel. Moments, momentum and epoch are doubles, with derivatives in P.
+// The kernel of primed_arc(moments, s0.g). Moments, momentum and epoch are doubles, with
+// derivatives in P.
 template <Number T, Real P>
-struct PreparedArc {
-  PrimedArc<P> arc;
-  BasicFreeKernel<T> kernel;
-};
-template <Number T, Real P>
-PreparedArc<T, P> prepared_arc(const BasicVec3<P>& moments, const BasicRotorState<P>& s0,
-                               const T& t0) {
+BasicFreeKernel<T> arc_kernel(const PrimedArc<P>& arc, const BasicVec3<P>& moments,
+                              const BasicRotorState<P>& s0, const T& t0) {
   using std::ldexp;
-  PreparedArc<T, P> r{primed_arc(moments, s0.g), {}};
-  const PrimedArc<P>& arc = r.arc;
   const BasicQuaternion<P> q0 = normalized(s0.q);
   const bool has_polhode = !arc.curve.steady && arc.curve.DC > P(0.0);
-  r.kernel = has_polhode ? series_kernel<T>(q0, arc) : steady_kernel<T>(moments, q0, s0.g, arc);
-  r.kernel.epoch = t0;
-  r.kernel.time_scale = T(std::ldexp(1.0, arc.scale.rate()));
-  r.kernel.G = ldexp(RoundedTo<T>::of(arc.curve.G), arc.scale.momentum);
+  BasicFreeKernel<T> k =
+      has_polhode ? series_kernel<T>(q0, arc) : steady_kernel<T>(moments, q0, s0.g, arc);
+  k.epoch = t0;
+  k.time_scale = T(std::ldexp(1.0, arc.scale.rate()));
+  k.G = ldexp(RoundedTo<T>::of(arc.curve.G), arc.scale.momentum);
   if constexpr (derivative_order<P> > 0) {
-    if (!has_derivatives(arc.curve))
-      unset_derivatives(r.kernel, rounded<T>(moments), rounded<T>(s0.g));
+    if (!has_derivatives(arc.curve)) unset_derivatives(k, rounded<T>(moments), rounded<T>(s0.g));
   }
-  return r;
+  return k;
 }
 
 }  // namespace detail

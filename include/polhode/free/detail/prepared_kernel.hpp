@@ -72,7 +72,9 @@ BasicFreeKernel<T> prepared_kernel(const BasicVec3<T>& moments, const BasicRotor
     const Vec3 I = values_of(moments);
     const RotorState s{values_of(s0.q), values_of(s0.g)};
     require_preparable("prepare", Body(I.x, I.y, I.z), s, to_double(t0));
-    return prepared_arc<T>(in_working_number(moments), in_working_number(s0), t0).kernel;
+    const auto wide_moments = in_working_number(moments);
+    const auto wide_s0 = in_working_number(s0);
+    return arc_kernel<T>(primed_arc(wide_moments, wide_s0.g), wide_moments, wide_s0, t0);
   }
 }
 

@@ -93,13 +93,14 @@ template <Real T, int N>
 const T& value_of(const Dual<T, N>& x) {
   return x.value;
 }
-// Another value, the same derivatives.
-inline DoubleDouble with_value(const DoubleDouble& /*x*/, const DoubleDouble& value) {
+// x 2^-exponent, of which the value is known better.
+inline DoubleDouble scaled_with_value(const DoubleDouble& /*x*/, int /*exponent*/,
+                                      const DoubleDouble& value) {
   return value;
 }
 template <Real T, int N>
-Dual<T, N> with_value(const Dual<T, N>& x, const T& value) {
-  return {value, x.derivative};
+Dual<T, N> scaled_with_value(const Dual<T, N>& x, int exponent, const T& value) {
+  return {value, ldexp(x, -exponent).derivative};
 }
 
 // The discriminants with a D2 that is exact, its exponent apart; that D2.
@@ -120,7 +121,7 @@ ExactDiscriminants<T> exact_discriminants(const Vec3& given_moments, const Vec3&
   } else {
     r.D2 = separatrix_distance(given_moments, given_g, scale);
   }
-  r.d.D2 = with_value(ldexp(r.d.D2, -r.D2.exponent), r.D2.mantissa);
+  r.d.D2 = scaled_with_value(r.d.D2, r.D2.exponent, r.D2.mantissa);
   r.d.D2_exponent = r.D2.exponent;
   return r;
 }

@@ -45,7 +45,12 @@ struct SignedOrder {
 
  private:
   [[gnu::always_inline]] T chosen(std::size_t i, const BasicVec3<T>& v) const {
-    return select(first[i], v.x, select(second[i], v.y, v.z));
+    if constexpr (Real<T>) {  // one load, and no branch on the order
+      const T* const components[] = {&v.z, &v.y, &v.x};
+      return *components[2 * first[i] + second[i]];
+    } else {
+      return select(first[i], v.x, select(second[i], v.y, v.z));
+    }
   }
 };
 

@@ -87,9 +87,10 @@ template <class Arithmetic, Number T>
   const TwoTerms<T> turn =
       bounded(phase_at<Arithmetic>(k.half_precession, elapsed, TwoTerms<T>{zero, zero}), t);
   if (all(k.steady)) return steady_state<Arithmetic>(k, turn);
-  const BasicRotorState<T> s = series_state<Arithmetic>(k, elapsed, turn, t);
-  if (!any(k.steady)) return s;
-  return select(k.steady, steady_state<Arithmetic>(k, turn), s);
+  // Returned at once: GCC copies a state with a name once more.
+  if (!any(k.steady)) return series_state<Arithmetic>(k, elapsed, turn, t);
+  return select(k.steady, steady_state<Arithmetic>(k, turn),
+                series_state<Arithmetic>(k, elapsed, turn, t));
 }
 
 }  // namespace detail

@@ -71,10 +71,11 @@ T modulus(const Phasor<T>& a) {
   using std::abs;
   using std::sqrt;
   const T square = a.re * a.re + a.im * a.im;
-  const auto scaled = [&] {
-    const T x = abs(a.re), y = abs(a.im);
+  // A copy: `a` by reference would be in memory, not in registers.
+  const auto scaled = [re = a.re, im = a.im] {
+    const T x = abs(re), y = abs(im);
     const T big = select(x < y, y, x);
-    const T u = a.re / big, v = a.im / big;
+    const T u = re / big, v = im / big;
     return select(big == T(0.0), T(x + y), T(big * sqrt(u * u + v * v)));  // at 0: 0, or NaN
   };
   return where(
