@@ -243,13 +243,7 @@ T detail::carlson_rj_of(T x, T y, T z, T p) {
     const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z), sp = sqrt(p);
     const T lambda = sx * (sy + sz) + sy * sz;
     sum = trips.kept(sum, sum + trips.factor() * detail::carlson_rj_term(sx, sy, sz, sp));
-    const auto next = [&](const T& v) { return trips.kept(v, 0.25 * (v + lambda)); };
-    a = next(a);
-    x = next(x);
-    y = next(y);
-    z = next(z);
-    p = next(p);
-    trips.next();
+    trips.duplicate(lambda, a, x, y, z, p);
   }
   const T dx = (a - x) / a;
   const T dy = (a - y) / a;

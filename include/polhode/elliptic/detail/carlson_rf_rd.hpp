@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 #include "polhode/elliptic/detail/lockstep.hpp"
 #include "polhode/elliptic/detail/packs.hpp"
@@ -64,7 +63,10 @@ class CarlsonTrips {
     return trips_.all_done();
   }
   T kept(const T& before, const T& now) const { return trips_.kept(before, now); }
-  void next() {
+  // One duplication of the mean and of every argument  [DLMF 19.26.18].
+  template <class... Arguments>
+  void duplicate(const T& lambda, Arguments&... arguments) {
+    ((arguments = kept(arguments, 0.25 * (arguments + lambda))), ...);
     if constexpr (Real<T>) {
       factor_ *= 0.25;
     } else {
@@ -112,25 +114,34 @@ T carlson_scaled(int halves, const Function& f, const T& first, const Rest&... r
   }
 }
 
+// f(x, y, z), of degree -halves/2, where it is finite and T has room: of lanes that are not all
+// such by the function of one lane; of numbers outside (least, most) scaled.
+template <class T, class Mask, class OfLane, class Function>
+T carlson_symmetric(int halves, double least, double most, const Mask& infinite,
+                    const OfLane& of_lane, const Function& f, const T& x, const T& y, const T& z) {
+  if constexpr (Real<T>) {
+    if (infinite) return T(std::numeric_limits<double>::infinity());
+  } else {
+    const T zero(0.0);
+    if (!all(!infinite && x >= zero && y >= zero && z >= zero) ||
+        !lanes_within(least, most, x, y, z))
+      return each_lane(of_lane, x, y, z);
+  }
+  if constexpr (NarrowRange<T> || is_wide<T>) {
+    if (is_wide<T> || !within(least, most, x, y, z)) return carlson_scaled(halves, f, x, y, z);
+  }
+  return f(x, y, z);
+}
+
 }  // namespace detail
 
 template <Number T>
 T carlson_rf(T x, T y, T z) {
   const T zero(0.0);
-  const auto infinite = detail::two_zeros(x == zero, y == zero, z == zero);
-  if constexpr (Real<T>) {
-    if (infinite) return T(std::numeric_limits<double>::infinity());
-  } else if (!all(!infinite && x >= zero && y >= zero && z >= zero) ||
-             !lanes_within(0x1p-900, 0x1p1000, x, y, z)) {
-    return each_lane([](const auto&... v) { return carlson_rf(v...); }, x, y, z);
-  }
-  if constexpr (NarrowRange<T> || is_wide<T>) {
-    if (is_wide<T> || !within(0x1p-900, 0x1p1000, x, y, z)) {
-      const auto f = [](auto&&... at) { return detail::carlson_rf_of(std::move(at)...); };
-      return detail::carlson_scaled(1, f, x, y, z);
-    }
-  }
-  return detail::carlson_rf_of(x, y, z);
+  return detail::carlson_symmetric(
+      1, 0x1p-900, 0x1p1000, detail::two_zeros(x == zero, y == zero, z == zero),
+      [](const auto&... lane) { return carlson_rf(lane...); },
+      [](const auto&... at) { return detail::carlson_rf_of(at...); }, x, y, z);
 }
 
 template <class T>
@@ -141,12 +152,7 @@ T detail::carlson_rf_of(T x, T y, T z) {
   while (!trips.converged(a)) {  // at most 40
     const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
     const T lambda = sx * (sy + sz) + sy * sz;
-    const auto next = [&](const T& v) { return trips.kept(v, 0.25 * (v + lambda)); };
-    a = next(a);
-    x = next(x);
-    y = next(y);
-    z = next(z);
-    trips.next();
+    trips.duplicate(lambda, a, x, y, z);
   }
   const T dx = (a - x) / a;
   const T dy = (a - y) / a;
@@ -161,20 +167,10 @@ T detail::carlson_rf_of(T x, T y, T z) {
 template <Number T>
 T carlson_rd(T x, T y, T z) {
   const T zero(0.0);
-  const auto infinite = z == zero || (x == zero && y == zero);
-  if constexpr (Real<T>) {
-    if (infinite) return T(std::numeric_limits<double>::infinity());
-  } else if (!all(!infinite && x >= zero && y >= zero && z >= zero) ||
-             !lanes_within(0x1p-320, 0x1p320, x, y, z)) {
-    return each_lane([](const auto&... v) { return carlson_rd(v...); }, x, y, z);
-  }
-  if constexpr (NarrowRange<T> || is_wide<T>) {
-    if (is_wide<T> || !within(0x1p-320, 0x1p320, x, y, z)) {
-      const auto f = [](auto&&... at) { return detail::carlson_rd_of(std::move(at)...); };
-      return detail::carlson_scaled(3, f, x, y, z);
-    }
-  }
-  return detail::carlson_rd_of(x, y, z);
+  return detail::carlson_symmetric(
+      3, 0x1p-320, 0x1p320, z == zero || (x == zero && y == zero),
+      [](const auto&... lane) { return carlson_rd(lane...); },
+      [](const auto&... at) { return detail::carlson_rd_of(at...); }, x, y, z);
 }
 
 template <class T>
@@ -187,12 +183,7 @@ T detail::carlson_rd_of(T x, T y, T z) {
     const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
     const T lambda = sx * (sy + sz) + sy * sz;
     sum = trips.kept(sum, sum + trips.factor() / (sz * (z + lambda)));
-    const auto next = [&](const T& v) { return trips.kept(v, 0.25 * (v + lambda)); };
-    a = next(a);
-    x = next(x);
-    y = next(y);
-    z = next(z);
-    trips.next();
+    trips.duplicate(lambda, a, x, y, z);
   }
   const T dx = (a - x) / a;
   const T dy = (a - y) / a;
