@@ -73,8 +73,8 @@ void run_pipeline(Cells& cells, int threads, std::size_t at_a_time) {
         observe(token + static_cast<std::size_t>(index) % at_a_time);
         observe(taking);
         cells.take(index);
-        publish(taking);
         publish(token + static_cast<std::size_t>(index) % at_a_time);
+        publish(taking);  // last: the end of the pipeline observes it
       });
   // as many as asked for, even beyond the processors
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,

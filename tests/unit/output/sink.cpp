@@ -142,7 +142,7 @@ TEST(RowLayout, NothingMovesWithoutAFrameOrATerm) {
   const RotorState s{{0.5, 0.5, 0.5, 0.5}, {0.1, 0.4, 2.0}};
   const System system(body);
   const auto value = [&](const char* name) {
-    return scalar_column(name, system, 0.25).value({0.3, s});
+    return scalar_column(name, system, 0.25).value({0.3, {s}});
   };
   for (const auto& [canonical, osculating] :
        {std::pair{"l", "l_osc"}, std::pair{"H", "H_osc"}, std::pair{"Theta", "Theta_osc"},
