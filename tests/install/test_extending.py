@@ -77,6 +77,20 @@ def test_a_run_with_a_torque_of_your_own_is_stopped_and_continued(braked, tmp_pa
     assert cut.read_bytes() == out.read_bytes()
 
 
+def test_messages_of_a_program_of_your_own_have_its_name(braked, tmp_path):
+    program, scenario = braked / "build/spin-brake", tmp_path / "long.toml"
+    text = (braked / "spin-brake.toml").read_text()
+    scenario.write_text(text.replace("stop = 3000\n", "stop = 600000\n"))
+    out = tmp_path / "cut.csv"
+    said = stopped(program, scenario, out, signal.SIGINT)
+    assert said.endswith(f"; continue with: spin-brake run {scenario} --out {out} --resume\n")
+    assert sh(program, "rum", status=2).startswith('spin-brake: got command "rum"; expected one of')
+    assert sh(program, "run", status=2).startswith("spin-brake run: FILE is required")
+    assert sh(program, "init", "brake", status=2).startswith('spin-brake init: chart: got "brake"')
+    for command in ("cite", "convert", "golden", "info", "init", "map", "run", "schema", "shape"):
+        assert f"\n  spin-brake {command} " in sh(program, command, "--help")
+
+
 def test_an_output_format_of_your_own_writes_resumes_and_refuses(built, root):
     source = built("output-format")
     command = ["build/fixed-width", "scenario.toml", "rows.txt"]
