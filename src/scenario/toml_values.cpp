@@ -243,8 +243,13 @@ bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
 
 void Reader::read_tables(const Key& key, const toml::array& array, const std::string& path) {
   std::size_t i = 0;
-  for (const toml::node& item : array)
-    read_table(*item.as_table(), key.path, path + "[" + std::to_string(i++) + "]");
+  for (const toml::node& item : array) {
+    const std::string one = path + "[" + std::to_string(i++) + "]";
+    Value& value = values_[one];
+    value.key = &key;
+    value.where = position(item.source());
+    read_table(*item.as_table(), key.path, one);
+  }
 }
 
 void Reader::read_key(const Key& key, const toml::node& node, const std::string& path,

@@ -103,6 +103,32 @@ TEST(Kinds, WhatItsKeysRefuseStandsAtTheirPlace) {
               HasSubstr("perturbation[0].kind: got \"push\"; expected \"gravity-gradient\", "));
 }
 
+// A key that is left out has the place of its table.
+TEST(Kinds, AKeyThatIsLeftOutIsRefusedAtItsTable) {
+  PerturbationKind choosy = push("choosy");
+  choosy.made = [](const TermContext& at) -> MadeTerms {
+    at.refuse("axis", "expected an axis of a body that is " + std::string("round"));
+  };
+  const Kinds kinds = default_kinds().with(choosy);
+  std::string text = file;
+  text.replace(text.find("push"), 4, "choosy");
+  EXPECT_EQ(error_of(text + "radius = 1\n", kinds),
+            "f.toml:5:1: perturbation[0].axis: got nothing; expected an axis of a body that is "
+            "round");
+  EXPECT_EQ(error_of(text + "radius = 1\naxis = [1, 0, 0]\n", kinds),
+            "f.toml:8:8: perturbation[0].axis: got [1, 0, 0]; expected an axis of a body that is "
+            "round");
+  choosy.name = "lost";
+  choosy.made = [](const TermContext& at) -> MadeTerms {
+    at.gm("gm", "orbit");
+    return std::vector<AnyPerturbation>{};
+  };
+  text.replace(text.find("choosy"), 6, "lost");
+  EXPECT_EQ(error_of(text + "radius = 1\n", kinds.with(choosy)),
+            "f.toml:5:1: perturbation[0].orbit: got nothing; expected the name of a table "
+            "[orbit.NAME]");
+}
+
 // Two kinds may have keys of one name that differ; each reads its own.
 TEST(Kinds, AKeyMayMeanAnotherThingInAnotherKind) {
   const Kinds kinds = default_kinds().with(push());
