@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 
@@ -15,7 +17,7 @@ void add_cite(CLI::App& app, const Kinds& kinds) {
   command->callback([path, kinds] {
     std::string text;
     for (const Citation& citation : citations(read_scenario(*path, kinds)))
-      text += "[" + citation.key + "] " + citation.text + "\n    For " + citation.reason + ".\n";
+      text += fmt::format("[{}] {}\n    For {}.\n", citation.key, citation.text, citation.reason);
     print(text);
   });
 }

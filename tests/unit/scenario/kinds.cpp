@@ -165,6 +165,21 @@ TEST(Kinds, CitationsComeWithIt) {
   EXPECT_EQ(all.back().reason, "the push");
 }
 
+// "moon" is a word of orbits, that others of the works belong to.
+TEST(Kinds, ACitationIsThatOfTheKindAndNotOfItsName) {
+  const auto works = [](const std::string& name) {
+    std::string text = file;
+    text.replace(text.find("push"), 4, name);
+    std::vector<std::string> all;
+    for (const Citation& one : citations(
+             scenario_from_text(text + "radius = 1\n", "f.toml", default_kinds().with(push(name)))))
+      all.emplace_back(one.key);
+    return all;
+  };
+  for (const char* name : {"moon", "earth", "tumbler-2", "splitting", "order4", "g"})
+    EXPECT_EQ(works(name), works("push")) << name;
+}
+
 TEST(Kinds, MapsMakeItAgain) {
   const Kinds kinds = default_kinds().with(push());
   const std::string map = R"(radius = 1
@@ -238,7 +253,8 @@ TEST(Kinds, AKindThatIsNotSoundIsRefusedWhenItIsAdded) {
   const std::string l = "Kinds: perturbation \"push\", key \"l\"";
   EXPECT_EQ(with_fallback("\"2 km\""), "");
   EXPECT_EQ(with_fallback("2 km"), l + ": what stands for it, 2 km: not TOML");
-  EXPECT_EQ(with_fallback("2\ny = 3"), l + ": what stands for it, 2\\x0ay = 3: more than one value");
+  EXPECT_EQ(with_fallback("2\ny = 3"),
+            l + ": what stands for it, 2\\x0ay = 3: more than one value");
   EXPECT_EQ(with_fallback("true"),
             l + ": what stands for it, true: got true; expected a length: a number (of m), \"1 "
                 "m\" or { value = 1, unit = \"m\" }");
