@@ -6,8 +6,7 @@
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
-#include "run/detail/experiment_parts.hpp"
-#include "scenario/scenario_parts.hpp"
+#include "run/detail/run_state.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 
@@ -31,48 +30,35 @@ void append_number(std::string& text, double number) {
 
 }  // namespace
 
-std::vector<ColumnGroup> detail::event_groups(const RowLayout& layout) {
-  std::vector<ColumnGroup> groups = layout.groups();
+std::vector<ColumnGroup> detail::event_groups(std::vector<ColumnGroup> groups) {
   groups.insert(groups.begin(), {"name", {{"name", "text"}}});
   groups.insert(groups.begin() + 2, {"direction", {{"direction", "1"}}});
   return groups;
 }
 
 struct EventTable::Parts {
-  Parts(const std::string& path, const Scenario& of, const std::optional<SinkPosition>& from)
-      : scenario(of),
-        layout(row_layout(of)),
-        problem(polhode::problem(of.experiment)),
-        energy_0(detail::initial_energy(problem)),
-        motion(detail::constant_motion(of)),
+  Parts(const std::string& path, const Scenario& scenario, const std::optional<SinkPosition>& from)
+      : groups(detail::event_groups(row_groups(scenario))),
+        header(detail::csv_head(groups, provenance(scenario))),
         file(csv_path(path),
-             from ? std::optional(detail::PartState{from->bytes, header()}) : std::nullopt),
+             from ? std::optional(detail::PartState{from->bytes, header}) : std::nullopt),
         rows(from ? from->rows : 0) {}
 
-  std::string header() const {
-    return detail::csv_head(detail::event_groups(layout), provenance(scenario));
-  }
-
-  std::string line(const DampedEventRecord& event) const {
-    std::vector<double> row(layout.width());
-    if (motion) {
-      layout.write_rows(*motion, {&event.t, 1}, row);
-    } else {
-      const DampedSample sample{event.t, event.s};
-      layout.write_rows(RowOrigin{problem.system, energy_0}, {&sample, 1}, row);
-    }
+  std::string line(const RunEvent& event) const {
+    const std::size_t width = row_width(groups) - 2;  // but for name and direction
+    if (event.row.size() != width)
+      throw DomainError("EventTable: event \"" + event.name + "\" has a row of " +
+                        std::to_string(event.row.size()) + " numbers; expected " +
+                        std::to_string(width));
     std::string text = event.name;
-    append_number(text, row[0]);
+    append_number(text, event.row[0]);
     append_number(text, event.direction);
-    for (std::size_t i = 1; i < row.size(); ++i) append_number(text, row[i]);
+    for (std::size_t i = 1; i < event.row.size(); ++i) append_number(text, event.row[i]);
     return text + "\n";
   }
 
-  const Scenario& scenario;
-  RowLayout layout;
-  DampedProblem problem;
-  double energy_0;
-  std::optional<FreeRotation> motion;  // of a free body: its rows are those of a run
+  std::vector<ColumnGroup> groups;
+  std::string header;
   detail::PartFile file;
   std::int64_t rows;
 };
@@ -80,12 +66,12 @@ struct EventTable::Parts {
 EventTable::EventTable(const std::string& path, const Scenario& scenario,
                        const std::optional<SinkPosition>& from)
     : parts_(std::make_unique<Parts>(path, scenario, from)) {
-  if (!from) parts_->file.write(parts_->header());
+  if (!from) parts_->file.write(parts_->header);
 }
 
 EventTable::~EventTable() = default;
 
-void EventTable::push(const DampedEventRecord& event) {
+void EventTable::push(const RunEvent& event) {
   parts_->file.write(parts_->line(event));
   ++parts_->rows;
 }

@@ -13,7 +13,11 @@ namespace polhode {
 inline namespace v0 {
 
 RowLayout row_layout(const Scenario& scenario) {
-  return std::visit([&](const auto& kind) { return detail::row_layout(kind, scenario); },
+  return detail::row_layout(scenario.rotation(), scenario);
+}
+
+std::vector<ColumnGroup> row_groups(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return detail::row_groups(kind, scenario); },
                     scenario.experiment);
 }
 
@@ -64,18 +68,18 @@ std::optional<FreeRotation> detail::constant_motion(const Scenario& scenario) {
                     scenario.experiment);
 }
 
-RunReport detail::run_rows(const Scenario& scenario, const RowLayout& layout,
-                           std::span<const std::unique_ptr<Sink>> sinks,
+RunReport detail::run_rows(const Scenario& scenario, std::span<const std::unique_ptr<Sink>> sinks,
                            const RunControl& control) {
   if (!row_times(scenario))
     throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
-  return std::visit([&](const auto& kind) { return detail::rows_of(kind, layout, sinks, control); },
-                    scenario.experiment);
+  return std::visit(
+      [&](const auto& kind) { return detail::rows_of(kind, scenario, sinks, control); },
+      scenario.experiment);
 }
 
-RunReport run(const Scenario& scenario, const RowLayout& layout,
-              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress) {
-  return detail::run_rows(scenario, layout, sinks, {.progress = progress});
+RunReport run(const Scenario& scenario, std::span<const std::unique_ptr<Sink>> sinks,
+              const Progress& progress) {
+  return detail::run_rows(scenario, sinks, {.progress = progress});
 }
 
 }  // namespace v0

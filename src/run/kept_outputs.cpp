@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view format = "polhode outputs 1";
+constexpr std::string_view format = "polhode outputs 2";
 constexpr std::size_t hash_bytes = 8;
 
 }  // namespace

@@ -14,6 +14,8 @@
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "run/detail/experiment_parts.hpp"
+#include "run/detail/integrated_run.hpp"
+#include "run/detail/row_writer.hpp"
 #include "run/detail/run_state.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
@@ -22,6 +24,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::RowWriter;
 using detail::RunControl;
 using detail::RunState;
 
@@ -43,40 +46,6 @@ std::vector<std::string> branch_notes(const Rotation& rotation, const OutputPlan
       notes.push_back(std::move(note));
   return notes;
 }
-
-// Rows, as they come, to every sink.
-class RowWriter {
- public:
-  RowWriter(const RowLayout& layout, std::span<const std::unique_ptr<Sink>> sinks,
-            std::int64_t rows)
-      : layout_(layout), sinks_(sinks), rows_(rows) {}
-
-  void push(const FreeRotation& motion, std::span<const double> times) {
-    numbers_.resize(times.size() * layout_.width());
-    layout_.write_rows(motion, times, numbers_);
-    send(times.size());
-  }
-  void push(const RowOrigin& origin, std::span<const DampedSample> samples) {
-    numbers_.resize(samples.size() * layout_.width());
-    layout_.write_rows(origin, samples, numbers_);
-    send(samples.size());
-  }
-  void finish() {
-    for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
-  }
-  std::int64_t rows() const { return rows_; }
-
- private:
-  void send(std::size_t rows) {
-    for (const std::unique_ptr<Sink>& sink : sinks_) sink->push(numbers_);
-    rows_ += static_cast<std::int64_t>(rows);
-  }
-
-  const RowLayout& layout_;
-  std::span<const std::unique_ptr<Sink>> sinks_;
-  std::vector<double> numbers_;
-  std::int64_t rows_;
-};
 
 // Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
 template <MotionState S>
@@ -100,8 +69,10 @@ std::vector<BasicEvent<S>> events_of(const Rotation& rotation, const System& sys
 // The closed form, in inertial axes; a moving frame is applied to each state afterwards.
 class FreeRun {
  public:
-  FreeRun(const Rotation& rotation, RowWriter& writer, const RunControl& control)
+  FreeRun(const Rotation& rotation, const RowLayout& layout, RowWriter& writer,
+          const RunControl& control)
       : rotation_(rotation),
+        layout_(layout),
         writer_(writer),
         control_(control),
         problem_(rotor_problem(rotation)),
@@ -117,7 +88,7 @@ class FreeRun {
     search_.emplace(motion_, rotation.frame,
                     events_of<RotorState>(rotation, system_, origin_.initial_energy), rows_[0]);
     if (control.from == nullptr) return;
-    StateBytes bytes(control.from->integration);
+    StateBytes bytes(control.from->motion);
     search_->transfer(bytes);
   }
 
@@ -143,11 +114,15 @@ class FreeRun {
     write(times);
   }
   void write(std::span<const double> times) {
-    if (rotation_.frame.is_inertial()) return writer_.push(motion_, times);
+    if (rotation_.frame.is_inertial())
+      return writer_.push(times.size(), [&](std::span<double> numbers) {
+        layout_.write_rows(motion_, times, numbers);
+      });
     std::vector<DampedSample> samples;
     for (const double t : times)
       samples.push_back({t, damped(reference_state(system_, t, motion_.at(t)))});
-    writer_.push(origin_, samples);
+    writer_.push(samples.size(),
+                 [&](std::span<double> numbers) { layout_.write_rows(origin_, samples, numbers); });
   }
 
   // Events up to there; whether the run goes on.
@@ -173,15 +148,27 @@ class FreeRun {
 
   void keep(const detail::RotorWatch::Found& found) {
     for (const EventRecord& record : found.records) {
-      const DampedEventRecord event{record.name, record.t, damped(record.s), record.direction};
+      RunEvent event = run_event(record);
       if (control_.event) {
         control_.event(event);
       } else {
-        report_.events.push_back(event);
+        report_.events.push_back(std::move(event));
       }
     }
     if (found.stops)
       report_.outcome = {Outcome::Status::stopped_by_event, found.records.back().t, {}};
+  }
+
+  RunEvent run_event(const EventRecord& record) const {
+    std::vector<double> row(control_.events_have_rows ? layout_.width() : 0);
+    const DampedSample there{record.t, damped(record.s)};
+    if (!row.empty() && rotation_.frame.is_inertial()) {
+      layout_.write_rows(motion_, {&there.t, 1}, row);
+    } else if (!row.empty()) {
+      layout_.write_rows(origin_, {&there, 1}, row);
+    }
+    return event_of<DampedRotorState>({record.name, record.t, there.s, record.direction},
+                                      std::move(row));
   }
 
   // Of rows not yet written.
@@ -208,19 +195,13 @@ class FreeRun {
 
   void offer_state(double t) {
     if (!control_.due || !control_.due(t)) return;
-    RunState state;
-    state.stage = RunState::free;
-    state.t = t;
-    state.pushed = writer_.rows();
-    if (search_) {
-      StateBytes bytes;
-      search_->transfer(bytes);
-      state.integration = bytes.bytes();
-    }
-    control_.keep(state);
+    StateBytes bytes;
+    if (search_) search_->transfer(bytes);
+    control_.keep({t, writer_.rows(), bytes.bytes()});
   }
 
   const Rotation& rotation_;
+  const RowLayout& layout_;
   RowWriter& writer_;
   const RunControl& control_;
   DampedProblem problem_;
@@ -232,86 +213,19 @@ class FreeRun {
   RunReport report_;
 };
 
-void add(Statistics& sum, const Statistics& more) {
-  sum.steps += more.steps;
-  sum.rejected += more.rejected;
-  sum.evaluations += more.evaluations;
-}
-
-// What integrate gives out of a stage of the run; `state` becomes that of each checkpoint.
-DampedStreams streams_of(const RunControl& control, RunState& state, const RowWriter& writer,
-                         DampedSampleSink samples) {
-  DampedStreams streams{std::move(samples), control.event, control.due, {}};
-  streams.checkpoint = [&](const Checkpoint& now) {
-    state.t = now.t();
-    state.pushed = writer.rows();
-    state.integration = now.bytes();
-    control.keep(state);
+RunReport run_integrated(const Rotation& rotation, const RowLayout& layout, RowWriter& writer,
+                         const RunControl& control) {
+  DampedProblem problem = rotor_problem(rotation);
+  const System& system = problem.system;
+  const double energy_0 = detail::initial_energy(problem);
+  problem.events = events_of<DampedRotorState>(rotation, system, energy_0);
+  const auto write = [&](std::span<const DampedSample> samples, std::span<double> numbers) {
+    layout.write_rows(RowOrigin{system, energy_0}, samples, numbers);
   };
-  return streams;
-}
-
-DampedTrajectory integrated(const DampedProblem& problem, const SaveAt& times, const RunState* from,
-                            const DampedStreams& streams, const Progress& progress) {
-  return from == nullptr ? integrate(problem, times, streams, progress)
-                         : resume(problem, times, Checkpoint(from->integration), streams, progress);
-}
-
-// The state at the first row, from that at t = 0.
-DampedSample at_first_row(const DampedProblem& from_zero, RunReport& report,
-                          const RowWriter& writer, const RunControl& control) {
-  DampedSample there{from_zero.stop, from_zero.initial};
-  if (from_zero.start == from_zero.stop) return there;
-  RunState state;
-  const DampedStreams streams =
-      streams_of(control, state, writer,
-                 [&](std::span<const DampedSample> samples) { there = samples.back(); });
-  const DampedTrajectory lead_in = integrated(from_zero, SaveAt::times({from_zero.stop}),
-                                              control.from, streams, control.progress);
-  report.outcome = lead_in.outcome();
-  add(report.statistics, lead_in.statistics());
-  return there;
-}
-
-RunReport run_integrated(const Rotation& rotation, RowWriter& writer, const RunControl& control) {
-  RunReport report;
-  const DampedProblem from_zero = rotor_problem(rotation);
-  const System& system = from_zero.system;
-  const double energy_0 = detail::initial_energy(from_zero);
-  const SaveAt& rows = *rotation.time;
-  const double first = rows[0];
-  const bool among_rows = control.from != nullptr && control.from->stage == RunState::rows;
-  RunState state;
-  if (among_rows) {
-    state = *control.from;
-    report.statistics = state.before;
-  } else {
-    DampedProblem lead_in = from_zero;
-    lead_in.stop = first;
-    const DampedSample start = at_first_row(lead_in, report, writer, control);
-    if (!report.outcome.ok()) return report;
-    state.first = state.latest = {first, start.s};
-  }
-  state.stage = RunState::rows;
-  state.before = report.statistics;
-
-  const RowOrigin origin{system, energy_0};
-  const DampedStreams streams =
-      streams_of(control, state, writer, [&](std::span<const DampedSample> samples) {
-        writer.push(origin, samples);
-        state.latest = samples.back();
-      });
-  DampedProblem among_these = from_zero;
-  among_these.start = first;
-  among_these.initial = state.first.s;
-  among_these.events = events_of<DampedRotorState>(rotation, system, energy_0);
-  const DampedTrajectory trajectory =
-      integrated(among_these, rows, among_rows ? control.from : nullptr, streams, control.progress);
-  report.outcome = trajectory.outcome();
-  report.events = trajectory.events();
-  add(report.statistics, trajectory.statistics());
-  if (system.has_energy()) {
-    const auto& [t, end] = state.latest;
+  const detail::RowsOfMotion<System, DampedRotorState> motion{problem, *rotation.time, write};
+  auto [report, latest] = detail::integrated_run(motion, writer, control);
+  if (latest && system.has_energy()) {
+    const auto& [t, end] = *latest;
     report.energy_change = energy(at_damper_rate(system, end.damper_rate), t, end.rotor) - energy_0;
   }
   return report;
@@ -400,15 +314,16 @@ std::vector<std::string> detail::notes_of(const Rotation& rotation, const Scenar
   return notes;
 }
 
-RunReport detail::rows_of(const Rotation& rotation, const RowLayout& layout,
+std::vector<ColumnGroup> detail::row_groups(const Rotation& rotation, const Scenario& scenario) {
+  return row_layout(rotation, scenario).groups();
+}
+
+RunReport detail::rows_of(const Rotation& rotation, const Scenario& scenario,
                           std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
-  RowWriter writer(layout, sinks, control.from == nullptr ? 0 : control.from->pushed);
-  RunReport report;
-  if (is_free(rotation)) {
-    report = FreeRun(rotation, writer, control).report();
-  } else {
-    report = run_integrated(rotation, writer, control);
-  }
+  const RowLayout layout = row_layout(rotation, scenario);
+  RowWriter writer(layout.width(), sinks, control.from == nullptr ? 0 : control.from->pushed);
+  RunReport report = is_free(rotation) ? FreeRun(rotation, layout, writer, control).report()
+                                       : run_integrated(rotation, layout, writer, control);
   report.rows = writer.rows();
   report.events_met = static_cast<std::int64_t>(report.events.size());
   if (report.outcome.ok()) writer.finish();

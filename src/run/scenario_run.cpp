@@ -9,6 +9,7 @@
 #include "polhode/error.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "run/detail/run_state.hpp"
+#include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -21,33 +22,42 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-std::vector<detail::PlannedOutput> planned(const RunFiles& files, const RowLayout& layout) {
+std::vector<detail::PlannedOutput> planned(const RunFiles& files,
+                                           const std::vector<ColumnGroup>& groups) {
   std::vector<detail::PlannedOutput> all;
-  for (const std::string& path : files.outputs) all.push_back({path, layout.groups()});
-  if (!files.events.empty()) all.push_back({files.events, detail::event_groups(layout)});
+  for (const std::string& path : files.outputs) all.push_back({path, groups});
+  if (!files.events.empty()) all.push_back({files.events, detail::event_groups(groups)});
   return all;
 }
 
-detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files, const RowLayout& layout,
-                           const RunOptions& options) {
+detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files,
+                           const std::vector<ColumnGroup>& groups, const RunOptions& options) {
   return {{"run", "runs the scenario anew"},
           detail::identity_of(scenario, {files.outputs, files.events, scenario.output.columns}),
-          planned(files, layout),
+          planned(files, groups),
           scenario.output.formats,
           options.begin,
           options.words,
           options.checkpoint_seconds};
 }
 
+// As a report keeps it: its row is in the table of events.
+RunEvent without_row(RunEvent event) {
+  event.row.clear();
+  return event;
+}
+
 // All that the checkpoint of a run holds.
 struct Kept {
   detail::RunState run;
-  std::vector<DampedEventRecord> events;
+  std::vector<RunEvent> events;
   std::int64_t events_met = 0;
 
   void transfer(StateBytes& bytes) {
     run.transfer(bytes);
-    bytes.all(events, events_met);
+    detail::sized(bytes, events,
+                  [&](RunEvent& e) { bytes.all(e.name, e.t, e.direction, e.state); });
+    bytes(events_met);
   }
 };
 
@@ -59,8 +69,8 @@ class ScenarioRun::Parts {
       : scenario_(scenario),
         files_(std::move(files)),
         options_(std::move(options)),
-        layout_(row_layout(scenario)),
-        outputs_(setup_of(scenario, files_, layout_, options_), provenance(scenario)) {
+        groups_(row_groups(scenario)),
+        outputs_(setup_of(scenario, files_, groups_, options_), provenance(scenario)) {
     if (outputs_.is_complete()) return;
     if (outputs_.continues()) {
       StateBytes bytes(outputs_.state());
@@ -75,7 +85,7 @@ class ScenarioRun::Parts {
     RunReport report;
     try {
       outputs_.with_remedy([&] {
-        report = detail::run_rows(scenario_, layout_, sinks_, control());
+        report = detail::run_rows(scenario_, sinks_, control());
         if (report.outcome.ok() && events_) events_->finish();
       });
     } catch (const DomainError&) {
@@ -96,7 +106,7 @@ class ScenarioRun::Parts {
     const Provenance origin = provenance(scenario_);
     outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
       if (sinks_.size() < files_.outputs.size()) {
-        sinks_.push_back(open_sink(path, layout_.groups(), origin, from, scenario_.output.formats));
+        sinks_.push_back(open_sink(path, groups_, origin, from, scenario_.output.formats));
         return detail::kept_output(*sinks_.back());
       }
       events_.emplace(path, scenario_, from);
@@ -108,11 +118,13 @@ class ScenarioRun::Parts {
   detail::RunControl control() {
     detail::RunControl control;
     control.progress = options_.progress;
-    control.event = [this](const DampedEventRecord& event) {
+    control.event = [this](const RunEvent& event) {
       if (events_) events_->push(event);
       ++kept_.events_met;
-      if (options_.keep_events || kept_.events.size() < events_shown) kept_.events.push_back(event);
+      if (options_.keep_events || kept_.events.size() < events_shown)
+        kept_.events.push_back(without_row(event));
     };
+    control.events_have_rows = events_.has_value();
     control.due = [this](double) {
       stopping_ = options_.stop && options_.stop();
       return stopping_ || outputs_.is_due();
@@ -139,7 +151,7 @@ class ScenarioRun::Parts {
     const std::string at = "t = " + time_text(state.t);
     std::string reached = detail::printable(scenario_.document.name, 200) + " at " + at + ", " +
                           std::to_string(state.pushed) + " rows, in ";
-    const std::vector<detail::PlannedOutput> all = planned(files_, layout_);
+    const std::vector<detail::PlannedOutput> all = planned(files_, groups_);
     for (const detail::PlannedOutput& output : all)
       reached += (output.path == all.front().path ? "" : ", ") +
                  detail::printable(file_name(output.path), 200);
@@ -156,7 +168,7 @@ class ScenarioRun::Parts {
   const Scenario& scenario_;
   RunFiles files_;
   RunOptions options_;
-  RowLayout layout_;
+  std::vector<ColumnGroup> groups_;
   detail::KeptOutputs outputs_;
   Kept kept_;
   detail::RunState from_;

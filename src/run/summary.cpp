@@ -215,7 +215,7 @@ std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Sc
                  Dimension::energy);
   const std::size_t shown = std::min(report.events.size(), most_events);
   for (std::size_t i = 0; i < shown; ++i) {
-    const DampedEventRecord& event = report.events[i];
+    const RunEvent& event = report.events[i];
     lines.number("event_time_" + std::to_string(i + 1),
                  event.name + ", " + direction_text(event.direction) + ", at t", event.t,
                  Dimension::time);
@@ -227,7 +227,7 @@ std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Sc
 }
 
 std::string shown_number(const std::string& key, double number) {
-  const std::string nearest = fmt::format("{:.10g}", number);
+  std::string nearest = fmt::format("{:.10g}", number);
   if (key != "psi_max" || !(number > 0.0) || !(std::stod(nearest) > number)) return nearest;
   const double unit = std::pow(10.0, std::floor(std::log10(number)) - 9.0);
   return fmt::format("{:.10g}", std::stod(nearest) - unit);

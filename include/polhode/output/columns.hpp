@@ -50,6 +50,13 @@ struct ColumnGroup {
   std::vector<Column> columns;
 };
 
+// Numbers in one row.
+inline std::size_t row_width(std::span<const ColumnGroup> groups) {
+  std::size_t width = 0;
+  for (const ColumnGroup& group : groups) width += group.columns.size();
+  return width;
+}
+
 // The names that [output] columns may list, and those of all their columns: those of the charts
 // stand between g and q_inertial.
 std::vector<std::string_view> column_group_names(

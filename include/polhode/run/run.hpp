@@ -3,8 +3,8 @@
 //
 // Equations   those of the system.
 // Units       those of the scenario.
-// Domain      a scenario with [time]. All sinks must have been opened with layout.groups() of
-//             row_layout(scenario). A run starts at t = 0; when the first row is elsewhere, it goes
+// Domain      a scenario with [time]. All sinks must have been opened with
+//             row_groups(scenario). A run starts at t = 0; when the first row is elsewhere, it goes
 //             there first, and events are looked for from there on.
 // Accuracy    that of the method, or of FreeRotation, and of the charts; times are rounded once
 //             (SaveAt).
@@ -23,6 +23,7 @@
 
 #include "polhode/output/columns.hpp"
 #include "polhode/output/sink.hpp"
+#include "polhode/run/run_event.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/trajectory/progress.hpp"
 
@@ -31,6 +32,9 @@ inline namespace v0 {
 
 // What the outputs of a scenario say of their origin.
 Provenance provenance(const Scenario& scenario);
+// The columns of its rows, t first.
+std::vector<ColumnGroup> row_groups(const Scenario& scenario);
+// Those of a rotation, and what writes them.
 RowLayout row_layout(const Scenario& scenario);
 RunFacts run_facts(const Scenario& scenario);
 
@@ -40,7 +44,7 @@ std::string propagation_text(const Scenario& scenario);
 struct RunReport {
   Outcome outcome;
   Statistics statistics;  // all 0 for exact free rotation
-  std::vector<DampedEventRecord> events;
+  std::vector<RunEvent> events;
   std::int64_t rows = 0;
   std::optional<double> energy_change;  // E at the last row - E(0), when every term has an energy
   std::int64_t events_met = 0;          // of which `events` may hold the first ones only
@@ -48,11 +52,11 @@ struct RunReport {
 
 // Writes every row in order to each sink, then finishes them unless the run failed. Times of
 // `progress` are in the core unit; of exact free rotation, one per block of rows.
-RunReport run(const Scenario& scenario, const RowLayout& layout,
-              std::span<const std::unique_ptr<Sink>> sinks, const Progress& progress = {});
+RunReport run(const Scenario& scenario, std::span<const std::unique_ptr<Sink>> sinks,
+              const Progress& progress = {});
 
-// The events of a run as CSV: name, t, direction (1 rising, -1 falling, 0 touching), columns of the
-// layout. Opened before the run, so that a path that cannot be written is found out at once, and
+// The events of a run as CSV: name, t, direction (1 rising, -1 falling, 0 touching), columns of a
+// row. Opened before the run, so that a path that cannot be written is found out at once, and
 // written as PATH.part until it is complete. With a position, PATH.part is cut back to it.
 class EventTable {
  public:
@@ -61,7 +65,8 @@ class EventTable {
   ~EventTable();
   EventTable(const EventTable&) = delete;
   EventTable& operator=(const EventTable&) = delete;
-  void push(const DampedEventRecord& event);
+  // DomainError for an event that has no row of the run.
+  void push(const RunEvent& event);
   // As Sink's.
   std::optional<SinkPosition> position();
   void finish();

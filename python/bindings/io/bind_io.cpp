@@ -77,8 +77,7 @@ nb::list state_charts_list() {
 // [(group, [(column, unit), ...]), ...], t first.
 nb::list groups_of(const Scenario& scenario) {
   nb::list groups;
-  const RowLayout layout = row_layout(scenario);
-  for (const ColumnGroup& group : layout.groups()) {
+  for (const ColumnGroup& group : row_groups(scenario)) {
     nb::list columns;
     for (const Column& column : group.columns)
       columns.append(nb::make_tuple(column.name, column.unit));

@@ -88,7 +88,7 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   if (!events.is_none() && !has_events(scenario))
     throw DomainError(scenario.document.name +
                       ": event: got nothing; expected tables [[event]] for events");
-  Run result{{}, row_layout(scenario).width(), {}};
+  Run result{{}, row_width(row_groups(scenario)), {}};
   RunFiles files;
   for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
   if (!events.is_none()) files.events = path_text(events);
@@ -109,8 +109,8 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   }
   run_into(result, scenario, files, std::move(options), raised);
   if (keep && result.rows_before > 0)
-    put_first(result.rows, first_rows(formats, files.outputs, row_layout(scenario).groups(),
-                                      result.rows_before));
+    put_first(result.rows,
+              first_rows(formats, files.outputs, row_groups(scenario), result.rows_before));
   return result;
 }
 
@@ -121,17 +121,17 @@ nb::object kept_table(nb::handle_t<Run> self) {
 
 // Rows from memory, as a run would have written them.
 void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
-  const RowLayout layout = row_layout(scenario);
-  const Numbers rows(table, "table", {layout.width()});
+  const std::vector<ColumnGroup> groups = row_groups(scenario);
+  const std::size_t width = row_width(groups);
+  const Numbers rows(table, "table", {width});
   const std::size_t n = size_of(rows.shape());
-  const std::unique_ptr<Sink> sink =
-      open_sink(path_text(path), layout.groups(), provenance(scenario), std::nullopt,
-                scenario.output.formats);
+  const std::unique_ptr<Sink> sink = open_sink(path_text(path), groups, provenance(scenario),
+                                               std::nullopt, scenario.output.formats);
   for (std::size_t k = 0; k < n; k += rows_per_block) {
     const std::size_t more = std::min(rows_per_block, n - k);
     {
       const WithoutGil released;
-      sink->push({rows.at(0) + k * layout.width(), more * layout.width()});
+      sink->push({rows.at(0) + k * width, more * width});
     }
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
   }
@@ -142,7 +142,7 @@ void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
 // components along the axes of the tensor, states along principal axes.
 Batch<RotorState> states_in(const Scenario& scenario, nb::handle table, std::size_t q,
                             std::size_t g) {
-  const std::size_t width = row_layout(scenario).width();
+  const std::size_t width = row_width(row_groups(scenario));
   const Numbers rows(table, "table", {width});
   const std::size_t n = size_of(rows.shape());
   const Quaternion& q_FB = scenario.rotation().body.q_FB();
@@ -186,7 +186,13 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("table", kept_table)
       .def_prop_ro("outcome", [](const Run& r) { return r.report.outcome; })
       .def_prop_ro("statistics", [](const Run& r) { return r.report.statistics; })
-      .def_prop_ro("events", [](const Run& r) { return r.report.events; })
+      .def_prop_ro("events",
+                   [](const Run& r) {
+                     std::vector<DampedEventRecord> events;
+                     for (const RunEvent& event : r.report.events)
+                       events.push_back(record_of<DampedRotorState>(event));
+                     return events;
+                   })
       .def_prop_ro("energy_change", [](const Run& r) { return r.report.energy_change; })
       .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
       .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
@@ -200,8 +206,9 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def("report_lines",
            [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
               const std::vector<DampedEventRecord>& events, std::optional<double> energy_change) {
-             return lines_of(report_lines(s, {outcome, statistics, events, 0, energy_change, 0},
-                                          "all in .events"));
+             RunReport report{outcome, statistics, {}, 0, energy_change, 0};
+             for (const DampedEventRecord& event : events) report.events.push_back(event_of(event));
+             return lines_of(report_lines(s, report, "all in .events"));
            });
 }
 

@@ -19,6 +19,7 @@ inline namespace v0 {
 namespace detail {
 
 RowLayout row_layout(const Rotation& rotation, const Scenario& scenario);
+std::vector<ColumnGroup> row_groups(const Rotation& rotation, const Scenario& scenario);
 RunFacts run_facts(const Rotation& rotation, const Scenario& scenario);
 std::string propagation_text(const Rotation& rotation, const Units& units);
 // What outputs say of it, in addition to text, title and citations.
@@ -28,7 +29,7 @@ std::vector<std::string> cited_parts(const Rotation& rotation);
 // Where the elements of its motion are constant, the motion in closed form.
 std::optional<FreeRotation> constant_motion(const Rotation& rotation);
 // As run_rows; it has [time].
-RunReport rows_of(const Rotation& rotation, const RowLayout& layout,
+RunReport rows_of(const Rotation& rotation, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);
 std::vector<SummaryLine> summary(const Rotation& rotation, const Scenario& scenario,
                                  const FreeRotation& motion);

@@ -5,38 +5,22 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
 
 #include "polhode/error.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
 
-namespace fs = std::filesystem;
 using detail::JournaledFile;
 
-class JournaledFileTest : public ::testing::Test {
+class JournaledFileTest : public test::InTempFolder {
  protected:
-  JournaledFileTest()
-      : folder_(fs::temp_directory_path() / ("polhode_marked_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~JournaledFileTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name = "a.part") const { return (folder_ / name).string(); }
-  static std::string text(const std::string& name) {
-    std::ifstream file(name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  static void put(const std::string& name, const std::string& bytes) {
-    std::ofstream(name, std::ios::binary) << bytes;
-  }
+  std::string path(const std::string& name = "a.part") const { return TempFolder::path(name); }
   // Some bytes anywhere, also beyond the end; the file that they make.
   std::string random_write(JournaledFile& file, std::string content) {
     const std::size_t offset = random_() % (content.size() + 6000);
@@ -49,9 +33,6 @@ class JournaledFileTest : public ::testing::Test {
   }
 
   std::mt19937 random_{11};
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(JournaledFileTest, HoldsWhatWasCommitted) {
@@ -109,8 +90,8 @@ TEST_F(JournaledFileTest, GoesBackFromATornCommit) {
   for (const std::size_t page : {3U, 9U}) {
     std::string torn = whole;
     torn.replace(4096 * page, 4096, std::string(4096, 'x'));
-    put(path(), torn + "tail");
-    put(JournaledFile::undo_path(path()), undo);
+    write(path(), torn + "tail");
+    write(JournaledFile::undo_path(path()), undo);
     JournaledFile file(path(), {50000, 7});
     EXPECT_EQ(text(path()), content) << page;
   }
@@ -118,8 +99,8 @@ TEST_F(JournaledFileTest, GoesBackFromATornCommit) {
   std::string half = whole;
   half.replace(4096 * 9, 4096, std::string(4096, 'a'));
   for (const std::size_t cut : {1U, 100U, 4000U}) {
-    put(path(), half);
-    put(JournaledFile::undo_path(path()), undo.substr(0, undo.size() - cut));
+    write(path(), half);
+    write(JournaledFile::undo_path(path()), undo.substr(0, undo.size() - cut));
     JournaledFile file(path(), {50000, 7});
     EXPECT_EQ(text(path()), content) << cut;
   }
@@ -142,7 +123,7 @@ TEST_F(JournaledFileTest, AnUndoOfAnotherMarkIsNotApplied) {
 }
 
 TEST_F(JournaledFileTest, AFileThatIsNotThatOfTheMark) {
-  put(path(), std::string(100, 'a'));
+  write(path(), std::string(100, 'a'));
   EXPECT_THROW(JournaledFile(path(), {101, 1}), DomainError);
   EXPECT_THROW(JournaledFile(path("none.part"), {0, 1}), DomainError);
   EXPECT_EQ(text(path()), std::string(100, 'a'));

@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "polhode/output/text_sink.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/scenario_run.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -112,21 +112,8 @@ constexpr const char* head =
     "time = { stop = 40, step = 0.01 }\n"
     "state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0.3, 0.2, 1] }\n";
 
-class OutputFormatTest : public ::testing::Test {
+class OutputFormatTest : public test::InTempFolder {
  protected:
-  OutputFormatTest()
-      : folder_(fs::temp_directory_path() / ("polhode_format_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~OutputFormatTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string text(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    std::ostringstream all;
-    all << file.rdbuf();
-    return all.str();
-  }
   Scenario scenario(const std::string& more = "") const {
     return scenario_from_text(head + more, "f.toml", kinds_);
   }
@@ -136,9 +123,6 @@ class OutputFormatTest : public ::testing::Test {
 
   const Kinds kinds_ = default_kinds().with(json_lines());
   const OutputFormats formats_ = kinds_.formats();
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(OutputFormatTest, AFormatOfOnesOwnIsWritten) {

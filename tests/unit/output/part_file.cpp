@@ -13,13 +13,12 @@
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -27,23 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using detail::PartFile;
 
-class PartFileTest : public ::testing::Test {
- protected:
-  PartFileTest()
-      : folder_(fs::temp_directory_path() / ("polhode_part_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~PartFileTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  static std::string text(const std::string& name) {
-    std::ifstream file(name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
- private:
-  fs::path folder_;
-};
+using PartFileTest = test::InTempFolder;
 
 // Neither writer empties or renames what the other has: locks are of open files, so that threads
 // stand for processes.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +10,13 @@
 #include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
 
 #include "polhode/error.hpp"
 #include "polhode/output/output_format.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/separated.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -26,26 +25,10 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-class SinkTest : public ::testing::Test {
+class SinkTest : public test::InTempFolder {
  protected:
-  SinkTest() : folder_(fs::temp_directory_path() / ("polhode_sink_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~SinkTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string text(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    std::ostringstream all;
-    all << file.rdbuf();
-    return all.str();
-  }
-
   const std::vector<ColumnGroup> groups_{{"t", {{"t", "s"}}}, {"g", {{"g1", "1"}, {"g2", "1"}}}};
   const Provenance provenance_{"9.9", "A title", "f.toml", "x = 1\ny = 2\n", {"note"}, {"paper"}};
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(SinkTest, CsvSaysWhereItIsFrom) {

@@ -45,7 +45,7 @@ Scenario scenario(const std::string& rest) {
 RunReport run_into(const Scenario& s, Counted& counted, const Progress& progress) {
   std::vector<std::unique_ptr<Sink>> sinks;
   sinks.push_back(std::make_unique<CountingSink>(counted));
-  return run(s, row_layout(s), sinks, progress);
+  return run(s, sinks, progress);
 }
 
 const std::string torque = "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0, 0]\n";

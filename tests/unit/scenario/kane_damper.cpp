@@ -81,7 +81,7 @@ TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
   const Rows& kept = *rows;
   std::vector<std::unique_ptr<Sink>> sinks;
   sinks.push_back(std::move(rows));
-  const RunReport report = run(s, row_layout(s), sinks);
+  const RunReport report = run(s, sinks);
   const System system = rotor_system(s);
   const DampedTrajectory straight = integrate(
       DampedProblem{system, {initial_state(s), s.rotation().damper_rate}, 0.0, 5.0, Adaptive{}});
@@ -99,8 +99,9 @@ TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
   }
   EXPECT_LT(kept.numbers[26], kept.numbers[17]);
   EXPECT_EQ(report.energy_change, kept.numbers[26]);
-  for (const DampedEventRecord& event : report.events)
-    EXPECT_NEAR(event.s.damper_rate.y, 0.1, budget::adaptive_short_run);
+  for (const RunEvent& event : report.events)
+    EXPECT_NEAR(record_of<DampedRotorState>(event).s.damper_rate.y, 0.1,
+                budget::adaptive_short_run);
   EXPECT_FALSE(report.events.empty());
 }
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
@@ -15,6 +13,7 @@
 #include "polhode/run/summary.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "run/detail/table_error.hpp"
+#include "temp_folder.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -22,28 +21,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class ScenarioOrbits : public ::testing::Test {
+class ScenarioOrbits : public test::InTempFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("polhode-orbits-") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  void write(const std::string& file, const std::string& text) const {
-    std::FILE* out = std::fopen((folder_ / file).string().c_str(), "wb");
-    std::fwrite(text.data(), 1, text.size(), out);
-    std::fclose(out);
-  }
   Scenario read(const std::string& orbit, const std::string& more = "") const {
     return scenario_from_text("schema = 1\n" + units_ + "[body]\nmoments = [1, 2, 2.5]\n[state]\n" +
                                   state_ +
                                   "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
                                   "omega_body = [0.1, 0.2, 1]\n[orbit.moon]\n" +
                                   orbit + more,
-                              (folder_ / "f.toml").string());
+                              path("f.toml"));
   }
   std::string error_of(const std::string& orbit, const std::string& more = "") const {
     try {
@@ -57,7 +43,6 @@ class ScenarioOrbits : public ::testing::Test {
     return any_orbit(s.rotation().orbits.at(0)).position(t);
   }
 
-  std::filesystem::path folder_;
   std::string units_ = "[units]\ntime = \"s\"\nangle = \"deg\"\nlength = \"km\"\n";
   std::string state_ = "axes = \"equator-J2000\"\n";
 };

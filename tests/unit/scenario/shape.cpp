@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "budgets.hpp"
@@ -12,6 +10,7 @@
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/run/shape_report.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -22,26 +21,6 @@ using ::testing::HasSubstr;
 const char* const box =
     "v 4 -2 -3\nv 6 -2 -3\nv 6 2 -3\nv 4 2 -3\nv 4 -2 3\nv 6 -2 3\nv 6 2 3\nv 4 2 3\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("polhode-shape-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return (path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string scenario_text(const std::string& body) {
   return "schema = 1\n[units]\nmoment = \"kg m2\"\nlength = \"m\"\n[body]\n" + body +
@@ -58,7 +37,7 @@ std::string refusal(const std::string& text, const std::string& name) {
 }
 
 TEST(ScenarioShape, GivesTheTensor) {
-  const Folder folder;
+  const test::TempFolder folder;
   folder.write("box.obj", box);
   const std::string path =
       folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = \"2 g/cm3\"\n"
@@ -77,7 +56,7 @@ TEST(ScenarioShape, GivesTheTensor) {
 }
 
 TEST(ScenarioShape, RefusesInOneLine) {
-  const Folder folder;
+  const test::TempFolder folder;
   folder.write("box.obj", box);
   folder.write("open.obj", std::string(box).substr(0, std::string(box).rfind('f')));
   const std::string name = folder.write("s.toml", "");
@@ -146,7 +125,7 @@ TEST(ScenarioSurface, DragAsByHand) {
 }
 
 TEST(ScenarioSurface, MeshAboutTheCentreOfMass) {
-  const Folder folder;
+  const test::TempFolder folder;
   folder.write("box.obj", box);
   const std::string path = folder.write(
       "s.toml", scenario_text("shape = \"box.obj\"\ndensity = 1\n") +
@@ -179,7 +158,7 @@ TEST(ScenarioSurface, RefusesInOneLine) {
 }
 
 TEST(ShapeReport, TableReadsBackAsTheBody) {
-  const Folder folder;
+  const test::TempFolder folder;
   const std::string obj = folder.write("box.obj", box);
   const std::string path =
       folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = 3\n"));

@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <filesystem>
 #include <string>
 
 #include "polhode/scenario/scenario.hpp"
 #include "run/detail/table_error.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -17,19 +16,11 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-class TableHeaders : public ::testing::Test {
+class TableHeaders : public test::InTempFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("polhode-headers-") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   // "no error", or what is refused of a scenario that reads moon.csv.
   std::string error_of(const std::string& header, const std::string& keys = "") const {
-    write(header + rows_);
+    write("moon.csv", header + rows_);
     return error_of_keys("[orbit.moon]\nkind = \"table\"\nfile = \"moon.csv\"\n" + keys);
   }
   std::string error_of_keys(const std::string& more) const {
@@ -39,23 +30,16 @@ class TableHeaders : public ::testing::Test {
                              "omega_body = [0.1, 0.2, 1]\n" +
                              more;
     try {
-      scenario_from_text(text, (folder_ / "f.toml").string());
+      scenario_from_text(text, path("f.toml"));
     } catch (const ScenarioError& error) {
       std::string what = error.what();
-      for (std::size_t at = what.find(folder_.string()); at != std::string::npos;
-           at = what.find(folder_.string()))
-        what.erase(at, folder_.string().size() + 1);
+      const std::string folder = path("");
+      for (std::size_t at = what.find(folder); at != std::string::npos; at = what.find(folder))
+        what.erase(at, folder.size());
       return what;
     }
     return "no error";
   }
-  void write(const std::string& text) const {
-    std::FILE* out = std::fopen((folder_ / "moon.csv").string().c_str(), "wb");
-    std::fwrite(text.data(), 1, text.size(), out);
-    std::fclose(out);
-  }
-
-  std::filesystem::path folder_;
   std::string units_ = "time = \"s\"\nlength = \"km\"\n";
   std::string state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\naxes = \"equator-J2000\"\n";
   std::string rows_ =
@@ -165,21 +149,22 @@ TEST_F(TableHeaders, OfTorquesAreHeldAgainstTheScenario) {
       "[[perturbation]]\nkind = \"torque-table\"\nfile = \"moon.csv\"\ntorque_unit = \"N m\"\n";
   units_ = "time = \"s\"\nmoment = \"kg m2\"\n";
   rows_ = "0,1,2,3\n60,1,2,3\n120,1,2,3\n180,1,2,3\n";
-  write("# t counts from 2029-04-13 UTC\n# units: t [s], u1 [N m]\nt,u1,u2,u3\n" + rows_);
+  write("moon.csv",
+        "# t counts from 2029-04-13 UTC\n# units: t [s], u1 [N m]\nt,u1,u2,u3\n" + rows_);
   EXPECT_EQ(error_of_keys(term), "no error");
-  write("# t counts from 2029-04-12 UTC\n" + rows_);
+  write("moon.csv", "# t counts from 2029-04-12 UTC\n" + rows_);
   EXPECT_THAT(error_of_keys(term), HasSubstr("moon.csv:1: t counts from 2029-04-12 UTC, -86400 s"));
-  write("# units: t [min], u1 [N m]\nt,u1,u2,u3\n" + rows_);
+  write("moon.csv", "# units: t [min], u1 [N m]\nt,u1,u2,u3\n" + rows_);
   EXPECT_THAT(error_of_keys(term), HasSubstr("column t is in min; expected time_unit = \"min\""));
-  write("# units: t [s], u1 [N m], u2 [kg km2/s2]\nt,u1,u2,u3\n" + rows_);
+  write("moon.csv", "# units: t [s], u1 [N m], u2 [kg km2/s2]\nt,u1,u2,u3\n" + rows_);
   EXPECT_THAT(error_of_keys(term),
               HasSubstr("column u2 is in kg km2/s2; expected torque_unit = \"kg km2/s2\""));
-  write("# axes: equator-J2000\nt,u1,u2,u3\n" + rows_);
+  write("moon.csv", "# axes: equator-J2000\nt,u1,u2,u3\n" + rows_);
   EXPECT_THAT(error_of_keys(term),
               HasSubstr("moon.csv:1: its axes are equator-J2000; expected "
                         "torques along \"equator-J2000\", not axes = \"body\""));
   EXPECT_EQ(error_of_keys(term + "axes = \"inertial\"\n"), "no error");
-  write("# axes: body\nt,u1,u2,u3\n" + rows_);
+  write("moon.csv", "# axes: body\nt,u1,u2,u3\n" + rows_);
   EXPECT_EQ(error_of_keys(term), "no error");
 }
 

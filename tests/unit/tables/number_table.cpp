@@ -11,6 +11,7 @@
 #include <string>
 
 #include "polhode/error.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -20,13 +21,10 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class NumberTableFile : public ::testing::Test {
+class NumberTableFile : public test::InTempFolder {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
   const std::string& holding(const std::string& text) {
-    std::FILE* file = std::fopen(path_.c_str(), "wb");
-    std::fwrite(text.data(), 1, text.size(), file);
-    std::fclose(file);
+    write(path_, text);
     return path_;
   }
   const std::string& packed(const std::string& text) {
@@ -44,11 +42,7 @@ class NumberTableFile : public ::testing::Test {
     return "no error";
   }
 
-  std::string path_ =
-      (std::filesystem::temp_directory_path() /
-       ("polhode-table-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-        ::testing::UnitTest::GetInstance()->current_test_info()->name()))
-          .string();
+  const std::string path_ = path("table");
 };
 
 TEST_F(NumberTableFile, ColumnsAreFoundByName) {

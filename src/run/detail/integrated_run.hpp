@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The run of whatever integrate() moves, a rotor or a model of any state: from t = 0 to the first
+// row, then along the rows, into the sinks; watched, kept and continued.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/dynamics/resume.hpp"
+#include "run/detail/row_writer.hpp"
+#include "run/detail/run_state.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What an experiment says of its motion.
+template <class M, MotionState S = typename M::State>
+struct RowsOfMotion {
+  BasicProblem<M, S> from_zero;  // its events are looked for from the first row on
+  const SaveAt& rows;
+  // Numbers of the columns for each sample, one row after the other.
+  std::function<void(std::span<const BasicSample<S>>, std::span<double>)> write;
+};
+
+template <MotionState S>
+struct IntegratedEnd {
+  RunReport report;
+  std::optional<BasicSample<S>> latest;  // of the rows; none where it did not get to the first
+};
+
+template <class M, MotionState S>
+class IntegratedRun {
+ public:
+  IntegratedRun(const RowsOfMotion<M, S>& motion, RowWriter& writer, const RunControl& control)
+      : motion_(motion), writer_(writer), control_(control) {
+    if (control.from == nullptr) return;
+    StateBytes bytes(control.from->motion);
+    kept_.transfer(bytes);
+    from_.emplace(kept_.integration);
+  }
+
+  IntegratedEnd<S> run() {
+    if (!kept_.among_rows) {
+      go_to_first_row();
+      if (!report_.outcome.ok()) return {std::move(report_), std::nullopt};
+    }
+    go_along_rows();
+    return {std::move(report_), kept_.latest};
+  }
+
+ private:
+  // All that the bytes of a checkpoint hold.
+  struct Kept {
+    bool among_rows = false;  // or on the way to the first
+    std::string integration;  // of a Checkpoint
+    Statistics before{};      // of the way to the first row
+    BasicSample<S> first{};   // where the rows start
+    BasicSample<S> latest{};
+
+    void transfer(StateBytes& bytes) { bytes.all(among_rows, integration, before, first, latest); }
+  };
+
+  void go_to_first_row() {
+    BasicProblem<M, S> lead_in = motion_.from_zero;
+    lead_in.events = {};
+    lead_in.stop = motion_.rows[0];
+    BasicSample<S> there{lead_in.stop, lead_in.initial};
+    if (lead_in.start != lead_in.stop)
+      integrate_on(lead_in, SaveAt::times({lead_in.stop}),
+                   [&](std::span<const BasicSample<S>> samples) { there = samples.back(); });
+    kept_.first = kept_.latest = {lead_in.stop, there.s};
+    kept_.before = report_.statistics;
+    kept_.among_rows = true;
+    from_.reset();
+  }
+
+  void go_along_rows() {
+    report_.statistics = kept_.before;
+    BasicProblem<M, S> along = motion_.from_zero;
+    along.start = motion_.rows[0];
+    along.initial = kept_.first.s;
+    const BasicTrajectory<S> trajectory =
+        integrate_on(along, motion_.rows, [&](std::span<const BasicSample<S>> samples) {
+          writer_.push(samples.size(),
+                       [&](std::span<double> numbers) { motion_.write(samples, numbers); });
+          kept_.latest = samples.back();
+        });
+    for (const BasicEventRecord<S>& event : trajectory.events())
+      report_.events.push_back(run_event(event));
+  }
+
+  BasicTrajectory<S> integrate_on(const BasicProblem<M, S>& problem, const SaveAt& times,
+                                  BasicSampleSink<S> samples) {
+    BasicStreams<S> streams{std::move(samples), {}, control_.due, {}};
+    if (control_.event)
+      streams.events = [this](const BasicEventRecord<S>& event) {
+        control_.event(run_event(event));
+      };
+    streams.checkpoint = [this](const Checkpoint& now) {
+      kept_.integration = now.bytes();
+      StateBytes bytes;
+      kept_.transfer(bytes);
+      control_.keep({now.t(), writer_.rows(), bytes.bytes()});
+    };
+    BasicTrajectory<S> trajectory = from_
+                                        ? resume(problem, times, *from_, streams, control_.progress)
+                                        : integrate(problem, times, streams, control_.progress);
+    report_.outcome = trajectory.outcome();
+    report_.statistics.steps += trajectory.statistics().steps;
+    report_.statistics.rejected += trajectory.statistics().rejected;
+    report_.statistics.evaluations += trajectory.statistics().evaluations;
+    return trajectory;
+  }
+
+  RunEvent run_event(const BasicEventRecord<S>& event) const {
+    std::vector<double> row(control_.events_have_rows ? writer_.width() : 0);
+    const BasicSample<S> there{event.t, event.s};
+    if (!row.empty()) motion_.write({&there, 1}, row);
+    return event_of(event, std::move(row));
+  }
+
+  const RowsOfMotion<M, S>& motion_;
+  RowWriter& writer_;
+  const RunControl& control_;
+  Kept kept_;
+  std::optional<Checkpoint> from_;
+  RunReport report_;
+};
+
+template <class M, MotionState S>
+IntegratedEnd<S> integrated_run(const RowsOfMotion<M, S>& motion, RowWriter& writer,
+                                const RunControl& control) {
+  return IntegratedRun<M, S>(motion, writer, control).run();
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
