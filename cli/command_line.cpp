@@ -10,6 +10,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -30,6 +31,13 @@ int failure(int status, const std::string& message) {
   return status;
 }
 
+// The file that was started, without its folder: a program with kinds of its own has another name.
+std::string program_name(int argc, const char* const* argv) {
+  const std::string_view path = argc > 0 && argv[0] != nullptr ? argv[0] : "";
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  return name.empty() ? "polhode" : std::string(name);
+}
+
 // "polhode rum FILE": CLI11 only says that a subcommand is missing.
 std::string unknown_command(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
@@ -38,7 +46,8 @@ std::string unknown_command(const CLI::App& app, int argc, const char* const* ar
     if (command->get_name() == argv[1]) return {};
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
-  return "polhode: got command \"" + std::string(argv[1]) + "\"; expected one of " + names;
+  return app.get_name() + ": got command \"" + std::string(argv[1]) + "\"; expected one of " +
+         names;
 }
 
 // CLI11 names the argument that it cannot place, but not what it could; and not even that where
@@ -64,7 +73,7 @@ int parse_outcome(const CLI::App& app, const CLI::ParseError& error, int argc,
     std::string unknown = unknown_command(app, argc, argv);
     if (!unknown.empty()) return failure(bad_input, unknown);
     const auto used = app.get_subcommands();
-    const std::string command = used.empty() ? "polhode" : "polhode " + used.front()->get_name();
+    const std::string command = used.empty() ? app.get_name() : full_name(*used.front());
     unknown = unknown_argument(used.empty() ? app : *used.front(), command);
     if (!unknown.empty()) return failure(bad_input, unknown);
     std::string text = error.what();
@@ -80,6 +89,10 @@ int parse_outcome(const CLI::App& app, const CLI::ParseError& error, int argc,
 
 }  // namespace
 
+std::string full_name(const CLI::App& command) {
+  return command.get_parent()->get_name() + " " + command.get_name();
+}
+
 void print(std::string_view text) {
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
@@ -94,11 +107,12 @@ inline namespace v0 {
 int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   using namespace cli;
   let_large_writes_fail();
-  CLI::App app("Exact rotation of rigid bodies, in every variable set.", "polhode");
+  CLI::App app("Exact rotation of rigid bodies, in every variable set.", program_name(argc, argv));
   app.set_version_flag("--version", "polhode " + std::string(version()));
   app.require_subcommand(1);
-  app.footer(
-      "\nExample:\n  polhode init tumbler > body.toml && polhode run body.toml --out body.csv");
+  const std::string& name = app.get_name();
+  app.footer("\nExample:\n  " + name + " init tumbler > body.toml && " + name +
+             " run body.toml --out body.csv");
   add_run(app, kinds);
   add_map(app, kinds);
   add_info(app, kinds);
@@ -118,7 +132,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   } catch (const DomainError& error) {
     return failure(bad_input, error.what());
   } catch (const std::bad_alloc&) {
-    return failure(failed_run, "polhode: out of memory");
+    return failure(failed_run, name + ": out of memory");
   } catch (const std::exception& error) {
     return failure(failed_run, error.what());
   }

@@ -22,6 +22,9 @@ void add_map(CLI::App& app, const Kinds& kinds);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
 
+// "polhode run": the name of the program, and that of its subcommand.
+std::string full_name(const CLI::App& command);
+
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);
 

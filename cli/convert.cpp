@@ -124,8 +124,8 @@ void add_convert(CLI::App& app) {
       ->type_name("I1,I2,I3");
   command->add_option("FILE", options->in, "CSV to read; - is standard input")
       ->capture_default_str();
-  command->footer(charts +
-                  "\nExample:\n  polhode convert --from rotor --to andoyer < in.csv > out.csv");
+  command->footer(charts + "\nExample:\n  " + full_name(*command) +
+                  " --from rotor --to andoyer < in.csv > out.csv");
   command->callback([options] { convert_file(*options); });
 }
 

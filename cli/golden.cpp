@@ -14,7 +14,7 @@ void add_golden(CLI::App& app) {
   const auto folder = std::make_shared<std::string>();
   command->add_option("DIR", *folder, "Folder for golden.json and golden.csv; made if needed")
       ->required();
-  command->footer("Example:\n  polhode golden golden");
+  command->footer("Example:\n  " + full_name(*command) + " golden");
   command->callback([folder] {
     const std::vector<GoldenCase> cases = golden_cases();
     std::size_t samples = 0;

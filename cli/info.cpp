@@ -17,7 +17,7 @@ void add_info(CLI::App& app, const Kinds& kinds) {
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command->add_flag("--json", options->json, "For programs: every digit");
-  command->footer("Example:\n  polhode info examples/toutatis.toml");
+  command->footer("Example:\n  " + full_name(*command) + " examples/toutatis.toml");
   command->callback([options, kinds] {
     const Scenario scenario = read_scenario(options->scenario, kinds);
     const auto lines = summary(scenario, free_rotation(scenario));

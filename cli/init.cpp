@@ -18,12 +18,12 @@ void add_init(CLI::App& app, const Kinds& kinds) {
       ->add_option("CHART", *chart,
                    "How the state of a free body is given, or what perturbs it: " + names)
       ->capture_default_str();
-  command->footer("Example:\n  polhode init gravity-gradient > body.toml");
-  command->callback([chart, kinds] {
+  command->footer("Example:\n  " + full_name(*command) + " gravity-gradient > body.toml");
+  command->callback([chart, kinds, name = full_name(*command)] {
     try {
       print(scenario_template(*chart, kinds.schema()));
     } catch (const DomainError& error) {
-      throw DomainError(std::string("polhode init: ") + error.what());
+      throw DomainError(name + ": " + error.what());
     }
   });
 }

@@ -24,6 +24,7 @@ namespace {
 constexpr std::size_t reasons_shown = 3;
 
 struct MapOfFile {
+  std::string program;  // its name
   std::string scenario;
   std::vector<std::string> out;
   int threads = 0;
@@ -93,8 +94,9 @@ void make_map(const MapOfFile& options, const Kinds& kinds) {
     report = run.run();
   } catch (const MapInterrupted& stopped) {
     progress.reset();
-    throw Interrupted(StopSignals::came(),
-                      stopped.what() + how_to_continue(command_of(options), stopped.can_resume));
+    throw Interrupted(
+        StopSignals::came(),
+        stopped.what() + how_to_continue(options.program, command_of(options), stopped.can_resume));
   }
   progress.reset();
   if (!to_standard_output) print(summary_of(map, report));
@@ -107,6 +109,7 @@ void add_map(CLI::App& app, const Kinds& kinds) {
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
   const auto options = std::make_shared<MapOfFile>();
+  options->program = app.get_name();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command
@@ -131,7 +134,8 @@ void add_map(CLI::App& app, const Kinds& kinds) {
       ->capture_default_str();
   command->footer(
       "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"
-      "\nExample:\n  polhode map examples/hyperion-map.toml --out hyperion.csv --threads 2");
+      "\nExample:\n  " +
+      full_name(*command) + " examples/hyperion-map.toml --out hyperion.csv --threads 2");
   command->callback([options, kinds] { make_map(*options, kinds); });
 }
 

@@ -42,9 +42,10 @@ void require_different(const std::string& command, const std::vector<std::string
       throw DomainError(command + ": " + *path + " is named twice");
 }
 
-std::string how_to_continue(const std::vector<std::string>& command, bool can_resume) {
+std::string how_to_continue(const std::string& program, const std::vector<std::string>& command,
+                            bool can_resume) {
   if (!can_resume) return "; outputs that are not files cannot be continued";
-  std::string text = "; continue with: polhode";
+  std::string text = "; continue with: " + quoted(program);
   for (const std::string& word : command) text += " " + quoted(word);
   return text + " --resume";
 }

@@ -25,7 +25,8 @@ BeginWords begin_words();
 void require_different(const std::string& command, const std::vector<std::string>& paths);
 
 // The end of the line of one that was stopped: "; continue with: polhode map FILE --resume".
-std::string how_to_continue(const std::vector<std::string>& command, bool can_resume);
+std::string how_to_continue(const std::string& program, const std::vector<std::string>& command,
+                            bool can_resume);
 // "NAME: nothing to do: complete in a.csv, a.h5"
 void print_nothing_to_do(const std::string& name, const std::vector<std::string>& paths);
 

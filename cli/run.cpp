@@ -26,6 +26,7 @@ namespace {
 struct NothingToDo {};
 
 struct CommandOptions {
+  std::string program;  // its name
   std::string scenario;
   std::vector<std::string> out;
   std::string events;
@@ -94,8 +95,9 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
     return report_of(scenario, run);
   } catch (const RunInterrupted& stopped) {
     progress.reset();
-    throw Interrupted(StopSignals::came(),
-                      stopped.what() + how_to_continue(command_of(options), stopped.can_resume));
+    throw Interrupted(
+        StopSignals::came(),
+        stopped.what() + how_to_continue(options.program, command_of(options), stopped.can_resume));
   }
 }
 
@@ -152,6 +154,7 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
 void add_run(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
   const auto options = std::make_shared<CommandOptions>();
+  options->program = app.get_name();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command
@@ -177,7 +180,8 @@ void add_run(CLI::App& app, const Kinds& kinds) {
       ->capture_default_str();
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"
-      "\nExample:\n  polhode run examples/apophis.toml --out apophis.csv --out apophis.h5");
+      "\nExample:\n  " +
+      full_name(*command) + " examples/apophis.toml --out apophis.csv --out apophis.h5");
   command->callback([options, kinds] { run_scenario(*options, kinds); });
 }
 

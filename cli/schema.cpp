@@ -15,7 +15,7 @@ void add_schema(CLI::App& app, const Kinds& kinds) {
   command->add_option("PART", *part, "json, or the keys or units of docs/reference/scenario.md")
       ->check(CLI::IsMember({"json", "keys", "units"}))
       ->capture_default_str();
-  command->footer("Example:\n  polhode schema > scenario.schema.json");
+  command->footer("Example:\n  " + full_name(*command) + " > scenario.schema.json");
   command->group("");
   command->callback([part, kinds] {
     const Schema& schema = kinds.schema();

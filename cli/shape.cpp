@@ -73,7 +73,8 @@ void add_shape(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "For programs: every digit");
   command->add_flag("--toml", options->toml, "Only the [body] table of a scenario");
-  command->footer("Example:\n  polhode shape bennu.obj --density 1190 --scale \"1 km\"");
+  command->footer("Example:\n  " + full_name(*command) +
+                  " bennu.obj --density 1190 --scale \"1 km\"");
   command->callback([options] { report_shape(*options); });
 }
 

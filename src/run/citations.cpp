@@ -2,6 +2,7 @@
 #include "polhode/run/citations.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "polhode/scenario/schema.hpp"
@@ -152,22 +153,24 @@ struct MethodParts {
   }
 };
 
+void add_each_once(std::vector<Citation>& all, std::span<const Citation> more) {
+  for (const Citation& own : more)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Citation& one) { return one.key == own.key; }))
+      all.push_back(own);
+}
+
 // Of the charts among the parts, each once.
 std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts) {
   std::vector<Citation> all;
-  for (const ChartKind& chart : default_charts()) {
-    if (std::find(parts.begin(), parts.end(), chart.name) == parts.end()) continue;
-    for (const ChartSource& source : chart.sources)
-      if (std::none_of(all.begin(), all.end(),
-                       [&](const Citation& one) { return one.key == source.key; }))
-        all.push_back(
-            {std::string(source.key), std::string(source.text), std::string(source.reason)});
-  }
+  for (const ChartKind& chart : default_charts())
+    if (std::find(parts.begin(), parts.end(), chart.name) != parts.end())
+      add_each_once(all, chart.sources);
   return all;
 }
 
-// Its chart, its groups of columns, the kinds of its terms, its method, and what moves it; the
-// sources of its orbits, and what it asks for in addition to rows.
+// Its chart, its groups of columns, its method, and what moves it; the sources of its orbits, and
+// what it asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
   parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
@@ -175,20 +178,13 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   return parts;
 }
 
-void add_each_once(std::vector<Citation>& all, const std::vector<Citation>& more) {
-  for (const Citation& own : more)
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const Citation& one) { return one.key == own.key; }))
-      all.push_back(own);
-}
-
 // What the kinds of torques of a scenario cite, and the formats that it has something to say to.
-std::vector<Citation> citations_of_kinds(const Scenario& scenario,
-                                         const std::vector<std::string>& parts) {
+std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
   std::vector<Citation> all;
+  const std::vector<std::string>& torques = scenario.rotation().kinds;
   const Kinds& kinds = *scenario.document.kinds;
   for (const PerturbationKind& kind : kinds.perturbations())
-    if (std::find(parts.begin(), parts.end(), kind.name) != parts.end())
+    if (std::find(torques.begin(), torques.end(), kind.name) != torques.end())
       add_each_once(all, kind.citations);
   for (const OutputFormat& format : kinds.formats().all())
     if (scenario.output.options.contains(format.name)) add_each_once(all, format.citations);
@@ -199,7 +195,6 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario,
 
 std::vector<std::string> detail::cited_parts(const Rotation& rotation) {
   std::vector<std::string> parts = {rotation.chart};
-  parts.insert(parts.end(), rotation.kinds.begin(), rotation.kinds.end());
   if (!rotation.frame.is_inertial()) parts.push_back("moving frame");
   for (const ScenarioOrbit& orbit : rotation.orbits) {
     if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
@@ -218,7 +213,7 @@ std::vector<Citation> citations(const Scenario& scenario) {
              return std::find(parts.begin(), parts.end(), part) != parts.end();
            });
   };
-  std::vector<Citation> own_works = citations_of_kinds(scenario, parts);
+  std::vector<Citation> own_works = citations_of_kinds(scenario);
   std::vector<Citation> result;
   for (const Paper& paper : papers) {
     const auto own = std::find_if(own_works.begin(), own_works.end(),
@@ -229,8 +224,7 @@ std::vector<Citation> citations(const Scenario& scenario) {
       result.push_back(*own);
       own_works.erase(own);
     } else if (!paper.text.empty() && used(paper.uses)) {
-      result.push_back(
-          {std::string(paper.key), std::string(paper.text), std::string(paper.reason)});
+      result.push_back({paper.key, paper.text, paper.reason});
     }
   }
   result.insert(result.end(), own_works.begin(), own_works.end());

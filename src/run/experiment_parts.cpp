@@ -40,7 +40,7 @@ Provenance provenance(const Scenario& scenario) {
   result.scenario_text = scenario.document.text;
   result.notes = std::visit([&](const auto& kind) { return detail::notes_of(kind, scenario); },
                             scenario.experiment);
-  for (const Citation& citation : citations(scenario)) result.citations.push_back(citation.text);
+  for (const Citation& citation : citations(scenario)) result.citations.emplace_back(citation.text);
   result.run = run_facts(scenario);
   result.options = scenario.output.options;
   return result;

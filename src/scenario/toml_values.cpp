@@ -7,6 +7,7 @@
 #include <string>
 
 #include "polhode/error.hpp"
+#include "polhode/scenario/document.hpp"
 #include "polhode/text/epoch.hpp"
 #include "scenario/detail/toml_nodes.hpp"
 #include "scenario/diagnostics.hpp"
@@ -30,6 +31,7 @@ class Reader {
       : schema_(schema), diagnostics_(diagnostics) {}
 
   ReadFile read(const toml::table& file);
+  void read_alone(const Key& key, const toml::node& node);
 
  private:
   void read_units(const toml::table& file);
@@ -243,8 +245,13 @@ bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
 
 void Reader::read_tables(const Key& key, const toml::array& array, const std::string& path) {
   std::size_t i = 0;
-  for (const toml::node& item : array)
-    read_table(*item.as_table(), key.path, path + "[" + std::to_string(i++) + "]");
+  for (const toml::node& item : array) {
+    const std::string one = path + "[" + std::to_string(i++) + "]";
+    Value& value = values_[one];
+    value.key = &key;
+    value.where = position(item.source());
+    read_table(*item.as_table(), key.path, one);
+  }
 }
 
 void Reader::read_key(const Key& key, const toml::node& node, const std::string& path,
@@ -277,19 +284,6 @@ void Reader::read_key(const Key& key, const toml::node& node, const std::string&
 void Reader::read_fallback(const Key& key, const std::string& path, Position where) {
   const toml::table parsed = toml::parse("x = " + std::string(key.fallback));
   read_key(key, *parsed.get("x"), path, where, false);
-}
-
-// The word of the key `kind` that a table has or takes, where that is one.
-std::string_view kind_in(const toml::table& table, const std::vector<const Key*>& known) {
-  for (const Key* key : known) {
-    if (key_name(key->path) != "kind") continue;
-    const std::vector<std::string_view> kinds = separated(key->allowed, '|');
-    std::string_view word = key->fallback;
-    if (word.size() > 2) word = word.substr(1, word.size() - 2);
-    if (table.contains("kind")) word = table["kind"].value_or(std::string_view());
-    return std::find(kinds.begin(), kinds.end(), word) == kinds.end() ? std::string_view() : word;
-  }
-  return {};
 }
 
 // Reports keys that the table does not know; returns the known ones that were meant.
@@ -444,6 +438,12 @@ void Reader::read_units(const toml::table& file) {
   units_ = Units(unit[0], unit[1], unit[2], unit[3]);
 }
 
+// In units that every dimension has.
+void Reader::read_alone(const Key& key, const toml::node& node) {
+  units_ = Units("s", "rad", "kg m2", "m");
+  read_key(key, node, std::string(key.path), {}, true);
+}
+
 ReadFile Reader::read(const toml::table& file) {
   if (!keys_of(schema_, "units").empty()) read_units(file);
   read_table(file, "", "");
@@ -472,6 +472,26 @@ ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& d
     diagnostics.add({}, "file", "not TOML");
   }
   return {.values = {}, .units = Units()};
+}
+
+std::optional<std::string> why_not(const Key& key, std::string_view toml) {
+  if (refusal(toml)) return "not TOML";
+  try {
+    const toml::table parsed = toml::parse("x = " + std::string(toml));
+    if (parsed.size() != 1) return "more than one value";
+    Diagnostics diagnostics("");
+    Reader({}, diagnostics).read_alone(key, *parsed.get("x"));
+    diagnostics.raise();
+  } catch (const ScenarioError& error) {
+    const std::string_view text = error.what();
+    const std::size_t got = text.find("got ");
+    return std::string(text.substr(got == std::string_view::npos ? 0 : got));
+  } catch (const toml::parse_error&) {
+    return "not TOML";
+  } catch (const TomlAssertion&) {
+    return "not TOML";
+  }
+  return std::nullopt;
 }
 
 }  // namespace detail

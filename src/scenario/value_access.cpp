@@ -15,7 +15,7 @@ namespace {
 // table.
 std::string blamed(const Values& values, std::string_view path, std::string_view message) {
   std::string place(path);
-  if (value_at(values, path).key->type != KeyType::table) return place;
+  if (!has(values, path) || value_at(values, path).key->type != KeyType::table) return place;
   if (message.find("P_psi/P_phi") != std::string_view::npos) return place + ".rotation_period";
   std::size_t first = message.size();
   for (const auto& [own, value] : values) {
@@ -25,6 +25,15 @@ std::string blamed(const Values& values, std::string_view path, std::string_view
     place = own;
   }
   return place;
+}
+
+// The value that has the place of a key: its own, or that of the table which lacks it.
+const Value* placed(const Values& values, std::string_view path) {
+  for (; !path.empty(); path = path.substr(0, path.rfind('.'))) {
+    if (has(values, path)) return &value_at(values, path);
+    if (path.find('.') == std::string_view::npos) break;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -56,11 +65,12 @@ bool has(const Values& values, std::string_view path) { return values.contains(p
 void refuse(const Values& values, std::string_view path, const std::string& name,
             std::string_view message) {
   const std::string place = blamed(values, path, message);
-  const Value& value = value_at(values, place);
+  const bool is_there = has(values, place);
+  const Value* value = placed(values, place);
+  std::string got = "got nothing; ";
+  if (is_there) got = value->key->type == KeyType::table ? "" : "got " + value->shown + "; ";
   Diagnostics diagnostics(name);
-  const bool table = value.key->type == KeyType::table;
-  diagnostics.add(value.where, place,
-                  (table ? std::string() : "got " + value.shown + "; ") + std::string(message));
+  diagnostics.add(value == nullptr ? Position{} : value->where, place, got + std::string(message));
   diagnostics.raise();
   throw std::logic_error("a diagnostic that does not raise");
 }

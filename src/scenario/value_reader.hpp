@@ -32,6 +32,9 @@ struct ReadFile {
 // Everything wrong goes to `diagnostics`; what is right is in the result.
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);
 
+// Why a text of TOML is no value of a key, in one line; nothing where it is one.
+std::optional<std::string> why_not(const Key& key, std::string_view toml);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -3,24 +3,12 @@
 files, against an installed polhode, and run as its page says."""
 
 import shutil
+import signal
 import subprocess
 
 import budgets
 import pytest
-
-
-def sh(*arguments, cwd=None, status=0):
-    done = subprocess.run(list(map(str, arguments)), cwd=cwd, text=True, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    assert done.returncode == status, f"{arguments}\n{done.stdout}"
-    return done.stdout
-
-
-@pytest.fixture(scope="module")
-def prefix(build, tmp_path_factory):
-    path = tmp_path_factory.mktemp("prefix")
-    sh("cmake", "--install", build, "--prefix", path)
-    return path
+from shell import sh
 
 
 @pytest.fixture(scope="module")
@@ -38,25 +26,18 @@ def built(root, prefix, tmp_path_factory):
     return build
 
 
-def test_a_torque_of_your_own_is_a_kind_like_ours(built, tmp_path):
-    path = built("torque")
-    program = path / "build/spin-brake"
+@pytest.fixture(scope="module")
+def braked(built):
+    return built("torque")
+
+
+def test_a_torque_of_your_own_is_a_kind_like_ours(braked, tmp_path):
+    path, program = braked, braked / "build/spin-brake"
     out = tmp_path / "brake.csv"
     assert "completed" in sh(program, "run", path / "spin-brake.toml", "--out", out)
     rows = [line.split(",") for line in out.read_text().splitlines() if not line.startswith("#")]
     w3 = [float(row[rows[0].index("w3")]) for row in rows[1:]]
     assert w3[0] == pytest.approx(30, rel=budgets.cli_rounding) and abs(w3[-1]) < 1  # braked
-    # the checkpoint of a run that was stopped, and the run that never was
-    cut = tmp_path / "cut.csv"
-    started = subprocess.Popen([program, "run", path / "spin-brake.toml", "--out", cut,
-                                "--checkpoint", "0"], stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-    while not cut.with_name("cut.csv.checkpoint").exists() and started.poll() is None:
-        pass
-    started.kill()
-    started.wait()
-    sh(program, "run", path / "spin-brake.toml", "--out", cut, "--resume")
-    assert cut.read_bytes() == out.read_bytes()
     assert "spin brake" in sh(program, "info", path / "spin-brake.toml")
     assert "[brake2026]" in sh(program, "cite", path / "spin-brake.toml")
     assert '"const": "spin-brake"' in sh(program, "schema")
@@ -67,6 +48,47 @@ def test_a_torque_of_your_own_is_a_kind_like_ours(built, tmp_path):
     wrong.write_text((path / "spin-brake.toml").read_text().replace('"0.02 N m s"', '"0.02 N m"'))
     assert ':15:11: perturbation[0].damping: got "0.02 N m"; expected a damping coefficient' in sh(
         program, "info", wrong, status=2)
+
+
+def stopped(program, scenario, out, by):
+    """What a run says that is stopped after its first checkpoint, long before its end."""
+    command = [program, "run", scenario, "--out", out, "--checkpoint", "0"]
+    started = subprocess.Popen(command, text=True, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE)
+    while not out.with_name(out.name + ".checkpoint").exists() and started.poll() is None:
+        pass
+    started.send_signal(by)
+    said = started.communicate()[1]
+    assert started.returncode == {signal.SIGKILL: -signal.SIGKILL,
+                                  signal.SIGINT: 128 + signal.SIGINT}[by]
+    return said
+
+
+def test_a_run_with_a_torque_of_your_own_is_stopped_and_continued(braked, tmp_path):
+    program = braked / "build/spin-brake"
+    scenario = tmp_path / "long.toml"
+    text = (braked / "spin-brake.toml").read_text()
+    assert "stop = 3000\n" in text
+    scenario.write_text(text.replace("stop = 3000\n", "stop = 600000\n"))
+    out, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"
+    sh(program, "run", scenario, "--out", out)
+    stopped(program, scenario, cut, signal.SIGKILL)
+    sh(program, "run", scenario, "--out", cut, "--resume")
+    assert cut.read_bytes() == out.read_bytes()
+
+
+def test_messages_of_a_program_of_your_own_have_its_name(braked, tmp_path):
+    program, scenario = braked / "build/spin-brake", tmp_path / "long.toml"
+    text = (braked / "spin-brake.toml").read_text()
+    scenario.write_text(text.replace("stop = 3000\n", "stop = 600000\n"))
+    out = tmp_path / "cut.csv"
+    said = stopped(program, scenario, out, signal.SIGINT)
+    assert said.endswith(f"; continue with: spin-brake run {scenario} --out {out} --resume\n")
+    assert sh(program, "rum", status=2).startswith('spin-brake: got command "rum"; expected one of')
+    assert sh(program, "run", status=2).startswith("spin-brake run: FILE is required")
+    assert sh(program, "init", "brake", status=2).startswith('spin-brake init: chart: got "brake"')
+    for command in ("cite", "convert", "golden", "info", "init", "map", "run", "schema", "shape"):
+        assert f"\n  spin-brake {command} " in sh(program, command, "--help")
 
 
 def test_an_output_format_of_your_own_writes_resumes_and_refuses(built, root):

@@ -7,22 +7,9 @@ from pathlib import Path
 
 import budgets
 import pytest
+from shell import sh
 
 CONSUMER = Path(__file__).resolve().parent / "consumer"
-
-
-def sh(*arguments, cwd=None):
-    done = subprocess.run(list(map(str, arguments)), cwd=cwd, text=True, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    assert done.returncode == 0, f"{arguments}\n{done.stdout}"
-    return done.stdout
-
-
-@pytest.fixture(scope="module")
-def prefix(build, tmp_path_factory):
-    path = tmp_path_factory.mktemp("prefix")
-    sh("cmake", "--install", build, "--prefix", path)
-    return path
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,9 @@
 // Domain      a name that no other kind of its sort has, of letters, digits and -; keys of equal
 //             names may differ between kinds.
 // Accuracy    none.
-// Errors      DomainError from with() for a name or an extension that is taken, or not plain.
+// Errors      DomainError from with() for a name or an extension that is taken, or not plain, and
+//             for a kind that is not sound: no text, nothing that makes it, two keys of one name,
+//             an example or what stands for a missing key that the key does not take.
 // Cost        copies share. with() makes the table of keys anew: some ten microseconds.
 #pragma once
 

@@ -22,6 +22,7 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
+#include "polhode/text/citation.hpp"
 #include "polhode/text/units.hpp"
 
 namespace polhode {
@@ -74,13 +75,6 @@ struct ChartPlace {
   double t = 0.0;
 };
 
-// A work that a chart rests on.
-struct ChartSource {
-  std::string_view key;     // "sadov1970"
-  std::string_view text;    // authors, year, title, place
-  std::string_view reason;  // what is taken from it
-};
-
 // A field of the class of states that is the same in all states of a chart: {"pole_J", "zero"}.
 struct ChartField {
   std::string_view name;
@@ -117,7 +111,7 @@ struct ChartKind {
   // The class of its states, "AndoyerState", and what of it does not vary.
   std::string_view state_class = {};
   std::span<const ChartField> state_fields = {};
-  std::span<const ChartSource> sources = {};
+  std::span<const Citation> sources = {};
 };
 
 // A state in a chart.

@@ -3,21 +3,21 @@
 //
 // Equations   none.
 // Units       none.
-// Domain      none.
+// Domain      texts are constant data: they outlive every kind and scenario.
 // Accuracy    none.
 // Errors      none.
 // Cost        none.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 namespace polhode {
 inline namespace v0 {
 
 struct Citation {
-  std::string key;     // "sadov1970"
-  std::string text;    // authors, year, title, place
-  std::string reason;  // what is taken from it
+  std::string_view key;     // "sadov1970"
+  std::string_view text;    // authors, year, title, place
+  std::string_view reason;  // what is taken from it
 };
 
 }  // namespace v0

@@ -89,7 +89,7 @@ nb::list groups_of(const Scenario& scenario) {
 nb::list citations_of(const Scenario& scenario) {
   nb::list list;
   for (const Citation& c : citations(scenario))
-    list.append(nb::make_tuple(c.key, c.text, c.reason));
+    list.append(nb::make_tuple(std::string(c.key), std::string(c.text), std::string(c.reason)));
   return list;
 }
 

@@ -2,12 +2,15 @@
 // What single nodes of a TOML document say. For toml_values.cpp alone, after toml.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "polhode/scenario/schema.hpp"
 #include "scenario/detail/toml.hpp"
 #include "scenario/diagnostics.hpp"
 #include "text/number_text.hpp"
@@ -75,6 +78,19 @@ inline std::string shown(const toml::node& node) {
     default:
       return "a date without quotes";
   }
+}
+
+// The word of the key `kind` that a table has or takes, where that is one.
+inline std::string_view kind_in(const toml::table& table, const std::vector<const Key*>& known) {
+  for (const Key* key : known) {
+    if (key_name(key->path) != "kind") continue;
+    const std::vector<std::string_view> kinds = separated(key->allowed, '|');
+    std::string_view word = key->fallback;
+    if (word.size() > 2) word = word.substr(1, word.size() - 2);
+    if (table.contains("kind")) word = table["kind"].value_or(std::string_view());
+    return std::find(kinds.begin(), kinds.end(), word) == kinds.end() ? std::string_view() : word;
+  }
+  return {};
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 
 #include "polhode/error.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/detail/torque_kinds.hpp"
@@ -89,6 +90,10 @@ Kinds Kinds::with(PerturbationKind kind) const {
   if (!is_plain(kind.name)) throw DomainError(shown + "\"; expected letters, digits and -");
   if (perturbation(kind.name) != nullptr)
     throw DomainError(shown + "\" is there; expected another name");
+  const std::vector<std::string_view> charts = state_charts();
+  if (std::find(charts.begin(), charts.end(), kind.name) != charts.end())
+    throw DomainError(shown + "\" is the name of a chart; expected another name");
+  detail::require_sound(kind);
   std::vector<PerturbationKind> all = parts_->perturbations;
   all.push_back(std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(all), parts_->formats));

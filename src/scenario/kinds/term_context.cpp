@@ -40,6 +40,7 @@ const Surface& TermContext::surface() const {
 }
 
 const ScenarioOrbit& TermContext::orbit(std::string_view key) const {
+  if (!has(key)) refuse(key, "expected the name of a table [orbit.NAME]");
   const ScenarioOrbit& found =
       detail::orbit_named(rotation_.orbits, values(), key_path(key), file());
   uses_.orbits.push_back(static_cast<std::size_t>(&found - rotation_.orbits.data()));
@@ -47,12 +48,16 @@ const ScenarioOrbit& TermContext::orbit(std::string_view key) const {
 }
 
 double TermContext::gm(std::string_view key, std::string_view orbit_key) const {
-  const std::optional<double> own =
-      has(key) ? std::optional<double>(number(key)) : orbit(orbit_key).gm;
-  if (!own)
+  if (has(key)) {
+    if (!(number(key) > 0.0)) refuse(key, "expected a positive gravitational parameter");
+    return number(key);
+  }
+  const std::optional<double> of_orbit = orbit(orbit_key).gm;
+  if (!of_orbit)
     refuse(orbit_key, "expected a key " + std::string(key) + " as well, since this orbit has none");
-  if (!(*own > 0.0)) refuse(key, "expected a positive gravitational parameter");
-  return *own;
+  if (!(*of_orbit > 0.0))
+    refuse(orbit_key, "expected an orbit of a positive gravitational parameter");
+  return *of_orbit;
 }
 
 }  // namespace v0

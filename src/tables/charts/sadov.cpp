@@ -89,7 +89,7 @@ ChartNumbers from_lobe_column(const ChartNumbers& x) {
   return all;
 }
 
-constexpr ChartSource sources[] = {
+constexpr Citation sources[] = {
     {"sadov1970",
      "Sadov, Yu. A. (1970). The action-angle variables in the Euler-Poinsot problem. Journal of "
      "Applied Mathematics and Mechanics 34, 922-925.",

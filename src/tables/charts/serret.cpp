@@ -50,7 +50,7 @@ ChartNumbers to_serret_numbers(const RotorState& s, const ChartPlace& at) {
   return of_motion(FreeRotation(*at.body, s, at.t), at.t);
 }
 
-constexpr ChartSource sources[] = {
+constexpr Citation sources[] = {
     {"serret1866",
      "Serret, J. A. (1866). Memoire sur l'emploi de la methode de la variation des arbitraires "
      "dans la theorie des mouvements de rotation. Memoires de l'Academie des sciences de Paris "

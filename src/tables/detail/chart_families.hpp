@@ -11,7 +11,7 @@ inline namespace v0 {
 namespace detail {
 
 // Of all charts that are made of Andoyer's variables.
-inline constexpr ChartSource andoyer1923{
+inline constexpr Citation andoyer1923{
     "andoyer1923",
     "Andoyer, H. (1923). Cours de mecanique celeste, vol. 1. Gauthier-Villars, Paris.",
     "Andoyer variables"};

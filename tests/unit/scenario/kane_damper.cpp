@@ -58,7 +58,7 @@ TEST(ScenarioKaneDamper, IsThatOfTheSystem) {
   const Vec3 w = angular_velocity(at, 0.0, initial_state(s)).inertial;
   EXPECT_LE(norm(w - Vec3{0.7, 1.1, 0.2}), budget::kane_rounding);
   std::vector<std::string> keys;
-  for (const Citation& c : citations(s)) keys.push_back(c.key);
+  for (const Citation& c : citations(s)) keys.emplace_back(c.key);
   EXPECT_THAT(keys, Contains("kane1966"));
   EXPECT_EQ(read(damper).rotation().damper_rate, Vec3{});
 }

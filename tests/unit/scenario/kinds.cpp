@@ -103,6 +103,32 @@ TEST(Kinds, WhatItsKeysRefuseStandsAtTheirPlace) {
               HasSubstr("perturbation[0].kind: got \"push\"; expected \"gravity-gradient\", "));
 }
 
+// A key that is left out has the place of its table.
+TEST(Kinds, AKeyThatIsLeftOutIsRefusedAtItsTable) {
+  PerturbationKind choosy = push("choosy");
+  choosy.made = [](const TermContext& at) -> MadeTerms {
+    at.refuse("axis", "expected an axis of a body that is " + std::string("round"));
+  };
+  const Kinds kinds = default_kinds().with(choosy);
+  std::string text = file;
+  text.replace(text.find("push"), 4, "choosy");
+  EXPECT_EQ(error_of(text + "radius = 1\n", kinds),
+            "f.toml:5:1: perturbation[0].axis: got nothing; expected an axis of a body that is "
+            "round");
+  EXPECT_EQ(error_of(text + "radius = 1\naxis = [1, 0, 0]\n", kinds),
+            "f.toml:8:8: perturbation[0].axis: got [1, 0, 0]; expected an axis of a body that is "
+            "round");
+  choosy.name = "lost";
+  choosy.made = [](const TermContext& at) -> MadeTerms {
+    at.gm("gm", "orbit");
+    return std::vector<AnyPerturbation>{};
+  };
+  text.replace(text.find("choosy"), 6, "lost");
+  EXPECT_EQ(error_of(text + "radius = 1\n", kinds.with(choosy)),
+            "f.toml:5:1: perturbation[0].orbit: got nothing; expected the name of a table "
+            "[orbit.NAME]");
+}
+
 // Two kinds may have keys of one name that differ; each reads its own.
 TEST(Kinds, AKeyMayMeanAnotherThingInAnotherKind) {
   const Kinds kinds = default_kinds().with(push());
@@ -137,6 +163,21 @@ TEST(Kinds, CitationsComeWithIt) {
       citations(scenario_from_text(file + "radius = 1\n", "f.toml", kinds));
   EXPECT_EQ(all.back().key, "own2026");
   EXPECT_EQ(all.back().reason, "the push");
+}
+
+// "moon" is a word of orbits, that others of the works belong to.
+TEST(Kinds, ACitationIsThatOfTheKindAndNotOfItsName) {
+  const auto works = [](const std::string& name) {
+    std::string text = file;
+    text.replace(text.find("push"), 4, name);
+    std::vector<std::string> all;
+    for (const Citation& one : citations(
+             scenario_from_text(text + "radius = 1\n", "f.toml", default_kinds().with(push(name)))))
+      all.emplace_back(one.key);
+    return all;
+  };
+  for (const char* name : {"moon", "earth", "tumbler-2", "splitting", "order4", "g"})
+    EXPECT_EQ(works(name), works("push")) << name;
 }
 
 TEST(Kinds, MapsMakeItAgain) {
@@ -182,6 +223,73 @@ TEST(Kinds, ANameIsPlainAndNotTaken) {
   EXPECT_EQ(error("tide"), "Kinds: perturbation \"tide\" is there; expected another name");
   EXPECT_EQ(error("my push"), "Kinds: perturbation \"my push\"; expected letters, digits and -");
   EXPECT_EQ(error(""), "Kinds: perturbation \"\"; expected letters, digits and -");
+}
+
+std::string error_of(const PerturbationKind& kind) {
+  try {
+    default_kinds().with(kind);
+  } catch (const DomainError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+// What is wrong with a kind is said when it is added, not as an error of a user's file.
+TEST(Kinds, AKindThatIsNotSoundIsRefusedWhenItIsAdded) {
+  const auto with_key = [](Key key) {
+    PerturbationKind kind = push();
+    kind.keys.push_back(key);
+    return error_of(kind);
+  };
+  const std::string_view help = "A length.";
+  const Key length{
+      .path = "l", .type = KeyType::number, .dimension = Dimension::length, .help = help};
+  EXPECT_EQ(with_key(length), "");
+  const auto with_fallback = [&](std::string_view toml) {
+    Key key = length;
+    key.fallback = toml;
+    return with_key(key);
+  };
+  const std::string l = "Kinds: perturbation \"push\", key \"l\"";
+  EXPECT_EQ(with_fallback("\"2 km\""), "");
+  EXPECT_EQ(with_fallback("2 km"), l + ": what stands for it, 2 km: not TOML");
+  EXPECT_EQ(with_fallback("2\ny = 3"),
+            l + ": what stands for it, 2\\x0ay = 3: more than one value");
+  EXPECT_EQ(with_fallback("true"),
+            l + ": what stands for it, true: got true; expected a length: a number (of m), \"1 "
+                "m\" or { value = 1, unit = \"m\" }");
+  Key shown = length;
+  shown.example = "\"2 kg\"";
+  EXPECT_THAT(with_key(shown), HasSubstr(l + ": its example \"2 kg\": got \"2 kg\"; expected"));
+  Key dumb = length;
+  dumb.help = {};
+  EXPECT_EQ(with_key(dumb), l + ": got no text; expected one sentence");
+  Key taken = length;
+  taken.path = "radius";
+  EXPECT_EQ(with_key(taken),
+            "Kinds: perturbation \"push\", key \"radius\" is there twice; expected another name");
+  taken.path = "kind";
+  EXPECT_EQ(with_key(taken),
+            "Kinds: perturbation \"push\", key \"kind\"; expected letters, digits, - and _, and "
+            "not \"kind\"");
+  PerturbationKind kind = push();
+  kind.sets = "radius|axle";
+  EXPECT_EQ(error_of(kind),
+            "Kinds: perturbation \"push\": got \"axle\" in its sets; expected one of its keys");
+  kind = push();
+  kind.made = nullptr;
+  EXPECT_EQ(error_of(kind),
+            "Kinds: perturbation \"push\": got no function that makes it; expected one");
+  EXPECT_EQ(error_of(push("andoyer")),
+            "Kinds: perturbation \"andoyer\" is the name of a chart; expected another name");
+}
+
+TEST(Kinds, OursAreSound) {
+  for (PerturbationKind kind : default_kinds().perturbations()) {
+    const std::string other = "my-" + std::string(kind.name);
+    kind.name = other;
+    EXPECT_EQ(error_of(kind), "");
+  }
 }
 
 // A key without a dimension or a sentence does not compile.
