@@ -2,7 +2,6 @@
 """An installed polhode is found by find_package, links, runs, and says its headers' version."""
 
 import re
-import subprocess
 from pathlib import Path
 
 import budgets
