@@ -16,7 +16,6 @@ void add_schema(CLI::App& app, const Kinds& kinds) {
       ->check(CLI::IsMember({"json", "keys", "units"}))
       ->capture_default_str();
   command->footer("Example:\n  " + full_name(*command) + " > scenario.schema.json");
-  command->group("");
   command->callback([part, kinds] {
     const Schema& schema = kinds.schema();
     print(*part == "json"   ? json_schema(schema)

@@ -29,7 +29,8 @@ SaveAt SaveAt::steps(double start, double stop, double step) {
   const double span = stop - start;
   if (!std::isfinite(step) || step == 0.0 || span / step < 0.0)
     throw DomainError("SaveAt: a step of " + detail::number_text(step) + " does not lead from " +
-                      detail::number_text(start) + " to " + detail::number_text(stop));
+                      detail::number_text(start) + " to " + detail::number_text(stop) +
+                      "; expected one that is not 0 and has the sign of stop - start");
   // 3 * 0.1 is beyond 0.3 by one unit in the last place, and is meant to be there
   const double slack =
       4.0 * std::numeric_limits<double>::epsilon() * std::fmax(std::fabs(start), std::fabs(stop));
