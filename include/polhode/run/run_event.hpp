@@ -25,8 +25,8 @@ struct RunEvent {
   double t = 0.0;
   int direction = 0;       // +1: rising through zero, -1: falling, 0: touching it
   std::string state = {};  // bytes (polhode/trajectory/state_bytes.hpp)
-  std::vector<double> row =
-      {};  // the columns of the run there, where a table of events asks for it
+  // The columns of the run there, where a table of events asks for them.
+  std::vector<double> row = {};
 
   bool operator==(const RunEvent&) const = default;
 };
