@@ -36,8 +36,11 @@ class RunOfAnyState : public test::InTempFolder {
   using Samples = std::span<const BasicSample<GyrostatState>>;
 
   RunOfAnyState() {
-    problem_.events = {
-        {"wheel at 300", [](const BasicSample<GyrostatState>& at) { return at.s.wheel - 300.0; }}};
+    // the first on the way to the first row, where none is looked for
+    for (const double turned : {100.0, 300.0})
+      problem_.events.push_back({"wheel", [turned](const BasicSample<GyrostatState>& at) {
+                                   return at.s.wheel - turned;
+                                 }});
   }
 
   IntegratedEnd<GyrostatState> run(const std::vector<std::unique_ptr<Sink>>& sinks,
@@ -61,10 +64,10 @@ class RunOfAnyState : public test::InTempFolder {
   }
 
   // From its bytes alone, again and again, as another process would.
-  void run_with_stops(const std::string& name, double every) {
+  RunReport run_with_stops(const std::string& name, double every) {
     std::optional<RunState> kept;
     std::optional<SinkPosition> position;
-    for (bool complete = false; !complete;) {
+    for (;;) {
       std::vector<std::unique_ptr<Sink>> sinks;
       sinks.push_back(opened(name, position));
       const std::optional<RunState> from = kept;
@@ -82,13 +85,13 @@ class RunOfAnyState : public test::InTempFolder {
         StateBytes reader(bytes.bytes());
         kept->transfer(reader);
         position = sinks[0]->position();
+        EXPECT_EQ(position.value().rows, state.pushed);
         sinks[0]->kept();
         ++stops_;
         throw Stopped{};
       };
       try {
-        run(sinks, control);
-        complete = true;
+        return run(sinks, control).report;
       } catch (const Stopped&) {
       }
     }
@@ -98,7 +101,7 @@ class RunOfAnyState : public test::InTempFolder {
                                   GyrostatState{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}, 0.25}, 0.0,
                                   20.0, Adaptive{.tolerance = 1e-12}};
   // not at t = 0: there is a way to the first row
-  const SaveAt rows_ = SaveAt::count(8.0, 20.0, 121);
+  const SaveAt rows_ = SaveAt::count(8.0, 20.0, 12001);
   const std::vector<ColumnGroup> groups_{{"t", {{"t", "s"}}},
                                          {"gyrostat", {{"g3", "kg m2/s"}, {"wheel", "rad"}}}};
   const Provenance provenance_{"9.9", "", "gyrostat.toml", "", {}, {}};
@@ -115,8 +118,10 @@ TEST_F(RunOfAnyState, StoppedAndContinuedItsFilesHaveTheSameBytes) {
     sinks.clear();
     events_.clear();
     stops_ = 0;
-    run_with_stops("stopped" + extension, 3.0);
-    EXPECT_GE(stops_, 4);  // on the way to the first row and among the rows
+    const RunReport stopped = run_with_stops("stopped" + extension, 3.0);
+    EXPECT_EQ(stops_, 6);  // twice on the way to the first row
+    EXPECT_EQ(stopped.statistics.steps, whole.report.statistics.steps);
+    EXPECT_EQ(stopped.statistics.evaluations, whole.report.statistics.evaluations);
     EXPECT_EQ(text("stopped" + extension), text("whole" + extension));
 
     ASSERT_EQ(whole.report.events.size(), 1U);
