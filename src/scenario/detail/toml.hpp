@@ -5,7 +5,7 @@
 
 namespace {
 struct TomlAssertion {};
-[[noreturn]] void toml_assertion_failed() { throw TomlAssertion(); }
+[[noreturn]] inline void toml_assertion_failed() { throw TomlAssertion(); }
 }  // namespace
 
 // Without its assertions it would go on undefined.
