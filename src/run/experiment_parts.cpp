@@ -63,11 +63,6 @@ std::vector<std::string> detail::cited_parts(const Scenario& scenario) {
                     scenario.experiment);
 }
 
-std::optional<FreeRotation> detail::constant_motion(const Scenario& scenario) {
-  return std::visit([](const auto& kind) { return detail::constant_motion(kind); },
-                    scenario.experiment);
-}
-
 RunReport detail::run_rows(const Scenario& scenario, std::span<const std::unique_ptr<Sink>> sinks,
                            const RunControl& control) {
   if (!row_times(scenario))

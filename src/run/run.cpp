@@ -26,7 +26,6 @@ namespace {
 
 using detail::RowWriter;
 using detail::RunControl;
-using detail::RunState;
 
 constexpr std::int64_t rows_per_block = 1024;
 
@@ -272,10 +271,6 @@ RunFacts detail::run_facts(const Rotation& rotation, const Scenario& scenario) {
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {
   return RowLayout(scenario.output.columns, scenario.units(),
                    has_constants(rotation) ? Branch::in_notes : Branch::in_columns);
-}
-
-std::optional<FreeRotation> detail::constant_motion(const Rotation& rotation) {
-  return has_constants(rotation) ? std::optional(free_rotation(rotation)) : std::nullopt;
 }
 
 std::string detail::propagation_text(const Rotation& rotation, const Units& units) {

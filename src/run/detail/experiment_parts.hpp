@@ -5,7 +5,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,8 +25,6 @@ std::string propagation_text(const Rotation& rotation, const Units& units);
 std::vector<std::string> notes_of(const Rotation& rotation, const Scenario& scenario);
 // The words by which citations knows what it is made of.
 std::vector<std::string> cited_parts(const Rotation& rotation);
-// Where the elements of its motion are constant, the motion in closed form.
-std::optional<FreeRotation> constant_motion(const Rotation& rotation);
 // As run_rows; it has [time].
 RunReport rows_of(const Rotation& rotation, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);
@@ -36,9 +33,8 @@ std::vector<SummaryLine> summary(const Rotation& rotation, const Scenario& scena
 std::vector<SummaryLine> report_lines(const Rotation& rotation, const Scenario& scenario,
                                       const RunReport& report, const std::string& events);
 
-// These visit.
+// This visits.
 std::vector<std::string> cited_parts(const Scenario& scenario);
-std::optional<FreeRotation> constant_motion(const Scenario& scenario);
 
 }  // namespace detail
 }  // namespace v0
