@@ -17,6 +17,7 @@
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/dynamics/model.hpp"
+#include "polhode/dynamics/own_method.hpp"
 #include "polhode/dynamics/problem.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/elliptic/agm.hpp"

@@ -11,6 +11,7 @@
 #include "dynamics/finite.hpp"
 #include "dynamics/sample_times.hpp"
 #include "dynamics/sampled_run.hpp"
+#include "dynamics/transition/derivative_method.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -22,29 +23,11 @@ using detail::number_text;
 
 const char* const function_name = "chaos_indicator";
 
-Method without_constants(const Method& method) {
-  if (const auto* variation = std::get_if<VariationOfConstants>(&method))
-    return Adaptive{.tolerance = variation->tolerance, .largest_step = variation->largest_step};
-  if (const auto* adaptive = std::get_if<Adaptive>(&method)) {
-    Adaptive in_double = *adaptive;
-    in_double.precision = Precision::compensated;
-    return in_double;
-  }
-  return method;
-}
-
-void require_tolerance(const Method& method) {
-  const auto* adaptive = std::get_if<Adaptive>(&method);
-  if (adaptive != nullptr && adaptive->tolerance < 1e-15)
-    throw DomainError("chaos_indicator: tolerance " + number_text(adaptive->tolerance) +
-                      " must be from 1e-15: deviations are carried in double");
-}
-
 DeviationBy kind_of(const Problem& problem, bool neighbour) {
   const std::vector<AnyPerturbation>& terms = problem.system.terms();
-  const bool splitting = std::holds_alternative<Splitting>(problem.method);
+  const bool flows = method_traits(problem.method).needs_flows;
   const bool derivable = std::all_of(terms.begin(), terms.end(), [&](const AnyPerturbation& term) {
-    return term.supports_any_real() && (!splitting || term.is_kick());
+    return term.supports_any_real() && (!flows || term.is_kick());
   });
   return derivable && !neighbour ? DeviationBy::variational : DeviationBy::neighbour;
 }
@@ -86,27 +69,23 @@ double ChaosIndicator::lyapunov_time() const { return 1.0 / lyapunov(); }
 ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
                                const ChaosOptions& given_options, const Progress& progress) {
   Problem problem = detail::checked_problem(function_name, given, detail::DamperState::refused);
-  require_tolerance(problem.method);
+  const detail::DerivativeMethod carrying =
+      detail::derivative_method(function_name, "deviations", problem.method);
+  problem.method = std::visit([](const auto& method) { return Method(method); }, carrying);
   const ChaosOptions options = checked(problem, given_options);
   ChaosIndicator result;
   result.by = kind_of(problem, options.neighbour);
   result.momentum_scale = options.momentum_scale;
-  problem.method = without_constants(problem.method);
   result.method =
       method_text(problem.method) + (result.by == DeviationBy::variational
                                          ? ", variational equations"
                                          : ", a second motion at " + number_text(options.distance));
   const std::vector<double> times = detail::sample_times(function_name, problem, samples);
-  using Stepper = detail::BasicStepper<DeviatedState>;
-  std::unique_ptr<Stepper> stepper = std::visit(
-      [&](const auto& method) -> std::unique_ptr<Stepper> {
-        if constexpr (std::is_same_v<std::decay_t<decltype(method)>, VariationOfConstants>) {
-          return nullptr;  // it is Adaptive by now
-        } else {
-          return detail::deviation_stepper(problem, method, options, result.by);
-        }
+  auto stepper = std::visit(
+      [&](const auto& method) {
+        return detail::deviation_stepper(problem, method, options, result.by);
       },
-      problem.method);
+      carrying);
   const BasicTrajectory<DeviatedState> run =
       detail::sampled_run(std::move(stepper), result.method, times, progress);
   for (const BasicSample<DeviatedState>& at : run.samples())

@@ -31,7 +31,7 @@ void require_place_of_damper(const std::string& function, const System& system, 
                       ": a Kane damper has a state of its own, which integrate alone "
                       "carries; " +
                       instead);
-  if (!std::holds_alternative<Adaptive>(method))
+  if (method_of_any_state(method) == nullptr)
     throw DomainError("integrate: a Kane damper has a state of its own: method must be Adaptive; " +
                       std::string(instead));
 }

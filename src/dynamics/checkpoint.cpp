@@ -52,12 +52,10 @@ std::string event_bytes(const std::string& name, Crossing crossing, bool stops, 
 }
 
 std::string method_bytes(const Method& method) {
-  const auto steps = [](const auto& m) {
-    if constexpr (requires { m.first_step; }) return bytes_of(m.first_step, m.largest_step);
-    if constexpr (requires { m.largest_step; }) return bytes_of(m.largest_step);
-    return std::string();
-  };
-  return method_text(method) + std::visit(steps, method);
+  const MethodTraits traits = method_traits(method);
+  std::string bytes = traits.text;
+  for (const double x : traits.further) bytes += bytes_of(x);
+  return bytes;
 }
 
 std::string times_bytes(const SaveAt& times) {

@@ -43,17 +43,27 @@ void require_positive(const char* method, const char* name, double step) {
                       " must be positive");
 }
 
-struct Text {
-  std::string operator()(const Adaptive& m) const {
-    return "adaptive, tolerance " + detail::number_text(m.tolerance) +
-           (m.precision == Precision::double_double ? ", double-double" : "");
+// The one place that knows what the methods are: each gives its traits and refuses what is out of
+// range.
+struct Traits {
+  MethodTraits operator()(const Adaptive& m) const {
+    return {.kind = "adaptive",
+            .text = "adaptive, tolerance " + detail::number_text(m.tolerance) +
+                    (m.precision == Precision::double_double ? ", double-double" : ""),
+            .further = {m.first_step, m.largest_step}};
   }
-  std::string operator()(const Splitting& m) const {
-    return "splitting " + scheme_name(m.scheme) + ", step " + detail::number_text(m.step);
+  MethodTraits operator()(const Splitting& m) const {
+    return {.kind = "splitting",
+            .text = "splitting " + scheme_name(m.scheme) + ", step " + detail::number_text(m.step),
+            .step = m.step,
+            .needs_flows = true};
   }
-  std::string operator()(const VariationOfConstants& m) const {
-    return "variation of constants, tolerance " + detail::number_text(m.tolerance);
+  MethodTraits operator()(const VariationOfConstants& m) const {
+    return {.kind = "variation-of-constants",
+            .text = "variation of constants, tolerance " + detail::number_text(m.tolerance),
+            .further = {m.largest_step}};
   }
+  MethodTraits operator()(const OwnMethod& m) const { return m.traits; }
 };
 
 struct Validity {
@@ -71,12 +81,17 @@ struct Validity {
     require_tolerance("VariationOfConstants", m.tolerance, 1e-15);
     require_positive("VariationOfConstants", "largest_step", m.largest_step);
   }
+  void operator()(const OwnMethod& m) const {
+    if (m.maker == nullptr) throw DomainError("OwnMethod: got nothing that steps; use own_method");
+  }
 };
 
 }  // namespace
 
-std::string method_text(const Method& method) { return std::visit(Text{}, method); }
+MethodTraits method_traits(const Method& method) { return std::visit(Traits{}, method); }
+std::string method_text(const Method& method) { return method_traits(method).text; }
 void require_valid(const Method& method) { std::visit(Validity{}, method); }
+const Adaptive* method_of_any_state(const Method& method) { return std::get_if<Adaptive>(&method); }
 
 }  // namespace v0
 }  // namespace polhode

@@ -9,7 +9,7 @@ inline namespace v0 {
 namespace detail {
 
 const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide) {
-  const auto* adaptive = std::get_if<Adaptive>(&method);
+  const auto* adaptive = method_of_any_state(method);
   if (adaptive == nullptr)
     throw DomainError("integrate: method of " + std::string(model) +
                       " must be Adaptive: the others know a System alone");

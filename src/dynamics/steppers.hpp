@@ -16,9 +16,13 @@ using Stepper = BasicStepper<RotorState>;
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const VariationOfConstants& method);
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const OwnMethod& method);
 // The system has a damper.
 std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
                                                              const Adaptive& method);
+// By the method of a checked problem.
+std::unique_ptr<Stepper> make_stepper(const Problem& problem);
+std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem);
 
 }  // namespace detail
 }  // namespace v0

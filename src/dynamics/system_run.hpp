@@ -20,14 +20,6 @@ namespace detail {
 inline RotorMotion motion_of(const Problem& p) { return RotorMotion(p.system); }
 inline DamperMotion motion_of(const DampedProblem& p) { return DamperMotion(p.system); }
 
-inline std::unique_ptr<Stepper> stepper_of(const Problem& p) {
-  return std::visit([&](const auto& method) { return make_stepper(p, method); }, p.method);
-}
-// Adaptive is all that a checked problem with a damper may have.
-inline std::unique_ptr<BasicStepper<DampedRotorState>> stepper_of(const DampedProblem& p) {
-  return make_stepper(p, std::get<Adaptive>(p.method));
-}
-
 template <MotionState S>
 BasicProblem<System, S> checked(const BasicProblem<System, S>& problem) {
   BasicProblem<System, S> result = checked_problem("integrate", problem, DamperState::carried);
@@ -49,7 +41,7 @@ auto system_run(const BasicProblem<System, S>& problem, bool keep_dense, SampleQ
                 const Progress& progress) {
   BasicProblem<System, S> p = checked(problem);
   using Watch = EventWatch<decltype(motion_of(p))>;
-  std::unique_ptr<BasicStepper<S>> stepper = stepper_of(p);
+  std::unique_ptr<BasicStepper<S>> stepper = make_stepper(p);
   return std::make_unique<Run<S, Watch>>(RunSpan<S>{.initial = {p.start, p.initial},
                                                     .stop = p.stop,
                                                     .method = method_text(p.method),

@@ -20,8 +20,8 @@ struct Paper {
   std::string_view uses;
 };
 
-// The place in the list of a work that a kind of torque or an output format cites. Those that have
-// none come last.
+// The place in the list of a work that a kind of torque, a method or an output format cites. Those
+// that have none come last.
 constexpr Paper of_kind(std::string_view key) { return {key, {}, {}, {}}; }
 // The place of those that charts rest on.
 constexpr Paper of_charts = {};
@@ -89,32 +89,12 @@ constexpr Paper papers[] = {
     of_kind("ccsds504"),
     of_kind("praly2012"),
     of_kind("thebault2015"),
-    {"verner2010",
-     "Verner, J. H. (2010). Numerically optimal Runge-Kutta pairs with interpolants. Numerical "
-     "Algorithms 53, 383-396.",
-     "the integration", "adaptive"},
-    {"butcher1964",
-     "Butcher, J. C. (1964). Implicit Runge-Kutta processes. Mathematics of Computation 18, 50-64.",
-     "collocation at Gauss' nodes", "variation of constants"},
-    {"celledoni2008",
-     "Celledoni, E., Fasso, F., Saefstroem, N., Zanna, A. (2008). The exact computation of the "
-     "free "
-     "rigid body motion and its use in splitting methods. SIAM Journal on Scientific Computing 30, "
-     "2084-2112.",
-     "splitting with the exact free rotor", "splitting"},
-    {"blanesmoan2002",
-     "Blanes, S., Moan, P. C. (2002). Practical symplectic partitioned Runge-Kutta and "
-     "Runge-Kutta-Nystroem methods. Journal of Computational and Applied Mathematics 142, 313-330.",
-     "the splitting of order 4", "order4"},
-    {"kahanli1997",
-     "Kahan, W., Li, R.-C. (1997). Composition constants for raising the orders of unconventional "
-     "schemes for ordinary differential equations. Mathematics of Computation 66, 1089-1099.",
-     "the splittings of order 6 and 8", "order6|order8"},
-    {"blanes2013",
-     "Blanes, S., Casas, F., Farres, A., Laskar, J., Makazaga, J., Murua, A. (2013). New families "
-     "of symplectic splitting methods for numerical integration in dynamical astronomy. Applied "
-     "Numerical Mathematics 68, 58-72.",
-     "the splitting for near-integrable systems", "near-integrable"},
+    of_kind("verner2010"),
+    of_kind("butcher1964"),
+    of_kind("celledoni2008"),
+    of_kind("blanesmoan2002"),
+    of_kind("kahanli1997"),
+    of_kind("blanes2013"),
     {"benettin1976",
      "Benettin, G., Galgani, L., Strelcyn, J.-M. (1976). Kolmogorov entropy and numerical "
      "experiments. Physical Review A 14, 2338-2345.",
@@ -128,29 +108,6 @@ constexpr Paper papers[] = {
     of_kind("burns1973"),
     of_kind("kane1966"),
     of_kind("fritsch1984"),
-};
-
-struct MethodParts {
-  std::vector<std::string> operator()(const Adaptive&) const { return {"adaptive"}; }
-  std::vector<std::string> operator()(const VariationOfConstants&) const {
-    return {"variation of constants"};
-  }
-  std::vector<std::string> operator()(const Splitting& m) const {
-    switch (m.scheme) {
-      case SplittingScheme::order2:
-        return {"splitting"};
-      case SplittingScheme::order4:
-        return {"splitting", "order4"};
-      case SplittingScheme::order6:
-        return {"splitting", "order6"};
-      case SplittingScheme::order8:
-        return {"splitting", "order8"};
-      case SplittingScheme::ABA864:
-      case SplittingScheme::ABA1064:
-        return {"splitting", "near-integrable"};
-    }
-    return {};
-  }
 };
 
 void add_each_once(std::vector<Citation>& all, std::span<const Citation> more) {
@@ -169,8 +126,8 @@ std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts)
   return all;
 }
 
-// Its chart, its groups of columns, its method, and what moves it; the sources of its orbits, and
-// what it asks for in addition to rows.
+// Its chart, its groups of columns and what moves it; the sources of its orbits, and what it asks
+// for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
   parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
@@ -178,7 +135,8 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   return parts;
 }
 
-// What the kinds of torques of a scenario cite, and the formats that it has something to say to.
+// What the kinds of torques of a scenario cite, its method, and the formats that it has something
+// to say to.
 std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
   std::vector<Citation> all;
   const std::vector<std::string>& torques = scenario.rotation().kinds;
@@ -186,6 +144,10 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
   for (const PerturbationKind& kind : kinds.perturbations())
     if (std::find(torques.begin(), torques.end(), kind.name) != torques.end())
       add_each_once(all, kind.citations);
+  if (const std::optional<Method> method = propagation_method(scenario)) {
+    const MethodKind* const kind = kinds.method(method_traits(*method).kind);
+    if (kind != nullptr && kind->cited) add_each_once(all, kind->cited(*method));
+  }
   for (const OutputFormat& format : kinds.formats().all())
     if (scenario.output.options.contains(format.name)) add_each_once(all, format.citations);
   return all;
@@ -200,8 +162,6 @@ std::vector<std::string> detail::cited_parts(const Rotation& rotation) {
     if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
     parts.insert(parts.end(), orbit.sources.begin(), orbit.sources.end());
   }
-  if (const std::optional<Method> method = propagation_method(rotation))
-    for (const std::string& part : std::visit(MethodParts{}, *method)) parts.push_back(part);
   return parts;
 }
 

@@ -278,8 +278,8 @@ std::string detail::propagation_text(const Rotation& rotation, const Units& unit
   if (!method)
     return rotation.frame.is_inertial() ? "exact free rotation"
                                         : "exact free rotation, seen from the moving frame";
-  const bool has_step = std::holds_alternative<Splitting>(*method);  // the last word
-  return method_text(*method) + (has_step ? " " + units.time() : "") +
+  const MethodTraits traits = method_traits(*method);
+  return traits.text + (traits.step ? " " + units.time() : "") +  // the step is its last word
          (rotation.method ? "" : " (chosen: the file names no method)");
 }
 

@@ -215,7 +215,7 @@ class RotationBuilder {
                       {}};
     add_orbits(made);
     Rotation& rotation = made.rotation;
-    rotation.method = method_of(values, name);
+    rotation.method = method_of(at_);
     rotation.events =
         keeps({"event["}) ? base_->rotation.events : events_of(values, at_.units, name);
     if (base_ == nullptr)  // reported here, between the state and what acts on it

@@ -2,7 +2,7 @@
 // From the values of a file to what moves the body: frame, terms, method, events.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
 
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -37,22 +37,16 @@ double precession_rate(const Rotation& rotation, const Values& values, const std
   return number(values, "frame.precessing.turns") * mean_rate(orbit, values, name);
 }
 
-SplittingScheme scheme_of(const std::string& word) {
-  if (word == "order2") return SplittingScheme::order2;
-  if (word == "order4") return SplittingScheme::order4;
-  if (word == "order6") return SplittingScheme::order6;
-  if (word == "order8") return SplittingScheme::order8;
-  return word == "ABA864" ? SplittingScheme::ABA864 : SplittingScheme::ABA1064;
-}
-
 // A run of more steps than a double can count would not end.
 void check_step(const Rotation& rotation, const Values& values, const std::string& name) {
-  const auto* splitting = rotation.method ? std::get_if<Splitting>(&*rotation.method) : nullptr;
-  if (splitting == nullptr || !rotation.time) return;
+  if (!rotation.method || !rotation.time) return;
+  const std::optional<double> step = method_traits(*rotation.method).step;
+  if (!step) return;
   const SaveAt& rows = *rotation.time;
   const double farthest = std::max(std::fabs(rows[0]), std::fabs(rows[rows.size() - 1]));
-  if (farthest > most_steps * splitting->step)
-    refuse(values, "method.step", name, "expected a step of which 1e15 at most make the run");
+  if (farthest > most_steps * *step)
+    refuse(values, has(values, "method.step") ? "method.step" : "method.kind", name,
+           "expected a step of which 1e15 at most make the run");
 }
 
 bool is_energy_there(const Rotation& rotation) { return rotor_system(rotation).has_energy(); }
@@ -82,7 +76,7 @@ void check_times(const Rotation& rotation, const Values& values, const std::stri
 void check_damper(const Rotation& rotation, const OutputPlan& output, const Values& values,
                   const std::string& name) {
   if (rotation.damper) {
-    if (rotation.method && !std::holds_alternative<Adaptive>(*rotation.method))
+    if (rotation.method && method_of_any_state(*rotation.method) == nullptr)
       refuse(values, "method.kind", name,
              "expected \"adaptive\", since a Kane damper has a state of its own");
     return;
@@ -105,31 +99,15 @@ Crossing crossing_of(const std::string& word) {
   return word == "rising" ? Crossing::rising : Crossing::falling;
 }
 
-std::optional<Method> method_of(const Values& values, const std::string& name) {
-  if (!has(values, "method")) return std::nullopt;
-  const std::string& kind = word(values, "method.kind");
-  const double largest = has(values, "method.largest_step")
-                             ? number(values, "method.largest_step")
-                             : std::numeric_limits<double>::infinity();
-  const auto checked = [&](const char* path, const Method& method) {
-    return built(values, path, name, [&] {
-      require_valid(method);
-      return method;
-    });
-  };
-  if (kind == "splitting")
-    return checked("method.step", Splitting{number(values, "method.step"),
-                                            scheme_of(word(values, "method.scheme"))});
-  if (!(largest > 0.0)) refuse(values, "method.largest_step", name, "expected a positive time");
-  const double tolerance = number(values, "method.tolerance");
-  if (kind == "variation-of-constants")
-    return checked("method.tolerance",
-                   VariationOfConstants{.tolerance = tolerance, .largest_step = largest});
-  const bool wide = word(values, "method.precision") == "double-double";
-  return checked("method.tolerance",
-                 Adaptive{.tolerance = tolerance,
-                          .precision = wide ? Precision::double_double : Precision::compensated,
-                          .largest_step = largest});
+std::optional<Method> method_of(const KindContext& at) {
+  const std::string path = "method";
+  if (!has(at.values, path)) return std::nullopt;
+  const std::string& name = word(at.values, "method.kind");
+  const MethodKind* const kind = at.kinds.method(name);
+  if (kind == nullptr)
+    throw std::logic_error("method: the schema allows a kind without a description: " + name);
+  const KeyValues table(at.values, at.units, path, at.name);
+  return table.built("kind", [&] { return kind->made(table); });
 }
 
 std::vector<std::string> array_paths(const Values& values, const std::string& array) {
@@ -203,7 +181,7 @@ void check_motion(const Rotation& rotation, const OutputPlan& output, const Valu
   check_times(rotation, values, name);
   check_step(rotation, values, name);
   check_damper(rotation, output, values, name);
-  if (rotation.method && std::holds_alternative<Splitting>(*rotation.method))
+  if (rotation.method && method_traits(*rotation.method).needs_flows)
     for (const AnyPerturbation& term : rotation.terms)
       if (!term.supports_flow())
         refuse(values, "method.kind", name,

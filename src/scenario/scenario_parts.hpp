@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "polhode/scenario/scenario.hpp"
+#include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
@@ -46,7 +47,7 @@ std::shared_ptr<const Surface> surface_of(const Rotation& rotation, const Values
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);
 Crossing crossing_of(const std::string& word);
-std::optional<Method> method_of(const Values& values, const std::string& name);
+std::optional<Method> method_of(const KindContext& at);
 std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                                      const std::string& name);
 // Of the formats that have a table [output.NAME].

@@ -21,8 +21,11 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace polhode {
 inline namespace v0 {
@@ -62,13 +65,43 @@ struct VariationOfConstants {
   constexpr bool operator==(const VariationOfConstants&) const = default;
 };
 
-using Method = std::variant<Adaptive, Splitting, VariationOfConstants>;
+// What a method is to those who need not know which one it is.
+struct MethodTraits {
+  std::string kind;  // as in files: "variation-of-constants"
+  std::string text;  // what outputs say: "adaptive, tolerance 1e-12"; ends with the step if fixed
+  // What the text leaves out. A run is resumed by a method of the same text and numbers alone.
+  std::vector<double> further = {};
+  std::optional<double> step = std::nullopt;  // where all steps but the last are of one length
+  bool needs_flows = false;                   // of each term, and none of a damper
 
-// "adaptive, tolerance 1e-12": what outputs say.
+  bool operator==(const MethodTraits&) const = default;
+};
+
+namespace detail {
+struct StepperMaker;
+}
+
+// A method from outside, made by own_method (polhode/dynamics/own_method.hpp). Two of equal traits
+// are the same method.
+struct OwnMethod {
+  MethodTraits traits;
+  std::shared_ptr<const detail::StepperMaker> maker;
+
+  bool operator==(const OwnMethod& other) const { return traits == other.traits; }
+};
+
+using Method = std::variant<Adaptive, Splitting, VariationOfConstants, OwnMethod>;
+
+MethodTraits method_traits(const Method& method);
+
+// Its text: "adaptive, tolerance 1e-12".
 std::string method_text(const Method& method);
 
 // DomainError when a value of the method is out of range.
 void require_valid(const Method& method);
+
+// The method itself where it moves any state, that of a damper or of a model too; else null.
+const Adaptive* method_of_any_state(const Method& method);
 
 }  // namespace v0
 }  // namespace polhode

@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "polhode/output/output_format.hpp"
+#include "polhode/scenario/method_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
 
@@ -29,11 +30,14 @@ inline namespace v0 {
 class Kinds {
  public:
   Kinds with(PerturbationKind kind) const;
+  Kinds with(MethodKind kind) const;
   Kinds with(OutputFormat format) const;
 
   std::span<const PerturbationKind> perturbations() const;
   // Null where there is none of this name.
   const PerturbationKind* perturbation(std::string_view name) const;
+  std::span<const MethodKind> methods() const;
+  const MethodKind* method(std::string_view name) const;
   const OutputFormats& formats() const;
   // The keys of a scenario file.
   const Schema& schema() const;

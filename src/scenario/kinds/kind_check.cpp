@@ -18,7 +18,13 @@ namespace {
 
 std::string quoted(std::string_view text) { return '"' + printable(text) + '"'; }
 
-bool has_key(const PerturbationKind& kind, std::string_view name) {
+bool is_plain(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+bool has_key(const KindParts& kind, std::string_view name) {
   return std::any_of(kind.keys.begin(), kind.keys.end(),
                      [&](const Key& key) { return key.path == name; });
 }
@@ -40,10 +46,15 @@ void require_key(const std::string& where, const Key& key) {
 
 }  // namespace
 
-void require_sound(const PerturbationKind& kind) {
-  const std::string shown = "Kinds: perturbation " + quoted(kind.name);
+std::string shown_kind(std::string_view sort, std::string_view name) {
+  return "Kinds: " + std::string(sort) + " " + quoted(name);
+}
+
+void require_sound(const KindParts& kind) {
+  const std::string shown = shown_kind(kind.sort, kind.name);
+  if (!is_plain(kind.name)) throw DomainError(shown + "; expected letters, digits and -");
   if (kind.help.empty()) throw DomainError(shown + ": got no text; expected one sentence");
-  if (!kind.made) throw DomainError(shown + ": got no function that makes it; expected one");
+  if (!kind.is_made) throw DomainError(shown + ": got no function that makes it; expected one");
   for (auto key = kind.keys.begin(); key != kind.keys.end(); ++key) {
     const std::string where = shown + ", key " + quoted(key->path);
     require_key(where, *key);

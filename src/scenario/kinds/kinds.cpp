@@ -10,9 +10,9 @@
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
+#include "scenario/detail/method_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/detail/torque_kinds.hpp"
-#include "text/printable.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -30,11 +30,52 @@ constexpr Key perturbation_kind_key = {.path = "perturbation[].kind",
                                        .example = "\"gravity-gradient\"",
                                        .help = "What it is."};
 
-std::vector<detail::KindOfTable> kinds_of_table(std::span<const PerturbationKind> kinds) {
+constexpr Key method_table = {
+    .path = "method",
+    .help =
+        "How the rotation is integrated. Left out: not at all where no perturbation acts, since "
+        "the free rotation is exact; otherwise adaptive with its defaults."};
+constexpr Key method_kind_key = {.path = "method.kind",
+                                 .type = choice,
+                                 .presence = required,
+                                 .example = "\"adaptive\"",
+                                 .help = "Which method (docs/guide/which-propagator.md)."};
+
+// What a kind of each sort says of its rows in the table of keys, and to checks.
+detail::KindOfTable row_of(const PerturbationKind& kind) {
+  return {{{}, kind.name, kind.help, kind.on_surface}, kind.keys, kind.sets};
+}
+detail::KindOfTable row_of(const MethodKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, {}};
+}
+constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
+constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
+
+template <class Kind>
+std::vector<detail::KindOfTable> rows_of(const std::vector<Kind>& kinds) {
   std::vector<detail::KindOfTable> all;
-  for (const PerturbationKind& kind : kinds)
-    all.push_back({{{}, kind.name, kind.help, kind.on_surface}, kind.keys, kind.sets});
+  for (const Kind& kind : kinds) all.push_back(row_of(kind));
   return all;
+}
+
+template <class Kind>
+const Kind* named(const std::vector<Kind>& kinds, std::string_view name) {
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const Kind& one) { return one.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+// With one more, if it is sound.
+template <class Kind>
+std::vector<Kind> extended(std::vector<Kind> kinds, Kind kind) {
+  const detail::KindOfTable row = row_of(kind);
+  detail::require_sound(
+      {sort_of(kind), kind.name, kind.help, kind.keys, row.sets, static_cast<bool>(kind.made)});
+  if (named(kinds, kind.name) != nullptr)
+    throw DomainError(detail::shown_kind(sort_of(kind), kind.name) +
+                      " is there; expected another name");
+  kinds.push_back(std::move(kind));
+  return kinds;
 }
 
 // Their order is that of pages and templates.
@@ -54,25 +95,25 @@ std::vector<PerturbationKind> our_perturbations() {
           kane_damper_kind()};
 }
 
-bool is_plain(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-  });
-}
+struct Lists {
+  std::vector<PerturbationKind> perturbations;
+  std::vector<MethodKind> methods;
+  OutputFormats formats;
+};
 
 }  // namespace
 
 struct Kinds::Parts {
-  Parts(std::vector<PerturbationKind> of, OutputFormats all_formats)
-      : perturbations(std::move(of)),
-        formats(std::move(all_formats)),
-        rows(perturbation_table, perturbation_kind_key, kinds_of_table(perturbations)),
-        table(detail::experiment_kinds(), {rows.part()}, formats),
+  explicit Parts(Lists of)
+      : lists(std::move(of)),
+        perturbations(perturbation_table, perturbation_kind_key, rows_of(lists.perturbations)),
+        methods(method_table, method_kind_key, rows_of(lists.methods)),
+        table(detail::experiment_kinds(), {perturbations.part(), methods.part()}, lists.formats),
         schema(table.schema()) {}
 
-  std::vector<PerturbationKind> perturbations;
-  OutputFormats formats;
-  detail::KindRows rows;
+  Lists lists;
+  detail::KindRows perturbations;
+  detail::KindRows methods;
   detail::SchemaTable table;
   Schema schema;
 };
@@ -80,39 +121,46 @@ struct Kinds::Parts {
 Kinds::Kinds(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
 Kinds default_kinds() {
-  static const auto ours =
-      std::make_shared<const Kinds::Parts>(our_perturbations(), default_output_formats());
+  static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
+      our_perturbations(),
+      {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
+      default_output_formats()});
   return Kinds(ours);
 }
 
 Kinds Kinds::with(PerturbationKind kind) const {
-  const std::string shown = "Kinds: perturbation \"" + detail::printable(std::string(kind.name));
-  if (!is_plain(kind.name)) throw DomainError(shown + "\"; expected letters, digits and -");
-  if (perturbation(kind.name) != nullptr)
-    throw DomainError(shown + "\" is there; expected another name");
   const std::vector<std::string_view> charts = state_charts();
   if (std::find(charts.begin(), charts.end(), kind.name) != charts.end())
-    throw DomainError(shown + "\" is the name of a chart; expected another name");
-  detail::require_sound(kind);
-  std::vector<PerturbationKind> all = parts_->perturbations;
-  all.push_back(std::move(kind));
-  return Kinds(std::make_shared<const Parts>(std::move(all), parts_->formats));
+    throw DomainError(detail::shown_kind("perturbation", kind.name) +
+                      " is the name of a chart; expected another name");
+  Lists lists = parts_->lists;
+  lists.perturbations = extended(std::move(lists.perturbations), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(MethodKind kind) const {
+  Lists lists = parts_->lists;
+  lists.methods = extended(std::move(lists.methods), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
 Kinds Kinds::with(OutputFormat format) const {
-  return Kinds(std::make_shared<const Parts>(parts_->perturbations,
-                                             parts_->formats.with(std::move(format))));
+  Lists lists = parts_->lists;
+  lists.formats = lists.formats.with(std::move(format));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
-const OutputFormats& Kinds::formats() const { return parts_->formats; }
-
-std::span<const PerturbationKind> Kinds::perturbations() const { return parts_->perturbations; }
-
+std::span<const PerturbationKind> Kinds::perturbations() const {
+  return parts_->lists.perturbations;
+}
 const PerturbationKind* Kinds::perturbation(std::string_view name) const {
-  for (const PerturbationKind& kind : parts_->perturbations)
-    if (kind.name == name) return &kind;
-  return nullptr;
+  return named(parts_->lists.perturbations, name);
 }
+std::span<const MethodKind> Kinds::methods() const { return parts_->lists.methods; }
+const MethodKind* Kinds::method(std::string_view name) const {
+  return named(parts_->lists.methods, name);
+}
+const OutputFormats& Kinds::formats() const { return parts_->lists.formats; }
 
 const Schema& Kinds::schema() const { return parts_->schema; }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "message_of.hpp"
+#include "own_steps.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
@@ -156,7 +157,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Adaptive{.tolerance = 1e-9},
                     Adaptive{.tolerance = 1e-18, .precision = Precision::double_double},
                     Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
-                    Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10}));
+                    Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10},
+                    polhode::test::runge_kutta_4(0.05)));
 
 TEST(Resume, WithADamper) {
   for (const Method& method :
