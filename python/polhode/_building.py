@@ -161,24 +161,28 @@ def _to_hub(state: Any, body: Any, kind: str) -> Any:
 
 
 def _method(method: Any) -> dict[str, Any]:
-    if isinstance(method, _core.Splitting):
-        return {"kind": "splitting", "step": method.step, "scheme": method.scheme.name}
-    longest = getattr(method, "largest_step", math.inf)
-    data = {} if math.isinf(longest) else {"largest_step": longest}
-    if isinstance(method, _core.VariationOfConstants):
-        return {"kind": "variation-of-constants", "tolerance": method.tolerance, **data}
-    if not isinstance(method, _core.Adaptive):
+    try:
+        kind, keys = _core._method_table(method)
+    except TypeError:
         raise TypeError(
             f"build: method: got {method!r}; expected Adaptive, Splitting, VariationOfConstants or "
             "None"
-        )
-    if method.first_step != 0.0:
-        raise ValueError(
-            f"build: method: first_step {method.first_step!r} has no place in a scenario; expected "
-            "0, which means chosen"
-        )
-    precision = method.precision.name.replace("_", "-")
-    return {"kind": "adaptive", "tolerance": method.tolerance, "precision": precision, **data}
+        ) from None
+    given = {key: value for key in keys if (value := getattr(method, key)) != math.inf}
+    again = type(method)(**given)
+    for name in (name for name in dir(method) if not name.startswith("_")):
+        if getattr(again, name) != getattr(method, name):
+            raise ValueError(
+                f"build: method: {name} {getattr(method, name)!r} has no place in a scenario; "
+                f"expected {getattr(again, name)!r}"
+            )
+    return {"kind": kind, **{key: _word(value) for key, value in given.items()}}
+
+
+def _word(value: Any) -> Any:
+    """The word of an enumerator in files; all else as it is."""
+    name = getattr(value, "name", None)
+    return value if name is None else name.replace("_", "-")
 
 
 def _time(time: Any) -> dict[str, Any]:

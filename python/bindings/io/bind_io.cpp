@@ -4,6 +4,7 @@
 #include "charts/states.hpp"
 #include "interface/arrays.hpp"
 #include "io/io_parts.hpp"
+#include "motion/dynamics_values.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
@@ -12,11 +13,6 @@
 namespace polhode::python {
 
 namespace {
-
-nb::object method_object(const std::optional<Method>& method) {
-  if (!method) return nb::none();
-  return std::visit([](const auto& value) { return nb::cast(value); }, *method);
-}
 
 nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
 
@@ -72,6 +68,15 @@ nb::list state_charts_list() {
         nb::make_tuple(text(chart.name), text(chart.state_class), fields, numbers, options));
   }
   return charts;
+}
+
+// The kind of a method in a file, and the names of its keys.
+nb::tuple method_table(nb::handle method) {
+  const std::string name = method_traits(method_of(method)).kind;
+  static const Kinds kinds = default_kinds();
+  nb::list keys;
+  for (const Key& key : kinds.method(name)->keys) keys.append(text(key.path));
+  return nb::make_tuple(name, keys);
 }
 
 // [(group, [(column, unit), ...]), ...], t first.
@@ -133,7 +138,7 @@ void bind_io(nb::module_& m) {
       .def_prop_ro("damper_rate",
                    [](const Scenario& s) { return array_of(s.rotation().damper_rate); })
       .def_prop_ro("free_rotation", [](const Scenario& s) { return free_rotation(s); })
-      .def_prop_ro("method", [](const Scenario& s) { return method_object(propagation_method(s)); })
+      .def_prop_ro("method", [](const Scenario& s) { return object_of(propagation_method(s)); })
       .def_prop_ro("propagation", propagation_text)
       .def_prop_ro("groups", groups_of)
       .def_prop_ro("citations", citations_of)
@@ -151,6 +156,7 @@ void bind_io(nb::module_& m) {
   m.def("_shown_number", &shown_number);
   m.def("_column_names", [] { return names_list(column_names()); });
   m.def("_state_charts", state_charts_list);
+  m.def("_method_table", method_table);
   m.def("_column_group_names", [] { return names_list(column_group_names()); });
 }
 

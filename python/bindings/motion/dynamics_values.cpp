@@ -321,13 +321,36 @@ nb::tuple events_of(nb::handle events, const char* what) {
   return all;
 }
 
+namespace {
+
+// Of the methods that have a class here.
+template <class... Classes>
+struct Methods {
+  static bool set(std::optional<Method>& found, nb::handle method) {
+    return ((nb::isinstance<Classes>(method) && (found = nb::cast<Classes>(method), true)) || ...);
+  }
+  static bool set(nb::object& found, const Method& method) {
+    return ((std::holds_alternative<Classes>(method) &&
+             (found = nb::cast(std::get<Classes>(method)), true)) ||
+            ...);
+  }
+};
+using OurMethods = Methods<Adaptive, Splitting, VariationOfConstants>;
+
+}  // namespace
+
 Method method_of(nb::handle method) {
-  if (nb::isinstance<Adaptive>(method)) return nb::cast<Adaptive>(method);
-  if (nb::isinstance<Splitting>(method)) return nb::cast<Splitting>(method);
-  if (nb::isinstance<VariationOfConstants>(method)) return nb::cast<VariationOfConstants>(method);
+  std::optional<Method> found;
+  if (OurMethods::set(found, method)) return *found;
   throw nb::type_error(("Problem: method: got " + class_name(method) +
                         "; expected Adaptive, Splitting or VariationOfConstants")
                            .c_str());
+}
+
+nb::object object_of(const std::optional<Method>& method) {
+  nb::object found = nb::none();
+  if (method) OurMethods::set(found, *method);
+  return found;
 }
 
 void bind_dynamics_values(nb::module_& m) {

@@ -32,6 +32,8 @@ struct PythonProblem {
 
 // TypeError for what is none.
 Method method_of(nb::handle method);
+// The object of its class; None where there is none.
+nb::object object_of(const std::optional<Method>& method);
 // The event of C++; the object that it is made of must outlive it.
 template <MotionState S>
 BasicEvent<S> event_of(const PythonEvent& event);
