@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "polhode/output/output_format.hpp"
+#include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -31,6 +32,7 @@ class Kinds {
  public:
   Kinds with(PerturbationKind kind) const;
   Kinds with(MethodKind kind) const;
+  Kinds with(ExperimentKind kind) const;
   Kinds with(OutputFormat format) const;
 
   std::span<const PerturbationKind> perturbations() const;
@@ -38,6 +40,9 @@ class Kinds {
   const PerturbationKind* perturbation(std::string_view name) const;
   std::span<const MethodKind> methods() const;
   const MethodKind* method(std::string_view name) const;
+  // Those from outside: what a file may be next to a rotation.
+  std::span<const ExperimentKind> experiments() const;
+  const ExperimentKind* experiment(std::string_view name) const;
   const OutputFormats& formats() const;
   // The keys of a scenario file.
   const Schema& schema() const;

@@ -2,6 +2,7 @@
 #include "polhode/scenario/kinds.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,10 @@ detail::KindOfTable row_of(const MethodKind& kind) {
 }
 constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
 constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
+detail::KindOfTable row_of(const ExperimentKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, {}};
+}
+constexpr std::string_view sort_of(const ExperimentKind&) { return "experiment"; }
 
 template <class Kind>
 std::vector<detail::KindOfTable> rows_of(const std::vector<Kind>& kinds) {
@@ -98,8 +103,25 @@ std::vector<PerturbationKind> our_perturbations() {
 struct Lists {
   std::vector<PerturbationKind> perturbations;
   std::vector<MethodKind> methods;
+  std::vector<ExperimentKind> experiments;
   OutputFormats formats;
 };
+
+// [NAME] of kinds of experiments from outside.
+std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds) {
+  std::deque<detail::OwnTable> all;
+  for (const ExperimentKind& kind : kinds) all.emplace_back(kind.name, kind.help, kind.keys);
+  return all;
+}
+
+std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentKind>& kinds,
+                                                   const std::deque<detail::OwnTable>& own,
+                                                   const detail::DescribedParts& described) {
+  std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described)};
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    rows.push_back(detail::row_of(kinds[i], own[i].part(), described));
+  return rows;
+}
 
 }  // namespace
 
@@ -108,12 +130,15 @@ struct Kinds::Parts {
       : lists(std::move(of)),
         perturbations(perturbation_table, perturbation_kind_key, rows_of(lists.perturbations)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
-        table(detail::experiment_kinds(), {perturbations.part(), methods.part()}, lists.formats),
+        own(own_tables(lists.experiments)),
+        table(experiment_rows(lists.experiments, own, {perturbations.part(), methods.part()}),
+              lists.formats),
         schema(table.schema()) {}
 
   Lists lists;
   detail::KindRows perturbations;
   detail::KindRows methods;
+  std::deque<detail::OwnTable> own;
   detail::SchemaTable table;
   Schema schema;
 };
@@ -124,6 +149,7 @@ Kinds default_kinds() {
   static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
       our_perturbations(),
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
+      {},
       default_output_formats()});
   return Kinds(ours);
 }
@@ -144,6 +170,16 @@ Kinds Kinds::with(MethodKind kind) const {
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
+Kinds Kinds::with(ExperimentKind kind) const {
+  for (const Key& key : schema().keys)
+    if (kind.name == "rotation" || (key_table(key.path).empty() && key_name(key.path) == kind.name))
+      throw DomainError(detail::shown_kind("experiment", kind.name) +
+                        " is the name of another table; expected another name");
+  Lists lists = parts_->lists;
+  lists.experiments = extended(std::move(lists.experiments), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
 Kinds Kinds::with(OutputFormat format) const {
   Lists lists = parts_->lists;
   lists.formats = lists.formats.with(std::move(format));
@@ -159,6 +195,10 @@ const PerturbationKind* Kinds::perturbation(std::string_view name) const {
 std::span<const MethodKind> Kinds::methods() const { return parts_->lists.methods; }
 const MethodKind* Kinds::method(std::string_view name) const {
   return named(parts_->lists.methods, name);
+}
+std::span<const ExperimentKind> Kinds::experiments() const { return parts_->lists.experiments; }
+const ExperimentKind* Kinds::experiment(std::string_view name) const {
+  return named(parts_->lists.experiments, name);
 }
 const OutputFormats& Kinds::formats() const { return parts_->lists.formats; }
 
