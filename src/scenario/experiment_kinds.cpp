@@ -13,7 +13,7 @@ namespace detail {
 namespace {
 
 std::vector<SchemaPart> rotation_keys(const DescribedParts& described) {
-  return {body_keys(),    state_keys(),      frame_keys(), orbit_keys(), described.perturbations,
+  return {body_keys(),    described.state,   frame_keys(), orbit_keys(), described.perturbations,
           surface_keys(), described.methods, event_keys(), time_keys()};
 }
 

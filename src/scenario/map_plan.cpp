@@ -50,9 +50,11 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
           units.label(dimension)};
 }
 
-std::string column_of(const Values& values, const System& system, const std::string& name) {
+std::string column_of(const MapContext& at, const System& system) {
+  const Values& values = at.values;
+  const std::string& name = at.name;
   const std::string& column = word(values, "map.column");
-  const std::vector<std::string_view> known = column_names();
+  const std::vector<std::string_view> known = column_names(at.charts);
   if (std::find(known.begin(), known.end(), column) == known.end())
     refuse(values, "map.column", name,
            "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
@@ -95,14 +97,15 @@ std::string section_orbit(const Values& values, const std::vector<ScenarioOrbit>
 }
 
 // All but the grid.
-MapPlan without_axes(const Values& values, const MapSubject& subject, const std::string& name) {
+MapPlan without_axes(const MapContext& at, const MapSubject& subject) {
+  const Values& values = at.values;
+  const std::string& name = at.name;
   const std::string& kind = word(values, "map.kind");
   if (kind == "chaos" && subject.system.damper())
     refuse(values, "map.kind", name,
            "expected another kind, since the state of a Kane damper has no indicator of chaos");
   if (kind == "chaos") return {.kind = MapKind::chaos};
-  if (kind == "column")
-    return {.kind = MapKind::column, .column = column_of(values, subject.system, name)};
+  if (kind == "column") return {.kind = MapKind::column, .column = column_of(at, subject.system)};
   if (kind == "andoyer-section")
     return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
   return {.kind = MapKind::spin_orbit_section,
@@ -129,12 +132,13 @@ MapSubject subject_of(const Experiment& experiment) {
 }
 
 MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
-  const auto& [values, units, name] = at;
-  MapPlan plan = without_axes(values, subject, name);
+  const Values& values = at.values;
+  const std::string& name = at.name;
+  MapPlan plan = without_axes(at, subject);
   double cells = 1.0;
   for (std::size_t i = 0; has(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
-    MapAxis axis = axis_of(values, units, path, name);
+    MapAxis axis = axis_of(values, at.units, path, name);
     for (const MapAxis& other : plan.axes)
       if (other.key == axis.key)
         refuse(values, path + ".key", name, "expected a key of its own: another axis has it");
@@ -148,7 +152,7 @@ MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
 }
 
 void require_map(const MapContext& at, const MapSubject& subject) {
-  static_cast<void>(without_axes(at.values, subject, at.name));
+  static_cast<void>(without_axes(at, subject));
   require_rows(at.values, subject.rows, at.name);
 }
 

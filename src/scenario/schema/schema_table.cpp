@@ -187,7 +187,7 @@ detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds,
     if (key.path == "kind") key.allowed = all;
   for (const PartOfKinds& one : parts_of(kinds, described))
     add(one.part, one.kinds == all ? std::string_view() : words_.emplace_back(one.kinds));
-  add(output_keys(), {});
+  add(described.output, {});
   for (const OutputFormat& format : formats.all()) add(format);
   add(map_keys(), {});
 }
