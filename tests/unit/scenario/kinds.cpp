@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "polhode/perturb/constant_torque.hpp"
@@ -291,23 +290,6 @@ TEST(Kinds, OursAreSound) {
     EXPECT_EQ(error_of(kind), "");
   }
 }
-
-// A key without a dimension or a sentence does not compile.
-template <auto at>
-concept WithBoth = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A."), true)>;
-};
-template <auto at>
-concept WithoutDimension = requires { quantity_key<at>("r", "A."); };
-template <auto at>
-concept WithoutText = requires { quantity_key<at>("r", Dimension::torque); };
-template <auto at>
-concept WithEmptyText =
-    requires { typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, ""), true)>; };
-static_assert(WithBoth<&Arguments::radius>);
-static_assert(!WithoutDimension<&Arguments::radius>);
-static_assert(!WithoutText<&Arguments::radius>);
-static_assert(!WithEmptyText<&Arguments::radius>);
 
 }  // namespace
 }  // namespace polhode
