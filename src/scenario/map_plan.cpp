@@ -78,9 +78,8 @@ SectionSurface surface_of(const Values& values, const std::string& name) {
                                          : AndoyerAngle::h,
                           number(values, "map.value"), crossing_of(word(values, "map.crossing"))};
   }
-  const double period = number(values, "map.period");
-  if (!(period > 0.0)) refuse(values, "map.period", name, "expected a positive time");
-  return Strobe{period, number(values, "map.epoch")};
+  require_range(values, "map.period", name);
+  return Strobe{number(values, "map.period"), number(values, "map.epoch")};
 }
 
 std::string section_orbit(const Values& values, const std::vector<ScenarioOrbit>& orbits,

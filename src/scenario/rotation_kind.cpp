@@ -67,10 +67,7 @@ Vec3 pole_of(const Values& values, const std::string& name) {
 
 TumblerState tumbler_of(const Values& values, const std::string& name) {
   for (const char* period : {"state.tumbler.precession_period", "state.tumbler.rotation_period"})
-    built(values, period, name, [&] {
-      if (!(number(values, period) > 0.0)) throw DomainError("expected a positive time");
-      return 0;
-    });
+    require_range(values, period, name);
   const bool short_axis = word(values, "state.tumbler.mode") == "SAM";
   return {.precession_period = number(values, "state.tumbler.precession_period"),
           .rotation_period = number(values, "state.tumbler.rotation_period"),

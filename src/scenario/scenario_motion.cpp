@@ -139,8 +139,7 @@ std::vector<ScenarioEvent> events_of(const KindContext& at) {
                "expected a name of its own, since an event before it is called " + own);
     const double value = number(values, path + ".value");
     const std::string interval = path + ".interval";
-    if (has(values, interval) && !(number(values, interval) > 0.0))
-      refuse(values, interval, name, "expected a positive time");
+    if (has(values, interval)) require_range(values, interval, name);
     events.push_back({own, column, at.units.to_core(value, column_dimension(column, charts)),
                       crossing_of(word(values, path + ".crossing")),
                       value_at(values, path + ".stops").whole == 1,

@@ -57,6 +57,8 @@ std::string value_in_words(const Key& key) {
 std::string value_cell(const Key& key) {
   std::string cell = value_in_words(key);
   const bool quoted = key.type == KeyType::choice || key.type == KeyType::choices;
+  if (key.range == Range::positive) cell += ", positive";
+  if (key.range == Range::not_negative) cell += ", not negative";
   bool first = true;
   for (const std::string_view word : separated(key.allowed, '|')) {
     if (!first) cell += ", ";

@@ -2,15 +2,26 @@
 // What is no description of a key does not compile.
 #include "polhode/scenario/kind_key.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "polhode/perturb/internal_damping.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "text/number_text.hpp"
+
 namespace polhode {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 enum class Sense { forward, backward };
 
@@ -165,6 +176,57 @@ TEST(KindKey, ItsRowSaysAllThatWasSaid) {
   EXPECT_EQ(rows[1].allowed, "forward|backward");
   EXPECT_EQ(rows[1].example, rows[1].fallback);
   EXPECT_EQ(rows[2].presence, Presence::required);
+}
+
+// One struct of a file is one of C++: what a key says of a missing one is what C++ has there.
+TEST(KindKey, DefaultsOfFilesAreThoseOfTheLibrary) {
+  const auto method = [](const std::string& table) {
+    return *scenario_from_text(
+                "schema = 1\nbody.moments = [1, 2, 3]\nstate.andoyer = { l = 0, g = "
+                "0, h = 0, L = 0.5, G = 1, H = 0 }\n[method]\n" +
+                    table,
+                "f.toml")
+                .rotation()
+                .method;
+  };
+  EXPECT_EQ(method("kind = \"adaptive\""), Method(Adaptive{}));
+  EXPECT_EQ(method("kind = \"splitting\"\nstep = 0.5"), Method(Splitting{.step = 0.5}));
+  EXPECT_EQ(method("kind = \"variation-of-constants\""), Method(VariationOfConstants{}));
+  const std::span<const Key> all = scenario_schema().keys;
+  const auto factor = std::find_if(all.begin(), all.end(), [](const Key& key) {
+    return key.path == "perturbation[].shape_factor";
+  });
+  ASSERT_NE(factor, all.end());
+  EXPECT_EQ(factor->fallback, detail::number_text(DampedMaterial{}.shape_factor));
+}
+
+// Those that are in the key, for editors and pages.
+TEST(KindKey, RangesAreInSchemaAndPages) {
+  const Key rows[] = {
+      {.path = "size",
+       .type = KeyType::number,
+       .dimension = Dimension::length,
+       .help = "A size.",
+       .range = Range::positive},
+      {.path = "parts",
+       .type = KeyType::numbers,
+       .length = 2,
+       .help = "Parts.",
+       .range = Range::not_negative},
+      {.path = "free", .type = KeyType::number, .help = "Any number."},
+  };
+  const std::string page = markdown_reference({rows, {}}), json = json_schema({rows, {}});
+  EXPECT_THAT(page, HasSubstr("| `size` | length, positive |"));
+  EXPECT_THAT(page, HasSubstr("| `parts` | 2 x pure number, not negative |"));
+  EXPECT_THAT(page, HasSubstr("| `free` | number |"));
+  const auto part = [&](const std::string& from, const std::string& to) {
+    const std::size_t begin = json.find(from);
+    return json.substr(begin, json.find(to, begin) - begin);
+  };
+  EXPECT_THAT(part("\"size\"", "\"parts\""),
+              AllOf(HasSubstr("\"exclusiveMinimum\": 0"), HasSubstr("\"value\"")));
+  EXPECT_THAT(part("\"parts\"", "\"free\""), HasSubstr("\"minimum\": 0"));
+  EXPECT_THAT(part("\"free\"", "\"$defs\""), Not(HasSubstr("inimum")));
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ enum class Sense { forward, backward };
 struct Arguments {
   double radius;  // of other dimensions than ours has
   std::optional<Vec3> axis;
-  Sense sense = Sense::forward;
-  bool strong = false;
+  Sense sense;
+  bool strong;
 };
 
 constexpr KindKey<Arguments> keys[] = {
@@ -148,8 +148,9 @@ TEST(Kinds, SchemaPageAndTemplateKnowIt) {
   EXPECT_THAT(json_schema(kinds.schema()), HasSubstr("\"const\": \"push\""));
   EXPECT_THAT(json_schema(default_kinds().schema()), Not(HasSubstr("push")));
   EXPECT_THAT(markdown_reference(kinds.schema()), HasSubstr("- `\"push\"`: A torque for tests."));
-  EXPECT_THAT(markdown_reference(kinds.schema()),
-              HasSubstr("| `radius` | torque | required | With kind `push`: Not a length. |"));
+  EXPECT_THAT(
+      markdown_reference(kinds.schema()),
+      HasSubstr("| `radius` | torque, positive | required | With kind `push`: Not a length. |"));
   const Scenario scenario =
       scenario_from_text(scenario_template("push", kinds.schema()), "template", kinds);
   EXPECT_THAT(scenario.rotation().kinds, ElementsAre("push"));
