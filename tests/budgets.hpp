@@ -504,6 +504,8 @@ inline constexpr double variation_last_time = 1e-9;
 inline constexpr double cli_rounding = 1e-15;
 // The same along a run of some turns, through a chart and back, or after cancellation.
 inline constexpr double cli_carried = 4e-14;
+// The explicit midpoint rule of docs/extending/method.md, ten minutes of two turns each, deg/s.
+inline constexpr double own_midpoint = 4e-4;
 // psi_max as a table prints it, rounded down.
 inline constexpr double cli_printed_digits = 1e-9;
 // Times of flips after 1e9 s: in units of their last place; and half a period, by 11 of them near

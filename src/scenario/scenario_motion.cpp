@@ -107,7 +107,12 @@ std::optional<Method> method_of(const KindContext& at) {
   if (kind == nullptr)
     throw std::logic_error("method: the schema allows a kind without a description: " + name);
   const KeyValues table(at.values, at.units, path, at.name);
-  return table.built("kind", [&] { return kind->made(table); });
+  return table.built("kind", [&] {
+    Method made = kind->made(table);
+    if (const MethodTraits traits = method_traits(made); traits.kind != name)
+      throw DomainError("expected a kind whose methods have its name, not " + traits.kind);
+    return made;
+  });
 }
 
 std::vector<std::string> array_paths(const Values& values, const std::string& array) {

@@ -91,6 +91,48 @@ def test_messages_of_a_program_of_your_own_have_its_name(braked, tmp_path):
         assert f"\n  spin-brake {command} " in sh(program, command, "--help")
 
 
+@pytest.fixture(scope="module")
+def midpoint(built):
+    return built("method")
+
+
+def rows_of(path):
+    rows = [line.split(",") for line in path.read_text().splitlines() if not line.startswith("#")]
+    return rows[0], [[float(x) for x in row] for row in rows[1:]]
+
+
+def test_a_method_of_your_own_is_a_kind_like_ours(midpoint, tmp_path):
+    path, program = midpoint, midpoint / "build/lie-midpoint"
+    scenario, text = path / "satellite.toml", (path / "satellite.toml").read_text()
+    assert "completed" in sh(program, "run", scenario, "--out", tmp_path / "own.csv")
+    ours = tmp_path / "ours.toml"
+    ours.write_text(text.replace('kind = "lie-midpoint"\nstep = 0.01', 'kind = "adaptive"'))
+    sh(program, "run", ours, "--out", tmp_path / "ours.csv")
+    own, exact = rows_of(tmp_path / "own.csv"), rows_of(tmp_path / "ours.csv")
+    assert own[0] == exact[0] and len(own[1]) == len(exact[1]) == 61
+    for a, b in zip(own[1], exact[1], strict=True):
+        assert a == pytest.approx(b, abs=budgets.own_midpoint)
+    assert own[1][-1] != exact[1][-1]
+    assert "lie-midpoint, step 0.01 s" in sh(program, "info", scenario)
+    assert "[author2026]" in sh(program, "cite", scenario)
+    assert '"const": "lie-midpoint"' in sh(program, "schema")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(text.replace("step = 0.01", "step = -1"))
+    assert "19:8: method.step: got -1; expected a positive time" in sh(
+        program, "info", wrong, status=2)
+
+
+def test_a_run_by_a_method_of_your_own_is_stopped_and_continued(midpoint, tmp_path):
+    program, scenario = midpoint / "build/lie-midpoint", tmp_path / "long.toml"
+    text = (midpoint / "satellite.toml").read_text()
+    scenario.write_text(text.replace("stop = 600\n", "stop = 60000\n"))
+    out, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"
+    sh(program, "run", scenario, "--out", out)
+    stopped(program, scenario, cut, signal.SIGKILL)
+    sh(program, "run", scenario, "--out", cut, "--resume")
+    assert cut.read_bytes() == out.read_bytes()
+
+
 def test_an_output_format_of_your_own_writes_resumes_and_refuses(built, root):
     source = built("output-format")
     command = ["build/fixed-width", "scenario.toml", "rows.txt"]

@@ -13,7 +13,7 @@
 //             What the map throws reaches whoever integrates. A state that is not finite ends the
 //             run with its reason.
 // Cost        that of the map: one call for each step, and one for each sample, event or look
-//             inside a step.
+//             inside a step. Statistics count the calls that make steps as evaluations.
 #pragma once
 
 #include <functional>

@@ -15,7 +15,6 @@
 #include <functional>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "polhode/dynamics/method.hpp"
@@ -42,13 +41,13 @@ struct MethodKind {
 template <class A>
 MethodKind method_kind(std::string_view name, std::string_view help,
                        std::span<const KindKey<A>> keys, Method (*made)(const A&, const KeyValues&),
-                       std::function<std::vector<Citation>(const Method&)> cited = {}) {
+                       const std::function<std::vector<Citation>(const Method&)>& cited = {}) {
   return {.name = name,
           .help = help,
           .keys = keys_of(keys),
           .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
                    made](const KeyValues& at) { return made(arguments<A>(all, at), at); },
-          .cited = std::move(cited)};
+          .cited = cited};
 }
 
 }  // namespace v0
