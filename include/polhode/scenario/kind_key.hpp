@@ -17,9 +17,9 @@
 //             without a default that is left out leaves the member as the struct has it; what
 //             `otherwise` says stands there alone.
 // Accuracy    none.
-// Errors      a key without a name, a dimension or a text does not compile; nor does one of a member
-//             of another type, or a range of what is no number. Arguments of a table that break
-//             `positive` and the like: a ScenarioError at the place of the value.
+// Errors      a key without a name, a dimension or a text does not compile; nor does one for a
+//             member of another type, or a range of what is no number. Arguments of a table that
+//             break `positive` and the like: a ScenarioError at the place of the value.
 // Cost        none until a table is read.
 #pragma once
 

@@ -182,6 +182,12 @@ Kinds Kinds::with(MethodKind kind) const {
 }
 
 Kinds Kinds::with(OutputFormat format) const {
+  const std::string shown = detail::shown_kind("output format", format.name);
+  std::vector<Key> keys;
+  for (const OptionKey& option : format.keys) keys.push_back(option.key());
+  detail::require_keys(shown, keys);
+  if (!keys.empty() && !format.options)
+    throw DomainError(shown + ": got keys and no function options; expected one");
   Lists lists = parts_->lists;
   lists.formats = lists.formats.with(std::move(format));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <any>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -282,6 +284,56 @@ TEST(Kinds, AKindThatIsNotSoundIsRefusedWhenItIsAdded) {
             "Kinds: perturbation \"push\": got no function that makes it; expected one");
   EXPECT_EQ(error_of(push("andoyer")),
             "Kinds: perturbation \"andoyer\" is the name of a chart; expected another name");
+}
+
+TEST(Kinds, OptionsOfAFormatAreSound) {
+  const auto error = [](const std::vector<OptionKey>& options,
+                        bool are_read = true) -> std::string {
+    OutputFormat format("own", ".own", "A format.",
+                        [](const SinkRequest&) { return std::unique_ptr<Sink>(); });
+    format.keys = options;
+    if (are_read) format.options = [](const OptionValues&) { return std::any(); };
+    try {
+      default_kinds().with(format);
+    } catch (const DomainError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  constexpr OptionKey digits = integer_option("digits", "6|9", "Digits.").otherwise("6"),
+                      many = integer_option("digits", "6|9", "Digits.").otherwise("8"),
+                      shown = quantity_option("offset", Dimension::time, "A time.").example("1 s"),
+                      spaced = flag_option("my flag", "A flag.");
+  const std::string own = "Kinds: output format \"own\"";
+  EXPECT_EQ(error({}, false), "");
+  EXPECT_EQ(error({digits}), "");
+  EXPECT_EQ(error({digits}, false), own + ": got keys and no function options; expected one");
+  EXPECT_EQ(error({digits, digits}),
+            own + ", key \"digits\" is there twice; expected another name");
+  EXPECT_THAT(error({many}), HasSubstr(own + ", key \"digits\": what stands for it, 8: got 8"));
+  EXPECT_EQ(error({shown}), own + ", key \"offset\": its example 1 s: not TOML");
+  EXPECT_THAT(error({spaced}), HasSubstr(own + ", key \"my flag\"; expected letters"));
+}
+
+// A symmetric matrix stays one: it is made even whether the axes differ or not.
+TEST(Kinds, AMatrixAlongPrincipalAxesIsSymmetric) {
+  const Mat3 uneven{{{1.0, 0.25, 0.0}, {0.75, 2.0, 0.5}, {0.0, 0.5, 3.0}}};
+  PerturbationKind kind = push();
+  Mat3 seen;
+  kind.made = [&](const TermContext& at) -> MadeTerms {
+    seen = at.principal(uneven);
+    return std::vector<AnyPerturbation>{};
+  };
+  const Kinds kinds = default_kinds().with(kind);
+  scenario_from_text(file + "radius = 1\n", "f.toml", kinds);
+  EXPECT_EQ(seen(0, 1), 0.5);
+  EXPECT_EQ(seen(1, 0), 0.5);
+  std::string tensor = file + "radius = 1\n";
+  tensor.replace(tensor.find("body.moments = [1, 1.7, 2.2]"), 28,
+                 "body.tensor = [[1, 0.1, 0], [0.1, 1.7, 0], [0, 0, 2.2]]");
+  scenario_from_text(tensor, "f.toml", kinds);
+  EXPECT_EQ(seen(0, 1), seen(1, 0));
+  EXPECT_NE(seen(0, 1), 0.5);
 }
 
 TEST(Kinds, OursAreSound) {
