@@ -118,20 +118,23 @@ void add_each_once(std::vector<Citation>& all, std::span<const Citation> more) {
       all.push_back(own);
 }
 
-// Of the charts among the parts, each once.
-std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts) {
+// Of the charts of its state and of its columns, each once.
+std::vector<Citation> citations_of_charts(const Scenario& scenario) {
+  const std::vector<std::string>& groups = scenario.output.columns;
   std::vector<Citation> all;
-  for (const ChartKind& chart : default_charts())
-    if (std::find(parts.begin(), parts.end(), chart.name) != parts.end())
+  for (const ChartKind& chart : scenario.document.kinds->charts())
+    if (chart.name == scenario.rotation().chart ||
+        std::find(groups.begin(), groups.end(), chart.name) != groups.end())
       add_each_once(all, chart.sources);
   return all;
 }
 
-// Its chart, its groups of columns and what moves it; the sources of its orbits, and what it asks
-// for in addition to rows.
+// What moves it, its groups of columns that are no charts, the sources of its orbits, and what it
+// asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
-  parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
+  for (const std::string& group : scenario.output.columns)
+    if (chart_named(group, scenario.document.kinds->charts()) == nullptr) parts.push_back(group);
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
   return parts;
 }
@@ -167,7 +170,8 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
 }  // namespace
 
 std::vector<std::string> detail::cited_parts(const Rotation& rotation) {
-  std::vector<std::string> parts = {"rotation", rotation.chart};
+  std::vector<std::string> parts = {"rotation"};
+  if (!std::holds_alternative<ChartState>(rotation.state)) parts.push_back(rotation.chart);
   if (!rotation.frame.is_inertial()) parts.push_back("moving frame");
   for (const ScenarioOrbit& orbit : rotation.orbits) {
     if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
@@ -190,7 +194,7 @@ std::vector<Citation> citations(const Scenario& scenario) {
     const auto own = std::find_if(own_works.begin(), own_works.end(),
                                   [&](const Citation& one) { return one.key == paper.key; });
     if (paper.key.empty()) {
-      add_each_once(result, citations_of_charts(parts));
+      add_each_once(result, citations_of_charts(scenario));
     } else if (own != own_works.end()) {
       result.push_back(*own);
       own_works.erase(own);

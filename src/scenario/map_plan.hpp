@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace detail {
 struct MapContext {
   const Values& values;
   const Units& units;
+  std::span<const ChartKind> charts;
   const std::string& name;  // of the file, for messages
 };
 // What sections, columns and the indicator of chaos ask of an experiment, which must outlive it.

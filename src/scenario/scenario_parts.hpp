@@ -49,8 +49,7 @@ const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const
 Crossing crossing_of(const std::string& word);
 std::optional<Method> method_of(const KindContext& at);
 std::optional<SaveAt> times_of(const Values& values, const std::string& name);
-std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
-                                     const std::string& name);
+std::vector<ScenarioEvent> events_of(const KindContext& at);
 // Of the formats that have a table [output.NAME].
 FormatOptions format_options_of(const Values& values, const OutputFormats& formats,
                                 const std::string& name);

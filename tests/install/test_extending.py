@@ -211,24 +211,44 @@ def spherical(built):
 
 
 def test_a_chart_of_your_own_is_converted_and_its_bad_row_is_found(spherical, root):
-    def converted(text, *charts):
-        return subprocess.run([spherical, *charts], input=text, text=True, capture_output=True)
+    def converted(text, old, new):
+        command = [spherical, "convert", "--from", old, "--to", new, "--moments", "1,2,2.5"]
+        return subprocess.run(command, input=text, text=True, capture_output=True)
 
     given = (root / "examples/extending/chart/states.csv").read_text()
     there = converted(given, "spherical", "serret")
     assert there.returncode == 2
-    assert there.stderr.startswith("stdin:3: andoyer_state: H = ")
+    assert there.stderr.startswith("<stdin>:3: andoyer_state: H = ")
     back = converted(there.stdout, "serret", "spherical")
     assert back.returncode == 0, back.stderr
     first, last = given.splitlines(), back.stdout.splitlines()
     assert last[0] == first[0] and len(last) == 2
     assert [float(x) for x in last[1].split(",")] == pytest.approx(
         [float(x) for x in first[1].split(",")], abs=budgets.cli_carried)
+    assert "\n  spherical: l,g,h,log_G,cos_J,cos_I\n" in sh(spherical, "convert", "--help")
 
 
-def test_columns_of_that_chart_are_those_of_its_page(spherical, root):
-    page = (root / "docs/extending/chart.md").read_text()
-    assert f"```\n{sh(spherical)}```" in page
+def test_a_chart_of_your_own_is_a_state_and_columns_of_a_run(spherical, root, tmp_path):
+    scenario = root / "examples/extending/chart/spherical.toml"
+    out, events = tmp_path / "rows.csv", tmp_path / "events.csv"
+    sh(spherical, "run", scenario, "--out", out, "--events", events)
+    written = out.read_text()
+    shown = "".join(line for line in written.splitlines(keepends=True)
+                    if line.startswith(("# units", "t,")))
+    assert f"```\n{shown}```" in (root / "docs/extending/chart.md").read_text()
+    rows = [line.split(",") for line in written.splitlines() if not line.startswith("#")]
+    assert [float(x) for x in rows[1]] == pytest.approx([0, 70, 20, 40, 0.5, 0.9, -0.5],
+                                                        rel=budgets.cli_carried)
+    found = [line.split(",") for line in events.read_text().splitlines() if line[0] != "#"]
+    assert float(found[1][found[0].index("cos_J")]) == pytest.approx(0.8, rel=budgets.cli_carried)
+    assert "cos_J = 0.8" in sh(spherical, "info", scenario)
+    assert '"log_G"' in sh(spherical, "schema")
+    template = tmp_path / "template.toml"
+    template.write_text(sh(spherical, "init", "spherical"))
+    sh(spherical, "run", template, "--out", tmp_path / "template.csv")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(scenario.read_text().replace("cos_J = 0.9", "cos_J = 1.9"))
+    assert ":9:1: state.spherical: got " in sh(spherical, "info", wrong, status=2)
 
 
 def test_pages_show_the_files_of_their_examples(root):

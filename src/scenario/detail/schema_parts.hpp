@@ -18,17 +18,16 @@ struct SchemaPart {
 
 // The parts that the descriptions of kinds make.
 struct DescribedParts {
+  SchemaPart state;
   SchemaPart perturbations;
   SchemaPart methods;
 };
 SchemaPart body_keys();
-SchemaPart state_keys();
 SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart surface_keys();
 SchemaPart event_keys();
 SchemaPart time_keys();
-SchemaPart output_keys();
 SchemaPart map_keys();
 
 }  // namespace detail

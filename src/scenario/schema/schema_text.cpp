@@ -57,6 +57,8 @@ std::string value_in_words(const Key& key) {
 std::string value_cell(const Key& key) {
   std::string cell = value_in_words(key);
   const bool quoted = key.type == KeyType::choice || key.type == KeyType::choices;
+  if (key.range == Range::positive) cell += ", positive";
+  if (key.range == Range::not_negative) cell += ", not negative";
   bool first = true;
   for (const std::string_view word : separated(key.allowed, '|')) {
     if (!first) cell += ", ";
@@ -336,22 +338,23 @@ std::string markdown_units() {
   return page;
 }
 
-std::vector<std::string_view> state_charts() {
+std::vector<std::string_view> state_charts(const Schema& schema) {
   std::vector<std::string_view> charts;
-  for (const Key* key : keys_of(scenario_schema(), state_table))
+  for (const Key* key : keys_of(schema, state_table))
     if (key->type == KeyType::table) charts.push_back(key_name(key->path));
   return charts;
 }
 
 std::vector<std::string_view> scenario_templates(const Schema& schema) {
-  std::vector<std::string_view> names = state_charts();
+  std::vector<std::string_view> names = state_charts(schema);
   for (const std::string_view kind : perturbation_kinds(schema)) names.push_back(kind);
   for (const std::string_view kind : own_experiments(schema)) names.push_back(kind);
   return names;
 }
 
 std::string scenario_template(std::string_view name, const Schema& schema) {
-  const std::vector<std::string_view> names = scenario_templates(schema), charts = state_charts();
+  const std::vector<std::string_view> names = scenario_templates(schema),
+                                      charts = state_charts(schema);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     const std::string_view near = detail::nearest(name, names);
     throw DomainError("chart: got \"" + std::string(name) + "\"; expected " +
