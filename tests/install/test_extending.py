@@ -42,7 +42,9 @@ def test_a_torque_of_your_own_is_a_kind_like_ours(braked, tmp_path):
     assert "[brake2026]" in sh(program, "cite", path / "spin-brake.toml")
     assert '"const": "spin-brake"' in sh(program, "schema")
     template = tmp_path / "template.toml"
-    template.write_text(sh(program, "init", "spin-brake"))
+    text = sh(program, "init", "spin-brake")
+    assert text.startswith("# A scenario for spin-brake. Every key: spin-brake schema keys\n")
+    template.write_text(text)
     sh(program, "run", template, "--out", tmp_path / "template.csv")
     wrong = tmp_path / "wrong.toml"
     wrong.write_text((path / "spin-brake.toml").read_text().replace('"0.02 N m s"', '"0.02 N m"'))
