@@ -196,7 +196,7 @@ def test_a_chart_of_your_own_is_a_state_and_columns_of_a_run(spherical, root, tm
     sh(spherical, "run", template, "--out", tmp_path / "template.csv")
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(scenario.read_text().replace("cos_J = 0.9", "cos_J = 1.9"))
-    assert ":9:1: state.spherical: got " in sh(spherical, "info", wrong, status=2)
+    assert ":9:1: state.spherical: andoyer_state: L = " in sh(spherical, "info", wrong, status=2)
 
 
 def test_pages_show_the_files_of_their_examples(root):
