@@ -19,9 +19,9 @@ void add_init(CLI::App& app, const Kinds& kinds) {
                    "How the state of a free body is given, or what perturbs it: " + names)
       ->capture_default_str();
   command->footer("Example:\n  " + full_name(*command) + " gravity-gradient > body.toml");
-  command->callback([chart, kinds, name = full_name(*command)] {
+  command->callback([chart, kinds, name = full_name(*command), program = app.get_name()] {
     try {
-      print(scenario_template(*chart, kinds.schema()));
+      print(scenario_template(*chart, kinds.schema(), program));
     } catch (const DomainError& error) {
       throw DomainError(name + ": " + error.what());
     }

@@ -118,12 +118,15 @@ void add_each_once(std::vector<Citation>& all, std::span<const Citation> more) {
       all.push_back(own);
 }
 
-// Of the charts of its state and of its columns, each once.
+// Of the charts of its state and of its columns, each once. Other kinds than the rotation have
+// none.
 std::vector<Citation> citations_of_charts(const Scenario& scenario) {
-  const std::vector<std::string>& groups = scenario.output.columns;
   std::vector<Citation> all;
+  const auto* const rotation = std::get_if<Rotation>(&scenario.experiment);
+  if (rotation == nullptr) return all;
+  const std::vector<std::string>& groups = scenario.output.columns;
   for (const ChartKind& chart : scenario.document.kinds->charts())
-    if (chart.name == scenario.rotation().chart ||
+    if (chart.name == rotation->chart ||
         std::find(groups.begin(), groups.end(), chart.name) != groups.end())
       add_each_once(all, chart.sources);
   return all;

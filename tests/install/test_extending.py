@@ -42,7 +42,9 @@ def test_a_torque_of_your_own_is_a_kind_like_ours(braked, tmp_path):
     assert "[brake2026]" in sh(program, "cite", path / "spin-brake.toml")
     assert '"const": "spin-brake"' in sh(program, "schema")
     template = tmp_path / "template.toml"
-    template.write_text(sh(program, "init", "spin-brake"))
+    text = sh(program, "init", "spin-brake")
+    assert text.startswith("# A scenario for spin-brake. Every key: spin-brake schema keys\n")
+    template.write_text(text)
     sh(program, "run", template, "--out", tmp_path / "template.csv")
     wrong = tmp_path / "wrong.toml"
     wrong.write_text((path / "spin-brake.toml").read_text().replace('"0.02 N m s"', '"0.02 N m"'))
@@ -248,7 +250,7 @@ def test_a_chart_of_your_own_is_a_state_and_columns_of_a_run(spherical, root, tm
     sh(spherical, "run", template, "--out", tmp_path / "template.csv")
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(scenario.read_text().replace("cos_J = 0.9", "cos_J = 1.9"))
-    assert ":9:1: state.spherical: got " in sh(spherical, "info", wrong, status=2)
+    assert ":9:1: state.spherical: andoyer_state: L = " in sh(spherical, "info", wrong, status=2)
 
 
 def test_pages_show_the_files_of_their_examples(root):

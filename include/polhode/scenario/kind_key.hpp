@@ -37,10 +37,6 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
-struct KeyMaker;
-}  // namespace detail
-
 // Only the functions below make one: a key has a name, a dimension, a sentence, and a member of the
 // type that its values have.
 template <class A>
@@ -93,23 +89,6 @@ class KindKey {
   Key key_;
   Fill fill_;
 };
-
-namespace detail {
-
-struct KeyMaker {
-  template <auto at, class A>
-  static consteval KindKey<A> key(const Key& key) {
-    require_words(key.path, key.help);
-    return {key, fill_member<at, A>};
-  }
-  template <class A>
-  static consteval KindKey<A> key(const Key& key, typename KindKey<A>::Fill fill) {
-    require_words(key.path, key.help);
-    return {key, fill};
-  }
-};
-
-}  // namespace detail
 
 // Numbers with a dimension; Dimension::number where they have none. A, here and below: another
 // struct, which derives from the one that has the member.

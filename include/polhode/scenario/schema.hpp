@@ -69,8 +69,9 @@ std::vector<std::string_view> state_charts(const Schema& schema = scenario_schem
 // What scenario_template knows: the charts, for free rotation, and the kinds of [[perturbation]].
 std::vector<std::string_view> scenario_templates(const Schema& schema = scenario_schema());
 // A commented scenario to start from, with the given chart in [state.CHART] or the given kind of
-// perturbation. DomainError when there is none of this name.
-std::string scenario_template(std::string_view name, const Schema& schema = scenario_schema());
+// perturbation. DomainError when there is none of this name. `program` is what reads it.
+std::string scenario_template(std::string_view name, const Schema& schema = scenario_schema(),
+                              std::string_view program = "polhode");
 
 }  // namespace v0
 }  // namespace polhode

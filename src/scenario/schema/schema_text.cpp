@@ -156,24 +156,66 @@ void append_comment(std::string& page, std::string_view text) {
 // The keys of the first set of each row of alternatives stand; the others are shown as comments,
 // and so is the epoch, with what belongs to it: a date that is not the user's own must not slip
 // into their files.
-bool stands(const Schema& schema, const Key& key) {
+bool stands(const Schema& schema, const Key& key, std::string_view kind) {
   if (key.type == KeyType::epoch || key.path == "state.dut1") return false;
   if (key.presence != Presence::alternative) return true;
   const std::string_view name = key_name(key.path);
   for (const Alternatives& row : schema.alternatives) {
-    if (row.table != key_table(key.path)) continue;
+    if (row.table != key_table(key.path) || !belongs(row, kind)) continue;
     const std::vector<std::string_view> names = separated(separated(row.sets, '|').front(), '+');
     if (std::find(names.begin(), names.end(), name) != names.end()) return true;
   }
   return false;
 }
 
+std::string in_quotes(std::string_view word) { return '"' + std::string(word) + '"'; }
+
+// What a key without an example is given: something that it takes.
+std::string stand_in(const Key& key) {
+  const std::string word(separated(key.allowed, '|').empty() ? std::string_view()
+                                                             : separated(key.allowed, '|').front());
+  std::string numbers = "1";
+  for (int i = 1; i < key.length; ++i) numbers += ", 1";
+  switch (key.type) {
+    case KeyType::table:
+      return "{}";
+    case KeyType::number:
+      return "1";
+    case KeyType::integer:
+      return word.empty() ? "1" : word;
+    case KeyType::numbers:
+      return "[" + numbers + "]";
+    case KeyType::matrix:
+      return "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+    case KeyType::linear_map:
+      return "[1, 1, 1]";
+    case KeyType::boolean:
+      return "false";
+    case KeyType::text:
+    case KeyType::name:
+      return in_quotes(key_name(key.path));
+    case KeyType::unit:
+      return in_quotes("s");
+    case KeyType::choice:
+      return in_quotes(word);
+    case KeyType::choices:
+      return "[" + in_quotes(word) + "]";
+    case KeyType::columns:
+      return "[1]";
+    case KeyType::epoch:
+      return in_quotes("2000-01-01T12:00:00 TT");
+  }
+  return {};
+}
+
 // A table below [state.CHART] is written in one line: pole = { longitude = 250, latitude = -75 }
 std::string example_value(const Schema& schema, const Key& key) {
-  if (key.type != KeyType::table) return std::string(key.example);
+  if (!key.example.empty()) return std::string(key.example);
+  if (key.type != KeyType::table)
+    return key.fallback.empty() ? stand_in(key) : std::string(key.fallback);
   std::string inline_table;
   for (const Key* part : keys_of(schema, key.path))
-    if (stands(schema, *part))
+    if (stands(schema, *part, {}))
       inline_table += (inline_table.empty() ? "{ " : ", ") + std::string(key_name(part->path)) +
                       " = " + example_value(schema, *part);
   return inline_table + " }";
@@ -216,17 +258,26 @@ std::vector<std::string_view> perturbation_kinds(const Schema& schema) {
 
 std::string_view without_quotes(std::string_view text) { return text.substr(1, text.size() - 2); }
 
-// The name that the examples give to an orbit.
-std::string_view example_orbit(const Schema& schema) {
-  for (const Key* key : keys_of(schema, perturbation_table))
-    if (key_name(key->path) == "orbit") return without_quotes(key->example);
-  return {};
+// Whether a key of a table of this kind has a line that is no comment.
+bool is_shown(const Schema& schema, const Key& key, std::string_view kind) {
+  const std::string_view path = key_table(key.path);
+  const bool may_be_left_out =
+      key.presence == Presence::optional && !is_required(key, kind) && !key.in_template;
+  return stands(schema, key, kind) && !((is_motion(path) || path == "body") && may_be_left_out);
 }
 
-bool needs_orbit(const Schema& schema, std::string_view kind) {
-  for (const Key* key : keys_of(schema, perturbation_table))
-    if (key_name(key->path) == "orbit" && belongs(*key, kind)) return true;
-  return false;
+// The orbits that the examples of a kind name, each once.
+std::vector<std::string> example_orbits(const Schema& schema, std::string_view kind) {
+  std::vector<std::string> names;
+  if (kind.empty()) return names;
+  for (const Key* key : keys_of(schema, perturbation_table)) {
+    if (key->type != KeyType::name || !belongs(*key, kind) || !is_shown(schema, *key, kind))
+      continue;
+    const std::string value = example_value(schema, *key);
+    const std::string name(without_quotes(value));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
 }
 
 bool needs_surface(const Schema& schema, std::string_view kind) {
@@ -242,17 +293,39 @@ std::string_view kind_text(const Schema& schema, std::string_view table, std::st
   return {};
 }
 
-// Whether what a kind needs has units that moments without one cannot give: those of air, light,
-// magnets and matter.
-bool is_physical(const Schema& schema, std::string_view kind) {
+// The unit of an example: of "1 km", or of { value = 1, unit = "km" }; empty of a bare number.
+std::string unit_of(const Schema& schema, const Key& key) {
+  const std::string value = example_value(schema, key);
+  constexpr std::string_view unit = "unit = \"";
+  const std::size_t at = value.find(unit);
+  if (at != std::string::npos)
+    return value.substr(at + unit.size(), value.find('"', at + unit.size()) - at - unit.size());
+  return value.front() == '"' ? quantity_from_text(without_quotes(value)).unit : "";
+}
+
+// Whether a key is one of air, light, magnets and matter, or its example has a unit that moments
+// without one cannot give.
+bool needs_mass(const Schema& schema, const Key& key) {
   constexpr Dimension of_matter[] = {Dimension::density, Dimension::pressure,
                                      Dimension::magnetic_field};
-  for (const Key* key : keys_of(schema, perturbation_table))
-    if (!key->kinds.empty() && is_required(*key, kind) &&
-        std::find(std::begin(of_matter), std::end(of_matter), key->dimension) !=
-            std::end(of_matter))
-      return true;
-  return false;
+  if (std::find(std::begin(of_matter), std::end(of_matter), key.dimension) != std::end(of_matter))
+    return true;
+  if (key.dimension == Dimension::number || key.type == KeyType::unit) return false;
+  const std::string unit = unit_of(schema, key);
+  try {
+    if (!unit.empty()) Units("h", "deg", "1", "km").to_core(1.0, unit, key.dimension);
+    return false;
+  } catch (const DomainError&) {
+    return true;
+  }
+}
+
+bool is_physical(const Schema& schema, std::string_view kind) {
+  const std::vector<const Key*> keys = keys_of(schema, perturbation_table);
+  return !kind.empty() && std::any_of(keys.begin(), keys.end(), [&](const Key* key) {
+    return !key->kinds.empty() && belongs(*key, kind) && is_shown(schema, *key, kind) &&
+           needs_mass(schema, *key);
+  });
 }
 
 // Whether a table has lines of its own in the template of this subject.
@@ -263,26 +336,27 @@ bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (!belongs(key, subject.experiment)) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
   if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
-  if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
+  if (key.path == orbit_table) return !example_orbits(schema, subject.perturbation).empty();
   if (!key_table(key.path).empty() || key.path == key_table(orbit_table) || key.path == "frame" ||
       key.path == "map")
     return false;
   return !is_motion(key.path) || !subject.perturbation.empty();
 }
 
-std::string section_name(const Schema& schema, std::string_view path) {
-  if (path == orbit_table) return "[orbit." + std::string(example_orbit(schema)) + "]";
+std::string section_name(std::string_view path, std::string_view orbit) {
+  if (path == orbit_table) return "[orbit." + std::string(orbit) + "]";
   if (path.ends_with("[]")) return "[[" + std::string(key_name(path)) + "]]";
   return "[" + std::string(path) + "]";
 }
 
+// `orbit` is the name of an orbit, where that is the table.
 void append_example(std::string& page, const Schema& schema, const Key* table,
-                    const Subject& subject) {
+                    const Subject& subject, std::string_view orbit = {}) {
   const std::string_view path = table == nullptr ? std::string_view() : table->path;
   if (table != nullptr) {
     page += "\n";
     append_comment(page, table->help);
-    page += section_name(schema, path) + "\n";
+    page += section_name(path, orbit) + "\n";
   }
   std::string_view kind;
   const bool physical = is_physical(schema, subject.perturbation);
@@ -306,11 +380,8 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     const std::string_view text =
         key_name(key->path) == "kind" ? kind_text(schema, path, kind) : std::string_view();
     append_comment(page, text.empty() ? key->help : text);
-    const bool may_be_left_out =
-        key->presence == Presence::optional && !is_required(*key, kind) && !key->in_template;
-    const bool stands_here =
-        stands(schema, *key) && !((is_motion(path) || path == "body") && may_be_left_out);
-    page += (stands_here ? "" : "# ") + std::string(key_name(key->path)) + " = " + value + "\n";
+    page += (is_shown(schema, *key, kind) ? "" : "# ") + std::string(key_name(key->path)) + " = " +
+            value + "\n";
   }
 }
 
@@ -352,7 +423,8 @@ std::vector<std::string_view> scenario_templates(const Schema& schema) {
   return names;
 }
 
-std::string scenario_template(std::string_view name, const Schema& schema) {
+std::string scenario_template(std::string_view name, const Schema& schema,
+                              std::string_view program) {
   const std::vector<std::string_view> names = scenario_templates(schema),
                                       charts = state_charts(schema);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -367,10 +439,17 @@ std::string scenario_template(std::string_view name, const Schema& schema) {
   const Subject subject = is_one_of(charts)                    ? Subject{name, {}}
                           : is_one_of(own_experiments(schema)) ? Subject{{}, {}, name}
                                                                : Subject{"attitude-rate", name};
-  std::string page = "# A scenario for polhode. Every key: docs/reference/scenario.md\n";
+  const bool is_ours = program == "polhode";
+  std::string page =
+      "# A scenario for " + std::string(program) + ". Every key: " +
+      (is_ours ? "docs/reference/scenario.md" : std::string(program) + " schema keys") + "\n";
   append_example(page, schema, nullptr, subject);
-  for (const Key& key : schema.keys)
-    if (is_section(schema, key, subject)) append_example(page, schema, &key, subject);
+  for (const Key& key : schema.keys) {
+    if (!is_section(schema, key, subject)) continue;
+    if (key.path != orbit_table) append_example(page, schema, &key, subject);
+    for (const std::string& orbit : example_orbits(schema, subject.perturbation))
+      if (key.path == orbit_table) append_example(page, schema, &key, subject, orbit);
+  }
   return page;
 }
 

@@ -159,6 +159,52 @@ TEST(Kinds, SchemaPageAndTemplateKnowIt) {
   EXPECT_EQ(torque(scenario), (Vec3{0.0, 0.0, 0.25}));
 }
 
+struct Bare {
+  std::string orbit;
+  std::string moon;
+  double size;
+  Vec3 axis;
+  LinearMap map;
+  Sense sense;
+  std::optional<double> mass;
+  std::optional<double> other;
+};
+constexpr KindKey<Bare> bare_keys[] = {
+    name_key<&Bare::orbit>("orbit", "An orbit of its own.").required().example("\"mars\""),
+    name_key<&Bare::moon>("moon", "Another one.").required(),
+    quantity_key<&Bare::size>("size", Dimension::length, "A size.").required().positive(),
+    quantity_key<&Bare::axis>("axis", Dimension::number, "An axis.").required(),
+    quantity_key<&Bare::map>("map", Dimension::damping, "A map.").required(),
+    choice_key<&Bare::sense, Sense::forward, Sense::backward>("sense", "forward|backward", "Which.")
+        .required(),
+    quantity_key<&Bare::mass>("mass", Dimension::mass, "A mass.").alternative().example("\"2 kg\""),
+    quantity_key<&Bare::other>("k", Dimension::number, "A number.").alternative(),
+};
+
+// Its own orbits, something for a required key without an example, and units that give its own.
+TEST(Kinds, ATemplateHasWhatItsKeysNeed) {
+  PerturbationKind kind = perturbation_kind<Bare>(
+      "bare", "For tests.", bare_keys, [](const Bare& a, const TermContext& at) -> MadeTerms {
+        EXPECT_EQ(at.orbit("orbit").name, "mars");
+        EXPECT_EQ(at.orbit("moon").name, "moon");
+        EXPECT_TRUE(a.mass.has_value() != a.other.has_value());
+        return AnyPerturbation("bare", ConstantTorque::in_body(a.axis));
+      });
+  kind.sets = "mass|k";
+  const auto units = [&](std::string_view sets) {
+    kind.sets = sets;
+    const Kinds kinds = default_kinds().with(kind);
+    const std::string text = scenario_template("bare", kinds.schema(), "mine");
+    EXPECT_THAT(text,
+                ::testing::StartsWith("# A scenario for mine. Every key: mine schema keys\n"));
+    const Scenario scenario = scenario_from_text(text, "template", kinds);
+    EXPECT_THAT(scenario.rotation().kinds, ElementsAre("bare"));
+    return scenario.units().moment();
+  };
+  EXPECT_EQ(units("mass|k"), "kg m2");
+  EXPECT_EQ(units("k|mass"), "1");
+}
+
 TEST(Kinds, CitationsComeWithIt) {
   const Kinds kinds = default_kinds().with(push());
   const std::vector<Citation> all =

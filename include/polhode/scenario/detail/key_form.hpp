@@ -18,6 +18,9 @@
 namespace polhode {
 inline namespace v0 {
 
+template <class A>
+class KindKey;
+
 // A matrix, or three numbers, its diagonal.
 struct LinearMap {
   Mat3 matrix;
@@ -136,6 +139,20 @@ consteval void require_choice(std::string_view words, std::size_t count) {
       words.find("||") != std::string_view::npos)
     throw "a choice has no empty words";
 }
+
+// Nothing else makes one.
+struct KeyMaker {
+  template <auto at, class A>
+  static consteval KindKey<A> key(const Key& key) {
+    require_words(key.path, key.help);
+    return {key, fill_member<at, A>};
+  }
+  template <class A>
+  static consteval KindKey<A> key(const Key& key, typename KindKey<A>::Fill fill) {
+    require_words(key.path, key.help);
+    return {key, fill};
+  }
+};
 
 // Throws a ScenarioError at the place of a number outside.
 void require_range(const KeyValues& at, std::string_view key);
