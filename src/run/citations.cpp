@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "polhode/scenario/schema.hpp"
 #include "run/detail/experiment_parts.hpp"
@@ -35,11 +36,11 @@ constexpr Paper papers[] = {
     {"jacobi1850",
      "Jacobi, C. G. J. (1850). Sur la rotation d'un corps. Journal fuer die reine und angewandte "
      "Mathematik 39, 293-350.",
-     "the attitude in theta functions", ""},
+     "the attitude in theta functions", "rotation"},
     {"carlson1995",
      "Carlson, B. C. (1995). Numerical computation of real or complex elliptic integrals. "
      "Numerical Algorithms 10, 13-26.",
-     "the elliptic integrals", ""},
+     "the elliptic integrals", "rotation"},
     {"kaasalainen2001",
      "Kaasalainen, M. (2001). Interpretation of lightcurves of precessing asteroids. Astronomy "
      "and Astrophysics 376, 302-309.",
@@ -120,9 +121,10 @@ void add_each_once(std::vector<Citation>& all, std::span<const Citation> more) {
 // Of the charts of its state and of its columns, each once.
 std::vector<Citation> citations_of_charts(const Scenario& scenario) {
   const std::vector<std::string>& groups = scenario.output.columns;
+  const Rotation* const rotation = std::get_if<Rotation>(&scenario.experiment);
   std::vector<Citation> all;
   for (const ChartKind& chart : scenario.document.kinds->charts())
-    if (chart.name == scenario.rotation().chart ||
+    if ((rotation != nullptr && chart.name == rotation->chart) ||
         std::find(groups.begin(), groups.end(), chart.name) != groups.end())
       add_each_once(all, chart.sources);
   return all;
@@ -138,15 +140,25 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   return parts;
 }
 
-// What the kinds of torques of a scenario cite, its method, and the formats that it has something
+// What the kinds of its torques cite, or its own kind.
+std::vector<Citation> citations_of(const Rotation& rotation, const Kinds& kinds) {
+  std::vector<Citation> all;
+  for (const PerturbationKind& kind : kinds.perturbations())
+    if (std::find(rotation.kinds.begin(), rotation.kinds.end(), kind.name) != rotation.kinds.end())
+      add_each_once(all, kind.citations);
+  return all;
+}
+std::vector<Citation> citations_of(const OwnExperiment& own, const Kinds& kinds) {
+  const ExperimentKind* const kind = kinds.experiment(own.kind);
+  return kind == nullptr ? std::vector<Citation>{} : kind->citations;
+}
+
+// What the kinds of a scenario cite, its method, and the formats that it has something
 // to say to.
 std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
-  std::vector<Citation> all;
-  const std::vector<std::string>& torques = scenario.rotation().kinds;
   const Kinds& kinds = *scenario.document.kinds;
-  for (const PerturbationKind& kind : kinds.perturbations())
-    if (std::find(torques.begin(), torques.end(), kind.name) != torques.end())
-      add_each_once(all, kind.citations);
+  std::vector<Citation> all =
+      std::visit([&](const auto& kind) { return citations_of(kind, kinds); }, scenario.experiment);
   if (const std::optional<Method> method = propagation_method(scenario)) {
     const MethodKind* const kind = kinds.method(method_traits(*method).kind);
     if (kind != nullptr && kind->cited) add_each_once(all, kind->cited(*method));
@@ -159,7 +171,7 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
 }  // namespace
 
 std::vector<std::string> detail::cited_parts(const Rotation& rotation) {
-  std::vector<std::string> parts;
+  std::vector<std::string> parts = {"rotation"};
   if (!std::holds_alternative<ChartState>(rotation.state)) parts.push_back(rotation.chart);
   if (!rotation.frame.is_inertial()) parts.push_back("moving frame");
   for (const ScenarioOrbit& orbit : rotation.orbits) {

@@ -13,10 +13,11 @@
 #include "dynamics/events/free_event_search.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/detail/integrated_run.hpp"
+#include "polhode/run/detail/row_writer.hpp"
+#include "polhode/run/detail/rows_maker.hpp"
+#include "polhode/run/detail/run_state.hpp"
 #include "run/detail/experiment_parts.hpp"
-#include "run/detail/integrated_run.hpp"
-#include "run/detail/row_writer.hpp"
-#include "run/detail/run_state.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
 
@@ -24,6 +25,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::completed;
 using detail::RowWriter;
 using detail::RunControl;
 
@@ -253,24 +255,10 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 
 }  // namespace
 
-RunFacts detail::run_facts(const Rotation& rotation, const Scenario& scenario) {
-  RunFacts result{
-      .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
-      .epoch = rotation.epoch,
-      .axes = rotation.axes,
-      .moving_frame = !rotation.frame.is_inertial(),
-      .seconds = Units("s").to_core(1.0, scenario.units().time(), Dimension::time)};
-  if (!rotation.time) return result;
-  const SaveAt& rows = *rotation.time;
-  const auto time = [&](std::int64_t k) {
-    return scenario.units().from_core(rows[k], Dimension::time);
-  };
-  result.first = time(0);
-  result.last = time(rows.size() - 1);
-  result.rising = rows.is_list() || rows.size() < 2 || rows[0] < rows[1];
-  for (std::int64_t k = 1; rows.is_list() && result.rising && k < rows.size(); ++k)
-    result.rising = rows[k - 1] < rows[k];
-  return result;
+void detail::add_facts(const Rotation& rotation, RunFacts& facts) {
+  facts.epoch = rotation.epoch;
+  facts.axes = rotation.axes;
+  facts.moving_frame = !rotation.frame.is_inertial();
 }
 
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {
@@ -284,8 +272,7 @@ std::string detail::propagation_text(const Rotation& rotation, const Units& unit
   if (!method)
     return rotation.frame.is_inertial() ? "exact free rotation"
                                         : "exact free rotation, seen from the moving frame";
-  const MethodTraits traits = method_traits(*method);
-  return traits.text + (traits.step ? " " + units.time() : "") +  // the step is its last word
+  return method_in_units(*method, units) +
          (rotation.method ? "" : " (chosen: the file names no method)");
 }
 
@@ -307,8 +294,7 @@ std::vector<std::string> detail::notes_of(const Rotation& rotation, const Scenar
   for (const AnyPerturbation& term : rotation.terms)
     notes.push_back("perturbation: " + term.name());
   if (rotation.damper) notes.push_back("perturbation: Kane damper");
-  for (const ScenarioFile& file : scenario.document.files)
-    notes.push_back("file " + file_note(file));
+  for (std::string& note : file_notes(scenario)) notes.push_back(std::move(note));
   notes.push_back("method: " + propagation_text(rotation, scenario.units()));
   for (std::string& note : branch_notes(rotation, scenario)) notes.push_back(std::move(note));
   return notes;
@@ -322,12 +308,9 @@ RunReport detail::rows_of(const Rotation& rotation, const Scenario& scenario,
                           std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   const RowLayout layout = row_layout(rotation, scenario);
   RowWriter writer(layout.width(), sinks, control.from == nullptr ? 0 : control.from->pushed);
-  RunReport report = is_free(rotation) ? FreeRun(scenario, layout, writer, control).report()
-                                       : run_integrated(scenario, layout, writer, control);
-  report.rows = writer.rows();
-  report.events_met = static_cast<std::int64_t>(report.events.size());
-  if (report.outcome.ok()) writer.finish();
-  return report;
+  return completed(is_free(rotation) ? FreeRun(scenario, layout, writer, control).report()
+                                     : run_integrated(scenario, layout, writer, control),
+                   writer);
 }
 
 }  // namespace v0

@@ -123,11 +123,9 @@ void require_rows(const Values& values, const std::optional<SaveAt>& time,
 
 }  // namespace
 
-MapSubject map_subject(const Rotation& rotation) {
-  return {rotor_system(rotation), rotation.orbits, rotation.time};
-}
 MapSubject subject_of(const Experiment& experiment) {
-  return std::visit([](const auto& kind) { return map_subject(kind); }, experiment);
+  const Rotation& rotation = rotation_of(experiment);
+  return {rotor_system(rotation), rotation.orbits, rotation.time};
 }
 
 MapPlan map_plan(const MapContext& at, const MapSubject& subject) {

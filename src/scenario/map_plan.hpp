@@ -27,8 +27,7 @@ struct MapSubject {
   const std::vector<ScenarioOrbit>& orbits;
   const std::optional<SaveAt>& rows;
 };
-// One overload for each kind: here, and nowhere else, it says whether a map can wrap it.
-MapSubject map_subject(const Rotation& rotation);
+// DomainError for what a map cannot wrap.
 MapSubject subject_of(const Experiment& experiment);
 
 // ScenarioError at the place of what is wrong.

@@ -160,26 +160,6 @@ InitialState state_of(const KindContext& at, const std::string& chart, const Bod
   return built(values, "state." + chart, name, [&] { return chart_state_of(values, *kind, body); });
 }
 
-std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
-  if (!has(values, "time")) return std::nullopt;
-  const double start = number(values, "time.start");
-  if (has(values, "time.at")) {
-    if (is_explicit(values, "time.start"))
-      return built(values, "time.start", name, []() -> std::optional<SaveAt> {
-        throw DomainError("expected no start together with at, which lists every time");
-      });
-    return SaveAt::times(value_at(values, "time.at").numbers);
-  }
-  const double stop = number(values, "time.stop");
-  if (has(values, "time.step"))
-    return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
-      return SaveAt::steps(start, stop, number(values, "time.step"));
-    });
-  return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
-    return SaveAt::count(start, stop, value_at(values, "time.count").whole);
-  });
-}
-
 std::string chart_of(const KindContext& at) {
   for (const std::string_view chart : state_charts(at.kinds.schema()))
     if (has(at.values, "state." + std::string(chart))) return std::string(chart);

@@ -115,6 +115,26 @@ std::optional<Method> method_of(const KindContext& at) {
   });
 }
 
+std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
+  if (!has(values, "time")) return std::nullopt;
+  const double start = number(values, "time.start");
+  if (has(values, "time.at")) {
+    if (is_explicit(values, "time.start"))
+      return built(values, "time.start", name, []() -> std::optional<SaveAt> {
+        throw DomainError("expected no start together with at, which lists every time");
+      });
+    return SaveAt::times(value_at(values, "time.at").numbers);
+  }
+  const double stop = number(values, "time.stop");
+  if (has(values, "time.step"))
+    return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
+      return SaveAt::steps(start, stop, number(values, "time.step"));
+    });
+  return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
+    return SaveAt::count(start, stop, value_at(values, "time.count").whole);
+  });
+}
+
 std::vector<std::string> array_paths(const Values& values, const std::string& array) {
   std::vector<std::string> paths;
   for (;;) {

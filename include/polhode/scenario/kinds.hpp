@@ -21,6 +21,7 @@
 #include <string_view>
 
 #include "polhode/output/output_format.hpp"
+#include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -33,6 +34,7 @@ class Kinds {
  public:
   Kinds with(PerturbationKind kind) const;
   Kinds with(MethodKind kind) const;
+  Kinds with(ExperimentKind kind) const;
   Kinds with(OutputFormat format) const;
   Kinds with(const ChartKind& chart) const;
 
@@ -41,6 +43,9 @@ class Kinds {
   const PerturbationKind* perturbation(std::string_view name) const;
   std::span<const MethodKind> methods() const;
   const MethodKind* method(std::string_view name) const;
+  // Those from outside: what a file may be next to a rotation.
+  std::span<const ExperimentKind> experiments() const;
+  const ExperimentKind* experiment(std::string_view name) const;
   const OutputFormats& formats() const;
   // Of tables to convert; those that are in scenarios also of [state.CHART] and of columns.
   std::span<const ChartKind> charts() const;

@@ -21,7 +21,6 @@ struct DescribedParts {
   SchemaPart state;
   SchemaPart perturbations;
   SchemaPart methods;
-  SchemaPart output;
 };
 SchemaPart body_keys();
 SchemaPart frame_keys();

@@ -2,6 +2,7 @@
 #include "polhode/scenario/kinds.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,6 +55,10 @@ detail::KindOfTable row_of(const MethodKind& kind) {
 }
 constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
 constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
+detail::KindOfTable row_of(const ExperimentKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, {}};
+}
+constexpr std::string_view sort_of(const ExperimentKind&) { return "experiment"; }
 
 template <class Kind>
 std::vector<detail::KindOfTable> rows_of(const std::vector<Kind>& kinds) {
@@ -105,9 +110,11 @@ void require_own_word(const Kinds& kinds, const ChartKind& chart) {
   std::vector<std::string_view> taken = column_group_names(kinds.charts());
   for (const Key* key : keys_of(kinds.schema(), "state")) taken.push_back(key_name(key->path));
   for (const PerturbationKind& kind : kinds.perturbations()) taken.push_back(kind.name);
+  for (const ExperimentKind& kind : kinds.experiments()) taken.push_back(kind.name);
   if (std::find(taken.begin(), taken.end(), chart.name) != taken.end())
     throw DomainError(detail::shown_kind("chart", chart.name) +
-                      " is the name of a key of [state], a group of columns or a perturbation; "
+                      " is the name of a key of [state], a group of columns, a perturbation or an "
+                      "experiment; "
                       "expected another name");
 }
 
@@ -127,11 +134,28 @@ void require_own_columns(const Kinds& kinds, const ChartKind& chart) {
 struct Lists {
   std::vector<PerturbationKind> perturbations;
   std::vector<MethodKind> methods;
+  std::vector<ExperimentKind> experiments;
   OutputFormats formats;
   std::optional<std::vector<ChartKind>> own_charts = std::nullopt;  // left out: ours as they are
 
   std::span<const ChartKind> charts() const { return own_charts ? *own_charts : default_charts(); }
 };
+
+// [NAME] of kinds of experiments from outside.
+std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds) {
+  std::deque<detail::OwnTable> all;
+  for (const ExperimentKind& kind : kinds) all.emplace_back(kind.name, kind.help, kind.keys);
+  return all;
+}
+
+std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentKind>& kinds,
+                                                   const std::deque<detail::OwnTable>& own,
+                                                   const detail::DescribedParts& described) {
+  std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described)};
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    rows.push_back(detail::row_of(kinds[i], own[i].part(), described));
+  return rows;
+}
 
 }  // namespace
 
@@ -142,8 +166,10 @@ struct Kinds::Parts {
         methods(method_table, method_kind_key, rows_of(lists.methods)),
         state(lists.charts()),
         output(lists.charts()),
-        table(detail::experiment_kinds(),
-              {state.part(), perturbations.part(), methods.part(), output.part()}, lists.formats),
+        own(own_tables(lists.experiments)),
+        table(experiment_rows(lists.experiments, own,
+                              {state.part(), perturbations.part(), methods.part()}),
+              output.part(), lists.formats),
         schema(table.schema()) {}
 
   Lists lists;
@@ -151,6 +177,7 @@ struct Kinds::Parts {
   detail::KindRows methods;
   detail::StateKeys state;
   detail::OutputKeys output;
+  std::deque<detail::OwnTable> own;
   detail::SchemaTable table;
   Schema schema;
 };
@@ -161,6 +188,7 @@ Kinds default_kinds() {
   static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
       our_perturbations(),
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
+      {},
       default_output_formats()});
   return Kinds(ours);
 }
@@ -178,6 +206,16 @@ Kinds Kinds::with(PerturbationKind kind) const {
 Kinds Kinds::with(MethodKind kind) const {
   Lists lists = parts_->lists;
   lists.methods = extended(std::move(lists.methods), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(ExperimentKind kind) const {
+  for (const Key& key : schema().keys)
+    if (kind.name == "rotation" || (key_table(key.path).empty() && key_name(key.path) == kind.name))
+      throw DomainError(detail::shown_kind("experiment", kind.name) +
+                        " is the name of another table; expected another name");
+  Lists lists = parts_->lists;
+  lists.experiments = extended(std::move(lists.experiments), std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
@@ -212,6 +250,10 @@ const PerturbationKind* Kinds::perturbation(std::string_view name) const {
 std::span<const MethodKind> Kinds::methods() const { return parts_->lists.methods; }
 const MethodKind* Kinds::method(std::string_view name) const {
   return named(parts_->lists.methods, name);
+}
+std::span<const ExperimentKind> Kinds::experiments() const { return parts_->lists.experiments; }
+const ExperimentKind* Kinds::experiment(std::string_view name) const {
+  return named(parts_->lists.experiments, name);
 }
 const OutputFormats& Kinds::formats() const { return parts_->lists.formats; }
 std::span<const ChartKind> Kinds::charts() const { return parts_->lists.charts(); }

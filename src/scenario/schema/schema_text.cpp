@@ -221,11 +221,22 @@ std::string example_value(const Schema& schema, const Key& key) {
   return inline_table + " }";
 }
 
-// What a template is made for: a chart, or a kind of perturbation.
+// What a template is made for: a chart, a kind of perturbation, or an experiment from outside.
 struct Subject {
   std::string_view chart;
   std::string_view perturbation;  // empty: free rotation
+  std::string_view experiment = "rotation";
 };
+
+bool is_rotation(const Subject& subject) { return subject.experiment == "rotation"; }
+
+// The words of the key `kind` that have a table of their own.
+std::vector<std::string_view> own_experiments(const Schema& schema) {
+  std::vector<std::string_view> names;
+  for (const KindText& one : schema.kinds)
+    if (one.table.empty()) names.push_back(one.kind);
+  return names;
+}
 
 constexpr std::string_view perturbation_table = "perturbation[]";
 constexpr std::string_view orbit_table = "orbit.*";
@@ -320,6 +331,9 @@ bool is_physical(const Schema& schema, std::string_view kind) {
 // Whether a table has lines of its own in the template of this subject.
 bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
+  if (!is_rotation(subject))
+    return key.path == subject.experiment || key.path == "units" || key.path == "time";
+  if (!belongs(key, subject.experiment)) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
   if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
   if (key.path == orbit_table) return !example_orbits(schema, subject.perturbation).empty();
@@ -355,6 +369,10 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     std::string value = example_value(schema, *key);
     if (is_motion(path) && key_name(key->path) == "kind") {
       kind = path == perturbation_table ? subject.perturbation : without_quotes(key->example);
+      value = '"' + std::string(kind) + '"';
+    }
+    if (key->path == "kind") {
+      kind = subject.experiment;
       value = '"' + std::string(kind) + '"';
     }
     if (physical && key->path == "units.time") value = "\"s\"";
@@ -401,6 +419,7 @@ std::vector<std::string_view> state_charts(const Schema& schema) {
 std::vector<std::string_view> scenario_templates(const Schema& schema) {
   std::vector<std::string_view> names = state_charts(schema);
   for (const std::string_view kind : perturbation_kinds(schema)) names.push_back(kind);
+  for (const std::string_view kind : own_experiments(schema)) names.push_back(kind);
   return names;
 }
 
@@ -414,8 +433,12 @@ std::string scenario_template(std::string_view name, const Schema& schema,
                       detail::one_of(names) +
                       (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
   }
-  const bool free = std::find(charts.begin(), charts.end(), name) != charts.end();
-  const Subject subject = free ? Subject{name, {}} : Subject{"attitude-rate", name};
+  const auto is_one_of = [&](const std::vector<std::string_view>& all) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  const Subject subject = is_one_of(charts)                    ? Subject{name, {}}
+                          : is_one_of(own_experiments(schema)) ? Subject{{}, {}, name}
+                                                               : Subject{"attitude-rate", name};
   const bool is_ours = program == "polhode";
   std::string page =
       "# A scenario for " + std::string(program) + ". Every key: " +

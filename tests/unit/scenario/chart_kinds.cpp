@@ -143,7 +143,7 @@ TEST(ChartKinds, RowsAndEventsHaveItsColumns) {
     const ChartNumbers there =
         to_spherical(free_rotation(scenario).at(all.report.events.front().t), {nullptr});
     EXPECT_NEAR(there[4], 0.92, budget::io_elements);
-    const std::vector<SummaryLine> lines = summary(scenario, free_rotation(scenario));
+    const std::vector<SummaryLine> lines = summary(scenario);
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const SummaryLine& line) {
       return line.text.starts_with("cos_J = 0.92");
     }));
@@ -218,8 +218,10 @@ TEST(ChartKinds, WhatAScenarioCannotTellApartIsRefused) {
     return "no error";
   };
   for (const char* name : {"andoyer", "epoch", "tumbler", "omega", "energy", "tide", "sided"})
-    EXPECT_THAT(error([&](ChartKind& c) { c.name = name; }),
-                HasSubstr("is the name of a key of [state], a group of columns or a perturbation"))
+    EXPECT_THAT(
+        error([&](ChartKind& c) { c.name = name; }),
+        HasSubstr(
+            "is the name of a key of [state], a group of columns, a perturbation or an experiment"))
         << name;
   const auto with_number = [&](const ChartVariable& one) {
     return error([&](ChartKind& c) {
