@@ -110,9 +110,11 @@ void require_own_word(const Kinds& kinds, const ChartKind& chart) {
   std::vector<std::string_view> taken = column_group_names(kinds.charts());
   for (const Key* key : keys_of(kinds.schema(), "state")) taken.push_back(key_name(key->path));
   for (const PerturbationKind& kind : kinds.perturbations()) taken.push_back(kind.name);
+  for (const ExperimentKind& kind : kinds.experiments()) taken.push_back(kind.name);
   if (std::find(taken.begin(), taken.end(), chart.name) != taken.end())
     throw DomainError(detail::shown_kind("chart", chart.name) +
-                      " is the name of a key of [state], a group of columns or a perturbation; "
+                      " is the name of a key of [state], a group of columns, a perturbation or an "
+                      "experiment; "
                       "expected another name");
 }
 

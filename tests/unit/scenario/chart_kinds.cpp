@@ -218,8 +218,10 @@ TEST(ChartKinds, WhatAScenarioCannotTellApartIsRefused) {
     return "no error";
   };
   for (const char* name : {"andoyer", "epoch", "tumbler", "omega", "energy", "tide", "sided"})
-    EXPECT_THAT(error([&](ChartKind& c) { c.name = name; }),
-                HasSubstr("is the name of a key of [state], a group of columns or a perturbation"))
+    EXPECT_THAT(
+        error([&](ChartKind& c) { c.name = name; }),
+        HasSubstr(
+            "is the name of a key of [state], a group of columns, a perturbation or an experiment"))
         << name;
   const auto with_number = [&](const ChartVariable& one) {
     return error([&](ChartKind& c) {
