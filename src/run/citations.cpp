@@ -144,6 +144,8 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
   for (const PerturbationKind& kind : kinds.perturbations())
     if (std::find(torques.begin(), torques.end(), kind.name) != torques.end())
       add_each_once(all, kind.citations);
+  for (const ScenarioOrbit& orbit : scenario.rotation().orbits)
+    if (const OrbitKind* const kind = kinds.orbit(orbit.kind)) add_each_once(all, kind->citations);
   if (const std::optional<Method> method = propagation_method(scenario)) {
     const MethodKind* const kind = kinds.method(method_traits(*method).kind);
     if (kind != nullptr && kind->cited) add_each_once(all, kind->cited(*method));

@@ -13,8 +13,10 @@ namespace detail {
 namespace {
 
 std::vector<SchemaPart> rotation_keys(const DescribedParts& described) {
-  return {body_keys(),    state_keys(),      frame_keys(), orbit_keys(), described.perturbations,
-          surface_keys(), described.methods, event_keys(), time_keys()};
+  return {body_keys(),    state_keys(),      frame_keys(),
+          orbit_keys(),   described.orbits,  described.perturbations,
+          surface_keys(), described.methods, event_keys(),
+          time_keys()};
 }
 
 MadeExperiment make_rotation(const KindContext& of) {

@@ -20,6 +20,7 @@ struct SchemaPart {
 struct DescribedParts {
   SchemaPart perturbations;
   SchemaPart methods;
+  SchemaPart orbits;
 };
 SchemaPart body_keys();
 SchemaPart state_keys();

@@ -11,6 +11,7 @@
 #include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/method_kinds.hpp"
+#include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/detail/torque_kinds.hpp"
 
@@ -30,6 +31,20 @@ constexpr Key perturbation_kind_key = {.path = "perturbation[].kind",
                                        .example = "\"gravity-gradient\"",
                                        .help = "What it is."};
 
+constexpr Key orbit_table = {
+    .path = "orbit.*",
+    .help =
+        "The path of the attracting body as seen from the rotating one, or the other way "
+        "round, in inertial axes."};
+constexpr Key orbit_kind_key = {
+    .path = "orbit.*.kind",
+    .type = choice,
+    .fallback = "\"kepler\"",
+    .example = "\"kepler\"",
+    .help =
+        "Elements, which may precess; a position and a velocity; a table in a file; or Sun, "
+        "Moon and planets as they move (docs/guide/orbits.md)."};
+
 constexpr Key method_table = {
     .path = "method",
     .help =
@@ -48,6 +63,10 @@ detail::KindOfTable row_of(const PerturbationKind& kind) {
 detail::KindOfTable row_of(const MethodKind& kind) {
   return {{{}, kind.name, kind.help}, kind.keys, {}};
 }
+detail::KindOfTable row_of(const OrbitKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
+}
+constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
 constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
 constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
 
@@ -97,6 +116,7 @@ std::vector<PerturbationKind> our_perturbations() {
 
 struct Lists {
   std::vector<PerturbationKind> perturbations;
+  std::vector<OrbitKind> orbits;
   std::vector<MethodKind> methods;
   OutputFormats formats;
 };
@@ -107,12 +127,15 @@ struct Kinds::Parts {
   explicit Parts(Lists of)
       : lists(std::move(of)),
         perturbations(perturbation_table, perturbation_kind_key, rows_of(lists.perturbations)),
+        orbits(orbit_table, orbit_kind_key, rows_of(lists.orbits)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
-        table(detail::experiment_kinds(), {perturbations.part(), methods.part()}, lists.formats),
+        table(detail::experiment_kinds(), {perturbations.part(), methods.part(), orbits.part()},
+              lists.formats),
         schema(table.schema()) {}
 
   Lists lists;
   detail::KindRows perturbations;
+  detail::KindRows orbits;
   detail::KindRows methods;
   detail::SchemaTable table;
   Schema schema;
@@ -123,6 +146,7 @@ Kinds::Kinds(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 Kinds default_kinds() {
   static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
       our_perturbations(),
+      {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
       default_output_formats()});
   return Kinds(ours);
@@ -135,6 +159,12 @@ Kinds Kinds::with(PerturbationKind kind) const {
                       " is the name of a chart; expected another name");
   Lists lists = parts_->lists;
   lists.perturbations = extended(std::move(lists.perturbations), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(OrbitKind kind) const {
+  Lists lists = parts_->lists;
+  lists.orbits = extended(std::move(lists.orbits), std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
@@ -155,6 +185,10 @@ std::span<const PerturbationKind> Kinds::perturbations() const {
 }
 const PerturbationKind* Kinds::perturbation(std::string_view name) const {
   return named(parts_->lists.perturbations, name);
+}
+std::span<const OrbitKind> Kinds::orbits() const { return parts_->lists.orbits; }
+const OrbitKind* Kinds::orbit(std::string_view name) const {
+  return named(parts_->lists.orbits, name);
 }
 std::span<const MethodKind> Kinds::methods() const { return parts_->lists.methods; }
 const MethodKind* Kinds::method(std::string_view name) const {
