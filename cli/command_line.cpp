@@ -116,7 +116,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   add_run(app, kinds);
   add_map(app, kinds);
   add_info(app, kinds);
-  add_convert(app);
+  add_convert(app, kinds);
   add_init(app, kinds);
   add_cite(app, kinds);
   add_golden(app);

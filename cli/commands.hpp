@@ -14,7 +14,7 @@ namespace polhode::cli {
 // Those that read scenarios know the kinds of things that these may hold.
 void add_run(CLI::App& app, const Kinds& kinds);
 void add_info(CLI::App& app, const Kinds& kinds);
-void add_convert(CLI::App& app);
+void add_convert(CLI::App& app, const Kinds& kinds);
 void add_init(CLI::App& app, const Kinds& kinds);
 void add_cite(CLI::App& app, const Kinds& kinds);
 void add_golden(CLI::App& app);

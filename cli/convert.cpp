@@ -88,14 +88,15 @@ void convert_aem(const ConvertOptions& options) {
   print(aem_csv(read_aem(options.in)));
 }
 
-void convert_file(const ConvertOptions& options) {
+void convert_file(const ConvertOptions& options, std::span<const ChartKind> charts) {
   if (options.from == "aem") return convert_aem(options);
   Conversion conversion{options.from, options.to, std::nullopt};
   if (!options.moments.empty()) conversion.body = body_of(options.moments);
   const InputFile in(options.in);
   const auto write = [](std::string_view bytes) { print(bytes); };
   convert(
-      conversion, in.name(), [&](std::span<char> buffer) { return in.read(buffer); }, write);
+      conversion, in.name(), [&](std::span<char> buffer) { return in.read(buffer); }, write,
+      charts);
 }
 
 // "serret: g0,h,t0,G,H,T (sign_g1,sign_g3); --moments"
@@ -111,12 +112,12 @@ std::string chart_line(const ChartKind& chart) {
 
 }  // namespace
 
-void add_convert(CLI::App& app) {
+void add_convert(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand(
       "convert", "Convert a CSV table of states to another chart, row by row (angles in radians)");
   const auto options = std::make_shared<ConvertOptions>();
   std::string charts = "Charts and the columns they need:\n";
-  for (const ChartKind& chart : default_charts()) charts += "  " + chart_line(chart) + "\n";
+  for (const ChartKind& chart : kinds.charts()) charts += "  " + chart_line(chart) + "\n";
   charts += "\nA CCSDS Attitude Ephemeris Message becomes a table by --from aem --to csv.\n";
   command->add_option("--from", options->from, "Chart of the input, or aem")->required();
   command->add_option("--to", options->to, "Chart of the output; csv of aem")->required();
@@ -126,7 +127,7 @@ void add_convert(CLI::App& app) {
       ->capture_default_str();
   command->footer(charts + "\nExample:\n  " + full_name(*command) +
                   " --from rotor --to andoyer < in.csv > out.csv");
-  command->callback([options] { convert_file(*options); });
+  command->callback([options, kinds] { convert_file(*options, kinds.charts()); });
 }
 
 }  // namespace polhode::cli

@@ -20,7 +20,7 @@ void add_info(CLI::App& app, const Kinds& kinds) {
   command->footer("Example:\n  " + full_name(*command) + " examples/toutatis.toml");
   command->callback([options, kinds] {
     const Scenario scenario = read_scenario(options->scenario, kinds);
-    const auto lines = summary(scenario, free_rotation(scenario));
+    const auto lines = summary(scenario);
     print(options->json ? summary_json(lines) : summary_table(lines));
   });
 }

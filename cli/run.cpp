@@ -137,7 +137,7 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
   }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
   if (to_standard_output) return;
-  std::vector<SummaryLine> lines = summary(scenario, free_rotation(scenario));
+  std::vector<SummaryLine> lines = summary(scenario);
   if (!table_only)
     for (SummaryLine& line :
          report_lines(scenario, report,

@@ -506,6 +506,8 @@ inline constexpr double cli_rounding = 1e-15;
 inline constexpr double cli_carried = 4e-14;
 // The explicit midpoint rule of docs/extending/method.md, ten minutes of two turns each, deg/s.
 inline constexpr double own_midpoint = 4e-4;
+// Of the energy of docs/extending/experiment.md, relative, over 70 periods.
+inline constexpr double own_model = 1e-11;
 // psi_max as a table prints it, rounded down.
 inline constexpr double cli_printed_digits = 1e-9;
 // Times of flips after 1e9 s: in units of their last place; and half a period, by 11 of them near

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "polhode/scenario/schema.hpp"
 #include "run/detail/experiment_parts.hpp"
@@ -35,11 +36,11 @@ constexpr Paper papers[] = {
     {"jacobi1850",
      "Jacobi, C. G. J. (1850). Sur la rotation d'un corps. Journal fuer die reine und angewandte "
      "Mathematik 39, 293-350.",
-     "the attitude in theta functions", ""},
+     "the attitude in theta functions", "rotation"},
     {"carlson1995",
      "Carlson, B. C. (1995). Numerical computation of real or complex elliptic integrals. "
      "Numerical Algorithms 10, 13-26.",
-     "the elliptic integrals", ""},
+     "the elliptic integrals", "rotation"},
     {"kaasalainen2001",
      "Kaasalainen, M. (2001). Interpretation of lightcurves of precessing asteroids. Astronomy "
      "and Astrophysics 376, 302-309.",
@@ -117,35 +118,48 @@ void add_each_once(std::vector<Citation>& all, std::span<const Citation> more) {
       all.push_back(own);
 }
 
-// Of the charts among the parts, each once.
-std::vector<Citation> citations_of_charts(const std::vector<std::string>& parts) {
+// Of the charts of its state and of its columns, each once.
+std::vector<Citation> citations_of_charts(const Scenario& scenario) {
+  const std::vector<std::string>& groups = scenario.output.columns;
   std::vector<Citation> all;
-  for (const ChartKind& chart : default_charts())
-    if (std::find(parts.begin(), parts.end(), chart.name) != parts.end())
+  for (const ChartKind& chart : scenario.document.kinds->charts())
+    if (chart.name == scenario.rotation().chart ||
+        std::find(groups.begin(), groups.end(), chart.name) != groups.end())
       add_each_once(all, chart.sources);
   return all;
 }
 
-// Its chart, its groups of columns and what moves it; the sources of its orbits, and what it asks
-// for in addition to rows.
+// What moves it, its groups of columns that are no charts, the sources of its orbits, and what it
+// asks for in addition to rows.
 std::vector<std::string> parts_of(const Scenario& scenario) {
   std::vector<std::string> parts = detail::cited_parts(scenario);
-  parts.insert(parts.end(), scenario.output.columns.begin(), scenario.output.columns.end());
+  for (const std::string& group : scenario.output.columns)
+    if (chart_named(group, scenario.document.kinds->charts()) == nullptr) parts.push_back(group);
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
   return parts;
 }
 
-// What the kinds of torques of a scenario cite, its method, and the formats that it has something
+// What the kinds of its torques and orbits cite, or its own kind.
+std::vector<Citation> citations_of(const Rotation& rotation, const Kinds& kinds) {
+  std::vector<Citation> all;
+  for (const PerturbationKind& kind : kinds.perturbations())
+    if (std::find(rotation.kinds.begin(), rotation.kinds.end(), kind.name) != rotation.kinds.end())
+      add_each_once(all, kind.citations);
+  for (const ScenarioOrbit& orbit : rotation.orbits)
+    if (const OrbitKind* const kind = kinds.orbit(orbit.kind)) add_each_once(all, kind->citations);
+  return all;
+}
+std::vector<Citation> citations_of(const OwnExperiment& own, const Kinds& kinds) {
+  const ExperimentKind* const kind = kinds.experiment(own.kind);
+  return kind == nullptr ? std::vector<Citation>{} : kind->citations;
+}
+
+// What the kinds of a scenario cite, its method, and the formats that it has something
 // to say to.
 std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
-  std::vector<Citation> all;
-  const std::vector<std::string>& torques = scenario.rotation().kinds;
   const Kinds& kinds = *scenario.document.kinds;
-  for (const PerturbationKind& kind : kinds.perturbations())
-    if (std::find(torques.begin(), torques.end(), kind.name) != torques.end())
-      add_each_once(all, kind.citations);
-  for (const ScenarioOrbit& orbit : scenario.rotation().orbits)
-    if (const OrbitKind* const kind = kinds.orbit(orbit.kind)) add_each_once(all, kind->citations);
+  std::vector<Citation> all =
+      std::visit([&](const auto& kind) { return citations_of(kind, kinds); }, scenario.experiment);
   if (const std::optional<Method> method = propagation_method(scenario)) {
     const MethodKind* const kind = kinds.method(method_traits(*method).kind);
     if (kind != nullptr && kind->cited) add_each_once(all, kind->cited(*method));
@@ -158,7 +172,8 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
 }  // namespace
 
 std::vector<std::string> detail::cited_parts(const Rotation& rotation) {
-  std::vector<std::string> parts = {rotation.chart};
+  std::vector<std::string> parts = {"rotation"};
+  if (!std::holds_alternative<ChartState>(rotation.state)) parts.push_back(rotation.chart);
   if (!rotation.frame.is_inertial()) parts.push_back("moving frame");
   for (const ScenarioOrbit& orbit : rotation.orbits) {
     if (!std::holds_alternative<TableOrbit>(orbit.motion)) parts.push_back("orbit");
@@ -181,7 +196,7 @@ std::vector<Citation> citations(const Scenario& scenario) {
     const auto own = std::find_if(own_works.begin(), own_works.end(),
                                   [&](const Citation& one) { return one.key == paper.key; });
     if (paper.key.empty()) {
-      add_each_once(result, citations_of_charts(parts));
+      add_each_once(result, citations_of_charts(scenario));
     } else if (own != own_works.end()) {
       result.push_back(*own);
       own_works.erase(own);

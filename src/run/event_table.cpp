@@ -5,8 +5,8 @@
 #include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
-#include "run/detail/run_state.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 

@@ -22,8 +22,34 @@ std::vector<ColumnGroup> row_groups(const Scenario& scenario) {
 }
 
 RunFacts run_facts(const Scenario& scenario) {
-  return std::visit([&](const auto& kind) { return detail::run_facts(kind, scenario); },
-                    scenario.experiment);
+  const Units& units = scenario.units();
+  RunFacts result{
+      .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
+      .epoch = {},
+      .axes = {},
+      .seconds = Units("s").to_core(1.0, units.time(), Dimension::time)};
+  std::visit([&](const auto& kind) { detail::add_facts(kind, result); }, scenario.experiment);
+  if (!row_times(scenario)) return result;
+  const SaveAt& rows = *row_times(scenario);
+  const auto time = [&](std::int64_t k) { return units.from_core(rows[k], Dimension::time); };
+  result.first = time(0);
+  result.last = time(rows.size() - 1);
+  result.rising = rows.is_list() || rows.size() < 2 || rows[0] < rows[1];
+  for (std::int64_t k = 1; rows.is_list() && result.rising && k < rows.size(); ++k)
+    result.rising = rows[k - 1] < rows[k];
+  return result;
+}
+
+std::vector<std::string> detail::file_notes(const Scenario& scenario) {
+  std::vector<std::string> notes;
+  for (const ScenarioFile& file : scenario.document.files)
+    notes.push_back("file " + file_note(file));
+  return notes;
+}
+
+std::string detail::method_in_units(const Method& method, const Units& units) {
+  const MethodTraits traits = method_traits(method);
+  return traits.text + (traits.step ? " " + units.time() : "");  // the step is its last word
 }
 
 std::string propagation_text(const Scenario& scenario) {
@@ -46,8 +72,8 @@ Provenance provenance(const Scenario& scenario) {
   return result;
 }
 
-std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion) {
-  return std::visit([&](const auto& kind) { return detail::summary(kind, scenario, motion); },
+std::vector<SummaryLine> summary(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return detail::summary(kind, scenario); },
                     scenario.experiment);
 }
 

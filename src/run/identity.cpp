@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <string_view>
+#include <variant>
 
 #include "polhode/trajectory/state_bytes.hpp"
 #include "polhode/version.hpp"
@@ -18,8 +19,8 @@ std::string fingerprint_text(std::string_view bytes) {
 }
 
 // The same text and files may mean something else to another build.
-std::string surroundings_of(const Scenario& scenario) {
-  const DampedProblem problem = polhode::problem(scenario.experiment);
+std::string surroundings_of(const Rotation& rotation) {
+  const DampedProblem problem = rotor_problem(rotation);
   const System system = at_damper_rate(problem.system, problem.initial.damper_rate);
   StateBytes bytes;
   for (int i = 0; i < 16; ++i) {
@@ -34,6 +35,7 @@ std::string surroundings_of(const Scenario& scenario) {
   }
   return fingerprint_text(bytes.bytes());
 }
+std::string surroundings_of(const OwnExperiment& own) { return fingerprint_text(own.identity); }
 
 std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
@@ -48,12 +50,14 @@ Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs) {
     files += (files.empty() ? "" : "; ") + file_note(file);
   for (const std::string& column : outputs.columns)
     columns += (columns.empty() ? "" : " ") + column;
-  Identity identity = {{"version of polhode", std::string(version())},
-                       {"columns", columns},
-                       {"scenario", document.name + " " + std::to_string(document.text.size()) +
-                                        " bytes, " + fingerprint_text(document.text)},
-                       {"files of the scenario", files},
-                       {"orbits and torques", surroundings_of(scenario)}};
+  Identity identity = {
+      {"version of polhode", std::string(version())},
+      {"columns", columns},
+      {"scenario", document.name + " " + std::to_string(document.text.size()) + " bytes, " +
+                       fingerprint_text(document.text)},
+      {"files of the scenario", files},
+      {"orbits and torques",
+       std::visit([](const auto& kind) { return surroundings_of(kind); }, scenario.experiment)}};
   for (const std::string& path : outputs.paths) identity.push_back({"outputs", file_name(path)});
   if (!outputs.events.empty())
     identity.push_back({"outputs", "events " + file_name(outputs.events)});

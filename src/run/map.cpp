@@ -45,13 +45,17 @@ Scenario with_map(Scenario scenario) {
   return scenario;
 }
 
+ColumnGroup results_of(const Scenario& scenario) {
+  return detail::result_columns(*scenario.map, scenario.units(), scenario.document.kinds->charts());
+}
+
 }  // namespace
 
 ScenarioMap::ScenarioMap(Scenario scenario)
     : parts_(std::make_unique<Parts>(with_map(std::move(scenario)))) {}
 
-ScenarioMap::ScenarioMap(std::string_view text, const std::string& name)
-    : ScenarioMap(scenario_from_text(text, name)) {}
+ScenarioMap::ScenarioMap(std::string_view text, const std::string& name, const Kinds& kinds)
+    : ScenarioMap(scenario_from_text(text, name, kinds)) {}
 
 ScenarioMap::~ScenarioMap() = default;
 
@@ -66,13 +70,11 @@ std::int64_t ScenarioMap::size() const {
 std::vector<ColumnGroup> ScenarioMap::groups() const {
   std::vector<ColumnGroup> groups;
   for (const MapAxis& axis : plan().axes) groups.push_back({axis.key, {{axis.key, axis.unit}}});
-  groups.push_back(detail::result_columns(plan(), scenario().units()));
+  groups.push_back(results_of(scenario()));
   return groups;
 }
 
-std::size_t ScenarioMap::width() const {
-  return detail::result_columns(plan(), scenario().units()).columns.size();
-}
+std::size_t ScenarioMap::width() const { return results_of(scenario()).columns.size(); }
 
 std::vector<double> ScenarioMap::axis_values(std::int64_t index) const {
   const std::vector<MapAxis>& axes = plan().axes;
@@ -89,9 +91,10 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   try {
     const Experiment experiment = parts_->base.experiment(axis_values(index));
     const detail::MapSubject subject = detail::subject_of(experiment);
-    detail::require_map({of.checked->values, of.units, of.path}, subject);
-    return detail::map_cell({problem(experiment), *subject.rows, subject.orbits, plan(), of.units},
-                            progress);
+    const std::span<const ChartKind> charts = of.kinds->charts();
+    detail::require_map({of.checked->values, of.units, charts, of.path}, subject);
+    return detail::map_cell(
+        {problem(experiment), *subject.rows, subject.orbits, plan(), of.units, charts}, progress);
   } catch (const DomainError& error) {
     return detail::failed_cell(width(), error.what());
   }

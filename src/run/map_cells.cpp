@@ -34,7 +34,8 @@ MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
 // The extremes and the last value.
 MapCell column_cell(const DampedProblem& problem, const CellContext& of, const Progress& progress) {
   const System& system = problem.system;
-  const ScalarColumn column = scalar_column(of.plan.column, system, initial_energy(problem));
+  const ScalarColumn column =
+      scalar_column(of.plan.column, system, initial_energy(problem), of.charts);
   double least = nan, most = nan, last = nan;
   const DampedTrajectory trajectory = integrate(
       problem, of.rows,
@@ -108,14 +109,15 @@ MapCell spin_orbit_cell(const DampedProblem& problem, const CellContext& of,
 
 }  // namespace
 
-ColumnGroup result_columns(const MapPlan& plan, const Units& units) {
+ColumnGroup result_columns(const MapPlan& plan, const Units& units,
+                           std::span<const ChartKind> charts) {
   const std::string time = units.label(Dimension::time), angle = units.label(Dimension::angle),
                     momentum = units.label(Dimension::momentum);
   switch (plan.kind) {
     case MapKind::chaos:
       return {"chaos", {{"mean_megno", "1"}, {"lyapunov", "1/" + units.time()}}};
     case MapKind::column: {
-      const std::string unit = units.label(column_dimension(plan.column));
+      const std::string unit = units.label(column_dimension(plan.column, charts));
       return {"column",
               {{plan.column + "_smallest", unit},
                {plan.column + "_largest", unit},

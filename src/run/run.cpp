@@ -13,10 +13,11 @@
 #include "dynamics/events/free_event_search.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/detail/integrated_run.hpp"
+#include "polhode/run/detail/row_writer.hpp"
+#include "polhode/run/detail/rows_maker.hpp"
+#include "polhode/run/detail/run_state.hpp"
 #include "run/detail/experiment_parts.hpp"
-#include "run/detail/integrated_run.hpp"
-#include "run/detail/row_writer.hpp"
-#include "run/detail/run_state.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
 
@@ -24,6 +25,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::completed;
 using detail::RowWriter;
 using detail::RunControl;
 
@@ -35,24 +37,28 @@ bool has_constants(const Rotation& rotation) {
   return is_free(rotation) && rotation.frame.is_inertial();
 }
 
+std::span<const ChartKind> charts_of(const Scenario& scenario) {
+  return scenario.document.kinds->charts();
+}
+
 // What the numbers of a group do not say themselves: it is constant along the motion.
-std::vector<std::string> branch_notes(const Rotation& rotation, const OutputPlan& output) {
+std::vector<std::string> branch_notes(const Rotation& rotation, const Scenario& scenario) {
   std::vector<std::string> notes;
   if (!has_constants(rotation)) return notes;
   const FreeRotation motion = free_rotation(rotation);
-  for (const std::string& group : output.columns)
-    if (std::string note = branch_note(group, motion); !note.empty())
+  for (const std::string& group : scenario.output.columns)
+    if (std::string note = branch_note(group, motion, charts_of(scenario)); !note.empty())
       notes.push_back(std::move(note));
   return notes;
 }
 
 // Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
 template <MotionState S>
-std::vector<BasicEvent<S>> events_of(const Rotation& rotation, const System& system,
+std::vector<BasicEvent<S>> events_of(const Scenario& scenario, const System& system,
                                      double energy_0) {
   std::vector<BasicEvent<S>> events;
-  for (const ScenarioEvent& wanted : rotation.events) {
-    const ScalarColumn column = scalar_column(wanted.column, system, energy_0);
+  for (const ScenarioEvent& wanted : scenario.rotation().events) {
+    const ScalarColumn column = scalar_column(wanted.column, system, energy_0, charts_of(scenario));
     const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
     events.push_back(
         {wanted.name,
@@ -68,24 +74,24 @@ std::vector<BasicEvent<S>> events_of(const Rotation& rotation, const System& sys
 // The closed form, in inertial axes; a moving frame is applied to each state afterwards.
 class FreeRun {
  public:
-  FreeRun(const Rotation& rotation, const RowLayout& layout, RowWriter& writer,
+  FreeRun(const Scenario& scenario, const RowLayout& layout, RowWriter& writer,
           const RunControl& control)
-      : rotation_(rotation),
+      : rotation_(scenario.rotation()),
         layout_(layout),
         writer_(writer),
         control_(control),
-        problem_(rotor_problem(rotation)),
+        problem_(rotor_problem(rotation_)),
         system_(problem_.system),
-        motion_(rotation.frame.is_inertial()
-                    ? free_rotation(rotation)
-                    : FreeRotation(rotation.body,
+        motion_(rotation_.frame.is_inertial()
+                    ? free_rotation(rotation_)
+                    : FreeRotation(rotation_.body,
                                    inertial_state(system_, 0.0, problem_.initial.rotor))),
         origin_{system_, detail::initial_energy(problem_)},
-        rows_(*rotation.time) {
+        rows_(*rotation_.time) {
     report_.outcome.t = rows_[rows_.size() - 1];
-    if (rotation.events.empty()) return;
-    search_.emplace(motion_, rotation.frame,
-                    events_of<RotorState>(rotation, system_, origin_.initial_energy), rows_[0]);
+    if (rotation_.events.empty()) return;
+    search_.emplace(motion_, rotation_.frame,
+                    events_of<RotorState>(scenario, system_, origin_.initial_energy), rows_[0]);
     if (control.from == nullptr) return;
     StateBytes bytes(control.from->motion);
     search_->transfer(bytes);
@@ -212,12 +218,13 @@ class FreeRun {
   RunReport report_;
 };
 
-RunReport run_integrated(const Rotation& rotation, const RowLayout& layout, RowWriter& writer,
+RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowWriter& writer,
                          const RunControl& control) {
+  const Rotation& rotation = scenario.rotation();
   DampedProblem problem = rotor_problem(rotation);
   const System& system = problem.system;
   const double energy_0 = detail::initial_energy(problem);
-  problem.events = events_of<DampedRotorState>(rotation, system, energy_0);
+  problem.events = events_of<DampedRotorState>(scenario, system, energy_0);
   const auto write = [&](std::span<const DampedSample> samples, std::span<double> numbers) {
     layout.write_rows(RowOrigin{system, energy_0}, samples, numbers);
   };
@@ -248,29 +255,16 @@ std::vector<std::string> rate_notes(const Scenario& scenario) {
 
 }  // namespace
 
-RunFacts detail::run_facts(const Rotation& rotation, const Scenario& scenario) {
-  RunFacts result{
-      .name = scenario.document.title.empty() ? scenario.document.name : scenario.document.title,
-      .epoch = rotation.epoch,
-      .axes = rotation.axes,
-      .moving_frame = !rotation.frame.is_inertial(),
-      .seconds = Units("s").to_core(1.0, scenario.units().time(), Dimension::time)};
-  if (!rotation.time) return result;
-  const SaveAt& rows = *rotation.time;
-  const auto time = [&](std::int64_t k) {
-    return scenario.units().from_core(rows[k], Dimension::time);
-  };
-  result.first = time(0);
-  result.last = time(rows.size() - 1);
-  result.rising = rows.is_list() || rows.size() < 2 || rows[0] < rows[1];
-  for (std::int64_t k = 1; rows.is_list() && result.rising && k < rows.size(); ++k)
-    result.rising = rows[k - 1] < rows[k];
-  return result;
+void detail::add_facts(const Rotation& rotation, RunFacts& facts) {
+  facts.epoch = rotation.epoch;
+  facts.axes = rotation.axes;
+  facts.moving_frame = !rotation.frame.is_inertial();
 }
 
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {
   return RowLayout(scenario.output.columns, scenario.units(),
-                   has_constants(rotation) ? Branch::in_notes : Branch::in_columns);
+                   has_constants(rotation) ? Branch::in_notes : Branch::in_columns,
+                   charts_of(scenario));
 }
 
 std::string detail::propagation_text(const Rotation& rotation, const Units& units) {
@@ -278,8 +272,7 @@ std::string detail::propagation_text(const Rotation& rotation, const Units& unit
   if (!method)
     return rotation.frame.is_inertial() ? "exact free rotation"
                                         : "exact free rotation, seen from the moving frame";
-  const MethodTraits traits = method_traits(*method);
-  return traits.text + (traits.step ? " " + units.time() : "") +  // the step is its last word
+  return method_in_units(*method, units) +
          (rotation.method ? "" : " (chosen: the file names no method)");
 }
 
@@ -301,11 +294,9 @@ std::vector<std::string> detail::notes_of(const Rotation& rotation, const Scenar
   for (const AnyPerturbation& term : rotation.terms)
     notes.push_back("perturbation: " + term.name());
   if (rotation.damper) notes.push_back("perturbation: Kane damper");
-  for (const ScenarioFile& file : scenario.document.files)
-    notes.push_back("file " + file_note(file));
+  for (std::string& note : file_notes(scenario)) notes.push_back(std::move(note));
   notes.push_back("method: " + propagation_text(rotation, scenario.units()));
-  for (std::string& note : branch_notes(rotation, scenario.output))
-    notes.push_back(std::move(note));
+  for (std::string& note : branch_notes(rotation, scenario)) notes.push_back(std::move(note));
   return notes;
 }
 
@@ -317,12 +308,9 @@ RunReport detail::rows_of(const Rotation& rotation, const Scenario& scenario,
                           std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   const RowLayout layout = row_layout(rotation, scenario);
   RowWriter writer(layout.width(), sinks, control.from == nullptr ? 0 : control.from->pushed);
-  RunReport report = is_free(rotation) ? FreeRun(rotation, layout, writer, control).report()
-                                       : run_integrated(rotation, layout, writer, control);
-  report.rows = writer.rows();
-  report.events_met = static_cast<std::int64_t>(report.events.size());
-  if (report.outcome.ok()) writer.finish();
-  return report;
+  return completed(is_free(rotation) ? FreeRun(scenario, layout, writer, control).report()
+                                     : run_integrated(scenario, layout, writer, control),
+                   writer);
 }
 
 }  // namespace v0

@@ -7,8 +7,8 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/detail/run_state.hpp"
 #include "run/detail/kept_outputs.hpp"
-#include "run/detail/run_state.hpp"
 #include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 

@@ -10,12 +10,15 @@
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/text/epoch.hpp"
 #include "run/detail/experiment_parts.hpp"
+#include "run/detail/summary_lines.hpp"
 #include "run/detail/table_error.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
+
+using detail::Lines;
 
 constexpr std::size_t most_events = 20;  // that a summary lists
 
@@ -34,29 +37,6 @@ std::string mode(Regime regime) {
   }
   return {};
 }
-
-class Lines {
- public:
-  explicit Lines(const Units& units) : units_(units) {}
-
-  void number(const std::string& key, const std::string& label, double core, Dimension dimension) {
-    if (std::isfinite(core)) numbers(key, label, {core}, dimension);
-  }
-  void numbers(const std::string& key, const std::string& label, std::vector<double> core,
-               Dimension dimension) {
-    for (double& x : core) x = units_.from_core(x, dimension);
-    const std::string unit = units_.label(dimension);
-    lines_.push_back({key, label, std::move(core), {}, unit == "1" ? "" : unit});
-  }
-  void text(const std::string& key, const std::string& label, const std::string& value) {
-    if (!value.empty()) lines_.push_back({key, label, {}, value, {}});
-  }
-  std::vector<SummaryLine> take() { return std::move(lines_); }
-
- private:
-  const Units& units_;
-  std::vector<SummaryLine> lines_;
-};
 
 double largest(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
 
@@ -102,7 +82,8 @@ void add_sensitivity(Lines& lines, const Rotation& rotation, const Units& units,
 }
 
 // What moves the body, apart from its own spin.
-void add_motion(Lines& lines, const Rotation& rotation, const Units& units) {
+void add_motion(Lines& lines, const Rotation& rotation, const Units& units,
+                std::span<const ChartKind> charts) {
   if (!rotation.frame.is_inertial()) lines.text("frame", "reference frame", rotation.frame_text);
   for (const ScenarioOrbit& orbit : rotation.orbits) {
     const std::string key = "orbit_" + orbit.name, label = "orbit " + orbit.name;
@@ -124,7 +105,7 @@ void add_motion(Lines& lines, const Rotation& rotation, const Units& units) {
   lines.text("method", "method", detail::propagation_text(rotation, units));
   for (std::size_t i = 0; i < rotation.events.size(); ++i) {
     const ScenarioEvent& event = rotation.events[i];
-    const Dimension dimension = column_dimension(event.column);
+    const Dimension dimension = column_dimension(event.column, charts);
     const std::string unit = units.label(dimension);
     lines.text("event_" + std::to_string(i + 1), "event " + event.name,
                event.column + " = " +
@@ -139,11 +120,11 @@ std::string direction_text(int direction) {
   return direction > 0 ? "rising" : "falling";
 }
 
-void add_cost(Lines& lines, const Statistics& statistics) {
+void add_cost(Lines& lines, const Statistics& statistics, const std::string& of) {
   lines.number("steps", "steps", static_cast<double>(statistics.steps), Dimension::number);
   lines.number("rejected", "steps repeated", static_cast<double>(statistics.rejected),
                Dimension::number);
-  lines.number("evaluations", "evaluations of the perturbations",
+  lines.number("evaluations", "evaluations of the " + of,
                static_cast<double>(statistics.evaluations), Dimension::number);
 }
 
@@ -161,8 +142,8 @@ std::string outcome_text(const Outcome& outcome) {
 
 }  // namespace
 
-std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenario& scenario,
-                                         const FreeRotation& motion) {
+std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenario& scenario) {
+  const FreeRotation motion = free_rotation(rotation);
   Lines lines(scenario.units());
   const Vec3& I = motion.body().moments();
   const double I3 = largest(I);
@@ -198,7 +179,7 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
   if (!(q == Quaternion{}))
     lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
                   {q.w, q.x, q.y, q.z}, Dimension::number);
-  add_motion(lines, rotation, scenario.units());
+  add_motion(lines, rotation, scenario.units(), scenario.document.kinds->charts());
   return lines.take();
 }
 
@@ -206,10 +187,16 @@ std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Sc
                                               const RunReport& report, const std::string& events) {
   Lines lines(scenario.units());
   const bool is_exact = !propagation_method(rotation);
-  if (is_exact && rotation.events.empty()) return lines.take();
+  if (!is_exact || has_events(rotation))
+    add_report(lines, report, is_exact ? "" : "perturbations", events);
+  return lines.take();
+}
+
+void detail::add_report(Lines& lines, const RunReport& report, const std::string& evaluated,
+                        const std::string& events) {
   lines.text("outcome", "outcome", outcome_text(report.outcome));
   lines.number("end", "the run ended at t", report.outcome.t, Dimension::time);
-  if (!is_exact) add_cost(lines, report.statistics);
+  if (!evaluated.empty()) add_cost(lines, report.statistics, evaluated);
   if (report.energy_change)
     lines.number("energy_change", "change of energy E - E(0)", *report.energy_change,
                  Dimension::energy);
@@ -223,7 +210,6 @@ std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Sc
   const auto more = std::max(report.events_met, static_cast<std::int64_t>(report.events.size())) -
                     static_cast<std::int64_t>(shown);
   if (more > 0) lines.text("more_events", "and", std::to_string(more) + " events more: " + events);
-  return lines.take();
 }
 
 std::string shown_number(const std::string& key, double number) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scenario/detail/rotation_kind.hpp"
+#include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 
 namespace polhode {
@@ -12,14 +13,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-std::vector<SchemaPart> rotation_keys(const DescribedParts& described) {
-  return {body_keys(),    state_keys(),      frame_keys(),
-          orbit_keys(),   described.orbits,  described.perturbations,
-          surface_keys(), described.methods, event_keys(),
-          time_keys()};
-}
-
-MadeExperiment make_rotation(const KindContext& of) {
+MadeExperiment made_rotation_of(const KindContext& of) {
   const auto base = std::make_shared<const MadeRotation>(made_rotation(of));
   return {
       base->rotation, [base](const KindContext& at, std::vector<std::string> changed) -> Remake {
@@ -31,19 +25,45 @@ MadeExperiment make_rotation(const KindContext& of) {
       }};
 }
 
-constexpr ExperimentKind kinds[] = {
-    {"rotation", rotation_keys, make_rotation},
-};
+OwnExperiment made_own(const KindContext& at) {
+  const std::string& path = word(at.values, "kind");  // its table has the same name
+  const ExperimentKind* const kind = at.kinds.experiment(path);
+  if (kind == nullptr)
+    throw std::logic_error("kind: the schema allows one without a description: " + path);
+  if (is_explicit(at.values, "output.columns"))
+    refuse(at.values, "output.columns", at.name,
+           "expected none: rows of kind " + path + " have all of its columns");
+  const std::optional<SaveAt> rows = times_of(at.values, at.name);
+  if (!rows) refuse(at.values, "kind", at.name, "expected a table [time] as well");
+  const Method method = method_of(at).value_or(Adaptive{});
+  if (method_of_any_state(method) == nullptr)
+    refuse(at.values, "method.kind", at.name,
+           "expected \"adaptive\", since kind \"" + path + "\" has a state of its own");
+  const KeyValues table(at.values, at.units, path, at.name);
+  return built(at.values, path, at.name,
+               [&] { return kind->made(ExperimentContext(table, *rows, method)); });
+}
 
 }  // namespace
 
-std::span<const ExperimentKind> experiment_kinds() { return kinds; }
+ExperimentRow rotation_row(const DescribedParts& described) {
+  return {"rotation",
+          {body_keys(), described.state, frame_keys(), orbit_keys(), described.orbits,
+           described.perturbations, surface_keys(), described.methods, event_keys(), time_keys()}};
+}
 
-const ExperimentKind& kind_of(const Values& values) {
-  const std::string& name = word(values, "kind");
-  for (const ExperimentKind& kind : kinds)
-    if (kind.name == name) return kind;
-  throw std::logic_error("kind: the schema allows one that has no row: " + name);
+ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
+                     const DescribedParts& described) {
+  return {kind.name, {own, described.methods, time_keys()}};
+}
+
+MadeExperiment made_experiment(const KindContext& at) {
+  if (word(at.values, "kind") == "rotation") return made_rotation_of(at);
+  return {made_own(at), [](const KindContext& of, const std::vector<std::string>&) {
+            return Remake([of](const Values& values) {
+              return Experiment(made_own({values, of.units, of.kinds, of.output, of.name}));
+            });
+          }};
 }
 
 }  // namespace detail

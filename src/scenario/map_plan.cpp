@@ -50,9 +50,11 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
           units.label(dimension)};
 }
 
-std::string column_of(const Values& values, const System& system, const std::string& name) {
+std::string column_of(const MapContext& at, const System& system) {
+  const Values& values = at.values;
+  const std::string& name = at.name;
   const std::string& column = word(values, "map.column");
-  const std::vector<std::string_view> known = column_names();
+  const std::vector<std::string_view> known = column_names(at.charts);
   if (std::find(known.begin(), known.end(), column) == known.end())
     refuse(values, "map.column", name,
            "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
@@ -76,9 +78,8 @@ SectionSurface surface_of(const Values& values, const std::string& name) {
                                          : AndoyerAngle::h,
                           number(values, "map.value"), crossing_of(word(values, "map.crossing"))};
   }
-  const double period = number(values, "map.period");
-  if (!(period > 0.0)) refuse(values, "map.period", name, "expected a positive time");
-  return Strobe{period, number(values, "map.epoch")};
+  require_range(values, "map.period", name);
+  return Strobe{number(values, "map.period"), number(values, "map.epoch")};
 }
 
 std::string section_orbit(const Values& values, const std::vector<ScenarioOrbit>& orbits,
@@ -95,14 +96,15 @@ std::string section_orbit(const Values& values, const std::vector<ScenarioOrbit>
 }
 
 // All but the grid.
-MapPlan without_axes(const Values& values, const MapSubject& subject, const std::string& name) {
+MapPlan without_axes(const MapContext& at, const MapSubject& subject) {
+  const Values& values = at.values;
+  const std::string& name = at.name;
   const std::string& kind = word(values, "map.kind");
   if (kind == "chaos" && subject.system.damper())
     refuse(values, "map.kind", name,
            "expected another kind, since the state of a Kane damper has no indicator of chaos");
   if (kind == "chaos") return {.kind = MapKind::chaos};
-  if (kind == "column")
-    return {.kind = MapKind::column, .column = column_of(values, subject.system, name)};
+  if (kind == "column") return {.kind = MapKind::column, .column = column_of(at, subject.system)};
   if (kind == "andoyer-section")
     return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
   return {.kind = MapKind::spin_orbit_section,
@@ -121,20 +123,19 @@ void require_rows(const Values& values, const std::optional<SaveAt>& time,
 
 }  // namespace
 
-MapSubject map_subject(const Rotation& rotation) {
-  return {rotor_system(rotation), rotation.orbits, rotation.time};
-}
 MapSubject subject_of(const Experiment& experiment) {
-  return std::visit([](const auto& kind) { return map_subject(kind); }, experiment);
+  const Rotation& rotation = rotation_of(experiment);
+  return {rotor_system(rotation), rotation.orbits, rotation.time};
 }
 
 MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
-  const auto& [values, units, name] = at;
-  MapPlan plan = without_axes(values, subject, name);
+  const Values& values = at.values;
+  const std::string& name = at.name;
+  MapPlan plan = without_axes(at, subject);
   double cells = 1.0;
   for (std::size_t i = 0; has(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
-    MapAxis axis = axis_of(values, units, path, name);
+    MapAxis axis = axis_of(values, at.units, path, name);
     for (const MapAxis& other : plan.axes)
       if (other.key == axis.key)
         refuse(values, path + ".key", name, "expected a key of its own: another axis has it");
@@ -148,7 +149,7 @@ MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
 }
 
 void require_map(const MapContext& at, const MapSubject& subject) {
-  static_cast<void>(without_axes(at.values, subject, at.name));
+  static_cast<void>(without_axes(at, subject));
   require_rows(at.values, subject.rows, at.name);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace detail {
 struct MapContext {
   const Values& values;
   const Units& units;
+  std::span<const ChartKind> charts;
   const std::string& name;  // of the file, for messages
 };
 // What sections, columns and the indicator of chaos ask of an experiment, which must outlive it.
@@ -25,8 +27,7 @@ struct MapSubject {
   const std::vector<ScenarioOrbit>& orbits;
   const std::optional<SaveAt>& rows;
 };
-// One overload for each kind: here, and nowhere else, it says whether a map can wrap it.
-MapSubject map_subject(const Rotation& rotation);
+// DomainError for what a map cannot wrap.
 MapSubject subject_of(const Experiment& experiment);
 
 // ScenarioError at the place of what is wrong.

@@ -67,10 +67,7 @@ Vec3 pole_of(const Values& values, const std::string& name) {
 
 TumblerState tumbler_of(const Values& values, const std::string& name) {
   for (const char* period : {"state.tumbler.precession_period", "state.tumbler.rotation_period"})
-    built(values, period, name, [&] {
-      if (!(number(values, period) > 0.0)) throw DomainError("expected a positive time");
-      return 0;
-    });
+    require_range(values, period, name);
   const bool short_axis = word(values, "state.tumbler.mode") == "SAM";
   return {.precession_period = number(values, "state.tumbler.precession_period"),
           .rotation_period = number(values, "state.tumbler.rotation_period"),
@@ -152,39 +149,20 @@ ChartState chart_state_of(const Values& values, const ChartKind& chart, const Bo
   return state;
 }
 
-InitialState state_of(const Values& values, const std::string& chart, const Body& body,
-                      const std::string& name) {
+InitialState state_of(const KindContext& at, const std::string& chart, const Body& body) {
+  const Values& values = at.values;
+  const std::string& name = at.name;
   if (chart == "tumbler") return tumbler_of(values, name);
   if (chart == "attitude-rate") return attitude_rate_of(values, name);
-  const ChartKind* const kind = chart_named(chart);
+  const ChartKind* const kind = chart_named(chart, at.kinds.charts());
   if (kind == nullptr)
     throw std::logic_error("state: the schema allows a chart without a description: " + chart);
   return built(values, "state." + chart, name, [&] { return chart_state_of(values, *kind, body); });
 }
 
-std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
-  if (!has(values, "time")) return std::nullopt;
-  const double start = number(values, "time.start");
-  if (has(values, "time.at")) {
-    if (is_explicit(values, "time.start"))
-      return built(values, "time.start", name, []() -> std::optional<SaveAt> {
-        throw DomainError("expected no start together with at, which lists every time");
-      });
-    return SaveAt::times(value_at(values, "time.at").numbers);
-  }
-  const double stop = number(values, "time.stop");
-  if (has(values, "time.step"))
-    return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
-      return SaveAt::steps(start, stop, number(values, "time.step"));
-    });
-  return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
-    return SaveAt::count(start, stop, value_at(values, "time.count").whole);
-  });
-}
-
-std::string chart_of(const Values& values) {
-  for (const std::string_view chart : state_charts())
-    if (has(values, "state." + std::string(chart))) return std::string(chart);
+std::string chart_of(const KindContext& at) {
+  for (const std::string_view chart : state_charts(at.kinds.schema()))
+    if (has(at.values, "state." + std::string(chart))) return std::string(chart);
   return {};
 }
 
@@ -198,7 +176,7 @@ class RotationBuilder {
   MadeRotation made() {
     const Values& values = at_.values;
     const std::string& name = at_.name;
-    const std::string chart = chart_of(values);
+    const std::string chart = chart_of(at_);
     std::shared_ptr<const ScenarioShape> shape =
         keeps({"body."}) ? base_->rotation.shape : shape_of(values, name);
     const Body body = keeps({"body."}) ? base_->rotation.body : body_of(values, shape.get(), name);
@@ -206,7 +184,7 @@ class RotationBuilder {
     MadeRotation made{{.body = body,
                        .q_file = has(values, "body.moments") ? Quaternion{} : body.q_FB(),
                        .chart = chart,
-                       .state = state_of(values, chart, body, name),
+                       .state = state_of(at_, chart, body),
                        .epoch = has(values, "state.epoch") ? word(values, "state.epoch") : "",
                        .axes = word(values, "state.axes"),
                        .shape = std::move(shape),
@@ -216,8 +194,7 @@ class RotationBuilder {
     add_orbits(made);
     Rotation& rotation = made.rotation;
     rotation.method = method_of(at_);
-    rotation.events =
-        keeps({"event["}) ? base_->rotation.events : events_of(values, at_.units, name);
+    rotation.events = keeps({"event["}) ? base_->rotation.events : events_of(at_);
     if (base_ == nullptr)  // reported here, between the state and what acts on it
       static_cast<void>(format_options_of(values, at_.output.formats, name));
     add_frame(rotation, values, name);

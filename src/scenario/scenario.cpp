@@ -82,12 +82,13 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   Document document = document_of(text, path, kinds, read);
   OutputPlan output = output_of(read.values, kinds.formats());
   const auto made = std::make_shared<const detail::MadeExperiment>(
-      detail::kind_of(read.values).make({read.values, document.units, kinds, output, path}));
+      detail::made_experiment({read.values, document.units, kinds, output, path}));
   output.options = detail::format_options_of(read.values, kinds.formats(), path);
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
-    map =
-        detail::map_plan({read.values, document.units, path}, detail::subject_of(made->experiment));
+    map = detail::map_plan({read.values, document.units, kinds.charts(), path},
+                           detail::built(read.values, "map", path,
+                                         [&] { return detail::subject_of(made->experiment); }));
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
   return {std::move(document), made->experiment, std::move(output), std::move(map)};

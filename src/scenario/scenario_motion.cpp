@@ -115,6 +115,26 @@ std::optional<Method> method_of(const KindContext& at) {
   });
 }
 
+std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
+  if (!has(values, "time")) return std::nullopt;
+  const double start = number(values, "time.start");
+  if (has(values, "time.at")) {
+    if (is_explicit(values, "time.start"))
+      return built(values, "time.start", name, []() -> std::optional<SaveAt> {
+        throw DomainError("expected no start together with at, which lists every time");
+      });
+    return SaveAt::times(value_at(values, "time.at").numbers);
+  }
+  const double stop = number(values, "time.stop");
+  if (has(values, "time.step"))
+    return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
+      return SaveAt::steps(start, stop, number(values, "time.step"));
+    });
+  return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
+    return SaveAt::count(start, stop, value_at(values, "time.count").whole);
+  });
+}
+
 std::vector<std::string> array_paths(const Values& values, const std::string& array) {
   std::vector<std::string> paths;
   for (;;) {
@@ -125,10 +145,12 @@ std::vector<std::string> array_paths(const Values& values, const std::string& ar
   }
 }
 
-std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
-                                     const std::string& name) {
+std::vector<ScenarioEvent> events_of(const KindContext& at) {
+  const Values& values = at.values;
+  const std::string& name = at.name;
+  const std::span<const ChartKind> charts = at.kinds.charts();
   std::vector<ScenarioEvent> events;
-  const std::vector<std::string_view> known = column_names();
+  const std::vector<std::string_view> known = column_names(charts);
   for (const std::string& path : array_paths(values, "event")) {
     const std::string& column = word(values, path + ".column");
     if (std::find(known.begin(), known.end(), column) == known.end())
@@ -142,9 +164,8 @@ std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
                "expected a name of its own, since an event before it is called " + own);
     const double value = number(values, path + ".value");
     const std::string interval = path + ".interval";
-    if (has(values, interval) && !(number(values, interval) > 0.0))
-      refuse(values, interval, name, "expected a positive time");
-    events.push_back({own, column, units.to_core(value, column_dimension(column)),
+    if (has(values, interval)) require_range(values, interval, name);
+    events.push_back({own, column, at.units.to_core(value, column_dimension(column, charts)),
                       crossing_of(word(values, path + ".crossing")),
                       value_at(values, path + ".stops").whole == 1,
                       has(values, interval) ? number(values, interval) : 0.0});

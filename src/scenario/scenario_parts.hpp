@@ -46,13 +46,15 @@ const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const
                                  const std::string& path, const std::string& name);
 Crossing crossing_of(const std::string& word);
 std::optional<Method> method_of(const KindContext& at);
-std::vector<ScenarioEvent> events_of(const Values& values, const Units& units,
-                                     const std::string& name);
+std::optional<SaveAt> times_of(const Values& values, const std::string& name);
+std::vector<ScenarioEvent> events_of(const KindContext& at);
 // Of the formats that have a table [output.NAME].
 FormatOptions format_options_of(const Values& values, const OutputFormats& formats,
                                 const std::string& name);
 // Fills in frame, frame_text and precession; the orbits are there.
 void add_frame(Rotation& rotation, const Values& values, const std::string& name);
+// DomainError where the kind is another than "rotation".
+const Rotation& rotation_of(const Experiment& experiment);
 // The energy where it starts; 0 where a term has none.
 double initial_energy(const DampedProblem& problem);
 // What method, events, rows and columns ask of the system.

@@ -14,8 +14,8 @@ namespace detail {
 
 FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name) {
   const std::string scale_key = path + ".scale", shape_key = path + ".shape";
+  if (has(values, scale_key)) require_range(values, scale_key, name);
   const double scale = has(values, scale_key) ? number(values, scale_key) : 1.0;
-  if (!(scale > 0.0)) refuse(values, scale_key, name, "expected a positive length");
   const std::filesystem::path file =
       std::filesystem::path(name).parent_path() / word(values, shape_key);
   return built(values, shape_key, name, [&] {
@@ -31,8 +31,8 @@ std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::s
     return nullptr;
   }
   FacetShape mesh = mesh_of(values, "body", name);
+  require_range(values, "body.density", name);
   const double density = number(values, "body.density");
-  if (!(density > 0.0)) refuse(values, "body.density", name, "expected a positive density");
   MassProperties inside =
       built(values, "body.shape", name, [&] { return mass_properties(mesh, density); });
   return std::make_shared<const ScenarioShape>(

@@ -84,6 +84,14 @@ double detail::initial_energy(const DampedProblem& problem) {
   return energy(at_damper_rate(problem.system, damper_rate), problem.start, rotor);
 }
 
+const Rotation& detail::rotation_of(const Experiment& experiment) {
+  if (const auto* own = std::get_if<OwnExperiment>(&experiment))
+    throw DomainError("kind: got \"" + own->kind + "\"; expected \"rotation\"");
+  return std::get<Rotation>(experiment);
+}
+
+const Rotation& Scenario::rotation() const { return detail::rotation_of(experiment); }
+
 const std::optional<SaveAt>& row_times(const Scenario& scenario) {
   return std::visit([](const auto& kind) -> const auto& { return row_times(kind); },
                     scenario.experiment);
@@ -91,21 +99,15 @@ const std::optional<SaveAt>& row_times(const Scenario& scenario) {
 bool has_events(const Scenario& scenario) {
   return std::visit([](const auto& kind) { return has_events(kind); }, scenario.experiment);
 }
-DampedProblem problem(const Experiment& experiment) {
-  return std::visit([](const auto& kind) { return rotor_problem(kind); }, experiment);
-}
-System rotor_system(const Scenario& scenario) {
-  return std::visit([](const auto& kind) { return rotor_system(kind); }, scenario.experiment);
-}
-RotorState initial_state(const Scenario& scenario) {
-  return std::visit([](const auto& kind) { return initial_state(kind); }, scenario.experiment);
-}
-FreeRotation free_rotation(const Scenario& scenario) {
-  return std::visit([](const auto& kind) { return free_rotation(kind); }, scenario.experiment);
-}
 std::optional<Method> propagation_method(const Scenario& scenario) {
   return std::visit([](const auto& kind) { return propagation_method(kind); }, scenario.experiment);
 }
+DampedProblem problem(const Experiment& experiment) {
+  return rotor_problem(detail::rotation_of(experiment));
+}
+System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
+RotorState initial_state(const Scenario& scenario) { return initial_state(scenario.rotation()); }
+FreeRotation free_rotation(const Scenario& scenario) { return free_rotation(scenario.rotation()); }
 
 }  // namespace v0
 }  // namespace polhode

@@ -36,6 +36,11 @@ const Value* placed(const Values& values, std::string_view path) {
   return nullptr;
 }
 
+// "a length", "a number".
+std::string quantity(Dimension dimension) {
+  return dimension == Dimension::number ? "a number" : std::string(dimension_name(dimension));
+}
+
 }  // namespace
 
 const Value& value_at(const Values& values, std::string_view path) {
@@ -73,6 +78,18 @@ void refuse(const Values& values, std::string_view path, const std::string& name
   diagnostics.add(value == nullptr ? Position{} : value->where, place, got + std::string(message));
   diagnostics.raise();
   throw std::logic_error("a diagnostic that does not raise");
+}
+
+void require_range(const Values& values, std::string_view path, const std::string& name) {
+  const Value& value = value_at(values, path);
+  const Range range = value.key->range;
+  const std::string what = quantity(value.key->dimension);
+  for (const double x : value.numbers) {
+    if (range == Range::positive && !(x > 0.0))
+      refuse(values, path, name, "expected a positive" + what.substr(what.find(' ')));
+    if (range == Range::not_negative && !(x >= 0.0))
+      refuse(values, path, name, "expected " + what + " that is not negative");
+  }
 }
 
 }  // namespace detail

@@ -29,6 +29,9 @@ bool has(const Values& values, std::string_view path);
 [[noreturn]] void refuse(const Values& values, std::string_view path, const std::string& name,
                          std::string_view message);
 
+// Refuses a number outside the range of its key.
+void require_range(const Values& values, std::string_view path, const std::string& name);
+
 // What a constructor of the library refuses becomes a message at the place of `path`.
 template <class Build>
 auto built(const Values& values, std::string_view path, const std::string& name,

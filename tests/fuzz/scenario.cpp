@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Scenario scenario = scenario_from_text(fuzz::text_of(data, size), "fuzz");
     const FreeRotation motion = free_rotation(scenario);
-    require(!summary_table(summary(scenario, motion)).empty());
+    require(!summary_table(summary(scenario)).empty());
     require(!provenance(scenario).notes.empty());
     const RowLayout layout = row_layout(scenario);
     const double last = scenario.rotation().time

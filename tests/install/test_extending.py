@@ -147,6 +147,60 @@ def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
             "turns fast enough") in sh(program, "info", wrong, status=2)
 
 
+@pytest.fixture(scope="module")
+def colombo(built):
+    return built("experiment")
+
+
+def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
+    path, program, out = colombo, colombo / "build/colombos-top", tmp_path / "planet.csv"
+    scenario, text = path / "planet.toml", (path / "planet.toml").read_text()
+    said = sh(program, "run", scenario, "--out", out, "--out", tmp_path / "planet.h5")
+    assert "completed" in said and "evaluations of the model" in said
+    names, rows = rows_of(out)
+    assert names == ["t", "obliquity", "x", "y", "z", "K"] and len(rows) == 1001
+    assert "# units: t [kyr], obliquity [deg], x [1], y [1], z [1], K [deg/kyr]" in out.read_text()
+    assert rows[0][1] == pytest.approx(25, rel=budgets.cli_rounding)
+    for row in rows:
+        assert row[5] == pytest.approx(rows[0][5], rel=budgets.own_model)
+        assert row[2]**2 + row[3]**2 + row[4]**2 == pytest.approx(1, rel=budgets.own_model)
+    assert any(row[1] > 37 for row in rows)  # it is not the state of Cassini
+    info = sh(program, "info", scenario)
+    assert "period of precession at this obliquity  71.4" in info and "colombos-top" in info
+    cited = sh(program, "cite", scenario)
+    assert "[colombo1966]" in cited and "[jacobi1850]" not in cited
+    assert '"enum": ["rotation", "colombos-top"]' in sh(program, "schema")
+    template = tmp_path / "template.toml"
+    template.write_text(sh(program, "init", "colombos-top"))
+    sh(program, "run", template, "--out", tmp_path / "template.csv")
+    assert "colombos-top]" not in sh(program, "init", "andoyer")
+    for wrong, message in {
+        text.replace("obliquity = 25", 'obliquity = "25 m"'): '10:13: colombos-top.obliquity: got',
+        text.replace("[time]", "[body]\nmoments = [1, 2, 2]\n[time]"): "12:2: body: a key of kind",
+        text.replace("[time]", "[map]\nkind = 'chaos'\n[[map.axis]]\n"
+                     "key = 'colombos-top.obliquity'\nfrom = 1\nto = 2\ncount = 2\n[time]"):
+            '12:1: map: kind: got "colombos-top"; expected "rotation"',
+        text.replace("[time]", "[method]\nkind = 'splitting'\nstep = 1\n[time]"):
+            '13:8: method.kind: got "splitting"; expected "adaptive", since kind "colombos-top"',
+        text[:text.index("[time]")]: "expected a table [time] as well",
+    }.items():
+        (tmp_path / "wrong.toml").write_text(wrong)
+        said = sh(program, "run", tmp_path / "wrong.toml", "--out", tmp_path / "no.csv", status=2)
+        assert message in said, said
+
+
+def test_a_run_of_an_experiment_of_your_own_is_stopped_and_continued(colombo, tmp_path):
+    program, scenario = colombo / "build/colombos-top", tmp_path / "long.toml"
+    text = (colombo / "planet.toml").read_text()
+    scenario.write_text(text.replace("stop = 5000\n", "stop = 2000000\n"))
+    for extension in ("csv", "h5"):
+        out, cut = tmp_path / f"whole.{extension}", tmp_path / f"cut.{extension}"
+        sh(program, "run", scenario, "--out", out)
+        stopped(program, scenario, cut, signal.SIGKILL)
+        sh(program, "run", scenario, "--out", cut, "--resume")
+        assert cut.read_bytes() == out.read_bytes()
+
+
 def test_an_output_format_of_your_own_writes_resumes_and_refuses(built, root):
     source = built("output-format")
     command = ["build/fixed-width", "scenario.toml", "rows.txt"]
@@ -171,24 +225,44 @@ def spherical(built):
 
 
 def test_a_chart_of_your_own_is_converted_and_its_bad_row_is_found(spherical, root):
-    def converted(text, *charts):
-        return subprocess.run([spherical, *charts], input=text, text=True, capture_output=True)
+    def converted(text, old, new):
+        command = [spherical, "convert", "--from", old, "--to", new, "--moments", "1,2,2.5"]
+        return subprocess.run(command, input=text, text=True, capture_output=True)
 
     given = (root / "examples/extending/chart/states.csv").read_text()
     there = converted(given, "spherical", "serret")
     assert there.returncode == 2
-    assert there.stderr.startswith("stdin:3: andoyer_state: H = ")
+    assert there.stderr.startswith("<stdin>:3: andoyer_state: H = ")
     back = converted(there.stdout, "serret", "spherical")
     assert back.returncode == 0, back.stderr
     first, last = given.splitlines(), back.stdout.splitlines()
     assert last[0] == first[0] and len(last) == 2
     assert [float(x) for x in last[1].split(",")] == pytest.approx(
         [float(x) for x in first[1].split(",")], abs=budgets.cli_carried)
+    assert "\n  spherical: l,g,h,log_G,cos_J,cos_I\n" in sh(spherical, "convert", "--help")
 
 
-def test_columns_of_that_chart_are_those_of_its_page(spherical, root):
-    page = (root / "docs/extending/chart.md").read_text()
-    assert f"```\n{sh(spherical)}```" in page
+def test_a_chart_of_your_own_is_a_state_and_columns_of_a_run(spherical, root, tmp_path):
+    scenario = root / "examples/extending/chart/spherical.toml"
+    out, events = tmp_path / "rows.csv", tmp_path / "events.csv"
+    sh(spherical, "run", scenario, "--out", out, "--events", events)
+    written = out.read_text()
+    shown = "".join(line for line in written.splitlines(keepends=True)
+                    if line.startswith(("# units", "t,")))
+    assert f"```\n{shown}```" in (root / "docs/extending/chart.md").read_text()
+    rows = [line.split(",") for line in written.splitlines() if not line.startswith("#")]
+    assert [float(x) for x in rows[1]] == pytest.approx([0, 70, 20, 40, 0.5, 0.9, -0.5],
+                                                        rel=budgets.cli_carried)
+    found = [line.split(",") for line in events.read_text().splitlines() if line[0] != "#"]
+    assert float(found[1][found[0].index("cos_J")]) == pytest.approx(0.8, rel=budgets.cli_carried)
+    assert "cos_J = 0.8" in sh(spherical, "info", scenario)
+    assert '"log_G"' in sh(spherical, "schema")
+    template = tmp_path / "template.toml"
+    template.write_text(sh(spherical, "init", "spherical"))
+    sh(spherical, "run", template, "--out", tmp_path / "template.csv")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(scenario.read_text().replace("cos_J = 0.9", "cos_J = 1.9"))
+    assert ":9:1: state.spherical: got " in sh(spherical, "info", wrong, status=2)
 
 
 def test_pages_show_the_files_of_their_examples(root):

@@ -39,7 +39,7 @@ constexpr polhode::ChartKind chart{
     .variables = variables,
     .to_hub = to_hub,
     .from_hub = from_hub,
-    .in_scenarios = true,  // a group of columns of its name
+    .in_scenarios = true,  // [state.spherical], and a group of columns of this name
 };
 
 }  // namespace spherical

@@ -39,7 +39,7 @@ struct MapCell {
 class ScenarioMap {
  public:
   // `name` stands for the file in messages and outputs.
-  ScenarioMap(std::string_view text, const std::string& name);
+  ScenarioMap(std::string_view text, const std::string& name, const Kinds& kinds = default_kinds());
   explicit ScenarioMap(Scenario scenario);
   ~ScenarioMap();
   ScenarioMap(const ScenarioMap&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a body does, in a few lines: mode, periods, momentum, energy, modulus of its free motion;
-// what acts on it, how it is propagated, and how a run went.
+// what acts on it, how it is propagated, and how a run went. An experiment from outside has the
+// facts that it gives.
 //
 // Equations   those of FreeRotation and of the tumbler.
 // Units       those of the scenario; each line names its own.
@@ -15,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -30,7 +30,7 @@ struct SummaryLine {
   std::string unit;  // empty for pure numbers and texts
 };
 
-std::vector<SummaryLine> summary(const Scenario& scenario, const FreeRotation& motion);
+std::vector<SummaryLine> summary(const Scenario& scenario);
 
 // How a run went: where it ended, what it cost, the change of energy, events. Nothing for a free
 // motion without events. `events` says where all of them are, when there are many.

@@ -14,10 +14,12 @@
 // Units       a quantity has a dimension (polhode/text/units.hpp), and A holds it in core units.
 // Domain      members: double, Vec3, std::array<double, N>, std::vector<double>, LinearMap, and
 //             optional ones of them; bool; an enumeration; std::string and std::vector of it. A key
-//             without a default that is left out leaves the member as it is.
+//             without a default that is left out leaves the member as the struct has it; what
+//             `otherwise` says stands there alone.
 // Accuracy    none.
-// Errors      a key without a name, a dimension or a text does not compile. Arguments of a table
-//             that break `positive` and the like: a ScenarioError at the place of the value.
+// Errors      a key without a name, a dimension or a text does not compile; nor does one for a
+//             member of another type, or a range of what is no number. Arguments of a table that
+//             break `positive` and the like: a ScenarioError at the place of the value.
 // Cost        none until a table is read.
 #pragma once
 
@@ -26,7 +28,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "polhode/scenario/detail/key_form.hpp"
@@ -35,134 +37,163 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+struct KeyMaker;
+}  // namespace detail
 
+// Only the functions below make one: a key has a name, a dimension, a sentence, and a member of the
+// type that its values have.
 template <class A>
-struct KindKey {
-  Key key;
-  Range range = Range::any;
-  void (*fill)(A&, const KeyValues&, std::string_view) = nullptr;
+class KindKey {
+ public:
+  constexpr const Key& key() const { return key_; }
 
-  constexpr KindKey required() const {
-    KindKey made = *this;
-    made.key.presence = Presence::required;
-    return made;
+  consteval KindKey required() const {
+    if (!key_.fallback.empty()) throw "a key that is required has nothing that stands for it";
+    return with(&Key::presence, Presence::required);
   }
   // One of the sets of keys of which a table has exactly one.
-  constexpr KindKey alternative() const {
-    KindKey made = *this;
-    made.key.presence = Presence::alternative;
-    return made;
-  }
+  consteval KindKey alternative() const { return with(&Key::presence, Presence::alternative); }
   // What a missing key stands for, as TOML.
-  constexpr KindKey otherwise(std::string_view toml) const {
-    KindKey made = *this;
-    made.key.fallback = toml;
-    if (made.key.example.empty()) made.key.example = toml;
-    return made;
+  consteval KindKey otherwise(std::string_view toml) const {
+    if (key_.presence == Presence::required)
+      throw "a key that is required has nothing that stands for it";
+    const KindKey made = with(&Key::fallback, toml);
+    return key_.example.empty() ? made.example(toml) : made;
   }
   // What `polhode init` writes, as TOML.
-  constexpr KindKey example(std::string_view toml) const {
-    KindKey made = *this;
-    made.key.example = toml;
-    return made;
-  }
+  consteval KindKey example(std::string_view toml) const { return with(&Key::example, toml); }
   // Stands in the file that `polhode init` writes, though it may be left out.
-  constexpr KindKey shown() const {
+  consteval KindKey shown() const { return with(&Key::in_template, true); }
+
+  // Of numbers, all of them.
+  consteval KindKey positive() const { return within(Range::positive); }
+  consteval KindKey not_negative() const { return within(Range::not_negative); }
+
+  // Writes what the table says into the arguments.
+  void fill(A& arguments, const KeyValues& values) const { fill_(arguments, values, key_.path); }
+
+ private:
+  using Fill = void (*)(A&, const KeyValues&, std::string_view);
+  friend struct detail::KeyMaker;
+  consteval KindKey(const Key& row, Fill filled_by) : key_(row), fill_(filled_by) {}
+
+  template <class T>
+  consteval KindKey with(T Key::*part, T value) const {
     KindKey made = *this;
-    made.key.in_template = true;
+    made.key_.*part = value;
     return made;
   }
-  // A key as its maker begins it.
-  template <auto at>
-  static consteval KindKey of(KeyType type, std::string_view name, std::string_view help) {
-    detail::require_words(name, help);
-    return {Key{.path = name, .type = type, .help = help}, Range::any, detail::fill_member<at, A>};
+  consteval KindKey within(Range allowed) const {
+    if (key_.type != KeyType::number && key_.type != KeyType::numbers)
+      throw "only numbers have a range";
+    return with(&Key::range, allowed);
   }
 
-  constexpr KindKey positive() const { return within(Range::positive); }
-  constexpr KindKey not_negative() const { return within(Range::not_negative); }
-  constexpr KindKey within(Range allowed) const {
-    KindKey made = *this;
-    made.range = allowed;
-    return made;
+  Key key_;
+  Fill fill_;
+};
+
+namespace detail {
+
+struct KeyMaker {
+  template <auto at, class A>
+  static consteval KindKey<A> key(const Key& key) {
+    require_words(key.path, key.help);
+    return {key, fill_member<at, A>};
+  }
+  template <class A>
+  static consteval KindKey<A> key(const Key& key, typename KindKey<A>::Fill fill) {
+    require_words(key.path, key.help);
+    return {key, fill};
   }
 };
 
-// Numbers with a dimension; Dimension::number where they have none. With A: of a struct that
-// derives from the one that has the member.
+}  // namespace detail
+
+// Numbers with a dimension; Dimension::number where they have none. A, here and below: another
+// struct, which derives from the one that has the member.
 template <auto at, class A = detail::Owner<at>>
+  requires detail::HasNumbers<at> && detail::HasMember<A, at>
 consteval KindKey<A> quantity_key(std::string_view name, Dimension dimension,
                                   std::string_view help) {
-  KindKey<A> made = KindKey<A>::template of<at>(detail::KeyFormOf<at>::type, name, help);
-  made.key.dimension = dimension;
-  made.key.length = detail::KeyFormOf<at>::length;
-  return made;
+  using Form = detail::KeyFormOf<at>;
+  return detail::KeyMaker::key<at, A>({.path = name,
+                                       .type = Form::type,
+                                       .dimension = dimension,
+                                       .length = Form::length,
+                                       .help = help});
 }
 
 // true or false.
 template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, bool> && detail::HasMember<A, at>
 consteval KindKey<A> flag_key(std::string_view name, std::string_view help) {
-  return KindKey<A>::template of<at>(KeyType::boolean, name, help);
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::boolean, .help = help});
 }
 
 // One of the words "step|linear|cubic", for the enumerators in this order.
+template <auto at, class A, auto... enumerators>
+  requires detail::HoldsEach<at, enumerators...> && detail::HasMember<A, at>
+consteval KindKey<A> choice_key(std::string_view name, std::string_view words,
+                                std::string_view help) {
+  detail::require_choice(words, sizeof...(enumerators));
+  return detail::KeyMaker::key<A>(
+      {.path = name, .type = KeyType::choice, .allowed = words, .help = help},
+      [](A& arguments, const KeyValues& values, std::string_view key) {
+        constexpr std::array all = {enumerators...};
+        if (values.has(key)) arguments.*at = all.at(values.choice(key));
+      });
+}
 template <auto at, auto... enumerators>
+  requires detail::HoldsEach<at, enumerators...>
 consteval KindKey<detail::Owner<at>> choice_key(std::string_view name, std::string_view words,
                                                 std::string_view help) {
-  using A = detail::Owner<at>;
-  using M = typename detail::Plain<detail::Member<at>>::type;
-  static_assert((std::is_same_v<M, std::remove_cv_t<decltype(enumerators)>> && ...));
-  std::size_t count = 1;
-  for (const char c : words) count += c == '|' ? 1 : 0;
-  if (count != sizeof...(enumerators)) throw "a choice needs a word for each enumerator";
-  detail::require_words(name, help);
-  KindKey<A> made{Key{.path = name, .type = KeyType::choice, .allowed = words, .help = help}};
-  made.fill = [](A& arguments, const KeyValues& values, std::string_view key) {
-    constexpr std::array<M, sizeof...(enumerators)> all = {enumerators...};
-    if (values.has(key)) arguments.*at = all.at(values.choice(key));
-  };
-  return made;
+  return choice_key<at, detail::Owner<at>, enumerators...>(name, words, help);
 }
 
 // The name of a table such as [orbit.NAME].
 template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
 consteval KindKey<A> name_key(std::string_view name, std::string_view help) {
-  return KindKey<A>::template of<at>(KeyType::name, name, help);
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::name, .help = help});
 }
 
 // The path of a file, from the folder of the scenario.
 template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
 consteval KindKey<A> file_key(std::string_view name, std::string_view help) {
-  KindKey<A> made = KindKey<A>::template of<at>(KeyType::text, name, help);
-  made.key.is_file = true;
-  return made;
+  return detail::KeyMaker::key<at, A>(
+      {.path = name, .type = KeyType::text, .help = help, .is_file = true});
 }
 
 // A unit, and the columns of a file by their names or numbers.
 template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
 consteval KindKey<A> unit_key(std::string_view name, std::string_view help) {
-  return KindKey<A>::template of<at>(KeyType::unit, name, help);
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::unit, .help = help});
 }
 template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::vector<std::string>> && detail::HasMember<A, at>
 consteval KindKey<A> columns_key(std::string_view name, std::string_view help) {
-  return KindKey<A>::template of<at>(KeyType::columns, name, help);
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::columns, .help = help});
 }
 
 // Keys that several kinds share, and those of one.
 template <class A, std::size_t m, std::size_t n>
 constexpr std::array<KindKey<A>, m + n> joined(const std::array<KindKey<A>, m>& shared,
                                                const std::array<KindKey<A>, n>& own) {
-  std::array<KindKey<A>, m + n> all{};
-  for (std::size_t i = 0; i < m; ++i) all[i] = shared[i];
-  for (std::size_t i = 0; i < n; ++i) all[m + i] = own[i];
-  return all;
+  return [&]<std::size_t... i, std::size_t... j>(std::index_sequence<i...>,
+                                                 std::index_sequence<j...>) {
+    return std::array<KindKey<A>, m + n>{shared[i]..., own[j]...};
+  }(std::make_index_sequence<m>(), std::make_index_sequence<n>());
 }
 
 // The keys alone, for the schema.
 template <class A>
 std::vector<Key> keys_of(std::span<const KindKey<A>> keys) {
   std::vector<Key> all;
-  for (const KindKey<A>& one : keys) all.push_back(one.key);
+  for (const KindKey<A>& one : keys) all.push_back(one.key());
   return all;
 }
 
@@ -171,8 +202,8 @@ template <class A>
 A arguments(std::span<const KindKey<A>> keys, const KeyValues& values) {
   A made{};
   for (const KindKey<A>& one : keys) {
-    detail::require_range(values, one.key.path, one.range);
-    one.fill(made, values, one.key.path);
+    detail::require_range(values, one.key().path);
+    one.fill(made, values);
   }
   return made;
 }

@@ -11,7 +11,8 @@
 // Accuracy    none.
 // Errors      DomainError from with() for a name or an extension that is taken, or not plain, and
 //             for a kind that is not sound: no text, nothing that makes it, two keys of one name,
-//             an example or what stands for a missing key that the key does not take.
+//             an example or what stands for a missing key that the key does not take; and for a
+//             chart with a word or a column that scenarios could not tell from another.
 // Cost        copies share. with() makes the table of keys anew: some ten microseconds.
 #pragma once
 
@@ -20,10 +21,12 @@
 #include <string_view>
 
 #include "polhode/output/output_format.hpp"
+#include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
 #include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "polhode/tables/chart_kind.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,7 +36,9 @@ class Kinds {
   Kinds with(PerturbationKind kind) const;
   Kinds with(OrbitKind kind) const;
   Kinds with(MethodKind kind) const;
+  Kinds with(ExperimentKind kind) const;
   Kinds with(OutputFormat format) const;
+  Kinds with(const ChartKind& chart) const;
 
   std::span<const PerturbationKind> perturbations() const;
   // Null where there is none of this name.
@@ -42,7 +47,12 @@ class Kinds {
   const OrbitKind* orbit(std::string_view name) const;
   std::span<const MethodKind> methods() const;
   const MethodKind* method(std::string_view name) const;
+  // Those from outside: what a file may be next to a rotation.
+  std::span<const ExperimentKind> experiments() const;
+  const ExperimentKind* experiment(std::string_view name) const;
   const OutputFormats& formats() const;
+  // Of tables to convert; those that are in scenarios also of [state.CHART] and of columns.
+  std::span<const ChartKind> charts() const;
   // The keys of a scenario file.
   const Schema& schema() const;
 

@@ -48,7 +48,7 @@ class TermContext : public KeyValues {
 
   const Body& body() const;
   // The body axes of the file are those of its tensor; terms want principal ones. Components along
-  // these, and a symmetric matrix along these.
+  // these, and the symmetric part of a matrix along these.
   Vec3 principal(const Vec3& x_F) const;
   Mat3 principal(const Mat3& m_F) const;
   bool has_principal_axes() const;  // whether the two are the same

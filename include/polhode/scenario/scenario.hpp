@@ -5,7 +5,8 @@
 //
 // Equations   none of its own.
 // Units       numbers are in core units (polhode/text/units.hpp).
-// Domain      schema 1; kind "rotation", which is what a file without the key describes.
+// Domain      schema 1; kind "rotation", which is what a file without the key describes, or
+//             one from outside (polhode/scenario/experiment_kind.hpp).
 // Accuracy    as polhode/scenario/document.hpp and rotation.hpp.
 // Errors      ScenarioError (polhode/scenario/document.hpp). What a chart or body refuses is
 //             reported there too.
@@ -21,13 +22,14 @@
 #include "polhode/scenario/document.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
+#include "polhode/scenario/own_experiment.hpp"
 #include "polhode/scenario/rotation.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 // One struct for each kind.
-using Experiment = std::variant<Rotation>;
+using Experiment = std::variant<Rotation, OwnExperiment>;
 
 struct Scenario {
   Document document;
@@ -36,8 +38,8 @@ struct Scenario {
   std::optional<MapPlan> map = std::nullopt;
 
   const Units& units() const { return document.units; }
-  // Where the kind is known to be "rotation".
-  const Rotation& rotation() const { return std::get<Rotation>(experiment); }
+  // DomainError where the kind is another than "rotation".
+  const Rotation& rotation() const;
 };
 
 // `path` stands for the file in messages, its last part in outputs.
@@ -46,15 +48,15 @@ Scenario scenario_from_text(std::string_view text, const std::string& path,
 // "-" is standard input. DomainError when there is no such file, or it is a folder.
 Scenario read_scenario(const std::string& path, const Kinds& kinds = default_kinds());
 
-// These visit the experiment with the overloads of its kind (polhode/scenario/rotation.hpp).
-// The times of its rows, and whether it has events.
+// The times of its rows, whether it has events, and what moves it, of any kind.
 const std::optional<SaveAt>& row_times(const Scenario& scenario);
 bool has_events(const Scenario& scenario);
+std::optional<Method> propagation_method(const Scenario& scenario);
+// Of a rotation (polhode/scenario/rotation.hpp). DomainError where the kind is another.
 DampedProblem problem(const Experiment& experiment);
 System rotor_system(const Scenario& scenario);
 RotorState initial_state(const Scenario& scenario);
 FreeRotation free_rotation(const Scenario& scenario);
-std::optional<Method> propagation_method(const Scenario& scenario);
 
 }  // namespace v0
 }  // namespace polhode

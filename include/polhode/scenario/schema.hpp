@@ -65,7 +65,7 @@ std::string markdown_reference(const Schema& schema);
 // The list of units of the same page.
 std::string markdown_units();
 // The charts that [state.CHART] knows.
-std::vector<std::string_view> state_charts();
+std::vector<std::string_view> state_charts(const Schema& schema = scenario_schema());
 // What scenario_template knows: the charts, for free rotation, and the kinds of [[perturbation]].
 std::vector<std::string_view> scenario_templates(const Schema& schema = scenario_schema());
 // A commented scenario to start from, with the given chart in [state.CHART] or the given kind of

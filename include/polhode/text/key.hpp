@@ -43,6 +43,9 @@ enum class Presence {
   alternative,  // belongs to an Alternatives row of its table
 };
 
+// What each of the numbers of a key must be.
+enum class Range { any, positive, not_negative };
+
 struct Key {
   std::string_view path;
   KeyType type = KeyType::table;
@@ -57,6 +60,8 @@ struct Key {
   std::string_view needed_by = {};  // those that an optional key must come with
   bool is_file = false;             // a text: the path of a file, from the folder of the scenario
   bool in_template = false;         // stands in what `polhode init` writes, though it is optional
+
+  Range range = Range::any;  // of numbers
 
   bool operator==(const Key&) const = default;
 };

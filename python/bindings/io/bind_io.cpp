@@ -142,8 +142,7 @@ void bind_io(nb::module_& m) {
       .def_prop_ro("propagation", propagation_text)
       .def_prop_ro("groups", groups_of)
       .def_prop_ro("citations", citations_of)
-      .def_prop_ro("summary",
-                   [](const Scenario& s) { return lines_of(summary(s, free_rotation(s))); });
+      .def_prop_ro("summary", [](const Scenario& s) { return lines_of(summary(s)); });
   bind_objects(c);
   bind_run(m, c);
   bind_map(m, c);

@@ -9,17 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/run/summary.hpp"
-#include "run/detail/run_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// Of a rotation.
 RowLayout row_layout(const Rotation& rotation, const Scenario& scenario);
 std::vector<ColumnGroup> row_groups(const Rotation& rotation, const Scenario& scenario);
-RunFacts run_facts(const Rotation& rotation, const Scenario& scenario);
+// What it adds to the facts of its rows.
+void add_facts(const Rotation& rotation, RunFacts& facts);
 std::string propagation_text(const Rotation& rotation, const Units& units);
 // What outputs say of it, in addition to text, title and citations.
 std::vector<std::string> notes_of(const Rotation& rotation, const Scenario& scenario);
@@ -28,10 +30,25 @@ std::vector<std::string> cited_parts(const Rotation& rotation);
 // As run_rows; it has [time].
 RunReport rows_of(const Rotation& rotation, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);
-std::vector<SummaryLine> summary(const Rotation& rotation, const Scenario& scenario,
-                                 const FreeRotation& motion);
+std::vector<SummaryLine> summary(const Rotation& rotation, const Scenario& scenario);
 std::vector<SummaryLine> report_lines(const Rotation& rotation, const Scenario& scenario,
                                       const RunReport& report, const std::string& events);
+
+// The same of an experiment from outside (run/own_experiment.cpp).
+std::vector<ColumnGroup> row_groups(const OwnExperiment& own, const Scenario& scenario);
+void add_facts(const OwnExperiment& own, RunFacts& facts);
+std::string propagation_text(const OwnExperiment& own, const Units& units);
+std::vector<std::string> notes_of(const OwnExperiment& own, const Scenario& scenario);
+std::vector<std::string> cited_parts(const OwnExperiment& own);
+RunReport rows_of(const OwnExperiment& own, const Scenario& scenario,
+                  std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);
+std::vector<SummaryLine> summary(const OwnExperiment& own, const Scenario& scenario);
+std::vector<SummaryLine> report_lines(const OwnExperiment& own, const Scenario& scenario,
+                                      const RunReport& report, const std::string& events);
+
+// What kinds share: the files that the scenario names, and a method with the unit of its step.
+std::vector<std::string> file_notes(const Scenario& scenario);
+std::string method_in_units(const Method& method, const Units& units);
 
 // This visits.
 std::vector<std::string> cited_parts(const Scenario& scenario);

@@ -2,6 +2,7 @@
 // What one cell of a map is: the run of an experiment, and the rows that are kept of it.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ inline namespace v0 {
 namespace detail {
 
 // The results of a cell, without its axes.
-ColumnGroup result_columns(const MapPlan& plan, const Units& units);
+ColumnGroup result_columns(const MapPlan& plan, const Units& units,
+                           std::span<const ChartKind> charts);
 // A cell that failed has one row of NaN.
 MapCell failed_cell(std::size_t width, std::string why);
 // A cell: its experiment, and what the map wants of it.
@@ -23,6 +25,7 @@ struct CellContext {
   const std::vector<ScenarioOrbit>& orbits;
   const MapPlan& plan;
   const Units& units;
+  std::span<const ChartKind> charts;
 };
 MapCell map_cell(const CellContext& of, const Progress& progress);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of experiments: what a file may describe by its key `kind`. A kind is one row: its
-// name, the parts of the table of keys that are its own, and how it is made from values. Nothing
-// else knows its keys.
+// The kinds of experiments: what a file may describe by its key `kind`, ours and those from
+// outside: what each brings to the table of keys, and how it is made from values.
 #pragma once
 
 #include <functional>
@@ -43,16 +42,20 @@ struct MadeExperiment {
   PrepareRemake prepare;
 };
 
-struct ExperimentKind {
+// What a kind brings to the table of keys: its own parts, and those that it shares with others.
+struct ExperimentRow {
   std::string_view name;
-  std::vector<SchemaPart> (*keys)(const DescribedParts& described);
-  // Throws a ScenarioError at the place of what is wrong.
-  MadeExperiment (*make)(const KindContext& at);
+  std::vector<SchemaPart> parts;
 };
 
-std::span<const ExperimentKind> experiment_kinds();
-// The one that the file names; the schema has let its word pass.
-const ExperimentKind& kind_of(const Values& values);
+ExperimentRow rotation_row(const DescribedParts& described);
+// Of a kind from outside, whose own table is `own`.
+ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
+                     const DescribedParts& described);
+
+// Of the kind that the file names; the schema has let its word pass. Throws a ScenarioError at the
+// place of what is wrong.
+MadeExperiment made_experiment(const KindContext& at);
 
 }  // namespace detail
 }  // namespace v0

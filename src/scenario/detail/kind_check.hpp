@@ -27,6 +27,9 @@ struct KindParts {
 // for them or shows them is TOML that they take.
 void require_sound(const KindParts& kind);
 
+// The same of keys alone; `shown` is what has them.
+void require_keys(const std::string& shown, std::span<const Key> keys);
+
 // "Kinds: perturbation "push"", for messages.
 std::string shown_kind(std::string_view sort, std::string_view name);
 

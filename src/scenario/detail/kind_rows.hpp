@@ -41,6 +41,21 @@ class KindRows {
   std::vector<KindText> texts_;
 };
 
+// The rows of a table of its own, [NAME], and its word among the kinds at the top of the file.
+class OwnTable {
+ public:
+  OwnTable(std::string_view name, std::string_view help, std::span<const Key> keys);
+  OwnTable(const OwnTable&) = delete;
+  OwnTable& operator=(const OwnTable&) = delete;
+
+  SchemaPart part() const { return {keys_, {}, texts_}; }
+
+ private:
+  std::deque<std::string> words_;
+  std::vector<Key> keys_;
+  std::vector<KindText> texts_;
+};
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

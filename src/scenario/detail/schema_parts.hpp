@@ -18,18 +18,17 @@ struct SchemaPart {
 
 // The parts that the descriptions of kinds make.
 struct DescribedParts {
+  SchemaPart state;
   SchemaPart perturbations;
   SchemaPart methods;
   SchemaPart orbits;
 };
 SchemaPart body_keys();
-SchemaPart state_keys();
 SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart surface_keys();
 SchemaPart event_keys();
 SchemaPart time_keys();
-SchemaPart output_keys();
 SchemaPart map_keys();
 
 }  // namespace detail

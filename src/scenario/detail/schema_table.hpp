@@ -22,7 +22,7 @@ class SchemaTable {
  public:
   // A part that several kinds share is there once. Its keys at the top of the file belong to these
   // kinds alone; those of all kinds say nothing of kinds.
-  explicit SchemaTable(std::span<const ExperimentKind> kinds, const DescribedParts& described = {},
+  explicit SchemaTable(std::span<const ExperimentRow> kinds, const SchemaPart& output = {},
                        const OutputFormats& formats = default_output_formats());
   SchemaTable(const SchemaTable&) = delete;
   SchemaTable& operator=(const SchemaTable&) = delete;

@@ -50,18 +50,21 @@ std::string shown_kind(std::string_view sort, std::string_view name) {
   return "Kinds: " + std::string(sort) + " " + quoted(name);
 }
 
+void require_keys(const std::string& shown, std::span<const Key> keys) {
+  for (auto key = keys.begin(); key != keys.end(); ++key) {
+    const std::string where = shown + ", key " + quoted(key->path);
+    require_key(where, *key);
+    if (std::any_of(keys.begin(), key, [&](const Key& other) { return other.path == key->path; }))
+      throw DomainError(where + " is there twice; expected another name");
+  }
+}
+
 void require_sound(const KindParts& kind) {
   const std::string shown = shown_kind(kind.sort, kind.name);
   if (!is_plain(kind.name)) throw DomainError(shown + "; expected letters, digits and -");
   if (kind.help.empty()) throw DomainError(shown + ": got no text; expected one sentence");
   if (!kind.is_made) throw DomainError(shown + ": got no function that makes it; expected one");
-  for (auto key = kind.keys.begin(); key != kind.keys.end(); ++key) {
-    const std::string where = shown + ", key " + quoted(key->path);
-    require_key(where, *key);
-    if (std::any_of(kind.keys.begin(), key,
-                    [&](const Key& other) { return other.path == key->path; }))
-      throw DomainError(where + " is there twice; expected another name");
-  }
+  require_keys(shown, kind.keys);
   for (const std::string_view set : separated(kind.sets, '|'))
     for (const std::string_view name : separated(set, '+'))
       if (!has_key(kind, name))

@@ -2,17 +2,22 @@
 #include "polhode/scenario/kinds.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "polhode/error.hpp"
+#include "polhode/output/columns.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/method_kinds.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
+#include "scenario/detail/output_keys.hpp"
 #include "scenario/detail/schema_table.hpp"
+#include "scenario/detail/state_keys.hpp"
 #include "scenario/detail/torque_kinds.hpp"
 
 namespace polhode {
@@ -69,6 +74,10 @@ detail::KindOfTable row_of(const OrbitKind& kind) {
 constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
 constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
 constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
+detail::KindOfTable row_of(const ExperimentKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, {}};
+}
+constexpr std::string_view sort_of(const ExperimentKind&) { return "experiment"; }
 
 template <class Kind>
 std::vector<detail::KindOfTable> rows_of(const std::vector<Kind>& kinds) {
@@ -114,12 +123,57 @@ std::vector<PerturbationKind> our_perturbations() {
           kane_damper_kind()};
 }
 
+// Scenarios have one word for a chart, for its table in [state] and for its columns, and the words
+// of `polhode init` are charts and perturbations.
+void require_own_word(const Kinds& kinds, const ChartKind& chart) {
+  std::vector<std::string_view> taken = column_group_names(kinds.charts());
+  for (const Key* key : keys_of(kinds.schema(), "state")) taken.push_back(key_name(key->path));
+  for (const PerturbationKind& kind : kinds.perturbations()) taken.push_back(kind.name);
+  if (std::find(taken.begin(), taken.end(), chart.name) != taken.end())
+    throw DomainError(detail::shown_kind("chart", chart.name) +
+                      " is the name of a key of [state], a group of columns or a perturbation; "
+                      "expected another name");
+}
+
+// A column is one number in all groups.
+void require_own_columns(const Kinds& kinds, const ChartKind& chart) {
+  const std::vector<std::string_view> known = column_names(kinds.charts());
+  for (const ChartVariable& variable : chart.variables) {
+    const std::string_view column = variable.column;
+    const bool is_other = std::find(known.begin(), known.end(), column) != known.end() &&
+                          column_dimension(column, kinds.charts()) != variable.dimension;
+    if (is_other || column == "t")
+      throw DomainError(detail::shown_kind("chart", chart.name) + ": the column " +
+                        std::string(column) + " is another number; expected another name in rows");
+  }
+}
+
 struct Lists {
   std::vector<PerturbationKind> perturbations;
   std::vector<OrbitKind> orbits;
   std::vector<MethodKind> methods;
+  std::vector<ExperimentKind> experiments;
   OutputFormats formats;
+  std::optional<std::vector<ChartKind>> own_charts = std::nullopt;  // left out: ours as they are
+
+  std::span<const ChartKind> charts() const { return own_charts ? *own_charts : default_charts(); }
 };
+
+// [NAME] of kinds of experiments from outside.
+std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds) {
+  std::deque<detail::OwnTable> all;
+  for (const ExperimentKind& kind : kinds) all.emplace_back(kind.name, kind.help, kind.keys);
+  return all;
+}
+
+std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentKind>& kinds,
+                                                   const std::deque<detail::OwnTable>& own,
+                                                   const detail::DescribedParts& described) {
+  std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described)};
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    rows.push_back(detail::row_of(kinds[i], own[i].part(), described));
+  return rows;
+}
 
 }  // namespace
 
@@ -129,14 +183,21 @@ struct Kinds::Parts {
         perturbations(perturbation_table, perturbation_kind_key, rows_of(lists.perturbations)),
         orbits(orbit_table, orbit_kind_key, rows_of(lists.orbits)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
-        table(detail::experiment_kinds(), {perturbations.part(), methods.part(), orbits.part()},
-              lists.formats),
+        state(lists.charts()),
+        output(lists.charts()),
+        own(own_tables(lists.experiments)),
+        table(experiment_rows(lists.experiments, own,
+                              {state.part(), perturbations.part(), methods.part(), orbits.part()}),
+              output.part(), lists.formats),
         schema(table.schema()) {}
 
   Lists lists;
   detail::KindRows perturbations;
   detail::KindRows orbits;
   detail::KindRows methods;
+  detail::StateKeys state;
+  detail::OutputKeys output;
+  std::deque<detail::OwnTable> own;
   detail::SchemaTable table;
   Schema schema;
 };
@@ -148,12 +209,13 @@ Kinds default_kinds() {
       our_perturbations(),
       {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
+      {},
       default_output_formats()});
   return Kinds(ours);
 }
 
 Kinds Kinds::with(PerturbationKind kind) const {
-  const std::vector<std::string_view> charts = state_charts();
+  const std::vector<std::string_view> charts = state_charts(schema());
   if (std::find(charts.begin(), charts.end(), kind.name) != charts.end())
     throw DomainError(detail::shown_kind("perturbation", kind.name) +
                       " is the name of a chart; expected another name");
@@ -174,9 +236,35 @@ Kinds Kinds::with(MethodKind kind) const {
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
+Kinds Kinds::with(ExperimentKind kind) const {
+  for (const Key& key : schema().keys)
+    if (kind.name == "rotation" || (key_table(key.path).empty() && key_name(key.path) == kind.name))
+      throw DomainError(detail::shown_kind("experiment", kind.name) +
+                        " is the name of another table; expected another name");
+  Lists lists = parts_->lists;
+  lists.experiments = extended(std::move(lists.experiments), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
 Kinds Kinds::with(OutputFormat format) const {
+  const std::string shown = detail::shown_kind("output format", format.name);
+  std::vector<Key> keys;
+  for (const OptionKey& option : format.keys) keys.push_back(option.key());
+  detail::require_keys(shown, keys);
+  if (!keys.empty() && !format.options)
+    throw DomainError(shown + ": got keys and no function options; expected one");
   Lists lists = parts_->lists;
   lists.formats = lists.formats.with(std::move(format));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(const ChartKind& chart) const {
+  if (chart.in_scenarios) {
+    require_own_word(*this, chart);
+    require_own_columns(*this, chart);
+  }
+  Lists lists = parts_->lists;
+  lists.own_charts = with_chart(lists.charts(), chart);
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
@@ -194,7 +282,12 @@ std::span<const MethodKind> Kinds::methods() const { return parts_->lists.method
 const MethodKind* Kinds::method(std::string_view name) const {
   return named(parts_->lists.methods, name);
 }
+std::span<const ExperimentKind> Kinds::experiments() const { return parts_->lists.experiments; }
+const ExperimentKind* Kinds::experiment(std::string_view name) const {
+  return named(parts_->lists.experiments, name);
+}
 const OutputFormats& Kinds::formats() const { return parts_->lists.formats; }
+std::span<const ChartKind> Kinds::charts() const { return parts_->lists.charts(); }
 
 const Schema& Kinds::schema() const { return parts_->schema; }
 

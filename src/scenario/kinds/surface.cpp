@@ -48,7 +48,7 @@ Surface plate_surface(const Values& values, const std::string& path, const std::
   const double area = number(values, path + ".area");
   if (!(norm(normal) > 0.0))
     refuse(values, path + ".normal", name, "expected a vector that has a direction");
-  if (!(area > 0.0)) refuse(values, path + ".area", name, "expected a positive area");
+  require_range(values, path + ".area", name);
   const bool both_sides = value_at(values, path + ".sides").whole == 2;
   return built(values, path + ".position", name, [&] {
     return Surface::of_plate(vector(values, path + ".position"), normal, area,

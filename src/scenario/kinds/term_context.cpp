@@ -23,9 +23,8 @@ bool TermContext::has_principal_axes() const { return q_FB() == Quaternion{}; }
 Vec3 TermContext::principal(const Vec3& x_F) const { return rotate(conj(q_FB()), x_F); }
 
 Mat3 TermContext::principal(const Mat3& m_F) const {
-  if (has_principal_axes()) return m_F;
   const Mat3 R = rotation_matrix(q_FB());  // v_F = R v_B
-  const Mat3 m = transpose(R) * m_F * R;
+  const Mat3 m = has_principal_axes() ? m_F : transpose(R) * m_F * R;
   Mat3 even = m;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) even(i, k) = 0.5 * (m(i, k) + m(k, i));

@@ -33,6 +33,15 @@ KindRows::KindRows(const Key& table, const Key& kind, std::span<const KindOfTabl
   keys_[1].allowed = words_.emplace_back(std::move(all));
 }
 
+OwnTable::OwnTable(std::string_view name, std::string_view help, std::span<const Key> keys) {
+  keys_ = {{.path = name, .presence = Presence::required, .help = help}};
+  for (const Key& key : keys) {
+    keys_.push_back(key);
+    keys_.back().path = words_.emplace_back(std::string(name) + "." + std::string(key.path));
+  }
+  texts_ = {{{}, name, help}};
+}
+
 void KindRows::add(const Key& key, std::string_view table, std::string_view kind) {
   Key row = key;
   const std::string path = std::string(table) + "." + std::string(key.path);

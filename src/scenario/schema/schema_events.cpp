@@ -43,7 +43,8 @@ constexpr Key keys[] = {
      .dimension = Dimension::time,
      .example = "1",
      .help = "The column is looked at this often at least. Left out: twelve times in the fastest "
-             "turn of the body and its frame, which finds what varies as fast as these."},
+             "turn of the body and its frame, which finds what varies as fast as these.",
+     .range = Range::positive},
 };
 
 }  // namespace

@@ -50,8 +50,25 @@ void write_definition(JsonWriter& json, Dimension dimension) {
   json.end_array().end_object();
 }
 
-void write_reference(JsonWriter& json, Dimension dimension) {
-  json.begin_object().key("$ref").value("#/$defs/" + definition_name(dimension)).end_object();
+void write_limit(JsonWriter& json, Range range) {
+  if (range == Range::positive) json.key("exclusiveMinimum").value(std::int64_t{0});
+  if (range == Range::not_negative) json.key("minimum").value(std::int64_t{0});
+}
+
+// A number or { value = .., unit = ".." } in its range. Of a text with a unit the reader says it.
+void write_quantity(JsonWriter& json, Dimension dimension, Range range) {
+  json.key("$ref").value("#/$defs/" + definition_name(dimension));
+  write_limit(json, range);
+  if (range == Range::any || dimension == Dimension::number) return;
+  json.key("properties").begin_object().key("value").begin_object();
+  write_limit(json, range);
+  json.end_object().end_object();
+}
+
+void write_reference(JsonWriter& json, Dimension dimension, Range range) {
+  json.begin_object();
+  write_quantity(json, dimension, range);
+  json.end_object();
 }
 
 void write_words(JsonWriter& json, const Key& key) {
@@ -90,7 +107,7 @@ void write_quantities(JsonWriter& json, const Key& key, const auto& array) {
 
 void write_numbers(JsonWriter& json, const Key& key) {
   write_quantities(json, key, [&](Dimension dimension) {
-    write_array(json, key.length, [&] { write_reference(json, dimension); });
+    write_array(json, key.length, [&] { write_reference(json, dimension, key.range); });
   });
 }
 
@@ -98,7 +115,7 @@ void write_matrix(JsonWriter& json, const Key& key) {
   write_quantities(json, key, [&](Dimension dimension) {
     write_array(json, 3, [&] {
       json.begin_object();
-      write_array(json, 3, [&] { write_reference(json, dimension); });
+      write_array(json, 3, [&] { write_reference(json, dimension, key.range); });
       json.end_object();
     });
   });
@@ -112,7 +129,7 @@ void write_value(JsonWriter& json, const Key& key) {
       json.key("type").value("integer");
       break;
     case KeyType::number:
-      json.key("$ref").value("#/$defs/" + definition_name(key.dimension));
+      write_quantity(json, key.dimension, key.range);
       break;
     case KeyType::numbers:
       write_numbers(json, key);

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The table of scenario keys: what the rows hold. The keys of a format of files stand in its own
 // source.
-#include <string>
-#include <vector>
-
 #include "polhode/output/columns.hpp"
-#include "scenario/detail/schema_parts.hpp"
+#include "scenario/detail/output_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -24,27 +21,14 @@ constexpr Key keys[] = {
      .help = "Groups of columns after t. A column that two groups share is written once."},
 };
 
-// "q|omega|...": the groups that rows can hold.
-const std::string& column_words() {
-  static const std::string words = [] {
-    std::string joined;
-    for (const std::string_view name : column_group_names())
-      joined += (joined.empty() ? "" : "|") + std::string(name);
-    return joined;
-  }();
-  return words;
-}
-
 }  // namespace
 
-SchemaPart output_keys() {
-  static const std::vector<Key> all = [] {
-    std::vector<Key> made(std::begin(keys), std::end(keys));
-    for (Key& key : made)
-      if (key.path == "output.columns") key.allowed = column_words();
-    return made;
-  }();
-  return {all, {}};
+OutputKeys::OutputKeys(std::span<const ChartKind> charts)
+    : keys_(std::begin(keys), std::end(keys)) {
+  for (const std::string_view name : column_group_names(charts))
+    groups_ += (groups_.empty() ? "" : "|") + std::string(name);
+  for (Key& key : keys_)
+    if (key.path == "output.columns") key.allowed = groups_;
 }
 
 }  // namespace detail

@@ -46,13 +46,15 @@ constexpr Key keys[] = {
      .presence = required,
      .dimension = Dimension::time,
      .example = "30.56",
-     .help = "P_phi: mean period of the long axis about the angular momentum."},
+     .help = "P_phi: mean period of the long axis about the angular momentum.",
+     .range = Range::positive},
     {.path = "state.tumbler.rotation_period",
      .type = number,
      .presence = required,
      .dimension = Dimension::time,
      .example = "263",
-     .help = "P_psi: period of the motion about (LAM) or oscillation around (SAM) the long axis."},
+     .help = "P_psi: period of the motion about (LAM) or oscillation around (SAM) the long axis.",
+     .range = Range::positive},
     {.path = "state.tumbler.pole",
      .presence = required,
      .help = "Direction of the angular momentum."},
@@ -186,6 +188,8 @@ bool are_integers(std::string_view words) {
   return std::from_chars(words.data(), words.data() + words.size(), number).ec == std::errc();
 }
 
+std::string in_quotes(std::string_view word) { return '"' + std::string(word) + '"'; }
+
 }  // namespace
 
 StateKeys::StateKeys(std::span<const ChartKind> charts) : keys_(std::begin(keys), std::end(keys)) {
@@ -210,18 +214,17 @@ void StateKeys::add(const ChartKind& chart) {
                      .dimension = variable.dimension,
                      .example = variable.example,
                      .help = variable.help});
-  for (const ChartOption& option : chart.options)
-    keys_.push_back({.path = words_.emplace_back(table + "." + std::string(option.name)),
-                     .type = are_integers(option.words) ? integer : choice,
-                     .allowed = option.words,
-                     .fallback = option.fallback,
-                     .example = option.example,
-                     .help = option.help});
-}
-
-SchemaPart state_keys() {
-  static const StateKeys ours(default_charts());
-  return ours.part();
+  for (const ChartOption& option : chart.options) {
+    const bool whole = are_integers(option.words);
+    const bool is_word = !whole && !option.fallback.empty();
+    keys_.push_back(
+        {.path = words_.emplace_back(table + "." + std::string(option.name)),
+         .type = whole ? integer : choice,
+         .allowed = option.words,
+         .fallback = is_word ? words_.emplace_back(in_quotes(option.fallback)) : option.fallback,
+         .example = option.example,
+         .help = option.help});
+  }
 }
 
 }  // namespace detail

@@ -99,12 +99,14 @@ constexpr Key keys_of_body[] = {
      .presence = alternative,
      .dimension = Dimension::density,
      .example = "\"2000 kg/m3\"",
-     .help = "Its density."},
+     .help = "Its density.",
+     .range = Range::positive},
     {.path = "body.scale",
      .type = number,
      .dimension = Dimension::length,
      .example = "\"1 km\"",
-     .help = "What one unit of the mesh is; left out, the unit of length of this file."},
+     .help = "What one unit of the mesh is; left out, the unit of length of this file.",
+     .range = Range::positive},
     {.path = "body.column_axes",
      .type = numbers,
      .length = 4,
@@ -159,11 +161,10 @@ void join(std::string& words, std::string_view word) {
   words += (words.empty() ? "" : "|") + std::string(word);
 }
 
-std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentKind> kinds,
-                                  const detail::DescribedParts& described) {
+std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentRow> kinds) {
   std::vector<PartOfKinds> parts;
-  for (const detail::ExperimentKind& kind : kinds)
-    for (const detail::SchemaPart& part : kind.keys(described)) {
+  for (const detail::ExperimentRow& kind : kinds)
+    for (const detail::SchemaPart& part : kind.parts) {
       const auto same = std::find_if(parts.begin(), parts.end(), [&](const PartOfKinds& other) {
         return other.part.keys.data() == part.keys.data();
       });
@@ -178,16 +179,16 @@ std::vector<PartOfKinds> parts_of(std::span<const detail::ExperimentKind> kinds,
 detail::SchemaPart detail::body_keys() { return {keys_of_body, of_body}; }
 detail::SchemaPart detail::time_keys() { return {keys_of_time, of_time}; }
 
-detail::SchemaTable::SchemaTable(std::span<const ExperimentKind> kinds,
-                                 const DescribedParts& described, const OutputFormats& formats) {
+detail::SchemaTable::SchemaTable(std::span<const ExperimentRow> kinds, const SchemaPart& output,
+                                 const OutputFormats& formats) {
   std::string& all = words_.emplace_back();
-  for (const ExperimentKind& kind : kinds) join(all, kind.name);
+  for (const ExperimentRow& kind : kinds) join(all, kind.name);
   add({head_keys, {}}, {});
   for (Key& key : keys_)
     if (key.path == "kind") key.allowed = all;
-  for (const PartOfKinds& one : parts_of(kinds, described))
+  for (const PartOfKinds& one : parts_of(kinds))
     add(one.part, one.kinds == all ? std::string_view() : words_.emplace_back(one.kinds));
-  add(output_keys(), {});
+  add(output, {});
   for (const OutputFormat& format : formats.all()) add(format);
   add(map_keys(), {});
 }

@@ -57,6 +57,8 @@ std::string value_in_words(const Key& key) {
 std::string value_cell(const Key& key) {
   std::string cell = value_in_words(key);
   const bool quoted = key.type == KeyType::choice || key.type == KeyType::choices;
+  if (key.range == Range::positive) cell += ", positive";
+  if (key.range == Range::not_negative) cell += ", not negative";
   bool first = true;
   for (const std::string_view word : separated(key.allowed, '|')) {
     if (!first) cell += ", ";
@@ -177,11 +179,22 @@ std::string example_value(const Schema& schema, const Key& key) {
   return inline_table + " }";
 }
 
-// What a template is made for: a chart, or a kind of perturbation.
+// What a template is made for: a chart, a kind of perturbation, or an experiment from outside.
 struct Subject {
   std::string_view chart;
   std::string_view perturbation;  // empty: free rotation
+  std::string_view experiment = "rotation";
 };
+
+bool is_rotation(const Subject& subject) { return subject.experiment == "rotation"; }
+
+// The words of the key `kind` that have a table of their own.
+std::vector<std::string_view> own_experiments(const Schema& schema) {
+  std::vector<std::string_view> names;
+  for (const KindText& one : schema.kinds)
+    if (one.table.empty()) names.push_back(one.kind);
+  return names;
+}
 
 constexpr std::string_view perturbation_table = "perturbation[]";
 constexpr std::string_view orbit_table = "orbit.*";
@@ -245,6 +258,9 @@ bool is_physical(const Schema& schema, std::string_view kind) {
 // Whether a table has lines of its own in the template of this subject.
 bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
+  if (!is_rotation(subject))
+    return key.path == subject.experiment || key.path == "units" || key.path == "time";
+  if (!belongs(key, subject.experiment)) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
   if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
   if (key.path == orbit_table) return needs_orbit(schema, subject.perturbation);
@@ -279,6 +295,10 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     std::string value = example_value(schema, *key);
     if (is_motion(path) && key_name(key->path) == "kind") {
       kind = path == perturbation_table ? subject.perturbation : without_quotes(key->example);
+      value = '"' + std::string(kind) + '"';
+    }
+    if (key->path == "kind") {
+      kind = subject.experiment;
       value = '"' + std::string(kind) + '"';
     }
     if (physical && key->path == "units.time") value = "\"s\"";
@@ -318,29 +338,35 @@ std::string markdown_units() {
   return page;
 }
 
-std::vector<std::string_view> state_charts() {
+std::vector<std::string_view> state_charts(const Schema& schema) {
   std::vector<std::string_view> charts;
-  for (const Key* key : keys_of(scenario_schema(), state_table))
+  for (const Key* key : keys_of(schema, state_table))
     if (key->type == KeyType::table) charts.push_back(key_name(key->path));
   return charts;
 }
 
 std::vector<std::string_view> scenario_templates(const Schema& schema) {
-  std::vector<std::string_view> names = state_charts();
+  std::vector<std::string_view> names = state_charts(schema);
   for (const std::string_view kind : perturbation_kinds(schema)) names.push_back(kind);
+  for (const std::string_view kind : own_experiments(schema)) names.push_back(kind);
   return names;
 }
 
 std::string scenario_template(std::string_view name, const Schema& schema) {
-  const std::vector<std::string_view> names = scenario_templates(schema), charts = state_charts();
+  const std::vector<std::string_view> names = scenario_templates(schema),
+                                      charts = state_charts(schema);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     const std::string_view near = detail::nearest(name, names);
     throw DomainError("chart: got \"" + std::string(name) + "\"; expected " +
                       detail::one_of(names) +
                       (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));
   }
-  const bool free = std::find(charts.begin(), charts.end(), name) != charts.end();
-  const Subject subject = free ? Subject{name, {}} : Subject{"attitude-rate", name};
+  const auto is_one_of = [&](const std::vector<std::string_view>& all) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  const Subject subject = is_one_of(charts)                    ? Subject{name, {}}
+                          : is_one_of(own_experiments(schema)) ? Subject{{}, {}, name}
+                                                               : Subject{"attitude-rate", name};
   std::string page = "# A scenario for polhode. Every key: docs/reference/scenario.md\n";
   append_example(page, schema, nullptr, subject);
   for (const Key& key : schema.keys)

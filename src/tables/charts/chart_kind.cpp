@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "polhode/error.hpp"
 #include "polhode/text/separated.hpp"
@@ -25,9 +26,38 @@ double whole_number(std::string_view word) {
   return error == std::errc() && stop == end ? number : left_out;
 }
 
+// Names that are keys of [state.CHART] and columns of tables: plain, and none twice.
+bool are_names(std::vector<std::string_view> names) {
+  std::sort(names.begin(), names.end());
+  return std::all_of(names.begin(), names.end(), detail::is_name) &&
+         std::adjacent_find(names.begin(), names.end()) == names.end();
+}
+
+bool has_names(const ChartKind& chart) {
+  std::vector<std::string_view> keys, table = branch_columns(chart), rows = table;
+  for (const ChartVariable& variable : chart.variables) {
+    keys.push_back(variable.name);
+    table.push_back(variable.name);
+    rows.push_back(variable.column);
+  }
+  for (const ChartOption& option : chart.options) keys.push_back(option.name);
+  return are_names(std::move(keys)) && are_names(std::move(table)) && are_names(std::move(rows));
+}
+
+// What stands for an option that is left out must be one of its words, or be found.
+bool has_words(const ChartKind& chart, const ChartOption& option) {
+  return option.fallback.empty() ? chart.completed != nullptr
+                                 : !std::isnan(option_number(option, option.fallback));
+}
+
 std::string_view missing_part(const ChartKind& chart) {
+  if (chart.help.empty()) return "help: one sentence";
   if (chart.to_hub == nullptr || chart.from_hub == nullptr) return "to_hub and from_hub";
   if (chart.variables.empty()) return "variables";
+  if (!has_names(chart))
+    return "names of letters, digits, - and _, none twice, of its numbers, options and columns";
+  for (const ChartOption& option : chart.options)
+    if (!has_words(chart, option)) return "one of its words for an option that is left out";
   for (std::size_t i = 0; i < chart.variables.size() && !chart.column_order.empty(); ++i)
     if (std::count(chart.column_order.begin(), chart.column_order.end(), i) != 1)
       return "each variable once in column_order";
@@ -59,11 +89,11 @@ std::vector<ChartKind> with_chart(std::span<const ChartKind> charts, const Chart
   if (!detail::is_name(chart.name))
     throw DomainError(who + "expected a name of letters, digits, - and _");
   if (chart_named(chart.name, charts) != nullptr) throw DomainError(who + "the name is taken");
-  if (const std::string_view missing = missing_part(chart); !missing.empty())
-    throw DomainError(who + "expected " + std::string(missing));
   const std::size_t behind = std::max(chart.options.size(), chart.branch_columns.size());
   if (chart.variables.size() + behind > most_chart_numbers)
     throw DomainError(who + "expected at most " + std::to_string(most_chart_numbers) + " numbers");
+  if (const std::string_view missing = missing_part(chart); !missing.empty())
+    throw DomainError(who + "expected " + std::string(missing));
   std::vector<ChartKind> all(charts.begin(), charts.end());
   all.push_back(chart);
   return all;

@@ -14,7 +14,7 @@
 #include "gyrostat.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/output/output_format.hpp"
-#include "run/detail/integrated_run.hpp"
+#include "polhode/run/detail/integrated_run.hpp"
 #include "temp_folder.hpp"
 
 namespace polhode {

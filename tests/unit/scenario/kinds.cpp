@@ -5,9 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <any>
+#include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "polhode/perturb/constant_torque.hpp"
@@ -27,8 +28,8 @@ enum class Sense { forward, backward };
 struct Arguments {
   double radius;  // of other dimensions than ours has
   std::optional<Vec3> axis;
-  Sense sense = Sense::forward;
-  bool strong = false;
+  Sense sense;
+  bool strong;
 };
 
 constexpr KindKey<Arguments> keys[] = {
@@ -149,8 +150,9 @@ TEST(Kinds, SchemaPageAndTemplateKnowIt) {
   EXPECT_THAT(json_schema(kinds.schema()), HasSubstr("\"const\": \"push\""));
   EXPECT_THAT(json_schema(default_kinds().schema()), Not(HasSubstr("push")));
   EXPECT_THAT(markdown_reference(kinds.schema()), HasSubstr("- `\"push\"`: A torque for tests."));
-  EXPECT_THAT(markdown_reference(kinds.schema()),
-              HasSubstr("| `radius` | torque | required | With kind `push`: Not a length. |"));
+  EXPECT_THAT(
+      markdown_reference(kinds.schema()),
+      HasSubstr("| `radius` | torque, positive | required | With kind `push`: Not a length. |"));
   const Scenario scenario =
       scenario_from_text(scenario_template("push", kinds.schema()), "template", kinds);
   EXPECT_THAT(scenario.rotation().kinds, ElementsAre("push"));
@@ -284,6 +286,56 @@ TEST(Kinds, AKindThatIsNotSoundIsRefusedWhenItIsAdded) {
             "Kinds: perturbation \"andoyer\" is the name of a chart; expected another name");
 }
 
+TEST(Kinds, OptionsOfAFormatAreSound) {
+  const auto error = [](const std::vector<OptionKey>& options,
+                        bool are_read = true) -> std::string {
+    OutputFormat format("own", ".own", "A format.",
+                        [](const SinkRequest&) { return std::unique_ptr<Sink>(); });
+    format.keys = options;
+    if (are_read) format.options = [](const OptionValues&) { return std::any(); };
+    try {
+      default_kinds().with(format);
+    } catch (const DomainError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  constexpr OptionKey digits = integer_option("digits", "6|9", "Digits.").otherwise("6"),
+                      many = integer_option("digits", "6|9", "Digits.").otherwise("8"),
+                      shown = quantity_option("offset", Dimension::time, "A time.").example("1 s"),
+                      spaced = flag_option("my flag", "A flag.");
+  const std::string own = "Kinds: output format \"own\"";
+  EXPECT_EQ(error({}, false), "");
+  EXPECT_EQ(error({digits}), "");
+  EXPECT_EQ(error({digits}, false), own + ": got keys and no function options; expected one");
+  EXPECT_EQ(error({digits, digits}),
+            own + ", key \"digits\" is there twice; expected another name");
+  EXPECT_THAT(error({many}), HasSubstr(own + ", key \"digits\": what stands for it, 8: got 8"));
+  EXPECT_EQ(error({shown}), own + ", key \"offset\": its example 1 s: not TOML");
+  EXPECT_THAT(error({spaced}), HasSubstr(own + ", key \"my flag\"; expected letters"));
+}
+
+// A symmetric matrix stays one: it is made even whether the axes differ or not.
+TEST(Kinds, AMatrixAlongPrincipalAxesIsSymmetric) {
+  const Mat3 uneven{{{1.0, 0.25, 0.0}, {0.75, 2.0, 0.5}, {0.0, 0.5, 3.0}}};
+  PerturbationKind kind = push();
+  Mat3 seen;
+  kind.made = [&](const TermContext& at) -> MadeTerms {
+    seen = at.principal(uneven);
+    return std::vector<AnyPerturbation>{};
+  };
+  const Kinds kinds = default_kinds().with(kind);
+  scenario_from_text(file + "radius = 1\n", "f.toml", kinds);
+  EXPECT_EQ(seen(0, 1), 0.5);
+  EXPECT_EQ(seen(1, 0), 0.5);
+  std::string tensor = file + "radius = 1\n";
+  tensor.replace(tensor.find("body.moments = [1, 1.7, 2.2]"), 28,
+                 "body.tensor = [[1, 0.1, 0], [0.1, 1.7, 0], [0, 0, 2.2]]");
+  scenario_from_text(tensor, "f.toml", kinds);
+  EXPECT_EQ(seen(0, 1), seen(1, 0));
+  EXPECT_NE(seen(0, 1), 0.5);
+}
+
 TEST(Kinds, OursAreSound) {
   for (PerturbationKind kind : default_kinds().perturbations()) {
     const std::string other = "my-" + std::string(kind.name);
@@ -291,23 +343,6 @@ TEST(Kinds, OursAreSound) {
     EXPECT_EQ(error_of(kind), "");
   }
 }
-
-// A key without a dimension or a sentence does not compile.
-template <auto at>
-concept WithBoth = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A."), true)>;
-};
-template <auto at>
-concept WithoutDimension = requires { quantity_key<at>("r", "A."); };
-template <auto at>
-concept WithoutText = requires { quantity_key<at>("r", Dimension::torque); };
-template <auto at>
-concept WithEmptyText =
-    requires { typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, ""), true)>; };
-static_assert(WithBoth<&Arguments::radius>);
-static_assert(!WithoutDimension<&Arguments::radius>);
-static_assert(!WithoutText<&Arguments::radius>);
-static_assert(!WithEmptyText<&Arguments::radius>);
 
 }  // namespace
 }  // namespace polhode

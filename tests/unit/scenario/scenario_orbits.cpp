@@ -309,7 +309,7 @@ TEST_F(ScenarioOrbits, ACoarseTableIsCalledOne) {
     }
     write("moon.csv", text);
     const Scenario s = read("kind = \"table\"\nfile = \"moon.csv\"\n");
-    return summary_table(summary(s, free_rotation(s)));
+    return summary_table(summary(s));
   };
   EXPECT_THAT(said(4), HasSubstr("of the distance: too few rows a turn"));
   EXPECT_THAT(said(20), HasSubstr("orbit moon: interpolation error"));

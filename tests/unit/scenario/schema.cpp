@@ -181,17 +181,9 @@ constexpr Key spin_keys[] = {
 constexpr Alternatives of_spin[] = {{"", "here|there"}};
 
 TEST(Schema, AKindBringsItsOwnTablesAndSharesOthers) {
-  const detail::ExperimentKind kinds[] = {
-      {"rotation",
-       [](const detail::DescribedParts&) {
-         return std::vector{detail::body_keys(), detail::time_keys()};
-       },
-       {}},
-      {"spin",
-       [](const detail::DescribedParts&) {
-         return std::vector{detail::SchemaPart{spin_keys, of_spin}, detail::time_keys()};
-       },
-       {}},
+  const detail::ExperimentRow kinds[] = {
+      {"rotation", {detail::body_keys(), detail::time_keys()}},
+      {"spin", {detail::SchemaPart{spin_keys, of_spin}, detail::time_keys()}},
   };
   const detail::SchemaTable table(kinds);
   const Schema schema = table.schema();

@@ -20,9 +20,7 @@
 #include "polhode/free/sadov.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "polhode/scenario/schema.hpp"
 #include "polhode/tables/convert.hpp"
-#include "scenario/detail/state_keys.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -159,14 +157,29 @@ TEST(ChartKind, WhatIsNoChartIsRefused) {
   EXPECT_THAT(error([&](ChartKind& c) { c.column_order = beyond; }), HasSubstr("column_order"));
   constexpr Word columns[] = {"side"};
   EXPECT_THAT(error([&](ChartKind& c) { c.branch_columns = columns; }), HasSubstr("to_columns"));
+  const std::string names = "expected names of letters, digits, - and _, none twice";
   constexpr ChartVariable one{"x", Dimension::number, "A number.", "1"};
+  const ChartVariable two[] = {one, one};
+  EXPECT_THAT(error([&](ChartKind& c) { c.variables = two; }), HasSubstr(names));
+  constexpr ChartVariable spaced[] = {{"my x", Dimension::number, "A number.", "1"}};
+  EXPECT_THAT(error([&](ChartKind& c) { c.variables = spaced; }), HasSubstr(names));
+  constexpr ChartVariable same[] = {{"x", Dimension::number, "A number.", "1"},
+                                    {"y", Dimension::number, "A number.", "1", "x"}};
+  EXPECT_THAT(error([&](ChartKind& c) { c.variables = same; }), HasSubstr(names));
+  constexpr ChartOption taken[] = {{"l", "1|-1", "1", "A sign.", "1"}};
+  EXPECT_THAT(error([&](ChartKind& c) { c.options = taken; }), HasSubstr(names));
+  constexpr ChartOption lost[] = {{"side", "near|far", "left", "A side.", "\"near\""}};
+  EXPECT_THAT(error([&](ChartKind& c) { c.options = lost; }), HasSubstr("one of its words"));
+  constexpr ChartOption open[] = {{"side", "near|far", "", "A side.", "\"near\""}};
+  EXPECT_THAT(error([&](ChartKind& c) { c.options = open; }), HasSubstr("one of its words"));
+  EXPECT_THAT(error([](ChartKind& c) { c.help = {}; }), HasSubstr("one sentence"));
   const std::vector<ChartVariable> many(most_chart_numbers + 1, one);
   EXPECT_THAT(error([&](ChartKind& c) { c.variables = many; }), HasSubstr("at most 16 numbers"));
   EXPECT_EQ(error([](ChartKind&) {}), "no error");
 }
 
-// Somebody else's chart: table, columns and keys of [state].
-TEST(ChartKind, AChartFromOutsideIsKnownEverywhere) {
+// Somebody else's chart. What scenarios make of it: tests/unit/scenario/chart_kinds.cpp.
+TEST(ChartKind, AChartFromOutsideIsConvertedAndHasColumns) {
   const std::vector<ChartKind> charts = with_chart(default_charts(), modified_spherical);
   std::string table = "t,qw,qx,qy,qz,g1,g2,g3\n0,0.5,0.1,-0.7,0.5,0.3,-0.2,1.1\n", out;
   const auto convert_with = [&](const std::string& from, const std::string& to) {
@@ -198,13 +211,6 @@ TEST(ChartKind, AChartFromOutsideIsKnownEverywhere) {
   layout.write_rows(motion, std::vector<double>{0.0}, row);
   EXPECT_DOUBLE_EQ(row[4], std::log(norm(start().g)));
   EXPECT_DOUBLE_EQ(row[5], start().g.z / norm(start().g));
-
-  const detail::StateKeys keys(charts);
-  const Schema schema{keys.part().keys, keys.part().alternatives};
-  EXPECT_THAT(markdown_reference(schema), HasSubstr("## `[state.modified-spherical]`"));
-  EXPECT_THAT(keys_of(schema, "state.modified-spherical"), ::testing::SizeIs(6));
-  EXPECT_THAT(std::string(schema.alternatives.front().sets),
-              ::testing::EndsWith("|modified-spherical"));
 }
 
 }  // namespace

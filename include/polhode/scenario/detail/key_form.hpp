@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "polhode/math/vector.hpp"
@@ -21,9 +23,6 @@ struct LinearMap {
   Mat3 matrix;
   bool is_diagonal;
 };
-
-// What a number must be.
-enum class Range { any, positive, not_negative };
 
 namespace detail {
 
@@ -109,14 +108,37 @@ void fill_member(A& arguments, const KeyValues& values, std::string_view key) {
   if (values.has(key)) arguments.*at = KeyFormOf<at>::read(values, key);
 }
 
+// What a key can be made for: a member that holds a value of this type, or may; numbers; each of
+// these enumerators; and arguments that have the member.
+template <auto at, class T>
+concept Holds = std::same_as<typename Plain<Member<at>>::type, T>;
+template <auto at>
+concept HasNumbers = requires { KeyFormOf<at>::length; };
+template <auto at, auto... enumerators>
+concept HoldsEach = sizeof...(enumerators) > 0 &&
+                    std::is_enum_v<typename Plain<Member<at>>::type> &&
+                    (Holds<at, std::remove_cv_t<decltype(enumerators)>> && ...);
+template <class A, auto at>
+concept HasMember = std::derived_from<A, Owner<at>>;
+
 // Fails to compile: a name and a sentence are what makes a key.
 consteval void require_words(std::string_view name, std::string_view help) {
   if (name.empty()) throw "a key needs a name";
   if (help.empty() || !help.ends_with('.')) throw "a key needs a sentence that says what it is";
 }
 
+// So does a choice that has not a word for each of `count` enumerators, or has an empty one.
+consteval void require_choice(std::string_view words, std::size_t count) {
+  std::size_t ends = 1;
+  for (const char c : words) ends += c == '|' ? 1 : 0;
+  if (ends != count) throw "a choice needs a word for each enumerator";
+  if (words.empty() || words.front() == '|' || words.back() == '|' ||
+      words.find("||") != std::string_view::npos)
+    throw "a choice has no empty words";
+}
+
 // Throws a ScenarioError at the place of a number outside.
-void require_range(const KeyValues& at, std::string_view key, Range range);
+void require_range(const KeyValues& at, std::string_view key);
 
 }  // namespace detail
 }  // namespace v0

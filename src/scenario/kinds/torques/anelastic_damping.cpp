@@ -10,7 +10,7 @@ namespace detail {
 namespace {
 
 constexpr KindKey<DampedMaterial> keys[] = {
-    body_radius_key<&DampedMaterial::radius>().positive(),
+    body_radius_key<&DampedMaterial::radius>(),
     quantity_key<&DampedMaterial::rigidity>("rigidity", Dimension::pressure,
                                             "Of the material of the body.")
         .required()

@@ -14,7 +14,7 @@ enum class Axes { body, inertial };
 
 struct Arguments {
   Vec3 torque;
-  Axes axes = Axes::body;
+  Axes axes;
 };
 
 constexpr KindKey<Arguments> keys[] = {

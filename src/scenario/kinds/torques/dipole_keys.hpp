@@ -16,11 +16,11 @@ namespace detail {
 struct DipoleArguments {
   std::string orbit;
   Vec3 gauss;
-  double reference_radius = 0.0;
+  double reference_radius;
   Vec3 pole;
-  double rotation_rate = 0.0;
-  double meridian = 0.0;
-  double meridian_epoch = 0.0;
+  double rotation_rate;
+  double meridian;
+  double meridian_epoch;
 };
 
 // Of arguments A that derive from these.

@@ -16,13 +16,13 @@ enum class PathOf { body, attractor };
 
 struct Arguments {
   std::string orbit;
-  PathOf orbit_of = PathOf::body;
+  PathOf orbit_of;
   double density;
   std::optional<double> density_radius;
   std::optional<double> scale_height;
-  double air_rate = 0.0;
+  double air_rate;
   Vec3 air_pole;
-  double exit_speed = 0.0;
+  double exit_speed;
 };
 
 constexpr KindKey<Arguments> keys[] = {

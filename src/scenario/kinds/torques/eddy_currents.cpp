@@ -13,7 +13,7 @@ namespace {
 
 struct Arguments : DipoleArguments {
   LinearMap tensor;
-  bool field_rate = true;
+  bool field_rate;
 };
 
 constexpr std::array own_keys = {

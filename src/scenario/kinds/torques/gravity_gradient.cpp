@@ -22,7 +22,7 @@ struct Arguments {
   std::optional<double> gm;
   std::optional<std::array<double, 10>> third_moments;
   std::optional<std::array<double, 15>> fourth_moments;
-  OrbitOf orbit_of = OrbitOf::body;
+  OrbitOf orbit_of;
   std::optional<double> J2;
   Vec3 pole;
   std::optional<double> primary_radius;

@@ -14,9 +14,9 @@ namespace {
 
 struct Arguments {
   std::optional<Vec3> k;
-  bool grows = false;
-  double wobble_time = 0.0;
-  double rate = 0.0;
+  bool grows;
+  double wobble_time;
+  double rate;
 };
 
 constexpr KindKey<Arguments> keys[] = {

@@ -23,7 +23,8 @@ consteval auto gm_key() {
   return quantity_key<at>(
              "gm", Dimension::gm,
              "Gravitational parameter of the attracting mass; left out, that of the orbit.")
-      .example("\"398600.4418 km3/s2\"");
+      .example("\"398600.4418 km3/s2\"")
+      .positive();
 }
 
 template <auto at, auto body, auto attractor>
@@ -49,7 +50,8 @@ consteval auto body_radius_key() {
   return quantity_key<at>("radius", Dimension::length,
                           "Radius of the rotating body, that k2 belongs to.")
       .required()
-      .example("\"1 km\"");
+      .example("\"1 km\"")
+      .positive();
 }
 
 template <auto at, auto body, auto inertial>

@@ -19,12 +19,12 @@ enum class Shape { none, cylinder, cone };
 
 struct Arguments {
   std::string orbit;
-  PathOf orbit_of = PathOf::body;
+  PathOf orbit_of;
   std::optional<std::string> sun;
-  SunPathOf sun_orbit_of = SunPathOf::sun;
+  SunPathOf sun_orbit_of;
   double pressure;
   double pressure_distance;
-  Shape shadow = Shape::none;
+  Shape shadow;
   std::optional<double> shadow_radius;
   std::optional<double> sun_radius;
 };

@@ -29,14 +29,17 @@ constexpr KindKey<Arguments> keys[] = {
         "mass", Dimension::mass,
         "Of the perturber, as gm is: their product is G times the square of the mass.")
         .required()
-        .example("0.02"),
+        .example("0.02")
+        .positive(),
     quantity_key<&Arguments::k2>("k2", Dimension::number,
                                  "Love number of degree 2 of the rotating body.")
         .required()
-        .example("0.024"),
+        .example("0.024")
+        .not_negative(),
     quantity_key<&Arguments::time_lag>("time_lag", Dimension::time, "Time by which its bulge lags.")
         .required()
-        .example("\"600 s\""),
+        .example("\"600 s\"")
+        .not_negative(),
     body_radius_key<&Arguments::radius>(),
 };
 

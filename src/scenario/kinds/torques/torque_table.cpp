@@ -29,9 +29,9 @@ struct Arguments {
   std::optional<std::string> file;
   std::optional<std::vector<std::string>> columns;
   std::optional<std::string> time_unit, torque_unit;
-  Between between = Between::linear;
-  Outside outside = Outside::zero;
-  Axes axes = Axes::body;
+  Between between;
+  Outside outside;
+  Axes axes;
 };
 
 template <auto at>

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "polhode/dynamics/resume.hpp"
-#include "run/detail/row_writer.hpp"
-#include "run/detail/run_state.hpp"
+#include "polhode/run/detail/row_writer.hpp"
+#include "polhode/run/detail/run_state.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// OwnExperiment: an experiment from outside, made by own_experiment
+// (polhode/run/own_experiment.hpp) from a model that integrate() moves. Files, checkpoints, events
+// and summaries are those of every run.
+//
+// Equations   those of its model.
+// Units       times in core units (polhode/text/units.hpp); columns are written in those of the
+//             file.
+// Domain      rows in order, on one side of t = 0 or on both; it starts at t = 0.
+// Accuracy    that of its method.
+// Errors      none: it is a plain value.
+// Cost        none.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/dynamics/method.hpp"
+#include "polhode/text/units.hpp"
+#include "polhode/trajectory/save_at.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+namespace detail {
+struct RowsMaker;
+}
+
+struct OwnColumn {
+  std::string name;
+  Dimension dimension;
+};
+
+// A line that `polhode info` prints: "wheel", "momentum", 0.4, Dimension::momentum.
+struct OwnFact {
+  std::string key;    // of JSON
+  std::string label;  // for people
+  double number;
+  Dimension dimension;
+};
+
+struct OwnExperiment {
+  std::string kind;                // "gyrostat"
+  std::optional<SaveAt> rows;      // always there
+  std::vector<OwnColumn> columns;  // behind t
+  Method method = Adaptive{};
+  std::vector<OwnFact> facts = {};
+  bool has_events = false;
+  std::string identity = {};  // bytes of the state at t = 0: a run is continued with the same alone
+  std::shared_ptr<const detail::RowsMaker> maker = nullptr;
+};
+
+inline const std::optional<SaveAt>& row_times(const OwnExperiment& own) { return own.rows; }
+inline bool has_events(const OwnExperiment& own) { return own.has_events; }
+inline std::optional<Method> propagation_method(const OwnExperiment& own) { return own.method; }
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Lines of a summary, from numbers in core units.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/run/summary.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class Lines {
+ public:
+  explicit Lines(const Units& units) : units_(units) {}
+
+  void number(const std::string& key, const std::string& label, double core, Dimension dimension) {
+    if (std::isfinite(core)) numbers(key, label, {core}, dimension);
+  }
+  void numbers(const std::string& key, const std::string& label, std::vector<double> core,
+               Dimension dimension) {
+    for (double& x : core) x = units_.from_core(x, dimension);
+    const std::string unit = units_.label(dimension);
+    lines_.push_back({key, label, std::move(core), {}, unit == "1" ? "" : unit});
+  }
+  void text(const std::string& key, const std::string& label, const std::string& value) {
+    if (!value.empty()) lines_.push_back({key, label, {}, value, {}});
+  }
+  std::vector<SummaryLine> take() { return std::move(lines_); }
+
+ private:
+  const Units& units_;
+  std::vector<SummaryLine> lines_;
+};
+
+// Where a run ended, what it cost, its events. What was evaluated in its steps: "perturbations";
+// empty where nothing was integrated.
+void add_report(Lines& lines, const RunReport& report, const std::string& evaluated,
+                const std::string& events);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

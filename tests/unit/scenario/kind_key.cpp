@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// What is no description of a key does not compile.
+#include "polhode/scenario/kind_key.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "polhode/perturb/internal_damping.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "text/number_text.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+enum class Sense { forward, backward };
+
+struct Part {
+  double size;
+};
+struct Arguments : Part {
+  std::optional<Vec3> axis;
+  LinearMap map;
+  std::vector<double> times;
+  bool strong;
+  Sense sense;
+  std::string word;
+  std::optional<std::string> other;
+  std::vector<std::string> words;
+  int whole;
+};
+struct Stranger {
+  double size;
+};
+
+// Whether a key that is made in this way is a constant. The words are right, but for one.
+template <auto at>
+concept Quantity = requires {
+  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A."), true)>;
+};
+template <auto at>
+concept WithoutDimension = requires { quantity_key<at>("r", "A."); };
+template <auto at>
+concept WithoutText = requires { quantity_key<at>("r", Dimension::torque); };
+template <auto at>
+concept WithEmptyText =
+    requires { typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, ""), true)>; };
+template <auto at>
+concept WithoutStop = requires {
+  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A"), true)>;
+};
+template <auto at>
+concept WithoutName = requires {
+  typename std::bool_constant<(quantity_key<at>("", Dimension::torque, "A."), true)>;
+};
+static_assert(Quantity<&Arguments::axis> && Quantity<&Arguments::map> &&
+              Quantity<&Arguments::times> && Quantity<&Part::size>);
+static_assert(!WithoutDimension<&Arguments::axis> && !WithoutText<&Arguments::axis>);
+static_assert(!WithEmptyText<&Arguments::axis> && !WithoutStop<&Arguments::axis>);
+static_assert(!WithoutName<&Arguments::axis>);
+
+// The member has the type of the values.
+template <auto at>
+concept Flag = requires { typename std::bool_constant<(flag_key<at>("r", "A."), true)>; };
+template <auto at>
+concept Name = requires { typename std::bool_constant<(name_key<at>("r", "A."), true)>; };
+template <auto at>
+concept File = requires { typename std::bool_constant<(file_key<at>("r", "A."), true)>; };
+template <auto at>
+concept OneUnit = requires { typename std::bool_constant<(unit_key<at>("r", "A."), true)>; };
+template <auto at>
+concept Columns = requires { typename std::bool_constant<(columns_key<at>("r", "A."), true)>; };
+static_assert(Flag<&Arguments::strong>);
+static_assert(!Flag<&Part::size> && !Flag<&Arguments::word> && !Flag<&Arguments::whole>);
+static_assert(Name<&Arguments::word> && Name<&Arguments::other>);
+static_assert(!Name<&Arguments::words> && !Name<&Part::size> && !Name<&Arguments::strong>);
+static_assert(File<&Arguments::word> && !File<&Arguments::axis> && !File<&Arguments::strong>);
+static_assert(OneUnit<&Arguments::other> && !OneUnit<&Part::size>);
+static_assert(Columns<&Arguments::words> && !Columns<&Arguments::word>);
+static_assert(!Quantity<&Arguments::strong> && !Quantity<&Arguments::word>);
+static_assert(!Quantity<&Arguments::whole> && !Quantity<&Arguments::sense>);
+
+// So have the enumerators of a choice, each with a word.
+template <auto... enumerators>
+concept Choice = requires {
+  typename std::bool_constant<(
+      choice_key<&Arguments::sense, enumerators...>("r", "forward|backward", "A."), true)>;
+};
+template <auto at>
+concept WithOneWord = requires {
+  typename std::bool_constant<(
+      choice_key<at, Sense::forward, Sense::backward>("r", "forward", "A."), true)>;
+};
+template <auto at>
+concept WithEmptyWord = requires {
+  typename std::bool_constant<(
+      choice_key<at, Sense::forward, Sense::backward>("r", "forward|", "A."), true)>;
+};
+template <auto at>
+concept ChoiceOfNumbers =
+    requires { typename std::bool_constant<(choice_key<at, 0, 1>("r", "a|b", "A."), true)>; };
+static_assert(Choice<Sense::forward, Sense::backward>);
+static_assert(!Choice<Sense::forward> && !Choice<> && !Choice<0, 1>);
+static_assert(!WithOneWord<&Arguments::sense> && !WithEmptyWord<&Arguments::sense>);
+static_assert(!ChoiceOfNumbers<&Arguments::whole>);
+
+// A range belongs to numbers, and nothing stands for what is required.
+template <auto at>
+concept PositiveQuantity = requires {
+  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A.").positive(), true)>;
+};
+template <auto at>
+concept PositiveFlag =
+    requires { typename std::bool_constant<(flag_key<at>("r", "A.").positive(), true)>; };
+template <auto at>
+concept FlagThatIsNotNegative =
+    requires { typename std::bool_constant<(flag_key<at>("r", "A.").not_negative(), true)>; };
+template <auto at>
+concept PositiveName =
+    requires { typename std::bool_constant<(name_key<at>("r", "A.").positive(), true)>; };
+template <auto at>
+concept RequiredWithFallback = requires {
+  typename std::bool_constant<(flag_key<at>("r", "A.").required().otherwise("true"), true)>;
+};
+template <auto at>
+concept FallbackOfRequired = requires {
+  typename std::bool_constant<(flag_key<at>("r", "A.").otherwise("true").required(), true)>;
+};
+static_assert(PositiveQuantity<&Part::size> && PositiveQuantity<&Arguments::times>);
+static_assert(!PositiveQuantity<&Arguments::map>);  // of a matrix it would say nothing
+static_assert(!PositiveFlag<&Arguments::strong> && !FlagThatIsNotNegative<&Arguments::strong>);
+static_assert(!PositiveName<&Arguments::word>);
+static_assert(!RequiredWithFallback<&Arguments::strong>);
+static_assert(!FallbackOfRequired<&Arguments::strong>);
+
+// Nothing else makes a key.
+static_assert(!std::is_aggregate_v<KindKey<Arguments>>);
+static_assert(!std::is_default_constructible_v<KindKey<Arguments>>);
+static_assert(!std::is_constructible_v<KindKey<Arguments>, Key>);
+
+// Keys of a struct that the arguments derive from; not of another one.
+template <class A>
+concept HasSize = requires {
+  typename std::bool_constant<(quantity_key<&Part::size, A>("r", Dimension::torque, "A."), true)>;
+};
+static_assert(HasSize<Part> && HasSize<Arguments> && !HasSize<Stranger>);
+
+struct Derived : Arguments {};
+constexpr KindKey<Derived> keys[] = {
+    quantity_key<&Part::size, Derived>("size", Dimension::length, "A size.").positive(),
+    choice_key<&Arguments::sense, Derived, Sense::forward, Sense::backward>(
+        "sense", "forward|backward", "Which way.")
+        .otherwise("\"forward\""),
+    flag_key<&Arguments::strong, Derived>("strong", "Twice as much.").required(),
+};
+
+TEST(KindKey, ItsRowSaysAllThatWasSaid) {
+  std::vector<Key> rows;
+  for (const KindKey<Derived>& key : keys) rows.push_back(key.key());
+  EXPECT_EQ(rows, keys_of<Derived>(keys));
+  EXPECT_EQ(rows[0], (Key{.path = "size",
+                          .type = KeyType::number,
+                          .dimension = Dimension::length,
+                          .help = "A size.",
+                          .range = Range::positive}));
+  EXPECT_EQ(rows[1].allowed, "forward|backward");
+  EXPECT_EQ(rows[1].example, rows[1].fallback);
+  EXPECT_EQ(rows[2].presence, Presence::required);
+}
+
+// One struct of a file is one of C++: what a key says of a missing one is what C++ has there.
+TEST(KindKey, DefaultsOfFilesAreThoseOfTheLibrary) {
+  const auto method = [](const std::string& table) {
+    return *scenario_from_text(
+                "schema = 1\nbody.moments = [1, 2, 3]\nstate.andoyer = { l = 0, g = "
+                "0, h = 0, L = 0.5, G = 1, H = 0 }\n[method]\n" +
+                    table,
+                "f.toml")
+                .rotation()
+                .method;
+  };
+  EXPECT_EQ(method("kind = \"adaptive\""), Method(Adaptive{}));
+  EXPECT_EQ(method("kind = \"splitting\"\nstep = 0.5"), Method(Splitting{.step = 0.5}));
+  EXPECT_EQ(method("kind = \"variation-of-constants\""), Method(VariationOfConstants{}));
+  const std::span<const Key> all = scenario_schema().keys;
+  const auto factor = std::find_if(all.begin(), all.end(), [](const Key& key) {
+    return key.path == "perturbation[].shape_factor";
+  });
+  ASSERT_NE(factor, all.end());
+  EXPECT_EQ(factor->fallback, detail::number_text(DampedMaterial{}.shape_factor));
+}
+
+// Those that are in the key, for editors and pages.
+TEST(KindKey, RangesAreInSchemaAndPages) {
+  const Key rows[] = {
+      {.path = "size",
+       .type = KeyType::number,
+       .dimension = Dimension::length,
+       .help = "A size.",
+       .range = Range::positive},
+      {.path = "parts",
+       .type = KeyType::numbers,
+       .length = 2,
+       .help = "Parts.",
+       .range = Range::not_negative},
+      {.path = "free", .type = KeyType::number, .help = "Any number."},
+  };
+  const std::string page = markdown_reference({rows, {}}), json = json_schema({rows, {}});
+  EXPECT_THAT(page, HasSubstr("| `size` | length, positive |"));
+  EXPECT_THAT(page, HasSubstr("| `parts` | 2 x pure number, not negative |"));
+  EXPECT_THAT(page, HasSubstr("| `free` | number |"));
+  const auto part = [&](const std::string& from, const std::string& to) {
+    const std::size_t begin = json.find(from);
+    return json.substr(begin, json.find(to, begin) - begin);
+  };
+  EXPECT_THAT(part("\"size\"", "\"parts\""),
+              AllOf(HasSubstr("\"exclusiveMinimum\": 0"), HasSubstr("\"value\"")));
+  EXPECT_THAT(part("\"parts\"", "\"free\""), HasSubstr("\"minimum\": 0"));
+  EXPECT_THAT(part("\"free\"", "\"$defs\""), Not(HasSubstr("inimum")));
+}
+
+}  // namespace
+}  // namespace polhode
