@@ -142,12 +142,14 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   return parts;
 }
 
-// What the kinds of its torques cite, or its own kind.
+// What the kinds of its torques and orbits cite, or its own kind.
 std::vector<Citation> citations_of(const Rotation& rotation, const Kinds& kinds) {
   std::vector<Citation> all;
   for (const PerturbationKind& kind : kinds.perturbations())
     if (std::find(rotation.kinds.begin(), rotation.kinds.end(), kind.name) != rotation.kinds.end())
       add_each_once(all, kind.citations);
+  for (const ScenarioOrbit& orbit : rotation.orbits)
+    if (const OrbitKind* const kind = kinds.orbit(orbit.kind)) add_each_once(all, kind->citations);
   return all;
 }
 std::vector<Citation> citations_of(const OwnExperiment& own, const Kinds& kinds) {

@@ -59,7 +59,7 @@ std::string orbit_text(const Units& units, const ScenarioOrbit& orbit) {
 void add_interpolation(Lines& lines, const ScenarioOrbit& orbit) {
   constexpr double coarse = 1e-4;
   const auto* table = std::get_if<TableOrbit>(&orbit.motion);
-  if (table == nullptr || orbit.text.starts_with("ephemeris")) return;
+  if (table == nullptr || !orbit.is_sampled) return;
   const std::optional<double> error = detail::interpolation_error(*table);
   if (!error) return;
   lines.text("orbit_" + orbit.name + "_error", "orbit " + orbit.name + ": interpolation error",

@@ -48,8 +48,8 @@ OwnExperiment made_own(const KindContext& at) {
 
 ExperimentRow rotation_row(const DescribedParts& described) {
   return {"rotation",
-          {body_keys(), described.state, frame_keys(), orbit_keys(), described.perturbations,
-           surface_keys(), described.methods, event_keys(), time_keys()}};
+          {body_keys(), described.state, frame_keys(), orbit_keys(), described.orbits,
+           described.perturbations, surface_keys(), described.methods, event_keys(), time_keys()}};
 }
 
 ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,

@@ -218,7 +218,7 @@ class RotationBuilder {
   }
 
   void add_orbits(MadeRotation& made) {
-    const OrbitsContext place{at_.values, at_.units, time_, at_.name};
+    const OrbitsContext place{at_.values, at_.units, time_, at_.name, at_.kinds};
     const std::vector<std::string> paths = orbit_paths(at_.values);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const bool kept =

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/values.hpp"
@@ -25,10 +26,7 @@ struct OrbitsContext {
   const Units& units;
   const std::optional<SaveAt>& time;
   const std::string& name;
-};
-// What an orbit was made of, next to its own keys and the epoch.
-struct OrbitUses {
-  bool time = false;  // the rows of the run
+  const Kinds& kinds;
 };
 // "orbit.moon" for each table [orbit.NAME], and what one of them describes.
 std::vector<std::string> orbit_paths(const Values& values);

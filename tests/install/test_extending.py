@@ -135,6 +135,20 @@ def test_a_run_by_a_method_of_your_own_is_stopped_and_continued(midpoint, tmp_pa
     assert cut.read_bytes() == out.read_bytes()
 
 
+def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
+    path = built("orbit")
+    program, scenario, text = (path / "build/sun-synchronous", path / "satellite.toml",
+                               (path / "satellite.toml").read_text())
+    assert "completed" in sh(program, "run", scenario, "--out", tmp_path / "own.csv")
+    assert "orbit satellite: period" in sh(program, "info", scenario)
+    assert "[author2026]" in sh(program, "cite", scenario)
+    assert '"const": "sun-synchronous"' in sh(program, "schema")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(text.replace('"700 km"', '"9000 km"'))
+    assert ('18:12: orbit.satellite.altitude: got "9000 km"; expected a lower orbit, whose node '
+            "turns fast enough") in sh(program, "info", wrong, status=2)
+
+
 @pytest.fixture(scope="module")
 def colombo(built):
     return built("experiment")

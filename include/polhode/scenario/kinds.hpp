@@ -23,6 +23,7 @@
 #include "polhode/output/output_format.hpp"
 #include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
+#include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/tables/chart_kind.hpp"
@@ -33,6 +34,7 @@ inline namespace v0 {
 class Kinds {
  public:
   Kinds with(PerturbationKind kind) const;
+  Kinds with(OrbitKind kind) const;
   Kinds with(MethodKind kind) const;
   Kinds with(ExperimentKind kind) const;
   Kinds with(OutputFormat format) const;
@@ -41,6 +43,8 @@ class Kinds {
   std::span<const PerturbationKind> perturbations() const;
   // Null where there is none of this name.
   const PerturbationKind* perturbation(std::string_view name) const;
+  std::span<const OrbitKind> orbits() const;
+  const OrbitKind* orbit(std::string_view name) const;
   std::span<const MethodKind> methods() const;
   const MethodKind* method(std::string_view name) const;
   // Those from outside: what a file may be next to a rotation.

@@ -60,11 +60,13 @@ struct ScenarioShape {
 
 // [orbit.NAME]
 struct ScenarioOrbit {
-  std::string name;
+  std::string name = {};
   std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit> motion;
   std::optional<double> gm;               // of what attracts, where the orbit tells
   std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
-  std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
+  std::string text = {};    // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
+  bool is_sampled = false;  // a table of rows as they were given: between them it is interpolated
+  std::string kind = {};    // "kepler", ...
 };
 // The elements of an orbit that has them.
 const KeplerElements* kepler_elements(const ScenarioOrbit& orbit);

@@ -25,7 +25,7 @@ struct KindOfTable {
 class KindRows {
  public:
   // `table` is the row of the table itself and `kind` that of its key, without its words. A key
-  // that several kinds have alike is one row.
+  // that several kinds have alike is one row; one that all have says nothing of kinds.
   KindRows(const Key& table, const Key& kind, std::span<const KindOfTable> kinds);
   KindRows(const KindRows&) = delete;
   KindRows& operator=(const KindRows&) = delete;

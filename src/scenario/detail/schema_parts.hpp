@@ -21,6 +21,7 @@ struct DescribedParts {
   SchemaPart state;
   SchemaPart perturbations;
   SchemaPart methods;
+  SchemaPart orbits;
 };
 SchemaPart body_keys();
 SchemaPart frame_keys();

@@ -14,6 +14,7 @@
 #include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/method_kinds.hpp"
+#include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/output_keys.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/detail/state_keys.hpp"
@@ -35,6 +36,20 @@ constexpr Key perturbation_kind_key = {.path = "perturbation[].kind",
                                        .example = "\"gravity-gradient\"",
                                        .help = "What it is."};
 
+constexpr Key orbit_table = {
+    .path = "orbit.*",
+    .help =
+        "The path of the attracting body as seen from the rotating one, or the other way "
+        "round, in inertial axes."};
+constexpr Key orbit_kind_key = {
+    .path = "orbit.*.kind",
+    .type = choice,
+    .fallback = "\"kepler\"",
+    .example = "\"kepler\"",
+    .help =
+        "Elements, which may precess; a position and a velocity; a table in a file; or Sun, "
+        "Moon and planets as they move (docs/guide/orbits.md)."};
+
 constexpr Key method_table = {
     .path = "method",
     .help =
@@ -53,6 +68,10 @@ detail::KindOfTable row_of(const PerturbationKind& kind) {
 detail::KindOfTable row_of(const MethodKind& kind) {
   return {{{}, kind.name, kind.help}, kind.keys, {}};
 }
+detail::KindOfTable row_of(const OrbitKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
+}
+constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
 constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
 constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
 detail::KindOfTable row_of(const ExperimentKind& kind) {
@@ -133,6 +152,7 @@ void require_own_columns(const Kinds& kinds, const ChartKind& chart) {
 
 struct Lists {
   std::vector<PerturbationKind> perturbations;
+  std::vector<OrbitKind> orbits;
   std::vector<MethodKind> methods;
   std::vector<ExperimentKind> experiments;
   OutputFormats formats;
@@ -163,17 +183,19 @@ struct Kinds::Parts {
   explicit Parts(Lists of)
       : lists(std::move(of)),
         perturbations(perturbation_table, perturbation_kind_key, rows_of(lists.perturbations)),
+        orbits(orbit_table, orbit_kind_key, rows_of(lists.orbits)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
         state(lists.charts()),
         output(lists.charts()),
         own(own_tables(lists.experiments)),
         table(experiment_rows(lists.experiments, own,
-                              {state.part(), perturbations.part(), methods.part()}),
+                              {state.part(), perturbations.part(), methods.part(), orbits.part()}),
               output.part(), lists.formats),
         schema(table.schema()) {}
 
   Lists lists;
   detail::KindRows perturbations;
+  detail::KindRows orbits;
   detail::KindRows methods;
   detail::StateKeys state;
   detail::OutputKeys output;
@@ -187,6 +209,7 @@ Kinds::Kinds(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 Kinds default_kinds() {
   static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
       our_perturbations(),
+      {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
       {},
       default_output_formats()});
@@ -200,6 +223,12 @@ Kinds Kinds::with(PerturbationKind kind) const {
                       " is the name of a chart; expected another name");
   Lists lists = parts_->lists;
   lists.perturbations = extended(std::move(lists.perturbations), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(OrbitKind kind) const {
+  Lists lists = parts_->lists;
+  lists.orbits = extended(std::move(lists.orbits), std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
@@ -246,6 +275,10 @@ std::span<const PerturbationKind> Kinds::perturbations() const {
 }
 const PerturbationKind* Kinds::perturbation(std::string_view name) const {
   return named(parts_->lists.perturbations, name);
+}
+std::span<const OrbitKind> Kinds::orbits() const { return parts_->lists.orbits; }
+const OrbitKind* Kinds::orbit(std::string_view name) const {
+  return named(parts_->lists.orbits, name);
 }
 std::span<const MethodKind> Kinds::methods() const { return parts_->lists.methods; }
 const MethodKind* Kinds::method(std::string_view name) const {

@@ -28,6 +28,8 @@ KindRows::KindRows(const Key& table, const Key& kind, std::span<const KindOfTabl
     texts_.push_back(one.text);
     texts_.back().table = table.path;
   }
+  for (Key& key : keys_)
+    if (key.kinds == all && kinds.size() > 1) key.kinds = {};
   keys_[1].allowed = words_.emplace_back(std::move(all));
 }
 

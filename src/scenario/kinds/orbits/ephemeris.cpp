@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from the positions of Sun, Moon and planets: tabulated once, over the run.
+#include "polhode/ephemeris/ephemeris.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/reference_axes.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 
@@ -16,14 +18,34 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
+constexpr std::string_view bodies =
+    "sun|mercury|venus|earth|moon|mars|jupiter|saturn|uranus|neptune";
+
+constexpr Key keys[] = {
+    orbit_gm_key,
+    {.path = "target",
+     .type = KeyType::choice,
+     .presence = Presence::required,
+     .allowed = bodies,
+     .example = "\"moon\"",
+     .help = "The body whose positions these are. It needs `state.epoch`, `state.axes` of J2000, a "
+             "unit of length, and [time]."},
+    {.path = "centre",
+     .type = KeyType::choice,
+     .presence = Presence::required,
+     .allowed = bodies,
+     .example = "\"earth\"",
+     .help = "The body it is seen from, without light time."},
+};
+
 // Beyond the run on either side, s: what rounds a time must not leave the table.
 constexpr double margin = 60.0;
 
 // What one km is in core units; the place of `target` says what is missing.
 double kilometre(const OrbitContext& at) {
-  const Units& units = at.file.units;
+  const Units& units = at.units();
   if (units.length() == "1")
-    refuse(at.values(), at.key("target"), at.name(),
+    refuse(at.values(), at.key_path("target"), at.file(),
            "expected a unit of length such as units.length = \"km\"");
   return units.to_core(1.0, "km", Dimension::length);
 }
@@ -40,40 +62,48 @@ std::vector<std::string> sources_of(Planetary target, Planetary centre) {
   return sources;
 }
 
-}  // namespace
-
 ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
   const Values& values = at.values();
-  const std::string target_key = at.key("target"), centre_key = at.key("centre");
+  const std::string target_key = at.key_path("target"), centre_key = at.key_path("centre");
   const Planetary target = *planetary(word(values, target_key));
   const Planetary centre = *planetary(word(values, centre_key));
   if (target == centre)
-    refuse(values, centre_key, at.name(), "expected another body than the target");
-  const std::string& axes = word(values, "state.axes");
+    refuse(values, centre_key, at.file(), "expected another body than the target");
+  const std::string& axes = at.state_axes();
   if (axes == "inertial")
-    refuse(values, target_key, at.name(),
+    refuse(values, target_key, at.file(),
            "expected state.axes = \"ecliptic-J2000\" or \"equator-J2000\", since this orbit has a "
            "place in the sky");
-  const Clock clock = clock_of(values, at.file.units, target_key, at.name());
+  const Clock clock = clock_of(values, at.units(), target_key, at.file());
   const double km = kilometre(at);
-  const std::optional<TimeSpan> span = run_span(at);
+  const std::optional<TimeSpan> span = at.run_span();
   if (!span)
-    refuse(values, target_key, at.name(),
+    refuse(values, target_key, at.file(),
            "expected a table [time], since the positions are tabulated over the run");
-  const EphemerisTable table = built(values, target_key, at.name(), [&] {
+  const EphemerisTable table = built(values, target_key, at.file(), [&] {
     return planetary_table(target, centre, clock.epoch, span->first / clock.second - margin,
                            span->last / clock.second + margin);
   });
   PositionTable rows = table.rows;
   for (double& t : rows.times) t *= clock.second;
   for (Vec3& x : rows.positions) x = km * in_other_axes(x, "equator-J2000", axes);
-  const std::optional<double> own = own_gm(at);
+  const std::optional<double> own = at.gm();
   std::vector<std::string> sources = sources_of(target, centre);
   if (!own) sources.push_back("DE440");
-  return {std::string(key_name(at.path)), TableOrbit(std::move(rows), table.order),
-          own ? own : at.file.units.to_core(planetary_gm(target), "km3/s2", Dimension::gm),
+  return {{},
+          TableOrbit(std::move(rows), table.order),
+          own ? own : at.units().to_core(planetary_gm(target), "km3/s2", Dimension::gm),
           std::move(sources),
           "ephemeris, " + word(values, target_key) + " from " + word(values, centre_key)};
+}
+
+}  // namespace
+
+OrbitKind ephemeris_kind() {
+  return {.name = "ephemeris",
+          .help = "Sun, Moon and planets as they move (docs/guide/orbits.md).",
+          .keys = {std::begin(keys), std::end(keys)},
+          .made = ephemeris_orbit};
 }
 
 }  // namespace detail

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a CCSDS Orbit Ephemeris Message.
+#include "polhode/tables/oem.hpp"
+
 #include <algorithm>
 #include <utility>
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/scenario/schema.hpp"
-#include "polhode/tables/oem.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/reference_axes.hpp"
@@ -39,7 +40,7 @@ double since_epoch(const OrbitContext& at, const std::string& file_scale, const 
   const std::string& epoch = word(at.values(), "state.epoch");
   if (scale_of_epoch(epoch) == file_scale)
     return seconds_between(file_scale, time_of_epoch(epoch), date);
-  const Clock clock = clock_of(at.values(), at.file.units, at.key("file"), at.name());
+  const Clock clock = clock_of(at.values(), at.units(), at.key_path("file"), at.file());
   return seconds_between(clock.epoch, date_of(file_scale, date), clock.dut1) +
          (file_scale == "GPS" ? gps_behind_tai : 0.0);
 }
@@ -55,20 +56,21 @@ bool is_equatorial(const std::string& frame) {
 void require_keys(const OrbitContext& at) {
   for (const char* own : {"columns", "time_format", "time_scale", "time_unit", "length_unit",
                           "velocity_unit", "axes"})
-    if (is_explicit(at.values(), at.key(own)))
-      refuse(at.values(), at.key(own), at.name(), "an OEM says this itself; expected none");
+    if (is_explicit(at.values(), at.key_path(own)))
+      refuse(at.values(), at.key_path(own), at.file(), "an OEM says this itself; expected none");
   if (!has(at.values(), "state.epoch"))
-    refuse(at.values(), at.key("file"), at.name(), "an OEM has dates; expected epoch in [state]");
-  if (word(at.values(), "state.axes") == "inertial")
-    refuse(at.values(), at.key("file"), at.name(),
+    refuse(at.values(), at.key_path("file"), at.file(),
+           "an OEM has dates; expected epoch in [state]");
+  if (at.state_axes() == "inertial")
+    refuse(at.values(), at.key_path("file"), at.file(),
            "an OEM has axes; expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state]");
 }
 
 PositionTable table_of(const OrbitContext& at, const OemSegment& segment, double first) {
-  const Units& units = at.file.units;
+  const Units& units = at.units();
   const double time = units.to_core(1.0, "s", Dimension::time);
   const double length = units.to_core(1.0, "km", Dimension::length);
-  const std::string& axes = word(at.values(), "state.axes");
+  const std::string& axes = at.state_axes();
   PositionTable table;
   for (std::size_t k = 0; k < segment.t.size(); ++k) {
     const Vec3 x = in_other_axes(segment.position[k], "equator-J2000", axes);
@@ -82,7 +84,7 @@ PositionTable table_of(const OrbitContext& at, const OemSegment& segment, double
 
 // "OEM iss.oem (ISS from EARTH)"
 std::string text_of(const OrbitContext& at, const OemSegment& segment) {
-  return "OEM " + printable(word(at.values(), at.key("file"))) + " (" +
+  return "OEM " + printable(word(at.values(), at.key_path("file"))) + " (" +
          printable(segment.object_name) + " from " + printable(segment.center) + ")";
 }
 
@@ -91,14 +93,14 @@ std::string text_of(const OrbitContext& at, const OemSegment& segment) {
 // The segment that covers the run; the last, for its message, where none does.
 ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int order) {
   require_keys(at);
-  const std::string key = at.key("file");
-  return built(at.values(), key, at.name(), [&]() -> ScenarioOrbit {
+  const std::string key = at.key_path("file");
+  return built(at.values(), key, at.file(), [&]() -> ScenarioOrbit {
     const OrbitEphemeris file = read_oem(path);
-    const std::optional<TimeSpan> span = run_span(at);
+    const std::optional<TimeSpan> span = at.run_span();
     const std::string& scale = file.segments.front().time_system;
     const auto time = [&](const std::string& text) {
-      return at.file.units.to_core(since_epoch(at, scale, *civil_time(text, true)), "s",
-                                   Dimension::time);
+      return at.units().to_core(since_epoch(at, scale, *civil_time(text, true)), "s",
+                                Dimension::time);
     };
     const double first =
         since_epoch(at, scale, *civil_time(file.segments.front().epochs.front(), true));
@@ -113,11 +115,12 @@ ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int ord
       const bool inside = !span || (time(segment.start) - overhang <= span->first &&
                                     span->last <= time(segment.stop) + overhang);
       if (inside)
-        return {std::string(key_name(at.path)),
+        return {{},
                 TableOrbit(std::move(table), order, overhang),
-                own_gm(at),
+                at.gm(),
                 {"oem"},
-                text_of(at, segment)};
+                text_of(at, segment),
+                true};
       covered += (covered.empty() ? "" : ", ") + printable(segment.start) + " to " +
                  printable(segment.stop);
     }

@@ -12,6 +12,7 @@
 #include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/detail/table_check.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
 #include "text/date_text.hpp"
 #include "text/number_text.hpp"
@@ -21,6 +22,94 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
+
+constexpr Key keys[] = {
+    orbit_gm_key,
+    orbit_axes_key,
+    {.path = "times",
+     .type = KeyType::numbers,
+     .presence = Presence::alternative,
+     .dimension = Dimension::time,
+     .example = "[0, 60, 120, 180]",
+     .help = "Times of rows that stand here, rising, from t = 0."},
+    {.path = "x",
+     .type = KeyType::numbers,
+     .presence = Presence::alternative,
+     .dimension = Dimension::length,
+     .example = "[7000, 6986, 6944, 6875]",
+     .help = "The first component of the positions in these rows."},
+    {.path = "y",
+     .type = KeyType::numbers,
+     .presence = Presence::alternative,
+     .dimension = Dimension::length,
+     .example = "[0, 452, 903, 1349]",
+     .help = "The second."},
+    {.path = "z",
+     .type = KeyType::numbers,
+     .presence = Presence::alternative,
+     .dimension = Dimension::length,
+     .example = "[0, 0, 0, 0]",
+     .help = "The third."},
+    {.path = "vx",
+     .type = KeyType::numbers,
+     .dimension = Dimension::speed,
+     .example = "[0, -0.5, -0.9, -1.4]",
+     .help = "The first component of their velocities; all three, or none."},
+    {.path = "vy",
+     .type = KeyType::numbers,
+     .dimension = Dimension::speed,
+     .example = "[7.5, 7.5, 7.5, 7.4]",
+     .help = "The second."},
+    {.path = "vz",
+     .type = KeyType::numbers,
+     .dimension = Dimension::speed,
+     .example = "[0, 0, 0, 0]",
+     .help = "The third."},
+    {.path = "file",
+     .type = KeyType::text,
+     .presence = Presence::alternative,
+     .example = "\"moon.csv.gz\"",
+     .help = "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit "
+             "Ephemeris Message (.oem); the path is from the folder of this file.",
+     .is_file = true},
+    {.path = "columns",
+     .type = KeyType::columns,
+     .example = "[\"t\", \"x\", \"y\", \"z\"]",
+     .help =
+         "Columns that hold time, x, y, z and, where there are seven, the velocity: by the names "
+         "that the file gives them or by their numbers from 1. Left out: t, x, y, z and, if "
+         "there, vx, vy, vz, or where no line names them, the first four or seven."},
+    {.path = "time_format",
+     .type = KeyType::choice,
+     .allowed = "number|JD|MJD|date",
+     .fallback = "\"number\"",
+     .example = "\"number\"",
+     .help = "What the column of times holds: time from t = 0, Julian dates, modified ones, or "
+             "dates like 2013-01-05T18:30:00. All but the first need `state.epoch`."},
+    {.path = "time_scale",
+     .type = KeyType::choice,
+     .allowed = "UTC|TAI|TT|TDB",
+     .fallback = "\"TT\"",
+     .example = "\"TDB\"",
+     .help = "Time scale of these dates."},
+    {.path = "time_unit",
+     .type = KeyType::unit,
+     .example = "\"s\"",
+     .help = "Unit of the column of times, which count from t = 0; left out, `units.time`."},
+    {.path = "length_unit",
+     .type = KeyType::unit,
+     .example = "\"km\"",
+     .help = "Unit of x, y, z; left out, `units.length`."},
+    {.path = "velocity_unit",
+     .type = KeyType::unit,
+     .example = "\"km/s\"",
+     .help = "Unit of the velocities; left out, that of lengths over that of times."},
+    {.path = "order",
+     .type = KeyType::integer,
+     .example = "10",
+     .help = "Order of the interpolation: 2 to 16, even; with velocities 4 to 32, a multiple of "
+             "4. Left out: 10, with velocities 12."},
+};
 
 constexpr std::size_t longest_file = 200;
 constexpr std::array<const char*, 7> usual_names = {"t", "x", "y", "z", "vx", "vy", "vz"};
@@ -39,7 +128,7 @@ std::vector<std::string> usual_columns(const std::string& path) {
 }
 
 std::vector<std::string> columns_of(const OrbitContext& at, const std::string& path) {
-  const std::string key = at.key("columns");
+  const std::string key = at.key_path("columns");
   if (!has(at.values(), key)) {
     const std::vector<std::string> usual = usual_columns(path);
     if (usual.size() < 4)
@@ -49,29 +138,30 @@ std::vector<std::string> columns_of(const OrbitContext& at, const std::string& p
   }
   const std::vector<std::string>& columns = value_at(at.values(), key).words;
   if (columns.size() != 4 && columns.size() != 7)
-    refuse(at.values(), key, at.name(), "expected 4 columns (t, x, y, z) or 7 (with vx, vy, vz)");
+    refuse(at.values(), key, at.file(), "expected 4 columns (t, x, y, z) or 7 (with vx, vy, vz)");
   return columns;
 }
 
 // What one unit of a column is in core units.
 double unit_of(const OrbitContext& at, const char* key, Dimension dimension, double otherwise) {
-  if (!has(at.values(), at.key(key))) return otherwise;
-  return built(at.values(), at.key(key), at.name(), [&] {
-    return at.file.units.to_core(1.0, word(at.values(), at.key(key)), dimension);
+  if (!has(at.values(), at.key_path(key))) return otherwise;
+  return built(at.values(), at.key_path(key), at.file(), [&] {
+    return at.units().to_core(1.0, word(at.values(), at.key_path(key)), dimension);
   });
 }
 
 // How the column of times is read, into core units.
 FieldReader time_reader(const OrbitContext& at) {
-  const std::string& format = word(at.values(), at.key("time_format"));
+  const std::string& format = word(at.values(), at.key_path("time_format"));
   if (format == "number") {
     const double unit = unit_of(at, "time_unit", Dimension::time, 1.0);
     return [unit](std::string_view field) { return unit * number_from_field(field); };
   }
-  if (has(at.values(), at.key("time_unit")))
-    refuse(at.values(), at.key("time_unit"), at.name(), "expected no unit together with dates");
-  const Clock clock = clock_of(at.values(), at.file.units, at.key("time_format"), at.name());
-  const TimeScale scale = *time_scale(word(at.values(), at.key("time_scale")));
+  if (has(at.values(), at.key_path("time_unit")))
+    refuse(at.values(), at.key_path("time_unit"), at.file(),
+           "expected no unit together with dates");
+  const Clock clock = clock_of(at.values(), at.units(), at.key_path("time_format"), at.file());
+  const TimeScale scale = *time_scale(word(at.values(), at.key_path("time_scale")));
   if (format == "date")
     return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };
   const double zero = format == "MJD" ? 2400000.5 : 0.0;
@@ -81,7 +171,7 @@ FieldReader time_reader(const OrbitContext& at) {
 // What the file says of itself must be how it is read.
 void require_header(const OrbitContext& at, const NumberTable& file,
                     const std::vector<std::string>& columns) {
-  const TableCheck check({at.values(), at.file.units, at.path, at.name()}, file, columns);
+  const TableCheck check({at.values(), at.units(), at.path(), at.file()}, file, columns);
   const double time = unit_of(at, "time_unit", Dimension::time, 1.0);
   const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
   const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
@@ -92,8 +182,8 @@ void require_header(const OrbitContext& at, const NumberTable& file,
     else
       check.unit(k, {"velocity_unit", speed, Dimension::speed});
   }
-  if (word(at.values(), at.key("time_format")) != "number")
-    return check.scale(word(at.values(), at.key("time_scale")));
+  if (word(at.values(), at.key_path("time_format")) != "number")
+    return check.scale(word(at.values(), at.key_path("time_scale")));
   check.unit(0, {"time_unit", time, Dimension::time});
   check.epoch();
 }
@@ -103,14 +193,14 @@ std::vector<Vec3> own_rows(const OrbitContext& at, const std::array<const char*,
                            std::size_t count) {
   std::vector<Vec3> rows(count);
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string key = at.key(names[static_cast<std::size_t>(axis)]);
+    const std::string key = at.key_path(names[static_cast<std::size_t>(axis)]);
     const std::vector<double>& column = value_at(at.values(), key).numbers;
     if (column.size() != count)
-      refuse(at.values(), key, at.name(),
+      refuse(at.values(), key, at.file(),
              "expected " + std::to_string(count) + " numbers, as many as times has");
     for (std::size_t k = 0; k < count; ++k) rows[k][axis] = column[k];
   }
-  const std::string &axes = orbit_axes(at), &of_state = word(at.values(), "state.axes");
+  const std::string &axes = orbit_axes(at), &of_state = at.state_axes();
   for (Vec3& row : rows) row = in_other_axes(row, axes, of_state);
   return rows;
 }
@@ -119,18 +209,18 @@ std::vector<Vec3> own_rows(const OrbitContext& at, const std::array<const char*,
 PositionTable own_table(const OrbitContext& at) {
   for (const char* own :
        {"columns", "time_format", "time_scale", "time_unit", "length_unit", "velocity_unit"})
-    if (is_explicit(at.values(), at.key(own)))
-      refuse(at.values(), at.key(own), at.name(), "expected a key file as well, not times");
-  PositionTable table{value_at(at.values(), at.key("times")).numbers, {}, {}};
+    if (is_explicit(at.values(), at.key_path(own)))
+      refuse(at.values(), at.key_path(own), at.file(), "expected a key file as well, not times");
+  PositionTable table{value_at(at.values(), at.key_path("times")).numbers, {}, {}};
   table.positions = own_rows(at, {"x", "y", "z"}, table.times.size());
   constexpr std::array<const char*, 3> slopes = {"vx", "vy", "vz"};
-  const auto is_there = [&](const char* own) { return has(at.values(), at.key(own)); };
+  const auto is_there = [&](const char* own) { return has(at.values(), at.key_path(own)); };
   if (std::all_of(slopes.begin(), slopes.end(), is_there)) {
     table.velocities = own_rows(at, slopes, table.times.size());
   } else {
     for (const char* own : slopes)
       if (is_there(own))
-        refuse(at.values(), at.key(own), at.name(), "expected vx, vy and vz, or none of them");
+        refuse(at.values(), at.key_path(own), at.file(), "expected vx, vy and vz, or none of them");
   }
   return table;
 }
@@ -140,7 +230,7 @@ PositionTable positions_of(const OrbitContext& at, const NumberTable& file) {
   const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
   const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
   const std::string& axes = orbit_axes(at);
-  const std::string& of_state = word(at.values(), "state.axes");
+  const std::string& of_state = at.state_axes();
   const auto rows = [&](std::size_t first, double unit) {
     std::vector<Vec3> vectors;
     vectors.reserve(file.rows());
@@ -156,11 +246,9 @@ PositionTable positions_of(const OrbitContext& at, const NumberTable& file) {
 }
 
 std::string file_path(const OrbitContext& at) {
-  const std::filesystem::path folder = std::filesystem::path(at.name()).parent_path();
-  return (folder / word(at.values(), at.key("file"))).string();
+  const std::filesystem::path folder = std::filesystem::path(at.file()).parent_path();
+  return (folder / word(at.values(), at.key_path("file"))).string();
 }
-
-std::string own_name(const OrbitContext& at) { return std::string(key_name(at.path)); }
 
 TableOrbit orbit_of_rows(const OrbitContext& at, PositionTable rows, int order, bool dates) {
   const double overhang = overhang_of(at, rows.times, dates);
@@ -170,19 +258,20 @@ TableOrbit orbit_of_rows(const OrbitContext& at, PositionTable rows, int order, 
 ScenarioOrbit file_orbit(const OrbitContext& at, int order) {
   const std::string path = file_path(at);
   for (const char* own : {"vx", "vy", "vz"})
-    if (has(at.values(), at.key(own)))
-      refuse(at.values(), at.key(own), at.name(), "expected keys times, x, y and z as well");
+    if (has(at.values(), at.key_path(own)))
+      refuse(at.values(), at.key_path(own), at.file(), "expected keys times, x, y and z as well");
   if (path.ends_with(".oem")) return oem_orbit(at, path, order);
   const std::vector<std::string> columns = columns_of(at, path);
   const NumberTable file = read_number_table(path, columns, time_reader(at));
   require_header(at, file, columns);
   require_rising(file, 0, "time");
-  const bool dates = word(at.values(), at.key("time_format")) != "number";
-  return {own_name(at),
+  const bool dates = word(at.values(), at.key_path("time_format")) != "number";
+  return {{},
           orbit_of_rows(at, positions_of(at, file), order, dates),
-          own_gm(at),
+          at.gm(),
           {},
-          "table " + printable(word(at.values(), at.key("file")), longest_file)};
+          "table " + printable(word(at.values(), at.key_path("file")), longest_file),
+          true};
 }
 
 }  // namespace
@@ -192,36 +281,48 @@ double overhang_of(const OrbitContext& at, const std::vector<double>& times, boo
   if (times.size() < 2) return 0.0;
   const double first = times.front(), last = times.back();
   const double rounding =
-      dates ? at.file.units.to_core(of_dates, "s", Dimension::time)
+      dates ? at.units().to_core(of_dates, "s", Dimension::time)
             : 8.0 * epsilon<double>() * std::max(std::fabs(first), std::fabs(last));
   const double most = share * (last - first) / static_cast<double>(times.size() - 1);
   return std::max(0.0, std::min(rounding, most));
 }
 
+namespace {
+
+// Refuses a table that does not cover the run, at the place of `key`.
 void require_cover(const OrbitContext& at, const char* key, const TableOrbit& orbit) {
-  const std::optional<TimeSpan> span = run_span(at);
+  const std::optional<TimeSpan> span = at.run_span();
   if (!span || orbit.covers(span->first, span->last)) return;
-  const auto text = [&](double t) {
-    return number_text(at.file.units.from_core(t, Dimension::time));
-  };
-  refuse(at.values(), at.key(key), at.name(),
+  const auto text = [&](double t) { return number_text(at.units().from_core(t, Dimension::time)); };
+  refuse(at.values(), at.key_path(key), at.file(),
          "it covers the times " + text(orbit.first_time()) + " to " + text(orbit.last_time()) +
-             " " + at.file.units.time() + "; expected all of the run, " + text(span->first) +
-             " to " + text(span->last) + " (t = 0 is part of it)");
+             " " + at.units().time() + "; expected all of the run, " + text(span->first) + " to " +
+             text(span->last) + " (t = 0 is part of it)");
 }
 
 ScenarioOrbit table_orbit(const OrbitContext& at) {
-  const int order = has(at.values(), at.key("order"))
+  const int order = has(at.values(), at.key_path("order"))
                         ? static_cast<int>(std::clamp<std::int64_t>(
-                              value_at(at.values(), at.key("order")).whole, 1, 99))
+                              value_at(at.values(), at.key_path("order")).whole, 1, 99))
                         : 0;
-  const char* const rows = has(at.values(), at.key("times")) ? "times" : "file";
-  const ScenarioOrbit orbit = built(at.values(), at.key(rows), at.name(), [&]() -> ScenarioOrbit {
-    if (rows == std::string_view("file")) return file_orbit(at, order);
-    return {own_name(at), orbit_of_rows(at, own_table(at), order, false), own_gm(at), {}, "table"};
-  });
+  const char* const rows = has(at.values(), at.key_path("times")) ? "times" : "file";
+  const ScenarioOrbit orbit =
+      built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
+        if (rows == std::string_view("file")) return file_orbit(at, order);
+        return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table", true};
+      });
   require_cover(at, rows, std::get<TableOrbit>(orbit.motion));
   return orbit;
+}
+
+}  // namespace
+
+OrbitKind table_kind() {
+  return {.name = "table",
+          .help = "Rows of positions, here or in a file.",
+          .keys = {std::begin(keys), std::end(keys)},
+          .sets = "times+x+y+z|file",
+          .made = table_orbit};
 }
 
 }  // namespace detail

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// OrbitKind: all that there is to say of one kind of [orbit.NAME]: its keys, how an orbit is made
+// from them, what it rests on. Readers, schema, pages, summaries and citations come from it;
+// docs/extending/orbit.md adds one.
+//
+// Equations   none of its own; the orbits have theirs (polhode/orbit/).
+// Units       core units (polhode/text/units.hpp).
+// Domain      positions are along the inertial axes of the state (OrbitContext::state_axes).
+// Accuracy    that of the orbit.
+// Errors      a builder throws a DomainError, or says by OrbitContext::refuse what it expected:
+//             both become a ScenarioError at the place in the file. It may be called from any
+//             thread.
+// Cost        that of the orbit.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/scenario/key_values.hpp"
+#include "polhode/scenario/kind_key.hpp"
+#include "polhode/scenario/rotation.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "polhode/text/citation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// What a run of the file goes through: t = 0 and all its rows.
+struct TimeSpan {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+// What an orbit was made of, next to its own keys and the epoch: it is made again when that
+// changes.
+struct OrbitUses {
+  bool time = false;  // the rows of the run
+};
+
+// Where an orbit is made: its own table, and what stands before it. What is asked for is noted in
+// `uses`, which must outlive this like all else.
+class OrbitContext : public KeyValues {
+ public:
+  OrbitContext(const KeyValues& table, const std::optional<SaveAt>& rows, OrbitUses& uses)
+      : KeyValues(table), rows_(rows), uses_(uses) {}
+
+  // None without [time].
+  std::optional<TimeSpan> run_span() const;
+  // The number of the key "gm", positive, where the table has one.
+  std::optional<double> gm() const;
+  // "inertial", "ecliptic-J2000" or "equator-J2000"
+  const std::string& state_axes() const;
+
+ private:
+  const std::optional<SaveAt>& rows_;
+  OrbitUses& uses_;
+};
+
+// Texts are constant data: they outlive every kind.
+struct OrbitKind {
+  std::string_view name;                 // "kepler"
+  std::string_view help;                 // one sentence: what the orbit is made from
+  std::vector<Key> keys;                 // paths are their own names
+  std::string_view sets = {};            // exactly one of "times|file" is there; empty: none such
+  std::vector<Citation> citations = {};  // what it rests on
+  // Without name and kind, which are those of the file.
+  std::function<ScenarioOrbit(const OrbitContext&)> made;
+};
+
+// A kind whose arguments are a plain struct A, filled by its keys.
+template <class A>
+OrbitKind orbit_kind(std::string_view name, std::string_view help, std::span<const KindKey<A>> keys,
+                     ScenarioOrbit (*made)(const A&, const OrbitContext&),
+                     const std::vector<Citation>& citations = {}) {
+  return {.name = name,
+          .help = help,
+          .keys = keys_of(keys),
+          .citations = citations,
+          .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
+                   made](const OrbitContext& at) { return made(arguments<A>(all, at), at); }};
+}
+
+}  // namespace v0
+}  // namespace polhode

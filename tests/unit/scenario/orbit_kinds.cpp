@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Kinds of orbits that a program adds to ours.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "message_of.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/citations.hpp"
+#include "polhode/run/run.hpp"
+#include "polhode/scenario/kinds.hpp"
+#include "polhode/scenario/scenario.hpp"
+
+namespace polhode {
+namespace {
+
+using polhode::test::message_of;
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::HasSubstr;
+
+struct Arguments {
+  double size;
+  bool ends_with_the_run = false;
+};
+
+constexpr KindKey<Arguments> keys[] = {
+    quantity_key<&Arguments::size>("size", Dimension::length, "Of the circle.")
+        .required()
+        .example("7000.0")
+        .positive(),
+    flag_key<&Arguments::ends_with_the_run>("bounded", "No longer than the run.")
+        .otherwise("false"),
+};
+
+ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
+  if (a.ends_with_the_run && (!at.run_span() || at.run_span()->last > 10.0))
+    at.refuse("bounded", "expected a run of 10 at most");
+  return {.motion = KeplerOrbit({.gm = 8.0, .pericentre = a.size, .eccentricity = 0.0}), .gm = 8.0};
+}
+
+OrbitKind circle_kind(std::string_view name = "circle") {
+  return orbit_kind<Arguments>(name, "For tests.", keys, made,
+                               {{"round1901", "A. Author (1901).", "the circle"}});
+}
+
+std::string file(const std::string& orbit, const std::string& stop = "5") {
+  return R"(schema = 1
+body.moments = [1, 1.7, 2.2]
+state.euler = { phi = 0.1, theta = 1, psi = 0.5, Phi = 0.8, Theta = 0.1, Psi = 0.9 }
+[orbit.planet]
+)" + orbit +
+         R"([[perturbation]]
+kind = "gravity-gradient"
+orbit = "planet"
+[time]
+count = 2
+stop = )" +
+         stop + "\n";
+}
+
+Scenario read(const std::string& orbit, const Kinds& kinds, const std::string& stop = "5") {
+  return scenario_from_text(file(orbit, stop), "f.toml", kinds);
+}
+
+const std::string own = "kind = \"circle\"\nsize = ";
+
+TEST(OrbitKinds, OneOfYourOwnIsMadeFromItsKeys) {
+  const Kinds kinds = default_kinds().with(circle_kind());
+  const Scenario scenario = read(own + "2\n", kinds);
+  const ScenarioOrbit& orbit = scenario.rotation().orbits.at(0);
+  EXPECT_EQ(orbit.name, "planet");
+  EXPECT_EQ(orbit.kind, "circle");
+  EXPECT_EQ(kepler_elements(orbit)->pericentre, 2.0);
+  EXPECT_THAT(citations(scenario), Contains(Field(&Citation::key, "round1901")));
+  EXPECT_EQ(message_of([&] { read(own + "-1\n", kinds); }),
+            "f.toml:6:8: orbit.planet.size: got -1; expected a positive length");
+  EXPECT_THAT(message_of([&] { read("kind = \"circle\"\n", kinds); }),
+              HasSubstr("orbit.planet.size"));
+  EXPECT_THAT(message_of([&] { read(own + "2\n", default_kinds()); }),
+              HasSubstr("orbit.planet.kind: got \"circle\"; expected \"kepler\", "));
+}
+
+TEST(OrbitKinds, OneOfYourOwnKnowsTheRun) {
+  const Kinds kinds = default_kinds().with(circle_kind());
+  const std::string bounded = own + "2\nbounded = true\n";
+  EXPECT_NO_THROW(read(bounded, kinds, "10"));
+  EXPECT_EQ(message_of([&] { read(bounded, kinds, "11"); }),
+            "f.toml:7:11: orbit.planet.bounded: got true; expected a run of 10 at most");
+}
+
+TEST(OrbitKinds, ItsKeysAreOfItsKindAlone) {
+  const Kinds kinds = default_kinds().with(circle_kind());
+  EXPECT_THAT(message_of([&] { read(own + "2\neccentricity = 0.1\n", kinds); }),
+              HasSubstr("orbit.planet.eccentricity: a key of kind \"kepler\""));
+  EXPECT_THAT(message_of([&] { read(own + "2\ngm = 1\n", kinds); }),
+              HasSubstr("orbit.planet.gm: a key of kind \"kepler\", \"state\", \"table\" or "));
+  EXPECT_THAT(json_schema(kinds.schema()), HasSubstr("\"circle\""));
+  EXPECT_THAT(markdown_reference(kinds.schema()), HasSubstr("- `\"circle\"`: For tests.\n"));
+}
+
+TEST(OrbitKinds, OneThatIsNotSoundIsRefused) {
+  EXPECT_EQ(message_of([] { default_kinds().with(circle_kind("kepler")); }),
+            "Kinds: orbit \"kepler\" is there; expected another name");
+  EXPECT_THAT(message_of([] { default_kinds().with(circle_kind("a circle")); }),
+              HasSubstr("Kinds: orbit \"a circle\"; expected letters, digits and -"));
+  OrbitKind empty = circle_kind();
+  empty.made = nullptr;
+  EXPECT_THAT(message_of([&] { default_kinds().with(empty); }),
+              HasSubstr("got no function that makes it; expected one"));
+}
+
+}  // namespace
+}  // namespace polhode
