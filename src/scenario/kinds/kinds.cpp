@@ -150,6 +150,19 @@ void require_own_columns(const Kinds& kinds, const ChartKind& chart) {
   }
 }
 
+// `polhode init NAME` knows charts, perturbations and experiments by their names.
+void require_other_template(std::string_view sort, std::string_view name, const Kinds& kinds) {
+  const std::vector<std::string_view> charts = state_charts(kinds.schema());
+  if (std::find(charts.begin(), charts.end(), name) != charts.end())
+    throw DomainError(detail::shown_kind(sort, name) +
+                      " is the name of a chart; expected another name");
+  const bool is_perturbation = sort == "perturbation";
+  if (is_perturbation ? kinds.experiment(name) != nullptr : kinds.perturbation(name) != nullptr)
+    throw DomainError(detail::shown_kind(sort, name) + " is the name of " +
+                      (is_perturbation ? "an experiment" : "a perturbation") +
+                      "; expected another name");
+}
+
 struct Lists {
   std::vector<PerturbationKind> perturbations;
   std::vector<OrbitKind> orbits;
@@ -217,10 +230,7 @@ Kinds default_kinds() {
 }
 
 Kinds Kinds::with(PerturbationKind kind) const {
-  const std::vector<std::string_view> charts = state_charts(schema());
-  if (std::find(charts.begin(), charts.end(), kind.name) != charts.end())
-    throw DomainError(detail::shown_kind("perturbation", kind.name) +
-                      " is the name of a chart; expected another name");
+  require_other_template("perturbation", kind.name, *this);
   Lists lists = parts_->lists;
   lists.perturbations = extended(std::move(lists.perturbations), std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
@@ -243,6 +253,7 @@ Kinds Kinds::with(ExperimentKind kind) const {
     if (kind.name == "rotation" || (key_table(key.path).empty() && key_name(key.path) == kind.name))
       throw DomainError(detail::shown_kind("experiment", kind.name) +
                         " is the name of another table; expected another name");
+  require_other_template("experiment", kind.name, *this);
   Lists lists = parts_->lists;
   lists.experiments = extended(std::move(lists.experiments), std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));

@@ -150,6 +150,10 @@ TEST_F(ExperimentKinds, NamesOfTablesAreTaken) {
   for (const char* name : {"body", "perturbation", "rotation", "output"})
     EXPECT_EQ(error(name), "Kinds: experiment \"" + std::string(name) +
                                "\" is the name of another table; expected another name");
+  EXPECT_EQ(error("andoyer"),
+            "Kinds: experiment \"andoyer\" is the name of a chart; expected another name");
+  EXPECT_EQ(error("tide"),
+            "Kinds: experiment \"tide\" is the name of a perturbation; expected another name");
   EXPECT_EQ(message_of([] { default_kinds().with(gyrostat()).with(gyrostat()); }),
             "Kinds: experiment \"gyrostat\" is the name of another table; expected another name");
 }
