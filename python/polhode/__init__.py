@@ -7,6 +7,7 @@ Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matpl
 from polhode import _core, elliptic
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
+from polhode._signatures import ClassSignature, with_signature
 from polhode._summary import Summary
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
@@ -28,9 +29,15 @@ __all__ = [
     *(name for name in dir(_core) if not name.startswith("_")),
 ]
 
-# Users, pickles and the reference know these things by where they are imported from.
+# Users, pickles and the reference know these things by where they are imported from, and inspect by
+# their signatures.
 for _name in __all__:
     _thing = globals()[_name]
     if isinstance(_thing, type):
         _thing.__module__ = __name__
-del _name, _thing
+        if type(_thing).__name__ == "nb_type" or issubclass(_thing, Exception):
+            _thing.__signature__ = ClassSignature(_thing, vars(_core))
+    elif hasattr(_thing, "__nb_signature__"):
+        globals()[_name] = with_signature(_thing, vars(_core))
+        globals()[_name].__module__ = __name__
+del _name, _thing, ClassSignature, with_signature

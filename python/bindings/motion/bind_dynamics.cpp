@@ -80,7 +80,8 @@ void warn_of(const Outcome& outcome, const char* function) {
   const std::string t = number_text(outcome.t);
   const std::string text =
       std::string(function) + ": the run failed at t = " + t + ": " + outcome.advice;
-  if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw nb::python_error();
+  constexpr Py_ssize_t caller = 2;  // of the wrapper (python/polhode/_signatures.py)
+  if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), caller) != 0) throw nb::python_error();
 }
 
 namespace {

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""inspect.signature knows every public class and function: editors and notebooks ask it."""
+
+import copy
+import inspect
+import pickle
+
+import numpy
+import polhode
+import pytest
+
+PUBLIC = [
+    (module.__name__ + "." + name, getattr(module, name))
+    for module in (polhode, polhode.elliptic)
+    for name in module.__all__
+    if callable(getattr(module, name))
+]
+
+
+@pytest.mark.parametrize(("name", "thing"), PUBLIC, ids=[name for name, _ in PUBLIC])
+def test_every_public_class_and_function_has_one(name, thing):
+    signature = inspect.signature(thing)
+    for parameter in signature.parameters.values():
+        assert parameter.name != "self"
+
+
+def test_arguments_defaults_and_kinds_are_those_of_the_call():
+    signature = inspect.signature(polhode.integrate)
+    assert list(signature.parameters)[:3] == ["problem", "samples", "dense"]
+    assert signature.parameters["samples"].default is None
+    assert signature.parameters["progress"].kind is inspect.Parameter.KEYWORD_ONLY
+    assert signature.return_annotation == "Trajectory"
+    adaptive = inspect.signature(polhode.Adaptive).parameters
+    assert adaptive["tolerance"].default == 1e-12
+    assert adaptive["largest_step"].default == numpy.inf
+    assert inspect.signature(polhode.KeplerElements).parameters["epoch"].default == 0.0
+    assert list(inspect.signature(polhode.RotorState).parameters) == ["q", "g"]
+
+
+# What the signature calls a default is what is taken when the argument is left out.
+def test_defaults_can_be_given():
+    for thing in (polhode.Adaptive, polhode.Units, polhode.VariationOfConstants):
+        given = {name: p.default for name, p in inspect.signature(thing).parameters.items()}
+        assert repr(thing(**given)) == repr(thing())
+
+
+def test_of_several_overloads_it_promises_nothing():
+    assert str(inspect.signature(polhode.to_rotor)) == "(*args, **kwargs)"
+
+
+def test_a_subclass_has_its_own():
+    class Mine(polhode.Adaptive):
+        def __init__(self, x):
+            super().__init__(x)
+
+    assert list(inspect.signature(Mine).parameters) == ["x"]
+    assert inspect.signature(type("Plain", (polhode.Adaptive,), {})).parameters
+
+
+def test_functions_are_pickled_and_copied_by_name():
+    for name, thing in PUBLIC:
+        if not isinstance(thing, type) and name.startswith("polhode.") and name.count(".") == 1:
+            assert pickle.loads(pickle.dumps(thing)) is thing
+            assert copy.copy(thing) is thing
+            assert thing.__module__.startswith("polhode")
+            assert thing.__doc__
+
+
+def test_what_a_function_raises_passes_through():
+    with pytest.raises(TypeError, match="incompatible function arguments"):
+        polhode.integrate(3, 4, 5, 6)
