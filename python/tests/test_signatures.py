@@ -4,6 +4,7 @@
 import copy
 import inspect
 import pickle
+import re
 
 import numpy
 import polhode
@@ -69,3 +70,24 @@ def test_functions_are_pickled_and_copied_by_name():
 def test_what_a_function_raises_passes_through():
     with pytest.raises(TypeError, match="incompatible function arguments"):
         polhode.integrate(3, 4, 5, 6)
+
+
+def properties():
+    for name in polhode.__all__:
+        thing = getattr(polhode, name)
+        if isinstance(thing, type):
+            for field, value in vars(thing).items():
+                if isinstance(value, property) and not field.startswith("_"):
+                    yield f"{name}.{field}", value
+
+
+# A signature alone, "l(self) -> float", says nothing that the name does not.
+def test_every_property_says_what_it_is():
+    every = dict(properties())
+    assert len(every) > 400
+    dumb = [
+        name for name, value in every.items()
+        if not (value.__doc__ or "").strip()
+        or re.fullmatch(r"\w*\(self.*\) -> .*", value.__doc__.strip())
+    ]
+    assert not dumb

@@ -43,8 +43,8 @@ TumblerState checked(const TumblerState& s) {
   return s;
 }
 
-constexpr Field sign_field(const char* name, std::size_t offset) {
-  return {name, offset, Kind::integer, nullptr, nullptr, 1};
+constexpr Field sign_field(const char* name, const char* text, std::size_t offset) {
+  return {name, text, offset, Kind::integer, nullptr, nullptr, 1};
 }
 
 constexpr Chart<SerretState, 8> serret_chart{
@@ -53,14 +53,18 @@ constexpr Chart<SerretState, 8> serret_chart{
 
 sign_g1 and sign_g3 are the signs of the momentum along the axes of least and greatest moment at t0.
 [SA section 3.1, (56)-(62)])",
-    {{{"g0", offsetof(SerretState, g0)},
-      {"h", offsetof(SerretState, h)},
-      {"t0", offsetof(SerretState, t0)},
-      {"G", offsetof(SerretState, G)},
-      {"H", offsetof(SerretState, H)},
-      {"T", offsetof(SerretState, T)},
-      sign_field("sign_g1", offsetof(SerretState, sign_g1)),
-      sign_field("sign_g3", offsetof(SerretState, sign_g3))}},
+    {{{"g0", "Andoyer's g at the instant t0, rad.", offsetof(SerretState, g0)},
+      {"h", "Node of the invariable plane, rad.", offsetof(SerretState, h)},
+      {"t0", "Instant at which the elliptic argument is zero, in the unit of time.",
+       offsetof(SerretState, t0)},
+      {"G", "Size of the angular momentum.", offsetof(SerretState, G)},
+      {"H", "Its part along the frame's third axis.", offsetof(SerretState, H)},
+      {"T", "Kinetic energy.", offsetof(SerretState, T)},
+      sign_field("sign_g1", "Sign of the momentum along the axis of least moment at t0: 1 or -1.",
+                 offsetof(SerretState, sign_g1)),
+      sign_field("sign_g3",
+                 "Sign of the momentum along the axis of greatest moment at t0: 1 or -1.",
+                 offsetof(SerretState, sign_g3))}},
     checked};
 
 constexpr Chart<SadovState, 8> sadov_chart{
@@ -69,15 +73,18 @@ constexpr Chart<SadovState, 8> sadov_chart{
 
 region says about which axis the momentum circulates (SadovRegion); in the long-axis region lobe is
 the sign of the momentum along the long axis. [SA "actions", "phiSadov"])",
-    {{{"phi_l", offsetof(SadovState, phi_l)},
-      {"phi_g", offsetof(SadovState, phi_g)},
-      {"phi_h", offsetof(SadovState, phi_h)},
-      {"I_l", offsetof(SadovState, I_l)},
-      {"I_g", offsetof(SadovState, I_g)},
-      {"I_h", offsetof(SadovState, I_h)},
-      enum_field<SadovRegion>("region", offsetof(SadovState, region), "SadovRegion",
+    {{{"phi_l", "Angle of the motion in the body, rad.", offsetof(SadovState, phi_l)},
+      {"phi_g", "Angle of the precession about the angular momentum, rad.",
+       offsetof(SadovState, phi_g)},
+      {"phi_h", "Node of the invariable plane, rad.", offsetof(SadovState, phi_h)},
+      {"I_l", "Action of the motion in the body, a momentum.", offsetof(SadovState, I_l)},
+      {"I_g", "Size of the angular momentum.", offsetof(SadovState, I_g)},
+      {"I_h", "Part of the momentum along the frame's third axis.", offsetof(SadovState, I_h)},
+      enum_field<SadovRegion>("region", "About which axis the momentum circulates, a SadovRegion.",
+                              offsetof(SadovState, region), "SadovRegion",
                               static_cast<int>(SadovRegion::short_axis)),
-      sign_field("lobe", offsetof(SadovState, lobe))}},
+      sign_field("lobe", "Sign of the momentum along that axis: 1 or -1.",
+                 offsetof(SadovState, lobe))}},
     checked};
 
 constexpr Chart<TumblerState, 8> tumbler_chart{
@@ -88,14 +95,19 @@ precession_period P_phi, of the long axis, and rotation_period P_psi (time), pol
 direction of the momentum in inertial axes; mode Regime.short_axis (SAM) or Regime.long_axis (LAM);
 phi0, psi0 (rad) at the epoch; branch: sign of cos theta; sense: -1 for a SAM about the far side of
 the short axis.)",
-    {{{"precession_period", offsetof(TumblerState, precession_period)},
-      {"rotation_period", offsetof(TumblerState, rotation_period)},
-      {"pole", offsetof(TumblerState, pole), Kind::vector},
-      enum_field<Regime>("mode", offsetof(TumblerState, mode), "Regime"),
-      {"phi0", offsetof(TumblerState, phi0)},
-      {"psi0", offsetof(TumblerState, psi0)},
-      sign_field("branch", offsetof(TumblerState, branch)),
-      sign_field("sense", offsetof(TumblerState, sense))}},
+    {{{"precession_period", "P_phi, of the long axis about the momentum, in the unit of time.",
+       offsetof(TumblerState, precession_period)},
+      {"rotation_period", "P_psi, about the long axis, in the unit of time.",
+       offsetof(TumblerState, rotation_period)},
+      {"pole", "Direction of the momentum in inertial axes; (..., 3).",
+       offsetof(TumblerState, pole), Kind::vector},
+      enum_field<Regime>("mode", "Regime.short_axis (SAM) or Regime.long_axis (LAM).",
+                         offsetof(TumblerState, mode), "Regime"),
+      {"phi0", "Precession angle at the epoch, rad.", offsetof(TumblerState, phi0)},
+      {"psi0", "Rotation angle at the epoch, rad.", offsetof(TumblerState, psi0)},
+      sign_field("branch", "Sign of cos theta: 1 or -1.", offsetof(TumblerState, branch)),
+      sign_field("sense", "-1 for a SAM about the far side of the short axis, else 1.",
+                 offsetof(TumblerState, sense))}},
     checked};
 
 const RotorState& single(const Rotors& states, const char* what) {
@@ -356,14 +368,14 @@ constexpr Chart<GeneratingFunction, 8> generating_chart{
 
 S(phi, theta, psi; G, H, T; t), an action; Phi, Theta, Psi: by the angles; g0, h (rad), minus_t0:
 by G, H, T; minus_T: by t, the Jacobi equation. [SA (43), (51), (55)-(62)])",
-    {{{"S", offsetof(GeneratingFunction, S)},
-      {"Phi", offsetof(GeneratingFunction, Phi)},
-      {"Theta", offsetof(GeneratingFunction, Theta)},
-      {"Psi", offsetof(GeneratingFunction, Psi)},
-      {"g0", offsetof(GeneratingFunction, g0)},
-      {"h", offsetof(GeneratingFunction, h)},
-      {"minus_t0", offsetof(GeneratingFunction, minus_t0)},
-      {"minus_T", offsetof(GeneratingFunction, minus_T)}}},
+    {{{"S", "The function, an action.", offsetof(GeneratingFunction, S)},
+      {"Phi", "dS/dphi, a momentum.", offsetof(GeneratingFunction, Phi)},
+      {"Theta", "dS/dtheta, a momentum.", offsetof(GeneratingFunction, Theta)},
+      {"Psi", "dS/dpsi, a momentum.", offsetof(GeneratingFunction, Psi)},
+      {"g0", "dS/dG, rad.", offsetof(GeneratingFunction, g0)},
+      {"h", "dS/dH, rad.", offsetof(GeneratingFunction, h)},
+      {"minus_t0", "dS/dT, a time: -t0.", offsetof(GeneratingFunction, minus_t0)},
+      {"minus_T", "dS/dt, an energy: -T.", offsetof(GeneratingFunction, minus_T)}}},
     checked};
 
 void bind_generating(nb::module_& m) {

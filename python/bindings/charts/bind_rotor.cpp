@@ -36,8 +36,8 @@ PoincareState checked(const PoincareState& s) {
   return poincare_state(s.sigma, s.Q1, s.Q2, s.G, s.P1, s.P2, s.pole_J, s.pole_I);
 }
 
-constexpr Field pole_field(const char* name, std::size_t offset) {
-  return enum_field<Pole>(name, offset, "Pole");
+constexpr Field pole_field(const char* name, const char* text, std::size_t offset) {
+  return enum_field<Pole>(name, text, offset, "Pole");
 }
 
 constexpr Chart<RotorState, 2> rotor_chart{
@@ -48,17 +48,21 @@ q (..., 4): unit quaternion (w, x, y, z), body to frame, v_I = q v_B q*; a scipy
 too; any length, kept as q/|q|. g (..., 3): angular momentum along the principal axes, moment x
 rate. One state or an array of states: the arguments broadcast. ValueError for numbers that are
 not finite and for a zero quaternion. [SA (1), (2), (24)])",
-    {{{"q", offsetof(RotorState, q), Kind::quaternion},
-      {"g", offsetof(RotorState, g), Kind::vector}}},
+    {{{"q", "Attitude, a unit quaternion (w, x, y, z), body to frame; (..., 4).",
+       offsetof(RotorState, q), Kind::quaternion},
+      {"g", "Angular momentum along the principal axes, moment x rate; (..., 3).",
+       offsetof(RotorState, g), Kind::vector}}},
     checked};
 
-constexpr Chart<EulerAngles, 3> angles_chart{"EulerAngles",
-                                             "3-1-3 angles phi, theta, psi (rad) of an attitude: q "
-                                             "= qz(phi) qx(theta) qz(psi). [SA (1), (2)]",
-                                             {{{"phi", offsetof(EulerAngles, phi)},
-                                               {"theta", offsetof(EulerAngles, theta)},
-                                               {"psi", offsetof(EulerAngles, psi)}}},
-                                             checked};
+constexpr Chart<EulerAngles, 3> angles_chart{
+    "EulerAngles",
+    "3-1-3 angles phi, theta, psi (rad) of an attitude: q "
+    "= qz(phi) qx(theta) qz(psi). [SA (1), (2)]",
+    {{{"phi", "Angle of precession, rad.", offsetof(EulerAngles, phi)},
+      {"theta", "Angle between the third axes of body and frame, rad.",
+       offsetof(EulerAngles, theta)},
+      {"psi", "Angle of proper rotation, rad.", offsetof(EulerAngles, psi)}}},
+    checked};
 
 constexpr Chart<EulerState, 6> euler_chart{
     "EulerState",
@@ -66,24 +70,26 @@ constexpr Chart<EulerState, 6> euler_chart{
 
 Any theta is taken; functions return theta in [0, pi], phi and psi in (-pi, pi]. ValueError for
 numbers that are not finite and, at theta = 0 or pi, for momenta that no state has.)",
-    {{{"phi", offsetof(EulerState, phi)},
-      {"theta", offsetof(EulerState, theta)},
-      {"psi", offsetof(EulerState, psi)},
-      {"Phi", offsetof(EulerState, Phi)},
-      {"Theta", offsetof(EulerState, Theta)},
-      {"Psi", offsetof(EulerState, Psi)}}},
+    {{{"phi", "Angle of precession, rad.", offsetof(EulerState, phi)},
+      {"theta", "Angle between the third axes of body and frame, rad.",
+       offsetof(EulerState, theta)},
+      {"psi", "Angle of proper rotation, rad.", offsetof(EulerState, psi)},
+      {"Phi", "Momentum of phi: along the frame's third axis.", offsetof(EulerState, Phi)},
+      {"Theta", "Momentum of theta: along the line of nodes.", offsetof(EulerState, Theta)},
+      {"Psi", "Momentum of psi: along the body's third axis.", offsetof(EulerState, Psi)}}},
     checked};
 
 constexpr Chart<EulerRates, 6> rates_chart{
     "EulerRates",
     "3-1-3 Euler angles (rad) and their rates (rad per time): not canonical, needs a body. "
     "[SA (5)-(7)]",
-    {{{"phi", offsetof(EulerRates, phi)},
-      {"theta", offsetof(EulerRates, theta)},
-      {"psi", offsetof(EulerRates, psi)},
-      {"phi_dot", offsetof(EulerRates, phi_dot)},
-      {"theta_dot", offsetof(EulerRates, theta_dot)},
-      {"psi_dot", offsetof(EulerRates, psi_dot)}}},
+    {{{"phi", "Angle of precession, rad.", offsetof(EulerRates, phi)},
+      {"theta", "Angle between the third axes of body and frame, rad.",
+       offsetof(EulerRates, theta)},
+      {"psi", "Angle of proper rotation, rad.", offsetof(EulerRates, psi)},
+      {"phi_dot", "Rate of phi, rad per time.", offsetof(EulerRates, phi_dot)},
+      {"theta_dot", "Rate of theta, rad per time.", offsetof(EulerRates, theta_dot)},
+      {"psi_dot", "Rate of psi, rad per time.", offsetof(EulerRates, psi_dot)}}},
     checked};
 
 constexpr Chart<AndoyerState, 6> andoyer_chart{
@@ -93,12 +99,14 @@ constexpr Chart<AndoyerState, 6> andoyer_chart{
 G is the angular momentum, L = G cos J its part along the body's third axis, H = G cos I that along
 the frame's. ValueError unless G >= 0, |L| <= G, |H| <= G. At J = 0, pi: l = 0, and g holds g +- l;
 at I = 0, pi: h = 0.)",
-    {{{"l", offsetof(AndoyerState, l)},
-      {"g", offsetof(AndoyerState, g)},
-      {"h", offsetof(AndoyerState, h)},
-      {"L", offsetof(AndoyerState, L)},
-      {"G", offsetof(AndoyerState, G)},
-      {"H", offsetof(AndoyerState, H)}}},
+    {{{"l", "From the node of the invariable plane on the equator to the first body axis, rad.",
+       offsetof(AndoyerState, l)},
+      {"g", "From the node of the invariable plane on the frame to that on the equator, rad.",
+       offsetof(AndoyerState, g)},
+      {"h", "Node of the invariable plane on the frame, rad.", offsetof(AndoyerState, h)},
+      {"L", "Part of the momentum along the body's third axis.", offsetof(AndoyerState, L)},
+      {"G", "Size of the angular momentum.", offsetof(AndoyerState, G)},
+      {"H", "Part of the momentum along the frame's third axis.", offsetof(AndoyerState, H)}}},
     checked};
 
 constexpr Chart<PoincareState, 8> poincare_chart{
@@ -107,14 +115,19 @@ constexpr Chart<PoincareState, 8> poincare_chart{
 
 pole_J and pole_I (Pole.zero or Pole.pi) say at which pole of J and of I the set is regular.
 ValueError unless G >= 0 and Q^2 + P^2 <= 4 G for both pairs.)",
-    {{{"sigma", offsetof(PoincareState, sigma)},
-      {"Q1", offsetof(PoincareState, Q1)},
-      {"Q2", offsetof(PoincareState, Q2)},
-      {"G", offsetof(PoincareState, G)},
-      {"P1", offsetof(PoincareState, P1)},
-      {"P2", offsetof(PoincareState, P2)},
-      pole_field("pole_J", offsetof(PoincareState, pole_J)),
-      pole_field("pole_I", offsetof(PoincareState, pole_I))}},
+    {{{"sigma", "Sum or difference of l, g and h that stays regular, rad.",
+       offsetof(PoincareState, sigma)},
+      {"Q1", "Coordinate of the pair that replaces l and L, the square root of a momentum.",
+       offsetof(PoincareState, Q1)},
+      {"Q2", "Coordinate of the pair that replaces h and H, the square root of a momentum.",
+       offsetof(PoincareState, Q2)},
+      {"G", "Size of the angular momentum.", offsetof(PoincareState, G)},
+      {"P1", "Momentum of Q1, the square root of a momentum.", offsetof(PoincareState, P1)},
+      {"P2", "Momentum of Q2, the square root of a momentum.", offsetof(PoincareState, P2)},
+      pole_field("pole_J", "At which pole of J the set is regular, a Pole.",
+                 offsetof(PoincareState, pole_J)),
+      pole_field("pole_I", "At which pole of I the set is regular, a Pole.",
+                 offsetof(PoincareState, pole_I))}},
     checked};
 
 std::string repr_of(const Body& body) {

@@ -22,6 +22,7 @@ enum class Kind { real, vector, quaternion, integer };
 
 struct Field {
   const char* name;
+  const char* text;    // what it is, with its unit
   std::size_t offset;  // in the C++ struct
   Kind kind = Kind::real;
   // integer: what one of them is in Python: an enum's member, or nullptr for int.
@@ -41,9 +42,9 @@ int value_named(nb::handle word, const char* field) {
   return static_cast<int>(choice<E>(word, field));
 }
 template <class E>
-constexpr Field enum_field(const char* name, std::size_t offset, const char* annotation,
-                           int standard = 0) {
-  return {name, offset, Kind::integer, member_of<E>, annotation, standard, value_named<E>};
+constexpr Field enum_field(const char* name, const char* text, std::size_t offset,
+                           const char* annotation, int standard = 0) {
+  return {name, text, offset, Kind::integer, member_of<E>, annotation, standard, value_named<E>};
 }
 
 // The table of a chart. `required` fields come first; the others have defaults.
@@ -171,7 +172,7 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
     all_real = all_real && field.kind == Kind::real;
     c.def_prop_ro(
         field.name, [field, states](Self self) { return field_of(memory(states(self)), field); },
-        nb::for_getter(nb::sig(field_signature(field).c_str())));
+        nb::for_getter(nb::sig(field_signature(field).c_str())), field.text);
   }
   c.def_prop_ro(
       "shape", [](const B& s) { return nb::tuple(nb::cast(s.shape())); },

@@ -24,13 +24,15 @@ void bind_segment(nb::module_& m) {
 
 q takes components along frame_b to those along frame_a, scalar first, as long as the file has it;
 omega is the angular velocity of frame_b relative to frame_a along the axes of frame_b.)")
-      .def_ro("object_name", &AemSegment::object_name)
-      .def_ro("object_id", &AemSegment::object_id)
+      .def_ro("object_name", &AemSegment::object_name, "OBJECT_NAME of the message.")
+      .def_ro("object_id", &AemSegment::object_id, "OBJECT_ID of the message.")
       .def_ro("center", &AemSegment::center, "CENTER_NAME, or empty.")
-      .def_ro("frame_a", &AemSegment::frame_a)
-      .def_ro("frame_b", &AemSegment::frame_b)
-      .def_ro("time_system", &AemSegment::time_system)
-      .def_ro("attitude_type", &AemSegment::attitude_type)
+      .def_ro("frame_a", &AemSegment::frame_a, "REF_FRAME_A of the message.")
+      .def_ro("frame_b", &AemSegment::frame_b, "REF_FRAME_B of the message.")
+      .def_ro("time_system", &AemSegment::time_system,
+              "TIME_SYSTEM of the message: \"UTC\", \"TDB\", ...")
+      .def_ro("attitude_type", &AemSegment::attitude_type,
+              "ATTITUDE_TYPE of the message: \"QUATERNION\", ...")
       .def_ro("start", &AemSegment::start, "START_TIME.")
       .def_ro("stop", &AemSegment::stop, "STOP_TIME.")
       .def_ro("epochs", &AemSegment::epochs, "The dates of the rows, as the file has them.")
@@ -69,8 +71,8 @@ void bind_aem(nb::module_& m) {
   nb::class_<AttitudeEphemeris>(m, "AttitudeEphemeris",
                                 "What a CCSDS Attitude Ephemeris Message holds.")
       .def_ro("version", &AttitudeEphemeris::version, "CCSDS_AEM_VERS.")
-      .def_ro("creation_date", &AttitudeEphemeris::creation_date)
-      .def_ro("originator", &AttitudeEphemeris::originator)
+      .def_ro("creation_date", &AttitudeEphemeris::creation_date, "CREATION_DATE of the message.")
+      .def_ro("originator", &AttitudeEphemeris::originator, "ORIGINATOR of the message.")
       .def_ro("comments", &AttitudeEphemeris::comments, "Those of the header, a line each.")
       .def_ro("segments", &AttitudeEphemeris::segments, "One or more, each with rows.")
       .def("__repr__", [](const AttitudeEphemeris& e) {

@@ -24,9 +24,9 @@ void bind_case(nb::module_& m) {
 Start from q0 (w, x, y, z; body to inertial; q0 means q0/|q0|) and omega0 (body axes) with the
 principal moments; after the times t the attitudes are q, with w >= 0, and the angular velocities
 omega, each to `bound`: |q - exact| for one of the two signs, and |omega - exact|/|omega|.)")
-      .def_ro("name", &GoldenCase::name)
-      .def_ro("description", &GoldenCase::description)
-      .def_ro("regime", &GoldenCase::regime)
+      .def_ro("name", &GoldenCase::name, "What files call it.")
+      .def_ro("description", &GoldenCase::description, "One sentence: which motion it is.")
+      .def_ro("regime", &GoldenCase::regime, "Of its motion, a Regime.")
       .def_prop_ro(
           "moments", [](const GoldenCase& c) { return array_of(c.moments); },
           nb::for_getter(nb::sig("def moments(self) -> numpy.typing.NDArray[numpy.float64]")),

@@ -23,11 +23,12 @@ nb::object rows_of(SegmentSelf self, const std::vector<Item>& rows,
 
 void bind_oem(nb::module_& m) {
   nb::class_<OemSegment>(m, "OemSegment", "A segment of an Orbit Ephemeris Message; km and km/s.")
-      .def_ro("object_name", &OemSegment::object_name)
-      .def_ro("object_id", &OemSegment::object_id)
+      .def_ro("object_name", &OemSegment::object_name, "OBJECT_NAME of the message.")
+      .def_ro("object_id", &OemSegment::object_id, "OBJECT_ID of the message.")
       .def_ro("center", &OemSegment::center, "CENTER_NAME.")
       .def_ro("frame", &OemSegment::frame, "REF_FRAME.")
-      .def_ro("time_system", &OemSegment::time_system)
+      .def_ro("time_system", &OemSegment::time_system,
+              "TIME_SYSTEM of the message: \"UTC\", \"TDB\", ...")
       .def_ro("start", &OemSegment::start, "USEABLE_START_TIME, or else START_TIME.")
       .def_ro("stop", &OemSegment::stop, "USEABLE_STOP_TIME, or else STOP_TIME.")
       .def_ro("epochs", &OemSegment::epochs, "The dates of the rows, as the file has them.")
@@ -57,8 +58,8 @@ void bind_oem(nb::module_& m) {
       });
   nb::class_<OrbitEphemeris>(m, "OrbitEphemeris", "What a CCSDS Orbit Ephemeris Message holds.")
       .def_ro("version", &OrbitEphemeris::version, "CCSDS_OEM_VERS.")
-      .def_ro("creation_date", &OrbitEphemeris::creation_date)
-      .def_ro("originator", &OrbitEphemeris::originator)
+      .def_ro("creation_date", &OrbitEphemeris::creation_date, "CREATION_DATE of the message.")
+      .def_ro("originator", &OrbitEphemeris::originator, "ORIGINATOR of the message.")
       .def_ro("segments", &OrbitEphemeris::segments, "One or more, each with rows.")
       .def("__repr__", [](const OrbitEphemeris& e) {
         return "<OrbitEphemeris: version " + e.version + ", " + std::to_string(e.segments.size()) +

@@ -72,8 +72,12 @@ constexpr Chart<FrameMotion, 2> motion_chart{
 
 q_IS (..., 4): attitude, v_I = q_IS v_S q_IS*; mu_S (..., 3): its angular velocity with respect to
 inertial axes, in components of S (rad per time).)",
-    {{{"q_IS", offsetof(FrameMotion, q_IS), Kind::quaternion},
-      {"mu_S", offsetof(FrameMotion, mu_S), Kind::vector}}},
+    {{{"q_IS", "Attitude of the frame: v_I = q_IS v_S q_IS*; (..., 4).",
+       offsetof(FrameMotion, q_IS), Kind::quaternion},
+      {"mu_S",
+       "Its angular velocity with respect to inertial axes, components of S, rad per time; (..., "
+       "3).",
+       offsetof(FrameMotion, mu_S), Kind::vector}}},
     checked};
 
 PythonFrame precessing(nb::handle axis, double rate, double epoch) {

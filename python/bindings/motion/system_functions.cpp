@@ -42,7 +42,10 @@ constexpr Chart<Effect, 2> effect_chart{
 
 v (..., 3): rate (rad per time) that they add to I^-1 g, the convective term of the paper as a
 vector; u (..., 3): torque, momentum per time. Components along the body axes. [SA (105)-(107)])",
-    {{{"v", offsetof(Effect, v), Kind::vector}, {"u", offsetof(Effect, u), Kind::vector}}},
+    {{{"v", "Rate that is added to I^-1 g, body components, rad per time; (..., 3).",
+       offsetof(Effect, v), Kind::vector},
+      {"u", "Torque, body components, momentum per time; (..., 3).", offsetof(Effect, u),
+       Kind::vector}}},
     unchecked};
 
 constexpr Chart<AngularVelocities, 2> velocities_chart{
@@ -51,54 +54,61 @@ constexpr Chart<AngularVelocities, 2> velocities_chart{
 
 inertial (..., 3): with respect to inertial axes, I^-1 g + v(terms); relative (..., 3): with respect
 to the reference frame, less by mu. [SA (124)])",
-    {{{"inertial", offsetof(AngularVelocities, inertial), Kind::vector},
-      {"relative", offsetof(AngularVelocities, relative), Kind::vector}}},
+    {{{"inertial", "With respect to inertial axes, body components, rad per time; (..., 3).",
+       offsetof(AngularVelocities, inertial), Kind::vector},
+      {"relative", "With respect to the reference frame, body components, rad per time; (..., 3).",
+       offsetof(AngularVelocities, relative), Kind::vector}}},
     unchecked};
 
 constexpr Chart<RotorRates, 2> rotor_rates_chart{
     "RotorRates",
     "Rates of a hub state: q (..., 4), dq_SB/dt; g (..., 3), dg_B/dt.",
-    {{{"q", offsetof(RotorRates, q), Kind::quaternion},
-      {"g", offsetof(RotorRates, g), Kind::vector}}},
+    {{{"q", "dq_SB/dt, per time; (..., 4).", offsetof(RotorRates, q), Kind::quaternion},
+      {"g", "dg_B/dt, momentum per time; (..., 3).", offsetof(RotorRates, g), Kind::vector}}},
     unchecked};
 
-constexpr Chart<HubRates, 2> hub_rates_chart{"HubRates",
-                                             "Rates in the tangent of chart_jacobian: theta (..., "
-                                             "3), w_SB, the rate of turn relative to the "
-                                             "frame; g (..., 3), dg_B/dt. Body components.",
-                                             {{{"theta", offsetof(HubRates, theta), Kind::vector},
-                                               {"g", offsetof(HubRates, g), Kind::vector}}},
-                                             unchecked};
+constexpr Chart<HubRates, 2> hub_rates_chart{
+    "HubRates",
+    "Rates in the tangent of chart_jacobian: theta (..., "
+    "3), w_SB, the rate of turn relative to the "
+    "frame; g (..., 3), dg_B/dt. Body components.",
+    {{{"theta",
+       "w_SB, the rate of turn relative to the frame, body components, rad per time; (..., 3).",
+       offsetof(HubRates, theta), Kind::vector},
+      {"g", "dg_B/dt, momentum per time; (..., 3).", offsetof(HubRates, g), Kind::vector}}},
+    unchecked};
 
 constexpr Chart<AndoyerRates, 6> andoyer_rates_chart{
     "AndoyerRates",
     "Rates of Andoyer variables: l, g, h (rad per time), L, G, H (momentum per time). NaN where "
     "one "
     "does not exist.",
-    {{{"l", offsetof(AndoyerRates, l)},
-      {"g", offsetof(AndoyerRates, g)},
-      {"h", offsetof(AndoyerRates, h)},
-      {"L", offsetof(AndoyerRates, L)},
-      {"G", offsetof(AndoyerRates, G)},
-      {"H", offsetof(AndoyerRates, H)}}},
+    {{{"l", "dl/dt, rad per time.", offsetof(AndoyerRates, l)},
+      {"g", "dg/dt, rad per time.", offsetof(AndoyerRates, g)},
+      {"h", "dh/dt, rad per time.", offsetof(AndoyerRates, h)},
+      {"L", "dL/dt, momentum per time.", offsetof(AndoyerRates, L)},
+      {"G", "dG/dt, momentum per time.", offsetof(AndoyerRates, G)},
+      {"H", "dH/dt, momentum per time.", offsetof(AndoyerRates, H)}}},
     unchecked};
 
 constexpr Chart<EulerPhaseRates, 6> phase_rates_chart{
     "EulerPhaseRates",
     "Rates of Euler angles (rad per time) and of their canonical momenta. NaN where one does not "
     "exist: of phi and psi at theta = 0, pi.",
-    {{{"phi", offsetof(EulerPhaseRates, phi)},
-      {"theta", offsetof(EulerPhaseRates, theta)},
-      {"psi", offsetof(EulerPhaseRates, psi)},
-      {"Phi", offsetof(EulerPhaseRates, Phi)},
-      {"Theta", offsetof(EulerPhaseRates, Theta)},
-      {"Psi", offsetof(EulerPhaseRates, Psi)}}},
+    {{{"phi", "dphi/dt, rad per time.", offsetof(EulerPhaseRates, phi)},
+      {"theta", "dtheta/dt, rad per time.", offsetof(EulerPhaseRates, theta)},
+      {"psi", "dpsi/dt, rad per time.", offsetof(EulerPhaseRates, psi)},
+      {"Phi", "dPhi/dt, momentum per time.", offsetof(EulerPhaseRates, Phi)},
+      {"Theta", "dTheta/dt, momentum per time.", offsetof(EulerPhaseRates, Theta)},
+      {"Psi", "dPsi/dt, momentum per time.", offsetof(EulerPhaseRates, Psi)}}},
     unchecked};
 
 constexpr Chart<AxisAngles, 2> axis_chart{
     "AxisAngles",
     "An axis as the plane that it is normal to: inclination I in [0, pi] and node h (rad).",
-    {{{"I", offsetof(AxisAngles, I)}, {"h", offsetof(AxisAngles, h)}}},
+    {{{"I", "Inclination of the plane that the axis is normal to, rad, in [0, pi].",
+       offsetof(AxisAngles, I)},
+      {"h", "Node of that plane, rad.", offsetof(AxisAngles, h)}}},
     unchecked};
 
 const std::string at_state = "(system: System, t: numpy.typing.ArrayLike, state: RotorState) -> ";
