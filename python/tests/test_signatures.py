@@ -72,6 +72,37 @@ def test_what_a_function_raises_passes_through():
         polhode.integrate(3, 4, 5, 6)
 
 
+def test_signatures_of_terms_name_every_orbit_that_they_take():
+    times = numpy.linspace(0, 6, 40)
+    elements = polhode.KeplerElements(1, 0.9, 0.1)
+    precessing = polhode.PrecessingKeplerOrbit(elements, polhode.SecularRates())
+    orbits = [
+        polhode.KeplerOrbit(elements), precessing,
+        polhode.TurnedKeplerOrbit.from_equator(precessing),
+        polhode.TableOrbit(times, numpy.stack([numpy.cos(times), numpy.sin(times), 0 * times], 1)),
+        lambda t: [1, 0, 0],
+    ]
+    moments = polhode.MassMoments(numpy.zeros(10), numpy.zeros(15))
+    makers = {
+        polhode.GravityGradient: lambda orbit: polhode.GravityGradient(1, orbit),
+        polhode.HigherGravity: lambda orbit: polhode.HigherGravity(1, orbit, moments, "body"),
+        polhode.OblateGravity: lambda orbit: polhode.OblateGravity(
+            1, orbit, polhode.Oblateness(1e-3, 0.1, [0, 0, 1])),
+        polhode.TidalTorque: lambda orbit: polhode.TidalTorque(
+            1, 1, orbit, polhode.TidalBody(0.1, 0.1, 0.1)),
+    }
+    for term, make in makers.items():
+        annotation = inspect.signature(term).parameters["orbit"].annotation
+        for orbit in orbits:
+            name = "Callable" if inspect.isfunction(orbit) else type(orbit).__name__
+            try:
+                make(orbit)
+            except TypeError:
+                assert name not in annotation, f"{term}: {name}"
+            else:
+                assert name in annotation, f"{term}: {name}"
+
+
 def properties():
     for name in polhode.__all__:
         thing = getattr(polhode, name)

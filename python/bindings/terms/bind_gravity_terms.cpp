@@ -131,10 +131,10 @@ name : stands in messages.)",
       },
       nb::arg("gm"), nb::arg("orbit"), nb::arg("moments"), nb::arg("orbit_of"),
       nb::arg("axes") = SpaceAxes::inertial, nb::arg("name") = nb::none(),
-      nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
-              "typing.Callable[[float], numpy.typing.ArrayLike], moments: MassMoments, orbit_of: "
-              "OrbitOf | str, axes: SpaceAxes | str = 'inertial', name: str | None = None) -> "
-              "None"));
+      nb::sig(("def __init__(self, gm: float, orbit: " + orbit_type +
+               ", moments: MassMoments, orbit_of: OrbitOf | str, axes: SpaceAxes | str = "
+               "'inertial', name: str | None = None) -> None")
+                  .c_str()));
   def_term<C>(c);
 }
 
@@ -196,9 +196,10 @@ name : stands in messages.)",
       },
       nb::arg("gm"), nb::arg("orbit"), nb::arg("oblateness"), nb::arg("axes") = SpaceAxes::inertial,
       nb::arg("name") = nb::none(),
-      nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
-              "typing.Callable[[float], numpy.typing.ArrayLike], oblateness: Oblateness, axes: "
-              "SpaceAxes | str = 'inertial', name: str | None = None) -> None"));
+      nb::sig(("def __init__(self, gm: float, orbit: " + orbit_type +
+               ", oblateness: Oblateness, axes: SpaceAxes | str = 'inertial', name: str | None = "
+               "None) -> None")
+                  .c_str()));
   def_term<C>(c);
 }
 
@@ -232,7 +233,7 @@ Parameters
 ----------
 gm : of the perturbing point mass, length^3 / time^2.
 mass : its mass, in the unit of the moments over length^2.
-orbit : KeplerOrbit or PrecessingKeplerOrbit, in inertial axes; TypeError for what has no velocity.
+orbit : any orbit but a callable, in inertial axes; TypeError for what has no velocity.
 body : TidalBody.
 name : stands in messages.
 
@@ -256,8 +257,9 @@ ValueError unless gm, mass and the radius are positive, k2 and the lag not negat
       },
       nb::arg("gm"), nb::arg("mass"), nb::arg("orbit"), nb::arg("body"),
       nb::arg("name") = nb::none(),
-      nb::sig("def __init__(self, gm: float, mass: float, orbit: KeplerOrbit | "
-              "PrecessingKeplerOrbit, body: TidalBody, name: str | None = None) -> None"));
+      nb::sig(("def __init__(self, gm: float, mass: float, orbit: " + moving_orbit_type +
+               ", body: TidalBody, name: str | None = None) -> None")
+                  .c_str()));
   def_term<C>(c);
 }
 

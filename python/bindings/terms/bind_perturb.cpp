@@ -96,10 +96,9 @@ function in Python works on float alone: not with Precision.double_double.)",
        },
        nb::arg("gm"), nb::arg("orbit"), nb::arg("axes") = SpaceAxes::inertial,
        nb::arg("name") = nb::none(),
-       nb::sig("def __init__(self, gm: float, orbit: KeplerOrbit | PrecessingKeplerOrbit | "
-               "TurnedKeplerOrbit | TableOrbit | typing.Callable[[float], numpy.typing.ArrayLike], "
-               "axes: SpaceAxes | str = "
-               "'inertial', name: str | None = None) -> None"))
+       nb::sig(("def __init__(self, gm: float, orbit: " + orbit_type +
+                ", axes: SpaceAxes | str = 'inertial', name: str | None = None) -> None")
+                   .c_str()))
       .def_prop_ro(
           "gm", [](const C& term) { return term.recipe.argument(0); },
           nb::for_getter(nb::sig("def gm(self) -> float")), "Of the attracting point mass.")

@@ -38,6 +38,12 @@ struct Given {
   nb::object arguments;
 };
 
+// What the argument `orbit` of a term takes, for its signature: an orbit with a velocity, or any.
+inline const std::string moving_orbit_type =
+    "KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit";
+inline const std::string orbit_type =
+    moving_orbit_type + " | typing.Callable[[float], numpy.typing.ArrayLike]";
+
 // A term of class C along an orbit that Python gives: made(called, orbit) is an AnyPerturbation.
 template <class C, class Made>
 void make_along(C* self, const char* type, nb::handle orbit, nb::handle name, const Given& given,
