@@ -48,7 +48,7 @@ OwnExperiment made_own(const KindContext& at) {
 
 ExperimentRow rotation_row(const DescribedParts& described) {
   return {"rotation",
-          {body_keys(), described.state, frame_keys(), orbit_keys(), described.orbits,
+          {body_keys(), described.state, described.frames, orbit_keys(), described.orbits,
            described.perturbations, surface_keys(), described.methods, event_keys(), time_keys()}};
 }
 

@@ -197,7 +197,7 @@ class RotationBuilder {
     rotation.events = keeps({"event["}) ? base_->rotation.events : events_of(at_);
     if (base_ == nullptr)  // reported here, between the state and what acts on it
       static_cast<void>(format_options_of(values, at_.output.formats, name));
-    add_frame(rotation, values, name);
+    add_frame(rotation, at_);
     same_axes_ = base_ != nullptr && rotation.q_file == base_->rotation.q_file;
     same_surface_ = same_axes_ && keeps({"surface["}) && rotation.shape == base_->rotation.shape;
     rotation.surface = same_surface_ ? base_->rotation.surface : surface_of(rotation, values, name);

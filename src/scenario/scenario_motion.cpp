@@ -18,25 +18,6 @@ namespace {
 
 constexpr double most_steps = 1e15;
 
-// Of the mean longitude, which on a plane that stays is that of the direction to the body.
-double mean_rate(const ScenarioOrbit& orbit, const Values& values, const std::string& name) {
-  const std::string key = "frame.precessing.orbit";
-  const KeplerElements* elements = kepler_elements(orbit);
-  if (elements == nullptr || !(elements->eccentricity < 1.0))
-    refuse(values, key, name, "expected an ellipse with elements");
-  const double n = KeplerOrbit(*elements).mean_motion();
-  const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
-  if (moving == nullptr) return n;
-  const SecularRates& rates = moving->rates();
-  return n + rates.mean_anomaly + rates.argument + rates.node;
-}
-
-double precession_rate(const Rotation& rotation, const Values& values, const std::string& name) {
-  if (has(values, "frame.precessing.rate")) return number(values, "frame.precessing.rate");
-  const ScenarioOrbit& orbit = orbit_named(rotation.orbits, values, "frame.precessing.orbit", name);
-  return number(values, "frame.precessing.turns") * mean_rate(orbit, values, name);
-}
-
 // A run of more steps than a double can count would not end.
 void check_step(const Rotation& rotation, const Values& values, const std::string& name) {
   if (!rotation.method || !rotation.time) return;
@@ -173,32 +154,17 @@ std::vector<ScenarioEvent> events_of(const KindContext& at) {
   return events;
 }
 
-void add_frame(Rotation& rotation, const Values& values, const std::string& name) {
+void add_frame(Rotation& rotation, const KindContext& at) {
   rotation.frame_text = "inertial";
-  if (has(values, "frame.precessing")) {
-    const Precession p{vector(values, "frame.precessing.axis"),
-                       precession_rate(rotation, values, name),
-                       number(values, "frame.precessing.epoch")};
-    rotation.frame = built(values, "frame.precessing.axis", name,
-                           [&] { return Frame::precessing(p.axis, p.rate, p.epoch); });
-    rotation.precession = p;
-    rotation.frame_text = "precessing";
-  } else if (has(values, "frame.orbit-plane")) {
-    const ScenarioOrbit orbit =
-        orbit_named(rotation.orbits, values, "frame.orbit-plane.orbit", name);
-    rotation.frame_text = "plane of orbit " + orbit.name;
-    const KeplerElements* elements = kepler_elements(orbit);
-    if (elements == nullptr)
-      refuse(values, "frame.orbit-plane.orbit", name, "expected an orbit with elements");
-    const KeplerElements& k = *elements;
-    const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
-    const double node_rate = moving == nullptr ? 0.0 : moving->rates().node;
-    rotation.frame = Frame::orbit_plane(
-        [node = k.node, rate = node_rate, epoch = k.epoch](const auto& t) {
-          using T = std::remove_cvref_t<decltype(t)>;
-          return T(node) + T(rate) * (t - T(epoch));
-        },
-        [i = k.inclination](const auto& t) { return std::remove_cvref_t<decltype(t)>(i); });
+  for (const FrameKind& kind : at.kinds.frames()) {
+    const std::string path = "frame." + std::string(kind.name);
+    if (!has(at.values, path)) continue;
+    const KeyValues table(at.values, at.units, path, at.name);
+    MadeFrame made = built(at.values, path, at.name,
+                           [&] { return kind.made(FrameContext(table, rotation.orbits)); });
+    rotation.frame = std::move(made.frame);
+    rotation.frame_text = std::move(made.text);
+    rotation.precession = made.precession;
   }
 }
 
@@ -223,5 +189,10 @@ void check_motion(const Rotation& rotation, const OutputPlan& output, const Valu
 }
 
 }  // namespace detail
+
+const ScenarioOrbit& FrameContext::orbit(std::string_view key) const {
+  return detail::orbit_named(orbits_, values(), key_path(key), file());
+}
+
 }  // namespace v0
 }  // namespace polhode

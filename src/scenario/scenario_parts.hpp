@@ -52,7 +52,7 @@ std::vector<ScenarioEvent> events_of(const KindContext& at);
 FormatOptions format_options_of(const Values& values, const OutputFormats& formats,
                                 const std::string& name);
 // Fills in frame, frame_text and precession; the orbits are there.
-void add_frame(Rotation& rotation, const Values& values, const std::string& name);
+void add_frame(Rotation& rotation, const KindContext& at);
 // DomainError where the kind is another than "rotation".
 const Rotation& rotation_of(const Experiment& experiment);
 // The energy where it starts; 0 where a term has none.

@@ -22,6 +22,7 @@
 
 #include "polhode/output/output_format.hpp"
 #include "polhode/scenario/experiment_kind.hpp"
+#include "polhode/scenario/frame_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
 #include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
@@ -36,6 +37,7 @@ class Kinds {
   Kinds with(PerturbationKind kind) const;
   Kinds with(OrbitKind kind) const;
   Kinds with(MethodKind kind) const;
+  Kinds with(FrameKind kind) const;
   Kinds with(ExperimentKind kind) const;
   Kinds with(OutputFormat format) const;
   Kinds with(const ChartKind& chart) const;
@@ -45,6 +47,7 @@ class Kinds {
   const PerturbationKind* perturbation(std::string_view name) const;
   std::span<const OrbitKind> orbits() const;
   const OrbitKind* orbit(std::string_view name) const;
+  std::span<const FrameKind> frames() const;
   std::span<const MethodKind> methods() const;
   const MethodKind* method(std::string_view name) const;
   // Those from outside: what a file may be next to a rotation.

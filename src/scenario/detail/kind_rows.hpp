@@ -41,6 +41,21 @@ class KindRows {
   std::vector<KindText> texts_;
 };
 
+// The rows of a table that holds one of several tables, [frame.NAME], each of one kind.
+class TablesOfKinds {
+ public:
+  TablesOfKinds(const Key& table, std::span<const KindOfTable> kinds);
+  TablesOfKinds(const TablesOfKinds&) = delete;
+  TablesOfKinds& operator=(const TablesOfKinds&) = delete;
+
+  SchemaPart part() const { return {keys_, alternatives_}; }
+
+ private:
+  std::deque<std::string> words_;
+  std::vector<Key> keys_;
+  std::vector<Alternatives> alternatives_;
+};
+
 // The rows of a table of its own, [NAME], and its word among the kinds at the top of the file.
 class OwnTable {
  public:

@@ -22,9 +22,9 @@ struct DescribedParts {
   SchemaPart perturbations;
   SchemaPart methods;
   SchemaPart orbits;
+  SchemaPart frames;
 };
 SchemaPart body_keys();
-SchemaPart frame_keys();
 SchemaPart orbit_keys();
 SchemaPart surface_keys();
 SchemaPart event_keys();

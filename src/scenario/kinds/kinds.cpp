@@ -11,6 +11,7 @@
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/frame_kinds.hpp"
 #include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/method_kinds.hpp"
@@ -50,6 +51,11 @@ constexpr Key orbit_kind_key = {
         "Elements, which may precess; a position and a velocity; a table in a file; or Sun, "
         "Moon and planets as they move (docs/guide/orbits.md)."};
 
+constexpr Key frame_table = {
+    .path = "frame",
+    .help =
+        "The reference frame S that attitudes refer to; left out, it is the inertial one. The "
+        "state is then that in S at t = 0; omega is always relative to inertial axes."};
 constexpr Key method_table = {
     .path = "method",
     .help =
@@ -72,6 +78,10 @@ detail::KindOfTable row_of(const OrbitKind& kind) {
   return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
 }
 constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
+detail::KindOfTable row_of(const FrameKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
+}
+constexpr std::string_view sort_of(const FrameKind&) { return "frame"; }
 constexpr std::string_view sort_of(const PerturbationKind&) { return "perturbation"; }
 constexpr std::string_view sort_of(const MethodKind&) { return "method"; }
 detail::KindOfTable row_of(const ExperimentKind& kind) {
@@ -166,6 +176,7 @@ void require_other_template(std::string_view sort, std::string_view name, const 
 struct Lists {
   std::vector<PerturbationKind> perturbations;
   std::vector<OrbitKind> orbits;
+  std::vector<FrameKind> frames;
   std::vector<MethodKind> methods;
   std::vector<ExperimentKind> experiments;
   OutputFormats formats;
@@ -197,18 +208,21 @@ struct Kinds::Parts {
       : lists(std::move(of)),
         perturbations(perturbation_table, perturbation_kind_key, rows_of(lists.perturbations)),
         orbits(orbit_table, orbit_kind_key, rows_of(lists.orbits)),
+        frames(frame_table, rows_of(lists.frames)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
         state(lists.charts()),
         output(lists.charts()),
         own(own_tables(lists.experiments)),
         table(experiment_rows(lists.experiments, own,
-                              {state.part(), perturbations.part(), methods.part(), orbits.part()}),
+                              {state.part(), perturbations.part(), methods.part(), orbits.part(),
+                               frames.part()}),
               output.part(), lists.formats),
         schema(table.schema()) {}
 
   Lists lists;
   detail::KindRows perturbations;
   detail::KindRows orbits;
+  detail::TablesOfKinds frames;
   detail::KindRows methods;
   detail::StateKeys state;
   detail::OutputKeys output;
@@ -223,6 +237,7 @@ Kinds default_kinds() {
   static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
       our_perturbations(),
       {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind()},
+      {detail::precessing_kind(), detail::orbit_plane_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
       {},
       default_output_formats()});
@@ -245,6 +260,12 @@ Kinds Kinds::with(OrbitKind kind) const {
 Kinds Kinds::with(MethodKind kind) const {
   Lists lists = parts_->lists;
   lists.methods = extended(std::move(lists.methods), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(FrameKind kind) const {
+  Lists lists = parts_->lists;
+  lists.frames = extended(std::move(lists.frames), std::move(kind));
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
@@ -291,6 +312,7 @@ std::span<const OrbitKind> Kinds::orbits() const { return parts_->lists.orbits; 
 const OrbitKind* Kinds::orbit(std::string_view name) const {
   return named(parts_->lists.orbits, name);
 }
+std::span<const FrameKind> Kinds::frames() const { return parts_->lists.frames; }
 std::span<const MethodKind> Kinds::methods() const { return parts_->lists.methods; }
 const MethodKind* Kinds::method(std::string_view name) const {
   return named(parts_->lists.methods, name);

@@ -33,6 +33,23 @@ KindRows::KindRows(const Key& table, const Key& kind, std::span<const KindOfTabl
   keys_[1].allowed = words_.emplace_back(std::move(all));
 }
 
+TablesOfKinds::TablesOfKinds(const Key& table, std::span<const KindOfTable> kinds) {
+  keys_ = {table};
+  std::string all;
+  for (const KindOfTable& one : kinds) {
+    all = joined(all, one.text.kind);
+    const std::string& path =
+        words_.emplace_back(std::string(table.path) + "." + std::string(one.text.kind));
+    keys_.push_back({.path = path, .presence = Presence::alternative, .help = one.text.text});
+    for (const Key& key : one.keys) {
+      keys_.push_back(key);
+      keys_.back().path = words_.emplace_back(path + "." + std::string(key.path));
+    }
+    if (!one.sets.empty()) alternatives_.push_back({path, one.sets});
+  }
+  alternatives_.insert(alternatives_.begin(), {table.path, words_.emplace_back(std::move(all))});
+}
+
 OwnTable::OwnTable(std::string_view name, std::string_view help, std::span<const Key> keys) {
   keys_ = {{.path = name, .presence = Presence::required, .help = help}};
   for (const Key& key : keys) {
