@@ -18,6 +18,7 @@
 #include "polhode/error.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/run/map_run.hpp"
+#include "temp_folder.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -241,18 +242,15 @@ std::vector<std::string> lines_of_text(const std::string& text, const std::strin
   }
 }
 
-// A folder of the test that runs: others run at the same time.
-std::string own_folder() {
-  const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
-  const std::string path = ::testing::TempDir() + "/" + test.test_suite_name() + "." + test.name();
-  std::filesystem::remove_all(path);
-  std::filesystem::create_directories(path);
-  return path;
-}
-
-class Overrides : public ::testing::Test {
+// Also where the same test runs twice at a time.
+class InFolder : public test::InTempFolder {
  protected:
-  Overrides() : folder_(own_folder()) {
+  const std::string folder_ = std::filesystem::path(path("f")).parent_path().string();
+};
+
+class Overrides : public InFolder {
+ protected:
+  Overrides() {
     std::ofstream table(folder_ + "/way.csv");
     table << "t,x,y,z\n";
     for (int k = 0; k <= 40; ++k)
@@ -299,7 +297,6 @@ f 4 1 5 8
     EXPECT_NE(found, lines_of_text(text(from) + axis(from), name)) << key;
   }
 
-  std::string folder_;
   const std::vector<std::pair<std::string, std::string>> usual_ = {
       {"time.stop", "30"},
       {"body.density", "1"},
@@ -415,10 +412,8 @@ count = 2
 }
 
 // A map into a file, in a folder of its own.
-class MapRuns : public ::testing::Test {
+class MapRuns : public InFolder {
  protected:
-  MapRuns() : folder_(own_folder()), path_(folder_ + "/m.csv") {}
-
   // Of all cells, or up to one.
   MapReport run(const ScenarioMap& map, RunBegin begin, std::int64_t up_to = -1,
                 const std::string& path = "m.csv") const {
@@ -439,7 +434,7 @@ class MapRuns : public ::testing::Test {
     return names;
   }
 
-  std::string folder_, path_;
+  const std::string path_ = folder_ + "/m.csv";
 };
 
 const std::string section = moon + R"([map]
