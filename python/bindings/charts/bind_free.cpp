@@ -144,21 +144,19 @@ void def_motion(nb::class_<FreeRotation>& c) {
           "The same, prepared in double precision throughout: a microsecond, for a few turns.")
       .def(
           "at",
-          [](const FreeRotation& f, nb::handle t) {
+          [](const FreeRotation& f, ArrayLike t) {
             const Numbers times(t, "t");
             return mapped(times, [&](double at) { return f.at(at); });
           },
-          nb::arg("t"), nb::sig("def at(self, t: numpy.typing.ArrayLike) -> RotorState"),
+          nb::arg("t"),
           "The exact state at time t: t of any shape, a RotorState of that shape. NaN in, NaN out.")
       .def(
           "state_transition",
-          [](const FreeRotation& f, nb::handle t) {
+          [](const FreeRotation& f, ArrayLike t) {
             const Numbers times(t, "t");
             return mapped_numbers(times, {6, 6}, [&](double at) { return f.state_transition(at); });
           },
           nb::arg("t"),
-          nb::sig("def state_transition(self, t: numpy.typing.ArrayLike) -> "
-                  "numpy.typing.NDArray[numpy.float64]"),
           "d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): (..., 6, 6); attitude changes in body "
           "axes, q exp(dtheta_B / 2).");
 }
@@ -255,31 +253,23 @@ range.)");
 
 // A chart of a motion at times, and the same of any states: each is the epoch of its own motion.
 template <class To, class Of>
-void def_flow_chart(nb::module_& m, const char* name, const char* result, Of of, const char* doc) {
+void def_flow_chart(nb::module_& m, const char* name, Of of, const char* doc) {
   m.def(
       name,
-      [of](const FreeRotation& motion, nb::handle t) {
+      [of](const FreeRotation& motion, ArrayLike t) {
         const Numbers times(t, "t");
         return mapped(times, [&](double at) { return of(motion, at); });
       },
-      nb::arg("motion"), nb::arg("t"),
-      nb::sig((std::string("def ") + name +
-               "(motion: FreeRotation, t: numpy.typing.ArrayLike) -> " + result)
-                  .c_str()),
-      doc);
+      nb::arg("motion"), nb::arg("t"), doc);
   m.def(
       name,
-      [of](const Body& body, const Rotors& states, nb::handle t) {
+      [of](const Body& body, const Rotors& states, ArrayLike t) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
           return of(FreeRotation(body, s, at), at);
         });
       },
-      nb::arg("body"), nb::arg("state"), nb::arg("t") = 0.0,
-      nb::sig((std::string("def ") + name +
-               "(body: Body, state: RotorState, t: numpy.typing.ArrayLike = 0.0) -> " + result)
-                  .c_str()),
-      doc);
+      nb::arg("body"), nb::arg("state"), nb::arg("t") = 0.0, doc);
 }
 
 void bind_flow_charts(nb::module_& m) {
@@ -287,16 +277,14 @@ void bind_flow_charts(nb::module_& m) {
   bind_states<6>(m, sadov_chart);
   bind_states<6>(m, tumbler_chart);
   def_flow_chart<SerretState>(
-      m, "to_serret", "SerretState",
-      [](const FreeRotation& f, double t) { return to_serret(f, t); },
+      m, "to_serret", [](const FreeRotation& f, double t) { return to_serret(f, t); },
       "Serret's elements of a motion at time t, or of states at times t of the motion through "
       "each.");
   def_flow_chart<SadovState>(
-      m, "to_sadov", "SadovState", [](const FreeRotation& f, double t) { return to_sadov(f, t); },
+      m, "to_sadov", [](const FreeRotation& f, double t) { return to_sadov(f, t); },
       "Action-angle variables of a motion at time t, or of any states.");
   def_flow_chart<TumblerState>(
-      m, "to_tumbler", "TumblerState",
-      [](const FreeRotation& f, double t) { return to_tumbler(f, t); },
+      m, "to_tumbler", [](const FreeRotation& f, double t) { return to_tumbler(f, t); },
       "Observers' description of a motion at time t, or of any states. ValueError where there is "
       "none: steady rotation, separatrix, rest.");
   m.def(
@@ -316,18 +304,14 @@ void bind_flow_charts(nb::module_& m) {
       "have.");
   m.def(
       "to_rotor",
-      [](const Body& body, const Batch<SerretState>& states, nb::handle t) {
+      [](const Body& body, const Batch<SerretState>& states, ArrayLike t) {
         Numbers times(t, "t");
         return mapped(states, times,
                       [&](const SerretState& s, double at) { return to_rotor(body, s, at); });
       },
       nb::arg("body"), nb::arg("state"), nb::arg("t"),
-      nb::sig("def to_rotor(body: Body, state: SerretState, t: numpy.typing.ArrayLike) -> "
-              "RotorState"),
       "The hub state at time t of Serret's elements.");
 }
-
-constexpr const char* matrices = ") -> numpy.typing.NDArray[numpy.float64]";
 
 void bind_flow_jacobians(nb::module_& m) {
   m.def(
@@ -337,21 +321,16 @@ void bind_flow_jacobians(nb::module_& m) {
                               [&](const SadovState& s) { return chart_jacobian(body, s); });
       },
       nb::arg("body"), nb::arg("state"),
-      nb::sig((std::string("def chart_jacobian(body: Body, state: SadovState") + matrices).c_str()),
       "B of action-angle variables: (..., 6, 6), columns phi_l, phi_g, phi_h, I_l, I_g, I_h.");
   m.def(
       "chart_jacobian",
-      [](const Body& body, const Batch<SerretState>& states, nb::handle t) {
+      [](const Body& body, const Batch<SerretState>& states, ArrayLike t) {
         Numbers times(t, "t");
         return mapped_numbers(states, times, {6, 6}, [&](const SerretState& s, double at) {
           return chart_jacobian(body, s, at);
         });
       },
       nb::arg("body"), nb::arg("state"), nb::arg("t"),
-      nb::sig((std::string("def chart_jacobian(body: Body, state: SerretState, t: "
-                           "numpy.typing.ArrayLike") +
-               matrices)
-                  .c_str()),
       "B at time t of Serret's elements: (..., 6, 6), columns g0, h, -t0, G, H, T: canonical with "
       "-t0 as the third angle.");
 }
@@ -382,13 +361,11 @@ void bind_generating(nb::module_& m) {
   bind_states<8>(m, generating_chart);
   m.def(
       "generating_function",
-      [](const FreeRotation& motion, nb::handle t) {
+      [](const FreeRotation& motion, ArrayLike t) {
         const Numbers times(t, "t");
         return mapped(times, [&](double at) { return generating_function(motion, at); });
       },
       nb::arg("motion"), nb::arg("t"),
-      nb::sig("def generating_function(motion: FreeRotation, t: numpy.typing.ArrayLike) -> "
-              "GeneratingFunction"),
       "The generating function of section 3.1 along a motion, at times t of any shape, on the "
       "branch that to_serret returns. [SA (51), (55)]");
 }
@@ -424,12 +401,10 @@ void bind_properties(nb::module_& m) {
       "changes by its last digit: the largest of all. NaN for a time that is not finite.");
   m.def(
       "least_period_ratio",
-      [](const Body& body, nb::handle mode) {
+      [](const Body& body, OneOf<Regime> mode) {
         return least_period_ratio(body, choice<Regime>(mode, "mode"));
       },
-      nb::arg("body"), nb::arg("mode"),
-      nb::sig("def least_period_ratio(body: Body, mode: Regime | str) -> float"),
-      "The least P_psi / P_phi that the body has in a mode.");
+      nb::arg("body"), nb::arg("mode"), "The least P_psi / P_phi that the body has in a mode.");
   m.def(
       "free_rotation",
       [](const Body& body, const Batch<SerretState>& s) {

@@ -12,6 +12,9 @@ namespace {
 
 using Number = PythonDual::Number;
 
+using DualOrFloat = Typed<"Dual | float">;
+using DualObject = Typed<"Dual">;
+
 nb::object not_implemented() { return nb::borrow(Py_NotImplemented); }
 
 nb::object dual_object(const Number& x) { return nb::cast(PythonDual{x}); }
@@ -57,7 +60,7 @@ Dual<T, N> power(const Dual<T, N>& x, double a) {
   return x.chained(power(x.value, a), T(a) * power(x.value, a - 1.0));
 }
 
-nb::object raised(const PythonDual& a, nb::handle b) {
+DualObject raised(const PythonDual& a, DualOrFloat b) {
   return binary(a, b, [](const auto& x, const auto& y) {
     if constexpr (is_dual<std::decay_t<decltype(y)>>) {
       if (y.is_constant()) return dual_object(power(x, to_double(y)));
@@ -67,7 +70,7 @@ nb::object raised(const PythonDual& a, nb::handle b) {
     }
   });
 }
-nb::object raised_to(const PythonDual& exponent, nb::handle base) {
+DualObject raised_to(const PythonDual& exponent, DualOrFloat base) {
   return binary(exponent, base, [](const auto& y, const auto& x) {
     using std::log;
     using D = std::decay_t<decltype(y)>;
@@ -79,7 +82,7 @@ nb::object raised_to(const PythonDual& exponent, nb::handle base) {
 }
 
 // The remainder that Python's % gives: of the sign of the divisor, which is a constant.
-nb::object remainder(const PythonDual& a, nb::handle b) {
+DualObject remainder(const PythonDual& a, DualOrFloat b) {
   return binary(a, b, [](const auto& x, const auto& y) -> nb::object {
     if constexpr (is_dual<std::decay_t<decltype(y)>>) {
       throw nb::type_error("Dual: the divisor of % must be a constant");
@@ -93,9 +96,8 @@ template <class Class>
 void def_arithmetic(Class& c) {
   const auto op = [&c](const char* name, auto f) {
     c.def(
-        name, [f](const PythonDual& a, nb::handle b) { return binary(a, b, f); }, nb::arg("other"),
-        nb::is_operator(),
-        nb::sig((std::string("def ") + name + "(self, other: Dual | float) -> Dual").c_str()));
+        name, [f](const PythonDual& a, DualOrFloat b) -> DualObject { return binary(a, b, f); },
+        nb::arg("other"), nb::is_operator());
   };
   op("__add__", [](const auto& x, const auto& y) { return dual_object(x + y); });
   op("__radd__", [](const auto& x, const auto& y) { return dual_object(y + x); });
@@ -106,8 +108,7 @@ void def_arithmetic(Class& c) {
   op("__truediv__", [](const auto& x, const auto& y) { return dual_object(x / y); });
   op("__rtruediv__", [](const auto& x, const auto& y) { return dual_object(y / x); });
   const auto direct = [&c](const char* name, auto f) {
-    c.def(name, f, nb::arg("other"), nb::is_operator(),
-          nb::sig((std::string("def ") + name + "(self, other: Dual | float) -> Dual").c_str()));
+    c.def(name, f, nb::arg("other"), nb::is_operator());
   };
   direct("__pow__", raised);
   direct("__rpow__", raised_to);
@@ -115,14 +116,13 @@ void def_arithmetic(Class& c) {
   const auto compare = [&c](const char* name, auto f) {
     c.def(
         name,
-        [f](const PythonDual& a, nb::handle b) {
+        [f](const PythonDual& a, nb::handle b) -> Typed<"bool"> {
           return binary(a, b, [f](const auto& x, const auto& y) -> nb::object {
             using D = std::decay_t<decltype(x)>;
             return nb::bool_(f(x, D(y)));
           });
         },
-        nb::arg("other"), nb::is_operator(),
-        nb::sig((std::string("def ") + name + "(self, other: object) -> bool").c_str()));
+        nb::arg("other"), nb::is_operator());
   };
   compare("__eq__", [](const auto& x, const auto& y) { return x == y; });
   compare("__ne__", [](const auto& x, const auto& y) { return !(x == y); });
@@ -134,7 +134,7 @@ void def_arithmetic(Class& c) {
 }
 
 template <class F>
-nb::object unary(const PythonDual& a, F f) {
+DualObject unary(const PythonDual& a, F f) {
   return std::visit([&](const auto& x) -> nb::object { return dual_object(f(x)); }, a.x);
 }
 
@@ -143,7 +143,6 @@ template <class Class, class F>
 void def_function(Class& c, const char* name, F f) {
   c.def(
       name, [f](const PythonDual& a) { return unary(a, f); },
-      nb::sig((std::string("def ") + name + "(self) -> Dual").c_str()),
       (std::string("What numpy.") + name + " calls.").c_str());
 }
 
@@ -194,9 +193,7 @@ void def_degrees(Class& c) {
 template <class Class>
 void def_signs_and_pairs(Class& c) {
   const auto sign = [&c](const char* name, auto f) {
-    c.def(
-        name, [f](const PythonDual& a) { return unary(a, f); },
-        nb::sig((std::string("def ") + name + "(self) -> Dual").c_str()));
+    c.def(name, [f](const PythonDual& a) { return unary(a, f); });
   };
   sign("__neg__", [](const auto& x) { return -x; });
   sign("__pos__", [](const auto& x) { return x; });
@@ -204,15 +201,13 @@ void def_signs_and_pairs(Class& c) {
   const auto of_two = [&c](const char* name, auto f) {
     c.def(
         name,
-        [f](const PythonDual& a, nb::handle b) {
+        [f](const PythonDual& a, DualOrFloat b) -> DualObject {
           return binary(a, b, [f](const auto& x, const auto& y) {
             using D = std::decay_t<decltype(x)>;
             return dual_object(f(x, D(y)));
           });
         },
-        nb::arg("other"),
-        nb::sig((std::string("def ") + name + "(self, other: Dual | float) -> Dual").c_str()),
-        (std::string("What numpy.") + name + " calls.").c_str());
+        nb::arg("other"), (std::string("What numpy.") + name + " calls.").c_str());
   };
   of_two("arctan2", [](const auto& y, const auto& x) { return atan2(y, x); });
   of_two("hypot", [](const auto& x, const auto& y) { return hypot(x, y); });
@@ -234,8 +229,8 @@ nb::object boxed(nb::handle value, bool as_dual, const PythonDual& like) {
 }
 
 // __array_ufunc__: NumPy asks it for every function with a Dual among its arguments.
-nb::object array_ufunc(nb::handle_t<PythonDual> self, nb::handle ufunc, nb::handle method,
-                       const nb::args& inputs, const nb::kwargs& options) {
+Any array_ufunc(nb::handle_t<PythonDual> self, Any ufunc, Text method, const nb::args& inputs,
+                const nb::kwargs& options) {
   const std::string name = nb::cast<std::string>(ufunc.attr("__name__"));
   const bool plain = options.size() == 0 && nb::cast<std::string>(method) == "__call__";
   if (plain && inputs.size() == 1 && nb::hasattr(self, name.c_str()))
@@ -288,8 +283,7 @@ std::string repr_of(nb::handle self) {
 template <class Class>
 void def_parts(Class& c) {
   c.def_prop_ro(
-       "value",
-       [](const PythonDual& a) {
+       "value", [](const PythonDual& a) -> Typed<"float | Dual"> {
          return std::visit(
              [](const auto& x) -> nb::object {
                if constexpr (is_dual<std::decay_t<decltype(x.value)>>)
@@ -299,14 +293,11 @@ void def_parts(Class& c) {
              },
              a.x);
        },
-       nb::for_getter(nb::sig("def value(self) -> float | Dual")),
        "float; a Dual where second derivatives are carried.")
       .def_prop_ro(
-          "derivative",
-          [](const PythonDual& a) {
+          "derivative", [](const PythonDual& a) -> Typed<"numpy.typing.NDArray[typing.Any]"> {
             return std::visit([](const auto& x) { return derivative_of(x); }, a.x);
           },
-          nb::for_getter(nb::sig("def derivative(self) -> numpy.typing.NDArray[typing.Any]")),
           "Array of the first derivatives.");
 }
 
@@ -328,9 +319,7 @@ void def_protocols(Class& c) {
                               nb::make_tuple(self.attr("value"), self.attr("derivative")));
       });
   c.def("__array_ufunc__", array_ufunc, nb::arg("ufunc"), nb::arg("method"), nb::arg("inputs"),
-        nb::arg("options"),
-        nb::sig("def __array_ufunc__(self, ufunc: typing.Any, method: str, *inputs: typing.Any, "
-                "**options: typing.Any) -> typing.Any"));
+        nb::arg("options"));
 }
 
 }  // namespace
@@ -349,12 +338,10 @@ value : float.
 derivative : of shape (1,), (6,) or (7,); None: six zeros, a constant.)");
   c.def(
       "__init__",
-      [](PythonDual* self, double value, nb::handle derivative) {
+      [](PythonDual* self, double value, ArrayLike derivative) {
         new (self) PythonDual{made(value, derivative)};
       },
-      nb::arg("value"), nb::arg("derivative") = nb::none(),
-      nb::sig("def __init__(self, value: float, derivative: numpy.typing.ArrayLike | None = None) "
-              "-> None"));
+      nb::arg("value"), nb::arg("derivative") = nb::none());
   def_parts(c);
   def_protocols(c);
   def_arithmetic(c);

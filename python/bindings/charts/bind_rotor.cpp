@@ -145,27 +145,22 @@ Body(I1, I2, I3), or Body.from_tensor(M). Any unit: the library is scale-free. V
 are positive and the largest is at most the sum of the others.)")
       .def(nb::init<double, double, double>(), nb::arg("I1"), nb::arg("I2"), nb::arg("I3"))
       .def_static(
-          "from_tensor",
-          [](nb::handle tensor) { return Body::from_tensor(mat3(tensor, "tensor")); },
-          nb::arg("tensor"), nb::sig("def from_tensor(tensor: numpy.typing.ArrayLike) -> Body"),
+          "from_tensor", [](ArrayLike tensor) { return Body::from_tensor(mat3(tensor, "tensor")); },
+          nb::arg("tensor"),
           "From a symmetric (3, 3) inertia tensor in any body-fixed axes; q_FB keeps the rotation "
           "to the principal axes.")
       .def_static(
           "with_axes",
-          [](nb::handle moments, nb::handle q_FB) {
+          [](ArrayLike moments, ArrayLike q_FB) {
             return Body::with_axes(vec3(moments, "moments"), quaternion(q_FB, "q_FB"));
           },
           nb::arg("moments"), nb::arg("q_FB"),
-          nb::sig("def with_axes(moments: numpy.typing.ArrayLike, q_FB: numpy.typing.ArrayLike) -> "
-                  "Body"),
           "Principal moments (3,) with a rotation q_FB (4,) to other body axes, known already.")
       .def_prop_ro(
           "moments", [](const Body& b) { return array_of(b.moments()); },
-          nb::for_getter(nb::sig("def moments(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): moments about b1, b2, b3 as given.")
       .def_prop_ro(
           "q_FB", [](const Body& b) { return array_of(b.q_FB()); },
-          nb::for_getter(nb::sig("def q_FB(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(4,): rotation from principal axes to those of the tensor, v_F = q_FB v_B q_FB*.")
       .def(
           "__eq__",
@@ -191,12 +186,11 @@ are positive and the largest is at most the sum of the others.)")
 }
 
 using Rotors = Batch<RotorState>;
-constexpr const char* array_signature = ") -> numpy.typing.NDArray[numpy.float64]";
 
 Numbers quaternions(nb::handle q) { return {q, "q", {4}}; }
 Quaternion quaternion_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
 
-nb::object matrices_of(nb::handle q) {
+FloatArray matrices_of(nb::handle q) {
   nb::object of_duals = dual_attitude_matrix(q);
   if (!of_duals.is_none()) return of_duals;
   const Numbers n = quaternions(q);
@@ -206,7 +200,7 @@ nb::object matrices_of(nb::handle q) {
   return out.take();
 }
 
-nb::object quaternions_of(nb::handle R) {
+FloatArray quaternions_of(nb::handle R) {
   nb::object of_duals = dual_attitude(R);
   if (!of_duals.is_none()) return of_duals;
   const Numbers n(R, "R", {3, 3});
@@ -220,32 +214,27 @@ nb::object quaternions_of(nb::handle R) {
 
 void bind_attitudes(nb::module_& m) {
   m.def(
-      "attitude_matrix", [](nb::handle q) { return matrices_of(q); }, nb::arg("q"),
-      nb::sig(
-          "def attitude_matrix(q: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]"),
+      "attitude_matrix", [](ArrayLike q) { return matrices_of(q); }, nb::arg("q"),
       "R of [SA (2)], v_B = R v_I: q (..., 4) -> (..., 3, 3). One q of Dual gives Duals.");
   m.def(
       "euler_angles",
-      [](nb::handle q) {
+      [](ArrayLike q) {
         const Numbers n = quaternions(q);
         return Batch<EulerAngles>::filled(n.shape(), [&](EulerAngles* out) {
           for_each(size_of(n.shape()),
                    [&](std::size_t k) { out[k] = euler_angles(quaternion_at(n.at(k))); });
         });
       },
-      nb::arg("q"), nb::sig("def euler_angles(q: numpy.typing.ArrayLike) -> EulerAngles"),
+      nb::arg("q"),
       "3-1-3 angles of an attitude: q (..., 4). At theta = 0, pi: psi = 0. [SA (1), (2)]");
   m.def(
       "attitude",
       [](const Batch<EulerAngles>& angles) {
         return mapped_numbers(angles, {4}, [](const EulerAngles& e) { return attitude(e); });
       },
-      nb::arg("angles"),
-      nb::sig("def attitude(angles: EulerAngles) -> numpy.typing.NDArray[numpy.float64]"),
-      "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
+      nb::arg("angles"), "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
   m.def(
-      "attitude", [](nb::handle R) { return quaternions_of(R); }, nb::arg("R"),
-      nb::sig("def attitude(R: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]"),
+      "attitude", [](ArrayLike R) { return quaternions_of(R); }, nb::arg("R"),
       "Quaternion (..., 4), body to inertial, of rotation matrices R (..., 3, 3), v_B = R v_I. "
       "ValueError for a matrix that is no rotation (to 1e-6). One R of Dual gives Duals, "
       "unchecked.");
@@ -269,22 +258,18 @@ Rotors with_rate(const Body& body, nb::handle q, nb::handle omega, StateOfRate* 
 void bind_attitudes_with_rates(nb::module_& m) {
   m.def(
       "rotor_state",
-      [](const Body& body, nb::handle q, nb::handle omega) {
+      [](const Body& body, ArrayLike q, ArrayLike omega) {
         return with_rate(body, q, omega, rotor_state);
       },
       nb::arg("body"), nb::arg("q"), nb::arg("omega_B"),
-      nb::sig("def rotor_state(body: Body, q: numpy.typing.ArrayLike, omega_B: "
-              "numpy.typing.ArrayLike) -> RotorState"),
       "The state of attitudes q (..., 4) and angular velocities (..., 3) along the body axes. "
       "[SA (24)]");
   m.def(
       "rotor_state_inertial",
-      [](const Body& body, nb::handle q, nb::handle omega) {
+      [](const Body& body, ArrayLike q, ArrayLike omega) {
         return with_rate(body, q, omega, rotor_state_inertial);
       },
       nb::arg("body"), nb::arg("q"), nb::arg("omega_I"),
-      nb::sig("def rotor_state_inertial(body: Body, q: numpy.typing.ArrayLike, omega_I: "
-              "numpy.typing.ArrayLike) -> RotorState"),
       "The same with the angular velocity in inertial components. [SA (8)]");
 }
 
@@ -327,13 +312,11 @@ void bind_conversions(nb::module_& m) {
       nb::arg("state"), "Andoyer variables of hub states; same shape. [SA section 3.2]");
   m.def(
       "to_poincare",
-      [](const Rotors& states, nb::handle J, nb::handle I) {
+      [](const Rotors& states, OneOf<Pole> J, OneOf<Pole> I) {
         const Pole pole_J = choice<Pole>(J, "pole_J"), pole_I = choice<Pole>(I, "pole_I");
         return mapped(states, [=](const RotorState& s) { return to_poincare(s, pole_J, pole_I); });
       },
       nb::arg("state"), nb::arg("pole_J"), nb::arg("pole_I"),
-      nb::sig("def to_poincare(state: RotorState, pole_J: Pole | str, pole_I: Pole | str) -> "
-              "PoincareState"),
       "The Poincare-type set that is regular at J = 0 (Pole.zero) or pi (Pole.pi), and so for I; "
       "same shape.");
   m.def(
@@ -351,10 +334,7 @@ void bind_functions(nb::module_& m) {
         [f](const Body& body, const Rotors& states) {
           return mapped_numbers(states, {3}, [&](const RotorState& s) { return f(body, s); });
         },
-        nb::arg("body"), nb::arg("state"),
-        nb::sig((std::string("def ") + name + "(body: Body, state: RotorState" + array_signature)
-                    .c_str()),
-        doc);
+        nb::arg("body"), nb::arg("state"), doc);
   };
   vector_of_body(
       "angular_velocity",
@@ -366,13 +346,11 @@ void bind_functions(nb::module_& m) {
       "The same vector in inertial components: (..., 3). [SA (8)]");
   m.def(
       "kinetic_energy",
-      [](const Body& body, const Rotors& states) {
+      [](const Body& body, const Rotors& states) -> Floats {
         return mapped_numbers(states, {},
                               [&](const RotorState& s) { return kinetic_energy(body, s); });
       },
       nb::arg("body"), nb::arg("state"),
-      nb::sig("def kinetic_energy(body: Body, state: RotorState) -> float | "
-              "numpy.typing.NDArray[numpy.float64]"),
       "T = (1/2) g . I^-1 g: a float, or an array of the shape of the states.");
   m.def(
       "inertial_momentum",
@@ -381,7 +359,6 @@ void bind_functions(nb::module_& m) {
                               [](const RotorState& s) { return inertial_momentum(s); });
       },
       nb::arg("state"),
-      nb::sig((std::string("def inertial_momentum(state: RotorState") + array_signature).c_str()),
       "Angular momentum in inertial components (..., 3): constant in free rotation.");
 }
 

@@ -2,10 +2,12 @@
 // Canonical charts by name, for the functions that work in any of them.
 #pragma once
 
-#include "bindings.hpp"
+#include "interface/typed.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"
 
 namespace polhode::python {
+
+using AnyChart = Typed<"CanonicalChart | CanonicalSet | str">;
 
 // A CanonicalChart, a CanonicalSet, or its name. TypeError or ValueError else.
 CanonicalChart chart_of(nb::handle chart, const char* name);

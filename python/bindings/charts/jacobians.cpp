@@ -11,13 +11,6 @@ namespace {
 
 using Rotors = Batch<RotorState>;
 
-constexpr const char* matrices = ") -> numpy.typing.NDArray[numpy.float64]";
-constexpr const char* any_chart = "CanonicalChart | CanonicalSet | str";
-
-std::string signature(const char* name, const std::string& arguments) {
-  return std::string("def ") + name + "(" + arguments + matrices;
-}
-
 Matrix6 matrix6(const double* a) {
   Matrix6 m;
   for (int i = 0; i < 6; ++i)
@@ -36,13 +29,11 @@ void bind_chart(nb::module_& m) {
                 "Poincare-type sets alone, the poles at which it is regular.")
       .def(
           "__init__",
-          [](C* self, nb::handle set, nb::handle pole_J, nb::handle pole_I) {
+          [](C* self, OneOf<CanonicalSet> set, OneOf<Pole> pole_J, OneOf<Pole> pole_I) {
             new (self) C{choice<CanonicalSet>(set, "set"), choice<Pole>(pole_J, "pole_J"),
                          choice<Pole>(pole_I, "pole_I")};
           },
-          nb::arg("set"), nb::arg("pole_J") = Pole::zero, nb::arg("pole_I") = Pole::zero,
-          nb::sig("def __init__(self, set: CanonicalSet | str, pole_J: Pole | str = 'zero', "
-                  "pole_I: Pole | str = 'zero') -> None"))
+          nb::arg("set"), nb::arg("pole_J") = "zero", nb::arg("pole_I") = "zero")
       .def_ro("set", &C::set, "Which of the charts.")
       .def_ro("pole_J", &C::pole_J, "Where a Poincare-type set is regular in J.")
       .def_ro("pole_I", &C::pole_I, "Where a Poincare-type set is regular in I.")
@@ -68,13 +59,13 @@ void bind_chart(nb::module_& m) {
 }
 
 template <class S>
-void def_chart_jacobian(nb::module_& m, const char* type) {
+void def_chart_jacobian(nb::module_& m) {
   m.def(
       "chart_jacobian",
       [](const Batch<S>& states) {
         return mapped_numbers(states, {6, 6}, [](const S& s) { return chart_jacobian(s); });
       },
-      nb::arg("state"), nb::sig(signature("chart_jacobian", std::string("state: ") + type).c_str()),
+      nb::arg("state"),
       R"(B = d(dtheta_B, dg_B) / d(chart): (..., 6, 6). [SA (dr1), (dr2)]
 
 Rows: a small turn of the body about its axes, q exp(dtheta_B / 2), and the change of its momentum
@@ -84,43 +75,37 @@ canonical chart satisfies B J B^T = Pi, J = [[0, 1], [-1, 0]], Pi = [[0, 1], [-1
 }
 
 void bind_canonical(nb::module_& m) {
-  def_chart_jacobian<EulerState>(m, "EulerState");
-  def_chart_jacobian<AndoyerState>(m, "AndoyerState");
-  def_chart_jacobian<PoincareState>(m, "PoincareState");
-  const std::string of_state = std::string("chart: ") + any_chart + ", state: RotorState";
+  def_chart_jacobian<EulerState>(m);
+  def_chart_jacobian<AndoyerState>(m);
+  def_chart_jacobian<PoincareState>(m);
   m.def(
       "chart_jacobian",
-      [](nb::handle chart, const Rotors& states) {
+      [](AnyChart chart, const Rotors& states) {
         const CanonicalChart of = chart_of(chart, "chart");
         return mapped_numbers(states, {6, 6},
                               [=](const RotorState& s) { return chart_jacobian(of, s); });
       },
-      nb::arg("chart"), nb::arg("state"), nb::sig(signature("chart_jacobian", of_state).c_str()),
+      nb::arg("chart"), nb::arg("state"),
       "B of a chart at hub states: (..., 6, 6). Keeps digits of a small theta, J or I that the "
       "chart itself has rounded away.");
   m.def(
       "inverse_chart_jacobian",
-      [](nb::handle chart, const Rotors& states) {
+      [](AnyChart chart, const Rotors& states) {
         const CanonicalChart of = chart_of(chart, "chart");
         return mapped_numbers(states, {6, 6},
                               [=](const RotorState& s) { return inverse_chart_jacobian(of, s); });
       },
       nb::arg("chart"), nb::arg("state"),
-      nb::sig(signature("inverse_chart_jacobian", of_state).c_str()),
       "B^-1 = d(chart) / d(dtheta_B, dg_B) at hub states: (..., 6, 6).");
   m.def(
       "canonical_transformation",
-      [](nb::handle from, nb::handle to, const Rotors& states) {
+      [](AnyChart from, AnyChart to, const Rotors& states) {
         const CanonicalChart of = chart_of(from, "from_chart"), into = chart_of(to, "to_chart");
         return mapped_numbers(states, {6, 6}, [=](const RotorState& s) {
           return canonical_transformation(of, into, s);
         });
       },
       nb::arg("from_chart"), nb::arg("to_chart"), nb::arg("state"),
-      nb::sig(signature("canonical_transformation", std::string("from_chart: ") + any_chart +
-                                                        ", to_chart: " + any_chart +
-                                                        ", state: RotorState")
-                  .c_str()),
       "d(to) / d(from) at hub states: (..., 6, 6), a symplectic matrix.");
 }
 
@@ -128,7 +113,7 @@ void bind_canonical(nb::module_& m) {
 void bind_of_matrices(nb::module_& m) {
   m.def(
       "inverse_chart_jacobian",
-      [](nb::handle B, nb::handle g_B) {
+      [](ArrayLike B, ArrayLike g_B) {
         std::vector<Numbers> both;
         both.emplace_back(B, "B", std::initializer_list<std::size_t>{6, 6});
         both.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
@@ -141,14 +126,11 @@ void bind_of_matrices(nb::module_& m) {
         return out.take();
       },
       nb::arg("B"), nb::arg("g_B"),
-      nb::sig(signature("inverse_chart_jacobian",
-                        "B: numpy.typing.ArrayLike, g_B: numpy.typing.ArrayLike")
-                  .c_str()),
       "The same for any canonical chart, given by its B (..., 6, 6) at body momentum g_B (..., "
       "3).");
   m.def(
       "canonical_transformation",
-      [](nb::handle B_from, nb::handle B_to, nb::handle g_B) {
+      [](ArrayLike B_from, ArrayLike B_to, ArrayLike g_B) {
         std::vector<Numbers> all;
         all.emplace_back(B_from, "B_from", std::initializer_list<std::size_t>{6, 6});
         all.emplace_back(B_to, "B_to", std::initializer_list<std::size_t>{6, 6});
@@ -163,10 +145,6 @@ void bind_of_matrices(nb::module_& m) {
         return out.take();
       },
       nb::arg("B_from"), nb::arg("B_to"), nb::arg("g_B"),
-      nb::sig(signature("canonical_transformation",
-                        "B_from: numpy.typing.ArrayLike, B_to: numpy.typing.ArrayLike, g_B: "
-                        "numpy.typing.ArrayLike")
-                  .c_str()),
       "The same for any canonical charts, given by their B (..., 6, 6) at one hub state with body "
       "momentum g_B (..., 3).");
 }
@@ -174,39 +152,36 @@ void bind_of_matrices(nb::module_& m) {
 // Of one body: (6, 6).
 void def_of_body(nb::module_& m, const char* name, Matrix6 (*of)(const Body&), const char* doc) {
   m.def(
-      name, [of](const Body& body) { return array_of(of(body)); }, nb::arg("body"),
-      nb::sig(signature(name, "body: Body").c_str()), doc);
+      name, [of](const Body& body) { return array_of(of(body)); }, nb::arg("body"), doc);
 }
 
 template <class S>
-void def_of_states(nb::module_& m, const char* name, const char* type,
-                   Matrix6 (*of)(const Body&, const S&), const char* doc) {
+void def_of_states(nb::module_& m, const char* name, Matrix6 (*of)(const Body&, const S&),
+                   const char* doc) {
   m.def(
       name,
       [of](const Body& body, const Batch<S>& states) {
         return mapped_numbers(states, {6, 6}, [&](const S& s) { return of(body, s); });
       },
-      nb::arg("body"), nb::arg("state"),
-      nb::sig(signature(name, std::string("body: Body, state: ") + type).c_str()), doc);
+      nb::arg("body"), nb::arg("state"), doc);
 }
 
 void bind_rates(nb::module_& m) {
   def_of_states<EulerRates>(
-      m, "chart_jacobian", "EulerRates",
+      m, "chart_jacobian",
       [](const Body& body, const EulerRates& s) { return chart_jacobian(body, s); },
       "B of Euler angles and their rates: (..., 6, 6). [SA (5)-(7), (24)]");
   def_of_states<EulerRates>(
-      m, "inverse_chart_jacobian", "EulerRates",
+      m, "inverse_chart_jacobian",
       [](const Body& body, const EulerRates& s) { return inverse_chart_jacobian(body, s); },
       "d(angles, rates) / d(dtheta_B, dg_B): (..., 6, 6). Infinite or NaN at theta = 0, pi.");
   def_of_body(m, "body_rate_jacobian", body_rate_jacobian,
               "d(dtheta_B, dg_B) / d(dtheta_B, domega_B): (6, 6).");
   def_of_body(m, "inverse_body_rate_jacobian", inverse_body_rate_jacobian,
               "d(dtheta_B, domega_B) / d(dtheta_B, dg_B): (6, 6).");
-  def_of_states<RotorState>(m, "inertial_rate_jacobian", "RotorState", inertial_rate_jacobian,
+  def_of_states<RotorState>(m, "inertial_rate_jacobian", inertial_rate_jacobian,
                             "d(dtheta_B, dg_B) / d(dtheta_B, domega_I): (..., 6, 6). [SA (8)]");
-  def_of_states<RotorState>(m, "inverse_inertial_rate_jacobian", "RotorState",
-                            inverse_inertial_rate_jacobian,
+  def_of_states<RotorState>(m, "inverse_inertial_rate_jacobian", inverse_inertial_rate_jacobian,
                             "d(dtheta_B, domega_I) / d(dtheta_B, dg_B): (..., 6, 6).");
 }
 

@@ -135,16 +135,6 @@ std::string repr_of(const char* name, const StateMemory& states, std::span<const
   return one ? text + "(" + inside + ")" : "<" + text + ", first: " + inside + ">";
 }
 
-std::string init_signature(std::span<const Field> fields, std::size_t required) {
-  std::string text = "def __init__(self";
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const Field& f = fields[i];
-    text += std::string(", ") + f.name + ": numpy.typing.ArrayLike";
-    if (i >= required) text += " = " + std::to_string(f.standard);
-  }
-  return text + ") -> None";
-}
-
 std::string field_signature(const Field& field) {
   const std::string array = "numpy.typing.NDArray[";
   std::string type;

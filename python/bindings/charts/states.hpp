@@ -79,8 +79,6 @@ struct Items {
 };
 Items memory_of(nb::handle items, std::size_t item);
 std::string repr_of(const char* name, const StateMemory& states, std::span<const Field> fields);
-// "def __init__(self, l: ArrayLike, ...) -> None"
-std::string init_signature(std::span<const Field> fields, std::size_t required);
 std::string field_signature(const Field& field);
 Numbers numbers_for(const Field& field, nb::handle value);
 // A field of n states, `stride` bytes apart.
@@ -140,7 +138,7 @@ bool same_states(const Batch<S>& a, const Batch<S>& b) {
 namespace detail {
 
 template <std::size_t I>
-using Value = nb::handle;
+using Value = ArrayLike;
 
 template <class S, std::size_t N, std::size_t R, std::size_t... Required, std::size_t... Optional>
 void def_init(nb::class_<Batch<S>>& c, const Chart<S, N>& chart, std::index_sequence<Required...>,
@@ -151,7 +149,7 @@ void def_init(nb::class_<Batch<S>>& c, const Chart<S, N>& chart, std::index_sequ
         new (self)
             Batch<S>(states_from(*table, std::array<nb::handle, N>{required..., optional...}));
       },
-      nb::sig(init_signature(chart.fields, R).c_str()), nb::arg(chart.fields[Required].name)...,
+      nb::arg(chart.fields[Required].name)...,
       (nb::arg(chart.fields[R + Optional].name) = chart.fields[R + Optional].standard)...);
 }
 
@@ -175,8 +173,7 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
         nb::for_getter(nb::sig(field_signature(field).c_str())), field.text);
   }
   c.def_prop_ro(
-      "shape", [](const B& s) { return nb::tuple(nb::cast(s.shape())); },
-      nb::for_getter(nb::sig("def shape(self) -> tuple[int, ...]")),
+      "shape", [](const B& s) { return shape_tuple(s.shape()); },
       "Shape of the array of states; () for one.");
   c.def_prop_ro(
       "ndim", [](const B& s) { return s.shape().size(); }, "Number of its axes.");

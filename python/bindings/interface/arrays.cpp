@@ -60,6 +60,8 @@ bool is_size_of(const Shape& shape, std::size_t size) {
   return size == 1;
 }
 
+Typed<"tuple[int, ...]"> shape_tuple(const Shape& shape) { return nb::tuple(nb::cast(shape)); }
+
 std::string text_of(const Shape& shape) {
   std::string text = "(";
   for (std::size_t i = 0; i < shape.size(); ++i)
@@ -67,7 +69,7 @@ std::string text_of(const Shape& shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-nb::object real_array(nb::handle value, const char* name) {
+FloatArray real_array(nb::handle value, const char* name) {
   require_plain_within(value, name);
   nb::object array;
   try {
@@ -147,7 +149,7 @@ void Numbers::broadcast(const Shape& shape) {
   } else {
     Shape whole = shape, own = shape_;
     whole.insert(whole.end(), inner_.begin(), inner_.end());
-    const nb::object wide = numpy("broadcast_to")(array_, nb::tuple(nb::cast(whole)));
+    const nb::object wide = numpy("broadcast_to")(array_, shape_tuple(whole));
     shape_.clear();
     read(numpy("ascontiguousarray")(wide));
   }
@@ -231,16 +233,16 @@ Result::Result(Shape shape, std::initializer_list<std::size_t> inner)
   numbers_ = std::make_unique_for_overwrite<double[]>(product(shape_));
 }
 
-nb::object Result::take() {
+FloatArray Result::take() {
   if (shape_.empty()) return nb::float_(numbers_[0]);
   return array_that_owns(std::move(numbers_), shape_);
 }
 
-nb::object array_of(const Vec3& v) { return small_array(v, {3}); }
-nb::object array_of(const Quaternion& q) { return small_array(q, {4}); }
-nb::object array_of(const Mat3& m) { return small_array(m, {3, 3}); }
-nb::object array_of(const Matrix6& m) { return small_array(m, {6, 6}); }
-nb::object array_of(std::span<const double> row) {
+FloatArray array_of(const Vec3& v) { return small_array(v, {3}); }
+FloatArray array_of(const Quaternion& q) { return small_array(q, {4}); }
+FloatArray array_of(const Mat3& m) { return small_array(m, {3, 3}); }
+FloatArray array_of(const Matrix6& m) { return small_array(m, {6, 6}); }
+FloatArray array_of(std::span<const double> row) {
   Result result({row.size()});
   for (std::size_t k = 0; k < row.size(); ++k) *result.at(k) = row[k];
   return result.take();

@@ -14,6 +14,7 @@
 
 #include "bindings.hpp"
 #include "interface/gil.hpp"
+#include "interface/typed.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
@@ -25,11 +26,13 @@ using Shape = std::vector<std::size_t>;
 std::size_t size_of(const Shape& shape);
 // Whether it is `size`, of a shape from anywhere: the product may be beyond all numbers.
 bool is_size_of(const Shape& shape, std::size_t size);
+// As Python writes a tuple.
+Typed<"tuple[int, ...]"> shape_tuple(const Shape& shape);
 // "(3, 4)", as Python writes a tuple.
 std::string text_of(const Shape& shape);
 
 // An ndarray of doubles in C order. TypeError for what is not real (plain_number.hpp).
-nb::object real_array(nb::handle value, const char* name);
+FloatArray real_array(nb::handle value, const char* name);
 
 // Real numbers given as a Python number, a sequence or an array: leading shape x inner shape. An
 // array of doubles in C order is read where it lies; everything else is converted once.
@@ -86,7 +89,7 @@ class Result {
  public:
   Result(Shape shape, std::initializer_list<std::size_t> inner = {});
   double* at(std::size_t k) { return numbers_.get() + k * step_; }
-  nb::object take();
+  FloatArray take();
 
  private:
   Shape shape_;
@@ -94,11 +97,11 @@ class Result {
   std::unique_ptr<double[]> numbers_;
 };
 
-nb::object array_of(const Vec3& v);
-nb::object array_of(const Quaternion& q);
-nb::object array_of(const Mat3& m);
-nb::object array_of(const Matrix6& m);
-nb::object array_of(std::span<const double> row);
+FloatArray array_of(const Vec3& v);
+FloatArray array_of(const Quaternion& q);
+FloatArray array_of(const Mat3& m);
+FloatArray array_of(const Matrix6& m);
+FloatArray array_of(std::span<const double> row);
 
 inline void put(double* out, const Vec3& v) {
   out[0] = v.x;

@@ -67,7 +67,7 @@ auto mapped(const Batch<S>& states, F f) {
 
 // f of every state: an array of the same shape with an inner shape; a float for one number.
 template <class S, class F>
-nb::object mapped_numbers(const Batch<S>& states, std::initializer_list<std::size_t> inner, F f) {
+FloatArray mapped_numbers(const Batch<S>& states, std::initializer_list<std::size_t> inner, F f) {
   Result result(states.shape(), inner);
   for_each(states.size(), [&](std::size_t k) { put(result.at(k), f(states[k])); });
   return result.take();
@@ -111,7 +111,7 @@ auto mapped(const Batch<S>& states, Numbers& t, F f) {
 }
 
 template <class S, class F>
-nb::object mapped_numbers(const Batch<S>& states, Numbers& t,
+FloatArray mapped_numbers(const Batch<S>& states, Numbers& t,
                           std::initializer_list<std::size_t> inner, F f) {
   const Shape shape = broadcast(states.shape(), t.shape(), "states", t.name());
   t.broadcast(shape);
@@ -131,7 +131,7 @@ auto mapped(const Numbers& t, F f) {
 }
 
 template <class F>
-nb::object mapped_numbers(const Numbers& t, std::initializer_list<std::size_t> inner, F f) {
+FloatArray mapped_numbers(const Numbers& t, std::initializer_list<std::size_t> inner, F f) {
   Result result(t.shape(), inner);
   for_each(size_of(t.shape()), [&](std::size_t k) { put(result.at(k), f(t[k])); });
   return result.take();

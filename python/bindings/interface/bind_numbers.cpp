@@ -10,13 +10,9 @@ void bind_numbers(nb::module_& m) {
   is_plain_array(nb::none());
   is_refused(nb::none());
   m.def("_numbers", &real_array, nb::arg("value"), nb::arg("name"),
-        nb::sig("def _numbers(value: numpy.typing.ArrayLike, name: str) -> "
-                "numpy.typing.NDArray[numpy.float64]"),
         "An array of real numbers; `name` stands for it in messages. TypeError for quantities.");
-  m.def("_number", &number, nb::arg("value"), nb::arg("name"),
-        nb::sig("def _number(value: float, name: str) -> float"), "One real number.");
+  m.def("_number", &number, nb::arg("value"), nb::arg("name"), "One real number.");
   m.def("_require_plain", &require_plain, nb::arg("value"), nb::arg("name"),
-        nb::sig("def _require_plain(value: object, name: str) -> None"),
         "TypeError for what would lose its unit, its mask, ... as a number.");
 }
 

@@ -3,12 +3,12 @@
 
 namespace polhode::python {
 
-nb::object Recipe::argument(std::size_t i) const {
+Any Recipe::argument(std::size_t i) const {
   return is_known() ? nb::object(arguments[i]) : nb::none();
 }
 
-nb::dict Recipe::by_name() const {
-  nb::dict all;
+Typed<"dict[str, typing.Any]"> Recipe::by_name() const {
+  Typed<"dict[str, typing.Any]"> all{nb::dict()};
   for (std::size_t i = 0; i < names.size(); ++i) all[names[i]] = argument(i);
   return all;
 }

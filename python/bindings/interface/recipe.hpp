@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interface/python_function.hpp"
+#include "interface/typed.hpp"
 
 namespace polhode::python {
 
@@ -20,8 +21,8 @@ struct Recipe {
 
   bool is_known() const { return arguments.is_valid(); }
   // None where nothing is known.
-  nb::object argument(std::size_t i) const;
-  nb::dict by_name() const;
+  Any argument(std::size_t i) const;
+  Typed<"dict[str, typing.Any]"> by_name() const;
 
   int traverse(visitproc visit, void* arg) const;
   void clear();

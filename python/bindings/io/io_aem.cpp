@@ -13,7 +13,7 @@ using SegmentSelf = nb::handle_t<AemSegment>;
 
 // A view onto the vectors of a segment; (0, ...) for none.
 template <class Item>
-nb::object rows_of(SegmentSelf self, const std::vector<Item>& rows,
+FloatArray rows_of(SegmentSelf self, const std::vector<Item>& rows,
                    std::initializer_list<std::size_t> inner) {
   return view_of(reinterpret_cast<const double*>(rows.data()), rows.size(), sizeof(Item), inner,
                  self);
@@ -39,23 +39,19 @@ omega is the angular velocity of frame_b relative to frame_a along the axes of f
       .def_prop_ro(
           "t",
           [](SegmentSelf self) { return rows_of(self, nb::cast<const AemSegment&>(self).t, {}); },
-          nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N,): seconds from the first row of the file.")
       .def_prop_ro(
           "q",
           [](SegmentSelf self) {
             return rows_of(self, nb::cast<const AemSegment&>(self).q_AB, {4});
           },
-          nb::for_getter(nb::sig("def q(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 4): frame_b to frame_a, scalar first.")
       .def_prop_ro(
-          "omega",
-          [](SegmentSelf self) -> nb::object {
+          "omega", [](SegmentSelf self) -> Typed<"numpy.typing.NDArray[numpy.float64] | None"> {
             const AemSegment& segment = nb::cast<const AemSegment&>(self);
             if (segment.w_AB_B.empty()) return nb::none();
             return rows_of(self, segment.w_AB_B, {3});
           },
-          nb::for_getter(nb::sig("def omega(self) -> numpy.typing.NDArray[numpy.float64] | None")),
           "(N, 3): rad/s along frame_b; None where the file has none.")
       .def("__len__", [](const AemSegment& s) { return s.t.size(); })
       .def("__repr__", [](const AemSegment& s) {
@@ -81,12 +77,12 @@ void bind_aem(nb::module_& m) {
       });
   m.def(
       "read_aem",
-      [](nb::handle path) {
+      [](Typed<"str | os.PathLike[str]"> path) {
         const nb::module_ os = nb::module_::import_("os");
         const nb::bytes name = nb::bytes(nb::object(os.attr("fsencode")(path)));
         return read_aem({name.c_str(), name.size()});
       },
-      nb::arg("path"), nb::sig("def read_aem(path: str | os.PathLike[str]) -> AttitudeEphemeris"),
+      nb::arg("path"),
       R"(The attitudes of a CCSDS Attitude Ephemeris Message (KVN text, version 1.0 or 2.0).
 
 ValueError "FILE:LINE: ..." for the first thing wrong. The parser knows quaternions, alone, with

@@ -12,7 +12,7 @@ using CaseSelf = nb::handle_t<GoldenCase>;
 
 // A view onto one member of every sample.
 template <class Member>
-nb::object samples_of(CaseSelf self, Member member, std::initializer_list<std::size_t> inner) {
+FloatArray samples_of(CaseSelf self, Member member, std::initializer_list<std::size_t> inner) {
   const std::vector<GoldenSample>& samples = nb::cast<const GoldenCase&>(self).samples;
   const auto* first = reinterpret_cast<const double*>(&(samples.front().*member));
   return view_of(first, samples.size(), sizeof(GoldenSample), inner, self);
@@ -29,28 +29,21 @@ omega, each to `bound`: |q - exact| for one of the two signs, and |omega - exact
       .def_ro("regime", &GoldenCase::regime, "Of its motion, a Regime.")
       .def_prop_ro(
           "moments", [](const GoldenCase& c) { return array_of(c.moments); },
-          nb::for_getter(nb::sig("def moments(self) -> numpy.typing.NDArray[numpy.float64]")),
           "About the body axes, in any order.")
       .def_prop_ro(
           "q0", [](const GoldenCase& c) { return array_of(c.q0); },
-          nb::for_getter(nb::sig("def q0(self) -> numpy.typing.NDArray[numpy.float64]")),
           "Attitude at t = 0, as it is to be given: few digits, not of length 1.")
       .def_prop_ro(
           "omega0", [](const GoldenCase& c) { return array_of(c.omega0); },
-          nb::for_getter(nb::sig("def omega0(self) -> numpy.typing.NDArray[numpy.float64]")),
           "Angular velocity at t = 0, body axes.")
       .def_ro("bound", &GoldenCase::bound, "No sample is farther from the exact one.")
       .def_prop_ro(
-          "t", [](CaseSelf self) { return samples_of(self, &GoldenSample::t, {}); },
-          nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(N,): times.")
+          "t", [](CaseSelf self) { return samples_of(self, &GoldenSample::t, {}); }, "(N,): times.")
       .def_prop_ro(
           "q", [](CaseSelf self) { return samples_of(self, &GoldenSample::q, {4}); },
-          nb::for_getter(nb::sig("def q(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 4): attitudes, w >= 0.")
       .def_prop_ro(
           "omega", [](CaseSelf self) { return samples_of(self, &GoldenSample::omega, {3}); },
-          nb::for_getter(nb::sig("def omega(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 3): angular velocities, body axes.")
       .def("__len__", [](const GoldenCase& c) { return c.samples.size(); })
       .def("__repr__", [](const GoldenCase& c) {
@@ -66,12 +59,12 @@ void bind_golden(nb::module_& m) {
         "Exact torque-free rotations over every regime, for the tests of other engines.");
   m.def(
       "write_golden",
-      [](nb::handle folder) {
+      [](Typed<"str | os.PathLike[str]"> folder) {
         const nb::module_ os = nb::module_::import_("os");
         const nb::bytes path = nb::bytes(nb::object(os.attr("fsencode")(folder)));
         write_golden({path.c_str(), path.size()}, golden_cases());
       },
-      nb::arg("folder"), nb::sig("def write_golden(folder: str | os.PathLike[str]) -> None"),
+      nb::arg("folder"),
       "Writes golden.json and golden.csv into a folder, which is made if it is not there.");
   m.def("regime_name", &regime_name, nb::arg("regime"), "\"short_axis\", as files call it.");
 }

@@ -13,7 +13,7 @@ using SegmentSelf = nb::handle_t<OemSegment>;
 
 // A view onto the vectors of a segment.
 template <class Item>
-nb::object rows_of(SegmentSelf self, const std::vector<Item>& rows,
+FloatArray rows_of(SegmentSelf self, const std::vector<Item>& rows,
                    std::initializer_list<std::size_t> inner) {
   return view_of(reinterpret_cast<const double*>(rows.data()), rows.size(), sizeof(Item), inner,
                  self);
@@ -35,21 +35,18 @@ void bind_oem(nb::module_& m) {
       .def_prop_ro(
           "t",
           [](SegmentSelf self) { return rows_of(self, nb::cast<const OemSegment&>(self).t, {}); },
-          nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N,): seconds from the first row of the file.")
       .def_prop_ro(
           "position",
           [](SegmentSelf self) {
             return rows_of(self, nb::cast<const OemSegment&>(self).position, {3});
           },
-          nb::for_getter(nb::sig("def position(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 3): km, from the centre to the object.")
       .def_prop_ro(
           "velocity",
           [](SegmentSelf self) {
             return rows_of(self, nb::cast<const OemSegment&>(self).velocity, {3});
           },
-          nb::for_getter(nb::sig("def velocity(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 3): km/s.")
       .def("__len__", [](const OemSegment& s) { return s.t.size(); })
       .def("__repr__", [](const OemSegment& s) {
@@ -67,12 +64,12 @@ void bind_oem(nb::module_& m) {
       });
   m.def(
       "read_oem",
-      [](nb::handle path) {
+      [](Typed<"str | os.PathLike[str]"> path) {
         const nb::module_ os = nb::module_::import_("os");
         const nb::bytes name = nb::bytes(nb::object(os.attr("fsencode")(path)));
         return read_oem({name.c_str(), name.size()});
       },
-      nb::arg("path"), nb::sig("def read_oem(path: str | os.PathLike[str]) -> OrbitEphemeris"),
+      nb::arg("path"),
       R"(Positions and velocities of a CCSDS Orbit Ephemeris Message (KVN text).
 
 ValueError "FILE:LINE: ..." for the first thing wrong. Accelerations and covariances are

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t most_text = 200;
 
 // Numbers of any shape, or a text such as "27.38 h".
-nb::object in_core(const Units& units, nb::handle value, nb::handle dimension,
-                   const std::optional<std::string>& unit) {
+Floats in_core(const Units& units, Typed<"numpy.typing.ArrayLike | str"> value,
+               OneOf<Dimension> dimension, const std::optional<std::string>& unit) {
   const Dimension d = choice<Dimension>(dimension, "dimension");
   if (nb::isinstance<nb::str>(value)) {
     if (unit)
@@ -35,7 +35,7 @@ nb::object in_core(const Units& units, nb::handle value, nb::handle dimension,
   return result.take();
 }
 
-nb::object from_core(const Units& units, nb::handle value, nb::handle dimension) {
+Floats from_core(const Units& units, ArrayLike value, OneOf<Dimension> dimension) {
   const Dimension d = choice<Dimension>(dimension, "dimension");
   const Numbers numbers(value, "value");
   Result result(numbers.shape());
@@ -76,21 +76,17 @@ nb::tuple names_of_units(const Units& u) {
 
 void def_conversions(nb::class_<Units>& c) {
   c.def("to_core", in_core, nb::arg("value"), nb::arg("dimension"), nb::arg("unit") = nb::none(),
-        nb::sig("def to_core(self, value: numpy.typing.ArrayLike | str, dimension: Dimension | "
-                "str, unit: str | None = None) -> float | numpy.typing.NDArray[numpy.float64]"),
         R"(Numbers in these units, in `unit`, or a text such as "27.38 h", as core numbers.
 
 ValueError for an unknown unit, and for one of another dimension.)")
       .def("from_core", from_core, nb::arg("value"), nb::arg("dimension"),
-           nb::sig("def from_core(self, value: numpy.typing.ArrayLike, dimension: Dimension | "
-                   "str) -> float | numpy.typing.NDArray[numpy.float64]"),
            "Core numbers in these units: what outputs carry.")
       .def(
           "label",
-          [](const Units& u, nb::handle dimension) {
+          [](const Units& u, OneOf<Dimension> dimension) {
             return u.label(choice<Dimension>(dimension, "dimension"));
           },
-          nb::arg("dimension"), nb::sig("def label(self, dimension: Dimension | str) -> str"),
+          nb::arg("dimension"),
           "How outputs name the unit of a dimension: \"deg/h\"; \"1\" for pure numbers.");
 }
 
@@ -125,13 +121,12 @@ moment and length that the caller means. known_units() lists the units.)");
   m.def(
       "known_units",
       [] {
-        nb::dict units;
+        Typed<"dict[str, str]"> units{nb::dict()};
         for (const KnownUnit& unit : known_units())
           units[nb::str(unit.symbol.data(), unit.symbol.size())] =
               nb::str(unit.name.data(), unit.name.size());
         return units;
       },
-      nb::sig("def known_units() -> dict[str, str]"),
       "The units that a scenario may use, with their names; products and powers of them too.");
 }
 

@@ -53,7 +53,7 @@ class PythonVariables {
 
 // out = of(t, z) at every position of times and variables that broadcast.
 template <class Of>
-nb::object at_all(nb::handle z, nb::handle t, std::initializer_list<std::size_t> inner, Of of) {
+FloatArray at_all(nb::handle z, nb::handle t, std::initializer_list<std::size_t> inner, Of of) {
   std::vector<Numbers> both;
   both.emplace_back(z, "z", std::initializer_list<std::size_t>{6});
   both.emplace_back(t, "t");
@@ -68,12 +68,7 @@ nb::object at_all(nb::handle z, nb::handle t, std::initializer_list<std::size_t>
   return out.take();
 }
 
-constexpr const char* function_type = "f: typing.Callable[..., tuple[typing.Any, typing.Any]], ";
-constexpr const char* array_type = "numpy.typing.NDArray[numpy.float64]";
-
-std::string signature(const char* name, const std::string& arguments, const std::string& returns) {
-  return std::string("def ") + name + "(" + function_type + arguments + ") -> " + returns;
-}
+using VariablesFunction = Typed<"typing.Callable[..., tuple[typing.Any, typing.Any]]">;
 
 }  // namespace
 
@@ -81,14 +76,13 @@ void bind_andoyer_method(nb::module_& m) {
   const std::string point = "z: numpy.typing.ArrayLike, t: numpy.typing.ArrayLike = 0.0";
   m.def(
       "lagrange_brackets",
-      [](nb::handle f, nb::handle z, nb::handle t) {
+      [](VariablesFunction f, ArrayLike z, ArrayLike t) {
         const PythonVariables of(f, "lagrange_brackets");
         return at_all(z, t, {6, 6}, [&](double at, const Variables<double>& x, double* out) {
           put(out, lagrange_brackets(of, x, at));
         });
       },
       nb::arg("f"), nb::arg("z"), nb::arg("t") = 0.0,
-      nb::sig(signature("lagrange_brackets", point, array_type).c_str()),
       R"(Lagrange brackets [z_k, z_l] of any six variables: (..., 6, 6). [SA "linear"]
 
 f : f(z) -> (q, g), or f(z, t): the hub state of six variables, (6,) of Dual, written with NumPy's
@@ -96,30 +90,25 @@ f : f(z) -> (q, g), or f(z, t): the hub state of six variables, (6,) of Dual, wr
 z : (..., 6), where.)");
   m.def(
       "canonical_defect",
-      [](nb::handle f, nb::handle z, nb::handle t) {
+      [](VariablesFunction f, ArrayLike z, ArrayLike t) -> Floats {
         const PythonVariables of(f, "canonical_defect");
         return at_all(z, t, {}, [&](double at, const Variables<double>& x, double* out) {
           *out = canonical_defect(of, x, at);
         });
       },
       nb::arg("f"), nb::arg("z"), nb::arg("t") = 0.0,
-      nb::sig(signature("canonical_defect", point, std::string("float | ") + array_type).c_str()),
       "How far six variables are from canonical at z (..., 6), three coordinates, then their "
       "momenta: a few roundings for a canonical set, of order one for another. f as in "
       "lagrange_brackets.");
   m.def(
       "equations_of_motion",
-      [](nb::handle f, const PythonSystem& system, nb::handle t, nb::handle z) {
+      [](VariablesFunction f, const PythonSystem& system, ArrayLike t, ArrayLike z) {
         const PythonVariables of(f, "equations_of_motion");
         return at_all(z, t, {6}, [&](double at, const Variables<double>& x, double* out) {
           for (const double rate : equations_of_motion(of, system, at, x)) *out++ = rate;
         });
       },
       nb::arg("f"), nb::arg("system"), nb::arg("t"), nb::arg("z"),
-      nb::sig(signature("equations_of_motion",
-                        "system: System, t: numpy.typing.ArrayLike, z: numpy.typing.ArrayLike",
-                        array_type)
-                  .c_str()),
       "dz/dt (..., 6) of any six variables, canonical or not, under a system: Andoyer's general "
       "method. f as in lagrange_brackets; NaN where it is singular. [SA \"linear\"]");
 }

@@ -16,7 +16,7 @@ using Self = nb::handle_t<ChaosIndicator>;
 const ChaosIndicator& of(Self self) { return nb::cast<const ChaosIndicator&>(self); }
 
 template <double ChaosSample::*field>
-nb::object column(Self self) {
+FloatArray column(Self self) {
   const std::vector<ChaosSample>& rows = of(self).samples;
   const double* first = rows.empty() ? nullptr : &(rows.front().*field);
   return view_of(first, rows.size(), sizeof(ChaosSample), {}, self);
@@ -29,9 +29,9 @@ Deviation deviation_of(nb::handle value) {
   return {{d[0], d[1], d[2]}, {d[3], d[4], d[5]}};
 }
 
-ChaosIndicator indicator(const PythonProblem& python_problem, nb::handle samples,
-                         nb::handle deviation, double momentum_scale, double distance,
-                         bool neighbour) {
+ChaosIndicator indicator(const PythonProblem& python_problem,
+                         Typed<"SaveAt | numpy.typing.ArrayLike"> samples, ArrayLike deviation,
+                         double momentum_scale, double distance, bool neighbour) {
   const Problem problem = rotor_problem_of(python_problem, "chaos_indicator");
   const SaveAt times =
       samples.is_none() ? SaveAt::times({problem.stop}) : save_at_of(samples, "samples");
@@ -75,10 +75,8 @@ void bind_indicator_class(nb::module_& m) {
 growth is ln(|d| / |d(0)|), lyapunov = growth / t its Lyapunov indicator (1/time), megno and
 mean_megno those of Cincotta and Simo (2000): the mean tends to 2 for a regular motion, to half
 the Lyapunov exponent times t for a chaotic one. Time counts from the start of the run.)");
-  const char* const type = "numpy.typing.NDArray[numpy.float64]";
-  const auto def = [&](const char* name, nb::object (*view)(Self), const char* doc) {
-    const std::string signature = std::string("def ") + name + "(self) -> " + type;
-    c.def_prop_ro(name, view, nb::for_getter(nb::sig(signature.c_str())), doc);
+  const auto def = [&](const char* name, FloatArray (*view)(Self), const char* doc) {
+    c.def_prop_ro(name, view, doc);
   };
   def("t", column<&ChaosSample::t>, "(N,): the times.");
   def("growth", column<&ChaosSample::growth>, "(N,): ln of the length over that at the start.");
@@ -114,9 +112,6 @@ void bind_analysis(nb::module_& m) {
   m.def("chaos_indicator", indicator, nb::arg("problem"), nb::arg("samples") = nb::none(),
         nb::arg("deviation") = nb::none(), nb::arg("momentum_scale") = 0.0,
         nb::arg("distance") = 1e-8, nb::arg("neighbour") = false,
-        nb::sig("def chaos_indicator(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike | "
-                "None = None, deviation: numpy.typing.ArrayLike | None = None, momentum_scale: "
-                "float = 0.0, distance: float = 1e-8, neighbour: bool = False) -> ChaosIndicator"),
         R"(Lyapunov indicator and MEGNO along a run.
 
 Parameters

@@ -19,42 +19,37 @@ Vec3 vector_at(const Numbers& numbers, std::size_t k) {
 
 // f(vectors ...) of arrays (..., 3) that broadcast.
 template <std::size_t N, class F>
-nb::object of_vectors(Numbers (&in)[N], bool vector, F f) {
+FloatArray of_vectors(Numbers (&in)[N], bool vector, F f) {
   const Shape shape = broadcast(in);
   Result out = vector ? Result(shape, {3}) : Result(shape);
   for_each(size_of(shape), [&](std::size_t k) { f(k, out.at(k)); });
   return out.take();
 }
 
-const std::string array = "numpy.typing.NDArray[numpy.float64]";
-const std::string given = ": numpy.typing.ArrayLike";
-
 void def_functions(nb::class_<K>& c) {
   c.def(
        "rate_of_body",
-       [](const K& damper, const Body& body, nb::handle rate) {
+       [](const K& damper, const Body& body, ArrayLike rate) {
          Numbers in[] = {Numbers(rate, "rate", {3})};
          return of_vectors(in, true, [&](std::size_t k, double* out) {
            put(out, damper.rate_of_body(body, vector_at(in[0], k)));
          });
        },
        nb::arg("body"), nb::arg("rate"),
-       nb::sig(("def rate_of_body(self, body: Body, rate" + given + ") -> " + array).c_str()),
        "(..., 3): what body and sphere turn with in addition to I^-1 g, v = -J I^-1 rate.")
       .def(
           "energy",
-          [](const K& damper, const Body& body, nb::handle rate) {
+          [](const K& damper, const Body& body, ArrayLike rate) -> Floats {
             Numbers in[] = {Numbers(rate, "rate", {3})};
             return of_vectors(in, false, [&](std::size_t k, double* out) {
               put(out, damper.energy(body, vector_at(in[0], k)));
             });
           },
           nb::arg("body"), nb::arg("rate"),
-          nb::sig(("def energy(self, body: Body, rate" + given + ") -> float | " + array).c_str()),
           "The kinetic energy in addition to (1/2) g . I^-1 g: (1/2) J rate . (1 - J/I) rate.")
       .def(
           "acceleration",
-          [](const K& damper, const Body& body, nb::handle g, nb::handle dg, nb::handle rate) {
+          [](const K& damper, const Body& body, ArrayLike g, ArrayLike dg, ArrayLike rate) {
             Numbers in[] = {Numbers(g, "g", {3}), Numbers(dg, "dg", {3}),
                             Numbers(rate, "rate", {3})};
             return of_vectors(in, true, [&](std::size_t k, double* out) {
@@ -63,34 +58,26 @@ void def_functions(nb::class_<K>& c) {
             });
           },
           nb::arg("body"), nb::arg("g"), nb::arg("dg"), nb::arg("rate"),
-          nb::sig(("def acceleration(self, body: Body, g" + given + ", dg" + given + ", rate" +
-                   given + ") -> " + array)
-                      .c_str()),
           "(..., 3): the change of `rate` in time at the momentum g, which changes by dg.")
       .def(
           "momentum",
-          [](const K& damper, const Body& body, nb::handle g, nb::handle rate) {
+          [](const K& damper, const Body& body, ArrayLike g, ArrayLike rate) {
             Numbers in[] = {Numbers(g, "g", {3}), Numbers(rate, "rate", {3})};
             return of_vectors(in, true, [&](std::size_t k, double* out) {
               put(out, damper.momentum(body, vector_at(in[0], k), vector_at(in[1], k)));
             });
           },
           nb::arg("body"), nb::arg("g"), nb::arg("rate"),
-          nb::sig(("def momentum(self, body: Body, g" + given + ", rate" + given + ") -> " + array)
-                      .c_str()),
           "(..., 3): angular momentum of the sphere about its centre, of the g of both.")
       .def(
           "relative_rate",
-          [](const K& damper, const Body& body, nb::handle g, nb::handle momentum) {
+          [](const K& damper, const Body& body, ArrayLike g, ArrayLike momentum) {
             Numbers in[] = {Numbers(g, "g", {3}), Numbers(momentum, "momentum", {3})};
             return of_vectors(in, true, [&](std::size_t k, double* out) {
               put(out, damper.relative_rate(body, vector_at(in[0], k), vector_at(in[1], k)));
             });
           },
           nb::arg("body"), nb::arg("g"), nb::arg("momentum"),
-          nb::sig(("def relative_rate(self, body: Body, g" + given + ", momentum" + given +
-                   ") -> " + array)
-                      .c_str()),
           "(..., 3): the rate at which the sphere has this momentum.");
 }
 
@@ -127,11 +114,10 @@ moment that leaves no body next to it.)");
   def_value(c, [](const K& damper) { return nb::make_tuple(damper.moment(), damper.friction()); });
   m.def(
       "at_damper_rate",
-      [](const PythonSystem& system, nb::handle rate) {
+      [](const PythonSystem& system, ArrayLike rate) {
         return PythonSystem(at_damper_rate(system, vec3(rate, "rate")), system);
       },
       nb::arg("system"), nb::arg("rate"),
-      nb::sig("def at_damper_rate(system: System, rate: numpy.typing.ArrayLike) -> System"),
       R"(The system at one rate (3,) of its damper, for functions of a state.
 
 It has no damper of its own; a term has the v and the energy that the damper has at that rate.

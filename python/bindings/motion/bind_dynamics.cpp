@@ -172,7 +172,8 @@ PythonTrajectory streamed(const PythonProblem& python_problem, const StreamArgum
   return PythonTrajectory(std::move(trajectory));
 }
 
-PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samples, bool dense,
+PythonTrajectory integrated(const PythonProblem& python_problem,
+                            Typed<"SaveAt | numpy.typing.ArrayLike"> samples, bool dense,
                             nb::handle progress, nb::handle sink, nb::handle events,
                             nb::handle checkpoint, double checkpoint_seconds) {
   if (!sink.is_none())
@@ -189,18 +190,21 @@ PythonTrajectory integrated(const PythonProblem& python_problem, nb::handle samp
     return integrate(problem, keep, look);
   }();
   warn_of(trajectory.outcome(), "integrate");
-  return PythonTrajectory(std::move(trajectory), dense ? python_problem.system : nb::object());
+  return PythonTrajectory(std::move(trajectory),
+                          dense ? nb::object(python_problem.system) : nb::object());
 }
 
-PythonTrajectory resumed(const PythonProblem& python_problem, nb::handle samples,
-                         const Checkpoint& from, nb::handle sink, nb::handle progress,
-                         nb::handle events, nb::handle checkpoint, double checkpoint_seconds) {
+PythonTrajectory resumed(const PythonProblem& python_problem,
+                         Typed<"SaveAt | numpy.typing.ArrayLike"> samples, const Checkpoint& from,
+                         nb::handle sink, nb::handle progress, nb::handle events,
+                         nb::handle checkpoint, double checkpoint_seconds) {
   return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds}, progress,
                   &from);
 }
 
-std::vector<DampedEventRecord> free_events_of(const FreeRotation& motion, nb::handle events,
-                                              double start, double stop, nb::handle frame,
+std::vector<DampedEventRecord> free_events_of(const FreeRotation& motion,
+                                              Typed<"collections.abc.Iterable[Event]"> events,
+                                              double start, double stop, Typed<"Frame"> frame,
                                               nb::handle progress) {
   const nb::tuple all = events_of(events, "free_events");
   std::vector<Event> wanted;
@@ -226,9 +230,6 @@ void bind_free_events(nb::module_& m) {
   m.def("free_events", free_events_of, nb::arg("motion"), nb::arg("events"), nb::arg("start"),
         nb::arg("stop"), nb::arg("frame") = nb::none(), nb::kw_only(),
         nb::arg("progress") = nb::none(),
-        nb::sig("def free_events(motion: FreeRotation, events: collections.abc.Iterable[Event], "
-                "start: float, stop: float, frame: Frame | None = None, *, progress: object = "
-                "None) -> list[EventRecord]"),
         R"(The events of a free rotation, found on its closed form: nothing is integrated.
 
 Parameters
@@ -274,10 +275,6 @@ ValueError for other bytes.)")
         nb::arg("sink"), nb::kw_only(), nb::arg("progress") = nb::none(),
         nb::arg("events") = nb::none(), nb::arg("keep_checkpoint") = nb::none(),
         nb::arg("checkpoint_seconds") = 60.0,
-        nb::sig("def resume(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike, "
-                "checkpoint: Checkpoint, sink: object, *, progress: object = None, "
-                "events: object = None, keep_checkpoint: object = None, "
-                "checkpoint_seconds: float = 60.0) -> Trajectory"),
         R"(The rest of a run of `integrate` with a sink, from a checkpoint of it.
 
 Parameters
@@ -305,7 +302,7 @@ using RowsSelf = nb::handle_t<TransitionRows>;
 const std::vector<TransitionSample>& rows_of(RowsSelf self) {
   return nb::cast<const TransitionRows&>(self).rows;
 }
-nb::object times_of(RowsSelf self) {
+FloatArray times_of(RowsSelf self) {
   const auto& rows = rows_of(self);
   const double* first = rows.empty() ? nullptr : &rows.front().t;
   return view_of(first, rows.size(), sizeof(TransitionSample), {}, self);
@@ -316,13 +313,14 @@ Rotors states_of(RowsSelf self) {
   return Rotors({rows.size()}, kept_alive(nb::borrow(self)), &rows.front().s,
                 sizeof(TransitionSample));
 }
-nb::object transitions_of(RowsSelf self) {
+FloatArray transitions_of(RowsSelf self) {
   const auto& rows = rows_of(self);
   const double* first = rows.empty() ? nullptr : &rows.front().transition.a[0][0];
   return view_of(first, rows.size(), sizeof(TransitionSample), {6, 6}, self);
 }
 
-TransitionRows transition_rows(const PythonProblem& python_problem, nb::handle samples) {
+TransitionRows transition_rows(const PythonProblem& python_problem,
+                               Typed<"SaveAt | numpy.typing.ArrayLike"> samples) {
   const Problem problem = rotor_problem_of(python_problem, "state_transitions");
   const SaveAt times = save_at_of(samples, "samples");
   const Progress look = signal_check();
@@ -350,15 +348,9 @@ void bind_transitions(nb::module_& m) {
 .t (N,), .states (RotorState, shape (N,)), .transition (N, 6, 6): read-only views without a copy.
 Rows and columns of a matrix are (dtheta_B, dg_B): a small rotation of the body about its axes
 (rad), and the change of the momentum along them.)")
-      .def_prop_ro("t", times_of,
-                   nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
-                   "(N,): the times.")
-      .def_prop_ro("states", states_of, nb::for_getter(nb::sig("def states(self) -> RotorState")),
-                   "The states, of shape (N,).")
-      .def_prop_ro(
-          "transition", transitions_of,
-          nb::for_getter(nb::sig("def transition(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(N, 6, 6): the state transition matrices.")
+      .def_prop_ro("t", times_of, "(N,): the times.")
+      .def_prop_ro("states", states_of, "The states, of shape (N,).")
+      .def_prop_ro("transition", transitions_of, "(N, 6, 6): the state transition matrices.")
       .def("__len__", [](const TransitionRows& r) { return r.rows.size(); })
       .def("__repr__",
            [](const TransitionRows& r) {
@@ -374,8 +366,6 @@ Rows and columns of a matrix are (dtheta_B, dg_B): a small rotation of the body 
            })
       .def("__setstate__", restore);
   m.def("state_transitions", transition_rows, nb::arg("problem"), nb::arg("samples"),
-        nb::sig("def state_transitions(problem: Problem, samples: SaveAt | "
-                "numpy.typing.ArrayLike) -> TransitionSamples"),
         R"(The state transition matrix along a run.
 
 Parameters
@@ -396,10 +386,6 @@ void bind_dynamics(nb::module_& m) {
         nb::arg("dense") = true, nb::kw_only(), nb::arg("progress") = nb::none(),
         nb::arg("sink") = nb::none(), nb::arg("events") = nb::none(),
         nb::arg("keep_checkpoint") = nb::none(), nb::arg("checkpoint_seconds") = 60.0,
-        nb::sig("def integrate(problem: Problem, samples: SaveAt | numpy.typing.ArrayLike | None "
-                "= None, dense: bool = True, *, progress: object = None, sink: object = None, "
-                "events: object = None, keep_checkpoint: object = None, "
-                "checkpoint_seconds: float = 60.0) -> Trajectory"),
         R"(Integrates the equations of motion of a problem, by its method.
 
 Parameters

@@ -80,19 +80,21 @@ inertial axes, in components of S (rad per time).)",
        offsetof(FrameMotion, mu_S), Kind::vector}}},
     checked};
 
-PythonFrame precessing(nb::handle axis, double rate, double epoch) {
+PythonFrame precessing(ArrayLike axis, double rate, double epoch) {
   const Vec3 a = vec3(axis, "axis");
   return PythonFrame(Frame::precessing(a, rate, epoch),
                      recipe_of("precessing", {"axis", "rate", "epoch"},
                                nb::make_tuple(nb::make_tuple(a.x, a.y, a.z), rate, epoch)));
 }
 
+using AngleOfTime = Typed<"typing.Callable[[Dual], Dual | float] | float">;
+
 // As it was given; a number of any kind as a float.
 nb::object kept(nb::handle value) {
   return is_real_scalar(value) ? nb::object(nb::float_(real_scalar(value))) : nb::borrow(value);
 }
 
-PythonFrame orbit_plane(nb::handle Omega, nb::handle i) {
+PythonFrame orbit_plane(AngleOfTime Omega, AngleOfTime i) {
   std::vector<SharedFunction> functions;
   const FunctionOfTime node(Omega, "Frame.orbit_plane: Omega", functions);
   const FunctionOfTime inclination(i, "Frame.orbit_plane: i", functions);
@@ -101,7 +103,7 @@ PythonFrame orbit_plane(nb::handle Omega, nb::handle i) {
                                std::move(functions)));
 }
 
-PythonFrame orbit_plane_pq(nb::handle p, nb::handle q) {
+PythonFrame orbit_plane_pq(AngleOfTime p, AngleOfTime q) {
   std::vector<SharedFunction> functions;
   const FunctionOfTime first(p, "Frame.orbit_plane_pq: p", functions);
   const FunctionOfTime second(q, "Frame.orbit_plane_pq: q", functions);
@@ -110,7 +112,8 @@ PythonFrame orbit_plane_pq(nb::handle p, nb::handle q) {
                                std::move(functions)));
 }
 
-PythonFrame from_attitude(nb::handle q_IS) {
+PythonFrame from_attitude(
+    Typed<"typing.Callable[[Dual], collections.abc.Sequence[Dual | float]]"> q_IS) {
   const auto function = std::make_shared<PythonFunction>(q_IS, "Frame.from_attitude: q_IS");
   return PythonFrame(Frame::from_attitude(AttitudeOfTime(function)),
                      recipe_of("from_attitude", {"q_IS"}, nb::make_tuple(q_IS), {function}));
@@ -123,22 +126,16 @@ std::string kind_of(const PythonFrame& frame) {
 
 template <class Class>
 void def_makers(Class& c) {
-  const char* const of_time = "typing.Callable[[Dual], Dual | float] | float";
-  const std::string two = std::string(": ") + of_time;
   c.def_static(
        "inertial",
        [] { return PythonFrame(Frame::inertial(), recipe_of("inertial", {}, nb::make_tuple())); },
        "Axes that do not turn.")
       .def_static(
           "precessing", precessing, nb::arg("axis"), nb::arg("rate"), nb::arg("epoch") = 0.0,
-          nb::sig(
-              "def precessing(axis: numpy.typing.ArrayLike, rate: float, epoch: float = 0.0) -> "
-              "Frame"),
           "Turning at a constant rate (rad per time) about a constant axis (3,), whose length does "
           "not matter; S coincides with inertial axes at `epoch`. ValueError for an axis of length "
           "0 and numbers that are not finite.")
       .def_static("orbit_plane", orbit_plane, nb::arg("Omega"), nb::arg("i"),
-                  nb::sig(("def orbit_plane(Omega" + two + ", i" + two + ") -> Frame").c_str()),
                   R"(The axes of an orbit: x along the ascending node, z along the normal.
 
 Omega, i : node and inclination (rad): floats, or functions of time, written with + - * / ** and
@@ -146,13 +143,10 @@ Omega, i : node and inclination (rad): floats, or functions of time, written wit
 
 >>> polhode.Frame.orbit_plane(lambda t: 0.3 - 1e-7 * t, 0.9))")
       .def_static("orbit_plane_pq", orbit_plane_pq, nb::arg("p"), nb::arg("q"),
-                  nb::sig(("def orbit_plane_pq(p" + two + ", q" + two + ") -> Frame").c_str()),
                   "The same plane without a node, regular at i = 0: p = sin(i) sin(Omega), q = "
                   "sin(i) cos(Omega), i <= 90 degrees; x is the direction that the shortest turn "
                   "brings from the inertial x axis. NaN where p^2 + q^2 > 1.")
       .def_static("from_attitude", from_attitude, nb::arg("q_IS"),
-                  nb::sig("def from_attitude(q_IS: typing.Callable[[Dual], "
-                          "collections.abc.Sequence[Dual | float]]) -> Frame"),
                   "Any attitude: a function of time that returns the quaternion (w, x, y, z), S to "
                   "inertial, of any length, made of the Dual that it is called with.");
 }
@@ -180,15 +174,14 @@ what a moving frame does to the equations of motion, -mu . g. [SA section 4, (11
                    "\"from_attitude\"; \"moving\" where a scenario made it.")
       .def_prop_ro(
           "arguments", [](const PythonFrame& f) { return f.recipe.by_name(); },
-          nb::for_getter(nb::sig("def arguments(self) -> dict[str, typing.Any]")),
           "What it was made from, by name.")
       .def(
           "at",
-          [](const PythonFrame& f, nb::handle t) {
+          [](const PythonFrame& f, ArrayLike t) {
             const Numbers times(t, "t");
             return mapped(times, [&](double at) { return f.at(at); });
           },
-          nb::arg("t"), nb::sig("def at(self, t: numpy.typing.ArrayLike) -> FrameMotion"),
+          nb::arg("t"),
           "FrameMotion at times t of any shape. What a function in Python raises passes through.");
 }
 

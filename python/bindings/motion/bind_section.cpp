@@ -33,7 +33,7 @@ PythonSection<Point> python_section(BasicSection<Point> section) {
 
 // A number of every point, from where it lies in the first.
 template <class Point>
-nb::object numbers_of(const PythonSection<Point>& section, const double& (*of)(const Point&)) {
+FloatArray numbers_of(const PythonSection<Point>& section, const double& (*of)(const Point&)) {
   const auto& points = section.points;
   const double* first = points->empty() ? nullptr : &of(points->front());
   return view_of(first, points->size(), sizeof(Point), {}, keeper(points));
@@ -81,15 +81,11 @@ void bind_section_class(nb::module_& m, const char* name, const char* doc,
   using Section = PythonSection<Point>;
   nb::class_<Section> c(m, name, doc);
   for (const Column<Point>& column : columns) {
-    const std::string signature =
-        std::string("def ") + column.name + "(self) -> numpy.typing.NDArray[numpy.float64]";
     c.def_prop_ro(
-        column.name, [of = column.of](const Section& s) { return numbers_of(s, of); },
-        nb::for_getter(nb::sig(signature.c_str())), column.doc);
+        column.name, [of = column.of](const Section& s) { return numbers_of(s, of); }, column.doc);
   }
   c.def_prop_ro(
        "states", [](const Section& s) { return batch_of(s, &Point::s); },
-       nb::for_getter(nb::sig("def states(self) -> RotorState")),
        "The points as a RotorState of shape (N,).")
       .def_ro("outcome", &Section::outcome, "How the run ended.")
       .def_ro("statistics", &Section::statistics, "What the run cost.")
@@ -129,8 +125,9 @@ auto made_without_gil(const char* function, const Made& made) {
   return section;
 }
 
-PythonSection<A> andoyer(const PythonProblem& python_problem, nb::handle angle, double value,
-                         nb::handle crossing, std::optional<double> period, double epoch) {
+PythonSection<A> andoyer(const PythonProblem& python_problem, OneOf<AndoyerAngle> angle,
+                         double value, OneOf<Crossing> crossing, std::optional<double> period,
+                         double epoch) {
   SectionSurface surface = AndoyerSurface{choice<AndoyerAngle>(angle, "angle"), value,
                                           choice<Crossing>(crossing, "crossing")};
   if (period) surface = Strobe{*period, epoch};
@@ -169,9 +166,6 @@ run. Where the tilt is 0 (or pi) the body turns about the normal, and angle and 
   m.def("andoyer_section", andoyer, nb::arg("problem"), nb::arg("angle") = "g",
         nb::arg("value") = 0.0, nb::arg("crossing") = "rising", nb::arg("period") = nb::none(),
         nb::arg("epoch") = 0.0,
-        nb::sig("def andoyer_section(problem: Problem, angle: AndoyerAngle | str = \"g\", value: "
-                "float = 0.0, crossing: Crossing | str = \"rising\", period: float | None = None, "
-                "epoch: float = 0.0) -> AndoyerSection"),
         R"(A surface of section of a run in Andoyer's elements, as for the plane of l and L.
 
 Parameters

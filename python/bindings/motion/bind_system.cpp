@@ -36,7 +36,8 @@ nb::tuple tuple_of(nb::handle terms) {
   return nb::tuple(terms);
 }
 
-void make_system(PythonSystem* self, const Body& body, nb::handle frame, nb::handle terms,
+void make_system(PythonSystem* self, const Body& body, Typed<"Frame"> frame,
+                 Typed<"AnyPerturbation | collections.abc.Iterable[AnyPerturbation]"> terms,
                  const std::optional<KaneDamper>& damper) {
   nb::object of = frame.is_none() ? nb::type<PythonFrame>().attr("inertial")() : nb::borrow(frame);
   if (!nb::isinstance<PythonFrame>(of))
@@ -56,7 +57,7 @@ std::string repr_of(const PythonSystem& s) {
   std::string text = "System(" + nb::cast<std::string>(nb::repr(nb::cast(s.body())));
   if (!s.frame().is_inertial())
     text += ", frame=" + nb::cast<std::string>(nb::repr(s.python_frame));
-  if (s.python_terms.size() != 0)
+  if (nb::len(s.python_terms) != 0)
     text += ", terms=" + nb::cast<std::string>(nb::repr(s.python_terms));
   if (s.damper()) text += ", damper=" + nb::cast<std::string>(nb::repr(nb::cast(*s.damper())));
   return text + ")";
@@ -108,32 +109,24 @@ consistent units.)",
       nb::type_slots(
           object_slots<PythonSystem, &PythonSystem::python_frame, &PythonSystem::python_terms>()))
       .def("__init__", make_system, nb::arg("body"), nb::arg("frame") = nb::none(),
-           nb::arg("terms") = nb::make_tuple(), nb::arg("damper") = nb::none(),
-           nb::sig("def __init__(self, body: Body, frame: Frame | None = None, terms: "
-                   "AnyPerturbation | collections.abc.Iterable[AnyPerturbation] = (), damper: "
-                   "KaneDamper | None = None) -> None"))
+           nb::arg("terms") = nb::make_tuple(), nb::arg("damper") = nb::none())
       .def_prop_ro(
           "body", [](const S& s) { return s.body(); }, "What rotates.")
       .def_prop_ro(
-          "frame", [](const S& s) { return s.python_frame; },
-          nb::for_getter(nb::sig("def frame(self) -> Frame")), "The very object that was given.")
+          "frame", [](const S& s) { return s.python_frame; }, "The very object that was given.")
       .def_prop_ro(
-          "terms", [](const S& s) { return s.python_terms; },
-          nb::for_getter(nb::sig("def terms(self) -> tuple[AnyPerturbation, ...]")),
-          "The very objects that were given.")
+          "terms", [](const S& s) { return s.python_terms; }, "The very objects that were given.")
       .def_prop_ro(
-          "damper", [](const S& s) { return s.damper(); },
-          nb::for_getter(nb::sig("def damper(self) -> KaneDamper | None")), "None: none.")
+          "damper", [](const S& s) { return s.damper(); }, "None: none.")
       .def_prop_ro(
           "is_hamiltonian", [](const S& s) { return s.is_hamiltonian(); },
           "Whether every term has an energy, and no damper takes it.")
       .def(
-          "__eq__",
-          [](const S& a, nb::handle b) -> nb::object {
+          "__eq__", [](const S& a, nb::handle b) -> Typed<"bool"> {
             if (!nb::isinstance<S>(b)) return nb::borrow(Py_NotImplemented);
             return nb::bool_(arguments_of(a).equal(arguments_of(nb::cast<const S&>(b))));
           },
-          nb::is_operator(), nb::arg("other"), nb::sig("def __eq__(self, other: object) -> bool"))
+          nb::is_operator(), nb::arg("other"))
       .def("__hash__", [](const S& s) { return nb::hash(arguments_of(s)); })
       .def("__repr__", [](const S& s) { return repr_of(s); })
       .def("__copy__", [](nb::handle_t<S> s) { return nb::object(nb::borrow(s)); })

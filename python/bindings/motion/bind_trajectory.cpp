@@ -18,6 +18,8 @@ namespace polhode::python {
 
 namespace {
 
+using ColumnNames = Typed<"str | collections.abc.Sequence[str]">;
+
 using Rotors = Batch<RotorState>;
 using TrajectorySelf = nb::handle_t<PythonTrajectory>;
 
@@ -62,8 +64,7 @@ Made by steps, count or times; a sequence of floats. A time is rounded once, nev
       .def_static("count", &SaveAt::count, nb::arg("start"), nb::arg("stop"), nb::arg("rows"),
                   "rows times from start to stop, both included.")
       .def_static(
-          "times", [](nb::handle times) { return save_at_of(times, "times"); }, nb::arg("times"),
-          nb::sig("def times(times: numpy.typing.ArrayLike) -> SaveAt"),
+          "times", [](ArrayLike times) { return save_at_of(times, "times"); }, nb::arg("times"),
           "The times themselves, (N,), in the order of the run.")
       .def("__len__", &SaveAt::size)
       .def(
@@ -147,7 +148,6 @@ void bind_event_record(nb::module_& m) {
               "1: rising as time ran; -1: falling; 0: a touch.")
       .def_prop_ro(
           "damper_rate", [](const DampedEventRecord& e) { return array_of(e.s.damper_rate); },
-          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): rate of a damper there.")
       .def("__repr__",
            [](const DampedEventRecord& e) {
@@ -169,7 +169,7 @@ void bind_event_record(nb::module_& m) {
 }
 
 // Samples lie one after the other, t before its state.
-nb::object times_of(TrajectorySelf self) {
+FloatArray times_of(TrajectorySelf self) {
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
   const double* first = rows->empty() ? nullptr : &rows->front().t;
   return view_of(first, rows->size(), sizeof(DampedSample), {}, keeper(rows));
@@ -180,18 +180,18 @@ Rotors states_of(TrajectorySelf self) {
   return Rotors({rows->size()}, rows, &rows->front().s.rotor, sizeof(DampedSample));
 }
 
-nb::object damper_rates_of(TrajectorySelf self) {
+FloatArray damper_rates_of(TrajectorySelf self) {
   const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
   const double* first = rows->empty() ? nullptr : &rows->front().s.damper_rate.x;
   return view_of(first, rows->size(), sizeof(DampedSample), {3}, keeper(rows));
 }
 
-nb::object field_of(TrajectorySelf self, const char* name) {
+FloatArray field_of(TrajectorySelf self, const char* name) {
   return nb::cast(states_of(self)).attr(name);
 }
 
 // As many states as times, in as long as it takes: Ctrl-C ends it.
-Rotors states_at(const PythonTrajectory& trajectory, nb::handle times) {
+Rotors states_at(const PythonTrajectory& trajectory, ArrayLike times) {
   constexpr std::size_t few = 16;  // not worth giving up the GIL
   const Numbers t(times, "t");
   const std::size_t n = size_of(t.shape());
@@ -209,7 +209,7 @@ Rotors states_at(const PythonTrajectory& trajectory, nb::handle times) {
   });
 }
 
-nb::object damper_rates_at(const PythonTrajectory& trajectory, nb::handle times) {
+FloatArray damper_rates_at(const PythonTrajectory& trajectory, ArrayLike times) {
   const Numbers t(times, "t");
   Result rates(t.shape(), {3});
   for_each(size_of(t.shape()),
@@ -217,7 +217,8 @@ nb::object damper_rates_at(const PythonTrajectory& trajectory, nb::handle times)
   return rates.take();
 }
 
-nb::dict columns_of_trajectory(TrajectorySelf self, nb::handle names, nb::handle system) {
+Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
+    TrajectorySelf self, ColumnNames names, Typed<"System"> system) {
   const DampedTrajectory& trajectory = trajectory_of(self);
   nb::dict table;
   table["t"] = times_of(self);
@@ -290,7 +291,8 @@ std::string shown(const PythonTrajectory& trajectory) {
 }
 
 // polhode._tables, which knows pandas and xarray, makes the table.
-nb::object table_of(TrajectorySelf self, const char* kind, nb::handle names, nb::handle system) {
+nb::object table_of(TrajectorySelf self, const char* kind, ColumnNames names,
+                    Typed<"System"> system) {
   const DampedTrajectory& trajectory = trajectory_of(self);
   nb::dict notes;
   notes["method"] = trajectory.method();
@@ -302,8 +304,6 @@ nb::object table_of(TrajectorySelf self, const char* kind, nb::handle names, nb:
 void bind_tables(nb::class_<PythonTrajectory>& c) {
   c.def("columns", columns_of_trajectory, nb::arg("names") = nb::make_tuple(),
         nb::arg("system") = nb::none(),
-        nb::sig("def columns(self, names: str | collections.abc.Sequence[str] = (), system: "
-                "System | None = None) -> dict[str, numpy.typing.NDArray[numpy.float64]]"),
         R"(Columns by name, each (N,): t, qw ... qz, g1 ... g3, then those asked for.
 
 Parameters
@@ -316,22 +316,16 @@ The library is scale-free: rad and the run's own unit of time. Components of vec
 the principal axes. "dE" is E less that at the start. ValueError for an unknown name.)");
   c.def(
       "to_pandas",
-      [](TrajectorySelf self, nb::handle columns, nb::handle system) {
-        return table_of(self, "to_pandas", columns, system);
-      },
+      [](TrajectorySelf self, ColumnNames columns, Typed<"System"> system)
+          -> Typed<"pandas.DataFrame"> { return table_of(self, "to_pandas", columns, system); },
       nb::arg("columns") = nb::none(), nb::arg("system") = nb::none(),
-      nb::sig("def to_pandas(self, columns: str | collections.abc.Sequence[str] | None = None, "
-              "system: System | None = None) -> pandas.DataFrame"),
       "The columns (see columns()) as a pandas.DataFrame, with index t; method and outcome in "
       ".attrs.");
   c.def(
       "to_xarray",
-      [](TrajectorySelf self, nb::handle columns, nb::handle system) {
-        return table_of(self, "to_xarray", columns, system);
-      },
+      [](TrajectorySelf self, ColumnNames columns, Typed<"System"> system)
+          -> Typed<"xarray.Dataset"> { return table_of(self, "to_xarray", columns, system); },
       nb::arg("columns") = nb::none(), nb::arg("system") = nb::none(),
-      nb::sig("def to_xarray(self, columns: str | collections.abc.Sequence[str] | None = None, "
-              "system: System | None = None) -> xarray.Dataset"),
       "The columns (see columns()) as an xarray.Dataset along t; method and outcome in .attrs.");
 }
 
@@ -350,29 +344,19 @@ Made by integrate. .t (N,), .q (N, 4), .g (N, 3) and .states (RotorState of shap
 read-only views onto the samples, without a copy; they keep the samples alive. q and g refer to the
 reference frame and the principal axes. A pickle holds everything but dense output.)",
       nb::type_slots(object_slots<PythonTrajectory, &PythonTrajectory::system>()));
-  c.def_prop_ro("t", times_of,
-                nb::for_getter(nb::sig("def t(self) -> numpy.typing.NDArray[numpy.float64]")),
-                "(N,): times of the samples.")
-      .def_prop_ro("states", states_of, nb::for_getter(nb::sig("def states(self) -> RotorState")),
-                   "The samples as a RotorState of shape (N,).")
+  c.def_prop_ro("t", times_of, "(N,): times of the samples.")
+      .def_prop_ro("states", states_of, "The samples as a RotorState of shape (N,).")
       .def_prop_ro(
           "q", [](TrajectorySelf self) { return field_of(self, "q"); },
-          nb::for_getter(nb::sig("def q(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 4): attitudes (w, x, y, z), body to frame.")
       .def_prop_ro(
           "g", [](TrajectorySelf self) { return field_of(self, "g"); },
-          nb::for_getter(nb::sig("def g(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(N, 3): angular momenta along the principal axes.")
-      .def_prop_ro(
-          "damper_rate", damper_rates_of,
-          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(N, 3): rates of a damper relative to the body, along the principal axes.")
+      .def_prop_ro("damper_rate", damper_rates_of,
+                   "(N, 3): rates of a damper relative to the body, along the principal axes.")
       .def("damper_rate_at", damper_rates_at, nb::arg("t"),
-           nb::sig("def damper_rate_at(self, t: numpy.typing.ArrayLike) -> "
-                   "numpy.typing.NDArray[numpy.float64]"),
            "(..., 3): the same at times of any shape, as at(t).")
       .def("at", states_at, nb::arg("t"),
-           nb::sig("def at(self, t: numpy.typing.ArrayLike) -> RotorState"),
            R"(The states at times of any shape, by the dense output of the method.
 
 ValueError outside [start, stop], and for a run without dense output. Releases the GIL.)")

@@ -48,17 +48,15 @@ largest_step : no step is longer; limit it to the time scale of a pulse of a tor
      of the frame, a quarter of a turn of what they follow.)");
   c.def(
        "__init__",
-       [](Adaptive* self, double tolerance, nb::handle precision, double first, double largest) {
+       [](Adaptive* self, double tolerance, OneOf<Precision> precision, double first,
+          double largest) {
          const Adaptive method{tolerance, choice<Precision>(precision, "precision"), first,
                                largest};
          require_valid(method);
          new (self) Adaptive(method);
        },
-       nb::arg("tolerance") = 1e-12, nb::arg("precision") = Precision::compensated,
-       nb::arg("first_step") = 0.0, nb::arg("largest_step") = inf,
-       nb::sig("def __init__(self, tolerance: float = 1e-12, precision: Precision | str = "
-               "'compensated', first_step: float = 0.0, largest_step: float = "
-               "float('inf')) -> None"))
+       nb::arg("tolerance") = 1e-12, nb::arg("precision") = "compensated",
+       nb::arg("first_step") = 0.0, nb::arg("largest_step") = inf)
       .def_ro("tolerance", &Adaptive::tolerance, "Of the local error of a step.")
       .def_ro("precision", &Adaptive::precision, "The arithmetic of the run.")
       .def_ro("first_step", &Adaptive::first_step, "0: chosen.")
@@ -96,14 +94,12 @@ scheme : SplittingScheme, or its name. ABA864 and ABA1064 are for small terms (B
 Symplectic for terms with an energy. Every term needs an exact flow.)");
   c.def(
        "__init__",
-       [](Splitting* self, double step, nb::handle scheme) {
+       [](Splitting* self, double step, OneOf<SplittingScheme> scheme) {
          const Splitting method{step, choice<SplittingScheme>(scheme, "scheme")};
          require_valid(method);
          new (self) Splitting(method);
        },
-       nb::arg("step"), nb::arg("scheme") = SplittingScheme::ABA864,
-       nb::sig("def __init__(self, step: float, scheme: SplittingScheme | str = "
-               "'ABA864') -> None"))
+       nb::arg("step"), nb::arg("scheme") = "ABA864")
       .def_ro("step", &Splitting::step, "Constant.")
       .def_ro("scheme", &Splitting::scheme, "The composition.")
       .def("__repr__", [](const Splitting& v) {
@@ -129,9 +125,7 @@ For weak terms: steps may span many turns. [SA (98)-(103)])");
          require_valid(method);
          new (self) VariationOfConstants(method);
        },
-       nb::arg("tolerance") = 1e-12, nb::arg("largest_step") = inf,
-       nb::sig("def __init__(self, tolerance: float = 1e-12, largest_step: float = "
-               "float('inf')) -> None"))
+       nb::arg("tolerance") = 1e-12, nb::arg("largest_step") = inf)
       .def_ro("tolerance", &VariationOfConstants::tolerance, "Of the local error of a step.")
       .def_ro("largest_step", &VariationOfConstants::largest_step, "No step is longer.")
       .def("__repr__", [](const VariationOfConstants& v) {
@@ -188,17 +182,14 @@ outcome that says so.)",
                           nb::type_slots(object_slots<PythonEvent, &PythonEvent::function>()))
       .def(
           "__init__",
-          [](PythonEvent* self, const std::string& name, nb::handle function, nb::handle crossing,
-             bool stops, double period, double interval) {
+          [](PythonEvent* self, const std::string& name,
+             Typed<"collections.abc.Callable[[float, RotorState], float]"> function,
+             OneOf<Crossing> crossing, bool stops, double period, double interval) {
             new (self)
                 PythonEvent(checked_event(name, function, crossing, stops, period, interval));
           },
-          nb::arg("name"), nb::arg("function"), nb::arg("crossing") = Crossing::both,
-          nb::arg("stops") = false, nb::arg("period") = 0.0, nb::arg("interval") = 0.0,
-          nb::sig("def __init__(self, name: str, function: "
-                  "collections.abc.Callable[[float, RotorState], float], crossing: Crossing | str "
-                  "= 'both', stops: bool = False, period: float = 0.0, interval: float = 0.0) -> "
-                  "None"))
+          nb::arg("name"), nb::arg("function"), nb::arg("crossing") = "both",
+          nb::arg("stops") = false, nb::arg("period") = 0.0, nb::arg("interval") = 0.0)
       .def_ro("name", &PythonEvent::name, "Stands in EventRecord.name.")
       .def_ro("function", &PythonEvent::function, "The very object that was given.")
       .def_ro("crossing", &PythonEvent::crossing, "Which zeros are events.")
@@ -232,8 +223,10 @@ void require_state(nb::handle initial) {
                            .c_str());
 }
 
-void make_problem(PythonProblem* self, nb::handle system, nb::handle initial, double start,
-                  double stop, nb::handle method, nb::handle events, nb::handle damper_rate,
+void make_problem(PythonProblem* self, Typed<"System"> system, Typed<"RotorState"> initial,
+                  double start, double stop,
+                  Typed<"Adaptive | Splitting | VariationOfConstants"> method,
+                  Typed<"collections.abc.Iterable[Event]"> events, ArrayLike damper_rate,
                   bool continues) {
   system_of(system, "Problem: system");
   require_state(initial);
@@ -272,34 +265,22 @@ continues : whether another run has ended at `start`: an event there is that run
       nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
                                   &PythonProblem::method, &PythonProblem::events>()))
       .def("__init__", make_problem, nb::arg("system"), nb::arg("initial"), nb::arg("start"),
-           nb::arg("stop"), nb::arg("method") = Adaptive{}, nb::arg("events") = nb::make_tuple(),
-           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("continues") = false,
-           nb::sig("def __init__(self, system: System, initial: RotorState, start: float, stop: "
-                   "float, method: Adaptive | Splitting | VariationOfConstants = Adaptive(), "
-                   "events: collections.abc.Iterable[Event] = (), damper_rate: "
-                   "numpy.typing.ArrayLike = (0.0, 0.0, 0.0), continues: bool = False) -> None"))
-      .def_ro("system", &PythonProblem::system,
-              nb::for_getter(nb::sig("def system(self) -> System")),
-              "The very object that was given.")
-      .def_ro("initial", &PythonProblem::initial,
-              nb::for_getter(nb::sig("def initial(self) -> RotorState")), "The state at `start`.")
+           nb::arg("stop"), nb::arg("method").sig("Adaptive()") = Adaptive{},
+           nb::arg("events") = nb::make_tuple(),
+           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("continues") = false)
+      .def_ro("system", &PythonProblem::system, "The very object that was given.")
+      .def_ro("initial", &PythonProblem::initial, "The state at `start`.")
       .def_ro("start", &PythonProblem::start, "Where `initial` is the state.")
       .def_ro("stop", &PythonProblem::stop, "Where the run shall end.")
-      .def_ro("method", &PythonProblem::method,
-              nb::for_getter(nb::sig("def method(self) -> Adaptive | Splitting | "
-                                     "VariationOfConstants")),
-              "How it is integrated.")
-      .def_ro("events", &PythonProblem::events,
-              nb::for_getter(nb::sig("def events(self) -> tuple[Event, ...]")),
-              "What the run looks for.")
+      .def_ro("method", &PythonProblem::method, "How it is integrated.")
+      .def_ro("events", &PythonProblem::events, "What the run looks for.")
       .def_prop_ro(
           "damper_rate", [](const PythonProblem& p) { return array_of(p.damper_rate); },
-          nb::for_getter(nb::sig("def damper_rate(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): of the system's damper relative to the body, at `start`.")
       .def_ro("continues", &PythonProblem::continues, "Whether another run has ended at `start`.")
       .def("__repr__",
            [](const PythonProblem& p) {
-             const std::size_t events = p.events.size();
+             const std::size_t events = nb::len(p.events);
              return "<Problem: t = " + number_text(p.start) + " to " + number_text(p.stop) + "; " +
                     method_text(method_of(p.method)) +
                     (events == 0 ? "" : "; " + counted(events, "event")) + ">";

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bindings.hpp"
+#include "interface/typed.hpp"
 #include "polhode/dynamics/integrate.hpp"
 
 namespace polhode::python {
@@ -20,12 +20,12 @@ struct PythonEvent {
 
 // The very objects that the caller gave.
 struct PythonProblem {
-  nb::object system;
-  nb::object initial;
+  Typed<"System"> system;
+  Typed<"RotorState"> initial;
   double start;
   double stop;
-  nb::object method;
-  nb::tuple events;  // of PythonEvent
+  Typed<"Adaptive | Splitting | VariationOfConstants"> method;
+  Typed<"tuple[Event, ...]"> events;
   Vec3 damper_rate;
   bool continues;
 };

@@ -111,151 +111,129 @@ constexpr Chart<AxisAngles, 2> axis_chart{
       {"h", "Node of that plane, rad.", offsetof(AxisAngles, h)}}},
     unchecked};
 
-const std::string at_state = "(system: System, t: numpy.typing.ArrayLike, state: RotorState) -> ";
-const std::string numbers = "numpy.typing.NDArray[numpy.float64]";
-
-std::string signature(const char* name, const std::string& returns) {
-  return std::string("def ") + name + at_state + returns;
-}
-
 // f(system, t, state) of times and states that broadcast: a set of structs.
 template <class S, class F>
-void def_states(nb::module_& m, const char* name, const char* returns, F f, const char* doc) {
+void def_states(nb::module_& m, const char* name, F f, const char* doc) {
   m.def(
       name,
-      [f](const PythonSystem& system, nb::handle t, const Batch<S>& states) {
+      [f](const PythonSystem& system, ArrayLike t, const Batch<S>& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const S& s, double at) { return f(system, at, s); });
       },
-      nb::arg("system"), nb::arg("t"), nb::arg("state"), nb::sig(signature(name, returns).c_str()),
-      doc);
+      nb::arg("system"), nb::arg("t"), nb::arg("state"), doc);
 }
 
 void bind_motion(nb::module_& m) {
   def_states<RotorState>(
-      m, "effect", "Effect",
-      [](const System& of, double t, const RotorState& s) { return effect(of, t, s); },
+      m, "effect", [](const System& of, double t, const RotorState& s) { return effect(of, t, s); },
       "The sum of all effects on states of any shape, the frame's own included, in body "
       "components: "
       ".v (..., 3), rad per time, what is added to I^-1 g; .u (..., 3), torque. States are those "
       "relative to the system's frame. [SA (105)-(107), (118)]");
   def_states<RotorState>(
-      m, "angular_velocity", "AngularVelocities",
+      m, "angular_velocity",
       [](const System& of, double t, const RotorState& s) { return angular_velocity(of, t, s); },
       "Both angular velocities of states: .inertial = I^-1 g + v(terms), .relative less by mu. "
       "[SA (124)]");
   def_states<RotorState>(
-      m, "rotor_rates", "RotorRates",
+      m, "rotor_rates",
       [](const System& of, double t, const RotorState& s) { return rotor_rates(of, t, s); },
       "The equations of motion: dq/dt and dg/dt.");
   def_states<RotorState>(
-      m, "hub_rates", "HubRates",
+      m, "hub_rates",
       [](const System& of, double t, const RotorState& s) { return hub_rates(of, t, s); },
       "The equations of motion as rates of turn: w_SB and dg/dt.");
   m.def(
       "energy",
-      [](const PythonSystem& system, nb::handle t, const Rotors& states) {
+      [](const PythonSystem& system, ArrayLike t, const Rotors& states) -> Floats {
         Numbers times(t, "t");
         return mapped_numbers(states, times, {}, [&](const RotorState& s, double at) {
           return energy(system, at, s);
         });
       },
       nb::arg("system"), nb::arg("t"), nb::arg("state"),
-      nb::sig(signature("energy", "float | " + numbers).c_str()),
       "The Hamiltonian of the motion in S: kinetic energy, the terms' energies, and -mu . g. "
       "Constant where nothing depends on time. ValueError where a term has none.");
   def_states<RotorState>(
-      m, "inertial_state", "RotorState",
+      m, "inertial_state",
       [](const System& of, double t, const RotorState& s) { return inertial_state(of, t, s); },
       "The same states described in inertial axes.");
   def_states<RotorState>(
-      m, "reference_state", "RotorState",
+      m, "reference_state",
       [](const System& of, double t, const RotorState& s) { return reference_state(of, t, s); },
       "States given in inertial axes, described in the reference frame.");
 }
 
 void bind_osculation(nb::module_& m) {
   def_states<RotorState>(
-      m, "osculating_state", "RotorState",
+      m, "osculating_state",
       [](const System& of, double t, const RotorState& s) { return osculating_state(of, t, s); },
       "The states of the free rotors that have the attitude and the angular velocity of this "
       "instant: g + I v. [SA (104)-(107), (118)]");
   def_states<RotorState>(
-      m, "canonical_state", "RotorState",
+      m, "canonical_state",
       [](const System& of, double t, const RotorState& s) { return canonical_state(of, t, s); },
       "The inverse of osculating_state, by Newton's method. ValueError where it does not "
       "converge.");
   def_states<RotorState>(
-      m, "osculating_andoyer", "AndoyerState",
+      m, "osculating_andoyer",
       [](const System& of, double t, const RotorState& s) { return osculating_andoyer(of, t, s); },
       "Andoyer's elements of the osculating states of canonical ones. The canonical elements are "
       "to_andoyer(state).");
   m.def(
       "osculating_andoyer",
-      [](const PythonSystem& system, nb::handle t, const Andoyers& states) {
+      [](const PythonSystem& system, ArrayLike t, const Andoyers& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
           return osculating_andoyer(system, at, s);
         });
       },
       nb::arg("system"), nb::arg("t"), nb::arg("canonical"),
-      nb::sig("def osculating_andoyer(system: System, t: numpy.typing.ArrayLike, canonical: "
-              "AndoyerState) -> AndoyerState"),
       "Osculating elements of canonical ones.");
   m.def(
       "canonical_andoyer",
-      [](const PythonSystem& system, nb::handle t, const Andoyers& states) {
+      [](const PythonSystem& system, ArrayLike t, const Andoyers& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
           return canonical_andoyer(system, at, s);
         });
       },
       nb::arg("system"), nb::arg("t"), nb::arg("osculating"),
-      nb::sig("def canonical_andoyer(system: System, t: numpy.typing.ArrayLike, osculating: "
-              "AndoyerState) -> AndoyerState"),
       "Canonical elements of osculating ones.");
 }
 
 // Andoyer's variables at an epoch t0 of states at times t.
 void bind_modified(nb::module_& m) {
-  const std::string arguments = ", t0: float, t: numpy.typing.ArrayLike, state: ";
   m.def(
       "modified_andoyer",
-      [](const Body& body, double t0, nb::handle t, const Rotors& states) {
+      [](const Body& body, double t0, ArrayLike t, const Rotors& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
           return modified_andoyer(body, t0, at, s);
         });
       },
       nb::arg("body"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
-      nb::sig(
-          ("def modified_andoyer(body: Body" + arguments + "RotorState) -> AndoyerState").c_str()),
       "The modified Andoyer set: the AndoyerState that the free motion through a state at time t "
       "has at the epoch t0. [SA (102), (103)]");
   m.def(
       "from_modified_andoyer",
-      [](const Body& body, double t0, nb::handle t, const Andoyers& states) {
+      [](const Body& body, double t0, ArrayLike t, const Andoyers& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
           return from_modified_andoyer(body, t0, at, s);
         });
       },
       nb::arg("body"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
-      nb::sig(("def from_modified_andoyer(body: Body" + arguments + "AndoyerState) -> RotorState")
-                  .c_str()),
       "The state at time t of a modified Andoyer set with epoch t0.");
   m.def(
       "modified_andoyer_rates",
-      [](const PythonSystem& system, double t0, nb::handle t, const Rotors& states) {
+      [](const PythonSystem& system, double t0, ArrayLike t, const Rotors& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
           return modified_andoyer_rates(system, t0, at, s);
         });
       },
       nb::arg("system"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
-      nb::sig(
-          ("def modified_andoyer_rates(system: System" + arguments + "RotorState) -> AndoyerRates")
-              .c_str()),
       "Rates of the modified Andoyer set at time t: zero without a perturbation. [SA (102), "
       "(103)]");
 }
@@ -273,7 +251,7 @@ void def_of_chart(nb::module_& m, const char* name,
                   const char* doc) {
   m.def(
       name,
-      [f](nb::handle chart, const PythonSystem& system, nb::handle t, const Rotors& states) {
+      [f](AnyChart chart, const PythonSystem& system, ArrayLike t, const Rotors& states) {
         const CanonicalChart of = chart_of(chart, "chart");
         Numbers times(t, "t");
         const Shape shape = broadcast(states.shape(), times.shape(), "states", times.name());
@@ -285,26 +263,20 @@ void def_of_chart(nb::module_& m, const char* name,
         });
         return out.take();
       },
-      nb::arg("chart"), nb::arg("system"), nb::arg("t"), nb::arg("state"),
-      nb::sig((std::string("def ") + name +
-               "(chart: CanonicalChart | CanonicalSet | str, system: System, t: "
-               "numpy.typing.ArrayLike, state: RotorState) -> " +
-               numbers)
-                  .c_str()),
-      doc);
+      nb::arg("chart"), nb::arg("system"), nb::arg("t"), nb::arg("state"), doc);
 }
 
 void bind_rates(nb::module_& m) {
   def_states<RotorState>(
-      m, "andoyer_rates", "AndoyerRates",
+      m, "andoyer_rates",
       [](const System& of, double t, const RotorState& s) { return andoyer_rates(of, t, s); },
       "Rates of Andoyer variables under the system. [SA (101)]");
   def_states<RotorState>(
-      m, "euler_phase_rates", "EulerPhaseRates",
+      m, "euler_phase_rates",
       [](const System& of, double t, const RotorState& s) { return euler_phase_rates(of, t, s); },
       "Rates of Euler angles and of their momenta under the system.");
   def_states<RotorState>(
-      m, "perturbation_rates", "HubRates",
+      m, "perturbation_rates",
       [](const System& of, double t, const RotorState& s) { return perturbation_rates(of, t, s); },
       "What the terms and the frame add to the free rates (I^-1 g, g x I^-1 g).");
   def_of_chart<6>(
@@ -335,8 +307,8 @@ void bind_axes(nb::module_& m) {
                            "The axes of figure, of angular momentum and of rotation, each an "
                            "AxisAngles of the shape of the states.")
       .def_prop_ro(
-          "shape", [](const AxesOfStates& a) { return nb::tuple(nb::cast(a.all.shape())); },
-          nb::for_getter(nb::sig("def shape(self) -> tuple[int, ...]")), "Of the states.")
+          "shape", [](const AxesOfStates& a) { return shape_tuple(a.all.shape()); },
+          "Of the states.")
       .def_prop_ro(
           "figure", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, figure)); },
           "Of b3: the equator's plane.")
@@ -356,13 +328,12 @@ void bind_axes(nb::module_& m) {
   const auto axes = [&m](const char* name, auto f, const char* doc) {
     m.def(
         name,
-        [f](const PythonSystem& system, nb::handle t, const Rotors& states) {
+        [f](const PythonSystem& system, ArrayLike t, const Rotors& states) {
           Numbers times(t, "t");
           return AxesOfStates{mapped(
               states, times, [&](const RotorState& s, double at) { return f(system, at, s); })};
         },
-        nb::arg("system"), nb::arg("t"), nb::arg("state"),
-        nb::sig(signature(name, "RotorAxes").c_str()), doc);
+        nb::arg("system"), nb::arg("t"), nb::arg("state"), doc);
   };
   axes("inertial_axes", inertial_axes,
        "Axes of figure, momentum and rotation (w_IB) in inertial axes, as inclination and node. "
@@ -371,7 +342,7 @@ void bind_axes(nb::module_& m) {
        "The same in the axes of the reference frame, with the rotation axis of w_SB. [SA (124)]");
   m.def(
       "axis_angles",
-      [](nb::handle axis) {
+      [](ArrayLike axis) {
         const Numbers n(axis, "axis", {3});
         return Batch<AxisAngles>::filled(n.shape(), [&](AxisAngles* out) {
           for_each(size_of(n.shape()), [&](std::size_t k) {
@@ -380,8 +351,7 @@ void bind_axes(nb::module_& m) {
           });
         });
       },
-      nb::arg("axis"), nb::sig("def axis_angles(axis: numpy.typing.ArrayLike) -> AxisAngles"),
-      "Inclination and node of the planes normal to vectors (..., 3).");
+      nb::arg("axis"), "Inclination and node of the planes normal to vectors (..., 3).");
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct PythonSystem : System {
   // A system with terms more than `like` has: those keep their objects.
   PythonSystem(System system, const PythonSystem& like);
 
-  nb::object python_frame;
-  nb::tuple python_terms;  // the very objects that were given
+  Typed<"Frame"> python_frame;
+  Typed<"tuple[AnyPerturbation, ...]"> python_terms;  // the very objects that were given
 };
 
 // Of a Python object that must be a System. TypeError else: `where` starts the message.

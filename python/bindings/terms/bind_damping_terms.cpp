@@ -73,7 +73,7 @@ ValueError for a negative coefficient.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle k, nb::handle name, bool grows) {
+       [](C* self, ArrayLike k, Text name, bool grows) {
          const Numbers any(k, "k");
          const bool one = any.shape().empty();
          const InternalDamping term(one ? Vec3{any[0], any[0], any[0]} : vec3(k, "k"), grows);
@@ -82,45 +82,37 @@ ValueError for a negative coefficient.)",
          new (self) C(AnyPerturbation(name_of(name, "InternalDamping"), term),
                       recipe_of("", {"k", "name", "grows"}, nb::make_tuple(kept, name, grows)));
        },
-       nb::arg("k"), nb::arg("name") = nb::none(), nb::arg("grows") = false,
-       nb::sig("def __init__(self, k: numpy.typing.ArrayLike, name: str | None = None, grows: bool "
-               "= False) -> None"))
+       nb::arg("k"), nb::arg("name") = nb::none(), nb::arg("grows") = false)
       .def_prop_ro(
           "coefficients",
           [](const C& term) { return array_of(term.target<InternalDamping>()->coefficients()); },
-          nb::for_getter(nb::sig("def coefficients(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): k along the principal axes.")
       .def_prop_ro(
           "grows",
           [](const C& term) { return term.target<InternalDamping>()->grows_with_momentum(); },
-          nb::for_getter(nb::sig("def grows(self) -> bool")),
           "Whether k is multiplied by the momentum.")
       .def_static(
           "of_wobble",
-          [](const Body& body, double time, double momentum, nb::handle name) {
+          [](const Body& body, double time, double momentum, Text name) {
             return C(AnyPerturbation(name_of(name, "InternalDamping"),
                                      InternalDamping::of_wobble(body, time, momentum)),
                      recipe_of("of_wobble", {"body", "time", "momentum", "name"},
                                nb::make_tuple(body, time, momentum, name)));
           },
           nb::arg("body"), nb::arg("time"), nb::arg("momentum"), nb::arg("name") = nb::none(),
-          nb::sig("def of_wobble(body: Body, time: float, momentum: float, name: str | None = "
-                  "None) -> InternalDamping"),
           "The k with which a small wobble about the axis of the largest moment falls by e in "
           "`time` at this momentum, in the units of the body's moments and of time. ValueError for "
           "a "
           "sphere.")
       .def_static(
           "of_material",
-          [](const Body& body, const DampedMaterial& material, nb::handle name) {
+          [](const Body& body, const DampedMaterial& material, Text name) {
             return C(AnyPerturbation(name_of(name, "InternalDamping"),
                                      InternalDamping::of_material(body, material)),
                      recipe_of("of_material", {"body", "material", "name"},
                                nb::make_tuple(body, material, name)));
           },
           nb::arg("body"), nb::arg("material"), nb::arg("name") = nb::none(),
-          nb::sig("def of_material(body: Body, material: DampedMaterial, name: str | None = None) "
-                  "-> InternalDamping"),
           "k in proportion to the momentum: a small wobble falls by e in wobble_time(material, "
           "rate) at any rate. ValueError for a sphere.");
   def_term<C>(c);
@@ -173,8 +165,8 @@ ValueError for rows that are not finite or times that do not increase.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
-      [](C* self, nb::handle times, nb::handle torques, nb::handle between, nb::handle outside,
-         nb::handle axes, nb::handle name) {
+      [](C* self, ArrayLike times, ArrayLike torques, OneOf<TorqueTable::Between> between,
+         OneOf<TorqueTable::Outside> outside, OneOf<SpaceAxes> axes, Text name) {
         std::vector<TorqueRow> rows = rows_of(times, torques);
         TorqueTable::Rules rules;
         rules.between = choice<TorqueTable::Between>(between, "between");
@@ -192,12 +184,8 @@ ValueError for rows that are not finite or times that do not increase.)",
                         nb::make_tuple(nb::tuple(kept_times), nb::tuple(kept_torques),
                                        rules.between, rules.outside, space, name)));
       },
-      nb::arg("times"), nb::arg("torques"), nb::arg("between") = TorqueTable::Between::linear,
-      nb::arg("outside") = TorqueTable::Outside::zero, nb::arg("axes") = nb::none(),
-      nb::arg("name") = nb::none(),
-      nb::sig("def __init__(self, times: numpy.typing.ArrayLike, torques: numpy.typing.ArrayLike, "
-              "between: Between | str = 'linear', outside: Outside | str = 'zero', axes: SpaceAxes "
-              "| str | None = None, name: str | None = None) -> None"));
+      nb::arg("times"), nb::arg("torques"), nb::arg("between") = "linear",
+      nb::arg("outside") = "zero", nb::arg("axes") = nb::none(), nb::arg("name") = nb::none());
   def_term<C>(c);
 }
 

@@ -34,12 +34,10 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
     "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for others.)");
   c.def(
        "__init__",
-       [](Date* self, nb::handle scale, double day, double fraction) {
+       [](Date* self, OneOf<TimeScale> scale, double day, double fraction) {
          new (self) Date{choice<TimeScale>(scale, "scale"), day, fraction};
        },
-       nb::arg("scale"), nb::arg("day"), nb::arg("fraction") = 0.0,
-       nb::sig("def __init__(self, scale: TimeScale | str, day: float, fraction: float = 0.0) -> "
-               "None"))
+       nb::arg("scale"), nb::arg("day"), nb::arg("fraction") = 0.0)
       .def(
           "__init__",
           [](Date* self, const std::string& text) { new (self) Date(epoch_date(text)); },
@@ -51,19 +49,17 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
                    "Whether the leap seconds of this UTC date are a guess.")
       .def(
           "to",
-          [](const Date& d, nb::handle scale, std::optional<double> dut1) {
+          [](const Date& d, OneOf<TimeScale> scale, std::optional<double> dut1) {
             return converted(d, choice<TimeScale>(scale, "scale"), dut1);
           },
           nb::arg("scale"), nb::arg("dut1") = nb::none(),
-          nb::sig("def to(self, scale: TimeScale | str, dut1: float | None = None) -> Date"),
           "The same instant in another scale. UT1 needs dut1 = UT1 - UTC in s. ValueError without.")
       .def_prop_ro(
           "calendar",
           [](const Date& d) {
             const CalendarTime t = calendar_time(d);
-            return nb::make_tuple(t.year, t.month, t.day, t.hour, t.minute, t.second);
+            return std::make_tuple(t.year, t.month, t.day, t.hour, t.minute, t.second);
           },
-          nb::for_getter(nb::sig("def calendar(self) -> tuple[int, int, int, int, int, float]")),
           "Year, month, day, hour, minute, second; 60 and more in a leap second.")
       .def("__repr__", [](const Date& d) {
         return "Date('" + std::string(name(d.scale)) + "', " + number_text(d.day) + ", " +
@@ -73,15 +69,13 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
   nb::implicitly_convertible<nb::str, Date>();
   m.def(
       "calendar_date",
-      [](nb::handle scale, int year, int month, int day, int hour, int minute, double second) {
+      [](OneOf<TimeScale> scale, int year, int month, int day, int hour, int minute,
+         double second) {
         return calendar_date(choice<TimeScale>(scale, "scale"),
                              {year, month, day, hour, minute, second});
       },
       nb::arg("scale"), nb::arg("year"), nb::arg("month"), nb::arg("day"), nb::arg("hour") = 0,
       nb::arg("minute") = 0, nb::arg("second") = 0.0,
-      nb::sig(
-          "def calendar_date(scale: TimeScale | str, year: int, month: int, day: int, hour: int "
-          "= 0, minute: int = 0, second: float = 0.0) -> Date"),
       "The Date of a time of the Gregorian calendar. 23:59:60 is one where UTC had a leap second. "
       "ValueError for a time that is not there.");
   m.def(
@@ -113,25 +107,22 @@ void bind_planets(nb::module_& m) {
       .value("uranus", Planetary::uranus)
       .value("neptune", Planetary::neptune);
   m.def(
-      "planetary_gm", [](nb::handle body) { return planetary_gm(body_of(body, "body")); },
-      nb::arg("body"), nb::sig("def planetary_gm(body: Planetary | str) -> float"),
+      "planetary_gm", [](OneOf<Planetary> body) { return planetary_gm(body_of(body, "body")); },
+      nb::arg("body"),
       "Gravitational parameter, km^3/s^2 (DE440); from Mars on of planet and moons.");
   m.def(
       "planetary_position",
-      [](nb::handle target, nb::handle centre, const Date& date) {
+      [](OneOf<Planetary> target, OneOf<Planetary> centre, const Date& date) {
         return array_of(
             planetary_position(body_of(target, "target"), body_of(centre, "centre"), date));
       },
       nb::arg("target"), nb::arg("centre"), nb::arg("date"),
-      nb::sig(
-          "def planetary_position(target: Planetary | str, centre: Planetary | str, date: Date) "
-          "-> numpy.typing.NDArray[numpy.float64]"),
       "(3,), km, along equator and equinox of J2000 (ICRS), without light time; by ERFA. "
       "ValueError for dates out of its theories.");
   m.def(
       "planetary_orbit",
-      [](nb::handle target, nb::handle centre, const Date& epoch, double first, double last,
-         double tolerance) {
+      [](OneOf<Planetary> target, OneOf<Planetary> centre, const Date& epoch, double first,
+         double last, double tolerance) {
         const Planetary of = body_of(target, "target"), from = body_of(centre, "centre");
         EphemerisTable table{};
         {
@@ -142,14 +133,11 @@ void bind_planets(nb::module_& m) {
       },
       nb::arg("target"), nb::arg("centre"), nb::arg("epoch"), nb::arg("first"), nb::arg("last"),
       nb::arg("tolerance") = 1e-10,
-      nb::sig("def planetary_orbit(target: Planetary | str, centre: Planetary | str, epoch: Date, "
-              "first: float, last: float, tolerance: float = 1e-10) -> TableOrbit"),
       "Such positions (km) as a TableOrbit from `first` to `last`, s of TT after `epoch`. Between "
       "its rows it is right to `tolerance` of the distance.");
   m.def(
       "j2000_from_teme", [](const Date& date) { return array_of(j2000_from_teme(date)); },
       nb::arg("date"),
-      nb::sig("def j2000_from_teme(date: Date) -> numpy.typing.NDArray[numpy.float64]"),
       "(3, 3): turns components along TEME, the axes of SGP4, into those along equator and equinox "
       "of J2000.");
 }

@@ -39,7 +39,7 @@ nb::tuple arguments_of(const MassMoments& m) {
   return nb::make_tuple(tuple_from(m.third), tuple_from(m.fourth));
 }
 
-MassMoments of_points(nb::handle masses, nb::handle positions) {
+MassMoments of_points(ArrayLike masses, ArrayLike positions) {
   Numbers both[] = {Numbers(masses, "masses"), Numbers(positions, "positions", {3})};
   const Shape shape = broadcast(both);
   std::vector<PointMass> points;
@@ -62,30 +62,22 @@ fourth : (15,), mass length^4: xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz
     yzzz zzzz.)");
   c.def(
        "__init__",
-       [](M* self, nb::handle third, nb::handle fourth) {
+       [](M* self, ArrayLike third, ArrayLike fourth) {
          new (self) M{moments_from<10>(third, "third"), moments_from<15>(fourth, "fourth")};
        },
-       nb::arg("third"), nb::arg("fourth"),
-       nb::sig("def __init__(self, third: numpy.typing.ArrayLike, fourth: numpy.typing.ArrayLike) "
-               "-> None"))
+       nb::arg("third"), nb::arg("fourth"))
       .def_static("of_points", of_points, nb::arg("masses"), nb::arg("positions"),
-                  nb::sig("def of_points(masses: numpy.typing.ArrayLike, positions: "
-                          "numpy.typing.ArrayLike) -> MassMoments"),
                   "Of point masses: (n,) or one number, and positions (n, 3), which are taken as "
                   "they are: from the centre of mass.")
       .def(
           "rotated",
-          [](const M& self, nb::handle matrix) { return rotated(self, mat3(matrix, "matrix")); },
-          nb::arg("matrix"),
-          nb::sig("def rotated(self, matrix: numpy.typing.ArrayLike) -> MassMoments"),
-          "Along the axes in which x becomes matrix @ x, a rotation (3, 3).")
+          [](const M& self, ArrayLike matrix) { return rotated(self, mat3(matrix, "matrix")); },
+          nb::arg("matrix"), "Along the axes in which x becomes matrix @ x, a rotation (3, 3).")
       .def_prop_ro(
           "third", [](const M& self) { return array_of(std::span(self.third)); },
-          nb::for_getter(nb::sig("def third(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(10,): of degree 3.")
       .def_prop_ro(
           "fourth", [](const M& self) { return array_of(std::span(self.fourth)); },
-          nb::for_getter(nb::sig("def fourth(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(15,): of degree 4.")
       .def("__repr__", [](const M& self) {
         const nb::tuple a = arguments_of(self);
@@ -118,8 +110,8 @@ name : stands in messages.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
-      [](C* self, double gm, nb::handle orbit, const MassMoments& moments, nb::handle orbit_of_,
-         nb::handle axes, nb::handle name) {
+      [](C* self, double gm, Orbit orbit, const MassMoments& moments, OneOf<OrbitOf> orbit_of_,
+         OneOf<SpaceAxes> axes, Text name) {
         const auto of = choice<OrbitOf>(orbit_of_, "orbit_of");
         const auto space = choice<SpaceAxes>(axes, "axes");
         make_along(self, "HigherGravity", orbit, name,
@@ -130,11 +122,7 @@ name : stands in messages.)",
                    });
       },
       nb::arg("gm"), nb::arg("orbit"), nb::arg("moments"), nb::arg("orbit_of"),
-      nb::arg("axes") = SpaceAxes::inertial, nb::arg("name") = nb::none(),
-      nb::sig(("def __init__(self, gm: float, orbit: " + orbit_type +
-               ", moments: MassMoments, orbit_of: OrbitOf | str, axes: SpaceAxes | str = "
-               "'inertial', name: str | None = None) -> None")
-                  .c_str()));
+      nb::arg("axes") = "inertial", nb::arg("name") = nb::none());
   def_term<C>(c);
 }
 
@@ -150,18 +138,14 @@ void bind_oblate(nb::module_& m) {
   value
       .def(
           "__init__",
-          [](O* self, double J2, double radius, nb::handle pole) {
+          [](O* self, double J2, double radius, ArrayLike pole) {
             new (self) O{J2, radius, vec3(pole, "pole")};
           },
-          nb::arg("J2"), nb::arg("radius"), nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0),
-          nb::sig("def __init__(self, J2: float, radius: float, pole: numpy.typing.ArrayLike = "
-                  "(0.0, 0.0, 1.0)) -> None"))
+          nb::arg("J2"), nb::arg("radius"), nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0))
       .def_ro("J2", &O::J2, "A pure number.")
       .def_ro("radius", &O::radius, "A length.")
       .def_prop_ro(
-          "pole", [](const O& o) { return array_of(o.pole); },
-          nb::for_getter(nb::sig("def pole(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(3,): the axis of figure.")
+          "pole", [](const O& o) { return array_of(o.pole); }, "(3,): the axis of figure.")
       .def("__repr__", [](const O& o) {
         return "Oblateness(J2=" + number_text(o.J2) + ", radius=" + number_text(o.radius) +
                ", pole=" + nb::cast<std::string>(nb::repr(tuple_of(o.pole))) + ")";
@@ -184,8 +168,7 @@ name : stands in messages.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
-      [](C* self, double gm, nb::handle orbit, const O& oblateness, nb::handle axes,
-         nb::handle name) {
+      [](C* self, double gm, Orbit orbit, const O& oblateness, OneOf<SpaceAxes> axes, Text name) {
         const auto space = choice<SpaceAxes>(axes, "axes");
         make_along(self, "OblateGravity", orbit, name,
                    {{"gm", "orbit", "oblateness", "axes", "name"},
@@ -194,12 +177,8 @@ name : stands in messages.)",
                      return AnyPerturbation(called, OblateGravity(gm, o, oblateness, space));
                    });
       },
-      nb::arg("gm"), nb::arg("orbit"), nb::arg("oblateness"), nb::arg("axes") = SpaceAxes::inertial,
-      nb::arg("name") = nb::none(),
-      nb::sig(("def __init__(self, gm: float, orbit: " + orbit_type +
-               ", oblateness: Oblateness, axes: SpaceAxes | str = 'inertial', name: str | None = "
-               "None) -> None")
-                  .c_str()));
+      nb::arg("gm"), nb::arg("orbit"), nb::arg("oblateness"), nb::arg("axes") = "inertial",
+      nb::arg("name") = nb::none());
   def_term<C>(c);
 }
 
@@ -241,7 +220,7 @@ ValueError unless gm, mass and the radius are positive, k2 and the lag not negat
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
-      [](C* self, double gm, double mass, nb::handle orbit, const B& body, nb::handle name) {
+      [](C* self, double gm, double mass, MovingOrbit orbit, const B& body, Text name) {
         make_along(
             self, "TidalTorque", orbit, name,
             {{"gm", "mass", "orbit", "body", "name"}, nb::make_tuple(gm, mass, orbit, body, name)},
@@ -256,10 +235,7 @@ ValueError unless gm, mass and the radius are positive, k2 and the lag not negat
             });
       },
       nb::arg("gm"), nb::arg("mass"), nb::arg("orbit"), nb::arg("body"),
-      nb::arg("name") = nb::none(),
-      nb::sig(("def __init__(self, gm: float, mass: float, orbit: " + moving_orbit_type +
-               ", body: TidalBody, name: str | None = None) -> None")
-                  .c_str()));
+      nb::arg("name") = nb::none());
   def_term<C>(c);
 }
 

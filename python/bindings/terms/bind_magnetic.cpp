@@ -103,18 +103,14 @@ epoch : time of the meridian.
 ValueError for numbers that are not finite, and for a pole of no length.)");
   c.def(
        "__init__",
-       [](F* self, nb::handle strength, nb::handle pole, double rate, double meridian,
-          double epoch) {
+       [](F* self, ArrayLike strength, ArrayLike pole, double rate, double meridian, double epoch) {
          new (self) F(vec3(strength, "strength"), primary_of(pole, rate, meridian, epoch));
        },
        nb::arg("strength"), nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("rate") = 0.0,
-       nb::arg("meridian") = 0.0, nb::arg("epoch") = 0.0,
-       nb::sig("def __init__(self, strength: numpy.typing.ArrayLike, pole: numpy.typing.ArrayLike "
-               "= (0.0, 0.0, 1.0), rate: float = 0.0, meridian: float = 0.0, epoch: float = 0.0) "
-               "-> None"))
+       nb::arg("meridian") = 0.0, nb::arg("epoch") = 0.0)
       .def_static(
           "from_gauss",
-          [](double g10, double g11, double h11, double reference_radius, nb::handle pole,
+          [](double g10, double g11, double h11, double reference_radius, ArrayLike pole,
              double rate, double meridian, double epoch) {
             return F::from_gauss({g10, g11, h11}, reference_radius,
                                  primary_of(pole, rate, meridian, epoch));
@@ -122,25 +118,16 @@ ValueError for numbers that are not finite, and for a pole of no length.)");
           nb::arg("g10"), nb::arg("g11"), nb::arg("h11"), nb::arg("reference_radius"),
           nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("rate") = 0.0,
           nb::arg("meridian") = 0.0, nb::arg("epoch") = 0.0,
-          nb::sig("def from_gauss(g10: float, g11: float, h11: float, reference_radius: float, "
-                  "pole: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), rate: float = 0.0, meridian: "
-                  "float = 0.0, epoch: float = 0.0) -> DipoleField"),
           "From the Gauss coefficients of degree one, as the IGRF lists them, with their radius.")
       .def(
           "field",
-          [](const F& f, double t, nb::handle x) { return array_of(f.field(t, vec3(x, "x"))); },
-          nb::arg("t"), nb::arg("x"),
-          nb::sig("def field(self, t: float, x: numpy.typing.ArrayLike) -> "
-                  "numpy.typing.NDArray[numpy.float64]"),
-          "(3,): B at the time t and the place x (3,), inertial axes.")
+          [](const F& f, double t, ArrayLike x) { return array_of(f.field(t, vec3(x, "x"))); },
+          nb::arg("t"), nb::arg("x"), "(3,): B at the time t and the place x (3,), inertial axes.")
       .def_prop_ro(
           "strength", [](const F& f) { return array_of(f.strength()); },
-          nb::for_getter(nb::sig("def strength(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): K along the axes of the primary.")
       .def_prop_ro(
-          "pole", [](const F& f) { return array_of(f.primary().pole); },
-          nb::for_getter(nb::sig("def pole(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(3,): as given.")
+          "pole", [](const F& f) { return array_of(f.primary().pole); }, "(3,): as given.")
       .def_prop_ro(
           "rate", [](const F& f) { return f.primary().rate; }, "Of the turning, rad per time.")
       .def_prop_ro(
@@ -174,7 +161,11 @@ moment : (3,), m along the principal body axes, torque per field.
   nb::class_<C, PythonTerm> c(m, "ResidualDipole", text.c_str(), nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle moment, nb::handle field, nb::handle orbit, nb::handle name) {
+       [](C* self, ArrayLike moment,
+          Typed<
+              "DipoleField | numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike]">
+              field,
+          Any orbit, Text name) {
          const std::string called = name_of(name, "ResidualDipole");
          const Vec3 m_B = vec3(moment, "moment");
          std::vector<SharedFunction> functions;
@@ -187,20 +178,12 @@ moment : (3,), m along the principal body axes, torque per field.
                                nb::make_tuple(tuple_of(m_B), field, orbit, name), functions));
        },
        nb::arg("moment"), nb::arg("field"), nb::arg("orbit") = nb::none(),
-       nb::arg("name") = nb::none(),
-       nb::sig("def __init__(self, moment: numpy.typing.ArrayLike, field: DipoleField | "
-               "numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike], orbit: "
-               "typing.Any = None, name: str | None = None) -> None"))
+       nb::arg("name") = nb::none())
       .def_prop_ro(
           "moment", [](const C& term) { return array_of(vec3(term.recipe.argument(0), "moment")); },
-          nb::for_getter(nb::sig("def moment(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): m along the principal body axes.")
-      .def_prop_ro(
-          "field", [](const C& term) { return term.recipe.argument(1); },
-          nb::for_getter(nb::sig("def field(self) -> typing.Any")), "As given.")
-      .def_prop_ro(
-          "orbit", [](const C& term) { return term.recipe.argument(2); },
-          nb::for_getter(nb::sig("def orbit(self) -> typing.Any")), "As given.");
+      .def_prop_ro("field", given<1, "typing.Any">, "As given.")
+      .def_prop_ro("orbit", given<2, "typing.Any">, "As given.");
   def_term<C>(c);
 }
 
@@ -223,8 +206,11 @@ tensor : M, one number, the diagonal (3,) in principal body axes, or a symmetric
   nb::class_<C, PythonTerm> c(m, "EddyCurrents", text.c_str(), nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle tensor, nb::handle field, nb::handle orbit, bool field_rate,
-          nb::handle name) {
+       [](C* self, ArrayLike tensor,
+          Typed<
+              "DipoleField | numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike]">
+              field,
+          Any orbit, bool field_rate, Text name) {
          const std::string called = name_of(name, "EddyCurrents");
          const Mat3 M = tensor_of(tensor);
          const FieldRate rate = field_rate ? FieldRate::along_orbit : FieldRate::left_out;
@@ -238,23 +224,14 @@ tensor : M, one number, the diagonal (3,) in principal body axes, or a symmetric
                                       functions));
        },
        nb::arg("tensor"), nb::arg("field"), nb::arg("orbit") = nb::none(),
-       nb::arg("field_rate") = true, nb::arg("name") = nb::none(),
-       nb::sig("def __init__(self, tensor: numpy.typing.ArrayLike, field: DipoleField | "
-               "numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike], orbit: "
-               "typing.Any = None, field_rate: bool = True, name: str | None = None) -> None"))
+       nb::arg("field_rate") = true, nb::arg("name") = nb::none())
       .def_prop_ro(
           "tensor", [](const C& term) { return array_of(mat3(term.recipe.argument(0), "tensor")); },
-          nb::for_getter(nb::sig("def tensor(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3, 3): M in principal body axes.")
-      .def_prop_ro(
-          "field", [](const C& term) { return term.recipe.argument(1); },
-          nb::for_getter(nb::sig("def field(self) -> typing.Any")), "As given.")
-      .def_prop_ro(
-          "orbit", [](const C& term) { return term.recipe.argument(2); },
-          nb::for_getter(nb::sig("def orbit(self) -> typing.Any")), "As given.")
+      .def_prop_ro("field", given<1, "typing.Any">, "As given.")
+      .def_prop_ro("orbit", given<2, "typing.Any">, "As given.")
       .def_prop_ro(
           "field_rate", [](const C& term) { return nb::cast<bool>(term.recipe.argument(3)); },
-          nb::for_getter(nb::sig("def field_rate(self) -> bool")),
           "Whether the rate of the field along the orbit counts.");
   def_term<C>(c);
 }

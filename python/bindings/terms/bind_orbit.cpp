@@ -128,7 +128,7 @@ struct Velocity {
 
 // At times of any shape, or at a time that carries derivatives: for frames that follow an orbit.
 template <class Of, class O>
-nb::object along(const O& orbit, nb::handle t) {
+FloatArray along(const O& orbit, nb::handle t) {
   if (nb::isinstance<PythonDual>(t))
     return std::visit(
         [&](const auto& at) -> nb::object {
@@ -146,26 +146,28 @@ nb::object along(const O& orbit, nb::handle t) {
   return mapped_numbers(times, {3}, [&](double at) { return Of{}(orbit, at); });
 }
 
-std::string signature(const char* name) {
-  return std::string("def ") + name +
-         "(self, t: numpy.typing.ArrayLike | Dual) -> numpy.typing.NDArray[numpy.float64]";
-}
-
 template <class O>
 void def_path(nb::class_<O>& c) {
   c.def(
-       "position", [](const O& orbit, nb::handle t) { return along<Position>(orbit, t); },
-       nb::arg("t"), nb::sig(signature("position").c_str()),
+       "position",
+       [](const O& orbit, Typed<"numpy.typing.ArrayLike | Dual"> t) {
+         return along<Position>(orbit, t);
+       },
+       nb::arg("t"),
        "(..., 3) at times t of any shape, in the axes of the elements. NaN in, NaN out. A Dual "
        "gives Duals.")
       .def(
-          "velocity", [](const O& orbit, nb::handle t) { return along<Velocity>(orbit, t); },
-          nb::arg("t"), nb::sig(signature("velocity").c_str()),
-          "(..., 3): the derivative of the position.")
+          "velocity",
+          [](const O& orbit, Typed<"numpy.typing.ArrayLike | Dual"> t) {
+            return along<Velocity>(orbit, t);
+          },
+          nb::arg("t"), "(..., 3): the derivative of the position.")
       .def(
-          "__call__", [](const O& orbit, nb::handle t) { return along<Position>(orbit, t); },
-          nb::arg("t"), nb::sig(signature("__call__").c_str()),
-          "position(t): an orbit serves where a function of time does.");
+          "__call__",
+          [](const O& orbit, Typed<"numpy.typing.ArrayLike | Dual"> t) {
+            return along<Position>(orbit, t);
+          },
+          nb::arg("t"), "position(t): an orbit serves where a function of time does.");
 }
 
 template <class O>
@@ -186,24 +188,20 @@ number of orbits.)");
   c.def(nb::init<const KeplerElements&>(), nb::arg("elements"))
       .def_static(
           "from_state",
-          [](nb::handle position, nb::handle velocity, double gm, double epoch) {
+          [](ArrayLike position, ArrayLike velocity, double gm, double epoch) {
             return O::from_state(vec3(position, "position"), vec3(velocity, "velocity"), gm, epoch);
           },
           nb::arg("position"), nb::arg("velocity"), nb::arg("gm"), nb::arg("epoch") = 0.0,
-          nb::sig("def from_state(position: numpy.typing.ArrayLike, velocity: "
-                  "numpy.typing.ArrayLike, gm: float, epoch: float = 0.0) -> KeplerOrbit"),
           "From position (3,) and velocity (3,) at `epoch`. ValueError where their angular "
           "momentum "
           "is 0, or the orbit is a parabola.")
       .def_prop_ro("mean_motion", &O::mean_motion, "n, rad per time.")
       .def_prop_ro(
           "state",
-          [](const O& o) -> nb::object {
-            if (!o.state()) return nb::none();
-            return nb::make_tuple(array_of(o.state()->position), array_of(o.state()->velocity));
+          [](const O& o) -> std::optional<std::tuple<FloatArray, FloatArray>> {
+            if (!o.state()) return std::nullopt;
+            return std::tuple(array_of(o.state()->position), array_of(o.state()->velocity));
           },
-          nb::for_getter(nb::sig("def state(self) -> tuple[numpy.typing.NDArray[numpy.float64], "
-                                 "numpy.typing.NDArray[numpy.float64]] | None")),
           "Position and velocity at the epoch of the elements where it was made of them: they say "
           "more than the elements do.")
       .def("__repr__", [](const O& o) { return "KeplerOrbit(" + repr_of(o.elements()) + ")"; })
@@ -303,7 +301,7 @@ PositionTable table_of(nb::handle times, nb::handle positions, nb::handle veloci
   return table;
 }
 
-nb::object array_of_rows(const std::vector<Vec3>& rows) {
+FloatArray array_of_rows(const std::vector<Vec3>& rows) {
   Result result({rows.size()}, {3});
   for (std::size_t k = 0; k < rows.size(); ++k) put(result.at(k), rows[k]);
   return result.take();
@@ -334,15 +332,12 @@ position(t) is NaN outside the table. ValueError for times that do not rise, num
 finite, too few rows.)");
   c.def(
        "__init__",
-       [](O* self, nb::handle times, nb::handle positions, nb::handle velocities, int order,
+       [](O* self, ArrayLike times, ArrayLike positions, ArrayLike velocities, int order,
           double overhang) {
          new (self) O(table_of(times, positions, velocities), order, overhang);
        },
        nb::arg("times"), nb::arg("positions"), nb::arg("velocities") = nb::none(),
-       nb::arg("order") = 0, nb::arg("overhang") = 0.0,
-       nb::sig("def __init__(self, times: numpy.typing.ArrayLike, positions: "
-               "numpy.typing.ArrayLike, velocities: numpy.typing.ArrayLike | None = None, order: "
-               "int = 0, overhang: float = 0.0) -> None"))
+       nb::arg("order") = 0, nb::arg("overhang") = 0.0)
       .def_prop_ro("order", &O::order, "Of the interpolation: degree plus one.")
       .def_prop_ro("first_time", &O::first_time, "Where the table begins.")
       .def_prop_ro("last_time", &O::last_time, "Where it ends.")
@@ -350,16 +345,13 @@ finite, too few rows.)");
       .def_prop_ro("is_evenly_spaced", &O::is_evenly_spaced, "To the rounding of the times.")
       .def_prop_ro("has_velocities", &O::has_velocities, "Whether it was made of them, too.")
       .def_prop_ro(
-          "times", [](const O& o) { return nb::object(arguments_of(o)[0]); },
-          nb::for_getter(nb::sig("def times(self) -> numpy.typing.NDArray[numpy.float64]")), "(N,)")
+          "times", [](const O& o) -> FloatArray { return nb::object(arguments_of(o)[0]); }, "(N,)")
       .def_prop_ro(
-          "positions", [](const O& o) { return array_of_rows(o.table().positions); },
-          nb::for_getter(nb::sig("def positions(self) -> numpy.typing.NDArray[numpy.float64]")),
-          "(N, 3)")
+          "positions", [](const O& o) { return array_of_rows(o.table().positions); }, "(N, 3)")
       .def_prop_ro(
-          "velocities", [](const O& o) { return nb::object(arguments_of(o)[2]); },
-          nb::for_getter(
-              nb::sig("def velocities(self) -> numpy.typing.NDArray[numpy.float64] | None")),
+          "velocities", [](const O& o) -> Typed<"numpy.typing.NDArray[numpy.float64] | None"> {
+            return nb::object(arguments_of(o)[2]);
+          },
           "(N, 3), or None.")
       .def(
           "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(),

@@ -38,7 +38,6 @@ TorqueTerm, HamiltonianTerm.)",
        "name", [](const P& p) { return p.name(); }, "Stands for the term in messages.")
       .def_prop_ro(
           "arguments", [](const P& p) { return p.recipe.by_name(); },
-          nb::for_getter(nb::sig("def arguments(self) -> dict[str, typing.Any]")),
           "What it was made from, by name.")
       .def_prop_ro(
           "supports_energy", [](const P& p) { return p.supports_energy(); },
@@ -54,7 +53,6 @@ TorqueTerm, HamiltonianTerm.)",
           "Whether double-double runs and state transitions can use it.")
       .def_prop_ro(
           "breakpoints", [](const P& p) { return array_of(p.breakpoints()); },
-          nb::for_getter(nb::sig("def breakpoints(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(n,): the times at which it is not smooth, where integrate ends a step.")
       .def_prop_ro(
           "supports_switches", [](const P& p) { return p.supports_switches(); },
@@ -86,7 +84,7 @@ function in Python works on float alone: not with Precision.double_double.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, double gm, nb::handle orbit, nb::handle axes, nb::handle name) {
+       [](C* self, double gm, Orbit orbit, OneOf<SpaceAxes> axes, Text name) {
          const auto of = choice<SpaceAxes>(axes, "axes");
          make_along(self, "GravityGradient", orbit, name,
                     {{"gm", "orbit", "axes", "name"}, nb::make_tuple(gm, orbit, of, name)},
@@ -94,21 +92,10 @@ function in Python works on float alone: not with Precision.double_double.)",
                       return AnyPerturbation(called, GravityGradient(gm, o, of));
                     });
        },
-       nb::arg("gm"), nb::arg("orbit"), nb::arg("axes") = SpaceAxes::inertial,
-       nb::arg("name") = nb::none(),
-       nb::sig(("def __init__(self, gm: float, orbit: " + orbit_type +
-                ", axes: SpaceAxes | str = 'inertial', name: str | None = None) -> None")
-                   .c_str()))
-      .def_prop_ro(
-          "gm", [](const C& term) { return term.recipe.argument(0); },
-          nb::for_getter(nb::sig("def gm(self) -> float")), "Of the attracting point mass.")
-      .def_prop_ro(
-          "orbit", [](const C& term) { return term.recipe.argument(1); },
-          nb::for_getter(nb::sig("def orbit(self) -> typing.Any")),
-          "The very object that was given.")
-      .def_prop_ro(
-          "axes", [](const C& term) { return term.recipe.argument(2); },
-          nb::for_getter(nb::sig("def axes(self) -> SpaceAxes")), "Of the positions of the orbit.");
+       nb::arg("gm"), nb::arg("orbit"), nb::arg("axes") = "inertial", nb::arg("name") = nb::none())
+      .def_prop_ro("gm", given<0, "float">, "Of the attracting point mass.")
+      .def_prop_ro("orbit", given<1, "typing.Any">, "The very object that was given.")
+      .def_prop_ro("axes", given<2, "SpaceAxes">, "Of the positions of the orbit.");
   def_term<C>(c);
 }
 
@@ -121,19 +108,17 @@ ConstantTorque.in_body(u_B), ConstantTorque.in_space(u, axes): momentum per time
                               nb::type_slots(recipe_slots<C>()));
   c.def_static(
        "in_body",
-       [](nb::handle u_B, nb::handle name) {
+       [](ArrayLike u_B, Text name) {
          const Vec3 u = vec3(u_B, "u_B");
          return C(AnyPerturbation(name_of(name, "ConstantTorque"), ConstantTorque::in_body(u)),
                   recipe_of("in_body", {"u_B", "name"}, nb::make_tuple(tuple_of(u), name)));
        },
        nb::arg("u_B"), nb::arg("name") = nb::none(),
-       nb::sig("def in_body(u_B: numpy.typing.ArrayLike, name: str | None = None) -> "
-               "ConstantTorque"),
        "Constant along the principal body axes: (3,). ValueError for a component that is not "
        "finite.")
       .def_static(
           "in_space",
-          [](nb::handle u, nb::handle axes, nb::handle name) {
+          [](ArrayLike u, OneOf<SpaceAxes> axes, Text name) {
             const Vec3 given = vec3(u, "u");
             const auto of = choice<SpaceAxes>(axes, "axes");
             return C(AnyPerturbation(name_of(name, "ConstantTorque"),
@@ -141,20 +126,15 @@ ConstantTorque.in_body(u_B), ConstantTorque.in_space(u, axes): momentum per time
                      recipe_of("in_space", {"u", "axes", "name"},
                                nb::make_tuple(tuple_of(given), of, name)));
           },
-          nb::arg("u"), nb::arg("axes") = SpaceAxes::inertial, nb::arg("name") = nb::none(),
-          nb::sig("def in_space(u: numpy.typing.ArrayLike, axes: SpaceAxes | str = "
-                  "'inertial', name: str | None = None) -> ConstantTorque"),
+          nb::arg("u"), nb::arg("axes") = "inertial", nb::arg("name") = nb::none(),
           "Constant (3,) in inertial axes, or in those of the reference frame.")
       .def_prop_ro(
           "u", [](const C& term) { return array_of(vec3(term.recipe.argument(0), "u")); },
-          nb::for_getter(nb::sig("def u(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3,): its components, in body axes where `axes` is None.")
       .def_prop_ro(
-          "axes",
-          [](const C& term) {
+          "axes", [](const C& term) -> Typed<"SpaceAxes | None"> {
             return term.recipe.names.size() == 3 ? term.recipe.argument(1) : nb::object(nb::none());
           },
-          nb::for_getter(nb::sig("def axes(self) -> SpaceAxes | None")),
           "Those in space; None: body axes.");
   def_term<C>(c);
 }
@@ -189,7 +169,7 @@ ValueError for a matrix that is not finite, not symmetric, or would drive the bo
                               nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle D, nb::handle body, nb::handle name) {
+       [](C* self, ArrayLike D, Typed<"Body"> body, Text name) {
          if (!body.is_none() && !nb::isinstance<Body>(body))
            throw nb::type_error(
                ("LinearDamping: body: got " + class_name(body) + "; expected a Body").c_str());
@@ -201,10 +181,7 @@ ValueError for a matrix that is not finite, not symmetric, or would drive the bo
          new (self) C(AnyPerturbation(name_of(name, "LinearDamping"), damping),
                       recipe_of("", {"D", "body", "name"}, nb::make_tuple(kept, body, name)));
        },
-       nb::arg("D"), nb::arg("body") = nb::none(), nb::arg("name") = nb::none(),
-       nb::sig(
-           "def __init__(self, D: numpy.typing.ArrayLike, body: Body | None = None, name: str | "
-           "None = None) -> None"))
+       nb::arg("D"), nb::arg("body") = nb::none(), nb::arg("name") = nb::none())
       .def_prop_ro(
           "matrix",
           [](const C& term) {
@@ -213,7 +190,6 @@ ValueError for a matrix that is not finite, not symmetric, or would drive the bo
             const Vec3 d = vec3(D, "D");
             return array_of(Mat3{{{d.x, 0.0, 0.0}, {0.0, d.y, 0.0}, {0.0, 0.0, d.z}}});
           },
-          nb::for_getter(nb::sig("def matrix(self) -> numpy.typing.NDArray[numpy.float64]")),
           "(3, 3): D in principal body axes.");
   def_term<C>(c);
 }

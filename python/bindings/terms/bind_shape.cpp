@@ -13,8 +13,6 @@ namespace polhode::python {
 
 namespace {
 
-constexpr const char* array_signature = "(self) -> numpy.typing.NDArray[numpy.float64]";
-
 std::size_t rows_of(const Numbers& numbers, const char* expected) {
   if (numbers.shape().size() == 1) return numbers.shape()[0];
   throw nb::value_error((std::string(numbers.name()) + ": got leading shape " +
@@ -43,14 +41,14 @@ FacetShape shape_from(nb::handle vertices, nb::handle triangles) {
 
 // (N, ...) of what `value(i)` gives for each of `count`.
 template <class Value>
-nb::object stacked(std::size_t count, std::initializer_list<std::size_t> inner, Value value) {
+FloatArray stacked(std::size_t count, std::initializer_list<std::size_t> inner, Value value) {
   Result out({count}, inner);
   for (std::size_t i = 0; i < count; ++i) put(out.at(i), value(i));
   return out.take();
 }
 
 template <std::size_t size>
-nb::object moments_array(const std::array<double, size>& m) {
+FloatArray moments_array(const std::array<double, size>& m) {
   return stacked(size, {}, [&](std::size_t i) { return m[i]; });
 }
 
@@ -65,21 +63,17 @@ triangles : (M, 3), places in the list of vertices, from 0; counterclockwise as 
 
 ValueError names the vertex or the facet, counted from 1: not finite, no such vertex, no area.)");
   c.def(
-       "__init__", [](S* self, nb::handle v, nb::handle t) { new (self) S(shape_from(v, t)); },
-       nb::arg("vertices"), nb::arg("triangles"),
-       nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, triangles: "
-               "numpy.typing.ArrayLike) -> None"))
+       "__init__", [](S* self, ArrayLike v, ArrayLike t) { new (self) S(shape_from(v, t)); },
+       nb::arg("vertices"), nb::arg("triangles"))
       .def_prop_ro(
           "vertices",
           [](const S& s) {
             return stacked(s.vertices().size(), {3},
                            [&](std::size_t i) { return s.vertices()[i]; });
           },
-          nb::for_getter(nb::sig((std::string("def vertices") + array_signature).c_str())),
           "(N, 3).")
       .def_prop_ro(
-          "triangles",
-          [](const S& s) {
+          "triangles", [](const S& s) -> Typed<"numpy.typing.NDArray[numpy.uint32]"> {
             return stacked(s.triangles().size(), {3},
                            [&](std::size_t i) {
                              const auto& t = s.triangles()[i];
@@ -87,7 +81,6 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
                            })
                 .attr("astype")("uint32");
           },
-          nb::for_getter(nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]")),
           "(M, 3), from 0.")
       .def_prop_ro(
           "centres",
@@ -95,7 +88,6 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
             return stacked(s.facets().size(), {3},
                            [&](std::size_t i) { return s.facets()[i].centre; });
           },
-          nb::for_getter(nb::sig((std::string("def centres") + array_signature).c_str())),
           "(M, 3): of the facets.")
       .def_prop_ro(
           "normals",
@@ -103,7 +95,6 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
             return stacked(s.facets().size(), {3},
                            [&](std::size_t i) { return s.facets()[i].normal; });
           },
-          nb::for_getter(nb::sig((std::string("def normals") + array_signature).c_str())),
           "(M, 3): of length 1.")
       .def_prop_ro(
           "areas",
@@ -111,7 +102,6 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
             return stacked(s.facets().size(), {},
                            [&](std::size_t i) { return s.facets()[i].area; });
           },
-          nb::for_getter(nb::sig((std::string("def areas") + array_signature).c_str())),
           "(M,): of the facets.")
       .def_prop_ro("area", &S::area, "Of all facets.")
       .def_prop_ro("open_edge", &S::open_edge,
@@ -119,13 +109,10 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
                    "mesh is closed.")
       .def(
           "moved",
-          [](const S& s, nb::handle origin, double factor) {
+          [](const S& s, ArrayLike origin, double factor) {
             return s.moved(vec3(origin, "origin"), factor);
           },
-          nb::arg("origin"), nb::arg("factor") = 1.0,
-          nb::sig("def moved(self, origin: numpy.typing.ArrayLike, factor: float = 1.0) -> "
-                  "FacetShape"),
-          "x -> factor (x - origin).")
+          nb::arg("origin"), nb::arg("factor") = 1.0, "x -> factor (x - origin).")
       .def("__len__", [](const S& s) { return s.facets().size(); })
       .def("__repr__",
            [](const S& s) {
@@ -148,26 +135,20 @@ void bind_mass(nb::module_& m) {
       .def_ro("volume", &P::volume, "Inside the mesh.")
       .def_ro("mass", &P::mass, "Density times volume.")
       .def_prop_ro(
-          "centre", [](const P& p) { return array_of(p.centre); },
-          nb::for_getter(nb::sig((std::string("def centre") + array_signature).c_str())),
-          "(3,): of mass.")
+          "centre", [](const P& p) { return array_of(p.centre); }, "(3,): of mass.")
       .def_prop_ro(
           "inertia", [](const P& p) { return array_of(p.inertia); },
-          nb::for_getter(nb::sig((std::string("def inertia") + array_signature).c_str())),
           "(3, 3): tensor about the centre.")
       .def_prop_ro(
           "third", [](const P& p) { return moments_array(p.moments.third); },
-          nb::for_getter(nb::sig((std::string("def third") + array_signature).c_str())),
           "(10,): integrals of xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz over the mass, about the "
           "centre.")
       .def_prop_ro(
           "fourth", [](const P& p) { return moments_array(p.moments.fourth); },
-          nb::for_getter(nb::sig((std::string("def fourth") + array_signature).c_str())),
           "(15,): integrals of xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz "
           "yzzz zzzz.")
       .def_prop_ro(
           "principal_moments", [](const P& p) { return principal_moments(p, body(p)); },
-          nb::for_getter(nb::sig("def principal_moments(self) -> MassMoments")),
           "MassMoments along the principal axes of `body`, as HigherGravity takes them.")
       .def_prop_ro(
           "body", [](const P& p) { return body(p); }, "Its Body, with the principal axes.")
@@ -193,7 +174,7 @@ Surface surface_from(nb::handle rows) {
   return Surface(std::move(facets));
 }
 
-nb::object rows_array(const Surface& s) {
+FloatArray rows_array(const Surface& s) {
   Result out({s.facets().size()}, {columns});
   for (std::size_t k = 0; k < s.facets().size(); ++k) {
     const SurfaceFacet& f = s.facets()[k];
@@ -221,11 +202,11 @@ normal_accommodation, tangential_accommodation. Fractions of the light: mirrored
 Lambert's law, and of what is absorbed the part that leaves at once as heat. ValueError names the
 facet, counted from 1, and its wrong number.)");
   c.def(
-       "__init__", [](S* self, nb::handle rows) { new (self) S(surface_from(rows)); },
-       nb::arg("rows"), nb::sig("def __init__(self, rows: numpy.typing.ArrayLike) -> None"))
+       "__init__", [](S* self, ArrayLike rows) { new (self) S(surface_from(rows)); },
+       nb::arg("rows"))
       .def_static(
           "of_shape",
-          [](const FacetShape& shape, nb::handle centre, double specular, double diffuse,
+          [](const FacetShape& shape, ArrayLike centre, double specular, double diffuse,
              double emitted, double normal, double tangential) {
             return S::of_shape(shape, vec3(centre, "centre"),
                                {specular, diffuse, emitted, normal, tangential});
@@ -233,13 +214,10 @@ facet, counted from 1, and its wrong number.)");
           nb::arg("shape"), nb::arg("centre"), nb::arg("specular") = 0.0, nb::arg("diffuse") = 0.0,
           nb::arg("emitted") = 0.0, nb::arg("normal_accommodation") = 1.0,
           nb::arg("tangential_accommodation") = 1.0,
-          nb::sig("def of_shape(shape: FacetShape, centre: numpy.typing.ArrayLike, specular: float "
-                  "= 0.0, diffuse: float = 0.0, emitted: float = 0.0, normal_accommodation: float "
-                  "= 1.0, tangential_accommodation: float = 1.0) -> Surface"),
           "Every facet of a mesh, `centre` its centre of mass.")
       .def_static(
           "of_plate",
-          [](nb::handle centre, nb::handle direction, double area, double specular, double diffuse,
+          [](ArrayLike centre, ArrayLike direction, double area, double specular, double diffuse,
              double emitted, double normal, double tangential, bool both_sides) {
             return S::of_plate(vec3(centre, "centre"), vec3(direction, "normal"), area,
                                {specular, diffuse, emitted, normal, tangential}, both_sides);
@@ -247,23 +225,17 @@ facet, counted from 1, and its wrong number.)");
           nb::arg("centre"), nb::arg("normal"), nb::arg("area"), nb::arg("specular") = 0.0,
           nb::arg("diffuse") = 0.0, nb::arg("emitted") = 0.0, nb::arg("normal_accommodation") = 1.0,
           nb::arg("tangential_accommodation") = 1.0, nb::arg("both_sides") = false,
-          nb::sig("def of_plate(centre: numpy.typing.ArrayLike, normal: numpy.typing.ArrayLike, "
-                  "area: float, specular: float = 0.0, diffuse: float = 0.0, emitted: float = 0.0, "
-                  "normal_accommodation: float = 1.0, tangential_accommodation: float = 1.0, "
-                  "both_sides: bool = False) -> Surface"),
           "A flat plate: centre (3,) and normal (3,) along the body axes, in units of length; area "
           "in "
           "their square. The fractions are from 0 to 1, specular + diffuse at most 1. With both "
           "sides, "
           "two facets. ValueError for others.")
       .def(
-          "along", [](const S& s, nb::handle q_FB) { return s.along(quaternion(q_FB, "q_FB")); },
-          nb::arg("q_FB"), nb::sig("def along(self, q_FB: numpy.typing.ArrayLike) -> Surface"),
+          "along", [](const S& s, ArrayLike q_FB) { return s.along(quaternion(q_FB, "q_FB")); },
+          nb::arg("q_FB"),
           "The same facets along axes B: q_FB is the rotation from them to those of this surface, "
           "as Body.q_FB.")
-      .def_prop_ro("rows", rows_array,
-                   nb::for_getter(nb::sig((std::string("def rows") + array_signature).c_str())),
-                   "(N, 12).")
+      .def_prop_ro("rows", rows_array, "(N, 12).")
       .def("__len__", [](const S& s) { return s.facets().size(); })
       .def(
           "__add__",
@@ -287,7 +259,7 @@ facet, counted from 1, and its wrong number.)");
 void bind_yorp(nb::module_& m) {
   m.def(
       "yorp_torque",
-      [](const Surface& surface, nb::handle obliquity, nb::handle axis) {
+      [](const Surface& surface, ArrayLike obliquity, ArrayLike axis) {
         const Numbers o(obliquity, "obliquity");
         const Vec3 about = vec3(axis, "axis");
         Result out(o.shape(), {3});
@@ -298,8 +270,6 @@ void bind_yorp(nb::module_& m) {
         return out.take();
       },
       nb::arg("surface"), nb::arg("obliquity"), nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0),
-      nb::sig("def yorp_torque(surface: Surface, obliquity: numpy.typing.ArrayLike, axis: "
-              "numpy.typing.ArrayLike = (0.0, 0.0, 1.0)) -> numpy.typing.NDArray[numpy.float64]"),
       "Torque of sunlight averaged over rotation about `axis` and over the orbit, at mean pressure "
       "1: (..., 3), along the spin axis, towards larger obliquity, and of the precession. "
       "Multiply by mean_pressure. Facets do not shade each other.");

@@ -59,9 +59,9 @@ Facets do not shade each other. A torque of time and attitude alone; no energy.)
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
-      [](C* self, const Surface& surface, double pressure, double distance, nb::handle orbit,
-         nb::handle sun, nb::handle shadow, nb::handle radius, nb::handle sun_radius, bool reversed,
-         bool sun_reversed, nb::handle axes, nb::handle name) {
+      [](C* self, const Surface& surface, double pressure, double distance, Any orbit, Any sun,
+         Text shadow, Typed<"float"> radius, Typed<"float"> sun_radius, bool reversed,
+         bool sun_reversed, OneOf<SpaceAxes> axes, Text name) {
         const std::string own = name_of(name, "SolarPressure");
         const auto of = choice<SpaceAxes>(axes, "axes");
         std::vector<SharedFunction> functions;
@@ -90,15 +90,8 @@ Facets do not shade each other. A torque of time and attitude alone; no energy.)
       nb::arg("surface"), nb::arg("pressure"), nb::arg("distance"), nb::arg("orbit"),
       nb::arg("sun") = nb::none(), nb::arg("shadow") = nb::none(), nb::arg("radius") = nb::none(),
       nb::arg("sun_radius") = nb::none(), nb::arg("reversed") = false,
-      nb::arg("sun_reversed") = false, nb::arg("axes") = SpaceAxes::inertial,
-      nb::arg("name") = nb::none(),
-      nb::sig("def __init__(self, surface: Surface, pressure: float, distance: float, orbit: "
-              "typing.Any, sun: typing.Any = None, shadow: str | None = None, radius: float | None "
-              "= None, sun_radius: float | None = None, reversed: bool = False, sun_reversed: bool "
-              "= False, axes: SpaceAxes | str = 'inertial', name: str | None = None) -> None"));
-  c.def_prop_ro(
-      "surface", [](const C& term) { return term.recipe.argument(0); },
-      nb::for_getter(nb::sig("def surface(self) -> Surface")), "What the light falls on.");
+      nb::arg("sun_reversed") = false, nb::arg("axes") = "inertial", nb::arg("name") = nb::none());
+  c.def_prop_ro("surface", given<0, "Surface">, "What the light falls on.");
   def_term<C>(c);
 }
 
@@ -124,9 +117,8 @@ Molecules that are slow against the body; facets do not shade each other.)",
                               nb::type_slots(recipe_slots<C>()));
   c.def(
       "__init__",
-      [](C* self, const Surface& surface, double density, nb::handle orbit, nb::handle scale_height,
-         nb::handle radius, nb::handle rotation, double exit_speed, bool reversed,
-         nb::handle name) {
+      [](C* self, const Surface& surface, double density, Any orbit, Typed<"float"> scale_height,
+         Typed<"float"> radius, ArrayLike rotation, double exit_speed, bool reversed, Text name) {
         const std::string own = name_of(name, "AtmosphericDrag");
         std::vector<SharedFunction> functions;
         Atmosphere air{.density = density};
@@ -151,14 +143,8 @@ Molecules that are slow against the body; facets do not shade each other.)",
       nb::arg("surface"), nb::arg("density"), nb::arg("orbit"),
       nb::arg("scale_height") = nb::none(), nb::arg("radius") = nb::none(),
       nb::arg("rotation") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("exit_speed") = 0.0,
-      nb::arg("reversed") = false, nb::arg("name") = nb::none(),
-      nb::sig("def __init__(self, surface: Surface, density: float, orbit: typing.Any, "
-              "scale_height: float | None = None, radius: float | None = None, rotation: "
-              "numpy.typing.ArrayLike = (0.0, 0.0, 0.0), exit_speed: float = 0.0, reversed: bool = "
-              "False, name: str | None = None) -> None"));
-  c.def_prop_ro(
-      "surface", [](const C& term) { return term.recipe.argument(0); },
-      nb::for_getter(nb::sig("def surface(self) -> Surface")), "What the air meets.");
+      nb::arg("reversed") = false, nb::arg("name") = nb::none());
+  c.def_prop_ro("surface", given<0, "Surface">, "What the air meets.");
   def_term<C>(c);
 }
 

@@ -59,8 +59,8 @@ class PythonHamiltonian {
 
 // What RotorState is to floats.
 struct DualState {
-  nb::object q;
-  nb::object g;
+  Any q;
+  Any g;
 };
 
 template <class T>
@@ -229,24 +229,16 @@ TypeError or ValueError, naming the term, for what is not three numbers; NaN is 
                               nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle function, nb::handle name, bool kick, nb::handle switches,
-          nb::handle time_scale) {
+       [](C* self, Typed<"typing.Callable[..., numpy.typing.ArrayLike]"> function, Text name,
+          bool kick, Typed<"typing.Callable[[float, RotorState], numpy.typing.ArrayLike]"> switches,
+          Typed<"float"> time_scale) {
          make_torque_term(self, function, name, kick, switches, time_scale);
        },
        nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
-       nb::arg("switches") = nb::none(), nb::arg("time_scale") = nb::none(),
-       nb::sig("def __init__(self, function: typing.Callable[..., numpy.typing.ArrayLike], name: "
-               "str | None = None, kick: bool = False, switches: typing.Callable[[float, "
-               "RotorState], numpy.typing.ArrayLike] | None = None, time_scale: float | None = "
-               "None) -> None"))
-      .def_prop_ro(
-          "function", [](const C& term) { return term.recipe.argument(0); },
-          nb::for_getter(nb::sig("def function(self) -> typing.Any")),
-          "The very object that was given.")
-      .def_prop_ro(
-          "switches", [](const C& term) { return term.recipe.argument(3); },
-          nb::for_getter(nb::sig("def switches(self) -> typing.Any")),
-          "The very object that was given; None: none.");
+       nb::arg("switches") = nb::none(), nb::arg("time_scale") = nb::none())
+      .def_prop_ro("function", given<0, "typing.Any">, "The very object that was given.")
+      .def_prop_ro("switches", given<3, "typing.Any">,
+                   "The very object that was given; None: none.");
   def_term<C>(c);
 }
 
@@ -254,10 +246,8 @@ void bind_user_hamiltonian(nb::module_& m) {
   nb::class_<DualState>(m, "DualState",
                         "The state that a HamiltonianTerm's function is called with: q (4,) and g "
                         "(3,), object arrays of Dual.")
-      .def_ro("q", &DualState::q, nb::for_getter(nb::sig("def q(self) -> typing.Any")),
-              "(4,): attitude (w, x, y, z), body to reference frame.")
-      .def_ro("g", &DualState::g, nb::for_getter(nb::sig("def g(self) -> typing.Any")),
-              "(3,): angular momentum along the body axes.")
+      .def_ro("q", &DualState::q, "(4,): attitude (w, x, y, z), body to reference frame.")
+      .def_ro("g", &DualState::g, "(3,): angular momentum along the body axes.")
       .def("__repr__", [](const DualState& s) {
         return "DualState(q=" + nb::cast<std::string>(nb::repr(s.q)) +
                ", g=" + nb::cast<std::string>(nb::repr(s.g)) + ")";
@@ -285,17 +275,13 @@ What it raises passes through; TypeError, naming the term, for what is no number
                               nb::type_slots(recipe_slots<C>()));
   c.def(
        "__init__",
-       [](C* self, nb::handle function, nb::handle name, bool kick) {
+       [](C* self, Typed<"typing.Callable[[typing.Any, typing.Any], Dual | float]"> function,
+          Text name, bool kick) {
          make_user_term<C, HamiltonianTerm, PythonHamiltonian>(self, "HamiltonianTerm", function,
                                                                name, kick);
        },
-       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
-       nb::sig("def __init__(self, function: typing.Callable[[typing.Any, typing.Any], Dual | "
-               "float], name: str | None = None, kick: bool = False) -> None"))
-      .def_prop_ro(
-          "function", [](const C& term) { return term.recipe.argument(0); },
-          nb::for_getter(nb::sig("def function(self) -> typing.Any")),
-          "The very object that was given.");
+       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false)
+      .def_prop_ro("function", given<0, "typing.Any">, "The very object that was given.");
   def_term<C>(c);
 }
 

@@ -38,11 +38,11 @@ struct Given {
   nb::object arguments;
 };
 
-// What the argument `orbit` of a term takes, for its signature: an orbit with a velocity, or any.
-inline const std::string moving_orbit_type =
-    "KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit";
-inline const std::string orbit_type =
-    moving_orbit_type + " | typing.Callable[[float], numpy.typing.ArrayLike]";
+// What the argument `orbit` of a term takes: an orbit with a velocity, or any.
+using MovingOrbit = Typed<"KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit">;
+using Orbit = Typed<
+    "KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit | "
+    "typing.Callable[[float], numpy.typing.ArrayLike]">;
 
 // A term of class C along an orbit that Python gives: made(called, orbit) is an AnyPerturbation.
 template <class C, class Made>
@@ -54,6 +54,12 @@ void make_along(C* self, const char* type, nb::handle orbit, nb::handle name, co
   const AnyPerturbation term =
       std::visit([&](const auto& o) -> AnyPerturbation { return made(called, o); }, any);
   new (self) C(term, recipe_of("", given.names, given.arguments, std::move(functions)));
+}
+
+// What a term was given at place i.
+template <std::size_t i, TypeText type>
+Typed<type> given(const PythonTerm& term) {
+  return nb::object(term.recipe.argument(i));
 }
 
 template <class C, class Class>
