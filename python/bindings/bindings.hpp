@@ -18,6 +18,7 @@
 namespace polhode::python {
 
 namespace nb = nanobind;
+using namespace nb::literals;  // "t"_a: an argument
 
 void bind_numbers(nb::module_& m);
 void bind_math(nb::module_& m);

@@ -38,9 +38,13 @@ def _default(node: ast.expr, given: dict[str, Any], names: dict[str, Any]) -> An
 
 
 def _parsed(text: str, defaults: Any, names: dict[str, Any]) -> inspect.Signature:
-    """Of "def f(x: float, *, t: float = \\0) -> float", where \\0 stands for the first default."""
+    """Of "def f(x: float, *, t: float = \\0) -> float", where \\0 stands for the first default,
+    \\=0 for its text."""
     given = {f"_default_{i}": value for i, value in enumerate(defaults or ())}
-    text = re.sub(r"\\(\d+)", r"_default_\1", text)
+    for i in re.findall(r"\\=(\d+)", text):  # a default with a text of its own
+        given[f"_default_{i}"] = _Shown(given[f"_default_{i}"])
+    text = re.sub(r"\\=?(\d+)", r"_default_\1", text)
+    text = re.sub(r"\bpolhode\.(?=[A-Z])", "", text)
     (function,) = ast.parse(text + ": ...").body
     assert isinstance(function, ast.FunctionDef)
     arguments = function.args

@@ -163,6 +163,8 @@ OF_CALL = {
     "RotorRates.__init__": {"g": VECTOR},
     "HubRates.__init__": {"theta": VECTOR, "g": VECTOR},
     "SaveAt.count": {"rows": 3},
+    "Modulus.__init__": {"m": 0.25, "m1": 0.75},
+    "Outcome.__init__": {"status": "completed", "advice": ""},
     "Adaptive.__init__": {"tolerance": 1e-9},
     "VariationOfConstants.__init__": {"tolerance": 1e-9},
     "SolarPressure.__init__": {"shadow": "cone", "sun": ORBIT},

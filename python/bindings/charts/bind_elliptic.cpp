@@ -77,7 +77,7 @@ void bind_of_modulus(nb::module_& e, const char* name, F f) {
         return with_modulus({}, m, m1, {}, 1,
                             [&](auto&&, const Modulus& mod, double* out) { *out = f(mod); });
       },
-      nb::arg("m"), nb::arg("m1").none());
+      "m"_a, "m1"_a.none());
 }
 template <class F>
 void bind_of_one(nb::module_& e, const char* name, const char* first, F f) {
@@ -88,7 +88,7 @@ void bind_of_one(nb::module_& e, const char* name, const char* first, F f) {
             numbers({{a, first}}), m, m1, {}, 1,
             [&](auto&& x, const Modulus& mod, double* out) { *out = f(x(0), mod); });
       },
-      nb::arg(first), nb::arg("m"), nb::arg("m1").none());
+      nb::arg(first), "m"_a, "m1"_a.none());
 }
 
 void bind_carlson(nb::module_& e) {
@@ -145,7 +145,7 @@ void bind_incomplete(nb::module_& e) {
             numbers({{phi, "phi"}, {n, "n"}}), m, m1, {}, 1,
             [](auto&& x, const Modulus& mod, double* out) { *out = legendre_pi(x(0), x(1), mod); });
       },
-      nb::arg("phi"), nb::arg("n"), nb::arg("m"), nb::arg("m1").none());
+      "phi"_a, "n"_a, "m"_a, "m1"_a.none());
   e.def(
       "jacobi",
       [](nb::handle u, nb::handle m, nb::handle m1) {
@@ -157,7 +157,7 @@ void bind_incomplete(nb::module_& e) {
                               out[2] = j.dn;
                             });
       },
-      nb::arg("u"), nb::arg("m"), nb::arg("m1").none());
+      "u"_a, "m"_a, "m1"_a.none());
 }
 
 }  // namespace

@@ -134,13 +134,13 @@ void def_motion(nb::class_<FreeRotation>& c) {
        [](FreeRotation* self, const Body& body, const Rotors& s0, double t0) {
          new (self) FreeRotation(body, single(s0, "FreeRotation"), t0);
        },
-       nb::arg("body"), nb::arg("s0"), nb::arg("t0") = 0.0)
+       "body"_a, "s0"_a, "t0"_a = 0.0)
       .def_static(
           "short_arc",
           [](const Body& body, const Rotors& s0, double t0) {
             return FreeRotation::short_arc(body, single(s0, "FreeRotation.short_arc"), t0);
           },
-          nb::arg("body"), nb::arg("s0"), nb::arg("t0") = 0.0,
+          "body"_a, "s0"_a, "t0"_a = 0.0,
           "The same, prepared in double precision throughout: a microsecond, for a few turns.")
       .def(
           "at",
@@ -148,7 +148,7 @@ void def_motion(nb::class_<FreeRotation>& c) {
             const Numbers times(t, "t");
             return mapped(times, [&](double at) { return f.at(at); });
           },
-          nb::arg("t"),
+          "t"_a,
           "The exact state at time t: t of any shape, a RotorState of that shape. NaN in, NaN out.")
       .def(
           "state_transition",
@@ -156,7 +156,7 @@ void def_motion(nb::class_<FreeRotation>& c) {
             const Numbers times(t, "t");
             return mapped_numbers(times, {6, 6}, [&](double at) { return f.state_transition(at); });
           },
-          nb::arg("t"),
+          "t"_a,
           "d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): (..., 6, 6); attitude changes in body "
           "axes, q exp(dtheta_B / 2).");
 }
@@ -171,7 +171,7 @@ void def_motion_value(nb::class_<FreeRotation>& c) {
         })
       .def("__copy__", [](const FreeRotation& f) { return f; })
       .def(
-          "__deepcopy__", [](const FreeRotation& f, nb::handle) { return f; }, nb::arg("memo"))
+          "__deepcopy__", [](const FreeRotation& f, nb::handle) { return f; }, "memo"_a)
       .def("__getstate__",
            [](const FreeRotation& f) {
              return nb::make_tuple(f.body(), Rotors::one(f.initial_state()), f.epoch(),
@@ -190,29 +190,18 @@ void def_motion_value(nb::class_<FreeRotation>& c) {
                    a.initial_state() == b.initial_state() && a.epoch() == b.epoch() &&
                    same_rates(a, b);
           },
-          nb::is_operator(), nb::arg("other"));
+          nb::is_operator(), "other"_a);
   c.attr("__hash__") = nb::none();
 }
 
 void bind_motion(nb::module_& m) {
-  nb::class_<Modulus>(m, "Modulus",
-                      "The modulus m of elliptic functions with its complement: m1 = 1 - m keeps "
-                      "its digits near the separatrix.")
-      .def_prop_ro("m", &Modulus::m, "The parameter m = k^2.")
-      .def_prop_ro("m1", &Modulus::m1, "1 - m, to its own full accuracy.")
-      .def(
-          "__eq__",
-          [](const Modulus& a, const Modulus& b) { return a.m() == b.m() && a.m1() == b.m1(); },
-          nb::is_operator(), nb::arg("other"))
-      .def("__hash__", [](const Modulus& k) { return nb::hash(nb::make_tuple(k.m(), k.m1())); })
-      .def("__getstate__", [](const Modulus& k) { return nb::make_tuple(k.m(), k.m1()); })
-      .def("__setstate__",
-           [](Modulus& k, const std::tuple<double, double>& state) {
-             new (&k) Modulus(Modulus::from_pair(std::get<0>(state), std::get<1>(state)));
-           })
-      .def("__repr__", [](const Modulus& k) {
-        return "Modulus(m=" + number_text(k.m()) + ", m1=" + number_text(k.m1()) + ")";
-      });
+  bind_made_value<Modulus>(
+      m, "Modulus",
+      "The modulus m of elliptic functions with its complement: m1 = 1 - m keeps its digits near "
+      "the separatrix.",
+      [](double p, double q) { return Modulus::from_pair(p, q); },
+      field("m", &Modulus::m, "The parameter m = k^2."),
+      field("m1", &Modulus::m1, "1 - m, to its own full accuracy."));
   using F = FreeRotation;
   nb::class_<F> c(m, "FreeRotation",
                   R"(The exact torque-free motion of a body, at any time, in every regime. [SA (12)]
@@ -260,7 +249,7 @@ void def_flow_chart(nb::module_& m, const char* name, Of of, const char* doc) {
         const Numbers times(t, "t");
         return mapped(times, [&](double at) { return of(motion, at); });
       },
-      nb::arg("motion"), nb::arg("t"), doc);
+      "motion"_a, "t"_a, doc);
   m.def(
       name,
       [of](const Body& body, const Rotors& states, ArrayLike t) {
@@ -269,7 +258,7 @@ void def_flow_chart(nb::module_& m, const char* name, Of of, const char* doc) {
           return of(FreeRotation(body, s, at), at);
         });
       },
-      nb::arg("body"), nb::arg("state"), nb::arg("t") = 0.0, doc);
+      "body"_a, "state"_a, "t"_a = 0.0, doc);
 }
 
 void bind_flow_charts(nb::module_& m) {
@@ -292,14 +281,14 @@ void bind_flow_charts(nb::module_& m) {
       [](const Body& body, const Batch<SadovState>& states) {
         return mapped(states, [&](const SadovState& s) { return to_rotor(body, s); });
       },
-      nb::arg("body"), nb::arg("state"),
+      "body"_a, "state"_a,
       "The hub state of action-angle variables. ValueError for actions outside the region.");
   m.def(
       "to_rotor",
       [](const Body& body, const Batch<TumblerState>& states) {
         return mapped(states, [&](const TumblerState& s) { return to_rotor(body, s); });
       },
-      nb::arg("body"), nb::arg("state"),
+      "body"_a, "state"_a,
       "The hub state at the epoch of the angles. ValueError for periods that the body cannot "
       "have.");
   m.def(
@@ -309,8 +298,7 @@ void bind_flow_charts(nb::module_& m) {
         return mapped(states, times,
                       [&](const SerretState& s, double at) { return to_rotor(body, s, at); });
       },
-      nb::arg("body"), nb::arg("state"), nb::arg("t"),
-      "The hub state at time t of Serret's elements.");
+      "body"_a, "state"_a, "t"_a, "The hub state at time t of Serret's elements.");
 }
 
 void bind_flow_jacobians(nb::module_& m) {
@@ -320,7 +308,7 @@ void bind_flow_jacobians(nb::module_& m) {
         return mapped_numbers(states, {6, 6},
                               [&](const SadovState& s) { return chart_jacobian(body, s); });
       },
-      nb::arg("body"), nb::arg("state"),
+      "body"_a, "state"_a,
       "B of action-angle variables: (..., 6, 6), columns phi_l, phi_g, phi_h, I_l, I_g, I_h.");
   m.def(
       "chart_jacobian",
@@ -330,7 +318,7 @@ void bind_flow_jacobians(nb::module_& m) {
           return chart_jacobian(body, s, at);
         });
       },
-      nb::arg("body"), nb::arg("state"), nb::arg("t"),
+      "body"_a, "state"_a, "t"_a,
       "B at time t of Serret's elements: (..., 6, 6), columns g0, h, -t0, G, H, T: canonical with "
       "-t0 as the third angle.");
 }
@@ -365,38 +353,21 @@ void bind_generating(nb::module_& m) {
         const Numbers times(t, "t");
         return mapped(times, [&](double at) { return generating_function(motion, at); });
       },
-      nb::arg("motion"), nb::arg("t"),
+      "motion"_a, "t"_a,
       "The generating function of section 3.1 along a motion, at times t of any shape, on the "
       "branch that to_serret returns. [SA (51), (55)]");
 }
 
 void bind_properties(nb::module_& m) {
-  nb::class_<SadovFrequencies>(m, "SadovFrequencies",
-                               "Constant rates (rad per time) of phi_l and phi_g; n_h = 0.")
-      .def_ro("n_l", &SadovFrequencies::n_l, "Rate of phi_l.")
-      .def_ro("n_g", &SadovFrequencies::n_g, "Rate of phi_g.")
-      .def(
-          "__eq__",
-          [](const SadovFrequencies& a, const SadovFrequencies& b) {
-            return a.n_l == b.n_l && a.n_g == b.n_g;
-          },
-          nb::is_operator(), nb::arg("other"))
-      .def("__hash__",
-           [](const SadovFrequencies& n) { return nb::hash(nb::make_tuple(n.n_l, n.n_g)); })
-      .def("__getstate__", [](const SadovFrequencies& n) { return nb::make_tuple(n.n_l, n.n_g); })
-      .def("__setstate__",
-           [](SadovFrequencies& n, const std::tuple<double, double>& state) {
-             n = {std::get<0>(state), std::get<1>(state)};
-           })
-      .def("__repr__", [](const SadovFrequencies& n) {
-        return "SadovFrequencies(n_l=" + number_text(n.n_l) + ", n_g=" + number_text(n.n_g) + ")";
-      });
-  m.def("sadov_frequencies", &sadov_frequencies, nb::arg("motion"),
+  using N = SadovFrequencies;
+  bind_value<N>(m, "SadovFrequencies", "Constant rates (rad per time) of phi_l and phi_g; n_h = 0.",
+                field("n_l", &N::n_l, "Rate of phi_l."), field("n_g", &N::n_g, "Rate of phi_g."));
+  m.def("sadov_frequencies", &sadov_frequencies, "motion"_a,
         "The rates n = dT/dI of a motion. [SA \"n_g\"]");
-  m.def("psi_max", &psi_max, nb::arg("motion"),
+  m.def("psi_max", &psi_max, "motion"_a,
         "Largest |psi| (rad) of a motion in short-axis mode; NaN in other regimes.");
   m.def(
-      "rounding_sensitivity", &rounding_sensitivity, nb::arg("motion"), nb::arg("t"),
+      "rounding_sensitivity", &rounding_sensitivity, "motion"_a, "t"_a,
       "How far (rad) the attitude at t moves when one component of the moments or of the momentum\n"
       "changes by its last digit: the largest of all. NaN for a time that is not finite.");
   m.def(
@@ -404,14 +375,14 @@ void bind_properties(nb::module_& m) {
       [](const Body& body, OneOf<Regime> mode) {
         return least_period_ratio(body, choice<Regime>(mode, "mode"));
       },
-      nb::arg("body"), nb::arg("mode"), "The least P_psi / P_phi that the body has in a mode.");
+      "body"_a, "mode"_a, "The least P_psi / P_phi that the body has in a mode.");
   m.def(
       "free_rotation",
       [](const Body& body, const Batch<SerretState>& s) {
         if (!s.shape().empty()) throw nb::value_error("free_rotation: expected one SerretState");
         return free_rotation(body, s[0]);
       },
-      nb::arg("body"), nb::arg("state"), "The motion with these elements, epoch t0.");
+      "body"_a, "state"_a, "The motion with these elements, epoch t0.");
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ void def_arithmetic(Class& c) {
   const auto op = [&c](const char* name, auto f) {
     c.def(
         name, [f](const PythonDual& a, DualOrFloat b) -> DualObject { return binary(a, b, f); },
-        nb::arg("other"), nb::is_operator());
+        "other"_a, nb::is_operator());
   };
   op("__add__", [](const auto& x, const auto& y) { return dual_object(x + y); });
   op("__radd__", [](const auto& x, const auto& y) { return dual_object(y + x); });
@@ -108,7 +108,7 @@ void def_arithmetic(Class& c) {
   op("__truediv__", [](const auto& x, const auto& y) { return dual_object(x / y); });
   op("__rtruediv__", [](const auto& x, const auto& y) { return dual_object(y / x); });
   const auto direct = [&c](const char* name, auto f) {
-    c.def(name, f, nb::arg("other"), nb::is_operator());
+    c.def(name, f, "other"_a, nb::is_operator());
   };
   direct("__pow__", raised);
   direct("__rpow__", raised_to);
@@ -122,7 +122,7 @@ void def_arithmetic(Class& c) {
             return nb::bool_(f(x, D(y)));
           });
         },
-        nb::arg("other"), nb::is_operator());
+        "other"_a, nb::is_operator());
   };
   compare("__eq__", [](const auto& x, const auto& y) { return x == y; });
   compare("__ne__", [](const auto& x, const auto& y) { return !(x == y); });
@@ -207,7 +207,7 @@ void def_signs_and_pairs(Class& c) {
             return dual_object(f(x, D(y)));
           });
         },
-        nb::arg("other"), (std::string("What numpy.") + name + " calls.").c_str());
+        "other"_a, (std::string("What numpy.") + name + " calls.").c_str());
   };
   of_two("arctan2", [](const auto& y, const auto& x) { return atan2(y, x); });
   of_two("hypot", [](const auto& x, const auto& y) { return hypot(x, y); });
@@ -223,7 +223,7 @@ nb::object boxed(nb::handle value, bool as_dual, const PythonDual& like) {
   }
   if (!nb::isinstance<PythonDual>(item)) return item;
   nb::object box =
-      nb::module_::import_("numpy").attr("empty")(nb::make_tuple(), nb::arg("dtype") = "object");
+      nb::module_::import_("numpy").attr("empty")(nb::make_tuple(), "dtype"_a = "object");
   box.attr("__setitem__")(nb::make_tuple(), item);
   return box;
 }
@@ -318,8 +318,7 @@ void def_protocols(Class& c) {
         return nb::make_tuple(nb::handle(self.type()),
                               nb::make_tuple(self.attr("value"), self.attr("derivative")));
       });
-  c.def("__array_ufunc__", array_ufunc, nb::arg("ufunc"), nb::arg("method"), nb::arg("inputs"),
-        nb::arg("options"));
+  c.def("__array_ufunc__", array_ufunc, "ufunc"_a, "method"_a, "inputs"_a, "options"_a);
 }
 
 }  // namespace
@@ -341,7 +340,7 @@ derivative : of shape (1,), (6,) or (7,); None: six zeros, a constant.)");
       [](PythonDual* self, double value, ArrayLike derivative) {
         new (self) PythonDual{made(value, derivative)};
       },
-      nb::arg("value"), nb::arg("derivative") = nb::none());
+      "value"_a, "derivative"_a = nb::none());
   def_parts(c);
   def_protocols(c);
   def_arithmetic(c);

@@ -143,10 +143,10 @@ void bind_body(nb::module_& m) {
 
 Body(I1, I2, I3), or Body.from_tensor(M). Any unit: the library is scale-free. ValueError unless all
 are positive and the largest is at most the sum of the others.)")
-      .def(nb::init<double, double, double>(), nb::arg("I1"), nb::arg("I2"), nb::arg("I3"))
+      .def(nb::init<double, double, double>(), "I1"_a, "I2"_a, "I3"_a)
       .def_static(
           "from_tensor", [](ArrayLike tensor) { return Body::from_tensor(mat3(tensor, "tensor")); },
-          nb::arg("tensor"),
+          "tensor"_a,
           "From a symmetric (3, 3) inertia tensor in any body-fixed axes; q_FB keeps the rotation "
           "to the principal axes.")
       .def_static(
@@ -154,7 +154,7 @@ are positive and the largest is at most the sum of the others.)")
           [](ArrayLike moments, ArrayLike q_FB) {
             return Body::with_axes(vec3(moments, "moments"), quaternion(q_FB, "q_FB"));
           },
-          nb::arg("moments"), nb::arg("q_FB"),
+          "moments"_a, "q_FB"_a,
           "Principal moments (3,) with a rotation q_FB (4,) to other body axes, known already.")
       .def_prop_ro(
           "moments", [](const Body& b) { return array_of(b.moments()); },
@@ -167,7 +167,7 @@ are positive and the largest is at most the sum of the others.)")
           [](const Body& a, const Body& b) {
             return a.moments() == b.moments() && a.q_FB() == b.q_FB();
           },
-          nb::is_operator(), nb::arg("other"))
+          nb::is_operator(), "other"_a)
       .def("__hash__",
            [](const Body& b) {
              return nb::hash(nb::make_tuple(b.moments().x, b.moments().y, b.moments().z));
@@ -182,7 +182,7 @@ are positive and the largest is at most the sum of the others.)")
            })
       .def("__copy__", [](const Body& b) { return b; })
       .def(
-          "__deepcopy__", [](const Body& b, nb::handle) { return b; }, nb::arg("memo"));
+          "__deepcopy__", [](const Body& b, nb::handle) { return b; }, "memo"_a);
 }
 
 using Rotors = Batch<RotorState>;
@@ -214,7 +214,7 @@ FloatArray quaternions_of(nb::handle R) {
 
 void bind_attitudes(nb::module_& m) {
   m.def(
-      "attitude_matrix", [](ArrayLike q) { return matrices_of(q); }, nb::arg("q"),
+      "attitude_matrix", [](ArrayLike q) { return matrices_of(q); }, "q"_a,
       "R of [SA (2)], v_B = R v_I: q (..., 4) -> (..., 3, 3). One q of Dual gives Duals.");
   m.def(
       "euler_angles",
@@ -225,16 +225,15 @@ void bind_attitudes(nb::module_& m) {
                    [&](std::size_t k) { out[k] = euler_angles(quaternion_at(n.at(k))); });
         });
       },
-      nb::arg("q"),
-      "3-1-3 angles of an attitude: q (..., 4). At theta = 0, pi: psi = 0. [SA (1), (2)]");
+      "q"_a, "3-1-3 angles of an attitude: q (..., 4). At theta = 0, pi: psi = 0. [SA (1), (2)]");
   m.def(
       "attitude",
       [](const Batch<EulerAngles>& angles) {
         return mapped_numbers(angles, {4}, [](const EulerAngles& e) { return attitude(e); });
       },
-      nb::arg("angles"), "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
+      "angles"_a, "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
   m.def(
-      "attitude", [](ArrayLike R) { return quaternions_of(R); }, nb::arg("R"),
+      "attitude", [](ArrayLike R) { return quaternions_of(R); }, "R"_a,
       "Quaternion (..., 4), body to inertial, of rotation matrices R (..., 3, 3), v_B = R v_I. "
       "ValueError for a matrix that is no rotation (to 1e-6). One R of Dual gives Duals, "
       "unchecked.");
@@ -261,7 +260,7 @@ void bind_attitudes_with_rates(nb::module_& m) {
       [](const Body& body, ArrayLike q, ArrayLike omega) {
         return with_rate(body, q, omega, rotor_state);
       },
-      nb::arg("body"), nb::arg("q"), nb::arg("omega_B"),
+      "body"_a, "q"_a, "omega_B"_a,
       "The state of attitudes q (..., 4) and angular velocities (..., 3) along the body axes. "
       "[SA (24)]");
   m.def(
@@ -269,7 +268,7 @@ void bind_attitudes_with_rates(nb::module_& m) {
       [](const Body& body, ArrayLike q, ArrayLike omega) {
         return with_rate(body, q, omega, rotor_state_inertial);
       },
-      nb::arg("body"), nb::arg("q"), nb::arg("omega_I"),
+      "body"_a, "q"_a, "omega_I"_a,
       "The same with the angular velocity in inertial components. [SA (8)]");
 }
 
@@ -278,7 +277,7 @@ void def_to_rotor(nb::module_& m) {
   m.def(
       "to_rotor",
       [](const Batch<S>& states) { return mapped(states, [](const S& s) { return to_rotor(s); }); },
-      nb::arg("state"), "The hub state of a canonical set; same shape.");
+      "state"_a, "The hub state of a canonical set; same shape.");
 }
 
 void bind_conversions(nb::module_& m) {
@@ -290,33 +289,32 @@ void bind_conversions(nb::module_& m) {
       [](const Body& body, const Batch<EulerRates>& states) {
         return mapped(states, [&](const EulerRates& s) { return to_rotor(body, s); });
       },
-      nb::arg("body"), nb::arg("state"), "The hub state of Euler angles with their rates.");
+      "body"_a, "state"_a, "The hub state of Euler angles with their rates.");
   m.def(
       "to_euler",
       [](const Rotors& states) {
         return mapped(states, [](const RotorState& s) { return to_euler(s); });
       },
-      nb::arg("state"), "Euler angles and momenta of hub states; same shape. [SA (25)-(27)]");
+      "state"_a, "Euler angles and momenta of hub states; same shape. [SA (25)-(27)]");
   m.def(
       "to_euler_rates",
       [](const Body& body, const Rotors& states) {
         return mapped(states, [&](const RotorState& s) { return to_euler_rates(body, s); });
       },
-      nb::arg("body"), nb::arg("state"),
-      "Euler angles and their rates of hub states. [SA (5)-(7)]");
+      "body"_a, "state"_a, "Euler angles and their rates of hub states. [SA (5)-(7)]");
   m.def(
       "to_andoyer",
       [](const Rotors& states) {
         return mapped(states, [](const RotorState& s) { return to_andoyer(s); });
       },
-      nb::arg("state"), "Andoyer variables of hub states; same shape. [SA section 3.2]");
+      "state"_a, "Andoyer variables of hub states; same shape. [SA section 3.2]");
   m.def(
       "to_poincare",
       [](const Rotors& states, OneOf<Pole> J, OneOf<Pole> I) {
         const Pole pole_J = choice<Pole>(J, "pole_J"), pole_I = choice<Pole>(I, "pole_I");
         return mapped(states, [=](const RotorState& s) { return to_poincare(s, pole_J, pole_I); });
       },
-      nb::arg("state"), nb::arg("pole_J"), nb::arg("pole_I"),
+      "state"_a, "pole_J"_a, "pole_I"_a,
       "The Poincare-type set that is regular at J = 0 (Pole.zero) or pi (Pole.pi), and so for I; "
       "same shape.");
   m.def(
@@ -324,7 +322,7 @@ void bind_conversions(nb::module_& m) {
       [](const Rotors& states) {
         return mapped(states, [](const RotorState& s) { return nearest_poincare(s); });
       },
-      nb::arg("state"), "The Poincare-type set whose poles are nearest, state by state.");
+      "state"_a, "The Poincare-type set whose poles are nearest, state by state.");
 }
 
 void bind_functions(nb::module_& m) {
@@ -334,7 +332,7 @@ void bind_functions(nb::module_& m) {
         [f](const Body& body, const Rotors& states) {
           return mapped_numbers(states, {3}, [&](const RotorState& s) { return f(body, s); });
         },
-        nb::arg("body"), nb::arg("state"), doc);
+        "body"_a, "state"_a, doc);
   };
   vector_of_body(
       "angular_velocity",
@@ -350,7 +348,7 @@ void bind_functions(nb::module_& m) {
         return mapped_numbers(states, {},
                               [&](const RotorState& s) { return kinetic_energy(body, s); });
       },
-      nb::arg("body"), nb::arg("state"),
+      "body"_a, "state"_a,
       "T = (1/2) g . I^-1 g: a float, or an array of the shape of the states.");
   m.def(
       "inertial_momentum",
@@ -358,8 +356,7 @@ void bind_functions(nb::module_& m) {
         return mapped_numbers(states, {3},
                               [](const RotorState& s) { return inertial_momentum(s); });
       },
-      nb::arg("state"),
-      "Angular momentum in inertial components (..., 3): constant in free rotation.");
+      "state"_a, "Angular momentum in inertial components (..., 3): constant in free rotation.");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Derivatives of charts by the hub state and by each other.
 #include "charts/canonical_chart.hpp"
 #include "interface/batch.hpp"
-#include "interface/choice.hpp"
+#include "interface/value.hpp"
 #include "polhode/rotor/rate_jacobian.hpp"
 
 namespace polhode::python {
@@ -24,38 +24,15 @@ void bind_chart(nb::module_& m) {
       .value("andoyer", CanonicalSet::andoyer, "AndoyerState")
       .value("poincare", CanonicalSet::poincare, "PoincareState");
   using C = CanonicalChart;
-  nb::class_<C>(m, "CanonicalChart",
-                "One of the canonical charts: a CanonicalSet or its name, and, for the "
-                "Poincare-type sets alone, the poles at which it is regular.")
-      .def(
-          "__init__",
-          [](C* self, OneOf<CanonicalSet> set, OneOf<Pole> pole_J, OneOf<Pole> pole_I) {
-            new (self) C{choice<CanonicalSet>(set, "set"), choice<Pole>(pole_J, "pole_J"),
-                         choice<Pole>(pole_I, "pole_I")};
-          },
-          nb::arg("set"), nb::arg("pole_J") = "zero", nb::arg("pole_I") = "zero")
-      .def_ro("set", &C::set, "Which of the charts.")
-      .def_ro("pole_J", &C::pole_J, "Where a Poincare-type set is regular in J.")
-      .def_ro("pole_I", &C::pole_I, "Where a Poincare-type set is regular in I.")
-      .def(
-          "__eq__", [](const C& a, const C& b) { return a == b; }, nb::is_operator(),
-          nb::arg("other"))
-      .def("__hash__",
-           [](const C& c) { return nb::hash(nb::make_tuple(c.set, c.pole_J, c.pole_I)); })
-      .def("__repr__",
-           [](const C& c) {
-             const auto name = [](const nb::object& member) {
-               return nb::cast<std::string>(member.attr("name"));
-             };
-             std::string text = "CanonicalChart('" + name(nb::cast(c.set)) + "'";
-             if (c.set == CanonicalSet::poincare)
-               text += ", '" + name(nb::cast(c.pole_J)) + "', '" + name(nb::cast(c.pole_I)) + "'";
-             return text + ")";
-           })
-      .def("__reduce__", [](nb::handle_t<C> self) {
-        const C& c = nb::cast<const C&>(self);
-        return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(c.set, c.pole_J, c.pole_I));
-      });
+  bind_value<C>(
+      m, "CanonicalChart",
+      "One of the canonical charts: a CanonicalSet or its name, and, for the Poincare-type sets "
+      "alone, the poles at which it is regular.",
+      field("set", &C::set, "Which of the charts."),
+      field("pole_J", &C::pole_J, "Where a Poincare-type set is regular in J.", Pole::zero)
+          .but_quiet(),
+      field("pole_I", &C::pole_I, "Where a Poincare-type set is regular in I.", Pole::zero)
+          .but_quiet());
 }
 
 template <class S>
@@ -65,7 +42,7 @@ void def_chart_jacobian(nb::module_& m) {
       [](const Batch<S>& states) {
         return mapped_numbers(states, {6, 6}, [](const S& s) { return chart_jacobian(s); });
       },
-      nb::arg("state"),
+      "state"_a,
       R"(B = d(dtheta_B, dg_B) / d(chart): (..., 6, 6). [SA (dr1), (dr2)]
 
 Rows: a small turn of the body about its axes, q exp(dtheta_B / 2), and the change of its momentum
@@ -85,7 +62,7 @@ void bind_canonical(nb::module_& m) {
         return mapped_numbers(states, {6, 6},
                               [=](const RotorState& s) { return chart_jacobian(of, s); });
       },
-      nb::arg("chart"), nb::arg("state"),
+      "chart"_a, "state"_a,
       "B of a chart at hub states: (..., 6, 6). Keeps digits of a small theta, J or I that the "
       "chart itself has rounded away.");
   m.def(
@@ -95,8 +72,7 @@ void bind_canonical(nb::module_& m) {
         return mapped_numbers(states, {6, 6},
                               [=](const RotorState& s) { return inverse_chart_jacobian(of, s); });
       },
-      nb::arg("chart"), nb::arg("state"),
-      "B^-1 = d(chart) / d(dtheta_B, dg_B) at hub states: (..., 6, 6).");
+      "chart"_a, "state"_a, "B^-1 = d(chart) / d(dtheta_B, dg_B) at hub states: (..., 6, 6).");
   m.def(
       "canonical_transformation",
       [](AnyChart from, AnyChart to, const Rotors& states) {
@@ -105,7 +81,7 @@ void bind_canonical(nb::module_& m) {
           return canonical_transformation(of, into, s);
         });
       },
-      nb::arg("from_chart"), nb::arg("to_chart"), nb::arg("state"),
+      "from_chart"_a, "to_chart"_a, "state"_a,
       "d(to) / d(from) at hub states: (..., 6, 6), a symplectic matrix.");
 }
 
@@ -125,7 +101,7 @@ void bind_of_matrices(nb::module_& m) {
         });
         return out.take();
       },
-      nb::arg("B"), nb::arg("g_B"),
+      "B"_a, "g_B"_a,
       "The same for any canonical chart, given by its B (..., 6, 6) at body momentum g_B (..., "
       "3).");
   m.def(
@@ -144,7 +120,7 @@ void bind_of_matrices(nb::module_& m) {
         });
         return out.take();
       },
-      nb::arg("B_from"), nb::arg("B_to"), nb::arg("g_B"),
+      "B_from"_a, "B_to"_a, "g_B"_a,
       "The same for any canonical charts, given by their B (..., 6, 6) at one hub state with body "
       "momentum g_B (..., 3).");
 }
@@ -152,7 +128,7 @@ void bind_of_matrices(nb::module_& m) {
 // Of one body: (6, 6).
 void def_of_body(nb::module_& m, const char* name, Matrix6 (*of)(const Body&), const char* doc) {
   m.def(
-      name, [of](const Body& body) { return array_of(of(body)); }, nb::arg("body"), doc);
+      name, [of](const Body& body) { return array_of(of(body)); }, "body"_a, doc);
 }
 
 template <class S>
@@ -163,7 +139,7 @@ void def_of_states(nb::module_& m, const char* name, Matrix6 (*of)(const Body&, 
       [of](const Body& body, const Batch<S>& states) {
         return mapped_numbers(states, {6, 6}, [&](const S& s) { return of(body, s); });
       },
-      nb::arg("body"), nb::arg("state"), doc);
+      "body"_a, "state"_a, doc);
 }
 
 void bind_rates(nb::module_& m) {

@@ -72,8 +72,8 @@ nb::object table_of(const StateMemory& states, std::size_t columns) {
 
 nb::object as_asked(const nb::object& table, nb::handle dtype, nb::handle copy) {
   if (!copy.is_none() && nb::cast<bool>(copy))
-    return numpy().attr("array")(table, nb::arg("dtype") = dtype);
-  nb::object array = numpy().attr("asarray")(table, nb::arg("dtype") = dtype);
+    return numpy().attr("array")(table, "dtype"_a = dtype);
+  nb::object array = numpy().attr("asarray")(table, "dtype"_a = dtype);
   if (!copy.is_none() && !array.is(table))
     throw nb::value_error("an array of another dtype cannot be made without a copy");
   return array;
@@ -98,7 +98,7 @@ Items memory_of(nb::handle items, std::size_t item) {
     step *= static_cast<std::int64_t>(shape[i]);
   }
   if (!regular || (!shape.empty() && strides.back() < 0)) {
-    array = numpy().attr("array")(array, nb::arg("order") = "C");
+    array = numpy().attr("array")(array, "order"_a = "C");
     strides = nb::cast<std::vector<std::int64_t>>(array.attr("strides"));
   }
   const std::size_t stride = shape.empty() ? item : static_cast<std::size_t>(strides.back());

@@ -190,7 +190,7 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
         const B& whole = states(self);
         return part_of(whole, nb::object(items_of(memory(whole), sizeof(S))[key]));
       },
-      nb::arg("key"),
+      "key"_a,
       nb::sig((std::string("def __getitem__(self, key: object) -> ") + chart.name).c_str()));
   c.def("__iter__", [table, states](Self self) {
     if (states(self).shape().empty())
@@ -203,15 +203,15 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
         const B& whole = states(self);
         return part_of(whole, items_of(memory(whole), sizeof(S)).attr("reshape")(shape));
       },
-      nb::arg("shape"), "The same states in another shape, as numpy.reshape.");
+      "shape"_a, "The same states in another shape, as numpy.reshape.");
   c.def(
       "__eq__", [](const B& a, const B& b) { return same_states(a, b); }, nb::is_operator(),
-      nb::arg("other"));
+      "other"_a);
   c.attr("__hash__") = nb::none();
   c.def("__repr__", [table](const B& s) { return repr_of(table->name, memory(s), table->fields); });
   c.def("__copy__", [](const B& s) { return s; });
   c.def(
-      "__deepcopy__", [](const B& s, nb::handle) { return s; }, nb::arg("memo"));
+      "__deepcopy__", [](const B& s, nb::handle) { return s; }, "memo"_a);
   c.def("__getstate__", [states](Self self) {
     const nb::object items = items_of(memory(states(self)), sizeof(S));
     return nb::make_tuple(items.attr("shape"), items.attr("tobytes")());
@@ -228,7 +228,7 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
         [states](Self self, nb::handle dtype, nb::handle copy) {
           return as_asked(table_of(memory(states(self)), N), dtype, copy);
         },
-        nb::arg("dtype") = nb::none(), nb::arg("copy") = nb::none());
+        "dtype"_a = nb::none(), "copy"_a = nb::none());
   }
   return c;
 }

@@ -44,7 +44,7 @@ nb::object small_array(const V& value, std::initializer_list<std::size_t> shape)
 
 // A scipy Rotation has the scalar last.
 nb::object scalar_first(nb::handle rotation) {
-  return numpy("roll")(rotation.attr("as_quat")(), 1, nb::arg("axis") = -1);
+  return numpy("roll")(rotation.attr("as_quat")(), 1, "axis"_a = -1);
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ FloatArray real_array(nb::handle value, const char* name) {
   if (!is_real_kind(nb::cast<std::string>(dtype.attr("kind"))))
     refuse_not_real(text_with(dtype, value), name);
   // not ascontiguousarray: it makes one dimension of none
-  return numpy("asarray")(array, nb::arg("dtype") = "float64", nb::arg("order") = "C");
+  return numpy("asarray")(array, "dtype"_a = "float64", "order"_a = "C");
 }
 
 Numbers::Numbers(nb::handle value, const char* name, std::initializer_list<std::size_t> inner)

@@ -9,10 +9,10 @@ void bind_numbers(nb::module_& m) {
   is_plain_scalar(nb::none());
   is_plain_array(nb::none());
   is_refused(nb::none());
-  m.def("_numbers", &real_array, nb::arg("value"), nb::arg("name"),
+  m.def("_numbers", &real_array, "value"_a, "name"_a,
         "An array of real numbers; `name` stands for it in messages. TypeError for quantities.");
-  m.def("_number", &number, nb::arg("value"), nb::arg("name"), "One real number.");
-  m.def("_require_plain", &require_plain, nb::arg("value"), nb::arg("name"),
+  m.def("_number", &number, "value"_a, "name"_a, "One real number.");
+  m.def("_require_plain", &require_plain, "value"_a, "name"_a,
         "TypeError for what would lose its unit, its mask, ... as a number.");
 }
 

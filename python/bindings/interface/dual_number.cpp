@@ -40,7 +40,7 @@ nb::object item_of(nb::handle value) {
 nb::object object_array(const nb::list& items) {
   const nb::module_ numpy = nb::module_::import_("numpy");
   // not numpy.array(items): it would look into every item for a sequence
-  nb::object array = numpy.attr("empty")(nb::len(items), nb::arg("dtype") = "object");
+  nb::object array = numpy.attr("empty")(nb::len(items), "dtype"_a = "object");
   array.attr("__setitem__")(nb::ellipsis(), items);
   return array;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "interface/recipe.hpp"
 
+#include "interface/value.hpp"
+
 namespace polhode::python {
 
 Any Recipe::argument(std::size_t i) const {
@@ -31,16 +33,11 @@ Recipe recipe_of(const char* method, std::initializer_list<const char*> names, n
 }
 
 nb::object reduced(nb::handle self, const Recipe& recipe) {
-  const nb::handle type = self.type();
   if (!recipe.is_known())
     throw nb::type_error(("a " + class_name(self) +
                           " that comes from a scenario cannot be pickled: pickle the scenario")
                              .c_str());
-  if (recipe.method[0] == '\0') return nb::make_tuple(type, recipe.arguments);
-  const nb::object call =
-      nb::module_::import_("operator")
-          .attr("methodcaller")(nb::str(recipe.method), *nb::cast<nb::tuple>(recipe.arguments));
-  return nb::make_tuple(call, nb::make_tuple(type));
+  return remade(self, recipe.arguments, recipe.method);
 }
 
 std::string repr_of(nb::handle self, const Recipe& recipe, const std::string& otherwise) {
@@ -52,11 +49,7 @@ std::string repr_of(nb::handle self, const Recipe& recipe, const std::string& ot
     const nb::object value = recipe.argument(i);
     if (value.is_none()) continue;
     inside += (inside.empty() ? "" : ", ") + std::string(recipe.names[i]) + "=";
-    const nb::handle type = value.type();
-    if (nb::hasattr(type, "__members__"))  // an enum's member: "SpaceAxes.inertial"
-      inside += class_name(value) + "." + nb::cast<std::string>(value.attr("name"));
-    else
-      inside += nb::cast<std::string>(nb::repr(value));
+    inside += repr_text(value);
   }
   return text + "(" + inside + ")";
 }

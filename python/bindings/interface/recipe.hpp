@@ -68,7 +68,7 @@ void def_recipe(Class& c, std::string (*otherwise)(const C&)) {
          if (!nb::handle(a.type()).is(b.type())) return nb::borrow(Py_NotImplemented);
          return nb::bool_(same_recipe(nb::cast<const C&>(a).recipe, nb::cast<const C&>(b).recipe));
        },
-       nb::is_operator(), nb::arg("other"), nb::sig("def __eq__(self, other: object) -> bool"))
+       nb::is_operator(), "other"_a, nb::sig("def __eq__(self, other: object) -> bool"))
       .def(
           "__hash__", [](nb::handle_t<C> a) { return hash_of(nb::cast<const C&>(a).recipe); },
           nb::sig("def __hash__(self) -> int"))

@@ -82,7 +82,7 @@ void bind_aem(nb::module_& m) {
         const nb::bytes name = nb::bytes(nb::object(os.attr("fsencode")(path)));
         return read_aem({name.c_str(), name.size()});
       },
-      nb::arg("path"),
+      "path"_a,
       R"(The attitudes of a CCSDS Attitude Ephemeris Message (KVN text, version 1.0 or 2.0).
 
 ValueError "FILE:LINE: ..." for the first thing wrong. The parser knows quaternions, alone, with

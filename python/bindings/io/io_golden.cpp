@@ -64,9 +64,9 @@ void bind_golden(nb::module_& m) {
         const nb::bytes path = nb::bytes(nb::object(os.attr("fsencode")(folder)));
         write_golden({path.c_str(), path.size()}, golden_cases());
       },
-      nb::arg("folder"),
+      "folder"_a,
       "Writes golden.json and golden.csv into a folder, which is made if it is not there.");
-  m.def("regime_name", &regime_name, nb::arg("regime"), "\"short_axis\", as files call it.");
+  m.def("regime_name", &regime_name, "regime"_a, "\"short_axis\", as files call it.");
 }
 
 }  // namespace polhode::python

@@ -212,8 +212,8 @@ void bind_map(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("rows_before", [](const Map& of) { return of.rows_before; })
       .def_prop_ro("cells_and_rows", cells_and_rows)
       .def_prop_ro("failures", failures_of);
-  scenario.def("map", run_map, nb::arg("outputs"), nb::arg("threads"), nb::arg("resume"),
-               nb::arg("restart"), nb::arg("progress").none());
+  scenario.def("map", run_map, "outputs"_a, "threads"_a, "resume"_a, "restart"_a,
+               "progress"_a.none());
 }
 
 }  // namespace polhode::python

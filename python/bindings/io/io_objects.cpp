@@ -30,8 +30,8 @@ nb::object core(const char* name) { return nb::module_::import_("polhode._core")
 nb::object torque(const ConstantTorque& term, const std::string& name) {
   const nb::object type = core("ConstantTorque");
   const nb::tuple u = tuple_of(term.torque());
-  if (!term.space_axes()) return type.attr("in_body")(u, nb::arg("name") = name);
-  return type.attr("in_space")(u, nb::cast(*term.space_axes()), nb::arg("name") = name);
+  if (!term.space_axes()) return type.attr("in_body")(u, "name"_a = name);
+  return type.attr("in_space")(u, nb::cast(*term.space_axes()), "name"_a = name);
 }
 
 nb::object damping(const LinearDamping& term, const Body& body, const std::string& name) {
@@ -40,8 +40,8 @@ nb::object damping(const LinearDamping& term, const Body& body, const std::strin
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) diagonal = diagonal && (i == k || D(i, k) == 0.0);
   const nb::object type = core("LinearDamping");
-  if (diagonal) return type(tuple_of({D(0, 0), D(1, 1), D(2, 2)}), nb::arg("name") = name);
-  return type(rows_of(D), nb::cast(body), nb::arg("name") = name);
+  if (diagonal) return type(tuple_of({D(0, 0), D(1, 1), D(2, 2)}), "name"_a = name);
+  return type(rows_of(D), nb::cast(body), "name"_a = name);
 }
 
 nb::object torque_table(const TorqueTable& term, const std::string& name) {

@@ -69,7 +69,7 @@ void bind_oem(nb::module_& m) {
         const nb::bytes name = nb::bytes(nb::object(os.attr("fsencode")(path)));
         return read_oem({name.c_str(), name.size()});
       },
-      nb::arg("path"),
+      "path"_a,
       R"(Positions and velocities of a CCSDS Orbit Ephemeris Message (KVN text).
 
 ValueError "FILE:LINE: ..." for the first thing wrong. Accelerations and covariances are

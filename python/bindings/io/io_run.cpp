@@ -199,8 +199,8 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("complete", [](const Run& r) { return r.complete; });
   m.def("_readable_paths", [] { return readable_paths(default_output_formats()); });
   scenario
-      .def("run", run_scenario, nb::arg("outputs"), nb::arg("events").none(), nb::arg("keep"),
-           nb::arg("resume"), nb::arg("restart"), nb::arg("progress").none())
+      .def("run", run_scenario, "outputs"_a, "events"_a.none(), "keep"_a, "resume"_a, "restart"_a,
+           "progress"_a.none())
       .def("write", write_rows)
       .def("states_in", states_in)
       .def("report_lines",

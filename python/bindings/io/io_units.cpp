@@ -75,18 +75,18 @@ nb::tuple names_of_units(const Units& u) {
 }
 
 void def_conversions(nb::class_<Units>& c) {
-  c.def("to_core", in_core, nb::arg("value"), nb::arg("dimension"), nb::arg("unit") = nb::none(),
+  c.def("to_core", in_core, "value"_a, "dimension"_a, "unit"_a = nb::none(),
         R"(Numbers in these units, in `unit`, or a text such as "27.38 h", as core numbers.
 
 ValueError for an unknown unit, and for one of another dimension.)")
-      .def("from_core", from_core, nb::arg("value"), nb::arg("dimension"),
+      .def("from_core", from_core, "value"_a, "dimension"_a,
            "Core numbers in these units: what outputs carry.")
       .def(
           "label",
           [](const Units& u, OneOf<Dimension> dimension) {
             return u.label(choice<Dimension>(dimension, "dimension"));
           },
-          nb::arg("dimension"),
+          "dimension"_a,
           "How outputs name the unit of a dimension: \"deg/h\"; \"1\" for pure numbers.");
 }
 
@@ -106,8 +106,7 @@ length : "1" (scale-free) or a unit of length such as "km".
 The library itself has no units: its numbers ("core") are in radians and in the units of time,
 moment and length that the caller means. known_units() lists the units.)");
   c.def(nb::init<const std::string&, const std::string&, const std::string&, const std::string&>(),
-        nb::arg("time") = "s", nb::arg("angle") = "rad", nb::arg("moment") = "1",
-        nb::arg("length") = "1")
+        "time"_a = "s", "angle"_a = "rad", "moment"_a = "1", "length"_a = "1")
       .def_prop_ro("time", &Units::time, "The unit of time.")
       .def_prop_ro("angle", &Units::angle, "The unit of angles.")
       .def_prop_ro("moment", &Units::moment, "The unit of moments of inertia.")

@@ -82,7 +82,7 @@ void bind_andoyer_method(nb::module_& m) {
           put(out, lagrange_brackets(of, x, at));
         });
       },
-      nb::arg("f"), nb::arg("z"), nb::arg("t") = 0.0,
+      "f"_a, "z"_a, "t"_a = 0.0,
       R"(Lagrange brackets [z_k, z_l] of any six variables: (..., 6, 6). [SA "linear"]
 
 f : f(z) -> (q, g), or f(z, t): the hub state of six variables, (6,) of Dual, written with NumPy's
@@ -96,7 +96,7 @@ z : (..., 6), where.)");
           *out = canonical_defect(of, x, at);
         });
       },
-      nb::arg("f"), nb::arg("z"), nb::arg("t") = 0.0,
+      "f"_a, "z"_a, "t"_a = 0.0,
       "How far six variables are from canonical at z (..., 6), three coordinates, then their "
       "momenta: a few roundings for a canonical set, of order one for another. f as in "
       "lagrange_brackets.");
@@ -108,7 +108,7 @@ z : (..., 6), where.)");
           for (const double rate : equations_of_motion(of, system, at, x)) *out++ = rate;
         });
       },
-      nb::arg("f"), nb::arg("system"), nb::arg("t"), nb::arg("z"),
+      "f"_a, "system"_a, "t"_a, "z"_a,
       "dz/dt (..., 6) of any six variables, canonical or not, under a system: Andoyer's general "
       "method. f as in lagrange_brackets; NaN where it is singular. [SA \"linear\"]");
 }

@@ -100,7 +100,7 @@ the Lyapunov exponent times t for a chaotic one. Time counts from the start of t
            })
       .def("__copy__", [](Self self) { return self; })  // immutable
       .def(
-          "__deepcopy__", [](Self self, nb::handle) { return self; }, nb::arg("memo"))
+          "__deepcopy__", [](Self self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__", pickled)
       .def("__setstate__", restore);
 }
@@ -109,9 +109,9 @@ the Lyapunov exponent times t for a chaotic one. Time counts from the start of t
 
 void bind_analysis(nb::module_& m) {
   bind_indicator_class(m);
-  m.def("chaos_indicator", indicator, nb::arg("problem"), nb::arg("samples") = nb::none(),
-        nb::arg("deviation") = nb::none(), nb::arg("momentum_scale") = 0.0,
-        nb::arg("distance") = 1e-8, nb::arg("neighbour") = false,
+  m.def("chaos_indicator", indicator, "problem"_a, "samples"_a = nb::none(),
+        "deviation"_a = nb::none(), "momentum_scale"_a = 0.0, "distance"_a = 1e-8,
+        "neighbour"_a = false,
         R"(Lyapunov indicator and MEGNO along a run.
 
 Parameters

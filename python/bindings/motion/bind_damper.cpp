@@ -35,7 +35,7 @@ void def_functions(nb::class_<K>& c) {
            put(out, damper.rate_of_body(body, vector_at(in[0], k)));
          });
        },
-       nb::arg("body"), nb::arg("rate"),
+       "body"_a, "rate"_a,
        "(..., 3): what body and sphere turn with in addition to I^-1 g, v = -J I^-1 rate.")
       .def(
           "energy",
@@ -45,7 +45,7 @@ void def_functions(nb::class_<K>& c) {
               put(out, damper.energy(body, vector_at(in[0], k)));
             });
           },
-          nb::arg("body"), nb::arg("rate"),
+          "body"_a, "rate"_a,
           "The kinetic energy in addition to (1/2) g . I^-1 g: (1/2) J rate . (1 - J/I) rate.")
       .def(
           "acceleration",
@@ -57,7 +57,7 @@ void def_functions(nb::class_<K>& c) {
                                            vector_at(in[2], k)));
             });
           },
-          nb::arg("body"), nb::arg("g"), nb::arg("dg"), nb::arg("rate"),
+          "body"_a, "g"_a, "dg"_a, "rate"_a,
           "(..., 3): the change of `rate` in time at the momentum g, which changes by dg.")
       .def(
           "momentum",
@@ -67,7 +67,7 @@ void def_functions(nb::class_<K>& c) {
               put(out, damper.momentum(body, vector_at(in[0], k), vector_at(in[1], k)));
             });
           },
-          nb::arg("body"), nb::arg("g"), nb::arg("rate"),
+          "body"_a, "g"_a, "rate"_a,
           "(..., 3): angular momentum of the sphere about its centre, of the g of both.")
       .def(
           "relative_rate",
@@ -77,14 +77,14 @@ void def_functions(nb::class_<K>& c) {
               put(out, damper.relative_rate(body, vector_at(in[0], k), vector_at(in[1], k)));
             });
           },
-          nb::arg("body"), nb::arg("g"), nb::arg("momentum"),
+          "body"_a, "g"_a, "momentum"_a,
           "(..., 3): the rate at which the sphere has this momentum.");
 }
 
 }  // namespace
 
 void bind_damper(nb::module_& m) {
-  nb::class_<K> c(
+  auto c = bind_made_value<K>(
       m, "KaneDamper",
       R"(A sphere in a cavity of the body, held by friction alone: Kane and Barba (1966).
 
@@ -102,22 +102,17 @@ moment : J, of the sphere.
 friction : c, torque per rate.
 
 ValueError for a moment that is not positive or a friction that is negative; System refuses a
-moment that leaves no body next to it.)");
-  c.def(nb::init<double, double>(), nb::arg("moment"), nb::arg("friction"))
-      .def_prop_ro("moment", &K::moment, "J, of the sphere.")
-      .def_prop_ro("friction", &K::friction, "c, torque per rate.")
-      .def("__repr__", [](const K& damper) {
-        return "KaneDamper(moment=" + number_text(damper.moment()) +
-               ", friction=" + number_text(damper.friction()) + ")";
-      });
+moment that leaves no body next to it.)",
+      [](double moment, double friction) { return K(moment, friction); },
+      field("moment", &K::moment, "J, of the sphere."),
+      field("friction", &K::friction, "c, torque per rate."));
   def_functions(c);
-  def_value(c, [](const K& damper) { return nb::make_tuple(damper.moment(), damper.friction()); });
   m.def(
       "at_damper_rate",
       [](const PythonSystem& system, ArrayLike rate) {
         return PythonSystem(at_damper_rate(system, vec3(rate, "rate")), system);
       },
-      nb::arg("system"), nb::arg("rate"),
+      "system"_a, "rate"_a,
       R"(The system at one rate (3,) of its damper, for functions of a state.
 
 It has no damper of its own; a term has the v and the energy that the damper has at that rate.

@@ -227,9 +227,8 @@ std::vector<DampedEventRecord> free_events_of(const FreeRotation& motion,
 }
 
 void bind_free_events(nb::module_& m) {
-  m.def("free_events", free_events_of, nb::arg("motion"), nb::arg("events"), nb::arg("start"),
-        nb::arg("stop"), nb::arg("frame") = nb::none(), nb::kw_only(),
-        nb::arg("progress") = nb::none(),
+  m.def("free_events", free_events_of, "motion"_a, "events"_a, "start"_a, "stop"_a,
+        "frame"_a = nb::none(), nb::kw_only(), "progress"_a = nb::none(),
         R"(The events of a free rotation, found on its closed form: nothing is integrated.
 
 Parameters
@@ -261,7 +260,7 @@ void bind_checkpoint(nb::module_& m) {
 
 resume goes on from it. Checkpoint(bytes) takes what .bytes gave, from a file perhaps.
 ValueError for other bytes.)")
-      .def("__init__", made, nb::arg("bytes"))
+      .def("__init__", made, "bytes"_a)
       .def_prop_ro("bytes", bytes, "All of it, to keep.")
       .def_prop_ro("t", &Checkpoint::t, "Where the run stood.")
       .def("__eq__", [](const Checkpoint& a, const Checkpoint& b) { return a == b; })
@@ -271,10 +270,9 @@ ValueError for other bytes.)")
            [](const Checkpoint& c) { return "<Checkpoint: t = " + number_text(c.t()) + ">"; })
       .def("__getstate__", bytes)
       .def("__setstate__", made);
-  m.def("resume", resumed, nb::arg("problem"), nb::arg("samples"), nb::arg("checkpoint"),
-        nb::arg("sink"), nb::kw_only(), nb::arg("progress") = nb::none(),
-        nb::arg("events") = nb::none(), nb::arg("keep_checkpoint") = nb::none(),
-        nb::arg("checkpoint_seconds") = 60.0,
+  m.def("resume", resumed, "problem"_a, "samples"_a, "checkpoint"_a, "sink"_a, nb::kw_only(),
+        "progress"_a = nb::none(), "events"_a = nb::none(), "keep_checkpoint"_a = nb::none(),
+        "checkpoint_seconds"_a = 60.0,
         R"(The rest of a run of `integrate` with a sink, from a checkpoint of it.
 
 Parameters
@@ -358,14 +356,14 @@ Rows and columns of a matrix are (dtheta_B, dg_B): a small rotation of the body 
            })
       .def("__copy__", [](RowsSelf self) { return self; })  // immutable
       .def(
-          "__deepcopy__", [](RowsSelf self, nb::handle) { return self; }, nb::arg("memo"))
+          "__deepcopy__", [](RowsSelf self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__",
            [](RowsSelf self) {
              return nb::make_tuple(times_of(self).attr("copy")(), states_of(self),
                                    transitions_of(self).attr("copy")());
            })
       .def("__setstate__", restore);
-  m.def("state_transitions", transition_rows, nb::arg("problem"), nb::arg("samples"),
+  m.def("state_transitions", transition_rows, "problem"_a, "samples"_a,
         R"(The state transition matrix along a run.
 
 Parameters
@@ -382,10 +380,9 @@ and for a term in Python on floats alone (TorqueTerm). Ctrl-C raises KeyboardInt
 
 void bind_dynamics(nb::module_& m) {
   bind_dynamics_values(m);
-  m.def("integrate", integrated, nb::arg("problem"), nb::arg("samples") = nb::none(),
-        nb::arg("dense") = true, nb::kw_only(), nb::arg("progress") = nb::none(),
-        nb::arg("sink") = nb::none(), nb::arg("events") = nb::none(),
-        nb::arg("keep_checkpoint") = nb::none(), nb::arg("checkpoint_seconds") = 60.0,
+  m.def("integrate", integrated, "problem"_a, "samples"_a = nb::none(), "dense"_a = true,
+        nb::kw_only(), "progress"_a = nb::none(), "sink"_a = nb::none(), "events"_a = nb::none(),
+        "keep_checkpoint"_a = nb::none(), "checkpoint_seconds"_a = 60.0,
         R"(Integrates the equations of motion of a problem, by its method.
 
 Parameters

@@ -131,22 +131,22 @@ void def_makers(Class& c) {
        [] { return PythonFrame(Frame::inertial(), recipe_of("inertial", {}, nb::make_tuple())); },
        "Axes that do not turn.")
       .def_static(
-          "precessing", precessing, nb::arg("axis"), nb::arg("rate"), nb::arg("epoch") = 0.0,
+          "precessing", precessing, "axis"_a, "rate"_a, "epoch"_a = 0.0,
           "Turning at a constant rate (rad per time) about a constant axis (3,), whose length does "
           "not matter; S coincides with inertial axes at `epoch`. ValueError for an axis of length "
           "0 and numbers that are not finite.")
-      .def_static("orbit_plane", orbit_plane, nb::arg("Omega"), nb::arg("i"),
+      .def_static("orbit_plane", orbit_plane, "Omega"_a, "i"_a,
                   R"(The axes of an orbit: x along the ascending node, z along the normal.
 
 Omega, i : node and inclination (rad): floats, or functions of time, written with + - * / ** and
     NumPy's functions. They are called with a Dual, so that mu_S is their exact derivative.
 
 >>> polhode.Frame.orbit_plane(lambda t: 0.3 - 1e-7 * t, 0.9))")
-      .def_static("orbit_plane_pq", orbit_plane_pq, nb::arg("p"), nb::arg("q"),
+      .def_static("orbit_plane_pq", orbit_plane_pq, "p"_a, "q"_a,
                   "The same plane without a node, regular at i = 0: p = sin(i) sin(Omega), q = "
                   "sin(i) cos(Omega), i <= 90 degrees; x is the direction that the shortest turn "
                   "brings from the inertial x axis. NaN where p^2 + q^2 > 1.")
-      .def_static("from_attitude", from_attitude, nb::arg("q_IS"),
+      .def_static("from_attitude", from_attitude, "q_IS"_a,
                   "Any attitude: a function of time that returns the quaternion (w, x, y, z), S to "
                   "inertial, of any length, made of the Dual that it is called with.");
 }
@@ -181,7 +181,7 @@ what a moving frame does to the equations of motion, -mu . g. [SA section 4, (11
             const Numbers times(t, "t");
             return mapped(times, [&](double at) { return f.at(at); });
           },
-          nb::arg("t"),
+          "t"_a,
           "FrameMotion at times t of any shape. What a function in Python raises passes through.");
 }
 

@@ -97,8 +97,7 @@ void bind_section_class(nb::module_& m, const char* name, const char* doc,
            })
       .def("__copy__", [](nb::handle_t<Section> self) { return self; })  // immutable
       .def(
-          "__deepcopy__", [](nb::handle_t<Section> self, nb::handle) { return self; },
-          nb::arg("memo"))
+          "__deepcopy__", [](nb::handle_t<Section> self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__",
            [](const Section& s) {
              return nb::make_tuple(nb::bytes(s.points->data(), s.points->size() * sizeof(Point)),
@@ -163,9 +162,8 @@ run; angles in (-pi, pi].)",
 Made by spin_orbit_section. .t, .angle, .spin, .tilt: (N,), read-only views, in the order of the
 run. Where the tilt is 0 (or pi) the body turns about the normal, and angle and spin say all.)",
                         spin_orbit_columns);
-  m.def("andoyer_section", andoyer, nb::arg("problem"), nb::arg("angle") = "g",
-        nb::arg("value") = 0.0, nb::arg("crossing") = "rising", nb::arg("period") = nb::none(),
-        nb::arg("epoch") = 0.0,
+  m.def("andoyer_section", andoyer, "problem"_a, "angle"_a = "g", "value"_a = 0.0,
+        "crossing"_a = "rising", "period"_a = nb::none(), "epoch"_a = 0.0,
         R"(A surface of section of a run in Andoyer's elements, as for the plane of l and L.
 
 Parameters
@@ -186,7 +184,7 @@ AndoyerSection
 The elements are the canonical ones in the reference frame of the system. Steps are kept short
 enough for every pass to be seen; ValueError for a Splitting with a step too long for that.
 Releases the GIL; Ctrl-C raises KeyboardInterrupt. [SA section 3.2, (84)])");
-  m.def("spin_orbit_section", spin_orbit, nb::arg("problem"), nb::arg("orbit"),
+  m.def("spin_orbit_section", spin_orbit, "problem"_a, "orbit"_a,
         R"(The rotation at every pericentre of an orbit: the classical section of spin and orbit.
 
 Parameters

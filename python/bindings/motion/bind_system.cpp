@@ -108,8 +108,8 @@ Functions of a system take a time and a RotorState in the frame S, which broadca
 consistent units.)",
       nb::type_slots(
           object_slots<PythonSystem, &PythonSystem::python_frame, &PythonSystem::python_terms>()))
-      .def("__init__", make_system, nb::arg("body"), nb::arg("frame") = nb::none(),
-           nb::arg("terms") = nb::make_tuple(), nb::arg("damper") = nb::none())
+      .def("__init__", make_system, "body"_a, "frame"_a = nb::none(), "terms"_a = nb::make_tuple(),
+           "damper"_a = nb::none())
       .def_prop_ro(
           "body", [](const S& s) { return s.body(); }, "What rotates.")
       .def_prop_ro(
@@ -126,7 +126,7 @@ consistent units.)",
             if (!nb::isinstance<S>(b)) return nb::borrow(Py_NotImplemented);
             return nb::bool_(arguments_of(a).equal(arguments_of(nb::cast<const S&>(b))));
           },
-          nb::is_operator(), nb::arg("other"))
+          nb::is_operator(), "other"_a)
       .def("__hash__", [](const S& s) { return nb::hash(arguments_of(s)); })
       .def("__repr__", [](const S& s) { return repr_of(s); })
       .def("__copy__", [](nb::handle_t<S> s) { return nb::object(nb::borrow(s)); })

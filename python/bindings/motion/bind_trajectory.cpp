@@ -59,12 +59,12 @@ void bind_save_at(nb::module_& m) {
   nb::class_<SaveAt>(m, "SaveAt", R"(The times of the samples of a run.
 
 Made by steps, count or times; a sequence of floats. A time is rounded once, never accumulated.)")
-      .def_static("steps", &SaveAt::steps, nb::arg("start"), nb::arg("stop"), nb::arg("step"),
+      .def_static("steps", &SaveAt::steps, "start"_a, "stop"_a, "step"_a,
                   "start + k step up to stop; step leads from start towards stop, either way.")
-      .def_static("count", &SaveAt::count, nb::arg("start"), nb::arg("stop"), nb::arg("rows"),
+      .def_static("count", &SaveAt::count, "start"_a, "stop"_a, "rows"_a,
                   "rows times from start to stop, both included.")
       .def_static(
-          "times", [](ArrayLike times) { return save_at_of(times, "times"); }, nb::arg("times"),
+          "times", [](ArrayLike times) { return save_at_of(times, "times"); }, "times"_a,
           "The times themselves, (N,), in the order of the run.")
       .def("__len__", &SaveAt::size)
       .def(
@@ -76,16 +76,16 @@ Made by steps, count or times; a sequence of floats. A time is rounded once, nev
                   ("SaveAt: row " + std::to_string(k) + " of " + std::to_string(s.size())).c_str());
             return s[at];
           },
-          nb::arg("k"))
+          "k"_a)
       .def("__copy__", [](const SaveAt& s) { return s; })
       .def(
-          "__deepcopy__", [](const SaveAt& s, nb::handle) { return s; }, nb::arg("memo"))
+          "__deepcopy__", [](const SaveAt& s, nb::handle) { return s; }, "memo"_a)
       .def("__getstate__", parts_of)
       .def("__setstate__",
            [](SaveAt& s, const SaveAtParts& parts) { new (&s) SaveAt(made_of(parts)); })
       .def(
           "__eq__", [](const SaveAt& a, const SaveAt& b) { return parts_of(a) == parts_of(b); },
-          nb::is_operator(), nb::arg("other"))
+          nb::is_operator(), "other"_a)
       .def("__hash__",
            [](const SaveAt& s) { return nb::hash(nb::make_tuple(s.start(), s.stop(), s.size())); })
       .def("__repr__", [](const SaveAt& s) {
@@ -101,40 +101,26 @@ void bind_outcome(nb::module_& m) {
       .value("completed", Outcome::Status::completed, "it reached the end asked for")
       .value("stopped_by_event", Outcome::Status::stopped_by_event, "an event that stops was met")
       .value("failed", Outcome::Status::failed, "it could not go on: see advice");
-  c.def_ro("status", &Outcome::status, "Which of the three.")
+  c.def(
+       "__init__",
+       [](Outcome* self, OneOf<Outcome::Status> status, double t, const std::string& advice) {
+         new (self) Outcome{choice<Outcome::Status>(status, "status"), t, advice};
+       },
+       "status"_a, "t"_a, "advice"_a = "")
+      .def_ro("status", &Outcome::status, "Which of the three.")
       .def_ro("t", &Outcome::t, "Where it ended.")
       .def_ro("advice", &Outcome::advice, "Of a run that failed: what happened, and what to try.")
       .def_prop_ro("ok", &Outcome::ok, "Whether it did not fail.")
-      .def("__repr__", [](const Outcome& o) { return "<Outcome: " + text_of(o) + ">"; })
-      .def("__getstate__",
-           [](const Outcome& o) {
-             return nb::make_tuple(static_cast<int>(o.status), o.t, o.advice);
-           })
-      .def("__setstate__", [](Outcome& o, const std::tuple<int, double, std::string>& state) {
-        const auto& [status, t, advice] = state;
-        new (&o) Outcome{static_cast<Outcome::Status>(status), t, advice};
-      });
+      .def("__repr__", [](const Outcome& o) { return "<Outcome: " + text_of(o) + ">"; });
+  def_value(c, [](const Outcome& o) { return nb::make_tuple(o.status, o.t, o.advice); });
 }
 
 void bind_statistics(nb::module_& m) {
-  nb::class_<Statistics>(m, "Statistics", "What a run cost.")
-      .def_ro("steps", &Statistics::steps, "Steps accepted.")
-      .def_ro("rejected", &Statistics::rejected, "Steps tried, and repeated shorter.")
-      .def_ro("evaluations", &Statistics::evaluations,
-              "Evaluations of the terms, all of them together counted once.")
-      .def("__repr__",
-           [](const Statistics& s) {
-             return "Statistics(steps=" + std::to_string(s.steps) +
-                    ", rejected=" + std::to_string(s.rejected) +
-                    ", evaluations=" + std::to_string(s.evaluations) + ")";
-           })
-      .def("__getstate__",
-           [](const Statistics& s) { return nb::make_tuple(s.steps, s.rejected, s.evaluations); })
-      .def("__setstate__",
-           [](Statistics& s, const std::tuple<std::int64_t, std::int64_t, std::int64_t>& counts) {
-             const auto& [steps, rejected, evaluations] = counts;
-             new (&s) Statistics{steps, rejected, evaluations};
-           });
+  using S = Statistics;
+  bind_value<S>(m, "Statistics", "What a run cost.", field("steps", &S::steps, "Steps accepted."),
+                field("rejected", &S::rejected, "Steps tried, and repeated shorter."),
+                field("evaluations", &S::evaluations,
+                      "Evaluations of the terms, all of them together counted once."));
 }
 
 void bind_event_record(nb::module_& m) {
@@ -302,8 +288,7 @@ nb::object table_of(TrajectorySelf self, const char* kind, ColumnNames names,
 }
 
 void bind_tables(nb::class_<PythonTrajectory>& c) {
-  c.def("columns", columns_of_trajectory, nb::arg("names") = nb::make_tuple(),
-        nb::arg("system") = nb::none(),
+  c.def("columns", columns_of_trajectory, "names"_a = nb::make_tuple(), "system"_a = nb::none(),
         R"(Columns by name, each (N,): t, qw ... qz, g1 ... g3, then those asked for.
 
 Parameters
@@ -318,14 +303,14 @@ the principal axes. "dE" is E less that at the start. ValueError for an unknown 
       "to_pandas",
       [](TrajectorySelf self, ColumnNames columns, Typed<"System"> system)
           -> Typed<"pandas.DataFrame"> { return table_of(self, "to_pandas", columns, system); },
-      nb::arg("columns") = nb::none(), nb::arg("system") = nb::none(),
+      "columns"_a = nb::none(), "system"_a = nb::none(),
       "The columns (see columns()) as a pandas.DataFrame, with index t; method and outcome in "
       ".attrs.");
   c.def(
       "to_xarray",
       [](TrajectorySelf self, ColumnNames columns, Typed<"System"> system)
           -> Typed<"xarray.Dataset"> { return table_of(self, "to_xarray", columns, system); },
-      nb::arg("columns") = nb::none(), nb::arg("system") = nb::none(),
+      "columns"_a = nb::none(), "system"_a = nb::none(),
       "The columns (see columns()) as an xarray.Dataset along t; method and outcome in .attrs.");
 }
 
@@ -354,9 +339,9 @@ reference frame and the principal axes. A pickle holds everything but dense outp
           "(N, 3): angular momenta along the principal axes.")
       .def_prop_ro("damper_rate", damper_rates_of,
                    "(N, 3): rates of a damper relative to the body, along the principal axes.")
-      .def("damper_rate_at", damper_rates_at, nb::arg("t"),
+      .def("damper_rate_at", damper_rates_at, "t"_a,
            "(..., 3): the same at times of any shape, as at(t).")
-      .def("at", states_at, nb::arg("t"),
+      .def("at", states_at, "t"_a,
            R"(The states at times of any shape, by the dense output of the method.
 
 ValueError outside [start, stop], and for a run without dense output. Releases the GIL.)")
@@ -384,7 +369,7 @@ ValueError outside [start, stop], and for a run without dense output. Releases t
       .def("__repr__", shown)
       .def("__copy__", [](TrajectorySelf self) { return self; })  // immutable
       .def(
-          "__deepcopy__", [](TrajectorySelf self, nb::handle) { return self; }, nb::arg("memo"))
+          "__deepcopy__", [](TrajectorySelf self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__", state_of)
       .def("__setstate__", restore);
   bind_tables(c);

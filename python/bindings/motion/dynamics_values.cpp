@@ -24,18 +24,20 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 std::string text_of(nb::handle value) { return nb::cast<std::string>(nb::repr(value)); }
 
-// "Precision.double_double"
-template <class E>
-std::string member_text(E value) {
-  return nb::cast<std::string>(nb::type<E>().attr("__name__")) + "." +
-         nb::cast<std::string>(nb::cast(value).attr("name"));
-}
+// Valid, or a DomainError.
+template <class M>
+constexpr auto method_made = [](auto... numbers) {
+  const M method{numbers...};
+  require_valid(method);
+  return method;
+};
 
 void bind_adaptive(nb::module_& m) {
   nb::enum_<Precision>(m, "Precision", "The arithmetic of an adaptive run.", nb::is_arithmetic())
       .value("compensated", Precision::compensated, "double, with compensated sums")
       .value("double_double", Precision::double_double, "32 digits, some twenty times slower");
-  nb::class_<Adaptive> c(m, "Adaptive", R"(An explicit Runge-Kutta pair of order 9 on (q, g).
+  bind_made_value<Adaptive>(
+      m, "Adaptive", R"(An explicit Runge-Kutta pair of order 9 on (q, g).
 
 Parameters
 ----------
@@ -45,33 +47,13 @@ precision : Precision, or its name.
 first_step : 0: chosen.
 largest_step : no step is longer; limit it to the time scale of a pulse of a torque written in
      Python, which a longer step could step over. inf: the shortest time_scale of the terms and
-     of the frame, a quarter of a turn of what they follow.)");
-  c.def(
-       "__init__",
-       [](Adaptive* self, double tolerance, OneOf<Precision> precision, double first,
-          double largest) {
-         const Adaptive method{tolerance, choice<Precision>(precision, "precision"), first,
-                               largest};
-         require_valid(method);
-         new (self) Adaptive(method);
-       },
-       nb::arg("tolerance") = 1e-12, nb::arg("precision") = "compensated",
-       nb::arg("first_step") = 0.0, nb::arg("largest_step") = inf)
-      .def_ro("tolerance", &Adaptive::tolerance, "Of the local error of a step.")
-      .def_ro("precision", &Adaptive::precision, "The arithmetic of the run.")
-      .def_ro("first_step", &Adaptive::first_step, "0: chosen.")
-      .def_ro("largest_step", &Adaptive::largest_step, "No step is longer.")
-      .def("__repr__", [](const Adaptive& v) {
-        std::string text = "Adaptive(tolerance=" + number_text(v.tolerance);
-        if (v.precision != Precision::compensated)
-          text += ", precision=" + member_text(v.precision);
-        if (v.first_step != 0.0) text += ", first_step=" + number_text(v.first_step);
-        if (v.largest_step != inf) text += ", largest_step=" + number_text(v.largest_step);
-        return text + ")";
-      });
-  def_value(c, [](const Adaptive& v) {
-    return nb::make_tuple(v.tolerance, v.precision, v.first_step, v.largest_step);
-  });
+     of the frame, a quarter of a turn of what they follow.)",
+      method_made<Adaptive>,
+      field("tolerance", &Adaptive::tolerance, "Of the local error of a step.", 1e-12),
+      field("precision", &Adaptive::precision, "The arithmetic of the run.", Precision::compensated)
+          .but_quiet(),
+      field("first_step", &Adaptive::first_step, "0: chosen.", 0.0).but_quiet(),
+      field("largest_step", &Adaptive::largest_step, "No step is longer.", inf).but_quiet());
 }
 
 void bind_splitting(nb::module_& m) {
@@ -84,57 +66,33 @@ void bind_splitting(nb::module_& m) {
       .value("ABA864", SplittingScheme::ABA864,
              "of order eps h^8 + eps^2 h^6 + eps^3 h^4 for terms of size eps")
       .value("ABA1064", SplittingScheme::ABA1064, "of order eps h^10 + eps^2 h^6 + eps^3 h^4");
-  nb::class_<Splitting> c(m, "Splitting", R"(The exact free rotation in turn with the exact terms.
+  bind_made_value<Splitting>(
+      m, "Splitting", R"(The exact free rotation in turn with the exact terms.
 
 Parameters
 ----------
 step : constant, in the unit of time of the system; nothing checks the error it makes.
 scheme : SplittingScheme, or its name. ABA864 and ABA1064 are for small terms (Blanes et al. 2013).
 
-Symplectic for terms with an energy. Every term needs an exact flow.)");
-  c.def(
-       "__init__",
-       [](Splitting* self, double step, OneOf<SplittingScheme> scheme) {
-         const Splitting method{step, choice<SplittingScheme>(scheme, "scheme")};
-         require_valid(method);
-         new (self) Splitting(method);
-       },
-       nb::arg("step"), nb::arg("scheme") = "ABA864")
-      .def_ro("step", &Splitting::step, "Constant.")
-      .def_ro("scheme", &Splitting::scheme, "The composition.")
-      .def("__repr__", [](const Splitting& v) {
-        return "Splitting(step=" + number_text(v.step) + ", scheme=" + member_text(v.scheme) + ")";
-      });
-  def_value(c, [](const Splitting& v) { return nb::make_tuple(v.step, v.scheme); });
+Symplectic for terms with an energy. Every term needs an exact flow.)",
+      method_made<Splitting>, field("step", &Splitting::step, "Constant."),
+      field("scheme", &Splitting::scheme, "The composition.", SplittingScheme::ABA864));
 }
 
 void bind_variation(nb::module_& m) {
-  nb::class_<VariationOfConstants> c(m, "VariationOfConstants",
-                                     R"(The constants of the free rotation are the unknowns.
+  bind_made_value<VariationOfConstants>(
+      m, "VariationOfConstants", R"(The constants of the free rotation are the unknowns.
 
 Parameters
 ----------
 tolerance : of the local error of a step, from 1e-15 to 1e-2.
 largest_step : as in Adaptive.
 
-For weak terms: steps may span many turns. [SA (98)-(103)])");
-  c.def(
-       "__init__",
-       [](VariationOfConstants* self, double tolerance, double largest_step) {
-         const VariationOfConstants method{tolerance, largest_step};
-         require_valid(method);
-         new (self) VariationOfConstants(method);
-       },
-       nb::arg("tolerance") = 1e-12, nb::arg("largest_step") = inf)
-      .def_ro("tolerance", &VariationOfConstants::tolerance, "Of the local error of a step.")
-      .def_ro("largest_step", &VariationOfConstants::largest_step, "No step is longer.")
-      .def("__repr__", [](const VariationOfConstants& v) {
-        std::string text = "VariationOfConstants(tolerance=" + number_text(v.tolerance);
-        if (v.largest_step != inf) text += ", largest_step=" + number_text(v.largest_step);
-        return text + ")";
-      });
-  def_value(
-      c, [](const VariationOfConstants& v) { return nb::make_tuple(v.tolerance, v.largest_step); });
+For weak terms: steps may span many turns. [SA (98)-(103)])",
+      method_made<VariationOfConstants>,
+      field("tolerance", &VariationOfConstants::tolerance, "Of the local error of a step.", 1e-12),
+      field("largest_step", &VariationOfConstants::largest_step, "No step is longer.", inf)
+          .but_quiet());
 }
 
 PythonEvent checked_event(const std::string& name, nb::handle function, nb::handle crossing,
@@ -188,8 +146,8 @@ outcome that says so.)",
             new (self)
                 PythonEvent(checked_event(name, function, crossing, stops, period, interval));
           },
-          nb::arg("name"), nb::arg("function"), nb::arg("crossing") = "both",
-          nb::arg("stops") = false, nb::arg("period") = 0.0, nb::arg("interval") = 0.0)
+          "name"_a, "function"_a, "crossing"_a = "both", "stops"_a = false, "period"_a = 0.0,
+          "interval"_a = 0.0)
       .def_ro("name", &PythonEvent::name, "Stands in EventRecord.name.")
       .def_ro("function", &PythonEvent::function, "The very object that was given.")
       .def_ro("crossing", &PythonEvent::crossing, "Which zeros are events.")
@@ -264,10 +222,9 @@ damper_rate : (3,), rate of the sphere of the system's damper relative to the bo
 continues : whether another run has ended at `start`: an event there is that run's.)",
       nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
                                   &PythonProblem::method, &PythonProblem::events>()))
-      .def("__init__", make_problem, nb::arg("system"), nb::arg("initial"), nb::arg("start"),
-           nb::arg("stop"), nb::arg("method").sig("Adaptive()") = Adaptive{},
-           nb::arg("events") = nb::make_tuple(),
-           nb::arg("damper_rate") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("continues") = false)
+      .def("__init__", make_problem, "system"_a, "initial"_a, "start"_a, "stop"_a,
+           "method"_a.sig("Adaptive()") = Adaptive{}, "events"_a = nb::make_tuple(),
+           "damper_rate"_a = nb::make_tuple(0.0, 0.0, 0.0), "continues"_a = false)
       .def_ro("system", &PythonProblem::system, "The very object that was given.")
       .def_ro("initial", &PythonProblem::initial, "The state at `start`.")
       .def_ro("start", &PythonProblem::start, "Where `initial` is the state.")

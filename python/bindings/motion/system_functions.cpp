@@ -120,7 +120,7 @@ void def_states(nb::module_& m, const char* name, F f, const char* doc) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const S& s, double at) { return f(system, at, s); });
       },
-      nb::arg("system"), nb::arg("t"), nb::arg("state"), doc);
+      "system"_a, "t"_a, "state"_a, doc);
 }
 
 void bind_motion(nb::module_& m) {
@@ -151,7 +151,7 @@ void bind_motion(nb::module_& m) {
           return energy(system, at, s);
         });
       },
-      nb::arg("system"), nb::arg("t"), nb::arg("state"),
+      "system"_a, "t"_a, "state"_a,
       "The Hamiltonian of the motion in S: kinetic energy, the terms' energies, and -mu . g. "
       "Constant where nothing depends on time. ValueError where a term has none.");
   def_states<RotorState>(
@@ -188,8 +188,7 @@ void bind_osculation(nb::module_& m) {
           return osculating_andoyer(system, at, s);
         });
       },
-      nb::arg("system"), nb::arg("t"), nb::arg("canonical"),
-      "Osculating elements of canonical ones.");
+      "system"_a, "t"_a, "canonical"_a, "Osculating elements of canonical ones.");
   m.def(
       "canonical_andoyer",
       [](const PythonSystem& system, ArrayLike t, const Andoyers& states) {
@@ -198,8 +197,7 @@ void bind_osculation(nb::module_& m) {
           return canonical_andoyer(system, at, s);
         });
       },
-      nb::arg("system"), nb::arg("t"), nb::arg("osculating"),
-      "Canonical elements of osculating ones.");
+      "system"_a, "t"_a, "osculating"_a, "Canonical elements of osculating ones.");
 }
 
 // Andoyer's variables at an epoch t0 of states at times t.
@@ -212,7 +210,7 @@ void bind_modified(nb::module_& m) {
           return modified_andoyer(body, t0, at, s);
         });
       },
-      nb::arg("body"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
+      "body"_a, "t0"_a, "t"_a, "state"_a,
       "The modified Andoyer set: the AndoyerState that the free motion through a state at time t "
       "has at the epoch t0. [SA (102), (103)]");
   m.def(
@@ -223,7 +221,7 @@ void bind_modified(nb::module_& m) {
           return from_modified_andoyer(body, t0, at, s);
         });
       },
-      nb::arg("body"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
+      "body"_a, "t0"_a, "t"_a, "state"_a,
       "The state at time t of a modified Andoyer set with epoch t0.");
   m.def(
       "modified_andoyer_rates",
@@ -233,7 +231,7 @@ void bind_modified(nb::module_& m) {
           return modified_andoyer_rates(system, t0, at, s);
         });
       },
-      nb::arg("system"), nb::arg("t0"), nb::arg("t"), nb::arg("state"),
+      "system"_a, "t0"_a, "t"_a, "state"_a,
       "Rates of the modified Andoyer set at time t: zero without a perturbation. [SA (102), "
       "(103)]");
 }
@@ -263,7 +261,7 @@ void def_of_chart(nb::module_& m, const char* name,
         });
         return out.take();
       },
-      nb::arg("chart"), nb::arg("system"), nb::arg("t"), nb::arg("state"), doc);
+      "chart"_a, "system"_a, "t"_a, "state"_a, doc);
 }
 
 void bind_rates(nb::module_& m) {
@@ -333,7 +331,7 @@ void bind_axes(nb::module_& m) {
           return AxesOfStates{mapped(
               states, times, [&](const RotorState& s, double at) { return f(system, at, s); })};
         },
-        nb::arg("system"), nb::arg("t"), nb::arg("state"), doc);
+        "system"_a, "t"_a, "state"_a, doc);
   };
   axes("inertial_axes", inertial_axes,
        "Axes of figure, momentum and rotation (w_IB) in inertial axes, as inclination and node. "
@@ -351,7 +349,7 @@ void bind_axes(nb::module_& m) {
           });
         });
       },
-      nb::arg("axis"), "Inclination and node of the planes normal to vectors (..., 3).");
+      "axis"_a, "Inclination and node of the planes normal to vectors (..., 3).");
 }
 
 }  // namespace

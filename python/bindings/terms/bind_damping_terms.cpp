@@ -17,14 +17,10 @@ struct TorqueTableTerm : PythonTerm {
   using PythonTerm::PythonTerm;
 };
 
-nb::tuple arguments_of(const DampedMaterial& d) {
-  return nb::make_tuple(d.rigidity, d.quality_factor, d.density, d.radius, d.shape_factor);
-}
-
 void bind_material(nb::module_& m) {
   using D = DampedMaterial;
-  nb::class_<D> c(m, "DampedMaterial",
-                  R"(A material and the size of a body, in the units of the system.
+  bind_value<D>(m, "DampedMaterial",
+                R"(A material and the size of a body, in the units of the system.
 
 Parameters
 ----------
@@ -32,28 +28,12 @@ rigidity : mu, a pressure.
 quality_factor : Q.
 density : rho.
 radius : the mean one.
-shape_factor : K3^2, about 0.1 for elongated bodies, 0.01 for nearly spherical ones.)");
-  c.def(
-       "__init__",
-       [](D* self, double rigidity, double quality_factor, double density, double radius,
-          double shape_factor) {
-         new (self) D{rigidity, quality_factor, density, radius, shape_factor};
-       },
-       nb::arg("rigidity"), nb::arg("quality_factor"), nb::arg("density"), nb::arg("radius"),
-       nb::arg("shape_factor") = 0.1)
-      .def_ro("rigidity", &D::rigidity, "mu.")
-      .def_ro("quality_factor", &D::quality_factor, "Q.")
-      .def_ro("density", &D::density, "rho.")
-      .def_ro("radius", &D::radius, "The mean one.")
-      .def_ro("shape_factor", &D::shape_factor, "K3^2.")
-      .def("__repr__", [](const D& d) {
-        return "DampedMaterial(rigidity=" + number_text(d.rigidity) +
-               ", quality_factor=" + number_text(d.quality_factor) +
-               ", density=" + number_text(d.density) + ", radius=" + number_text(d.radius) +
-               ", shape_factor=" + number_text(d.shape_factor) + ")";
-      });
-  def_value(c, [](const D& d) { return arguments_of(d); });
-  m.def("wobble_time", &wobble_time, nb::arg("material"), nb::arg("rate"),
+shape_factor : K3^2, about 0.1 for elongated bodies, 0.01 for nearly spherical ones.)",
+                field("rigidity", &D::rigidity, "mu."),
+                field("quality_factor", &D::quality_factor, "Q."),
+                field("density", &D::density, "rho."), field("radius", &D::radius, "The mean one."),
+                field("shape_factor", &D::shape_factor, "K3^2.", 0.1));
+  m.def("wobble_time", &wobble_time, "material"_a, "rate"_a,
         "mu Q / (rho K3^2 R^2 rate^3): the time in which a small wobble about the axis of the "
         "largest moment falls by e at this rate of rotation (Burns and Safronov 1973). ValueError "
         "unless all are positive.");
@@ -82,7 +62,7 @@ ValueError for a negative coefficient.)",
          new (self) C(AnyPerturbation(name_of(name, "InternalDamping"), term),
                       recipe_of("", {"k", "name", "grows"}, nb::make_tuple(kept, name, grows)));
        },
-       nb::arg("k"), nb::arg("name") = nb::none(), nb::arg("grows") = false)
+       "k"_a, "name"_a = nb::none(), "grows"_a = false)
       .def_prop_ro(
           "coefficients",
           [](const C& term) { return array_of(term.target<InternalDamping>()->coefficients()); },
@@ -99,7 +79,7 @@ ValueError for a negative coefficient.)",
                      recipe_of("of_wobble", {"body", "time", "momentum", "name"},
                                nb::make_tuple(body, time, momentum, name)));
           },
-          nb::arg("body"), nb::arg("time"), nb::arg("momentum"), nb::arg("name") = nb::none(),
+          "body"_a, "time"_a, "momentum"_a, "name"_a = nb::none(),
           "The k with which a small wobble about the axis of the largest moment falls by e in "
           "`time` at this momentum, in the units of the body's moments and of time. ValueError for "
           "a "
@@ -112,7 +92,7 @@ ValueError for a negative coefficient.)",
                      recipe_of("of_material", {"body", "material", "name"},
                                nb::make_tuple(body, material, name)));
           },
-          nb::arg("body"), nb::arg("material"), nb::arg("name") = nb::none(),
+          "body"_a, "material"_a, "name"_a = nb::none(),
           "k in proportion to the momentum: a small wobble falls by e in wobble_time(material, "
           "rate) at any rate. ValueError for a sphere.");
   def_term<C>(c);
@@ -184,8 +164,8 @@ ValueError for rows that are not finite or times that do not increase.)",
                         nb::make_tuple(nb::tuple(kept_times), nb::tuple(kept_torques),
                                        rules.between, rules.outside, space, name)));
       },
-      nb::arg("times"), nb::arg("torques"), nb::arg("between") = "linear",
-      nb::arg("outside") = "zero", nb::arg("axes") = nb::none(), nb::arg("name") = nb::none());
+      "times"_a, "torques"_a, "between"_a = "linear", "outside"_a = "zero", "axes"_a = nb::none(),
+      "name"_a = nb::none());
   def_term<C>(c);
 }
 

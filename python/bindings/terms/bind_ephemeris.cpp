@@ -37,11 +37,10 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
        [](Date* self, OneOf<TimeScale> scale, double day, double fraction) {
          new (self) Date{choice<TimeScale>(scale, "scale"), day, fraction};
        },
-       nb::arg("scale"), nb::arg("day"), nb::arg("fraction") = 0.0)
+       "scale"_a, "day"_a, "fraction"_a = 0.0)
       .def(
           "__init__",
-          [](Date* self, const std::string& text) { new (self) Date(epoch_date(text)); },
-          nb::arg("text"))
+          [](Date* self, const std::string& text) { new (self) Date(epoch_date(text)); }, "text"_a)
       .def_ro("scale", &Date::scale, "Its time scale.")
       .def_ro("day", &Date::day, "The first part, days.")
       .def_ro("fraction", &Date::fraction, "The second part, days.")
@@ -52,7 +51,7 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
           [](const Date& d, OneOf<TimeScale> scale, std::optional<double> dut1) {
             return converted(d, choice<TimeScale>(scale, "scale"), dut1);
           },
-          nb::arg("scale"), nb::arg("dut1") = nb::none(),
+          "scale"_a, "dut1"_a = nb::none(),
           "The same instant in another scale. UT1 needs dut1 = UT1 - UTC in s. ValueError without.")
       .def_prop_ro(
           "calendar",
@@ -74,8 +73,7 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
         return calendar_date(choice<TimeScale>(scale, "scale"),
                              {year, month, day, hour, minute, second});
       },
-      nb::arg("scale"), nb::arg("year"), nb::arg("month"), nb::arg("day"), nb::arg("hour") = 0,
-      nb::arg("minute") = 0, nb::arg("second") = 0.0,
+      "scale"_a, "year"_a, "month"_a, "day"_a, "hour"_a = 0, "minute"_a = 0, "second"_a = 0.0,
       "The Date of a time of the Gregorian calendar. 23:59:60 is one where UTC had a leap second. "
       "ValueError for a time that is not there.");
   m.def(
@@ -83,14 +81,14 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
       [](const Date& from, const Date& to, std::optional<double> dut1) {
         return seconds_between(from, to, dut1);
       },
-      nb::arg("start"), nb::arg("end"), nb::arg("dut1") = nb::none(),
+      "start"_a, "end"_a, "dut1"_a = nb::none(),
       "SI seconds of TT from one Date to another, whatever their scales.");
   m.def(
       "date_after",
       [](const Date& date, double seconds, std::optional<double> dut1) {
         return date_after(date, seconds, dut1);
       },
-      nb::arg("date"), nb::arg("seconds"), nb::arg("dut1") = nb::none(),
+      "date"_a, "seconds"_a, "dut1"_a = nb::none(),
       "The Date, in TT, so many seconds of TT later.");
 }
 
@@ -108,15 +106,14 @@ void bind_planets(nb::module_& m) {
       .value("neptune", Planetary::neptune);
   m.def(
       "planetary_gm", [](OneOf<Planetary> body) { return planetary_gm(body_of(body, "body")); },
-      nb::arg("body"),
-      "Gravitational parameter, km^3/s^2 (DE440); from Mars on of planet and moons.");
+      "body"_a, "Gravitational parameter, km^3/s^2 (DE440); from Mars on of planet and moons.");
   m.def(
       "planetary_position",
       [](OneOf<Planetary> target, OneOf<Planetary> centre, const Date& date) {
         return array_of(
             planetary_position(body_of(target, "target"), body_of(centre, "centre"), date));
       },
-      nb::arg("target"), nb::arg("centre"), nb::arg("date"),
+      "target"_a, "centre"_a, "date"_a,
       "(3,), km, along equator and equinox of J2000 (ICRS), without light time; by ERFA. "
       "ValueError for dates out of its theories.");
   m.def(
@@ -131,13 +128,11 @@ void bind_planets(nb::module_& m) {
         }
         return TableOrbit(std::move(table.rows), table.order);
       },
-      nb::arg("target"), nb::arg("centre"), nb::arg("epoch"), nb::arg("first"), nb::arg("last"),
-      nb::arg("tolerance") = 1e-10,
+      "target"_a, "centre"_a, "epoch"_a, "first"_a, "last"_a, "tolerance"_a = 1e-10,
       "Such positions (km) as a TableOrbit from `first` to `last`, s of TT after `epoch`. Between "
       "its rows it is right to `tolerance` of the distance.");
   m.def(
-      "j2000_from_teme", [](const Date& date) { return array_of(j2000_from_teme(date)); },
-      nb::arg("date"),
+      "j2000_from_teme", [](const Date& date) { return array_of(j2000_from_teme(date)); }, "date"_a,
       "(3, 3): turns components along TEME, the axes of SGP4, into those along equator and equinox "
       "of J2000.");
 }

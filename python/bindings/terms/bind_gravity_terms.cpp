@@ -21,24 +21,6 @@ struct TidalTorqueTerm : PythonTerm {
   using PythonTerm::PythonTerm;
 };
 
-template <std::size_t n>
-std::array<double, n> moments_from(nb::handle value, const char* name) {
-  const Numbers numbers(value, name, {n});
-  std::array<double, n> out;
-  for (std::size_t i = 0; i < n; ++i) out[i] = numbers.at(0)[i];
-  return out;
-}
-template <std::size_t n>
-nb::tuple tuple_from(const std::array<double, n>& values) {
-  nb::list list;
-  for (const double x : values) list.append(x);
-  return nb::tuple(list);
-}
-
-nb::tuple arguments_of(const MassMoments& m) {
-  return nb::make_tuple(tuple_from(m.third), tuple_from(m.fourth));
-}
-
 MassMoments of_points(ArrayLike masses, ArrayLike positions) {
   Numbers both[] = {Numbers(masses, "masses"), Numbers(positions, "positions", {3})};
   const Shape shape = broadcast(both);
@@ -52,39 +34,23 @@ MassMoments of_points(ArrayLike masses, ArrayLike positions) {
 
 void bind_moments(nb::module_& m) {
   using M = MassMoments;
-  nb::class_<M> c(m, "MassMoments",
-                  R"(Inertia integrals of degree 3 and 4: of x^a y^b z^c dm from the centre of mass.
+  bind_value<M>(m, "MassMoments",
+                R"(Inertia integrals of degree 3 and 4: of x^a y^b z^c dm from the centre of mass.
 
 Parameters
 ----------
 third : (10,), mass length^3, in the order xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
 fourth : (15,), mass length^4: xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz
-    yzzz zzzz.)");
-  c.def(
-       "__init__",
-       [](M* self, ArrayLike third, ArrayLike fourth) {
-         new (self) M{moments_from<10>(third, "third"), moments_from<15>(fourth, "fourth")};
-       },
-       nb::arg("third"), nb::arg("fourth"))
-      .def_static("of_points", of_points, nb::arg("masses"), nb::arg("positions"),
+    yzzz zzzz.)",
+                field("third", &M::third, "(10,): of degree 3."),
+                field("fourth", &M::fourth, "(15,): of degree 4."))
+      .def_static("of_points", of_points, "masses"_a, "positions"_a,
                   "Of point masses: (n,) or one number, and positions (n, 3), which are taken as "
                   "they are: from the centre of mass.")
       .def(
           "rotated",
           [](const M& self, ArrayLike matrix) { return rotated(self, mat3(matrix, "matrix")); },
-          nb::arg("matrix"), "Along the axes in which x becomes matrix @ x, a rotation (3, 3).")
-      .def_prop_ro(
-          "third", [](const M& self) { return array_of(std::span(self.third)); },
-          "(10,): of degree 3.")
-      .def_prop_ro(
-          "fourth", [](const M& self) { return array_of(std::span(self.fourth)); },
-          "(15,): of degree 4.")
-      .def("__repr__", [](const M& self) {
-        const nb::tuple a = arguments_of(self);
-        return "MassMoments(third=" + nb::cast<std::string>(nb::repr(nb::object(a[0]))) +
-               ", fourth=" + nb::cast<std::string>(nb::repr(nb::object(a[1]))) + ")";
-      });
-  def_value(c, arguments_of);
+          "matrix"_a, "Along the axes in which x becomes matrix @ x, a rotation (3, 3).");
 }
 
 void bind_higher(nb::module_& m) {
@@ -121,36 +87,18 @@ name : stands in messages.)",
                      return AnyPerturbation(called, HigherGravity(gm, o, moments, of, space));
                    });
       },
-      nb::arg("gm"), nb::arg("orbit"), nb::arg("moments"), nb::arg("orbit_of"),
-      nb::arg("axes") = "inertial", nb::arg("name") = nb::none());
+      "gm"_a, "orbit"_a, "moments"_a, "orbit_of"_a, "axes"_a = "inertial", "name"_a = nb::none());
   def_term<C>(c);
-}
-
-nb::tuple arguments_of(const Oblateness& o) {
-  return nb::make_tuple(o.J2, o.radius, tuple_of(o.pole));
 }
 
 void bind_oblate(nb::module_& m) {
   using O = Oblateness;
-  nb::class_<O> value(m, "Oblateness",
-                      "J2 of an attracting body, the equatorial radius that it belongs to, and its "
-                      "pole (3,), of any length, along the axes of the orbit.");
-  value
-      .def(
-          "__init__",
-          [](O* self, double J2, double radius, ArrayLike pole) {
-            new (self) O{J2, radius, vec3(pole, "pole")};
-          },
-          nb::arg("J2"), nb::arg("radius"), nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0))
-      .def_ro("J2", &O::J2, "A pure number.")
-      .def_ro("radius", &O::radius, "A length.")
-      .def_prop_ro(
-          "pole", [](const O& o) { return array_of(o.pole); }, "(3,): the axis of figure.")
-      .def("__repr__", [](const O& o) {
-        return "Oblateness(J2=" + number_text(o.J2) + ", radius=" + number_text(o.radius) +
-               ", pole=" + nb::cast<std::string>(nb::repr(tuple_of(o.pole))) + ")";
-      });
-  def_value(value, [](const O& o) { return arguments_of(o); });
+  bind_value<O>(
+      m, "Oblateness",
+      "J2 of an attracting body, the equatorial radius that it belongs to, and its "
+      "pole (3,), of any length, along the axes of the orbit.",
+      field("J2", &O::J2, "A pure number."), field("radius", &O::radius, "A length."),
+      field("pole", &O::pole, "(3,): the axis of figure.", nb::make_tuple(0.0, 0.0, 1.0)));
   using C = OblateGravityTerm;
   nb::class_<C, PythonTerm> c(m, "OblateGravity",
                               R"(What the J2 of the attracting body adds to the gravity gradient.
@@ -177,31 +125,16 @@ name : stands in messages.)",
                      return AnyPerturbation(called, OblateGravity(gm, o, oblateness, space));
                    });
       },
-      nb::arg("gm"), nb::arg("orbit"), nb::arg("oblateness"), nb::arg("axes") = "inertial",
-      nb::arg("name") = nb::none());
+      "gm"_a, "orbit"_a, "oblateness"_a, "axes"_a = "inertial", "name"_a = nb::none());
   def_term<C>(c);
 }
 
 void bind_tide(nb::module_& m) {
   using B = TidalBody;
-  nb::class_<B> value(m, "TidalBody",
-                      "What lags: the Love number k2, the time lag, and the radius that k2 belongs "
-                      "to.");
-  value
-      .def(
-          "__init__",
-          [](B* self, double k2, double lag, double radius) {
-            new (self) B{k2, lag, radius};
-          },
-          nb::arg("k2"), nb::arg("lag"), nb::arg("radius"))
-      .def_ro("k2", &B::k2, "A pure number.")
-      .def_ro("lag", &B::lag, "A time.")
-      .def_ro("radius", &B::radius, "A length.")
-      .def("__repr__", [](const B& b) {
-        return "TidalBody(k2=" + number_text(b.k2) + ", lag=" + number_text(b.lag) +
-               ", radius=" + number_text(b.radius) + ")";
-      });
-  def_value(value, [](const B& b) { return nb::make_tuple(b.k2, b.lag, b.radius); });
+  bind_value<B>(m, "TidalBody",
+                "What lags: the Love number k2, the time lag, and the radius that k2 belongs to.",
+                field("k2", &B::k2, "A pure number."), field("lag", &B::lag, "A time."),
+                field("radius", &B::radius, "A length."));
   using C = TidalTorqueTerm;
   nb::class_<C, PythonTerm> c(m, "TidalTorque",
                               R"(The torque on a tidal bulge that lags by a constant time (Mignard).
@@ -234,8 +167,7 @@ ValueError unless gm, mass and the radius are positive, k2 and the lag not negat
                                          .c_str());
             });
       },
-      nb::arg("gm"), nb::arg("mass"), nb::arg("orbit"), nb::arg("body"),
-      nb::arg("name") = nb::none());
+      "gm"_a, "mass"_a, "orbit"_a, "body"_a, "name"_a = nb::none());
   def_term<C>(c);
 }
 

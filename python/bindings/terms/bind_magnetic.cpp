@@ -80,14 +80,15 @@ PrimaryRotation primary_of(nb::handle pole, double rate, double meridian, double
   return {vec3(pole, "pole"), rate, meridian, epoch};
 }
 
-nb::tuple arguments_of(const DipoleField& d) {
-  const PrimaryRotation& p = d.primary();
-  return nb::make_tuple(tuple_of(d.strength()), tuple_of(p.pole), p.rate, p.meridian, p.epoch);
+template <auto member>
+auto of_primary(const DipoleField& f) {
+  return f.primary().*member;
 }
 
 void bind_field(nb::module_& m) {
   using F = DipoleField;
-  nb::class_<F> c(m, "DipoleField", R"(The dipole field of a primary that turns.
+  auto c = bind_made_value<F>(
+      m, "DipoleField", R"(The dipole field of a primary that turns.
 
 B = (3 (K.n) n - K) / r^3, n = x / r; K turns with the primary.
 
@@ -100,44 +101,31 @@ meridian : angle of axis 1 of the primary at `epoch`, from inertial axis 1 where
     (the Earth: Greenwich sidereal time), else from the ascending node of its equator.
 epoch : time of the meridian.
 
-ValueError for numbers that are not finite, and for a pole of no length.)");
-  c.def(
-       "__init__",
-       [](F* self, ArrayLike strength, ArrayLike pole, double rate, double meridian, double epoch) {
-         new (self) F(vec3(strength, "strength"), primary_of(pole, rate, meridian, epoch));
+ValueError for numbers that are not finite, and for a pole of no length.)",
+      [](const Vec3& strength, const Vec3& pole, double rate, double meridian, double epoch) {
+        return F(strength, PrimaryRotation{pole, rate, meridian, epoch});
+      },
+      field("strength", &F::strength, "(3,): K along the axes of the primary."),
+      field("pole", of_primary<&PrimaryRotation::pole>, "(3,): as given.",
+            nb::make_tuple(0.0, 0.0, 1.0)),
+      field("rate", of_primary<&PrimaryRotation::rate>, "Of the turning, rad per time.", 0.0),
+      field("meridian", of_primary<&PrimaryRotation::meridian>, "At the epoch, rad.", 0.0),
+      field("epoch", of_primary<&PrimaryRotation::epoch>, "Time of the meridian.", 0.0));
+  ;
+  c.def_static(
+       "from_gauss",
+       [](double g10, double g11, double h11, double reference_radius, ArrayLike pole, double rate,
+          double meridian, double epoch) {
+         return F::from_gauss({g10, g11, h11}, reference_radius,
+                              primary_of(pole, rate, meridian, epoch));
        },
-       nb::arg("strength"), nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("rate") = 0.0,
-       nb::arg("meridian") = 0.0, nb::arg("epoch") = 0.0)
-      .def_static(
-          "from_gauss",
-          [](double g10, double g11, double h11, double reference_radius, ArrayLike pole,
-             double rate, double meridian, double epoch) {
-            return F::from_gauss({g10, g11, h11}, reference_radius,
-                                 primary_of(pole, rate, meridian, epoch));
-          },
-          nb::arg("g10"), nb::arg("g11"), nb::arg("h11"), nb::arg("reference_radius"),
-          nb::arg("pole") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("rate") = 0.0,
-          nb::arg("meridian") = 0.0, nb::arg("epoch") = 0.0,
-          "From the Gauss coefficients of degree one, as the IGRF lists them, with their radius.")
+       "g10"_a, "g11"_a, "h11"_a, "reference_radius"_a, "pole"_a = nb::make_tuple(0.0, 0.0, 1.0),
+       "rate"_a = 0.0, "meridian"_a = 0.0, "epoch"_a = 0.0,
+       "From the Gauss coefficients of degree one, as the IGRF lists them, with their radius.")
       .def(
           "field",
           [](const F& f, double t, ArrayLike x) { return array_of(f.field(t, vec3(x, "x"))); },
-          nb::arg("t"), nb::arg("x"), "(3,): B at the time t and the place x (3,), inertial axes.")
-      .def_prop_ro(
-          "strength", [](const F& f) { return array_of(f.strength()); },
-          "(3,): K along the axes of the primary.")
-      .def_prop_ro(
-          "pole", [](const F& f) { return array_of(f.primary().pole); }, "(3,): as given.")
-      .def_prop_ro(
-          "rate", [](const F& f) { return f.primary().rate; }, "Of the turning, rad per time.")
-      .def_prop_ro(
-          "meridian", [](const F& f) { return f.primary().meridian; }, "At the epoch, rad.")
-      .def_prop_ro(
-          "epoch", [](const F& f) { return f.primary().epoch; }, "Time of the meridian.")
-      .def("__repr__", [](const F& f) {
-        return "DipoleField" + nb::cast<std::string>(nb::repr(arguments_of(f)));
-      });
-  def_value(c, [](const F& f) { return arguments_of(f); });
+          "t"_a, "x"_a, "(3,): B at the time t and the place x (3,), inertial axes.");
 }
 
 constexpr const char* field_parameters =
@@ -177,8 +165,7 @@ moment : (3,), m along the principal body axes, torque per field.
              C(term, recipe_of("", {"moment", "field", "orbit", "name"},
                                nb::make_tuple(tuple_of(m_B), field, orbit, name), functions));
        },
-       nb::arg("moment"), nb::arg("field"), nb::arg("orbit") = nb::none(),
-       nb::arg("name") = nb::none())
+       "moment"_a, "field"_a, "orbit"_a = nb::none(), "name"_a = nb::none())
       .def_prop_ro(
           "moment", [](const C& term) { return array_of(vec3(term.recipe.argument(0), "moment")); },
           "(3,): m along the principal body axes.")
@@ -223,8 +210,7 @@ tensor : M, one number, the diagonal (3,) in principal body axes, or a symmetric
                                       nb::make_tuple(rows_of(M), field, orbit, field_rate, name),
                                       functions));
        },
-       nb::arg("tensor"), nb::arg("field"), nb::arg("orbit") = nb::none(),
-       nb::arg("field_rate") = true, nb::arg("name") = nb::none())
+       "tensor"_a, "field"_a, "orbit"_a = nb::none(), "field_rate"_a = true, "name"_a = nb::none())
       .def_prop_ro(
           "tensor", [](const C& term) { return array_of(mat3(term.recipe.argument(0), "tensor")); },
           "(3, 3): M in principal body axes.")

@@ -12,23 +12,11 @@ namespace {
 
 constexpr const char* three_numbers = "3 numbers, a position";
 
-nb::tuple arguments_of(const KeplerElements& e) {
-  return nb::make_tuple(e.gm, e.pericentre, e.eccentricity, e.inclination, e.node, e.argument,
-                        e.mean_anomaly, e.epoch);
-}
-
-std::string repr_of(const KeplerElements& e) {
-  return "KeplerElements(gm=" + number_text(e.gm) + ", pericentre=" + number_text(e.pericentre) +
-         ", eccentricity=" + number_text(e.eccentricity) +
-         ", inclination=" + number_text(e.inclination) + ", node=" + number_text(e.node) +
-         ", argument=" + number_text(e.argument) + ", mean_anomaly=" + number_text(e.mean_anomaly) +
-         ", epoch=" + number_text(e.epoch) + ")";
-}
-
 void bind_elements(nb::module_& m) {
   using E = KeplerElements;
-  nb::class_<E> c(m, "KeplerElements",
-                  R"(The elements of an ellipse or a hyperbola about a point mass.
+  bind_made_value<E>(
+      m, "KeplerElements",
+      R"(The elements of an ellipse or a hyperbola about a point mass.
 
 Parameters
 ----------
@@ -39,62 +27,42 @@ inclination, node, argument : rad; argument of the pericentre from the node.
 mean_anomaly : rad, at `epoch`; 0 where the epoch is a time of pericentre.
 epoch : time.
 
-Any consistent units. ValueError for elements of no orbit.)");
-  c.def(
-       "__init__",
-       [](E* self, double gm, double pericentre, double eccentricity, double inclination,
-          double node, double argument, double mean_anomaly, double epoch) {
-         const E e{gm, pericentre, eccentricity, inclination, node, argument, mean_anomaly, epoch};
-         require_valid(e, "KeplerElements");
-         new (self) E(e);
-       },
-       nb::arg("gm"), nb::arg("pericentre"), nb::arg("eccentricity"), nb::arg("inclination") = 0.0,
-       nb::arg("node") = 0.0, nb::arg("argument") = 0.0, nb::arg("mean_anomaly") = 0.0,
-       nb::arg("epoch") = 0.0)
-      .def_ro("gm", &E::gm, "Gravitational parameter, length^3 / time^2.")
-      .def_ro("pericentre", &E::pericentre, "Distance a (1 - e).")
-      .def_ro("eccentricity", &E::eccentricity, "e; above 1 for a hyperbola.")
-      .def_ro("inclination", &E::inclination, "rad.")
-      .def_ro("node", &E::node, "Longitude of the ascending node, rad.")
-      .def_ro("argument", &E::argument, "Of the pericentre, from the node, rad.")
-      .def_ro("mean_anomaly", &E::mean_anomaly, "At the epoch, rad.")
-      .def_ro("epoch", &E::epoch, "Time of the mean anomaly.")
-      .def("__repr__", [](const E& e) { return repr_of(e); });
-  def_value(c, [](const E& e) { return arguments_of(e); });
-  m.def("mean_motion", &mean_motion, nb::arg("elements"), "n = sqrt(gm / |a|^3), rad per time.");
-  m.def("semi_major_axis", &semi_major_axis, nb::arg("elements"),
+Any consistent units. ValueError for elements of no orbit.)",
+      [](auto... numbers) {
+        const E e{numbers...};
+        require_valid(e, "KeplerElements");
+        return e;
+      },
+      field("gm", &E::gm, "Gravitational parameter, length^3 / time^2."),
+      field("pericentre", &E::pericentre, "Distance a (1 - e)."),
+      field("eccentricity", &E::eccentricity, "e; above 1 for a hyperbola."),
+      field("inclination", &E::inclination, "rad.", 0.0),
+      field("node", &E::node, "Longitude of the ascending node, rad.", 0.0),
+      field("argument", &E::argument, "Of the pericentre, from the node, rad.", 0.0),
+      field("mean_anomaly", &E::mean_anomaly, "At the epoch, rad.", 0.0),
+      field("epoch", &E::epoch, "Time of the mean anomaly.", 0.0));
+  m.def("mean_motion", &mean_motion, "elements"_a, "n = sqrt(gm / |a|^3), rad per time.");
+  m.def("semi_major_axis", &semi_major_axis, "elements"_a,
         "a = pericentre / (1 - e): negative for a hyperbola.");
-  m.def("pericentre_distance", &pericentre_distance, nb::arg("semi_major_axis"),
-        nb::arg("eccentricity"), "a (1 - e): the pericentre that KeplerElements asks for.");
+  m.def("pericentre_distance", &pericentre_distance, "semi_major_axis"_a, "eccentricity"_a,
+        "a (1 - e): the pericentre that KeplerElements asks for.");
 }
 
 void bind_rates(nb::module_& m) {
   using R = SecularRates;
-  nb::class_<R> c(m, "SecularRates",
-                  "Uniform rates (rad per time) of node, argument of the pericentre and mean "
-                  "anomaly; the last in addition to the mean motion.");
-  c.def(
-       "__init__",
-       [](R* self, double node, double argument, double mean_anomaly) {
-         new (self) R{node, argument, mean_anomaly};
-       },
-       nb::arg("node") = 0.0, nb::arg("argument") = 0.0, nb::arg("mean_anomaly") = 0.0)
-      .def_ro("node", &R::node, "Of the node, rad per time.")
-      .def_ro("argument", &R::argument, "Of the argument of the pericentre, rad per time.")
-      .def_ro("mean_anomaly", &R::mean_anomaly,
-              "Of the mean anomaly in addition to the mean motion, rad per time.")
-      .def("__repr__", [](const R& r) {
-        return "SecularRates(node=" + number_text(r.node) +
-               ", argument=" + number_text(r.argument) +
-               ", mean_anomaly=" + number_text(r.mean_anomaly) + ")";
-      });
-  def_value(c, [](const R& r) { return nb::make_tuple(r.node, r.argument, r.mean_anomaly); });
-  m.def("j2_rates", &j2_rates, nb::arg("elements"), nb::arg("J2"), nb::arg("equatorial_radius"),
+  bind_value<R>(
+      m, "SecularRates",
+      "Uniform rates (rad per time) of node, argument of the pericentre and mean "
+      "anomaly; the last in addition to the mean motion.",
+      field("node", &R::node, "Of the node, rad per time.", 0.0),
+      field("argument", &R::argument, "Of the argument of the pericentre, rad per time.", 0.0),
+      field("mean_anomaly", &R::mean_anomaly,
+            "Of the mean anomaly in addition to the mean motion, rad per time.", 0.0));
+  m.def("j2_rates", &j2_rates, "elements"_a, "J2"_a, "equatorial_radius"_a,
         "SecularRates of first order about an oblate body: its J2, its equatorial radius in the "
         "unit of length of the elements, whose inclination is against its equator. ValueError for "
         "a hyperbola.");
-  m.def("mean_elements", &mean_elements, nb::arg("osculating"), nb::arg("J2"),
-        nb::arg("equatorial_radius"),
+  m.def("mean_elements", &mean_elements, "osculating"_a, "J2"_a, "equatorial_radius"_a,
         R"(The KeplerElements that j2_rates takes, of those of a state about an oblate body.
 
 The axis a of the mean ellipse has the energy of the state, to first order in J2:
@@ -126,6 +94,8 @@ struct Velocity {
   }
 };
 
+using Time = Typed<"numpy.typing.ArrayLike | Dual">;
+
 // At times of any shape, or at a time that carries derivatives: for frames that follow an orbit.
 template <class Of, class O>
 FloatArray along(const O& orbit, nb::handle t) {
@@ -149,34 +119,22 @@ FloatArray along(const O& orbit, nb::handle t) {
 template <class O>
 void def_path(nb::class_<O>& c) {
   c.def(
-       "position",
-       [](const O& orbit, Typed<"numpy.typing.ArrayLike | Dual"> t) {
-         return along<Position>(orbit, t);
-       },
-       nb::arg("t"),
+       "position", [](const O& orbit, Time t) { return along<Position>(orbit, t); }, "t"_a,
        "(..., 3) at times t of any shape, in the axes of the elements. NaN in, NaN out. A Dual "
        "gives Duals.")
       .def(
-          "velocity",
-          [](const O& orbit, Typed<"numpy.typing.ArrayLike | Dual"> t) {
-            return along<Velocity>(orbit, t);
-          },
-          nb::arg("t"), "(..., 3): the derivative of the position.")
+          "velocity", [](const O& orbit, Time t) { return along<Velocity>(orbit, t); }, "t"_a,
+          "(..., 3): the derivative of the position.")
       .def(
-          "__call__",
-          [](const O& orbit, Typed<"numpy.typing.ArrayLike | Dual"> t) {
-            return along<Position>(orbit, t);
-          },
-          nb::arg("t"), "position(t): an orbit serves where a function of time does.");
+          "__call__", [](const O& orbit, Time t) { return along<Position>(orbit, t); }, "t"_a,
+          "position(t): an orbit serves where a function of time does.");
 }
 
 template <class O>
 void def_motion(nb::class_<O>& c) {
   def_path(c);
   c.def_prop_ro(
-       "elements", [](const O& o) { return o.elements(); }, "At their epoch.")
-      .def_prop_ro(
-          "gm", [](const O& o) { return o.gm(); }, "Gravitational parameter.");
+      "gm", [](const O& o) { return o.gm(); }, "Gravitational parameter.");
 }
 
 void bind_kepler(nb::module_& m) {
@@ -185,16 +143,17 @@ void bind_kepler(nb::module_& m) {
 
 KeplerOrbit(elements: KeplerElements), or KeplerOrbit.from_state. Positions to rounding after any
 number of orbits.)");
-  c.def(nb::init<const KeplerElements&>(), nb::arg("elements"))
+  c.def(nb::init<const KeplerElements&>(), "elements"_a)
       .def_static(
           "from_state",
           [](ArrayLike position, ArrayLike velocity, double gm, double epoch) {
             return O::from_state(vec3(position, "position"), vec3(velocity, "velocity"), gm, epoch);
           },
-          nb::arg("position"), nb::arg("velocity"), nb::arg("gm"), nb::arg("epoch") = 0.0,
+          "position"_a, "velocity"_a, "gm"_a, "epoch"_a = 0.0,
           "From position (3,) and velocity (3,) at `epoch`. ValueError where their angular "
           "momentum "
           "is 0, or the orbit is a parabola.")
+      .def_prop_ro("elements", &O::elements, "At their epoch.")
       .def_prop_ro("mean_motion", &O::mean_motion, "n, rad per time.")
       .def_prop_ro(
           "state",
@@ -204,77 +163,52 @@ number of orbits.)");
           },
           "Position and velocity at the epoch of the elements where it was made of them: they say "
           "more than the elements do.")
-      .def("__repr__", [](const O& o) { return "KeplerOrbit(" + repr_of(o.elements()) + ")"; })
+      .def("__repr__",
+           [](const O& o) { return "KeplerOrbit(" + repr_text(nb::cast(o.elements())) + ")"; })
       .def(
-          "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(),
-          nb::arg("other"))
-      .def("__hash__", [](const O& o) { return nb::hash(arguments_of(o.elements())); })
+          "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(), "other"_a)
+      .def("__hash__", [](const O& o) { return nb::hash(nb::cast(o.elements())); })
       .def("__copy__", [](const O& o) { return o; })
       .def("__reduce__", [](nb::handle_t<O> self) {
         const O& o = nb::cast<const O&>(self);
-        if (!o.state())
-          return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(o.elements()));
-        const nb::object made =
-            nb::module_::import_("operator")
-                .attr("methodcaller")("from_state", array_of(o.state()->position),
-                                      array_of(o.state()->velocity), o.gm(), o.elements().epoch);
-        return nb::make_tuple(made, nb::make_tuple(nb::handle(self.type())));
+        if (!o.state()) return remade(self, nb::make_tuple(o.elements()));
+        return remade(self,
+                      nb::make_tuple(array_of(o.state()->position), array_of(o.state()->velocity),
+                                     o.gm(), o.elements().epoch),
+                      "from_state");
       });
   def_motion(c);
 }
 
 void bind_precessing(nb::module_& m) {
   using O = PrecessingKeplerOrbit;
-  nb::class_<O> c(m, "PrecessingKeplerOrbit",
-                  R"(A Kepler orbit whose node, pericentre and mean anomaly advance uniformly.
+  auto c = bind_made_value<O>(
+      m, "PrecessingKeplerOrbit",
+      R"(A Kepler orbit whose node, pericentre and mean anomaly advance uniformly.
 
-elements: KeplerElements at their epoch; rates: SecularRates, as j2_rates gives them.)");
-  c.def(nb::init<const KeplerElements&, const SecularRates&>(), nb::arg("elements"),
-        nb::arg("rates"))
-      .def_prop_ro(
-          "rates", [](const O& o) { return o.rates(); }, "Of node, pericentre and mean anomaly.")
-      .def("__repr__",
-           [](nb::handle_t<O> self) {
-             const O& o = nb::cast<const O&>(self);
-             return "PrecessingKeplerOrbit(" + repr_of(o.elements()) + ", " +
-                    nb::cast<std::string>(nb::repr(nb::cast(o.rates()))) + ")";
-           })
-      .def(
-          "__eq__",
-          [](const O& a, const O& b) {
-            return a.elements() == b.elements() && a.rates() == b.rates();
-          },
-          nb::is_operator(), nb::arg("other"))
-      .def("__hash__", [](const O& o) { return nb::hash(arguments_of(o.elements())); })
-      .def("__copy__", [](const O& o) { return o; })
-      .def("__reduce__", [](nb::handle_t<O> self) {
-        const O& o = nb::cast<const O&>(self);
-        return nb::make_tuple(nb::handle(self.type()), nb::make_tuple(o.elements(), o.rates()));
-      });
+elements: KeplerElements at their epoch; rates: SecularRates, as j2_rates gives them.)",
+      [](const auto&... parts) { return O(parts...); },
+      field("elements", &O::elements, "At their epoch."),
+      field("rates", &O::rates, "Of node, pericentre and mean anomaly."));
   def_motion(c);
 }
 
 void bind_turned(nb::module_& m) {
   using O = TurnedKeplerOrbit;
-  nb::class_<O> c(m, "TurnedKeplerOrbit",
-                  R"(A PrecessingKeplerOrbit whose elements are in axes turned about axis 1.
+  auto c = bind_made_value<O>(
+      m, "TurnedKeplerOrbit",
+      R"(A PrecessingKeplerOrbit whose elements are in axes turned about axis 1.
 
-`angle` (rad) turns the axes of the elements into those of the positions.)");
-  c.def(nb::init<const PrecessingKeplerOrbit&, double>(), nb::arg("orbit"), nb::arg("angle"))
-      .def_static("from_equator", &O::from_equator, nb::arg("orbit"),
-                  "Elements along the equator of J2000, positions along the ecliptic.")
-      .def_static("from_ecliptic", &O::from_ecliptic, nb::arg("orbit"),
+`angle` (rad) turns the axes of the elements into those of the positions.)",
+      [](const auto&... parts) { return O(parts...); },
+      field("orbit", &O::orbit, "In the axes of its elements."),
+      field("angle", &O::angle, "From those axes to these, about axis 1, rad."));
+  c.def_static("from_equator", &O::from_equator, "orbit"_a,
+               "Elements along the equator of J2000, positions along the ecliptic.")
+      .def_static("from_ecliptic", &O::from_ecliptic, "orbit"_a,
                   "Elements along the ecliptic of J2000, positions along the equator.")
-      .def_prop_ro(
-          "orbit", [](const O& o) { return o.orbit(); }, "In the axes of its elements.")
-      .def_prop_ro("angle", &O::angle, "From those axes to these, about axis 1, rad.")
-      .def_prop_ro("gm", &O::gm, "Gravitational parameter.")
-      .def("__repr__", [](const O& o) {
-        return "TurnedKeplerOrbit(" + nb::cast<std::string>(nb::repr(nb::cast(o.orbit()))) + ", " +
-               number_text(o.angle()) + ")";
-      });
+      .def_prop_ro("gm", &O::gm, "Gravitational parameter.");
   def_path(c);
-  def_value(c, [](const O& o) { return nb::make_tuple(o.orbit(), o.angle()); });
 }
 
 // Rows of three numbers.
@@ -336,8 +270,7 @@ finite, too few rows.)");
           double overhang) {
          new (self) O(table_of(times, positions, velocities), order, overhang);
        },
-       nb::arg("times"), nb::arg("positions"), nb::arg("velocities") = nb::none(),
-       nb::arg("order") = 0, nb::arg("overhang") = 0.0)
+       "times"_a, "positions"_a, "velocities"_a = nb::none(), "order"_a = 0, "overhang"_a = 0.0)
       .def_prop_ro("order", &O::order, "Of the interpolation: degree plus one.")
       .def_prop_ro("first_time", &O::first_time, "Where the table begins.")
       .def_prop_ro("last_time", &O::last_time, "Where it ends.")
@@ -354,8 +287,8 @@ finite, too few rows.)");
           },
           "(N, 3), or None.")
       .def(
-          "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(),
-          nb::arg("other"), "Of the same rows and order.")
+          "__eq__", [](const O& a, const O& b) { return a == b; }, nb::is_operator(), "other"_a,
+          "Of the same rows and order.")
       .def("__hash__",
            [](const O& o) {
              return nb::hash(nb::make_tuple(o.first_time(), o.last_time(), o.table().times.size()));

@@ -92,7 +92,7 @@ function in Python works on float alone: not with Precision.double_double.)",
                       return AnyPerturbation(called, GravityGradient(gm, o, of));
                     });
        },
-       nb::arg("gm"), nb::arg("orbit"), nb::arg("axes") = "inertial", nb::arg("name") = nb::none())
+       "gm"_a, "orbit"_a, "axes"_a = "inertial", "name"_a = nb::none())
       .def_prop_ro("gm", given<0, "float">, "Of the attracting point mass.")
       .def_prop_ro("orbit", given<1, "typing.Any">, "The very object that was given.")
       .def_prop_ro("axes", given<2, "SpaceAxes">, "Of the positions of the orbit.");
@@ -113,7 +113,7 @@ ConstantTorque.in_body(u_B), ConstantTorque.in_space(u, axes): momentum per time
          return C(AnyPerturbation(name_of(name, "ConstantTorque"), ConstantTorque::in_body(u)),
                   recipe_of("in_body", {"u_B", "name"}, nb::make_tuple(tuple_of(u), name)));
        },
-       nb::arg("u_B"), nb::arg("name") = nb::none(),
+       "u_B"_a, "name"_a = nb::none(),
        "Constant along the principal body axes: (3,). ValueError for a component that is not "
        "finite.")
       .def_static(
@@ -126,7 +126,7 @@ ConstantTorque.in_body(u_B), ConstantTorque.in_space(u, axes): momentum per time
                      recipe_of("in_space", {"u", "axes", "name"},
                                nb::make_tuple(tuple_of(given), of, name)));
           },
-          nb::arg("u"), nb::arg("axes") = "inertial", nb::arg("name") = nb::none(),
+          "u"_a, "axes"_a = "inertial", "name"_a = nb::none(),
           "Constant (3,) in inertial axes, or in those of the reference frame.")
       .def_prop_ro(
           "u", [](const C& term) { return array_of(vec3(term.recipe.argument(0), "u")); },
@@ -181,7 +181,7 @@ ValueError for a matrix that is not finite, not symmetric, or would drive the bo
          new (self) C(AnyPerturbation(name_of(name, "LinearDamping"), damping),
                       recipe_of("", {"D", "body", "name"}, nb::make_tuple(kept, body, name)));
        },
-       nb::arg("D"), nb::arg("body") = nb::none(), nb::arg("name") = nb::none())
+       "D"_a, "body"_a = nb::none(), "name"_a = nb::none())
       .def_prop_ro(
           "matrix",
           [](const C& term) {

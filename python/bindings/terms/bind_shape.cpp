@@ -64,7 +64,7 @@ triangles : (M, 3), places in the list of vertices, from 0; counterclockwise as 
 ValueError names the vertex or the facet, counted from 1: not finite, no such vertex, no area.)");
   c.def(
        "__init__", [](S* self, ArrayLike v, ArrayLike t) { new (self) S(shape_from(v, t)); },
-       nb::arg("vertices"), nb::arg("triangles"))
+       "vertices"_a, "triangles"_a)
       .def_prop_ro(
           "vertices",
           [](const S& s) {
@@ -112,7 +112,7 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
           [](const S& s, ArrayLike origin, double factor) {
             return s.moved(vec3(origin, "origin"), factor);
           },
-          nb::arg("origin"), nb::arg("factor") = 1.0, "x -> factor (x - origin).")
+          "origin"_a, "factor"_a = 1.0, "x -> factor (x - origin).")
       .def("__len__", [](const S& s) { return s.facets().size(); })
       .def("__repr__",
            [](const S& s) {
@@ -124,7 +124,7 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
         return nb::make_tuple(nb::handle(self.type()),
                               nb::make_tuple(self.attr("vertices"), self.attr("triangles")));
       });
-  m.def("read_obj", &read_obj, nb::arg("path"),
+  m.def("read_obj", &read_obj, "path"_a,
         "FacetShape of a Wavefront OBJ file. ValueError: FILE:LINE: what is wrong.");
 }
 
@@ -155,7 +155,7 @@ void bind_mass(nb::module_& m) {
       .def("__repr__",
            [](const P& p) { return "<MassProperties: mass " + std::to_string(p.mass) + ">"; });
   m.def(
-      "mass_properties", &mass_properties, nb::arg("shape"), nb::arg("density"),
+      "mass_properties", &mass_properties, "shape"_a, "density"_a,
       "MassProperties of a closed FacetShape filled with a constant density (mass per cube of the "
       "shape's unit of length, whose units the results have). ValueError names an "
       "edge of a mesh that is not closed; facets inward; a density that is not positive.");
@@ -202,8 +202,7 @@ normal_accommodation, tangential_accommodation. Fractions of the light: mirrored
 Lambert's law, and of what is absorbed the part that leaves at once as heat. ValueError names the
 facet, counted from 1, and its wrong number.)");
   c.def(
-       "__init__", [](S* self, ArrayLike rows) { new (self) S(surface_from(rows)); },
-       nb::arg("rows"))
+       "__init__", [](S* self, ArrayLike rows) { new (self) S(surface_from(rows)); }, "rows"_a)
       .def_static(
           "of_shape",
           [](const FacetShape& shape, ArrayLike centre, double specular, double diffuse,
@@ -211,9 +210,8 @@ facet, counted from 1, and its wrong number.)");
             return S::of_shape(shape, vec3(centre, "centre"),
                                {specular, diffuse, emitted, normal, tangential});
           },
-          nb::arg("shape"), nb::arg("centre"), nb::arg("specular") = 0.0, nb::arg("diffuse") = 0.0,
-          nb::arg("emitted") = 0.0, nb::arg("normal_accommodation") = 1.0,
-          nb::arg("tangential_accommodation") = 1.0,
+          "shape"_a, "centre"_a, "specular"_a = 0.0, "diffuse"_a = 0.0, "emitted"_a = 0.0,
+          "normal_accommodation"_a = 1.0, "tangential_accommodation"_a = 1.0,
           "Every facet of a mesh, `centre` its centre of mass.")
       .def_static(
           "of_plate",
@@ -222,9 +220,9 @@ facet, counted from 1, and its wrong number.)");
             return S::of_plate(vec3(centre, "centre"), vec3(direction, "normal"), area,
                                {specular, diffuse, emitted, normal, tangential}, both_sides);
           },
-          nb::arg("centre"), nb::arg("normal"), nb::arg("area"), nb::arg("specular") = 0.0,
-          nb::arg("diffuse") = 0.0, nb::arg("emitted") = 0.0, nb::arg("normal_accommodation") = 1.0,
-          nb::arg("tangential_accommodation") = 1.0, nb::arg("both_sides") = false,
+          "centre"_a, "normal"_a, "area"_a, "specular"_a = 0.0, "diffuse"_a = 0.0,
+          "emitted"_a = 0.0, "normal_accommodation"_a = 1.0, "tangential_accommodation"_a = 1.0,
+          "both_sides"_a = false,
           "A flat plate: centre (3,) and normal (3,) along the body axes, in units of length; area "
           "in "
           "their square. The fractions are from 0 to 1, specular + diffuse at most 1. With both "
@@ -232,7 +230,7 @@ facet, counted from 1, and its wrong number.)");
           "two facets. ValueError for others.")
       .def(
           "along", [](const S& s, ArrayLike q_FB) { return s.along(quaternion(q_FB, "q_FB")); },
-          nb::arg("q_FB"),
+          "q_FB"_a,
           "The same facets along axes B: q_FB is the rotation from them to those of this surface, "
           "as Body.q_FB.")
       .def_prop_ro("rows", rows_array, "(N, 12).")
@@ -243,10 +241,9 @@ facet, counted from 1, and its wrong number.)");
             const Surface parts[] = {a, b};
             return joined(parts);
           },
-          nb::is_operator(), nb::arg("other"))
+          nb::is_operator(), "other"_a)
       .def(
-          "__eq__", [](const S& a, const S& b) { return a == b; }, nb::is_operator(),
-          nb::arg("other"))
+          "__eq__", [](const S& a, const S& b) { return a == b; }, nb::is_operator(), "other"_a)
       .def("__hash__", [](const S& s) { return s.facets().size(); })
       .def("__repr__",
            [](const S& s) { return "<Surface: " + std::to_string(s.facets().size()) + " facets>"; })
@@ -269,7 +266,7 @@ void bind_yorp(nb::module_& m) {
         });
         return out.take();
       },
-      nb::arg("surface"), nb::arg("obliquity"), nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0),
+      "surface"_a, "obliquity"_a, "axis"_a = nb::make_tuple(0.0, 0.0, 1.0),
       "Torque of sunlight averaged over rotation about `axis` and over the orbit, at mean pressure "
       "1: (..., 3), along the spin axis, towards larger obliquity, and of the precession. "
       "Multiply by mean_pressure. Facets do not shade each other.");
@@ -278,8 +275,7 @@ void bind_yorp(nb::module_& m) {
       [](double pressure, double distance, double a, double e) {
         return mean_pressure({pressure, distance}, a, e);
       },
-      nb::arg("pressure"), nb::arg("distance"), nb::arg("semi_major_axis"),
-      nb::arg("eccentricity") = 0.0,
+      "pressure"_a, "distance"_a, "semi_major_axis"_a, "eccentricity"_a = 0.0,
       "P d^2 / (a^2 sqrt(1 - e^2)): of sunlight with the pressure P at the distance d, over an "
       "orbit.");
 }

@@ -87,10 +87,9 @@ Facets do not shade each other. A torque of time and attitude alone; no energy.)
                                              radius, sun_radius, reversed, sun_reversed, of, name),
                               std::move(functions)));
       },
-      nb::arg("surface"), nb::arg("pressure"), nb::arg("distance"), nb::arg("orbit"),
-      nb::arg("sun") = nb::none(), nb::arg("shadow") = nb::none(), nb::arg("radius") = nb::none(),
-      nb::arg("sun_radius") = nb::none(), nb::arg("reversed") = false,
-      nb::arg("sun_reversed") = false, nb::arg("axes") = "inertial", nb::arg("name") = nb::none());
+      "surface"_a, "pressure"_a, "distance"_a, "orbit"_a, "sun"_a = nb::none(),
+      "shadow"_a = nb::none(), "radius"_a = nb::none(), "sun_radius"_a = nb::none(),
+      "reversed"_a = false, "sun_reversed"_a = false, "axes"_a = "inertial", "name"_a = nb::none());
   c.def_prop_ro("surface", given<0, "Surface">, "What the light falls on.");
   def_term<C>(c);
 }
@@ -140,10 +139,9 @@ Molecules that are slow against the body; facets do not shade each other.)",
                                              tuple_of(air.rotation), exit_speed, reversed, name),
                               std::move(functions)));
       },
-      nb::arg("surface"), nb::arg("density"), nb::arg("orbit"),
-      nb::arg("scale_height") = nb::none(), nb::arg("radius") = nb::none(),
-      nb::arg("rotation") = nb::make_tuple(0.0, 0.0, 0.0), nb::arg("exit_speed") = 0.0,
-      nb::arg("reversed") = false, nb::arg("name") = nb::none());
+      "surface"_a, "density"_a, "orbit"_a, "scale_height"_a = nb::none(), "radius"_a = nb::none(),
+      "rotation"_a = nb::make_tuple(0.0, 0.0, 0.0), "exit_speed"_a = 0.0, "reversed"_a = false,
+      "name"_a = nb::none());
   c.def_prop_ro("surface", given<0, "Surface">, "What the air meets.");
   def_term<C>(c);
 }

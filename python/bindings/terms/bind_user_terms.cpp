@@ -234,8 +234,8 @@ TypeError or ValueError, naming the term, for what is not three numbers; NaN is 
           Typed<"float"> time_scale) {
          make_torque_term(self, function, name, kick, switches, time_scale);
        },
-       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false,
-       nb::arg("switches") = nb::none(), nb::arg("time_scale") = nb::none())
+       "function"_a, "name"_a = nb::none(), "kick"_a = false, "switches"_a = nb::none(),
+       "time_scale"_a = nb::none())
       .def_prop_ro("function", given<0, "typing.Any">, "The very object that was given.")
       .def_prop_ro("switches", given<3, "typing.Any">,
                    "The very object that was given; None: none.");
@@ -280,7 +280,7 @@ What it raises passes through; TypeError, naming the term, for what is no number
          make_user_term<C, HamiltonianTerm, PythonHamiltonian>(self, "HamiltonianTerm", function,
                                                                name, kick);
        },
-       nb::arg("function"), nb::arg("name") = nb::none(), nb::arg("kick") = false)
+       "function"_a, "name"_a = nb::none(), "kick"_a = false)
       .def_prop_ro("function", given<0, "typing.Any">, "The very object that was given.");
   def_term<C>(c);
 }

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "interface/arrays.hpp"
+#include "interface/value.hpp"
 #include "terms/orbit_value.hpp"
 #include "terms/term_value.hpp"
 
@@ -24,12 +24,6 @@ inline std::string name_of(nb::handle name, const char* otherwise, nb::handle fu
 
 inline std::string labelled(const char* type, const std::string& name) {
   return std::string(type) + " \"" + name + "\"";
-}
-
-inline nb::tuple tuple_of(const Vec3& v) { return nb::make_tuple(v.x, v.y, v.z); }
-
-inline nb::tuple rows_of(const Mat3& m) {
-  return nb::make_tuple(tuple_of(m.row[0]), tuple_of(m.row[1]), tuple_of(m.row[2]));
 }
 
 // What a term was made of: the names of its arguments and the very objects.
