@@ -19,7 +19,7 @@
 #include "polhode/perturb/tidal_torque.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/system/system.hpp"
-#include "terms/term_binding.hpp"
+#include "terms/term_class.hpp"
 
 namespace polhode::python {
 

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Friction inside the body, and torques that are tables of time.
-#include "interface/choice.hpp"
-#include "interface/value.hpp"
 #include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/torque_table.hpp"
-#include "terms/term_binding.hpp"
+#include "terms/term_class.hpp"
 
 namespace polhode::python {
 
 namespace {
-
-struct InternalDampingTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-struct TorqueTableTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
 
 void bind_material(nb::module_& m) {
   using D = DampedMaterial;
@@ -40,62 +31,51 @@ shape_factor : K3^2, about 0.1 for elongated bodies, 0.01 for nearly spherical o
 }
 
 void bind_internal(nb::module_& m) {
-  using C = InternalDampingTerm;
-  nb::class_<C, PythonTerm> c(m, "InternalDamping",
-                              R"(Friction inside the body: energy falls, angular momentum stays.
+  using C = TermOf<"InternalDamping">;
+  auto c = bind_term<"InternalDamping">(
+      m,
+      R"(Friction inside the body: energy falls, angular momentum stays.
 
-InternalDamping(k): v = k g x w, w = I^-1 g, k in 1 / momentum: one number, or a diagonal (3,) in
-principal axes; with `grows` times |g|, and in 1 / momentum^2. It has no torque; I^-1 g + v is the
-angular velocity. For I = (A, A, C) the angle J from axis 3 to g obeys
-tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).
-
-ValueError for a negative coefficient.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, ArrayLike k, Text name, bool grows) {
-         const Numbers any(k, "k");
-         const bool one = any.shape().empty();
-         const InternalDamping term(one ? Vec3{any[0], any[0], any[0]} : vec3(k, "k"), grows);
-         const nb::object kept =
-             one ? nb::object(nb::float_(any[0])) : nb::object(tuple_of(term.coefficients()));
-         new (self) C(AnyPerturbation(name_of(name, "InternalDamping"), term),
-                      recipe_of("", {"k", "name", "grows"}, nb::make_tuple(kept, name, grows)));
-       },
-       "k"_a, "name"_a = nb::none(), "grows"_a = false)
-      .def_prop_ro(
-          "coefficients",
-          [](const C& term) { return array_of(term.target<InternalDamping>()->coefficients()); },
-          "(3,): k along the principal axes.")
+InternalDamping(k): v = k g x w, w = I^-1 g. It has no torque; I^-1 g + v is the angular velocity.
+For I = (A, A, C) the angle J from axis 3 to g obeys tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).)",
+      "ValueError for a negative coefficient.",
+      [](const Making& at, const Diagonal& k, bool grows) {
+        return AnyPerturbation(at.name, InternalDamping(k.all, grows));
+      },
+      argument<Diagonal>("k",
+                         "in 1 / momentum, with `grows` in 1 / momentum^2: one number, or "
+                         "a diagonal (3,) in principal axes."),
+      term_name(),
+      argument<bool>("grows", "whether k is multiplied by the momentum |g|.", false)
+          .without_property());
+  c.def_prop_ro(
+       "coefficients",
+       [](const C& term) { return array_of(term.target<InternalDamping>()->coefficients()); },
+       "(3,): k along the principal axes.")
       .def_prop_ro(
           "grows",
           [](const C& term) { return term.target<InternalDamping>()->grows_with_momentum(); },
-          "Whether k is multiplied by the momentum.")
-      .def_static(
-          "of_wobble",
-          [](const Body& body, double time, double momentum, Text name) {
-            return C(AnyPerturbation(name_of(name, "InternalDamping"),
-                                     InternalDamping::of_wobble(body, time, momentum)),
-                     recipe_of("of_wobble", {"body", "time", "momentum", "name"},
-                               nb::make_tuple(body, time, momentum, name)));
-          },
-          "body"_a, "time"_a, "momentum"_a, "name"_a = nb::none(),
-          "The k with which a small wobble about the axis of the largest moment falls by e in "
-          "`time` at this momentum, in the units of the body's moments and of time. ValueError for "
-          "a "
-          "sphere.")
-      .def_static(
-          "of_material",
-          [](const Body& body, const DampedMaterial& material, Text name) {
-            return C(AnyPerturbation(name_of(name, "InternalDamping"),
-                                     InternalDamping::of_material(body, material)),
-                     recipe_of("of_material", {"body", "material", "name"},
-                               nb::make_tuple(body, material, name)));
-          },
-          "body"_a, "material"_a, "name"_a = nb::none(),
-          "k in proportion to the momentum: a small wobble falls by e in wobble_time(material, "
-          "rate) at any rate. ValueError for a sphere.");
-  def_term<C>(c);
+          "Whether k is multiplied by the momentum.");
+  def_maker(
+      c, "of_wobble",
+      "The k with which a small wobble about the axis of the largest moment falls by e in `time` "
+      "at this momentum, in the units of the body's moments and of time. ValueError for a sphere.",
+      [](const Making& at, nb::handle_t<Body> body, double time, double momentum) {
+        return AnyPerturbation(
+            at.name, InternalDamping::of_wobble(nb::cast<const Body&>(body), time, momentum));
+      },
+      argument<Body>("body"), argument<double>("time"), argument<double>("momentum"), term_name());
+  def_maker(
+      c, "of_material",
+      "k in proportion to the momentum: a small wobble falls by e in wobble_time(material, rate) "
+      "at "
+      "any rate. ValueError for a sphere.",
+      [](const Making& at, nb::handle_t<Body> body, const auto& material) {
+        return AnyPerturbation(
+            at.name, InternalDamping::of_material(nb::cast<const Body&>(body),
+                                                  nb::cast<const DampedMaterial&>(material)));
+      },
+      argument<Body>("body"), argument<DampedMaterial>("material"), term_name());
 }
 
 std::vector<TorqueRow> rows_of(nb::handle times, nb::handle torques) {
@@ -115,7 +95,6 @@ std::vector<TorqueRow> rows_of(nb::handle times, nb::handle torques) {
 }
 
 void bind_table(nb::module_& m) {
-  using C = TorqueTableTerm;
   nb::enum_<TorqueTable::Between>(m, "Between", "What holds between two rows of a table.",
                                   nb::is_arithmetic())
       .value("step", TorqueTable::Between::step, "the row before")
@@ -126,47 +105,27 @@ void bind_table(nb::module_& m) {
       .value("zero", TorqueTable::Outside::zero, "nothing")
       .value("hold", TorqueTable::Outside::hold, "that row")
       .value("refuse", TorqueTable::Outside::refuse, "ValueError");
-  nb::class_<C, PythonTerm> c(m, "TorqueTable",
-                              R"(A torque given by rows of time: thrusters, wheels.
+  bind_term<"TorqueTable">(
+      m,
+      R"(A torque given by rows of time: thrusters, wheels.
 
 Adaptive and VariationOfConstants end a step wherever it is not smooth (`breakpoints`), so that no
-pulse is stepped over. Splitting refuses it.
-
-Parameters
-----------
-times : (n,), increasing.
-torques : (n, 3), momentum per time.
-between : Between or its name.
-outside : Outside or its name.
-axes : of the components: SpaceAxes or its name; None: principal body axes.
-name : stands in messages.
-
-ValueError for rows that are not finite or times that do not increase.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-      "__init__",
-      [](C* self, ArrayLike times, ArrayLike torques, OneOf<TorqueTable::Between> between,
-         OneOf<TorqueTable::Outside> outside, OneOf<SpaceAxes> axes, Text name) {
-        std::vector<TorqueRow> rows = rows_of(times, torques);
-        TorqueTable::Rules rules;
-        rules.between = choice<TorqueTable::Between>(between, "between");
-        rules.outside = choice<TorqueTable::Outside>(outside, "outside");
-        if (!axes.is_none()) rules.axes = choice<SpaceAxes>(axes, "axes");
-        nb::list kept_times, kept_torques;
-        for (const TorqueRow& row : rows) {
-          kept_times.append(row.t);
-          kept_torques.append(tuple_of(row.torque));
-        }
-        const nb::object space = rules.axes ? nb::cast(*rules.axes) : nb::object(nb::none());
-        new (self)
-            C(AnyPerturbation(name_of(name, "TorqueTable"), TorqueTable(std::move(rows), rules)),
-              recipe_of("", {"times", "torques", "between", "outside", "axes", "name"},
-                        nb::make_tuple(nb::tuple(kept_times), nb::tuple(kept_torques),
-                                       rules.between, rules.outside, space, name)));
+pulse is stepped over. Splitting refuses it.)",
+      "ValueError for rows that are not finite or times that do not increase.",
+      [](const Making& at, const Table& times, const Table& torques, TorqueTable::Between between,
+         TorqueTable::Outside outside, std::optional<SpaceAxes> axes) {
+        return AnyPerturbation(at.name, TorqueTable(rows_of(times.numbers, torques.numbers),
+                                                    {between, outside, axes}));
       },
-      "times"_a, "torques"_a, "between"_a = "linear", "outside"_a = "zero", "axes"_a = nb::none(),
-      "name"_a = nb::none());
-  def_term<C>(c);
+      argument<Table>("times", "(n,), increasing."),
+      argument<Table>("torques", "(n, 3), momentum per time."),
+      argument<TorqueTable::Between>("between", "Between or its name.", "linear"),
+      argument<TorqueTable::Outside>("outside", "Outside or its name.", "zero"),
+      argument<std::optional<SpaceAxes>>("axes",
+                                         "of the components: SpaceAxes or its name; None: "
+                                         "principal body axes.",
+                                         nb::none()),
+      term_name());
 }
 
 }  // namespace

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Gravity beyond the gradient of a point mass, and tides.
-#include "interface/choice.hpp"
-#include "interface/value.hpp"
 #include "polhode/perturb/higher_gravity.hpp"
 #include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/tidal_torque.hpp"
-#include "terms/term_binding.hpp"
+#include "terms/term_class.hpp"
 
 namespace polhode::python {
 
 namespace {
-
-struct HigherGravityTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-struct OblateGravityTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-struct TidalTorqueTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
 
 MassMoments of_points(ArrayLike masses, ArrayLike positions) {
   Numbers both[] = {Numbers(masses, "masses"), Numbers(positions, "positions", {3})};
@@ -58,37 +46,30 @@ void bind_higher(nb::module_& m) {
                      nb::is_arithmetic())
       .value("attractor", OrbitOf::attractor, "the attracting mass as seen from the body")
       .value("body", OrbitOf::body, "the body as seen from the attracting mass");
-  using C = HigherGravityTerm;
-  nb::class_<C, PythonTerm> c(m, "HigherGravity",
-                              R"(What a point mass does to a body's moments of degree 3 and 4.
+  bind_term<"HigherGravity">(
+      m,
+      R"(What a point mass does to a body's moments of degree 3 and 4.
 
 From H' = -gm integral dm / |r - x|, degrees 3 and 4 of the series in 1/r. Degree 2 is not here: add
-GravityGradient as well.
-
-Parameters
-----------
-gm : of the attracting point mass, length^3 / time^2. ValueError unless positive.
-orbit : as for GravityGradient.
-moments : MassMoments about the centre of mass along the principal axes of the body.
-orbit_of : OrbitOf or its name: degree 3 changes sign with the direction of the orbit.
-axes : of the orbit: SpaceAxes, or its name.
-name : stands in messages.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-      "__init__",
-      [](C* self, double gm, Orbit orbit, const MassMoments& moments, OneOf<OrbitOf> orbit_of_,
-         OneOf<SpaceAxes> axes, Text name) {
-        const auto of = choice<OrbitOf>(orbit_of_, "orbit_of");
-        const auto space = choice<SpaceAxes>(axes, "axes");
-        make_along(self, "HigherGravity", orbit, name,
-                   {{"gm", "orbit", "moments", "orbit_of", "axes", "name"},
-                    nb::make_tuple(gm, orbit, moments, of, space, name)},
-                   [&](const std::string& called, const auto& o) {
-                     return AnyPerturbation(called, HigherGravity(gm, o, moments, of, space));
-                   });
+GravityGradient as well.)",
+      "",
+      [](Making& at, double gm, nb::handle orbit, const auto& moments, OrbitOf of, SpaceAxes axes) {
+        return along(at, orbit, [&](const auto& o) {
+          return HigherGravity(gm, o, nb::cast<const MassMoments&>(moments), of, axes);
+        });
       },
-      "gm"_a, "orbit"_a, "moments"_a, "orbit_of"_a, "axes"_a = "inertial", "name"_a = nb::none());
-  def_term<C>(c);
+      argument<double>("gm",
+                       "of the attracting point mass, length^3 / time^2. ValueError unless "
+                       "positive."),
+      argument<Orbit>("orbit", "as for GravityGradient."),
+      argument<MassMoments>("moments",
+                            "MassMoments about the centre of mass along the principal "
+                            "axes of the body."),
+      argument<OrbitOf>("orbit_of",
+                        "OrbitOf or its name: degree 3 changes sign with the direction "
+                        "of the orbit."),
+      argument<SpaceAxes>("axes", "of the orbit: SpaceAxes, or its name.", "inertial"),
+      term_name());
 }
 
 void bind_oblate(nb::module_& m) {
@@ -99,34 +80,25 @@ void bind_oblate(nb::module_& m) {
       "pole (3,), of any length, along the axes of the orbit.",
       field("J2", &O::J2, "A pure number."), field("radius", &O::radius, "A length."),
       field("pole", &O::pole, "(3,): the axis of figure.", nb::make_tuple(0.0, 0.0, 1.0)));
-  using C = OblateGravityTerm;
-  nb::class_<C, PythonTerm> c(m, "OblateGravity",
-                              R"(What the J2 of the attracting body adds to the gravity gradient.
+  bind_term<"OblateGravity">(
+      m,
+      R"(What the J2 of the attracting body adds to the gravity gradient.
 
 The field is -gm / r (1 - J2 (R / r)^2 P2(sin latitude)); its part in J2 acts on the moments of
-inertia. The point mass is not here: add GravityGradient as well.
-
-Parameters
-----------
-gm : of the attracting body. ValueError unless positive.
-orbit : as for GravityGradient.
-oblateness : Oblateness. ValueError for a radius that is not positive, for a pole of length 0.
-axes : of the orbit and the pole: SpaceAxes, or its name.
-name : stands in messages.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-      "__init__",
-      [](C* self, double gm, Orbit orbit, const O& oblateness, OneOf<SpaceAxes> axes, Text name) {
-        const auto space = choice<SpaceAxes>(axes, "axes");
-        make_along(self, "OblateGravity", orbit, name,
-                   {{"gm", "orbit", "oblateness", "axes", "name"},
-                    nb::make_tuple(gm, orbit, oblateness, space, name)},
-                   [&](const std::string& called, const auto& o) {
-                     return AnyPerturbation(called, OblateGravity(gm, o, oblateness, space));
-                   });
+inertia. The point mass is not here: add GravityGradient as well.)",
+      "",
+      [](Making& at, double gm, nb::handle orbit, const auto& oblateness, SpaceAxes axes) {
+        return along(at, orbit, [&](const auto& o) {
+          return OblateGravity(gm, o, nb::cast<const O&>(oblateness), axes);
+        });
       },
-      "gm"_a, "orbit"_a, "oblateness"_a, "axes"_a = "inertial", "name"_a = nb::none());
-  def_term<C>(c);
+      argument<double>("gm", "of the attracting body. ValueError unless positive."),
+      argument<Orbit>("orbit", "as for GravityGradient."),
+      argument<O>("oblateness",
+                  "Oblateness. ValueError for a radius that is not positive, for a "
+                  "pole of length 0."),
+      argument<SpaceAxes>("axes", "of the orbit and the pole: SpaceAxes, or its name.", "inertial"),
+      term_name());
 }
 
 void bind_tide(nb::module_& m) {
@@ -135,40 +107,31 @@ void bind_tide(nb::module_& m) {
                 "What lags: the Love number k2, the time lag, and the radius that k2 belongs to.",
                 field("k2", &B::k2, "A pure number."), field("lag", &B::lag, "A time."),
                 field("radius", &B::radius, "A length."));
-  using C = TidalTorqueTerm;
-  nb::class_<C, PythonTerm> c(m, "TidalTorque",
-                              R"(The torque on a tidal bulge that lags by a constant time (Mignard).
+  bind_term<"TidalTorque">(
+      m,
+      R"(The torque on a tidal bulge that lags by a constant time (Mignard).
 
-u = 3 k2 gm M R^5 lag / r^8 ((r.w) r - r^2 w + r x dr/dt), w = I^-1 g.
-
-Parameters
-----------
-gm : of the perturbing point mass, length^3 / time^2.
-mass : its mass, in the unit of the moments over length^2.
-orbit : any orbit but a callable, in inertial axes; TypeError for what has no velocity.
-body : TidalBody.
-name : stands in messages.
-
-ValueError unless gm, mass and the radius are positive, k2 and the lag not negative.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-      "__init__",
-      [](C* self, double gm, double mass, MovingOrbit orbit, const B& body, Text name) {
-        make_along(
-            self, "TidalTorque", orbit, name,
-            {{"gm", "mass", "orbit", "body", "name"}, nb::make_tuple(gm, mass, orbit, body, name)},
-            [&](const std::string& called, const auto& o) -> AnyPerturbation {
+u = 3 k2 gm M R^5 lag / r^8 ((r.w) r - r^2 w + r x dr/dt), w = I^-1 g.)",
+      "ValueError unless gm, mass and the radius are positive, k2 and the lag not negative.",
+      [](Making& at, double gm, double mass, nb::handle orbit, const auto& body) {
+        const AnyPythonOrbit any = orbit_of(orbit, at.label + ": orbit", at.functions);
+        return std::visit(
+            [&](const auto& o) -> AnyPerturbation {
               if constexpr (OrbitOn<std::remove_cvref_t<decltype(o)>, Dual<double, 1>>)
-                return {called, TidalTorque(gm, mass, o, body)};
+                return {at.name, TidalTorque(gm, mass, o, nb::cast<const B&>(body))};
               else
-                throw nb::type_error((labelled("TidalTorque", called) + ": orbit: got " +
-                                      class_name(orbit) +
+                throw nb::type_error((at.label + ": orbit: got " + class_name(orbit) +
                                       "; expected an orbit with a velocity, as KeplerOrbit")
                                          .c_str());
-            });
+            },
+            any);
       },
-      "gm"_a, "mass"_a, "orbit"_a, "body"_a, "name"_a = nb::none());
-  def_term<C>(c);
+      argument<double>("gm", "of the perturbing point mass, length^3 / time^2."),
+      argument<double>("mass", "its mass, in the unit of the moments over length^2."),
+      argument<MovingOrbit>("orbit",
+                            "any orbit but a callable, in inertial axes; TypeError for what "
+                            "has no velocity."),
+      argument<B>("body", "TidalBody."), term_name());
 }
 
 }  // namespace

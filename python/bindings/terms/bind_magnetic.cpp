@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Magnetic fields, the residual dipole and eddy currents.
 #include "charts/states.hpp"
-#include "interface/value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
-#include "terms/term_binding.hpp"
+#include "terms/term_class.hpp"
 
 namespace polhode::python {
 
 namespace {
-
-struct ResidualDipoleTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-struct EddyCurrentsTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
 
 // Python's f(t), or f(t, x) where there is an orbit: on double alone.
 class FunctionField {
@@ -44,36 +36,18 @@ class FunctionField {
 
 // The field at the place of the body, given to `made`, which makes a term of it.
 template <class Made>
-AnyPerturbation with_field(nb::handle field, nb::handle orbit, const std::string& label,
-                           std::vector<SharedFunction>& functions, const Made& made) {
+AnyPerturbation with_field(Making& at, nb::handle field, nb::handle orbit, const Made& made) {
   std::optional<AnyPythonOrbit> path;
-  if (!orbit.is_none()) path = orbit_of(orbit, label + ": orbit", functions);
+  if (!orbit.is_none()) path = orbit_of(orbit, at.label + ": orbit", at.functions);
   if (nb::isinstance<DipoleField>(field)) {
-    if (!path) throw nb::value_error((label + ": a DipoleField needs an orbit").c_str());
+    if (!path) throw nb::value_error((at.label + ": a DipoleField needs an orbit").c_str());
     const auto& dipole = nb::cast<const DipoleField&>(field);
     return std::visit([&](const auto& motion) { return made(FieldAlongOrbit(motion, dipole)); },
                       *path);
   }
   if (PyCallable_Check(field.ptr()) == 0) return made(ConstantField(vec3(field, "field")));
-  functions.push_back(std::make_shared<PythonFunction>(field, label + ": field"));
-  return made(FunctionField(functions.back(), path));
-}
-
-// A number, a diagonal or a matrix.
-Mat3 tensor_of(nb::handle tensor) {
-  const Numbers any(tensor, "tensor");
-  if (any.shape() == Shape{3, 3}) return mat3(tensor, "tensor");
-  Vec3 d;
-  if (any.shape().empty()) {
-    d = {any[0], any[0], any[0]};
-  } else if (any.shape() == Shape{3}) {
-    d = vec3(tensor, "tensor");
-  } else {
-    throw nb::value_error(("EddyCurrents: tensor: got shape " + text_of(any.shape()) +
-                           "; expected (), (3,) or (3, 3)")
-                              .c_str());
-  }
-  return {{{d.x, 0.0, 0.0}, {0.0, d.y, 0.0}, {0.0, 0.0, d.z}}};
+  at.functions.push_back(std::make_shared<PythonFunction>(field, at.label + ": field"));
+  return made(FunctionField(at.functions.back(), path));
 }
 
 PrimaryRotation primary_of(nb::handle pole, double rate, double meridian, double epoch) {
@@ -128,98 +102,58 @@ ValueError for numbers that are not finite, and for a pole of no length.)",
           "t"_a, "x"_a, "(3,): B at the time t and the place x (3,), inertial axes.");
 }
 
-constexpr const char* field_parameters =
-    R"(field : DipoleField; 3 numbers, a constant field along inertial axes; or a function,
-    f(t) -> 3 numbers, f(t, x) with the position x where an orbit is given.
-orbit : as for GravityGradient, inertial axes: the position of the body or, for a DipoleField, of
-    the primary. None for a field without a place.
-name : stands in messages.
-)";
+using FieldLike =
+    Typed<"DipoleField | numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike]">;
+
+auto field_argument() {
+  return argument<FieldLike>(
+      "field",
+      "DipoleField; 3 numbers, a constant field along inertial axes; or a function, f(t) -> 3 "
+      "numbers, f(t, x) with the position x where an orbit is given.");
+}
+auto orbit_argument() {
+  return argument<Any>("orbit",
+                       "as for GravityGradient, inertial axes: the position of the body or, for a "
+                       "DipoleField, of the "
+                       "primary. None for a field without a place.",
+                       nb::none());
+}
 
 void bind_dipole(nb::module_& m) {
-  using C = ResidualDipoleTerm;
-  static const std::string text = std::string(R"(The torque m x B on a magnetic moment of the body.
-
-H' = -m.B.
-
-Parameters
-----------
-moment : (3,), m along the principal body axes, torque per field.
-)") + field_parameters;
-  nb::class_<C, PythonTerm> c(m, "ResidualDipole", text.c_str(), nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, ArrayLike moment,
-          Typed<
-              "DipoleField | numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike]">
-              field,
-          Any orbit, Text name) {
-         const std::string called = name_of(name, "ResidualDipole");
-         const Vec3 m_B = vec3(moment, "moment");
-         std::vector<SharedFunction> functions;
-         const AnyPerturbation term = with_field(
-             field, orbit, labelled("ResidualDipole", called), functions, [&](const auto& local) {
-               return AnyPerturbation(called, ResidualDipole(m_B, local));
-             });
-         new (self)
-             C(term, recipe_of("", {"moment", "field", "orbit", "name"},
-                               nb::make_tuple(tuple_of(m_B), field, orbit, name), functions));
-       },
-       "moment"_a, "field"_a, "orbit"_a = nb::none(), "name"_a = nb::none())
-      .def_prop_ro(
-          "moment", [](const C& term) { return array_of(vec3(term.recipe.argument(0), "moment")); },
-          "(3,): m along the principal body axes.")
-      .def_prop_ro("field", given<1, "typing.Any">, "As given.")
-      .def_prop_ro("orbit", given<2, "typing.Any">, "As given.");
-  def_term<C>(c);
+  bind_term<"ResidualDipole">(
+      m, "The torque m x B on a magnetic moment of the body.\n\nH' = -m.B.", "",
+      [](Making& at, const Vec3& moment, nb::handle field, nb::handle orbit) {
+        return with_field(at, field, orbit, [&](const auto& local) {
+          return AnyPerturbation(at.name, ResidualDipole(moment, local));
+        });
+      },
+      argument<Vec3>("moment", "(3,), m along the principal body axes, torque per field."),
+      field_argument(), orbit_argument(), term_name());
 }
 
 void bind_eddy(nb::module_& m) {
-  using C = EddyCurrentsTerm;
-  static const std::string text =
-      std::string(
-          R"(The torque on the eddy currents in a conducting body that turns in a magnetic field.
+  bind_term<"EddyCurrents">(
+      m,
+      R"(The torque on the eddy currents in a conducting body that turns in a magnetic field.
 
-u = (M (w x B - dB/dt)) x B, w = I^-1 g, dB/dt along the orbit.
-
-Parameters
-----------
-tensor : M, one number, the diagonal (3,) in principal body axes, or a symmetric matrix (3, 3) that
-    drives no motion; torque per rate and field squared.
-)") + field_parameters +
-      R"(field_rate : whether dB/dt counts; False: u = (M (w x B)) x B. A function in Python has no
-    derivative: ValueError unless False.
-)";
-  nb::class_<C, PythonTerm> c(m, "EddyCurrents", text.c_str(), nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, ArrayLike tensor,
-          Typed<
-              "DipoleField | numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike]">
-              field,
-          Any orbit, bool field_rate, Text name) {
-         const std::string called = name_of(name, "EddyCurrents");
-         const Mat3 M = tensor_of(tensor);
-         const FieldRate rate = field_rate ? FieldRate::along_orbit : FieldRate::left_out;
-         std::vector<SharedFunction> functions;
-         const AnyPerturbation term = with_field(
-             field, orbit, labelled("EddyCurrents", called), functions, [&](const auto& local) {
-               return AnyPerturbation(called, EddyCurrents(M, local, rate));
-             });
-         new (self) C(term, recipe_of("", {"tensor", "field", "orbit", "field_rate", "name"},
-                                      nb::make_tuple(rows_of(M), field, orbit, field_rate, name),
-                                      functions));
-       },
-       "tensor"_a, "field"_a, "orbit"_a = nb::none(), "field_rate"_a = true, "name"_a = nb::none())
-      .def_prop_ro(
-          "tensor", [](const C& term) { return array_of(mat3(term.recipe.argument(0), "tensor")); },
-          "(3, 3): M in principal body axes.")
-      .def_prop_ro("field", given<1, "typing.Any">, "As given.")
-      .def_prop_ro("orbit", given<2, "typing.Any">, "As given.")
-      .def_prop_ro(
-          "field_rate", [](const C& term) { return nb::cast<bool>(term.recipe.argument(3)); },
-          "Whether the rate of the field along the orbit counts.");
-  def_term<C>(c);
+u = (M (w x B - dB/dt)) x B, w = I^-1 g, dB/dt along the orbit.)",
+      "",
+      [](Making& at, const Tensor& tensor, nb::handle field, nb::handle orbit, bool has_rate) {
+        const FieldRate rate = has_rate ? FieldRate::along_orbit : FieldRate::left_out;
+        return with_field(at, field, orbit, [&](const auto& local) {
+          return AnyPerturbation(at.name, EddyCurrents(tensor.matrix, local, rate));
+        });
+      },
+      argument<Tensor>("tensor",
+                       "M, one number, the diagonal (3,) in principal body axes, or a symmetric "
+                       "matrix (3, 3) that drives no motion; torque per rate and field squared."),
+      field_argument(), orbit_argument(),
+      argument<bool>(
+          "field_rate",
+          "whether dB/dt counts; False: u = (M (w x B)) x B. A function in Python has no "
+          "derivative: ValueError unless False.",
+          true),
+      term_name());
 }
 
 }  // namespace

@@ -4,27 +4,17 @@
 #include <span>
 
 #include "charts/states.hpp"
-#include "interface/choice.hpp"
 #include "interface/dual_number.hpp"
 #include "interface/value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/perturb/user_terms.hpp"
-#include "terms/term_binding.hpp"
-#include "terms/term_value.hpp"
+#include "terms/term_class.hpp"
 
 namespace polhode::python {
 
 namespace {
 
 using Rotors = Batch<RotorState>;
-
-// One C++ type per Python class.
-struct PythonTorqueTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
-struct PythonHamiltonianTerm : PythonTerm {
-  using PythonTerm::PythonTerm;
-};
 
 // Python's H(t, state) as the generic callable that HamiltonianTerm differentiates.
 class PythonHamiltonian {
@@ -162,84 +152,56 @@ AnyPerturbation user_term(const std::string& name, const std::string& label, Ter
   return {name, std::move(term)};
 }
 
-// Of C, the Python class of a term `Term<F>` of a Python function.
-template <class C, template <class> class Term, class F>
-void make_user_term(C* self, const char* type, nb::handle function, nb::handle name, bool kick) {
-  const std::string called = name_of(name, type, function), label = labelled(type, called);
-  const auto shared = std::make_shared<PythonFunction>(function, label);
-  new (self) C(
-      user_term(called, label, Term<F>(F(shared)), kick),
-      recipe_of("", {"function", "name", "kick"}, nb::make_tuple(function, name, kick), {shared}));
-}
-
-// None: not known.
-double time_scale_of(nb::handle value, const std::string& label) {
-  if (value.is_none()) return std::numeric_limits<double>::infinity();
-  const double time = number(value, "time_scale");
-  if (!(time > 0.0))
+AnyPerturbation torque_term(Making& at, nb::handle function, bool kick, nb::handle switches,
+                            std::optional<double> time_scale) {
+  if (time_scale && !(*time_scale > 0.0))
     throw nb::value_error(
-        (label + ": time_scale: got " + number_text(time) + "; expected a positive time").c_str());
-  return time;
-}
-
-template <class C>
-void make_torque_term(C* self, nb::handle function, nb::handle name, bool kick, nb::handle switches,
-                      nb::handle time_scale) {
-  const std::string called = name_of(name, "TorqueTerm", function);
-  const std::string label = labelled("TorqueTerm", called);
-  const double time = time_scale_of(time_scale, label);
-  std::vector<SharedFunction> functions{std::make_shared<PythonFunction>(function, label)};
-  const auto term = [&]() -> AnyPerturbation {
-    if (switches.is_none())
-      return user_term(called, label, TorqueTerm(PythonTorque(functions[0]), time), kick);
-    functions.push_back(std::make_shared<PythonFunction>(switches, label + ": switches"));
-    return user_term(
-        called, label,
-        SwitchedTorqueTerm(PythonSwitchedTorque(functions[0]), PythonSwitches(functions[1]), time),
-        kick);
-  };
-  const AnyPerturbation made = term();
-  new (self) C(made, recipe_of("", {"function", "name", "kick", "switches", "time_scale"},
-                               nb::make_tuple(function, name, kick, switches, time_scale),
-                               std::move(functions)));
+        (at.label + ": time_scale: got " + number_text(*time_scale) + "; expected a positive time")
+            .c_str());
+  const double time = time_scale.value_or(std::numeric_limits<double>::infinity());
+  const auto torque = std::make_shared<PythonFunction>(function, at.label);
+  at.functions.push_back(torque);
+  if (switches.is_none())
+    return user_term(at.name, at.label, TorqueTerm(PythonTorque(torque), time), kick);
+  const auto signs = std::make_shared<PythonFunction>(switches, at.label + ": switches");
+  at.functions.push_back(signs);
+  return user_term(at.name, at.label,
+                   SwitchedTorqueTerm(PythonSwitchedTorque(torque), PythonSwitches(signs), time),
+                   kick);
 }
 
 void bind_user_torque(nb::module_& m) {
-  using C = PythonTorqueTerm;
-  nb::class_<C, PythonTerm> c(m, "TorqueTerm", R"(Any torque, written in Python.
-
-Parameters
-----------
-function : f(t, s) -> 3 components along the body axes, momentum per time; t a float, s one
-    RotorState in the reference frame. With `switches` it is f(t, s, sides).
-name : stands in messages; None: the name of the function.
-kick : True says that it depends on time and attitude alone, so that Splitting can use it.
-switches : g(t, s) -> (n,) switching functions of a torque that jumps, or has a kink, where one of
-    them is zero; smooth there. Adaptive ends a step at each zero, and calls the function with
-    sides (n,), +1.0 or -1.0: what it takes for the signs of g, so that it is smooth at the zero.
-time_scale : the time in which the torque comes and goes: the default of Adaptive's largest_step.
-
-A pulse that lies within one step is stepped over where neither switches nor time_scale is given:
+  bind_term<"TorqueTerm">(
+      m, "Any torque, written in Python.",
+      R"(A pulse that lies within one step is stepped over where neither switches nor time_scale is given:
 at loose tolerances steps are long. A torque that drives its own switching function back to zero
 from both sides is refused when it gets there: give it a dead zone.
 
 It is called on float alone: ValueError from runs with Precision.double_double and from
 state_transitions. It has no energy. What it raises passes through;
 TypeError or ValueError, naming the term, for what is not three numbers; NaN is a number.)",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, Typed<"typing.Callable[..., numpy.typing.ArrayLike]"> function, Text name,
-          bool kick, Typed<"typing.Callable[[float, RotorState], numpy.typing.ArrayLike]"> switches,
-          Typed<"float"> time_scale) {
-         make_torque_term(self, function, name, kick, switches, time_scale);
-       },
-       "function"_a, "name"_a = nb::none(), "kick"_a = false, "switches"_a = nb::none(),
-       "time_scale"_a = nb::none())
-      .def_prop_ro("function", given<0, "typing.Any">, "The very object that was given.")
-      .def_prop_ro("switches", given<3, "typing.Any">,
-                   "The very object that was given; None: none.");
-  def_term<C>(c);
+      torque_term,
+      argument<Typed<"typing.Callable[..., numpy.typing.ArrayLike]">>(
+          "function",
+          "f(t, s) -> 3 components along the body axes, momentum per time; t a float, s "
+          "one RotorState in the reference frame. With `switches` it is f(t, s, sides)."),
+      argument<TermName>("name", "stands in messages; None: the name of the function.", nb::none()),
+      argument<bool>("kick",
+                     "True says that it depends on time and attitude alone, so that "
+                     "Splitting can use it.",
+                     false),
+      argument<Typed<"typing.Callable[[float, RotorState], numpy.typing.ArrayLike]">>(
+          "switches",
+          "g(t, s) -> (n,) switching functions of a torque that jumps, or has a kink, "
+          "where one of them is zero; smooth there. Adaptive ends a step at each zero, "
+          "and calls the function with sides (n,), +1.0 or -1.0: what it takes for the "
+          "signs of g, so that it is smooth at the zero.",
+          nb::none()),
+      argument<std::optional<double>>("time_scale",
+                                      "the time in which the torque comes and goes: the "
+                                      "default of Adaptive's largest_step.",
+                                      nb::none())
+          .without_property());
 }
 
 void bind_user_hamiltonian(nb::module_& m) {
@@ -252,37 +214,33 @@ void bind_user_hamiltonian(nb::module_& m) {
         return "DualState(q=" + nb::cast<std::string>(nb::repr(s.q)) +
                ", g=" + nb::cast<std::string>(nb::repr(s.g)) + ")";
       });
-  using C = PythonHamiltonianTerm;
-  nb::class_<C, PythonTerm> c(m, "HamiltonianTerm",
-                              R"(Any energy H'(t, state), written in Python. [SA (107)]
+  bind_term<"HamiltonianTerm">(
+      m,
+      R"(Any energy H'(t, state), written in Python. [SA (107)]
 
 v = dH'/dg and u = -dH'/d(theta_B) follow by dual numbers, so that they cannot disagree with the
-energy; also second derivatives, for state transitions and canonical_state.
-
-Parameters
-----------
-function : H(t, s) -> energy. s.q (4,) and s.g (3,) are arrays of numbers (s a RotorState) or of
-    Dual (s a DualState), in the reference frame; t is a float, a Dual in double-double runs.
-    Written with + - * / ** @, NumPy's functions, and attitude_matrix(s.q), which takes vectors from
-    the reference frame to the body. It may depend on q through products of two components.
-name : stands in messages; None: the name of the function.
-kick : True says that it does not depend on s.g, so that Splitting can use it; ValueError where it
-    does.
-
-What it raises passes through; TypeError, naming the term, for what is no number.
+energy; also second derivatives, for state transitions and canonical_state.)",
+      R"(What it raises passes through; TypeError, naming the term, for what is no number.
 
 >>> HamiltonianTerm(lambda t, s: 0.1 * (attitude_matrix(s.q) @ [0, 0, 1])[2] ** 2, name="field"))",
-                              nb::type_slots(recipe_slots<C>()));
-  c.def(
-       "__init__",
-       [](C* self, Typed<"typing.Callable[[typing.Any, typing.Any], Dual | float]"> function,
-          Text name, bool kick) {
-         make_user_term<C, HamiltonianTerm, PythonHamiltonian>(self, "HamiltonianTerm", function,
-                                                               name, kick);
-       },
-       "function"_a, "name"_a = nb::none(), "kick"_a = false)
-      .def_prop_ro("function", given<0, "typing.Any">, "The very object that was given.");
-  def_term<C>(c);
+      [](Making& at, nb::handle function, bool kick) {
+        at.functions.push_back(std::make_shared<PythonFunction>(function, at.label));
+        return user_term(at.name, at.label,
+                         HamiltonianTerm<PythonHamiltonian>(PythonHamiltonian(at.functions[0])),
+                         kick);
+      },
+      argument<Typed<"typing.Callable[[typing.Any, typing.Any], Dual | float]">>(
+          "function",
+          "H(t, s) -> energy. s.q (4,) and s.g (3,) are arrays of numbers (s a "
+          "RotorState) or of Dual (s a DualState), in the reference frame; t is a float, "
+          "a Dual in double-double runs. Written with + - * / ** @, NumPy's functions, "
+          "and attitude_matrix(s.q), which takes vectors from the reference frame to the "
+          "body. It may depend on q through products of two components."),
+      argument<TermName>("name", "stands in messages; None: the name of the function.", nb::none()),
+      argument<bool>("kick",
+                     "True says that it does not depend on s.g, so that Splitting can use it; "
+                     "ValueError where it does.",
+                     false));
 }
 
 }  // namespace
