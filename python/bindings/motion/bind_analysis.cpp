@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Indicators of chaos along a run.
+#include "interface/records.hpp"
 #include "interface/signals.hpp"
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
-#include "motion/samples.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/error.hpp"
 
@@ -11,16 +11,16 @@ namespace polhode::python {
 
 namespace {
 
-using Self = nb::handle_t<ChaosIndicator>;
-
-const ChaosIndicator& of(Self self) { return nb::cast<const ChaosIndicator&>(self); }
-
-template <double ChaosSample::*field>
-FloatArray column(Self self) {
-  const std::vector<ChaosSample>& rows = of(self).samples;
-  const double* first = rows.empty() ? nullptr : &(rows.front().*field);
-  return view_of(first, rows.size(), sizeof(ChaosSample), {}, self);
-}
+struct PythonIndicator : Records<ChaosSample> {
+  using Rows = Records<ChaosSample>;
+  DeviationBy by;
+  Outcome outcome;
+  Statistics statistics;
+  std::string method;
+  double momentum_scale;
+  double mean_megno;  // at the last sample
+  double lyapunov_time;
+};
 
 Deviation deviation_of(nb::handle value) {
   const Numbers six(value, "deviation", {6});
@@ -29,9 +29,9 @@ Deviation deviation_of(nb::handle value) {
   return {{d[0], d[1], d[2]}, {d[3], d[4], d[5]}};
 }
 
-ChaosIndicator indicator(const PythonProblem& python_problem,
-                         Typed<"SaveAt | numpy.typing.ArrayLike"> samples, ArrayLike deviation,
-                         double momentum_scale, double distance, bool neighbour) {
+PythonIndicator indicator(const PythonProblem& python_problem,
+                          Typed<"SaveAt | numpy.typing.ArrayLike"> samples, ArrayLike deviation,
+                          double momentum_scale, double distance, bool neighbour) {
   const Problem problem = rotor_problem_of(python_problem, "chaos_indicator");
   const SaveAt times =
       samples.is_none() ? SaveAt::times({problem.stop}) : save_at_of(samples, "samples");
@@ -44,24 +44,15 @@ ChaosIndicator indicator(const PythonProblem& python_problem,
     return chaos_indicator(problem, times, options, look);
   }();
   warn_of(found.outcome, "chaos_indicator");
-  return found;
-}
-
-nb::tuple pickled(Self self) {
-  const ChaosIndicator& c = of(self);
-  nb::list rows;
-  for (const ChaosSample& row : c.samples)
-    rows.append(nb::make_tuple(row.t, row.growth, row.lyapunov, row.megno, row.mean_megno));
-  return nb::make_tuple(rows, c.by, c.outcome, c.statistics, c.method, c.momentum_scale);
-}
-
-using Row = std::tuple<double, double, double, double, double>;
-void restore(ChaosIndicator& c, const std::tuple<std::vector<Row>, DeviationBy, Outcome, Statistics,
-                                                 std::string, double>& state) {
-  const auto& [rows, by, outcome, statistics, method, scale] = state;
-  new (&c) ChaosIndicator{{}, by, outcome, statistics, method, scale};
-  for (const auto& [t, growth, lyapunov, megno, mean] : rows)
-    c.samples.push_back({t, growth, lyapunov, megno, mean});
+  const double megno = found.mean_megno(), time = found.lyapunov_time();
+  return {Records(std::move(found.samples)),
+          found.by,
+          found.outcome,
+          found.statistics,
+          found.method,
+          found.momentum_scale,
+          megno,
+          time};
 }
 
 void bind_indicator_class(nb::module_& m) {
@@ -69,40 +60,36 @@ void bind_indicator_class(nb::module_& m) {
                          nb::is_arithmetic())
       .value("variational", DeviationBy::variational, "by the derivative of the motion")
       .value("neighbour", DeviationBy::neighbour, "as a second motion, brought back when far");
-  nb::class_<ChaosIndicator> c(m, "ChaosIndicator", R"(How a deviation has grown along a run.
+  using P = PythonIndicator;
+  nb::class_<P> c(m, "ChaosIndicator", R"(How a deviation has grown along a run.
 
 .t, .growth, .lyapunov, .megno, .mean_megno: (N,), read-only views, one number for each sample.
 growth is ln(|d| / |d(0)|), lyapunov = growth / t its Lyapunov indicator (1/time), megno and
 mean_megno those of Cincotta and Simo (2000): the mean tends to 2 for a regular motion, to half
 the Lyapunov exponent times t for a chaotic one. Time counts from the start of the run.)");
-  const auto def = [&](const char* name, FloatArray (*view)(Self), const char* doc) {
-    c.def_prop_ro(name, view, doc);
-  };
-  def("t", column<&ChaosSample::t>, "(N,): the times.");
-  def("growth", column<&ChaosSample::growth>, "(N,): ln of the length over that at the start.");
-  def("lyapunov", column<&ChaosSample::lyapunov>, "(N,): growth over the time since the start.");
-  def("megno", column<&ChaosSample::megno>, "(N,): MEGNO.");
-  def("mean_megno", column<&ChaosSample::mean_megno>, "(N,): its mean over the run so far.");
-  c.def_prop_ro("lyapunov_time", &ChaosIndicator::lyapunov_time,
-                "1 / lyapunov at the last sample; of a regular motion it grows with the run.")
-      .def_ro("by", &ChaosIndicator::by, "How the deviation was carried.")
-      .def_ro("outcome", &ChaosIndicator::outcome, "How the run ended.")
-      .def_ro("statistics", &ChaosIndicator::statistics, "What the run cost.")
-      .def_ro("method", &ChaosIndicator::method, "In words.")
-      .def_ro("momentum_scale", &ChaosIndicator::momentum_scale,
+  using S = ChaosSample;
+  def_records<S>(c, {{"t", [](const S& s) { return &s.t; }, "(N,): the times."},
+                     {"growth", [](const S& s) { return &s.growth; },
+                      "(N,): ln of the length over that at the start."},
+                     {"lyapunov", [](const S& s) { return &s.lyapunov; },
+                      "(N,): growth over the time since the start."},
+                     {"megno", [](const S& s) { return &s.megno; }, "(N,): MEGNO."},
+                     {"mean_megno", [](const S& s) { return &s.mean_megno; },
+                      "(N,): its mean over the run so far."}});
+  def_pickle(c, &P::by, &P::outcome, &P::statistics, &P::method, &P::momentum_scale, &P::mean_megno,
+             &P::lyapunov_time);
+  c.def_ro("lyapunov_time", &P::lyapunov_time,
+           "1 / lyapunov at the last sample; of a regular motion it grows with the run.")
+      .def_ro("by", &P::by, "How the deviation was carried.")
+      .def_ro("outcome", &P::outcome, "How the run ended.")
+      .def_ro("statistics", &P::statistics, "What the run cost.")
+      .def_ro("method", &P::method, "In words.")
+      .def_ro("momentum_scale", &P::momentum_scale,
               "What changes of the momentum were compared with.")
-      .def("__len__", [](const ChaosIndicator& self) { return self.samples.size(); })
-      .def("__repr__",
-           [](const ChaosIndicator& self) {
-             return "<ChaosIndicator: mean MEGNO " + number_text(self.mean_megno()) +
-                    ", Lyapunov time " + number_text(self.lyapunov_time()) + "; " + self.method +
-                    ">";
-           })
-      .def("__copy__", [](Self self) { return self; })  // immutable
-      .def(
-          "__deepcopy__", [](Self self, nb::handle) { return self; }, "memo"_a)
-      .def("__getstate__", pickled)
-      .def("__setstate__", restore);
+      .def("__repr__", [](const P& p) {
+        return "<ChaosIndicator: mean MEGNO " + number_text(p.mean_megno) + ", Lyapunov time " +
+               number_text(p.lyapunov_time) + "; " + p.method + ">";
+      });
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "charts/states.hpp"
-#include "interface/batch.hpp"
 #include "interface/choice.hpp"
+#include "interface/records.hpp"
 #include "interface/signals.hpp"
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
@@ -291,31 +291,9 @@ Trajectory
 ValueError for a checkpoint of another problem, saying what differs.)");
 }
 
-// Rows lie one after the other, as C++ returns them.
-struct TransitionRows {
-  std::vector<TransitionSample> rows;
+struct TransitionRows : Records<TransitionSample> {
+  using Rows = Records<TransitionSample>;
 };
-using RowsSelf = nb::handle_t<TransitionRows>;
-
-const std::vector<TransitionSample>& rows_of(RowsSelf self) {
-  return nb::cast<const TransitionRows&>(self).rows;
-}
-FloatArray times_of(RowsSelf self) {
-  const auto& rows = rows_of(self);
-  const double* first = rows.empty() ? nullptr : &rows.front().t;
-  return view_of(first, rows.size(), sizeof(TransitionSample), {}, self);
-}
-Rotors states_of(RowsSelf self) {
-  const auto& rows = rows_of(self);
-  if (rows.empty()) return Rotors::filled({0}, [](RotorState*) {});
-  return Rotors({rows.size()}, kept_alive(nb::borrow(self)), &rows.front().s,
-                sizeof(TransitionSample));
-}
-FloatArray transitions_of(RowsSelf self) {
-  const auto& rows = rows_of(self);
-  const double* first = rows.empty() ? nullptr : &rows.front().transition.a[0][0];
-  return view_of(first, rows.size(), sizeof(TransitionSample), {6, 6}, self);
-}
 
 TransitionRows transition_rows(const PythonProblem& python_problem,
                                Typed<"SaveAt | numpy.typing.ArrayLike"> samples) {
@@ -323,46 +301,32 @@ TransitionRows transition_rows(const PythonProblem& python_problem,
   const SaveAt times = save_at_of(samples, "samples");
   const Progress look = signal_check();
   const WithoutGil released;
-  return {state_transitions(problem, times, look)};
-}
-
-void restore(TransitionRows& self, const std::tuple<nb::object, Rotors, nb::object>& state) {
-  const auto& [times, states, matrices] = state;
-  const Numbers t(times, "t"), transitions(matrices, "transition", {6, 6});
-  if (t.shape() != states.shape() || t.shape() != transitions.shape() || t.shape().size() != 1)
-    throw nb::value_error("TransitionSamples: a pickle whose rows do not fit");
-  new (&self) TransitionRows;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    TransitionSample row{t[k], states[k], {}};
-    std::copy_n(transitions.at(k), 36, &row.transition.a[0][0]);
-    self.rows.push_back(row);
-  }
+  return {Records(state_transitions(problem, times, look))};
 }
 
 void bind_transitions(nb::module_& m) {
-  nb::class_<TransitionRows>(m, "TransitionSamples",
-                             R"(States along a run, with their derivatives by the first one.
+  nb::class_<TransitionRows> c(m, "TransitionSamples",
+                               R"(States along a run, with their derivatives by the first one.
 
 .t (N,), .states (RotorState, shape (N,)), .transition (N, 6, 6): read-only views without a copy.
 Rows and columns of a matrix are (dtheta_B, dg_B): a small rotation of the body about its axes
-(rad), and the change of the momentum along them.)")
-      .def_prop_ro("t", times_of, "(N,): the times.")
-      .def_prop_ro("states", states_of, "The states, of shape (N,).")
-      .def_prop_ro("transition", transitions_of, "(N, 6, 6): the state transition matrices.")
-      .def("__len__", [](const TransitionRows& r) { return r.rows.size(); })
-      .def("__repr__",
-           [](const TransitionRows& r) {
-             return "<TransitionSamples: " + std::to_string(r.rows.size()) + " samples>";
-           })
-      .def("__copy__", [](RowsSelf self) { return self; })  // immutable
-      .def(
-          "__deepcopy__", [](RowsSelf self, nb::handle) { return self; }, "memo"_a)
-      .def("__getstate__",
-           [](RowsSelf self) {
-             return nb::make_tuple(times_of(self).attr("copy")(), states_of(self),
-                                   transitions_of(self).attr("copy")());
-           })
-      .def("__setstate__", restore);
+(rad), and the change of the momentum along them.)");
+  using S = TransitionSample;
+  def_records<S>(c, {{"t", [](const S& s) { return &s.t; }, "(N,): the times."},
+                     {"transition",
+                      [](const S& s) { return &s.transition.a[0][0]; },
+                      "(N, 6, 6): the state transition matrices.",
+                      {6, 6}}});
+  def_pickle(c);
+  c.def_prop_ro(
+       "states",
+       [](const TransitionRows& r) {
+         return r.states<RotorState>([](const S& s) -> const RotorState& { return s.s; });
+       },
+       "The states, of shape (N,).")
+      .def("__repr__", [](const TransitionRows& r) {
+        return "<TransitionSamples: " + std::to_string(r.rows().size()) + " samples>";
+      });
   m.def("state_transitions", transition_rows, "problem"_a, "samples"_a,
         R"(The state transition matrix along a run.
 

@@ -21,12 +21,6 @@ namespace {
 using ColumnNames = Typed<"str | collections.abc.Sequence[str]">;
 
 using Rotors = Batch<RotorState>;
-using TrajectorySelf = nb::handle_t<PythonTrajectory>;
-
-const DampedTrajectory& trajectory_of(TrajectorySelf self) {
-  return nb::cast<const PythonTrajectory&>(self).run;
-}
-
 // The state of a pickle that has one.
 const RotorState& only(const Rotors& state) {
   if (!state.shape().empty()) throw nb::value_error("a pickle of several states; expected one");
@@ -154,26 +148,9 @@ void bind_event_record(nb::module_& m) {
            });
 }
 
-// Samples lie one after the other, t before its state.
-FloatArray times_of(TrajectorySelf self) {
-  const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
-  const double* first = rows->empty() ? nullptr : &rows->front().t;
-  return view_of(first, rows->size(), sizeof(DampedSample), {}, keeper(rows));
-}
-Rotors states_of(TrajectorySelf self) {
-  const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
-  if (rows->empty()) return Rotors::filled({0}, [](RotorState*) {});
-  return Rotors({rows->size()}, rows, &rows->front().s.rotor, sizeof(DampedSample));
-}
-
-FloatArray damper_rates_of(TrajectorySelf self) {
-  const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
-  const double* first = rows->empty() ? nullptr : &rows->front().s.damper_rate.x;
-  return view_of(first, rows->size(), sizeof(DampedSample), {3}, keeper(rows));
-}
-
-FloatArray field_of(TrajectorySelf self, const char* name) {
-  return nb::cast(states_of(self)).attr(name);
+Rotors states_of(const PythonTrajectory& trajectory) {
+  return trajectory.states<RotorState>(
+      [](const DampedSample& s) -> const RotorState& { return s.s.rotor; });
 }
 
 // As many states as times, in as long as it takes: Ctrl-C ends it.
@@ -204,16 +181,17 @@ FloatArray damper_rates_at(const PythonTrajectory& trajectory, ArrayLike times) 
 }
 
 Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
-    TrajectorySelf self, ColumnNames names, Typed<"System"> system) {
-  const DampedTrajectory& trajectory = trajectory_of(self);
+    const PythonTrajectory& self, ColumnNames names, Typed<"System"> system) {
+  const DampedTrajectory& trajectory = self.run;
   nb::dict table;
-  table["t"] = times_of(self);
+  table["t"] = self.column([](const DampedSample& s) { return &s.t; });
+  const nb::object states = nb::cast(states_of(self));
   const auto put_columns = [&](const nb::object& array, std::initializer_list<const char*> of) {
     int i = 0;
     for (const char* name : of) table[name] = array[nb::make_tuple(nb::ellipsis(), i++)];
   };
-  put_columns(field_of(self, "q"), {"qw", "qx", "qy", "qz"});
-  put_columns(field_of(self, "g"), {"g1", "g2", "g3"});
+  put_columns(states.attr("q"), {"qw", "qx", "qy", "qz"});
+  put_columns(states.attr("g"), {"g1", "g2", "g3"});
   std::vector<std::string> wanted = names_of(names);
   std::erase_if(wanted, [&](const std::string& name) {
     return name == "q" || name == "g" || table.contains(name.c_str());
@@ -228,38 +206,26 @@ Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
       any_needs_energy(wanted)
           ? energy(of.damper() ? at_damper_rate(of, initial.damper_rate) : of, start, initial.rotor)
           : 0.0;
-  const auto& rows = nb::cast<const PythonTrajectory&>(self).rows;
-  for (const auto& [name, numbers] : columns_of(of, *rows, wanted, initial_energy))
+  for (const auto& [name, numbers] : columns_of(of, self.rows(), wanted, initial_energy))
     if (!table.contains(name)) table[name] = numbers;
   return table;
 }
 
 // Without dense output, which is the method's own: at() says so afterwards.
-nb::tuple state_of(TrajectorySelf self) {
-  const DampedTrajectory& trajectory = trajectory_of(self);
-  const DampedRotorState initial = trajectory.at(trajectory.start());
-  return nb::make_tuple(trajectory.start(), Rotors::one(initial.rotor),
-                        times_of(self).attr("copy")(), states_of(self), trajectory.events(),
-                        trajectory.outcome(), trajectory.statistics(), trajectory.method(),
-                        array_of(initial.damper_rate), damper_rates_of(self).attr("copy")());
+nb::tuple state_of(const PythonTrajectory& self) {
+  const DampedTrajectory& run = self.run;
+  const DampedRotorState initial = run.at(run.start());
+  return nb::make_tuple(self.bytes(), run.start(), Rotors::one(initial.rotor),
+                        array_of(initial.damper_rate), run.events(), run.outcome(),
+                        run.statistics(), run.method());
 }
-using State = std::tuple<double, Rotors, nb::object, Rotors, std::vector<DampedEventRecord>,
-                         Outcome, Statistics, std::string, nb::object, nb::object>;
+using State = std::tuple<nb::bytes, double, Rotors, nb::object, std::vector<DampedEventRecord>,
+                         Outcome, Statistics, std::string>;
 void restore(PythonTrajectory& trajectory, const State& state) {
-  const auto& [start, initial, times, states, events, outcome, statistics, method, rate, rates] =
-      state;
-  const Numbers t(times, "t"), of_damper(rates, "damper_rate", {3});
-  if (t.shape() != states.shape() || of_damper.shape() != t.shape() || t.shape().size() != 1)
-    throw nb::value_error("Trajectory: a pickle whose times and states do not fit");
-  std::vector<DampedSample> samples;
-  samples.reserve(states.size());
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const double* s = of_damper.at(k);
-    samples.push_back({t[k], {states[k], {s[0], s[1], s[2]}}});
-  }
+  const auto& [rows, start, initial, rate, events, outcome, statistics, method] = state;
   new (&trajectory) PythonTrajectory(
       DampedTrajectory({.initial = {start, {only(initial), vec3(rate, "damper_rate")}},
-                        .samples = std::move(samples),
+                        .samples = Records<DampedSample>(rows).rows(),
                         .events = events,
                         .outcome = outcome,
                         .statistics = statistics,
@@ -269,7 +235,7 @@ void restore(PythonTrajectory& trajectory, const State& state) {
 
 std::string shown(const PythonTrajectory& trajectory) {
   const DampedTrajectory& r = trajectory.run;
-  std::string text = "<Trajectory: " + counted(trajectory.rows->size(), "sample") +
+  std::string text = "<Trajectory: " + counted(trajectory.rows().size(), "sample") +
                      ", t = " + number_text(r.start()) + " to " + number_text(r.stop()) + "; " +
                      r.method() + ", " + std::to_string(r.statistics().steps) + " steps; ";
   if (!r.events().empty()) text += counted(r.events().size(), "event") + "; ";
@@ -277,9 +243,9 @@ std::string shown(const PythonTrajectory& trajectory) {
 }
 
 // polhode._tables, which knows pandas and xarray, makes the table.
-nb::object table_of(TrajectorySelf self, const char* kind, ColumnNames names,
+nb::object table_of(const PythonTrajectory& self, const char* kind, ColumnNames names,
                     Typed<"System"> system) {
-  const DampedTrajectory& trajectory = trajectory_of(self);
+  const DampedTrajectory& trajectory = self.run;
   nb::dict notes;
   notes["method"] = trajectory.method();
   notes["outcome"] = text_of(trajectory.outcome());
@@ -301,14 +267,14 @@ The library is scale-free: rad and the run's own unit of time. Components of vec
 the principal axes. "dE" is E less that at the start. ValueError for an unknown name.)");
   c.def(
       "to_pandas",
-      [](TrajectorySelf self, ColumnNames columns, Typed<"System"> system)
+      [](const PythonTrajectory& self, ColumnNames columns, Typed<"System"> system)
           -> Typed<"pandas.DataFrame"> { return table_of(self, "to_pandas", columns, system); },
       "columns"_a = nb::none(), "system"_a = nb::none(),
       "The columns (see columns()) as a pandas.DataFrame, with index t; method and outcome in "
       ".attrs.");
   c.def(
       "to_xarray",
-      [](TrajectorySelf self, ColumnNames columns, Typed<"System"> system)
+      [](const PythonTrajectory& self, ColumnNames columns, Typed<"System"> system)
           -> Typed<"xarray.Dataset"> { return table_of(self, "to_xarray", columns, system); },
       "columns"_a = nb::none(), "system"_a = nb::none(),
       "The columns (see columns()) as an xarray.Dataset along t; method and outcome in .attrs.");
@@ -329,16 +295,21 @@ Made by integrate. .t (N,), .q (N, 4), .g (N, 3) and .states (RotorState of shap
 read-only views onto the samples, without a copy; they keep the samples alive. q and g refer to the
 reference frame and the principal axes. A pickle holds everything but dense output.)",
       nb::type_slots(object_slots<PythonTrajectory, &PythonTrajectory::system>()));
-  c.def_prop_ro("t", times_of, "(N,): times of the samples.")
-      .def_prop_ro("states", states_of, "The samples as a RotorState of shape (N,).")
-      .def_prop_ro(
-          "q", [](TrajectorySelf self) { return field_of(self, "q"); },
-          "(N, 4): attitudes (w, x, y, z), body to frame.")
-      .def_prop_ro(
-          "g", [](TrajectorySelf self) { return field_of(self, "g"); },
-          "(N, 3): angular momenta along the principal axes.")
-      .def_prop_ro("damper_rate", damper_rates_of,
-                   "(N, 3): rates of a damper relative to the body, along the principal axes.")
+  using S = DampedSample;
+  def_records<S>(c, {{"t", [](const S& s) { return &s.t; }, "(N,): times of the samples."},
+                     {"q",
+                      [](const S& s) { return &s.s.rotor.q.w; },
+                      "(N, 4): attitudes (w, x, y, z), body to frame.",
+                      {4}},
+                     {"g",
+                      [](const S& s) { return &s.s.rotor.g.x; },
+                      "(N, 3): angular momenta along the principal axes.",
+                      {3}},
+                     {"damper_rate",
+                      [](const S& s) { return &s.s.damper_rate.x; },
+                      "(N, 3): rates of a damper relative to the body, along the principal axes.",
+                      {3}}});
+  c.def_prop_ro("states", states_of, "The samples as a RotorState of shape (N,).")
       .def("damper_rate_at", damper_rates_at, "t"_a,
            "(..., 3): the same at times of any shape, as at(t).")
       .def("at", states_at, "t"_a,
@@ -365,11 +336,7 @@ ValueError outside [start, stop], and for a run without dense output. Releases t
       .def_prop_ro(
           "has_dense", [](const PythonTrajectory& r) { return r.run.has_dense(); },
           "Whether at(t) has an answer inside.")
-      .def("__len__", [](const PythonTrajectory& r) { return r.rows->size(); })
       .def("__repr__", shown)
-      .def("__copy__", [](TrajectorySelf self) { return self; })  // immutable
-      .def(
-          "__deepcopy__", [](TrajectorySelf self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__", state_of)
       .def("__setstate__", restore);
   bind_tables(c);

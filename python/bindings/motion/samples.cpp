@@ -15,8 +15,8 @@ SaveAt save_at_of(nb::handle samples, const char* name) {
   return SaveAt::times({times.at(0), times.at(0) + times.shape()[0]});
 }
 
-FloatArray view_of(const double* first, std::size_t n, std::size_t stride,
-                   std::initializer_list<std::size_t> inner, nb::handle owner) {
+FloatArray view_of(const double* first, std::size_t n, std::size_t stride, const Shape& inner,
+                   nb::handle owner) {
   Shape shape{n};
   shape.insert(shape.end(), inner.begin(), inner.end());
   std::vector<std::int64_t> strides(shape.size());

@@ -12,8 +12,8 @@ SaveAt save_at_of(nb::handle samples, const char* name);
 
 // A read-only view of n blocks of numbers, `stride` bytes apart, that keeps `owner` alive: shape
 // (n,) + inner.
-FloatArray view_of(const double* first, std::size_t n, std::size_t stride,
-                   std::initializer_list<std::size_t> inner, nb::handle owner);
+FloatArray view_of(const double* first, std::size_t n, std::size_t stride, const Shape& inner,
+                   nb::handle owner);
 
 // "1 event", "2 events": for those who read what a run shows.
 std::string counted(std::size_t n, const char* what);
