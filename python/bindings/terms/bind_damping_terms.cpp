@@ -37,7 +37,8 @@ void bind_internal(nb::module_& m) {
       R"(Friction inside the body: energy falls, angular momentum stays.
 
 InternalDamping(k): v = k g x w, w = I^-1 g. It has no torque; I^-1 g + v is the angular velocity.
-For I = (A, A, C) the angle J from axis 3 to g obeys tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).)",
+For I = (A, A, C) the angle J from axis 3 to g obeys
+tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).)",
       "ValueError for a negative coefficient.",
       [](const Making& at, const Diagonal& k, bool grows) {
         return AnyPerturbation(at.name, InternalDamping(k.all, grows));

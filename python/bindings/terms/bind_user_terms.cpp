@@ -173,8 +173,8 @@ AnyPerturbation torque_term(Making& at, nb::handle function, bool kick, nb::hand
 void bind_user_torque(nb::module_& m) {
   bind_term<"TorqueTerm">(
       m, "Any torque, written in Python.",
-      R"(A pulse that lies within one step is stepped over where neither switches nor time_scale is given:
-at loose tolerances steps are long. A torque that drives its own switching function back to zero
+      R"(A pulse within one step is stepped over where neither switches nor time_scale is given: at
+loose tolerances steps are long. A torque that drives its own switching function back to zero
 from both sides is refused when it gets there: give it a dead zone.
 
 It is called on float alone: ValueError from runs with Precision.double_double and from
