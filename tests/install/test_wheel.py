@@ -50,10 +50,12 @@ def test_an_installed_wheel_works_elsewhere(wheel, tmp_path):
 def test_a_wheel_holds_the_package_its_stubs_and_its_licence(wheel):
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
+        stub = archive.read("polhode/_core.pyi").decode()
     package = {name for name in names if name.startswith("polhode/")}
     assert {"polhode/__init__.py", "polhode/_core.pyi", "polhode/py.typed"} <= package
     assert any(name.startswith("polhode/_core.") and name.endswith(".so") for name in package)
     assert any(name.endswith("licenses/LICENSE") for name in names)
+    assert "class AndoyerState(Generic[_Value]):" in stub
     assert [name for name in names if not name.startswith(("polhode/", "polhode-"))] == []
 
 

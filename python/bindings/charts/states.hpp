@@ -89,6 +89,9 @@ void require_finite(const char* what, std::initializer_list<double> values);
 std::string index_text(std::size_t k, const Shape& shape);
 std::shared_ptr<const void> kept_alive(nb::object object);
 
+// A class method that returns the class, whatever it is given.
+nb::object class_itself();
+
 template <class S>
 StateMemory memory(const Batch<S>& states) {
   return {states.shape(), states.first(), states.stride(), states.owner()};
@@ -163,6 +166,8 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
   const Chart<S, N>* const table = &chart;  // static: it outlives the class
   const auto states = [](nb::handle self) -> const B& { return nb::cast<const B&>(self); };
   nb::class_<B> c(m, chart.name, chart.doc);
+  // RotorState[float], in annotations: the stub says what of (python/generic_stub.py).
+  c.attr("__class_getitem__") = class_itself();
   detail::def_init<S, N, R>(c, chart, std::make_index_sequence<R>{},
                             std::make_index_sequence<N - R>{});
   bool all_real = true;
