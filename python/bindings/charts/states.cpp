@@ -194,8 +194,7 @@ void store(const Field& field, const Numbers& from, std::size_t n, std::byte* st
 }
 
 nb::object class_itself() {
-  const nb::object function =
-      nb::cpp_function([](nb::object self, nb::handle) { return self; });
+  const nb::object function = nb::cpp_function([](nb::object self, nb::handle) { return self; });
   return nb::module_::import_("builtins").attr("classmethod")(function);
 }
 
