@@ -27,6 +27,7 @@ def data_of(
     epoch: str,
     axes: str,
     damper_rate: Any,
+    orbits: Mapping[str, Any],
 ) -> dict[str, Any]:
     """ValueError for what has no place in a scenario file, naming it."""
     if isinstance(system, _core.Body):
@@ -44,7 +45,7 @@ def data_of(
     dated = {"epoch": epoch} if epoch else {}
     data["state"] = {**dated, "axes": axes, **write.state(state, system.body, axes)}
     data.update(write.frame(system.frame))
-    data.update(tables_of(system, axes, write.angle, write.rate))
+    data.update(tables_of(system, axes, orbits, write.angle, write.rate))
     if damper := write.damper(system.damper, damper_rate):
         data.setdefault("perturbation", []).append(damper)
     if method is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy
@@ -13,14 +13,19 @@ import numpy
 from polhode import _core
 
 _ORBITS = ("KeplerOrbit", "PrecessingKeplerOrbit", "TurnedKeplerOrbit", "TableOrbit")
-_NAME = r"([A-Za-z0-9_-]{1,60})"
 
 
-def tables_of(system: Any, axes: str, angle: Callable[[Any], Any], rate: Callable[[Any], Any]
-              ) -> dict[str, Any]:
-    """The tables orbit, surface and perturbation of a System whose state is along `axes`; `angle`
-    and `rate` write a number in radians. ValueError for what has no place in a file, naming it."""
-    tables = _Tables(system, axes, angle, rate)
+def tables_of(
+    system: Any,
+    axes: str,
+    names: Mapping[str, Any],
+    angle: Callable[[Any], Any],
+    rate: Callable[[Any], Any],
+) -> dict[str, Any]:
+    """The tables orbit, surface and perturbation of a System whose state is along `axes`; `names`
+    are of orbits, `angle` and `rate` write a number in radians. ValueError for what has no place in
+    a file, naming it."""
+    tables = _Tables(system, axes, _checked(names), angle, rate)
     for term in system.terms:
         tables.add(term)
     data: dict[str, Any] = {}
@@ -35,9 +40,15 @@ def tables_of(system: Any, axes: str, angle: Callable[[Any], Any], rate: Callabl
 
 class _Tables:
     def __init__(
-        self, system: Any, axes: str, angle: Callable[[Any], Any], rate: Callable[[Any], Any]
+        self,
+        system: Any,
+        axes: str,
+        names: Mapping[str, Any],
+        angle: Callable[[Any], Any],
+        rate: Callable[[Any], Any],
     ) -> None:
         self.orbits: dict[str, Any] = {}
+        self._names = names
         self.surface: Any = None
         self.terms: list[dict[str, Any]] = []
         self._moving = not system.frame.is_inertial
@@ -140,7 +151,7 @@ class _Tables:
             "pressure": given["pressure"], "pressure_distance": given["distance"],
         }
         if given["sun"] is not None:
-            table["sun"] = self._orbit_name(term, given["sun"], "Sun")
+            table["sun"] = self._orbit_name(term, given["sun"])
             table["sun_orbit_of"] = "attractor" if given["sun_reversed"] else "sun"
         if given["shadow"] is not None:
             table.update(shadow=given["shadow"], shadow_radius=given["radius"])
@@ -199,19 +210,18 @@ class _Tables:
 
     # Orbits.
 
-    def _orbit_name(self, term: Any, orbit: Any, word: str = "orbit") -> str:
-        """Equal orbits are one table; one that a scenario has named keeps its name."""
+    def _orbit_name(self, term: Any, orbit: Any) -> str:
+        """Equal orbits are one table, of the name that was given for it."""
         if type(orbit).__name__ not in _ORBITS:
             raise ValueError(
                 f"build: term \"{term.name}\": its orbit {orbit!r} has no place in a scenario; "
                 f"expected one of {', '.join(_ORBITS)}"
             )
-        for name, other in self.orbits.items():
-            if type(orbit) is type(other) and orbit == other:
-                return name
-        named = re.fullmatch(rf".*, {word} {_NAME}(,.*)?", term.name)
-        known = named is not None and named[1] not in self.orbits
-        name = named[1] if known else f"orbit-{len(self.orbits) + 1}"
+        name = _name_in(self.orbits, orbit) or _name_in(self._names, orbit)
+        if name is None:
+            taken = {*self.orbits, *self._names}
+            made_up = (f"orbit-{k}" for k in range(len(self.orbits) + 1, len(taken) + 2))
+            name = next(free for free in made_up if free not in taken)
         self.orbits[name] = orbit
         return name
 
@@ -253,6 +263,24 @@ class _Tables:
             data["pericentre_rate"] = self._rate(orbit.rates.argument)
             data["mean_anomaly_rate"] = self._rate(orbit.rates.mean_anomaly)
         return data
+
+
+def _checked(names: Mapping[str, Any]) -> Mapping[str, Any]:
+    for name, orbit in names.items():
+        if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z0-9_-]{1,60}", name):
+            raise ValueError(
+                f"build: orbits: got the name {name!r}; expected 1 to 60 letters, digits, - and _"
+            )
+        if type(orbit).__name__ not in _ORBITS:
+            raise TypeError(
+                f"build: orbits: \"{name}\": got {orbit!r}; expected one of {', '.join(_ORBITS)}"
+            )
+    return names
+
+
+def _name_in(orbits: Mapping[str, Any], orbit: Any) -> str | None:
+    same = (n for n, other in orbits.items() if type(orbit) is type(other) and orbit == other)
+    return next(same, None)
 
 
 def _rows(orbit: Any) -> dict[str, Any]:

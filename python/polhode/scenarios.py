@@ -116,6 +116,7 @@ class Scenario:
         epoch: str = "",
         axes: str = "inertial",
         damper_rate: ArrayLike = (0.0, 0.0, 0.0),
+        orbits: Mapping[str, Any] | None = None,
         name: str = "scenario.toml",
     ) -> Scenario:
         """The scenario of Python objects: a file that anyone runs without Python.
@@ -135,6 +136,8 @@ class Scenario:
         events : tables [[event]]: {"column": "theta", "value": 90, "stops": True}, in these units.
         epoch, axes : of [state].
         damper_rate : (3,), rate at t = 0 of the sphere of the system's damper relative to the body.
+        orbits : names of orbits of the terms, such as the `orbits` of another scenario: {"moon":
+            orbit}. Others are called orbit-1, orbit-2, ...
 
         Numbers keep their bits, but for the pole of a TumblerState, which becomes two angles.
         Vectors of the file are along principal axes; the columns q, omega and g along the axes of
@@ -144,7 +147,7 @@ class Scenario:
         data = _building.data_of(
             system, state, time, method, [columns] if isinstance(columns, str) else columns,
             title=title, units=_units_of(units), events=events, epoch=epoch, axes=axes,
-            damper_rate=damper_rate,
+            damper_rate=damper_rate, orbits=orbits or {},
         )
         return cls.from_dict(data, name)
 

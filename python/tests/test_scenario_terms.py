@@ -152,6 +152,7 @@ def rebuilt(given):
     return Scenario.build(
         given.system, given.state, given.time, given.method, columns=given.columns,
         units=given.units, epoch=given.epoch, axes=given.axes,
+        orbits=given.orbits,
     )
 
 
@@ -305,6 +306,17 @@ def test_an_orbit_through_a_state_is_pickled_to_the_bit():
     assert orbit.state[1].tolist() == [0.1, 0.9, -0.3]
     by_elements = KeplerOrbit(orbit.elements)
     assert by_elements.state is None and by_elements != orbit
+
+
+def test_orbits_keep_the_names_given_for_them():
+    other = KeplerOrbit(KeplerElements(gm=2.0, pericentre=3.0, eccentricity=0.1))
+    terms = [POINT, GravityGradient(2.0, other), GravityGradient(3.0, ORBIT)]
+    named = Scenario.build(System(BODY, terms=terms), START, orbits={"orbit-1": other})
+    assert named.orbits == {"orbit-2": ORBIT, "orbit-1": other}
+    with pytest.raises(ValueError, match="orbits: got the name 'the moon'; expected 1 to 60"):
+        Scenario.build(BODY, START, orbits={"the moon": ORBIT})
+    with pytest.raises(TypeError, match="orbits: \"moon\": got 3; expected one of KeplerOrbit"):
+        Scenario.build(BODY, START, orbits={"moon": 3})
 
 
 def test_table_orbits_compare_by_their_rows():

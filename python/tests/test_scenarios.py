@@ -92,6 +92,7 @@ def test_a_scenario_comes_back_from_its_objects(path):
     made = Scenario.build(
         given.system, given.state, given.time, given.method, columns=given.columns,
         units=given.units, title=given.title, epoch=given.epoch, axes=given.axes,
+        orbits=given.orbits,
     )
     assert made.run() == rows
     assert made.system == given.system and made.orbits == given.orbits
