@@ -2,8 +2,8 @@
 """What inspect.signature says of the classes and functions of the extension.
 
 nanobind keeps the text of each signature (__nb_signature__), but its functions take no attributes,
-and inspect does not know them. So a class gets a __signature__, and a function a wrapper that has
-one: 50 ns a call."""
+and inspect does not know them. So a class gets a __signature__, a method one of ours that calls it,
+and a function a wrapper of Python: 50 ns a call."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ import inspect
 import re
 from collections.abc import Callable
 from typing import Any
+
+from polhode import _core
 
 _KINDS = inspect.Parameter
 
@@ -111,3 +113,15 @@ def with_signature(function: Any, names: dict[str, Any]) -> Callable[..., Any]:
     wrapper: Any = functools.update_wrapper(call, function, updated=())
     wrapper.__signature__ = _signature(function, names)
     return call
+
+
+def sign_methods(owner: type, names: dict[str, Any]) -> None:
+    """Methods of a class of the extension, all but those of Python's own protocols."""
+    for name, method in list(vars(owner).items()):
+        if name.startswith("__"):
+            continue
+        if type(method).__name__ == "nb_method":
+            make = functools.partial(_signature, method, names)
+            setattr(owner, name, _core._signed_method(method, make))
+        elif type(method).__name__ == "nb_func":
+            setattr(owner, name, staticmethod(with_signature(method, names)))
