@@ -2,6 +2,7 @@
 """The worked examples of docs/extending, each built from a directory that holds nothing but its
 files, against an installed polhode, and run as its page says."""
 
+import math
 import shutil
 import signal
 import subprocess
@@ -147,6 +148,31 @@ def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
     wrong.write_text(text.replace('"700 km"', '"9000 km"'))
     assert ('18:12: orbit.satellite.altitude: got "9000 km"; expected a lower orbit, whose node '
             "turns fast enough") in sh(program, "info", wrong, status=2)
+
+
+def test_a_frame_of_your_own_is_a_kind_like_ours(built, tmp_path):
+    path, out = built("frame"), tmp_path / "own.csv"
+    program, scenario, text = (path / "build/swaying-plane", path / "moon.toml",
+                               (path / "moon.toml").read_text())
+    assert "seen from the moving frame" in sh(program, "run", scenario, "--out", out)
+    lines = [line for line in out.read_text().splitlines() if not line.startswith("#")]
+    rows = [map(float, line.split(",")) for line in lines[1:]]
+    columns = dict(zip(lines[0].split(","), zip(*rows)))
+    # the momentum stays in inertial axes: its angle to the plane's normal is that of the plane
+    for k, t in enumerate(columns["t"]):
+        tilt, node = (math.radians(columns[name][k]) for name in ("I_m", "h_m"))
+        sway = math.radians(5.145 + 0.15 * math.cos(2 * math.pi * t / 173.31))
+        turn = math.radians(-19.35 / 365.25 * t)
+        cosine = (math.cos(tilt) * math.cos(sway)
+                  + math.sin(tilt) * math.sin(sway) * math.cos(node - turn))
+        assert columns["I_m_rel"][k] == pytest.approx(
+            math.degrees(math.acos(cosine)), rel=budgets.cli_rounding)
+    assert "a plane that sways" in out.read_text()
+    assert '"swaying-plane"' in sh(program, "schema")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(text.replace("sway = 0.15", "sway = 6"))
+    assert ("15:8: frame.swaying-plane.sway: got 6; expected less than the inclination"
+            in sh(program, "info", wrong, status=2))
 
 
 @pytest.fixture(scope="module")
