@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // FrameKind: all that there is to say of one kind of reference frame, a table [frame.NAME]: its
-// keys, and how a frame is made from them. Readers, schema and pages come from it.
+// keys, and how a frame is made from them. Readers, schema and pages come from it;
+// docs/extending/frame.md adds one.
 //
 // Equations   none of its own; frames have theirs (polhode/frame/frame.hpp).
 // Units       core units (polhode/text/units.hpp).
