@@ -39,6 +39,19 @@ inline constexpr double elliptic_jacobi_derivative = 20.0;
 inline constexpr double shape_mass = 8.0;
 inline constexpr double shape_limit = 1e-6;
 
+// Spin axes over ages (tests/unit/secular/spin_precession.cpp).
+inline constexpr double secular_rounding = 1e-14;
+inline constexpr double secular_table = 1e-12;           // rows of 1 kyr, lines down to 70 kyr
+inline constexpr double secular_constant_orbit = 2e-12;  // 20 rad
+inline constexpr double secular_axes = 1e-11;            // two sets of axes over 5 Myr
+inline constexpr double secular_splitting = 1e-10;       // against the adaptive method, 5 Myr
+inline constexpr double secular_order = 0.35;            // of a measured order
+inline constexpr double secular_length = 1e-15;          // of the axis after 1e9 years
+inline constexpr double secular_earth_constant = 0.02;   // arcsec/yr, published to 1e-3 of it
+inline constexpr double secular_moon_constant = 0.4;  // arcsec/yr: 1 % of it, as is the mean orbit
+inline constexpr double secular_geodetic = 1e-4;      // arcsec/yr
+inline constexpr double secular_general = 1e-4;       // deg a century
+
 // --- light and air on facets (tests/unit/perturb/surface.cpp) ---
 inline constexpr double surface_eps = 40.0;
 inline constexpr double surface_ball = 1e-4;

@@ -103,5 +103,9 @@ void require_valid(const Method& method);
 // The method itself where it moves any state, that of a damper or of a model too; else null.
 const Adaptive* method_of_any_state(const Method& method);
 
+// The method itself where it moves models that can be frozen (polhode/dynamics/model.hpp); else
+// null.
+const Splitting* method_of_frozen_models(const Method& method);
+
 }  // namespace v0
 }  // namespace polhode

@@ -20,11 +20,15 @@
 //               time_scale(t)               no step that begins at t is longer, unless the method
 //                                           says largest_step
 //               parameters()                numbers that a checkpoint compares, as a vector
+//               frozen(t, s, h)             the state after h while all that depends on time stays
+//                                           as at t, a DoubleDouble: exact, of either sign of h.
+//                                           Splitting then moves it, too
 // Units       any consistent set.
 // Domain      T is double, and DoubleDouble too where the model is a template on the number type:
 //             Adaptive with Precision::double_double needs it. Rates are smooth between `start` and
-//             `stop`; other methods than Adaptive know a System alone.
-// Accuracy    that of Adaptive.
+//             `stop`. Adaptive moves every model, Splitting those that have frozen(); other methods
+//             know a System alone.
+// Accuracy    that of the method.
 // Errors      what a function of the model throws passes through.
 // Cost        that of its functions.
 #pragma once
@@ -53,6 +57,13 @@ concept ModelOn =
       { m.state(y) } -> std::same_as<typename M::State>;
       { m.rates(t, y) } -> std::same_as<ValuesOf<M, T>>;
       { m.error_size(y, y, y) } -> std::convertible_to<double>;
+    };
+
+// What Splitting moves.
+template <class M>
+concept FrozenModel =
+    requires(const M& m, const DoubleDouble& t, const typename M::State& s, double h) {
+      { m.frozen(t, s, h) } -> std::same_as<typename M::State>;
     };
 
 template <class M>

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/splitting/splitting_scheme.hpp"
 #include "free/short_flow.hpp"
+#include "polhode/dynamics/detail/splitting_scheme.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/system/system.hpp"

@@ -5,7 +5,7 @@
 //   ABA864, ABA1064  Blanes, Casas, Farres, Laskar, Makazaga and Murua, Appl. Numer. Math. 68
 //   (2013)
 //                    58, tables 3 and 4
-#include "dynamics/splitting/splitting_scheme.hpp"
+#include "polhode/dynamics/detail/splitting_scheme.hpp"
 
 #include <cstddef>
 #include <utility>

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/dynamics/detail/event_watch.hpp"
+#include "polhode/dynamics/detail/frozen_stepper.hpp"
 #include "polhode/dynamics/detail/model_field.hpp"
 #include "polhode/dynamics/detail/run_forms.hpp"
 
@@ -51,19 +52,27 @@ std::unique_ptr<BasicStepper<S>> model_stepper(const BasicProblem<M, S>& problem
 }
 
 template <class M, MotionState S>
+std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& problem,
+                                                  const S& initial) {
+  if constexpr (FrozenModel<M>)
+    if (const Splitting* const method = method_of_frozen_models(problem.method))
+      return std::make_unique<FrozenStepper<M>>(problem.system, problem.start, initial, *method);
+  constexpr bool has_wide = ModelOn<M, DoubleDouble>;
+  const Adaptive& method = adaptive_method(M::name, problem.method, has_wide);
+  if constexpr (has_wide)
+    if (method.precision == Precision::double_double)
+      return model_stepper<DoubleDouble>(problem, initial, method);
+  return model_stepper<double>(problem, initial, method);
+}
+
+template <class M, MotionState S>
 auto model_run(const BasicProblem<M, S>& problem, bool keep_dense, SampleQueue<S>& samples,
                const Progress& progress) {
   require_finite_span("integrate", problem.start, problem.stop);
   require_valid(problem.method);
   for (const BasicEvent<S>& event : problem.events) require_valid(event);
-  constexpr bool has_wide = ModelOn<M, DoubleDouble>;
-  const Adaptive& method = adaptive_method(M::name, problem.method, has_wide);
   const S initial = started_state(problem.system, problem.initial);
-  std::unique_ptr<BasicStepper<S>> stepper;
-  if constexpr (has_wide)
-    if (method.precision == Precision::double_double)
-      stepper = model_stepper<DoubleDouble>(problem, initial, method);
-  if (stepper == nullptr) stepper = model_stepper<double>(problem, initial, method);
+  std::unique_ptr<BasicStepper<S>> stepper = stepper_of_model(problem, initial);
   const bool was_normal = equal_but_for_rounding(numbers_of(initial), numbers_of(problem.initial));
   using Watch = EventWatch<ModelMotion<M>>;
   return std::make_unique<Run<S, Watch>>(

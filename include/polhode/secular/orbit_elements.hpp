@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The elements of a planet's orbit as they change over ages: plane and ellipse, without a
+// singularity, from a table or a series.
+//
+// Equations   k = e cos(varpi), h = e sin(varpi), q = sin(i/2) cos(Omega), p = sin(i/2) sin(Omega).
+//             The equinoctial axes of the orbit are those that the shortest turn brings from the
+//             reference axes: its quaternion is (sqrt(1 - p^2 - q^2), q, p, 0); axis 3 is the
+//             normal n, and axis 1 the origin of the longitude varpi = Omega + omega.
+//             A table is interpolated as TableOrbit is. A series is k + i h = sum A exp(i(nu t +
+//             phi)), and so q + i p (Laskar 1988).
+// Units       any time; rad.
+// Domain      0 <= e < 1, inclinations below 180 degrees; tables as TableOrbit takes them, NaN
+//             outside. T = double, DoubleDouble or a Dual.
+// Accuracy    of tables that of order-10 interpolation: budget secular_table.
+// Errors      DomainError names the row of elements that are none, and times that do not rise.
+// Cost        50 ns for the plane of a table, twice that for all; 10 ns for a term of a series.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "polhode/math/quaternion.hpp"
+#include "polhode/math/real.hpp"
+#include "polhode/math/trigonometry.hpp"
+#include "polhode/orbit/table_orbit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <class T>
+struct BasicOrbitElements {
+  T k, h, q, p;
+};
+using OrbitElements = BasicOrbitElements<double>;
+
+// Of e, i, Omega and varpi - Omega.
+OrbitElements orbit_elements(double eccentricity, double inclination, double node, double argument);
+
+// What turns a spin axis: the plane and e^2, which is smooth where e is 0.
+struct OrbitPlane {
+  double q, p, e2;
+};
+
+inline double eccentricity(const OrbitElements& o) { return std::sqrt(o.k * o.k + o.h * o.h); }
+
+// From the equinoctial axes to those of reference.
+template <class T>
+BasicQuaternion<T> equinoctial_attitude(const BasicOrbitElements<T>& o) {
+  using std::sqrt;
+  return {sqrt(T(1.0) - o.p * o.p - o.q * o.q), o.q, o.p, T(0.0)};
+}
+// The normal, and the direction of the pericentre.
+Vec3 orbit_normal(const OrbitPlane& o);
+inline Vec3 orbit_normal(const OrbitElements& o) { return orbit_normal(OrbitPlane{o.q, o.p, 0.0}); }
+Vec3 pericentre_direction(const OrbitElements& o);
+
+class ElementTable {
+ public:
+  // order as that of a TableOrbit without velocities.
+  ElementTable(std::vector<double> times, std::span<const OrbitElements> rows, int order = 0);
+
+  double first_time() const { return plane_.first_time(); }
+  double last_time() const { return plane_.last_time(); }
+
+  template <class T>
+  BasicOrbitElements<T> at(const T& t) const {
+    const auto ellipse = ellipse_.position(t), plane = plane_.position(t);
+    return {ellipse.x, ellipse.y, plane.x, plane.y};
+  }
+  OrbitPlane plane(double t) const {
+    const Vec3 of = plane_.position(t);
+    return {of.x, of.y, of.z};
+  }
+
+ private:
+  TableOrbit ellipse_;
+  TableOrbit plane_;  // and e^2
+};
+
+// A exp(i (nu t + phi)).
+struct SeriesTerm {
+  double frequency;
+  double amplitude;
+  double phase;
+};
+
+class ElementSeries {
+ public:
+  ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<SeriesTerm> plane);
+
+  template <class T>
+  BasicOrbitElements<T> at(const T& t) const {
+    BasicOrbitElements<T> sum{T(0.0), T(0.0), T(0.0), T(0.0)};
+    add(sum.k, sum.h, ellipse_, t);
+    add(sum.q, sum.p, plane_, t);
+    return sum;
+  }
+  OrbitPlane plane(double t) const {
+    const OrbitElements o = at(t);
+    return {o.q, o.p, o.k * o.k + o.h * o.h};
+  }
+
+ private:
+  template <class T>
+  static void add(T& x, T& y, const std::vector<SeriesTerm>& terms, const T& t) {
+    using std::cos, std::sin;
+    for (const SeriesTerm& term : terms) {
+      const T angle = T(term.frequency) * t + T(term.phase);
+      x = x + T(term.amplitude) * cos(angle);
+      y = y + T(term.amplitude) * sin(angle);
+    }
+  }
+
+  std::vector<SeriesTerm> ellipse_;
+  std::vector<SeriesTerm> plane_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The spin axis of a planet over ages: averaged over its rotation and its orbit.
+//
+// Equations   H = -1/2 alpha(e) (s.n)^2 + g s.n of the unit vector s along the angular momentum, n
+//             the normal of the orbit: ds/dt = (alpha(e) (s.n) - g) s x n in inertial axes
+//             (Colombo 1966; Touma & Wisdom 1993). alpha(e) = star (1 - e^2)^(-3/2) + satellites,
+//             g that of geodetic precession. In the axes of the moving orbit, with the canonical X
+//             = cos(obliquity) = s_z and psi, the same with -mu x s, mu their rate (Laskar &
+//             Robutel 1993; the Mars of section 4 of the paper). Neither has a singularity where
+//             psi has one.
+//             star = 3/2 gm / a^3 E / w with E = (C - (A + B)/2) / C, times 1 - 3/2 sin^2 J where
+//             the figure axis is J away from s ([SA (84)], J the Andoyer angle).
+// Units       any time; rates in rad per time.
+// Domain      orbits that change slowly against the rotation and the year.
+// Accuracy    that of the method. Splitting keeps |s| = 1 to rounding: frozen motion is a turn
+//             about n. Budgets secular_*.
+// Errors      DomainError for an axis without direction.
+// Cost        100 ns for a turn with a table of elements.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "polhode/frame/frame.hpp"
+#include "polhode/math/vector.hpp"
+#include "polhode/secular/detail/spin_model.hpp"
+#include "polhode/secular/orbit_elements.hpp"
+#include "polhode/secular/spin_axis.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// What turns a spin axis; a drift is a fraction per time, of tides.
+struct PrecessionRates {
+  double star;              // on a circle
+  double satellites = 0.0;  // whatever the planet's e
+  double geodetic = 0.0;
+  double drift = 0.0;  // of star and satellites, from t = 0 on
+
+  double torque(double t, double e2) const {
+    const double r = 1.0 / (1.0 - e2);
+    return (star * r * std::sqrt(r) + satellites) * (1.0 + drift * t);
+  }
+};
+
+// star, and satellites, of physical data. `ellipticity` is E.
+double star_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis);
+// Of a satellite that goes round far outside the planet, near the plane of the planet's orbit, at
+// the mean inclination i against it (Laskar & Robutel 1993).
+double satellite_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis,
+                            double eccentricity, double inclination);
+// 3/2 (gm / a)^(3/2) / (a c^2): de Sitter's, on a circle; forwards.
+double geodetic_precession(double gm, double semi_major_axis, double light_speed);
+// 1 - 3/2 sin^2 J.
+double andoyer_factor(double J);
+
+// In inertial axes.
+template <class Elements>
+struct SpinPrecession : detail::SpinModel {
+  static constexpr std::string_view name = "a precessing spin axis";
+
+  Elements orbit;
+  PrecessionRates rates_of;
+
+  SpinPrecession(Elements elements, const PrecessionRates& rates)
+      : orbit(std::move(elements)), rates_of(rates) {}
+
+  // Of the axis about -n.
+  double rate(double t, const Vec3& s, const OrbitPlane& o, const Vec3& n) const {
+    return rates_of.torque(t, o.e2) * dot(s, n) - rates_of.geodetic;
+  }
+  Values rates(const DoubleDouble& t, const Values& y) const {
+    const OrbitPlane o = orbit.plane(t.hi);
+    const Vec3 s{y[0], y[1], y[2]}, n = orbit_normal(o);
+    const Vec3 ds = rate(t.hi, s, o, n) * cross(s, n);
+    return {ds.x, ds.y, ds.z};
+  }
+  SpinAxis frozen(const DoubleDouble& t, const SpinAxis& axis, double h) const {
+    const OrbitPlane o = orbit.plane(t.hi);
+    const Vec3 n = orbit_normal(o);
+    return detail::turned(axis, n, -rate(t.hi, axis.s, o, n) * h);
+  }
+};
+
+// In the equinoctial axes of the orbit, which turn with it.
+template <class Elements>
+struct SpinInOrbitAxes : detail::SpinModel {
+  static constexpr std::string_view name = "a spin axis seen from its orbit";
+
+  Elements orbit;
+  PrecessionRates rates_of;
+  Frame frame;
+
+  SpinInOrbitAxes(const Elements& elements, const PrecessionRates& rates)
+      : orbit(elements), rates_of(rates), frame(Frame::from_attitude([elements](const auto& t) {
+          return equinoctial_attitude(elements.at(t));
+        })) {}
+
+  Values rates(const DoubleDouble& t, const Values& y) const {
+    const Vec3 s{y[0], y[1], y[2]}, mu = frame.at(t.hi).mu_S;
+    const double turn = rates_of.torque(t.hi, orbit.plane(t.hi).e2) * s.z - rates_of.geodetic;
+    const Vec3 ds = turn * cross(s, Vec3{0.0, 0.0, 1.0}) - cross(mu, s);
+    return {ds.x, ds.y, ds.z};
+  }
+};
+
+// What an axis and an orbit are to those who read climates from them: angles in rad.
+struct SpinAngles {
+  double obliquity;
+  // Longitude of the moving equinox in equinoctial axes, backwards: psi. NaN where the obliquity is
+  // 0 or pi.
+  double precession;
+  // Longitude of the pericentre from the moving equinox, and e sin of it.
+  double pericentre;
+  double climatic_precession;
+};
+SpinAngles spin_angles(const SpinAxis& axis, const OrbitElements& orbit);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/secular/orbit_elements.hpp"
+
+#include <string>
+#include <utility>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+[[noreturn]] void refuse_row(std::size_t row, const std::string& what) {
+  throw DomainError("ElementTable: row " + std::to_string(row) + ": " + what);
+}
+
+void require_rows(const std::vector<double>& times, std::span<const OrbitElements> rows) {
+  if (times.size() != rows.size())
+    throw DomainError("ElementTable: got " + std::to_string(times.size()) + " times and " +
+                      std::to_string(rows.size()) + " rows; expected as many of each");
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const OrbitElements& o = rows[k];
+    if (!std::isfinite(times[k])) refuse_row(k, "got a time that is not finite");
+    if (k > 0 && !(times[k] > times[k - 1]))
+      refuse_row(k, "got time " + detail::number_text(times[k]) + " after " +
+                        detail::number_text(times[k - 1]) + "; expected rising times");
+    if (!(eccentricity(o) < 1.0))
+      refuse_row(k, "got eccentricity " + detail::number_text(eccentricity(o)) +
+                        "; expected 0 to below 1");
+    if (!(o.q * o.q + o.p * o.p < 1.0)) refuse_row(k, "got no inclination below 180 degrees");
+  }
+}
+
+std::vector<Vec3> ellipses(std::span<const OrbitElements> rows) {
+  std::vector<Vec3> of;
+  of.reserve(rows.size());
+  for (const OrbitElements& o : rows) of.push_back({o.k, o.h, 0.0});
+  return of;
+}
+std::vector<Vec3> planes(std::span<const OrbitElements> rows) {
+  std::vector<Vec3> of;
+  of.reserve(rows.size());
+  for (const OrbitElements& o : rows) of.push_back({o.q, o.p, o.k * o.k + o.h * o.h});
+  return of;
+}
+
+}  // namespace
+
+OrbitElements orbit_elements(double eccentricity, double inclination, double node,
+                             double argument) {
+  if (!(eccentricity >= 0.0 && eccentricity < 1.0))
+    throw DomainError("orbit_elements: got eccentricity " + detail::number_text(eccentricity) +
+                      "; expected 0 to below 1");
+  const double varpi = node + argument, s = std::sin(0.5 * inclination);
+  return {eccentricity * std::cos(varpi), eccentricity * std::sin(varpi), s * std::cos(node),
+          s * std::sin(node)};
+}
+
+Vec3 orbit_normal(const OrbitPlane& o) {
+  const double c = 2.0 * std::sqrt(1.0 - o.p * o.p - o.q * o.q);
+  return {o.p * c, -o.q * c, 1.0 - 2.0 * (o.p * o.p + o.q * o.q)};
+}
+
+Vec3 pericentre_direction(const OrbitElements& o) {
+  const double e = eccentricity(o), x = o.k / e, y = o.h / e;
+  return rotate(equinoctial_attitude(o), Vec3{x, y, 0.0});
+}
+
+ElementTable::ElementTable(std::vector<double> times, std::span<const OrbitElements> rows,
+                           int order)
+    : ellipse_([&] {
+        require_rows(times, rows);
+        return TableOrbit({times, ellipses(rows)}, order);
+      }()),
+      plane_({std::move(times), planes(rows)}, order) {}
+
+ElementSeries::ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<SeriesTerm> plane)
+    : ellipse_(std::move(ellipse)), plane_(std::move(plane)) {
+  for (const std::vector<SeriesTerm>* const terms : {&ellipse_, &plane_}) {
+    double most = 0.0;
+    for (const SeriesTerm& term : *terms) most += std::abs(term.amplitude);
+    if (!(most < 1.0))
+      throw DomainError("ElementSeries: got amplitudes that add up to " +
+                        detail::number_text(most) +
+                        "; expected below 1, so that each orbit is an ellipse");
+  }
+}
+
+}  // namespace v0
+}  // namespace polhode

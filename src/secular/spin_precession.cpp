@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/secular/spin_precession.hpp"
+
+#include <string>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+void require_positive(const char* what, double x) {
+  if (!(x > 0.0) || !std::isfinite(x))
+    throw DomainError(std::string(what) + " " + detail::number_text(x) + " must be positive");
+}
+
+}  // namespace
+
+double star_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis) {
+  require_positive("star_precession: gm", gm);
+  require_positive("star_precession: semi_major_axis", semi_major_axis);
+  return 1.5 * gm / (semi_major_axis * semi_major_axis * semi_major_axis) * ellipticity / spin_rate;
+}
+
+double satellite_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis,
+                            double eccentricity, double inclination) {
+  const double r = 1.0 / (1.0 - eccentricity * eccentricity), s = std::sin(inclination);
+  return star_precession(ellipticity, spin_rate, gm, semi_major_axis) * r * std::sqrt(r) *
+         (1.0 - 1.5 * s * s);
+}
+
+double geodetic_precession(double gm, double semi_major_axis, double light_speed) {
+  require_positive("geodetic_precession: gm", gm);
+  require_positive("geodetic_precession: semi_major_axis", semi_major_axis);
+  require_positive("geodetic_precession: light_speed", light_speed);
+  const double v2 = gm / semi_major_axis;
+  return 1.5 * v2 * std::sqrt(v2) / (semi_major_axis * light_speed * light_speed);
+}
+
+double andoyer_factor(double J) {
+  const double s = std::sin(J);
+  return 1.0 - 1.5 * s * s;
+}
+
+SpinAxis spin_axis(const Vec3& direction) {
+  const double length = norm(direction);
+  if (!(length > 0.0))
+    throw DomainError("spin_axis: got a direction of length " + detail::number_text(length) +
+                      "; expected one that has a length");
+  return {(1.0 / length) * direction};
+}
+
+namespace detail {
+
+// 1 - cos without cancellation. What rounding does to the length is taken out to first order.
+SpinAxis turned(const SpinAxis& axis, const Vec3& n, double angle) {
+  const double half = std::sin(0.5 * angle), sine = 2.0 * half * std::cos(0.5 * angle);
+  const Vec3 across = cross(n, axis.s);
+  const Vec3 s = axis.s + sine * across + (2.0 * half * half) * cross(n, across);
+  return {(1.5 - 0.5 * dot(s, s)) * s};
+}
+
+}  // namespace detail
+
+SpinAngles spin_angles(const SpinAxis& axis, const OrbitElements& orbit) {
+  const Vec3 s = rotate(conj(equinoctial_attitude(orbit)), axis.s);
+  const double tilt = std::hypot(s.x, s.y);
+  // s x n is along (s_y, -s_x): the ascending node of the orbit on the equator
+  const double equinox = tilt > 0.0 ? std::atan2(-s.x, s.y) : std::nan("");
+  const double varpi = std::atan2(orbit.h, orbit.k);
+  const double pericentre = std::remainder(varpi - equinox, 2.0 * pi<double>());
+  return {std::atan2(tilt, s.z), -equinox, pericentre, eccentricity(orbit) * std::sin(pericentre)};
+}
+
+}  // namespace v0
+}  // namespace polhode
