@@ -56,6 +56,8 @@ OF_CLASS = {
     "MassMoments": polhode.MassMoments.of_points([1.0, 2.0], [[1, 0, 0], [0, 1, 0]]),
     "Oblateness": polhode.Oblateness(1e-3, 1.0, [0, 0, 1]),
     "TidalBody": polhode.TidalBody(0.3, 0.01, 1.0),
+    "ElementTable": polhode.ElementSeries([[0.1, 0.2, 0.3]], [[0.1, 0.2, 0.3]]),
+    "PrecessionRates": polhode.PrecessionRates(1.0),
     "DampedMaterial": polhode.DampedMaterial(1e9, 100.0, 2000.0, 100.0, 0.02),
 }
 
@@ -174,6 +176,10 @@ OF_CALL = {
         "samples": np.linspace(0, 300, 6001),
         "problem": polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
     },
+    "ElementTable.__init__": {"times": TIMES},
+    "ElementSeries.__init__": {name: [[0.1, 0.2, 0.3]] for name in ("ellipse", "plane")},
+    "spin_history": {"pole": VECTOR, "times": [0.5, 1.0]},
+    "satellite_precession": {"eccentricity": 0.1},
     "chaos_indicator": {"distance": 1e-6, "deviation": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]},
 }
 

@@ -21,7 +21,8 @@ inline namespace v0 {
 namespace detail {
 
 // Adaptive, in a precision that the model works in. DomainError for other methods and precisions.
-const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide);
+const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide,
+                                bool has_frozen);
 // Whether two lists of numbers are equal but for a few roundings of the largest.
 bool equal_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b);
 
@@ -58,7 +59,7 @@ std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& prob
     if (const Splitting* const method = method_of_frozen_models(problem.method))
       return std::make_unique<FrozenStepper<M>>(problem.system, problem.start, initial, *method);
   constexpr bool has_wide = ModelOn<M, DoubleDouble>;
-  const Adaptive& method = adaptive_method(M::name, problem.method, has_wide);
+  const Adaptive& method = adaptive_method(M::name, problem.method, has_wide, FrozenModel<M>);
   if constexpr (has_wide)
     if (method.precision == Precision::double_double)
       return model_stepper<DoubleDouble>(problem, initial, method);

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Spin axes over ages.
+#include "interface/records.hpp"
+#include "interface/signals.hpp"
+#include "interface/value.hpp"
+#include "motion/dynamics_values.hpp"
+#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/secular/spin_precession.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle node,
+                      nb::handle argument, int order) {
+  Numbers in[] = {Numbers(times, "times"), Numbers(e, "eccentricity"), Numbers(i, "inclination"),
+                  Numbers(node, "node"), Numbers(argument, "argument")};
+  const Shape shape = broadcast(in);
+  if (shape.size() != 1)
+    throw nb::value_error(
+        ("ElementTable: got shape " + text_of(shape) + "; expected columns (N,)").c_str());
+  std::vector<double> at;
+  std::vector<OrbitElements> rows;
+  for (std::size_t k = 0; k < shape[0]; ++k) {
+    at.push_back(in[0][k]);
+    rows.push_back(orbit_elements(in[1][k], in[2][k], in[3][k], in[4][k]));
+  }
+  return {std::move(at), rows, order};
+}
+
+std::vector<SeriesTerm> terms_of(nb::handle rows, const char* name) {
+  const Numbers numbers(rows, name, {3});
+  if (numbers.shape().size() > 1)
+    throw nb::value_error((std::string(name) + ": expected the shape (n, 3)").c_str());
+  std::vector<SeriesTerm> terms;
+  for (std::size_t k = 0; k < size_of(numbers.shape()); ++k)
+    terms.push_back({numbers.at(k)[0], numbers.at(k)[1], numbers.at(k)[2]});
+  return terms;
+}
+
+void bind_orbits(nb::module_& m) {
+  nb::class_<ElementTable>(m, "ElementTable", R"(An orbit that changes over ages, from a table.
+
+Parameters
+----------
+times : (N,), rising, of any cadence.
+eccentricity : (N,), from 0 to below 1.
+inclination, node, argument : (N,), rad, along the reference axes; argument of the pericentre from
+    the node. Jumps by a turn do not matter: what is interpolated is e cos(varpi), sin(i/2)
+    cos(Omega) and their like.
+order : of the interpolation, as of a TableOrbit; 0: 10.
+
+ValueError names the row of elements of no ellipse, and times that do not rise.)")
+      .def(
+          "__init__",
+          [](ElementTable* self, ArrayLike times, ArrayLike e, ArrayLike i, ArrayLike node,
+             ArrayLike argument,
+             int order) { new (self) ElementTable(table_of(times, e, i, node, argument, order)); },
+          "times"_a, "eccentricity"_a, "inclination"_a, "node"_a, "argument"_a, "order"_a = 0)
+      .def_prop_ro("first_time", &ElementTable::first_time, "Where the table begins.")
+      .def_prop_ro("last_time", &ElementTable::last_time, "Where it ends.")
+      .def("__repr__", [](const ElementTable& t) {
+        return "<ElementTable: " + number_text(t.first_time()) + " to " +
+               number_text(t.last_time()) + ">";
+      });
+  nb::class_<ElementSeries>(m, "ElementSeries", R"(An orbit that changes over ages, from a series.
+
+e exp(i varpi) and sin(i/2) exp(i Omega) as sums of A exp(i (nu t + phi)) (Laskar 1988).
+
+Parameters
+----------
+ellipse, plane : (n, 3), rows of frequency nu (rad per time), amplitude A, phase phi (rad).
+
+ValueError where the amplitudes of one add up to 1 or more.)")
+      .def(
+          "__init__",
+          [](ElementSeries* self, ArrayLike ellipse, ArrayLike plane) {
+            new (self) ElementSeries(terms_of(ellipse, "ellipse"), terms_of(plane, "plane"));
+          },
+          "ellipse"_a, "plane"_a)
+      .def("__repr__", [](const ElementSeries&) { return "<ElementSeries>"; });
+}
+
+void bind_rates(nb::module_& m) {
+  using R = PrecessionRates;
+  bind_value<R>(m, "PrecessionRates",
+                R"(What turns the spin axis of a planet, in rad per time.
+
+Parameters
+----------
+star : of the star, on a circle; star_precession makes it of physical data.
+satellites : of satellites, whatever the planet's eccentricity; satellite_precession.
+geodetic : forwards, about the normal of the orbit; geodetic_precession.
+drift : by which fraction per time star and satellites grow from t = 0 on, as by tides.)",
+                field("star", &R::star, "Of the star, on a circle."),
+                field("satellites", &R::satellites, "Of satellites.", 0.0),
+                field("geodetic", &R::geodetic, "Forwards, about the normal.", 0.0),
+                field("drift", &R::drift, "Fraction per time.", 0.0).but_quiet());
+  m.def("star_precession", &star_precession, "ellipticity"_a, "spin_rate"_a, "gm"_a,
+        "semi_major_axis"_a,
+        "3/2 gm / a^3 E / w: E = (C - (A + B)/2) / C of the planet, w its spin rate; gm of the "
+        "star.");
+  m.def("satellite_precession", &satellite_precession, "ellipticity"_a, "spin_rate"_a, "gm"_a,
+        "semi_major_axis"_a, "eccentricity"_a = 0.0, "inclination"_a = 0.0,
+        "The same of a satellite that goes round far outside the planet, at a mean inclination "
+        "(rad) against the planet's orbit (Laskar and Robutel 1993).");
+  m.def("geodetic_precession", &geodetic_precession, "gm"_a, "semi_major_axis"_a, "light_speed"_a,
+        "De Sitter's, of a planet on a circle: 3/2 (gm / a)^(3/2) / (a c^2).");
+}
+
+struct SpinRow {
+  double t;
+  Vec3 s;
+  SpinAngles angles;
+  double eccentricity;
+};
+
+struct SpinHistory : Records<SpinRow> {
+  using Rows = Records<SpinRow>;
+  Outcome outcome;
+  Statistics statistics;
+  std::string method;
+};
+
+template <class Elements>
+SpinHistory history_on(const Elements& orbit, const PrecessionRates& rates, const SpinAxis& start,
+                       double epoch, const SaveAt& times, const Method& method) {
+  using M = SpinPrecession<Elements>;
+  const BasicProblem<M> problem{M(orbit, rates), start, epoch, times[times.size() - 1], method};
+  const Progress look = signal_check();
+  const BasicTrajectory<SpinAxis> run = [&] {
+    const WithoutGil released;
+    return integrate(problem, Keep{.samples = times, .dense = false}, look);
+  }();
+  warn_of(run.outcome(), "spin_history");
+  std::vector<SpinRow> rows;
+  for (const BasicSample<SpinAxis>& at : run.samples()) {
+    const OrbitElements o = orbit.at(at.t);
+    rows.push_back({at.t, at.s.s, spin_angles(at.s, o), eccentricity(o)});
+  }
+  return {Records(std::move(rows)), run.outcome(), run.statistics(), run.method()};
+}
+
+SpinHistory history(const std::variant<ElementTable, ElementSeries>& orbit,
+                    const PrecessionRates& rates, ArrayLike pole,
+                    Typed<"SaveAt | numpy.typing.ArrayLike"> times,
+                    Typed<"Adaptive | Splitting"> method, double epoch) {
+  const SaveAt at = save_at_of(times, "times");
+  if (at.size() == 0) throw nb::value_error("times: got none; expected one or more");
+  const SpinAxis start = spin_axis(vec3(pole, "pole"));
+  const Method by = method.is_none() ? Method(Adaptive{}) : method_of(method);
+  return std::visit(
+      [&](const auto& elements) { return history_on(elements, rates, start, epoch, at, by); },
+      orbit);
+}
+
+void bind_history(nb::module_& m) {
+  using R = SpinRow;
+  using H = SpinHistory;
+  nb::class_<H> c(m, "SpinHistory", R"(The spin axis of a planet over ages.
+
+Made by spin_history; columns (N,) are read-only views.)");
+  def_records<R>(
+      c, {{"t", [](const R& r) { return &r.t; }, "(N,): the times."},
+          {"s",
+           [](const R& r) { return &r.s.x; },
+           "(N, 3): unit vectors along the spin, reference axes.",
+           {3}},
+          {"obliquity", [](const R& r) { return &r.angles.obliquity; },
+           "(N,): angle from the normal of the orbit, rad."},
+          {"precession", [](const R& r) { return &r.angles.precession; },
+           "(N,): by how much the equinox has gone back in the orbit, rad, in (-pi, pi]; NaN at "
+           "obliquity 0 and pi."},
+          {"pericentre", [](const R& r) { return &r.angles.pericentre; },
+           "(N,): longitude of the pericentre from the moving equinox, rad."},
+          {"climatic_precession", [](const R& r) { return &r.angles.climatic_precession; },
+           "(N,): e sin(pericentre)."},
+          {"eccentricity", [](const R& r) { return &r.eccentricity; }, "(N,): of the orbit."}});
+  def_pickle(c, &H::outcome, &H::statistics, &H::method);
+  c.def_ro("outcome", &H::outcome, "How the run ended.")
+      .def_ro("statistics", &H::statistics, "What the run cost.")
+      .def_ro("method", &H::method, "In words.")
+      .def("__repr__", [](const H& h) {
+        return "<SpinHistory: " + counted(h.rows().size(), "sample") + "; " + h.method + ">";
+      });
+  m.def("spin_history", history, "orbit"_a, "rates"_a, "pole"_a, "times"_a, "method"_a = nb::none(),
+        "epoch"_a = 0.0,
+        R"(The spin axis of a planet on an orbit that changes over ages.
+
+Averaged over the rotation and over the orbit: ds/dt = (alpha(e) (s.n) - g) s x n.
+
+Parameters
+----------
+orbit : ElementTable or ElementSeries, along reference axes of any kind.
+rates : PrecessionRates, in the unit of time of the orbit.
+pole : (3,), at the epoch, along the reference axes; its length does not matter.
+times : SaveAt, or times (N,), away from the epoch in one direction.
+method : Adaptive, Splitting (fast: Splitting(10, "order8") in kyr); None: Adaptive().
+epoch : when the pole is where it is.
+
+Returns
+-------
+SpinHistory
+    Also of a run that could not go on, as beyond the end of a table, with a RuntimeWarning.
+
+Releases the GIL; Ctrl-C raises KeyboardInterrupt. (Laskar and Robutel 1993; Touma and Wisdom
+1993))");
+}
+
+}  // namespace
+
+void bind_secular(nb::module_& m) {
+  bind_orbits(m);
+  bind_rates(m);
+  bind_history(m);
+}
+
+}  // namespace polhode::python
