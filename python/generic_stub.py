@@ -3,7 +3,8 @@
 
 nanobind writes what a function takes and returns, but not how the one follows from the other. Here
 a class that has a shape gets a parameter, float or array; a function of states or of times `t`
-returns what it was given. Run by CMake on the stub that nanobind wrote: generic_stub.py FROM TO.
+returns what it was given; lists of floats are one vector, hence one state. Run by CMake on the stub
+that nanobind wrote: generic_stub.py FROM TO.
 """
 
 from __future__ import annotations
@@ -14,8 +15,13 @@ import sys
 
 ARRAY = "numpy.typing.NDArray[numpy.float64]"
 FLOATS = f"float | {ARRAY}"
+LABELS = "numpy.typing.NDArray[numpy.int32]"
 ARGUMENT = "numpy.typing.ArrayLike"
-HEADER = f"""from typing import Generic
+VECTOR = "Sequence[float]"
+# Properties that are states, where their class says whether it is one or many.
+PROPERTIES = {"initial_state": "float", "initial": "float", "s": "float", "states": ARRAY}
+HEADER = f"""from collections.abc import Sequence
+from typing import Any, Generic, overload
 from typing_extensions import TypeVar
 
 _Value = TypeVar("_Value", covariant=True, default={FLOATS})
@@ -45,7 +51,7 @@ class Signature:
         self.indent, self.name, arguments, self.returns, self.body = match.groups()
         self.arguments = split(arguments)
         self._states = states
-        types = [(i, *a.partition(": ")[::2]) for i, a in enumerate(self.arguments)]
+        types = self._types = [(i, *a.partition(": ")[::2]) for i, a in enumerate(self.arguments)]
         self.of_states = [i for i, _, said in types if said in states]
         self.of_times = [
             i for i, name, said in types if name == "t" and said.split(" = ")[0] == ARGUMENT
@@ -54,6 +60,11 @@ class Signature:
     def returns_as_given(self) -> bool:
         found = bool(self.of_states or self.of_times)
         return found and (self.returns in self._states or self.returns == FLOATS)
+
+    def of_vectors(self) -> bool:
+        """Makes states of nothing but vectors, whose type may say that each is one."""
+        found = any(said == ARGUMENT for _, _, said in self._types)
+        return found and self.returns in self._states and not (self.of_states or self.of_times)
 
     def text(self, value: str, given: str, time: str, ends: str = "") -> str:
         """That returns `value`, of states of `given` and times of type `time`."""
@@ -66,34 +77,42 @@ class Signature:
         head = f"{self.indent}def {self.name}({', '.join(arguments)})"
         return f"{head} -> {returns}:{ends or self.body or ''}"
 
-    def constructors(self, state: str, fields: set[str]) -> list[str]:
-        """Of a state whose `fields` are numbers: all floats, or else arrays."""
+    def constructors(self, state: str, fields: dict[str, str]) -> list[str]:
+        """Of a state with these `fields`: of one of each, or else of arrays. An array may still be
+        one vector."""
         rest = self.arguments[1:]
-        floats = [
-            a.replace(f": {ARGUMENT}", ": float") if a.partition(":")[0] in fields else a
-            for a in rest
-        ]
+        ones = []
+        for argument in rest:
+            name = argument.partition(":")[0]
+            if ARGUMENT in argument and name not in fields:
+                raise SystemExit(f"generic_stub.py: {state} has no field {name}")
+            ones.append(argument.replace(ARGUMENT, fields.get(name, "")))
         lines = []
-        for value, arguments in (("float", floats), (ARRAY, rest)):
+        many = FLOATS if VECTOR in fields.values() else ARRAY
+        for value, arguments in (("float", ones), (many, rest)):
             given = ", ".join([f"self: {state}[{value}]", *arguments])
             lines.append(f"{self.indent}def __init__({given}) -> None: ...")
         return lines
 
 
-def states_of(lines: list[str]) -> dict[str, set[str]]:
-    """The classes of states with their fields that are numbers; none where one is a vector, whose
-    type does not say whether it is one."""
-    found: dict[str, set[str]] = {}
-    name, numbers, vectors = "", set(), False
+def states_of(lines: list[str]) -> dict[str, dict[str, str]]:
+    """The classes of states: their fields, each with the type of one."""
+    found: dict[str, dict[str, str]] = {}
+    name, fields = "", {}
     for line in lines:
         if match := re.match(r"class (\w+)", line):
-            name, numbers, vectors = match.group(1), set(), False
+            name, fields = match.group(1), {}
         elif match := re.match(r"    def (\w+)\(self\) -> (.*):$", line):
-            if match.group(2) == FLOATS:
-                numbers.add(match.group(1))
-            vectors = vectors or match.group(2) == ARRAY
+            field, said = match.groups()
+            one, _, many = said.partition(" | ")
+            if said == FLOATS:
+                fields[field] = "float"
+            elif said == ARRAY:
+                fields[field] = VECTOR
+            elif many == LABELS:
+                fields[field] = "int" if one == "int" else f"{one} | int | str"
         elif line.startswith("    def reshape(self, shape: object)"):
-            found[name] = set() if vectors else numbers
+            found[name] = fields
     return found
 
 
@@ -109,10 +128,13 @@ def overloads(lines: list[str], result: list[str], rest: str) -> None:
 
 
 def generic(text: str) -> str:
-    lines = text.split("\n")
-    states = states_of(lines)
+    states = states_of(text.split("\n"))
     if not states:
         raise SystemExit("generic_stub.py: the stub has no class of states")
+    # A callable is called with one state.
+    any_state = "|".join(states)
+    lines = re.sub(rf"(Callable\[\[float, (?:{any_state}))\]", r"\1[float]]", text).split("\n")
+    properties = set(PROPERTIES)
     owner, result, imported = "", [], False
     for line in lines:
         if match := re.match(r"class (\w+)(.*):$", line):
@@ -129,7 +151,7 @@ def generic(text: str) -> str:
         signature = Signature(line, set(states))
         inside = owner in states and line.startswith("    ")
         if inside and signature.name == "__init__":
-            if states[owner]:
+            if signature.arguments[1:]:
                 *first, last = signature.constructors(owner, states[owner])
                 overloads(first, result, last)
             else:
@@ -140,10 +162,20 @@ def generic(text: str) -> str:
         elif signature.returns_as_given() and not signature.of_times:
             result.append(signature.text("_Value", "_Value", ARGUMENT))
         elif signature.returns_as_given():
-            of_one = signature.text("float", "float", "float", " ...")
+            # at one time a state stays what it is
+            value = "_Value" if signature.of_states else "float"
+            of_one = signature.text(value, value, "float", " ...")
             overloads([of_one], result, signature.text(ARRAY, "typing.Any", ARGUMENT))
+        elif signature.of_vectors():
+            head = f"{line.partition(' -> ')[0]} -> {signature.returns}[float]: ..."
+            overloads([head.replace(ARGUMENT, VECTOR)], result, line)
+        elif signature.name in PROPERTIES and signature.returns in states:
+            properties.discard(signature.name)
+            result.append(signature.text(PROPERTIES[signature.name], "", ""))
         else:
             result.append(line)
+    if properties:
+        raise SystemExit(f"generic_stub.py: no class has a state {', '.join(sorted(properties))}")
     return "\n".join(result).replace("typing.Any", "Any")
 
 

@@ -104,7 +104,7 @@ class Results(Mapping[str, "Array"]):
         }
 
     @property
-    def states(self) -> RotorState:
+    def states(self) -> RotorState[Array]:
         """The rows as a RotorState of shape (N,), along principal axes; needs groups q and g."""
         if "q" not in self._spans or "g" not in self._spans:
             raise AttributeError(

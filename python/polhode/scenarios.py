@@ -334,7 +334,7 @@ class Scenario:
         return self._file.system
 
     @property
-    def initial_state(self) -> RotorState:
+    def initial_state(self) -> RotorState[float]:
         """The state at t = 0 in the reference frame, along principal axes."""
         return self._file.initial_state
 

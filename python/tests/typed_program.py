@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a type checker knows of states (test_typing.py)."""
 
-from typing import Any
+from typing import Any, Union
 
 import numpy as np
 import polhode
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from typing_extensions import assert_type
 
 Array = NDArray[np.float64]
+Either = Union[float, Array]
 
 body = polhode.Body(1.0, 2.0, 2.5)
 state = polhode.rotor_state(body, [1, 0, 0, 0], [0.1, 0.2, 1.0])
@@ -19,6 +20,13 @@ times = np.linspace(0.0, 1.0, 5)
 assert_type(motion.at(1.0), polhode.RotorState[float])
 assert_type(motion.at(times), polhode.RotorState[Array])
 assert_type(motion.at([0.0, 1.0]), polhode.RotorState[Array])
+
+# lists of floats are one vector; an array may be one or many
+assert_type(polhode.rotor_state(body, [1, 0, 0, 0], [0.1, 0.2, 1.0]), polhode.RotorState[float])
+assert_type(polhode.to_andoyer(polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0])).l, float)
+assert_type(polhode.to_andoyer(polhode.RotorState([1, 0, 0, 0], np.ones((5, 3)))).l, Either)
+assert_type(polhode.euler_angles([0.5, 0.5, 0.5, 0.5]).phi, float)
+assert_type(polhode.TumblerState(3.0, 2.0, [0, 0, 1], "short_axis", 0.1, 0.2).phi0, float)
 
 # conversions keep what they were given
 one = polhode.to_andoyer(motion.at(1.0))
@@ -31,10 +39,22 @@ assert_type(polhode.to_sadov(motion, 2.0).phi_l, float)
 assert_type(polhode.kinetic_energy(body, motion.at(2.0)), float)
 assert_type(polhode.kinetic_energy(body, motion.at(times)), Array)
 
+# at one time a state stays what it is, at several it becomes as many
+system = polhode.System(body)
+either = polhode.RotorState(np.array([1.0, 0, 0, 0]), np.ones(3))
+assert_type(polhode.energy(system, 0.0, motion.at(1.0)), float)
+assert_type(polhode.energy(system, 0.0, motion.at(times)), Array)
+assert_type(polhode.energy(system, times, motion.at(1.0)), Array)
+assert_type(polhode.energy(system, 0.0, either), Either)
+assert_type(polhode.to_sadov(body, motion.at(1.0)).I_l, float)
+assert_type(polhode.to_serret(body, motion.at(times)).g0, Array)
+
 # so do constructors
 assert_type(polhode.AndoyerState(0.1, 0.2, 0.3, 0.5, 1, 0.6).L, float)
 assert_type(polhode.AndoyerState(times, 0.2, 0.3, 0.5, 1.0, 0.6).l, Array)
 assert_type(polhode.PoincareState(0.1, 0.2, 0.1, 1.0, 0.1, 0.1, "zero", "pi").sigma, float)
+
+assert_type(polhode.SadovState(0.1, 0.2, 0.3, 0.5, 1.0, 0.6, region=[0, 0]).phi_l, Array)
 
 # what an index leaves depends on the index
 assert_type(many[0].L, Any)
@@ -48,6 +68,20 @@ def length(of: polhode.AndoyerState[Array]) -> Array:
 def of_either(of: polhode.AndoyerState) -> None:
     """A bare state is one or many."""
 
+
+
+# a run's states are many; its initial state, and what a callable is called with, are one
+def rises(t: float, of: polhode.RotorState[float]) -> float:
+    assert_type(polhode.to_andoyer(of).l, float)
+    return polhode.to_andoyer(of).l - t
+
+
+problem = polhode.Problem(system, state, 0.0, 1.0, events=[polhode.Event("rises", rises)])
+run = polhode.integrate(problem, times)
+assert_type(polhode.to_andoyer(run.states).l, Array)
+assert_type(polhode.to_andoyer(run.at(0.5)).l, float)
+assert_type(polhode.to_andoyer(problem.initial).l, float)
+assert_type(polhode.to_andoyer(motion.initial_state).l, float)
 
 length(many)
 of_either(one)
