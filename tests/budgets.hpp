@@ -51,6 +51,11 @@ inline constexpr double secular_earth_constant = 0.02;   // arcsec/yr, published
 inline constexpr double secular_moon_constant = 0.4;  // arcsec/yr: 1 % of it, as is the mean orbit
 inline constexpr double secular_geodetic = 1e-4;      // arcsec/yr
 inline constexpr double secular_general = 1e-4;       // deg a century
+// The same in Python: 28 of Laskar's 160 terms against La2004, rad; methods and tables.
+inline constexpr double la2004_obliquity = 3.2e-3;
+inline constexpr double la2004_climatic = 6e-3;
+inline constexpr double spin_methods = 1e-10;
+inline constexpr double spin_length = 1e-15;
 
 // --- light and air on facets (tests/unit/perturb/surface.cpp) ---
 inline constexpr double surface_eps = 40.0;

@@ -47,7 +47,7 @@ PLANE = [
     (-19.123718, 0.00096140, 149.577002),
     (-2.985806, 0.00089461, 142.209681),
 ]
-# kyr before J2000: e, obliquity (rad), perihelion from the moving equinox (rad) (Laskar et al. 2004).
+# kyr from J2000: e, obliquity (rad), perihelion from the moving equinox (rad): Laskar et al. 2004.
 LA2004 = {
     0: (0.01670236225, 0.4090928042, 1.7962569912),
     -10: (0.01942460867, 0.4229058544, 5.1533728223),

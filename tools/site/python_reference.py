@@ -80,6 +80,15 @@ The exact motion without torque ([guide](../../guide/free-rotation.md),
             "rounding_sensitivity free_events GeneratingFunction generating_function",
         "Golden cases": "GoldenCase golden_cases write_golden",
     }),
+    Page("spin-axes", "Spin axes over ages", """\
+The direction of a planet's spin, averaged over its rotation and its orbit
+([guide](../../guide/obliquity.md)).
+""", {
+        "Orbits": "ElementTable ElementSeries",
+        "What turns the axis":
+            "PrecessionRates star_precession satellite_precession geodetic_precession",
+        "The motion": "spin_history SpinHistory",
+    }),
     Page("frames-and-orbits", "Frames and orbits", """\
 Where attitudes are counted from, and where the attracting body is. Any Python function of time
 that returns three numbers is an orbit wherever one is expected.

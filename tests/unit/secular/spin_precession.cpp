@@ -184,7 +184,7 @@ TEST(SpinPrecession, ARunGoesOnToTheLastBitFromACheckpoint) {
 TEST(SpinPrecession, MethodsThatDoNotKnowItAreRefused) {
   const SpinInOrbitAxes moving(earth_like(), earth_rates);  // has no frozen motion
   EXPECT_THAT(message_of([&] { moved(moving, tilted(0.4), 1.0, Splitting{1.0}); }),
-              HasSubstr("method of a spin axis seen from its orbit must be Adaptive or Splitting"));
+              HasSubstr("method of a spin axis seen from its orbit must be Adaptive: the others"));
   const SpinPrecession model(earth_like(), earth_rates);
   EXPECT_THAT(message_of([&] { moved(model, tilted(0.4), 1.0, VariationOfConstants{}); }),
               HasSubstr("must be Adaptive or Splitting"));
