@@ -7,7 +7,7 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from numpy.testing import assert_allclose
+from closeness import assert_allclose
 from polhode import ElementSeries, ElementTable, PrecessionRates, Splitting, spin_history
 
 DEG = np.pi / 180
