@@ -36,9 +36,6 @@ OwnExperiment made_own(const KindContext& at) {
   const std::optional<SaveAt> rows = times_of(at.values, at.name);
   if (!rows) refuse(at.values, "kind", at.name, "expected a table [time] as well");
   const Method method = method_of(at).value_or(Adaptive{});
-  if (method_of_any_state(method) == nullptr)
-    refuse(at.values, "method.kind", at.name,
-           "expected \"adaptive\", since kind \"" + path + "\" has a state of its own");
   const KeyValues table(at.values, at.units, path, at.name);
   return built(at.values, path, at.name,
                [&] { return kind->made(ExperimentContext(table, *rows, method)); });
@@ -67,5 +64,14 @@ MadeExperiment made_experiment(const KindContext& at) {
 }
 
 }  // namespace detail
+
+void ExperimentContext::require_method(bool is_frozen) const {
+  if (method_of_any_state(method_) != nullptr) return;
+  if (is_frozen && method_of_frozen_models(method_) != nullptr) return;
+  detail::refuse(values(), "method.kind", file(),
+                 std::string("expected \"adaptive\"") + (is_frozen ? " or \"splitting\"" : "") +
+                     ", since kind \"" + path() + "\" has a state of its own");
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -193,6 +193,12 @@ def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
         assert row[5] == pytest.approx(rows[0][5], rel=budgets.own_model)
         assert row[2]**2 + row[3]**2 + row[4]**2 == pytest.approx(1, rel=budgets.own_model)
     assert any(row[1] > 37 for row in rows)  # it is not the state of Cassini
+    split, out = tmp_path / "split.toml", tmp_path / "split.csv"
+    split.write_text(text.replace("[time]", "[method]\nkind = 'splitting'\nstep = 5\n"
+                                  "scheme = 'order8'\n[time]"))
+    assert "splitting order 8, step 5" in sh(program, "run", split, "--out", out)
+    for row, other in zip(rows, rows_of(out)[1], strict=True):
+        assert other == pytest.approx(row, rel=budgets.own_model, abs=budgets.own_model)
     info = sh(program, "info", scenario)
     assert "period of precession at this obliquity  71.4" in info and "colombos-top" in info
     cited = sh(program, "cite", scenario)
@@ -208,8 +214,9 @@ def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
         text.replace("[time]", "[map]\nkind = 'chaos'\n[[map.axis]]\n"
                      "key = 'colombos-top.obliquity'\nfrom = 1\nto = 2\ncount = 2\n[time]"):
             '12:1: map: kind: got "colombos-top"; expected "rotation"',
-        text.replace("[time]", "[method]\nkind = 'splitting'\nstep = 1\n[time]"):
-            '13:8: method.kind: got "splitting"; expected "adaptive", since kind "colombos-top"',
+        text.replace("[time]", "[method]\nkind = 'variation-of-constants'\n[time]"):
+            '13:8: method.kind: got "variation-of-constants"; expected "adaptive" or "splitting", '
+            'since kind "colombos-top"',
         text[:text.index("[time]")]: "expected a table [time] as well",
     }.items():
         (tmp_path / "wrong.toml").write_text(wrong)

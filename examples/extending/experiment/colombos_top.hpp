@@ -58,4 +58,13 @@ struct ColombosTop {
   double error_size(const Values& error, const Values&, const Values&) const {
     return std::hypot(error[0], error[1], error[2]);
   }
+  // While the orbit stands still the axis turns about its normal. With this, Splitting moves it
+  // too.
+  State frozen(const polhode::DoubleDouble& t, const State& axis, double h) const {
+    const polhode::Vec3 n = normal(t.hi), across = cross(n, axis.s);
+    const double angle = -alpha * dot(axis.s, n) * h;
+    const polhode::Vec3 s =
+        axis.s + std::sin(angle) * across + (1.0 - std::cos(angle)) * cross(n, across);
+    return {(1.0 / norm(s)) * s};
+  }
 };

@@ -44,6 +44,7 @@ OwnExperiment own_experiment(std::string kind, const ExperimentContext& at, Mode
   using S = typename M::State;
   if (of.columns.empty())
     throw DomainError("own_experiment: " + kind + ": got no columns; expected one or more");
+  at.require_method(FrozenModel<M>);
   const SaveAt& rows = at.rows();
   const BasicProblem<M> problem{std::move(of.model),   of.initial,  0.0,
                                 rows[rows.size() - 1], at.method(), std::move(of.events)};

@@ -34,6 +34,8 @@ class ExperimentContext : public KeyValues {
 
   const SaveAt& rows() const { return rows_; }      // of [time]
   const Method& method() const { return method_; }  // of [method]; Adaptive where there is none
+  // Refuses, at its place, a method that does not move the model; `is_frozen`: Splitting does.
+  void require_method(bool is_frozen) const;
 
  private:
   const SaveAt& rows_;
