@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """The package as a whole: what importing it costs and shows."""
 
+import dataclasses
 import pathlib
+import pprint
 import subprocess
 import sys
 
 import polhode
+import pytest
 
 
 def imported(statement):
@@ -36,6 +39,19 @@ def test_classes_say_that_they_are_of_polhode():
     assert {thing.__module__ for thing in classes} == {"polhode"}
 
 
+def test_values_are_dataclasses_to_those_who_ask():
+    given = polhode.KeplerElements(gm=1.0, pericentre=2.0, eccentricity=0.1)
+    assert dataclasses.is_dataclass(given)
+    assert [f.name for f in dataclasses.fields(given)][:3] == ["gm", "pericentre", "eccentricity"]
+    assert dataclasses.replace(given, eccentricity=0.2).eccentricity == 0.2
+    with pytest.raises(ValueError, match="eccentricity"):
+        dataclasses.replace(given, eccentricity=-1.0)
+    assert dataclasses.asdict(polhode.TidalBody(0.3, 0.01, 1.0)) == {
+        "k2": 0.3, "lag": 0.01, "radius": 1.0}
+    assert polhode.Splitting.__match_args__ == ("step", "scheme")
+    assert "KeplerElements(" in pprint.pformat(given)
+
+
 def test_the_stub_names_what_there_is():
     stub = (pathlib.Path(polhode.__file__).parent / "_core.pyi").read_text()
     compile(stub, "_core.pyi", "exec")
@@ -59,6 +75,7 @@ body = polhode.Body
 for name in [name for name in sys.modules if name.startswith("polhode")]:
     del sys.modules[name]
 import polhode
+import pytest
 assert polhode.Body is body
 print(polhode.Body(1, 1, 1))
 """

@@ -17,6 +17,16 @@ nb::tuple remade(nb::handle self, nb::handle arguments, const char* method) {
   return nb::make_tuple(call, nb::make_tuple(type));
 }
 
+void declare_fields(nb::handle type, const nb::tuple& names) {
+  type.attr("__match_args__") = names;
+  const nb::object plain =
+      nb::module_::import_("dataclasses")
+          .attr("make_dataclass")(type.attr("__name__"), names, "init"_a = false, "repr"_a = false,
+                                  "eq"_a = false);
+  for (const char* const part : {"__dataclass_fields__", "__dataclass_params__"})
+    type.attr(part) = plain.attr(part);
+}
+
 nb::tuple tuple_of(const Vec3& v) { return nb::make_tuple(v.x, v.y, v.z); }
 
 nb::tuple rows_of(const Mat3& m) {

@@ -25,6 +25,9 @@ std::string repr_text(nb::handle value);
 // What __reduce__ returns of `self`: its class, or a class method of it, with these arguments.
 nb::tuple remade(nb::handle self, nb::handle arguments, const char* method = "");
 
+// For match statements, and for dataclasses: fields, asdict, replace.
+void declare_fields(nb::handle type, const nb::tuple& names);
+
 nb::tuple tuple_of(const Vec3& v);
 nb::tuple rows_of(const Mat3& m);
 nb::tuple tuple_of(std::span<const double> numbers);
@@ -162,7 +165,7 @@ nb::class_<C> bind_made_value(nb::module_& m, const char* name, const char* doc,
   def_value(c, [=](const C& v) {
     return nb::make_tuple(Carried<typename Fields::template Member<C>>::argument(fields(v))...);
   });
-  c.attr("__match_args__") = nb::make_tuple(fields.name...);
+  declare_fields(c, nb::make_tuple(fields.name...));
   return c;
 }
 
