@@ -122,6 +122,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   add_golden(app);
   add_schema(app, kinds);
   add_shape(app);
+  add_spectrum(app);
   try {
     app.parse(argc, argv);
     return 0;

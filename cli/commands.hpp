@@ -21,6 +21,7 @@ void add_golden(CLI::App& app);
 void add_map(CLI::App& app, const Kinds& kinds);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
+void add_spectrum(CLI::App& app);
 
 // "polhode run": the name of the program, and that of its subcommand.
 std::string full_name(const CLI::App& command);

@@ -21,7 +21,7 @@ VECTOR = "Sequence[float]"
 # Properties that are states, where their class says whether it is one or many.
 PROPERTIES = {"initial_state": "float", "initial": "float", "s": "float", "states": ARRAY}
 HEADER = f"""from collections.abc import Sequence
-from typing import Any, Generic, overload
+from typing import Any, ClassVar, Generic, overload
 from typing_extensions import TypeVar
 
 _Value = TypeVar("_Value", covariant=True, default={FLOATS})
@@ -133,6 +133,9 @@ def generic(text: str) -> str:
         raise SystemExit("generic_stub.py: the stub has no class of states")
     # A callable is called with one state.
     any_state = "|".join(states)
+    # mypy takes a class for a dataclass where the table of its fields belongs to the class.
+    text = re.sub(r"__dataclass_fields__: dict\b.*", "__dataclass_fields__: "
+                  "ClassVar[dict[str, dataclasses.Field[Any]]] = ...", text)
     lines = re.sub(rf"(Callable\[\[float, (?:{any_state}))\]", r"\1[float]]", text).split("\n")
     properties = set(PROPERTIES)
     owner, result, imported = "", [], False

@@ -51,6 +51,24 @@ inline constexpr double secular_earth_constant = 0.02;   // arcsec/yr, published
 inline constexpr double secular_moon_constant = 0.4;  // arcsec/yr: 1 % of it, as is the mean orbit
 inline constexpr double secular_geodetic = 1e-4;      // arcsec/yr
 inline constexpr double secular_general = 1e-4;       // deg a century
+// Orbits that the library brings along, against La2004 (tests/unit/secular/shipped_orbit.cpp):
+// chaotic, and so worse with every million years.
+inline constexpr double shipped_orbit_recent = 1e-4;   // of e, over 1 Myr
+inline constexpr double shipped_orbit_5_myr = 1e-3;    // of e
+inline constexpr double shipped_orbit_100_kyr = 3e-3;  // deg of obliquity, no tides
+inline constexpr double shipped_orbit_1_myr = 0.02;    // deg of obliquity, with the tidal drift
+inline constexpr double planet_obliquity = 5e-3;       // deg: published to 0.01
+inline constexpr double planet_rate = 0.01;            // arcsec/yr of 7.6: the spread of sources
+inline constexpr double insolation_mean = 1e-5;        // of sums over 4000 moments of a day
+inline constexpr double insolation_flux = 1e-9;        // of sums over the sphere and the year
+// Leading frequencies (tests/unit/analysis/spectrum.cpp): rad per sample, relative, rad.
+inline constexpr double spectrum_frequency = 1.5e-14;  // 3e-12 arcsec/yr of samples of 1 kyr
+inline constexpr double spectrum_amplitude = 1e-9;
+inline constexpr double spectrum_phase = 1e-9;
+inline constexpr double spectrum_python = 1e-12;  // rad per unit of time
+inline constexpr double spectrum_cli = 1e-13;     // rad per kyr
+inline constexpr double spin_axes_deg = 1e-9;     // files, where the closed form is known
+inline constexpr double spectrum_noise = 5.0;     // errors found, in those told
 // The same in Python: 28 of Laskar's 160 terms against La2004, rad; methods and tables.
 inline constexpr double la2004_obliquity = 3.2e-3;
 inline constexpr double la2004_climatic = 6e-3;

@@ -50,6 +50,7 @@ TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 THIRD_PARTY = {
     "rotor": r"Eigen/",
     "perturb": r"Eigen/",
+    "analysis": r"(unsupported/)?Eigen/",
     "ephemeris": r"erfa\.h",
     "ensemble": r"tbb/",
     "text": r"udunits2\.h",

@@ -35,6 +35,7 @@ void bind_everything(nb::module_& m) {
   bind_analysis(m);
   bind_section(m);
   bind_secular(m);
+  bind_spectrum(m);
   bind_io(m);
 }
 

@@ -179,9 +179,17 @@ OF_CALL = {
     "ElementTable.__init__": {"times": TIMES},
     "ElementSeries.__init__": {name: [[0.1, 0.2, 0.3]] for name in ("ellipse", "plane")},
     "spin_history": {"pole": VECTOR, "times": [0.5, 1.0]},
+    "shipped_orbit": {"name": "mars"},
+    "planet_rates": {"name": "mars"},
+    "planet_pole": {"name": "mars"},
+    "spectrum": {"values": np.cos(0.7 * np.arange(100.0)), "lines": 2},
     "satellite_precession": {"eccentricity": 0.1},
     "chaos_indicator": {"distance": 1e-6, "deviation": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]},
 }
+
+
+# What takes complex numbers as well.
+OF_COMPLEX_NUMBERS = {"spectrum"}
 
 
 def _classes(annotation):

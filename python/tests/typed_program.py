@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a type checker knows of states (test_typing.py)."""
 
+import dataclasses
 from typing import Any, Union
 
 import numpy as np
@@ -86,3 +87,6 @@ assert_type(polhode.to_andoyer(motion.initial_state).l, float)
 length(many)
 of_either(one)
 of_either(many)
+
+# small values are dataclasses to those who ask
+assert_type(dataclasses.replace(polhode.Adaptive(), tolerance=1e-9), polhode.Adaptive)

@@ -104,6 +104,29 @@ constexpr Paper papers[] = {
      "Cincotta, P. M., Simo, C. (2000). Simple tools to study global dynamics in non-axisymmetric "
      "galactic potentials - I. Astronomy and Astrophysics Supplement Series 147, 205-228.",
      "MEGNO", "chaos"},
+    {"laskar1993",
+     "Laskar, J., Robutel, P. (1993). The chaotic obliquity of the planets. Nature 361, 608-612.",
+     "the mean motion of the spin axis", "obliquity"},
+    {"touma1993",
+     "Touma, J., Wisdom, J. (1993). The chaotic obliquity of Mars. Science 259, 1294-1297.",
+     "the same in inertial axes", "obliquity"},
+    {"archinal2018",
+     "Archinal, B. A., et al. (2018). Report of the IAU working group on cartographic coordinates "
+     "and rotational elements: 2015. Celestial Mechanics and Dynamical Astronomy 130, 22.",
+     "the pole of the planet", "planet pole"},
+    {"zeebe2022",
+     "Zeebe, R. E., Lourens, L. J. (2022). A deep-time dating tool for paleo-applications "
+     "utilizing obliquity and precession cycles. Paleoceanography and Paleoclimatology 37, "
+     "e2021PA004349.",
+     "the precession constant of the Earth", "spin of earth"},
+    {"konopliv2016",
+     "Konopliv, A. S., Park, R. S., Folkner, W. M. (2016). An improved JPL Mars gravity field and "
+     "orientation from Mars orbiter and lander tracking data. Icarus 274, 253-260.",
+     "the precession constant of Mars", "spin of mars"},
+    {"berger1978",
+     "Berger, A. (1978). Long-term variations of daily insolation and Quaternary climatic changes. "
+     "Journal of the Atmospheric Sciences 35, 2362-2367.",
+     "insolation", "insolation"},
     of_kind("mignard1979"),
     of_kind("hut1981"),
     of_kind("burns1973"),
@@ -151,6 +174,10 @@ std::vector<Citation> citations_of(const Rotation& rotation, const Kinds& kinds)
   for (const ScenarioOrbit& orbit : rotation.orbits)
     if (const OrbitKind* const kind = kinds.orbit(orbit.kind)) add_each_once(all, kind->citations);
   return all;
+}
+std::vector<Citation> citations_of(const Obliquity& of, const Kinds& kinds) {
+  const OrbitKind* const kind = kinds.orbit(of.orbit_kind);
+  return kind != nullptr ? kind->citations : std::vector<Citation>();
 }
 std::vector<Citation> citations_of(const OwnExperiment& own, const Kinds& kinds) {
   const ExperimentKind* const kind = kinds.experiment(own.kind);

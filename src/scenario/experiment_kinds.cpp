@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/detail/experiment_kinds.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "scenario/detail/obliquity_kind.hpp"
 #include "scenario/detail/rotation_kind.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
@@ -23,6 +25,20 @@ MadeExperiment made_rotation_of(const KindContext& of) {
                   .rotation);
         };
       }};
+}
+
+// The orbit, most of the work, is made again only where a number of its table changes.
+MadeExperiment made_obliquity_of(const KindContext& of) {
+  const auto base = std::make_shared<const Obliquity>(made_obliquity(of));
+  return {*base, [base](const KindContext& at, const std::vector<std::string>& changed) -> Remake {
+            const bool keeps_orbit =
+                std::none_of(changed.begin(), changed.end(),
+                             [](const std::string& path) { return path.starts_with("orbit."); });
+            return [at, kept = keeps_orbit ? base : nullptr](const Values& values) {
+              return Experiment(
+                  made_obliquity({values, at.units, at.kinds, at.output, at.name}, kept.get()));
+            };
+          }};
 }
 
 OwnExperiment made_own(const KindContext& at) {
@@ -49,6 +65,11 @@ ExperimentRow rotation_row(const DescribedParts& described) {
            described.perturbations, surface_keys(), described.methods, event_keys(), time_keys()}};
 }
 
+ExperimentRow obliquity_row(const DescribedParts& described) {
+  return {"obliquity",
+          {planet_keys(), orbit_keys(), described.orbits, described.methods, time_keys()}};
+}
+
 ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
                      const DescribedParts& described) {
   return {kind.name, {own, described.methods, time_keys()}};
@@ -56,6 +77,7 @@ ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
 
 MadeExperiment made_experiment(const KindContext& at) {
   if (word(at.values, "kind") == "rotation") return made_rotation_of(at);
+  if (word(at.values, "kind") == "obliquity") return made_obliquity_of(at);
   return {made_own(at), [](const KindContext& of, const std::vector<std::string>&) {
             return Remake([of](const Values& values) {
               return Experiment(made_own({values, of.units, of.kinds, of.output, of.name}));

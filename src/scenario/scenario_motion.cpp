@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "output/obliquity_columns.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -28,6 +29,18 @@ void check_step(const Rotation& rotation, const Values& values, const std::strin
   if (farthest > most_steps * *step)
     refuse(values, has(values, "method.step") ? "method.step" : "method.kind", name,
            "expected a step of which 1e15 at most make the run");
+}
+
+// The word is known, but to another kind of file.
+void check_columns(const OutputPlan& output, const Values& values, const std::string& name) {
+  const std::vector<std::string_view> ours = column_group_names(), of_spin = spin_column_groups();
+  const auto is_in = [](const std::vector<std::string_view>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  for (const std::string& column : output.columns)
+    if (is_in(of_spin, column) && !is_in(ours, column))
+      refuse(values, "output.columns", name,
+             "expected columns of a rotation: " + column + " is one of kind = \"obliquity\"");
 }
 
 bool is_energy_there(const Rotation& rotation) { return rotor_system(rotation).has_energy(); }
@@ -96,7 +109,7 @@ std::optional<Method> method_of(const KindContext& at) {
   });
 }
 
-std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
+std::optional<SaveAt> times_of(const Values& values, const std::string& name, bool any_sign) {
   if (!has(values, "time")) return std::nullopt;
   const double start = number(values, "time.start");
   if (has(values, "time.at")) {
@@ -109,7 +122,8 @@ std::optional<SaveAt> times_of(const Values& values, const std::string& name) {
   const double stop = number(values, "time.stop");
   if (has(values, "time.step"))
     return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
-      return SaveAt::steps(start, stop, number(values, "time.step"));
+      const double step = number(values, "time.step");
+      return SaveAt::steps(start, stop, any_sign ? std::copysign(step, stop - start) : step);
     });
   return built(values, "time.count", name, [&]() -> std::optional<SaveAt> {
     return SaveAt::count(start, stop, value_at(values, "time.count").whole);
@@ -173,6 +187,7 @@ void check_motion(const Rotation& rotation, const OutputPlan& output, const Valu
   check_times(rotation, values, name);
   check_step(rotation, values, name);
   check_damper(rotation, output, values, name);
+  check_columns(output, values, name);
   if (rotation.method && method_traits(*rotation.method).needs_flows)
     for (const AnyPerturbation& term : rotation.terms)
       if (!term.supports_flow())

@@ -46,7 +46,9 @@ const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const
                                  const std::string& path, const std::string& name);
 Crossing crossing_of(const std::string& word);
 std::optional<Method> method_of(const KindContext& at);
-std::optional<SaveAt> times_of(const Values& values, const std::string& name);
+// A step is one from start towards stop; `any_sign`: whatever its sign is.
+std::optional<SaveAt> times_of(const Values& values, const std::string& name,
+                               bool any_sign = false);
 std::vector<ScenarioEvent> events_of(const KindContext& at);
 // Of the formats that have a table [output.NAME].
 FormatOptions format_options_of(const Values& values, const OutputFormats& formats,

@@ -87,6 +87,8 @@ double detail::initial_energy(const DampedProblem& problem) {
 const Rotation& detail::rotation_of(const Experiment& experiment) {
   if (const auto* own = std::get_if<OwnExperiment>(&experiment))
     throw DomainError("kind: got \"" + own->kind + "\"; expected \"rotation\"");
+  if (std::holds_alternative<Obliquity>(experiment))
+    throw DomainError("kind: got \"obliquity\"; expected \"rotation\"");
   return std::get<Rotation>(experiment);
 }
 

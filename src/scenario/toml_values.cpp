@@ -222,6 +222,7 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
     case KeyType::choices:
       return read_words(key, node, value);
     case KeyType::columns:
+    case KeyType::units:
       return read_columns(node, value);
     default:
       return read_text(key, node, value);

@@ -21,14 +21,17 @@ void require_rows(const std::vector<double>& times, std::span<const OrbitElement
                       std::to_string(rows.size()) + " rows; expected as many of each");
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const OrbitElements& o = rows[k];
-    if (!std::isfinite(times[k])) refuse_row(k, "got a time that is not finite");
+    if (!std::isfinite(times[k]))
+      refuse_row(k, "got time " + detail::number_text(times[k]) + "; expected a finite one");
     if (k > 0 && !(times[k] > times[k - 1]))
       refuse_row(k, "got time " + detail::number_text(times[k]) + " after " +
                         detail::number_text(times[k - 1]) + "; expected rising times");
     if (!(eccentricity(o) < 1.0))
       refuse_row(k, "got eccentricity " + detail::number_text(eccentricity(o)) +
                         "; expected 0 to below 1");
-    if (!(o.q * o.q + o.p * o.p < 1.0)) refuse_row(k, "got no inclination below 180 degrees");
+    if (!(o.q * o.q + o.p * o.p < 1.0))
+      refuse_row(k, "got q^2 + p^2 = " + detail::number_text(o.q * o.q + o.p * o.p) +
+                        "; expected below 1, an inclination below 180 degrees");
   }
 }
 
@@ -52,9 +55,31 @@ OrbitElements orbit_elements(double eccentricity, double inclination, double nod
   if (!(eccentricity >= 0.0 && eccentricity < 1.0))
     throw DomainError("orbit_elements: got eccentricity " + detail::number_text(eccentricity) +
                       "; expected 0 to below 1");
+  if (!(inclination >= 0.0 && inclination < pi<double>()))
+    throw DomainError("orbit_elements: got inclination " + detail::number_text(inclination) +
+                      "; expected 0 to below pi, in rad");
+  if (!std::isfinite(node) || !std::isfinite(argument))
+    throw DomainError("orbit_elements: got node " + detail::number_text(node) + " and argument " +
+                      detail::number_text(argument) + "; expected finite angles");
   const double varpi = node + argument, s = std::sin(0.5 * inclination);
   return {eccentricity * std::cos(varpi), eccentricity * std::sin(varpi), s * std::cos(node),
           s * std::sin(node)};
+}
+
+OrbitElements orbit_elements(const Vec3& normal, const Vec3& pericentre) {
+  if (!(std::fabs(norm(normal) - 1.0) < 1e-9) || !(normal.z > -1.0))
+    throw DomainError("orbit_elements: got a normal that is no unit vector, or opposite to axis 3");
+  const double c = std::sqrt(2.0 * (1.0 + normal.z));
+  OrbitElements o{0.0, 0.0, -normal.y / c, normal.x / c};
+  const Vec3 e = rotate(conj(equinoctial_attitude(o)), pericentre);
+  o.k = e.x;
+  o.h = e.y;
+  return o;
+}
+
+OrbitElements turned(const OrbitElements& o, const Quaternion& q) {
+  return orbit_elements(rotate(q, orbit_normal(o)),
+                        rotate(q * equinoctial_attitude(o), Vec3{o.k, o.h, 0.0}));
 }
 
 Vec3 orbit_normal(const OrbitPlane& o) {
@@ -79,7 +104,13 @@ ElementSeries::ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<Series
     : ellipse_(std::move(ellipse)), plane_(std::move(plane)) {
   for (const std::vector<SeriesTerm>* const terms : {&ellipse_, &plane_}) {
     double most = 0.0;
-    for (const SeriesTerm& term : *terms) most += std::abs(term.amplitude);
+    for (const SeriesTerm& term : *terms) {
+      if (!std::isfinite(term.frequency) || !std::isfinite(term.phase))
+        throw DomainError("ElementSeries: got frequency " + detail::number_text(term.frequency) +
+                          " and phase " + detail::number_text(term.phase) +
+                          "; expected finite ones");
+      most += std::abs(term.amplitude);
+    }
     if (!(most < 1.0))
       throw DomainError("ElementSeries: got amplitudes that add up to " +
                         detail::number_text(most) +

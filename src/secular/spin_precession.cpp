@@ -15,18 +15,36 @@ void require_positive(const char* what, double x) {
     throw DomainError(std::string(what) + " " + detail::number_text(x) + " must be positive");
 }
 
+void require_spin(const char* of, double ellipticity, double spin_rate) {
+  if (spin_rate == 0.0 || !std::isfinite(spin_rate) || !std::isfinite(ellipticity))
+    throw DomainError(std::string(of) + ": got ellipticity " + detail::number_text(ellipticity) +
+                      " and spin_rate " + detail::number_text(spin_rate) +
+                      "; expected finite numbers, the rate other than 0");
+}
+
+double precession_on_a_circle(double ellipticity, double spin_rate, double gm, double a) {
+  return 1.5 * gm / (a * a * a) * ellipticity / spin_rate;
+}
+
 }  // namespace
 
 double star_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis) {
   require_positive("star_precession: gm", gm);
   require_positive("star_precession: semi_major_axis", semi_major_axis);
-  return 1.5 * gm / (semi_major_axis * semi_major_axis * semi_major_axis) * ellipticity / spin_rate;
+  require_spin("star_precession", ellipticity, spin_rate);
+  return precession_on_a_circle(ellipticity, spin_rate, gm, semi_major_axis);
 }
 
 double satellite_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis,
                             double eccentricity, double inclination) {
+  require_positive("satellite_precession: gm", gm);
+  require_positive("satellite_precession: semi_major_axis", semi_major_axis);
+  require_spin("satellite_precession", ellipticity, spin_rate);
+  if (!(eccentricity >= 0.0 && eccentricity < 1.0))
+    throw DomainError("satellite_precession: got eccentricity " +
+                      detail::number_text(eccentricity) + "; expected 0 to below 1");
   const double r = 1.0 / (1.0 - eccentricity * eccentricity), s = std::sin(inclination);
-  return star_precession(ellipticity, spin_rate, gm, semi_major_axis) * r * std::sqrt(r) *
+  return precession_on_a_circle(ellipticity, spin_rate, gm, semi_major_axis) * r * std::sqrt(r) *
          (1.0 - 1.5 * s * s);
 }
 

@@ -322,6 +322,7 @@ constexpr DimensionSpec dimensions_table[] = {
      .moment = 1,
      .time = -1,
      .radians = 1},
+    {.dimension = Dimension::growth, .name = "a rate of change", .time = -1},
 };
 
 const DimensionSpec& spec_of(Dimension dimension) {

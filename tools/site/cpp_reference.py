@@ -22,7 +22,7 @@ LAYERS = {
     "system": "A body, a frame and terms: rates, energies, both angular velocities, osculation.",
     "dynamics": "Integration of a system: problem, methods, events.",
     "secular": "What is averaged over rotation and orbit.",
-    "analysis": "What a run shows: how chaotic it is.",
+    "analysis": "What a run shows: how chaotic it is, and of which lines it is made.",
     "ensemble": "Many runs at once, on the processors of one machine.",
     "trajectory": "What a run leaves: samples, events, outcome.",
     "text": "Units, dates and words (`polhode::io`, as the next four).",

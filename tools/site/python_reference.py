@@ -84,10 +84,13 @@ The exact motion without torque ([guide](../../guide/free-rotation.md),
 The direction of a planet's spin, averaged over its rotation and its orbit
 ([guide](../../guide/obliquity.md)).
 """, {
-        "Orbits": "ElementTable ElementSeries",
+        "Orbits": "ElementTable ElementSeries shipped_orbit",
         "What turns the axis":
-            "PrecessionRates star_precession satellite_precession geodetic_precession",
+            "PrecessionRates star_precession satellite_precession geodetic_precession "
+            "planet_rates planet_pole",
         "The motion": "spin_history SpinHistory",
+        "Climates": "daily_insolation",
+        "Frequencies": "spectrum Spectrum",
     }),
     Page("frames-and-orbits", "Frames and orbits", """\
 Where attitudes are counted from, and where the attracting body is. Any Python function of time

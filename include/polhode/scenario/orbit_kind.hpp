@@ -24,6 +24,7 @@
 #include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/rotation.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "polhode/secular/orbit_history.hpp"
 #include "polhode/text/citation.hpp"
 
 namespace polhode {
@@ -60,6 +61,12 @@ class OrbitContext : public KeyValues {
   OrbitUses& uses_;
 };
 
+// Elements over ages, without positions: what the kind "obliquity" moves on.
+struct ScenarioHistory {
+  OrbitHistory elements;
+  std::string text;  // "elements mars.csv, 5001 rows"
+};
+
 // Texts are constant data: they outlive every kind.
 struct OrbitKind {
   std::string_view name;                 // "kepler"
@@ -67,8 +74,9 @@ struct OrbitKind {
   std::vector<Key> keys;                 // paths are their own names
   std::string_view sets = {};            // exactly one of "times|file" is there; empty: none such
   std::vector<Citation> citations = {};  // what it rests on
-  // Without name and kind, which are those of the file.
-  std::function<ScenarioOrbit(const OrbitContext&)> made;
+  // One of them. Without name and kind, which are those of the file.
+  std::function<ScenarioOrbit(const OrbitContext&)> made = {};
+  std::function<ScenarioHistory(const OrbitContext&)> history = {};
 };
 
 // A kind whose arguments are a plain struct A, filled by its keys.

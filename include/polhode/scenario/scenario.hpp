@@ -5,8 +5,8 @@
 //
 // Equations   none of its own.
 // Units       numbers are in core units (polhode/text/units.hpp).
-// Domain      schema 1; kind "rotation", which is what a file without the key describes, or
-//             one from outside (polhode/scenario/experiment_kind.hpp).
+// Domain      schema 1; kind "rotation", which is what a file without the key describes,
+//             "obliquity", or one from outside (polhode/scenario/experiment_kind.hpp).
 // Accuracy    as polhode/scenario/document.hpp and rotation.hpp.
 // Errors      ScenarioError (polhode/scenario/document.hpp). What a chart or body refuses is
 //             reported there too.
@@ -22,6 +22,7 @@
 #include "polhode/scenario/document.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
+#include "polhode/scenario/obliquity.hpp"
 #include "polhode/scenario/own_experiment.hpp"
 #include "polhode/scenario/rotation.hpp"
 
@@ -29,7 +30,7 @@ namespace polhode {
 inline namespace v0 {
 
 // One struct for each kind.
-using Experiment = std::variant<Rotation, OwnExperiment>;
+using Experiment = std::variant<Rotation, Obliquity, OwnExperiment>;
 
 struct Scenario {
   Document document;

@@ -45,6 +45,11 @@ struct OrbitPlane {
 
 inline double eccentricity(const OrbitElements& o) { return std::sqrt(o.k * o.k + o.h * o.h); }
 
+// Of the orbit with this unit normal and this vector of length e towards the pericentre.
+OrbitElements orbit_elements(const Vec3& normal, const Vec3& pericentre);
+// Along other axes: q turns vectors from those of the elements to them.
+OrbitElements turned(const OrbitElements& o, const Quaternion& q);
+
 // From the equinoctial axes to those of reference.
 template <class T>
 BasicQuaternion<T> equinoctial_attitude(const BasicOrbitElements<T>& o) {

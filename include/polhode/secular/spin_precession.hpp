@@ -14,7 +14,7 @@
 // Domain      orbits that change slowly against the rotation and the year.
 // Accuracy    that of the method. Splitting keeps |s| = 1 to rounding: frozen motion is a turn
 //             about n. Budgets secular_*.
-// Errors      DomainError for an axis without direction.
+// Errors      DomainError for an axis without direction, and for physical data out of range.
 // Cost        100 ns for a turn with a table of elements.
 #pragma once
 

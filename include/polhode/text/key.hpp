@@ -35,6 +35,7 @@ enum class KeyType {
   choices,     // an array of words of a list, none twice
   epoch,       // "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB"
   columns,     // an array of column names of a data file, or of their numbers
+  units,       // an array of units
 };
 
 enum class Presence {

@@ -47,7 +47,8 @@ enum class Dimension {
   magnetic_tensor,  // a torque per angular rate and field squared
   moment3,          // a mass times a length cubed
   moment4,          // a mass times the fourth power of a length
-  root_momentum     // the square root of a momentum, with units like sqrt(kg m2/s)
+  root_momentum,    // the square root of a momentum, with units like sqrt(kg m2/s)
+  growth            // of a pure number, per time
 };
 
 // "a time", "an angular rate", ...: for messages and documents.

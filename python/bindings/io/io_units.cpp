@@ -67,7 +67,8 @@ void bind_dimension(nb::module_& m) {
       .value("magnetic_tensor", Dimension::magnetic_tensor)
       .value("moment3", Dimension::moment3)
       .value("moment4", Dimension::moment4)
-      .value("root_momentum", Dimension::root_momentum);
+      .value("root_momentum", Dimension::root_momentum)
+      .value("growth", Dimension::growth);
 }
 
 nb::tuple names_of_units(const Units& u) {

@@ -5,6 +5,9 @@
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/secular/insolation.hpp"
+#include "polhode/secular/planet.hpp"
+#include "polhode/secular/shipped_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 
 namespace polhode::python {
@@ -23,7 +26,11 @@ ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle n
   std::vector<OrbitElements> rows;
   for (std::size_t k = 0; k < shape[0]; ++k) {
     at.push_back(in[0][k]);
-    rows.push_back(orbit_elements(in[1][k], in[2][k], in[3][k], in[4][k]));
+    try {
+      rows.push_back(orbit_elements(in[1][k], in[2][k], in[3][k], in[4][k]));
+    } catch (const DomainError& error) {
+      throw DomainError("ElementTable: row " + std::to_string(k) + ": " + error.what());
+    }
   }
   return {std::move(at), rows, order};
 }
@@ -31,7 +38,9 @@ ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle n
 std::vector<SeriesTerm> terms_of(nb::handle rows, const char* name) {
   const Numbers numbers(rows, name, {3});
   if (numbers.shape().size() > 1)
-    throw nb::value_error((std::string(name) + ": expected the shape (n, 3)").c_str());
+    throw nb::value_error((std::string(name) + ": got shape " + text_of(numbers.shape()) +
+                           " of rows; expected the shape (n, 3)")
+                              .c_str());
   std::vector<SeriesTerm> terms;
   for (std::size_t k = 0; k < size_of(numbers.shape()); ++k)
     terms.push_back({numbers.at(k)[0], numbers.at(k)[1], numbers.at(k)[2]});
@@ -53,8 +62,8 @@ order : of the interpolation, as of a TableOrbit; 0: 10.
 ValueError names the row of elements of no ellipse, and times that do not rise.)")
       .def(
           "__init__",
-          [](ElementTable* self, ArrayLike times, ArrayLike e, ArrayLike i, ArrayLike node,
-             ArrayLike argument,
+          [](ElementTable* self, const ArrayLike& times, const ArrayLike& e, const ArrayLike& i,
+             const ArrayLike& node, const ArrayLike& argument,
              int order) { new (self) ElementTable(table_of(times, e, i, node, argument, order)); },
           "times"_a, "eccentricity"_a, "inclination"_a, "node"_a, "argument"_a, "order"_a = 0)
       .def_prop_ro("first_time", &ElementTable::first_time, "Where the table begins.")
@@ -74,7 +83,7 @@ ellipse, plane : (n, 3), rows of frequency nu (rad per time), amplitude A, phase
 ValueError where the amplitudes of one add up to 1 or more.)")
       .def(
           "__init__",
-          [](ElementSeries* self, ArrayLike ellipse, ArrayLike plane) {
+          [](ElementSeries* self, const ArrayLike& ellipse, const ArrayLike& plane) {
             new (self) ElementSeries(terms_of(ellipse, "ellipse"), terms_of(plane, "plane"));
           },
           "ellipse"_a, "plane"_a)
@@ -141,12 +150,28 @@ SpinHistory history_on(const Elements& orbit, const PrecessionRates& rates, cons
   return {Records(std::move(rows)), run.outcome(), run.statistics(), run.method()};
 }
 
+// Rows on the other side of the epoch would not be met.
+void require_one_side(const SaveAt& times, double epoch) {
+  const double last = times[times.size() - 1];
+  for (std::int64_t k = 0; k < times.size(); ++k)
+    if ((last - epoch) * (times[k] - epoch) < 0.0)
+      throw nb::value_error(("times: got " + number_text(times[k]) + " and " + number_text(last) +
+                             ", on two sides of the epoch " + number_text(epoch) +
+                             "; expected times on one side of it")
+                                .c_str());
+}
+
 SpinHistory history(const std::variant<ElementTable, ElementSeries>& orbit,
-                    const PrecessionRates& rates, ArrayLike pole,
-                    Typed<"SaveAt | numpy.typing.ArrayLike"> times,
-                    Typed<"Adaptive | Splitting"> method, double epoch) {
+                    const PrecessionRates& rates, const ArrayLike& pole,
+                    const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
+                    const Typed<"Adaptive | Splitting">& method, double epoch) {
   const SaveAt at = save_at_of(times, "times");
   if (at.size() == 0) throw nb::value_error("times: got none; expected one or more");
+  require_one_side(at, epoch);
+  for (const double rate : {rates.star, rates.satellites, rates.geodetic, rates.drift})
+    if (!std::isfinite(rate))
+      throw nb::value_error(
+          ("rates: got " + number_text(rate) + "; expected finite rates").c_str());
   const SpinAxis start = spin_axis(vec3(pole, "pole"));
   const Method by = method.is_none() ? Method(Adaptive{}) : method_of(method);
   return std::visit(
@@ -207,12 +232,73 @@ Releases the GIL; Ctrl-C raises KeyboardInterrupt. (Laskar and Robutel 1993; Tou
 1993))");
 }
 
+// ra and dec of the equator of J2000, along ecliptic-J2000.
+FloatArray pole_of(const std::string& name) {
+  const PlanetSpin& of = known_planet(name);
+  Result pole({}, {3});
+  const Vec3 s = planet_pole(of);
+  for (int i = 0; i < 3; ++i) pole.at(0)[i] = s[i];
+  return pole.take();
+}
+
+FloatArray insolation(const ArrayLike& obliquity, const ArrayLike& pericentre,
+                      const ArrayLike& eccentricity, const ArrayLike& latitude,
+                      const ArrayLike& longitude, const ArrayLike& flux) {
+  Numbers in[] = {Numbers(obliquity, "obliquity"),       Numbers(pericentre, "pericentre"),
+                  Numbers(eccentricity, "eccentricity"), Numbers(latitude, "latitude"),
+                  Numbers(longitude, "longitude"),       Numbers(flux, "flux")};
+  const Shape shape = broadcast(in);
+  Result result(shape, {});
+  for_each(size_of(shape), [&](std::size_t k) {
+    const SpinAngles angles{in[0][k], 0.0, in[1][k], 0.0};
+    *result.at(k) = daily_insolation(angles, in[2][k], {in[3][k], in[4][k], in[5][k]});
+  });
+  return result.take();
+}
+
+void bind_planets(nb::module_& m) {
+  m.def(
+      "shipped_orbit",
+      [](const std::string& name, double year) { return shipped_orbit(name, year); }, "name"_a,
+      "year"_a = 1.0,
+      R"(The orbit of the Earth or Mars over 20 million years on either side of J2000.
+
+From an integration of the planets with REBOUND; the Earth stands for its barycentre with the Moon.
+Axes ecliptic-J2000.
+
+Parameters
+----------
+name : "earth" or "mars".
+year : what a Julian year is in the unit of time wanted: 1e-3 for times in kyr.)");
+  m.def(
+      "planet_rates",
+      [](const std::string& name, double year) { return planet_rates(known_planet(name), year); },
+      "name"_a, "year"_a = 1.0,
+      "PrecessionRates of \"earth\" or \"mars\" as published, in rad per unit of time; `year` as "
+      "in "
+      "shipped_orbit.");
+  m.def("planet_pole", pole_of, "name"_a,
+        "(3,): the north pole of \"earth\" or \"mars\" at J2000 (IAU), along ecliptic-J2000.");
+  m.def("daily_insolation", insolation, "obliquity"_a, "pericentre"_a, "eccentricity"_a,
+        "latitude"_a, "longitude"_a, "flux"_a = 1.0,
+        R"(The sunlight of a day, the mean over a rotation (Berger 1978).
+
+Parameters
+----------
+obliquity, pericentre, eccentricity : as in a SpinHistory; any shapes that broadcast.
+latitude : from -pi/2 to pi/2; NaN outside.
+longitude : of the star as seen from the planet, from the moving equinox; pi/2 is the northern
+    summer solstice.
+flux : at the semi-major axis.)");
+}
+
 }  // namespace
 
 void bind_secular(nb::module_& m) {
   bind_orbits(m);
   bind_rates(m);
   bind_history(m);
+  bind_planets(m);
 }
 
 }  // namespace polhode::python

@@ -34,6 +34,18 @@ std::vector<SummaryLine> summary(const Rotation& rotation, const Scenario& scena
 std::vector<SummaryLine> report_lines(const Rotation& rotation, const Scenario& scenario,
                                       const RunReport& report, const std::string& events);
 
+// The same of a spin axis over ages (run/obliquity.cpp).
+std::vector<ColumnGroup> row_groups(const Obliquity& of, const Scenario& scenario);
+void add_facts(const Obliquity& of, RunFacts& facts);
+std::string propagation_text(const Obliquity& of, const Units& units);
+std::vector<std::string> notes_of(const Obliquity& of, const Scenario& scenario);
+std::vector<std::string> cited_parts(const Obliquity& of);
+RunReport rows_of(const Obliquity& of, const Scenario& scenario,
+                  std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control);
+std::vector<SummaryLine> summary(const Obliquity& of, const Scenario& scenario);
+std::vector<SummaryLine> report_lines(const Obliquity& of, const Scenario& scenario,
+                                      const RunReport& report, const std::string& events);
+
 // The same of an experiment from outside (run/own_experiment.cpp).
 std::vector<ColumnGroup> row_groups(const OwnExperiment& own, const Scenario& scenario);
 void add_facts(const OwnExperiment& own, RunFacts& facts);

@@ -8,10 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "output/obliquity_columns.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/frame_kinds.hpp"
+#include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/method_kinds.hpp"
@@ -103,12 +105,16 @@ const Kind* named(const std::vector<Kind>& kinds, std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
+bool is_made(const auto& kind) { return static_cast<bool>(kind.made); }
+bool is_made(const OrbitKind& kind) {
+  return static_cast<bool>(kind.made) != static_cast<bool>(kind.history);
+}
+
 // With one more, if it is sound.
 template <class Kind>
 std::vector<Kind> extended(std::vector<Kind> kinds, Kind kind) {
   const detail::KindOfTable row = row_of(kind);
-  detail::require_sound(
-      {sort_of(kind), kind.name, kind.help, kind.keys, row.sets, static_cast<bool>(kind.made)});
+  detail::require_sound({sort_of(kind), kind.name, kind.help, kind.keys, row.sets, is_made(kind)});
   if (named(kinds, kind.name) != nullptr)
     throw DomainError(detail::shown_kind(sort_of(kind), kind.name) +
                       " is there; expected another name");
@@ -137,6 +143,7 @@ std::vector<PerturbationKind> our_perturbations() {
 // of `polhode init` are charts and perturbations.
 void require_own_word(const Kinds& kinds, const ChartKind& chart) {
   std::vector<std::string_view> taken = column_group_names(kinds.charts());
+  for (const std::string_view group : detail::spin_column_groups()) taken.push_back(group);
   for (const Key* key : keys_of(kinds.schema(), "state")) taken.push_back(key_name(key->path));
   for (const PerturbationKind& kind : kinds.perturbations()) taken.push_back(kind.name);
   for (const ExperimentKind& kind : kinds.experiments()) taken.push_back(kind.name);
@@ -195,7 +202,8 @@ std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds
 std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentKind>& kinds,
                                                    const std::deque<detail::OwnTable>& own,
                                                    const detail::DescribedParts& described) {
-  std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described)};
+  std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described),
+                                             detail::obliquity_row(described)};
   for (std::size_t i = 0; i < kinds.size(); ++i)
     rows.push_back(detail::row_of(kinds[i], own[i].part(), described));
   return rows;
@@ -236,7 +244,8 @@ Kinds::Kinds(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 Kinds default_kinds() {
   static const auto ours = std::make_shared<const Kinds::Parts>(Lists{
       our_perturbations(),
-      {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind()},
+      {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind(),
+       detail::elements_kind(), detail::series_kind(), detail::shipped_kind()},
       {detail::precessing_kind(), detail::orbit_plane_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
       {},
@@ -271,7 +280,8 @@ Kinds Kinds::with(FrameKind kind) const {
 
 Kinds Kinds::with(ExperimentKind kind) const {
   for (const Key& key : schema().keys)
-    if (kind.name == "rotation" || (key_table(key.path).empty() && key_name(key.path) == kind.name))
+    if (kind.name == "rotation" || kind.name == "obliquity" ||
+        (key_table(key.path).empty() && key_name(key.path) == kind.name))
       throw DomainError(detail::shown_kind("experiment", kind.name) +
                         " is the name of another table; expected another name");
   require_other_template("experiment", kind.name, *this);

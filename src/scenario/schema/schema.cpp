@@ -92,6 +92,8 @@ std::string expectation(const Key& key, const Units& units) {
              detail::one_of(separated(key.allowed, '|'), "\"");
     case KeyType::columns:
       return "an array of names of columns of the file, or of their numbers from 1";
+    case KeyType::units:
+      return "an array of units, one for each column";
     case KeyType::epoch:
       return "a date with its scale (UTC, TAI, TT, TDB or UT1) such as "
              "\"2013-01-05T00:00:00 UTC\" or \"JD 2456297.5 TDB\"";

@@ -151,6 +151,7 @@ void write_value(JsonWriter& json, const Key& key) {
       json.key("type").value("string").key("pattern").value(name_pattern);
       break;
     case KeyType::columns:
+    case KeyType::units:
       json.key("type").value("array").key("items").begin_object().key("type").begin_array();
       json.value("string").value("integer").end_array().end_object();
       json.key("minItems").value(std::int64_t{1});

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The table of scenario keys: what the rows hold. The keys of a format of files stand in its own
 // source.
+#include <algorithm>
+
+#include "output/obliquity_columns.hpp"
 #include "polhode/output/columns.hpp"
 #include "scenario/detail/output_keys.hpp"
 
@@ -18,8 +21,16 @@ constexpr Key keys[] = {
      .type = choices,
      .fallback = "[\"q\", \"omega\"]",
      .example = "[\"q\", \"omega\", \"andoyer\"]",
-     .help = "Groups of columns after t. A column that two groups share is written once."},
+     .help = "Groups of columns after t. A column that two groups share is written once. Kind "
+             "obliquity has obliquity, precession, climatic_precession, pericentre, eccentricity, "
+             "spin, andoyer and insolation, of which the first three are the default; all else, "
+             "and andoyer, is of a rotation."},
 };
+
+bool is_among(std::string_view words, std::string_view word) {
+  const std::vector<std::string_view> all = separated(words, '|');
+  return std::find(all.begin(), all.end(), word) != all.end();
+}
 
 }  // namespace
 
@@ -27,6 +38,8 @@ OutputKeys::OutputKeys(std::span<const ChartKind> charts)
     : keys_(std::begin(keys), std::end(keys)) {
   for (const std::string_view name : column_group_names(charts))
     groups_ += (groups_.empty() ? "" : "|") + std::string(name);
+  for (const std::string_view name : spin_column_groups())
+    if (!is_among(groups_, name)) groups_ += "|" + std::string(name);
   for (Key& key : keys_)
     if (key.path == "output.columns") key.allowed = groups_;
 }

@@ -48,6 +48,8 @@ std::string value_in_words(const Key& key) {
       return "array of ";
     case KeyType::columns:
       return "array of names or numbers of columns";
+    case KeyType::units:
+      return "array of units";
     case KeyType::epoch:
       return "date and scale";
   }
@@ -202,6 +204,8 @@ std::string stand_in(const Key& key) {
       return "[" + in_quotes(word) + "]";
     case KeyType::columns:
       return "[1]";
+    case KeyType::units:
+      return "[\"1\"]";
     case KeyType::epoch:
       return in_quotes("2000-01-01T12:00:00 TT");
   }
@@ -226,7 +230,13 @@ struct Subject {
   std::string_view chart;
   std::string_view perturbation;  // empty: free rotation
   std::string_view experiment = "rotation";
+  std::string_view orbit = {};  // the kind of its orbits, where an experiment has one
 };
+
+// Of an experiment that goes round one: the kind of it that needs no file.
+std::string_view orbit_of(std::string_view experiment) {
+  return experiment == "obliquity" ? "shipped" : std::string_view();
+}
 
 bool is_rotation(const Subject& subject) { return subject.experiment == "rotation"; }
 
@@ -239,6 +249,7 @@ std::vector<std::string_view> own_experiments(const Schema& schema) {
 }
 
 constexpr std::string_view perturbation_table = "perturbation[]";
+constexpr std::string_view planet_table = "planet";
 constexpr std::string_view orbit_table = "orbit.*";
 constexpr std::string_view surface_table = "surface[]";
 constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
@@ -263,7 +274,8 @@ bool is_shown(const Schema& schema, const Key& key, std::string_view kind) {
   const std::string_view path = key_table(key.path);
   const bool may_be_left_out =
       key.presence == Presence::optional && !is_required(key, kind) && !key.in_template;
-  return stands(schema, key, kind) && !((is_motion(path) || path == "body") && may_be_left_out);
+  return stands(schema, key, kind) &&
+         !((is_motion(path) || path == "body" || path == planet_table) && may_be_left_out);
 }
 
 // The orbits that the examples of a kind name, each once.
@@ -331,8 +343,12 @@ bool is_physical(const Schema& schema, std::string_view kind) {
 // Whether a table has lines of its own in the template of this subject.
 bool is_section(const Schema& schema, const Key& key, const Subject& subject) {
   if (key.type != KeyType::table) return false;
-  if (!is_rotation(subject))
-    return key.path == subject.experiment || key.path == "units" || key.path == "time";
+  if (!is_rotation(subject)) {
+    const bool is_own = key_table(key.path).empty() && key.presence == Presence::required &&
+                        belongs(key, subject.experiment);
+    return is_own || key.path == "units" || key.path == "time" ||
+           (key.path == orbit_table && !subject.orbit.empty());
+  }
   if (!belongs(key, subject.experiment)) return false;
   if (key_table(key.path) == state_table) return key_name(key.path) == subject.chart;
   if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
@@ -368,7 +384,9 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     if (table_line || !belongs(*key, kind)) continue;
     std::string value = example_value(schema, *key);
     if (is_motion(path) && key_name(key->path) == "kind") {
-      kind = path == perturbation_table ? subject.perturbation : without_quotes(key->example);
+      kind = path == perturbation_table                      ? subject.perturbation
+             : path == orbit_table && !subject.orbit.empty() ? subject.orbit
+                                                             : without_quotes(key->example);
       value = '"' + std::string(kind) + '"';
     }
     if (key->path == "kind") {
@@ -376,12 +394,14 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
       value = '"' + std::string(kind) + '"';
     }
     if (physical && key->path == "units.time") value = "\"s\"";
+    if (!subject.orbit.empty() && key->path == "units.time") value = "\"kyr\"";
     if (physical && key->path == "units.moment") value = "\"kg m2\"";
     const std::string_view text =
         key_name(key->path) == "kind" ? kind_text(schema, path, kind) : std::string_view();
     append_comment(page, text.empty() ? key->help : text);
-    page += (is_shown(schema, *key, kind) ? "" : "# ") + std::string(key_name(key->path)) + " = " +
-            value + "\n";
+    const bool is_needed = key_name(key->path) == "kind" && !subject.orbit.empty();
+    page += (is_needed || is_shown(schema, *key, kind) ? "" : "# ") +
+            std::string(key_name(key->path)) + " = " + value + "\n";
   }
 }
 
@@ -436,9 +456,10 @@ std::string scenario_template(std::string_view name, const Schema& schema,
   const auto is_one_of = [&](const std::vector<std::string_view>& all) {
     return std::find(all.begin(), all.end(), name) != all.end();
   };
-  const Subject subject = is_one_of(charts)                    ? Subject{name, {}}
-                          : is_one_of(own_experiments(schema)) ? Subject{{}, {}, name}
-                                                               : Subject{"attitude-rate", name};
+  const Subject subject = is_one_of(charts) ? Subject{name, {}}
+                          : is_one_of(own_experiments(schema))
+                              ? Subject{{}, {}, name, orbit_of(name)}
+                              : Subject{"attitude-rate", name};
   const bool is_ours = program == "polhode";
   std::string page =
       "# A scenario for " + std::string(program) + ". Every key: " +
@@ -447,6 +468,8 @@ std::string scenario_template(std::string_view name, const Schema& schema,
   for (const Key& key : schema.keys) {
     if (!is_section(schema, key, subject)) continue;
     if (key.path != orbit_table) append_example(page, schema, &key, subject);
+    if (key.path == orbit_table && !subject.orbit.empty())
+      append_example(page, schema, &key, subject, "mars");
     for (const std::string& orbit : example_orbits(schema, subject.perturbation))
       if (key.path == orbit_table) append_example(page, schema, &key, subject, orbit);
   }

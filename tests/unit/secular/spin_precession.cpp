@@ -87,13 +87,29 @@ TEST(OrbitElements, WhatIsNoOrbitIsRefused) {
   EXPECT_THAT(error({0, 1, 2, 3}, {good, {0.8, 0.7, 0, 0}, good, good}),
               HasSubstr("row 1: got eccentricity 1.063"));
   EXPECT_THAT(error({0, 1, 2, 3}, {good, good, {0, 0, 0.8, 0.7}, good}),
-              HasSubstr("row 2: got no inclination below 180 degrees"));
+              HasSubstr("row 2: got q^2 + p^2 = 1.13"));
+  EXPECT_THAT(error({0, std::nan(""), 2, 3}, {good, good, good, good}),
+              HasSubstr("row 1: got time nan; expected a finite one"));
   EXPECT_THAT(error({0, 1}, {good}), HasSubstr("got 2 times and 1 rows"));
   EXPECT_THAT(message_of([] {
                 ElementSeries({{0.1, 1.1, 0.0}}, {});
               }),
               HasSubstr("got amplitudes that add up to 1.1"));
   EXPECT_THAT(message_of([] { orbit_elements(1.0, 0, 0, 0); }), HasSubstr("got eccentricity 1"));
+  EXPECT_THAT(message_of([] { orbit_elements(0.1, 4.0, 0, 0); }),
+              HasSubstr("got inclination 4; expected 0 to below pi, in rad"));
+  EXPECT_THAT(message_of([] { orbit_elements(0.1, 1.0, std::nan(""), 0); }),
+              HasSubstr("expected finite angles"));
+  EXPECT_THAT(message_of([] {
+                ElementSeries({{std::nan(""), 0.1, 0.0}}, {});
+              }),
+              HasSubstr("got frequency nan and phase 0; expected finite ones"));
+  EXPECT_THAT(message_of([] { star_precession(1e-3, 0.0, 1.0, 1.0); }),
+              HasSubstr("star_precession: got ellipticity 0.001 and spin_rate 0"));
+  EXPECT_THAT(message_of([] { satellite_precession(1e-3, 1.0, -1.0, 1.0, 0.0, 0.0); }),
+              HasSubstr("satellite_precession: gm -1"));
+  EXPECT_THAT(message_of([] { satellite_precession(1e-3, 1.0, 1.0, 1.0, 1.0, 0.0); }),
+              HasSubstr("satellite_precession: got eccentricity 1"));
   EXPECT_THAT(message_of([] { spin_axis({0, 0, 0}); }), HasSubstr("direction of length 0"));
 }
 

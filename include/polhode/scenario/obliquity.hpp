@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Obliquity: what a scenario of kind "obliquity" describes, the spin axis of a planet over ages.
+//
+// Equations   those of SpinPrecession (polhode/secular/spin_precession.hpp).
+// Units       core units (polhode/text/units.hpp).
+// Domain      axes of the orbit and the spin: ecliptic-J2000, or inertial ones.
+// Accuracy    that of its method.
+// Errors      none: it is a plain value.
+// Cost        none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/secular/insolation.hpp"
+#include "polhode/secular/orbit_history.hpp"
+#include "polhode/secular/spin_precession.hpp"
+#include "polhode/trajectory/save_at.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+using SpinOnHistory = SpinPrecession<OrbitHistory>;
+
+struct Obliquity {
+  std::string planet;      // "mars", or empty
+  std::string orbit;       // the name of its table
+  std::string orbit_kind;  // "elements", ...
+  std::string orbit_text;  // "elements mars.csv, 5001 rows"
+  std::string axes;        // "ecliptic-J2000" or "inertial"
+  OrbitHistory history;
+  PrecessionRates rates;
+  SpinAxis initial;  // at t = 0
+  Method method = Adaptive{};
+  std::vector<std::string> columns;
+  std::optional<InsolationPlace> insolation = std::nullopt;
+  std::optional<SaveAt> time = std::nullopt;
+};
+
+const std::optional<SaveAt>& row_times(const Obliquity& of);
+bool has_events(const Obliquity& of);
+std::optional<Method> propagation_method(const Obliquity& of);
+
+// From t = 0 to the last row.
+BasicProblem<SpinOnHistory> spin_problem(const Obliquity& of);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What is known of the spin of planets: the pole, what makes it precess.
+//
+// Equations   star and satellites as PrecessionRates; geodetic is de Sitter's.
+// Units       rad; rates in rad/s.
+// Domain      the Earth and Mars at J2000.
+// Accuracy    that of the sources, some 1e-4 of the rates.
+// Errors      DomainError for a planet that is not known, of known_planet.
+// Cost        none.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "polhode/secular/spin_precession.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct PlanetSpin {
+  std::string_view name;    // "mars"
+  double ra, dec;           // of the north pole, equator of J2000
+  double ellipticity;       // (C - (A + B)/2) / C
+  double spin_rate;         // rad/s
+  double orbital_period;    // s
+  PrecessionRates rates;    // rad/s
+  std::string_view source;  // of the rates, in words
+};
+
+std::span<const PlanetSpin> planet_spins();
+// Null where there is none of this name.
+const PlanetSpin* planet_spin(std::string_view name);
+// DomainError where there is none.
+const PlanetSpin& known_planet(std::string_view name);
+// Its pole along ecliptic-J2000.
+Vec3 planet_pole(const PlanetSpin& of);
+// Its rates in another unit of time, in which a Julian year is `year`.
+PrecessionRates planet_rates(const PlanetSpin& of, double year);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What a row of a spin axis over ages holds: t, then the groups of columns that a scenario asks
+// for.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/output/columns.hpp"
+#include "polhode/secular/insolation.hpp"
+#include "polhode/trajectory/sample.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What a row is of.
+struct SpinRow {
+  SpinAxis axis;
+  OrbitElements orbit;
+  SpinAngles angles;
+  double insolation;
+};
+SpinRow spin_row(const SpinAxis& axis, const OrbitElements& orbit,
+                 const std::optional<InsolationPlace>& place);
+
+// The names that [output] columns may list.
+std::vector<std::string_view> spin_column_groups();
+// Those of all columns, of which a map shows one.
+std::vector<std::string_view> spin_columns();
+// DomainError for an unknown column.
+Dimension spin_column_dimension(std::string_view column);
+
+class SpinLayout {
+ public:
+  // DomainError for an unknown or repeated group.
+  SpinLayout(std::span<const std::string> groups, const Units& units);
+
+  const std::vector<ColumnGroup>& groups() const { return groups_; }
+  std::size_t width() const { return cells_.size() + 1; }
+  void write(double t, const SpinRow& row, std::span<double> out) const;
+
+ private:
+  struct Cell {
+    double (*value)(const SpinRow&);
+    Dimension dimension;
+  };
+  std::vector<ColumnGroup> groups_;
+  std::vector<Cell> cells_;
+  Units units_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What the kinds of [orbit.NAME] share that are elements over ages.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/math/quaternion.hpp"
+#include "polhode/scenario/orbit_kind.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What a column of a file is, by the word that `columns` has for it.
+struct ColumnRole {
+  std::string_view name;
+  Dimension dimension;
+  bool is_read = true;  // or may stand there, but nothing needs it
+};
+
+// The columns of a file that a scenario names: in core units, by the places of their roles; empty
+// for roles that are not among them.
+class DeclaredColumns {
+ public:
+  // Reads the file of the key `file`, of which `columns` and `units` say what its columns are: by
+  // the names that the file gives them, or in their order. "-" is a column that is not read.
+  DeclaredColumns(const KeyValues& at, std::string_view file, std::span<const ColumnRole> roles);
+
+  bool has(std::size_t role) const { return !columns_.at(role).empty(); }
+  const std::vector<double>& of(std::size_t role) const { return columns_.at(role); }
+  std::size_t rows() const { return lines_.size(); }
+  // What one unit of it is in core units.
+  double unit(std::size_t role) const { return units_.at(role); }
+  // "mars.csv:17: ", for messages.
+  std::string place(std::size_t row) const;
+
+ private:
+  std::string file_;
+  std::vector<std::vector<double>> columns_;
+  std::vector<double> units_;
+  std::vector<std::uint32_t> lines_;
+};
+
+// What turns components along axes of this name to ecliptic-J2000.
+Quaternion ecliptic_from(std::string_view axes);
+
+OrbitKind elements_kind();
+OrbitKind series_kind();
+OrbitKind shipped_kind();
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

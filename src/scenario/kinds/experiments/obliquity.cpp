@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// The experiment of kind "obliquity" from the values of a file.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "output/obliquity_columns.hpp"
+#include "polhode/secular/planet.hpp"
+#include "scenario/detail/history_keys.hpp"
+#include "scenario/detail/obliquity_kind.hpp"
+#include "scenario/detail/reference_axes.hpp"
+#include "scenario/scenario_parts.hpp"
+#include "scenario/value_access.hpp"
+#include "text/number_text.hpp"
+#include "text/word_list.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+const std::vector<std::string> usual_columns = {"obliquity", "precession", "climatic_precession"};
+
+// [planet], with what the planet `name` fills in.
+class PlanetBuilder {
+ public:
+  PlanetBuilder(const KindContext& at, const Obliquity* base)
+      : at_(at), planet_(at.values, at.units, path_, at.name), base_(base) {}
+
+  Obliquity made() {
+    known_ = planet_.has("name") ? planet_spin(planet_.word("name")) : nullptr;
+    Obliquity of = base_ != nullptr ? *base_ : on_orbit();
+    of.time = times_of(at_.values, at_.name, true);
+    of.columns = columns();
+    of.insolation = insolation(of.columns);
+    require_cover(of);
+    const OrbitElements start = of.history.at(0.0);
+    of.initial = pole(start, of.axes);
+    of.rates = rates(start, of.initial);
+    of.method = method();
+    return of;
+  }
+
+ private:
+  Obliquity on_orbit() const {
+    const std::vector<std::string> paths = orbit_paths(at_.values);
+    const std::string& name = planet_.word("orbit");
+    std::vector<std::string_view> names;
+    for (const std::string& path : paths) {
+      names.push_back(key_name(path));
+      if (names.back() == name) return on_orbit(path);
+    }
+    if (names.empty()) planet_.refuse("orbit", "expected a table [orbit." + name + "] as well");
+    planet_.refuse("orbit", "expected the name of an orbit of this file: " + one_of(names) +
+                                did_you_mean(name, names));
+  }
+
+  Obliquity on_orbit(const std::string& path) const {
+    const OrbitKind* const kind = at_.kinds.orbit(word(at_.values, path + ".kind"));
+    if (kind == nullptr || !kind->history) {
+      std::vector<std::string_view> known;
+      for (const OrbitKind& one : at_.kinds.orbits())
+        if (one.history) known.push_back(one.name);
+      refuse(at_.values, path + ".kind", at_.name,
+             "expected a history of elements, " + one_of(known, "\""));
+    }
+    const std::optional<SaveAt> rows = times_of(at_.values, at_.name, true);
+    OrbitUses uses;
+    const KeyValues table(at_.values, at_.units, path, at_.name);
+    ScenarioHistory orbit =
+        table.built("kind", [&] { return kind->history(OrbitContext(table, rows, uses)); });
+    const bool is_inertial =
+        has(at_.values, path + ".axes") && word(at_.values, path + ".axes") == "inertial";
+    return {.planet = planet_.has("name") ? planet_.word("name") : "",
+            .orbit = planet_.word("orbit"),
+            .orbit_kind = std::string(kind->name),
+            .orbit_text = orbit.text,
+            .axes = is_inertial ? "inertial" : "ecliptic-J2000",
+            .history = std::move(orbit.elements),
+            .rates = {},
+            .initial = {},
+            .columns = {}};
+  }
+
+  // t = 0 and all rows.
+  void require_cover(const Obliquity& of) const {
+    double first = 0.0, last = 0.0;
+    if (of.time) {
+      for (const double t : {(*of.time)[0], (*of.time)[of.time->size() - 1]}) {
+        first = std::min(first, t);
+        last = std::max(last, t);
+      }
+    }
+    if (of.history.first_time() <= first && of.history.last_time() >= last) return;
+    const auto text = [&](double t) {
+      return number_text(at_.units.from_core(t, Dimension::time));
+    };
+    refuse(at_.values, "planet.orbit", at_.name,
+           "its orbit covers the times " + text(of.history.first_time()) + " to " +
+               text(of.history.last_time()) + " " + at_.units.time() +
+               "; expected all of the run, " + text(first) + " to " + text(last) +
+               " (t = 0 is part of it)");
+  }
+
+  Vec3 equatorial(double ra, double dec) const {
+    return ecliptic_from_equator(
+        {std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)});
+  }
+
+  SpinAxis pole(const OrbitElements& start, const std::string& axes) const {
+    if (planet_.has("pole.obliquity")) {
+      const double obliquity = planet_.number("pole.obliquity"),
+                   equinox = -planet_.number("pole.precession");
+      if (!(obliquity >= 0.0 && obliquity <= std::numbers::pi * (1.0 + 1e-15)))
+        planet_.refuse("pole.obliquity", "expected an angle from 0 to 180 deg");
+      // spin_angles the other way round
+      const Vec3 s{-std::sin(obliquity) * std::sin(equinox),
+                   std::sin(obliquity) * std::cos(equinox), std::cos(obliquity)};
+      return spin_axis(rotate(equinoctial_attitude(start), s));
+    }
+    const bool is_given = planet_.has("pole.ra");
+    if (!is_given && known_ == nullptr)
+      refuse(at_.values, "planet", at_.name, "expected a key pole, or the name of a planet");
+    if (axes == "inertial")
+      planet_.refuse(is_given ? "pole.ra" : "name",
+                     is_given ? "ra and dec need an orbit along axes of J2000; expected obliquity "
+                                "and precession"
+                              : "its pole needs an orbit along axes of J2000; expected a key pole "
+                                "with obliquity and precession");
+    if (!is_given) return spin_axis(planet_pole(*known_));
+    const double dec = planet_.number("pole.dec");
+    if (!(std::fabs(dec) <= 0.5 * std::numbers::pi * (1.0 + 1e-15)))
+      planet_.refuse("pole.dec", "expected an angle from -90 to 90 deg");
+    return spin_axis(equatorial(planet_.number("pole.ra"), dec));
+  }
+
+  // In core units.
+  double second() const { return at_.units.to_core(1.0, "s", Dimension::time); }
+  double of_planet(const char* key, double known) const {
+    if (planet_.has(key)) return planet_.number(key);
+    if (known_ == nullptr)
+      refuse(at_.values, "planet", at_.name,
+             "expected precession_rate, precession_constant, the name of a planet, or all of "
+             "ellipticity, rotation_period and orbital_period; got no " +
+                 std::string(key));
+    return known;
+  }
+
+  // star, of a circle, from whatever is given.
+  double star(double satellites, const OrbitElements& start, const SpinAxis& initial) const {
+    const bool by_rate = planet_.has("precession_rate");
+    const bool by_constant = planet_.has("precession_constant");
+    if (by_rate && by_constant)
+      planet_.refuse("precession_constant", "expected one of it and precession_rate");
+    for (const char* const key : {"ellipticity", "rotation_period", "orbital_period"})
+      if ((by_rate || by_constant) && planet_.has(key))
+        planet_.refuse(key, std::string("expected none next to ") +
+                                (by_rate ? "precession_rate" : "precession_constant"));
+    if (by_constant) return planet_.number("precession_constant") / (1.0 + satellites);
+    if (by_rate) {
+      const double cosine = dot(initial.s, orbit_normal(start));
+      if (std::fabs(cosine) < 1e-6)
+        planet_.refuse("precession_rate",
+                       "expected precession_constant, since at an obliquity of 90 deg no rate "
+                       "tells the constant");
+      const double per_star =
+          PrecessionRates{.star = 1.0, .satellites = satellites}.torque(0.0, plane_e2(start));
+      return planet_.number("precession_rate") / (cosine * per_star);
+    }
+    const bool as_known = known_ != nullptr && !planet_.has("ellipticity") &&
+                          !planet_.has("rotation_period") && !planet_.has("orbital_period");
+    if (as_known) return known_->rates.star / second();
+    const double E = of_planet("ellipticity", known_ ? known_->ellipticity : 0.0);
+    const double turn = 2.0 * std::numbers::pi;
+    const double day =
+        of_planet("rotation_period", known_ ? turn / known_->spin_rate * second() : 0.0);
+    const double year =
+        of_planet("orbital_period", known_ ? known_->orbital_period * second() : 0.0);
+    if (day == 0.0) planet_.refuse("rotation_period", "expected a period other than 0");
+    const double n = turn / year;
+    return 1.5 * n * n * E * day / turn;
+  }
+
+  static double plane_e2(const OrbitElements& o) { return o.k * o.k + o.h * o.h; }
+
+  PrecessionRates rates(const OrbitElements& start, const SpinAxis& initial) const {
+    const PrecessionRates none{.star = 1.0};
+    const PrecessionRates& known = known_ != nullptr ? known_->rates : none;
+    for (const char* const key : {"satellites", "ellipticity", "orbital_period"})
+      require_range(key);
+    const double satellites =
+        planet_.has("satellites") ? planet_.number("satellites") : known.satellites / known.star;
+    const double of_star = star(satellites, start, initial);
+    const double factor =
+        planet_.has("precession_rate") ? 1.0 : andoyer_factor(planet_.number("J"));
+    return {.star = factor * of_star,
+            .satellites = factor * of_star * satellites,
+            .geodetic =
+                planet_.has("geodetic") ? planet_.number("geodetic") : known.geodetic / second(),
+            .drift = planet_.number("tidal_drift")};
+  }
+
+  void require_range(const char* key) const {
+    if (planet_.has(key)) detail::require_range(at_.values, planet_.key_path(key), at_.name);
+  }
+
+  std::vector<std::string> columns() const {
+    if (!is_explicit(at_.values, "output.columns")) return usual_columns;
+    const std::vector<std::string_view> known = spin_column_groups();
+    for (const std::string& column : at_.output.columns)
+      if (std::find(known.begin(), known.end(), column) == known.end())
+        refuse(at_.values, "output.columns", at_.name,
+               "expected columns of kind \"obliquity\": " + one_of(known));
+    return at_.output.columns;
+  }
+
+  std::optional<InsolationPlace> insolation(const std::vector<std::string>& columns) const {
+    if (!planet_.has("insolation.latitude")) {
+      if (std::find(columns.begin(), columns.end(), "insolation") != columns.end())
+        refuse(at_.values, "output.columns", at_.name,
+               "expected a table planet.insolation for the column insolation");
+      return std::nullopt;
+    }
+    const double latitude = planet_.number("insolation.latitude");
+    if (!(std::fabs(latitude) <= 0.5 * std::numbers::pi * (1.0 + 1e-15)))
+      planet_.refuse("insolation.latitude", "expected an angle from -90 to 90 deg");
+    require_range("insolation.flux");
+    return InsolationPlace{latitude, planet_.number("insolation.longitude"),
+                           planet_.number("insolation.flux")};
+  }
+
+  Method method() const {
+    Method method = method_of(at_).value_or(Adaptive{});
+    if (method_of_any_state(method) == nullptr && method_of_frozen_models(method) == nullptr)
+      refuse(at_.values, "method.kind", at_.name, "expected \"adaptive\" or \"splitting\"");
+    return method;
+  }
+
+  const KindContext& at_;
+  std::string path_ = "planet";
+  KeyValues planet_;
+  const Obliquity* base_;
+  const PlanetSpin* known_ = nullptr;
+};
+
+}  // namespace
+
+Obliquity made_obliquity(const KindContext& at, const Obliquity* base) {
+  return PlanetBuilder(at, base).made();
+}
+
+}  // namespace detail
+
+const std::optional<SaveAt>& row_times(const Obliquity& of) { return of.time; }
+bool has_events(const Obliquity&) { return false; }
+std::optional<Method> propagation_method(const Obliquity& of) { return of.method; }
+
+BasicProblem<SpinOnHistory> spin_problem(const Obliquity& of) {
+  if (!of.time) throw DomainError("spin_problem: got no [time]; expected its rows");
+  const SaveAt& rows = *of.time;
+  return {SpinOnHistory(of.history, of.rates), of.initial, 0.0, rows[rows.size() - 1], of.method};
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// [orbit.NAME] from a table of elements over ages.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "scenario/detail/history_keys.hpp"
+#include "scenario/value_access.hpp"
+#include "text/number_text.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr Key keys[] = {
+    {.path = "file",
+     .type = KeyType::text,
+     .presence = Presence::required,
+     .example = "\"mars.csv\"",
+     .help = "A table of elements, separated by blanks or commas, .gz or not; the path is from "
+             "the folder of this file.",
+     .is_file = true},
+    {.path = "columns",
+     .type = KeyType::columns,
+     .presence = Presence::required,
+     .example = "[\"t\", \"a\", \"e\", \"i\", \"Omega\", \"omega\"]",
+     .help = "What its columns are, by the names that the file gives them or in their order: t; "
+             "e, i, Omega and omega or varpi (Omega + omega), or k, h, q, p (e cos varpi, e sin "
+             "varpi, sin(i/2) cos Omega, sin(i/2) sin Omega). a, M and lambda are not needed; - "
+             "is a column that is not read."},
+    {.path = "units",
+     .type = KeyType::units,
+     .presence = Presence::required,
+     .example = "[\"yr\", \"au\", \"1\", \"deg\", \"deg\", \"deg\"]",
+     .help = "The unit of each of these columns; \"1\" of numbers."},
+    {.path = "axes",
+     .type = KeyType::choice,
+     .allowed = "ecliptic-J2000|equator-J2000|invariable-plane|inertial",
+     .fallback = "\"ecliptic-J2000\"",
+     .example = "\"ecliptic-J2000\"",
+     .help = "The axes of the elements. The invariable plane is that of the solar system, from its "
+             "ascending node on the ecliptic of J2000; inertial axes are any."},
+    {.path = "attitude",
+     .type = KeyType::numbers,
+     .length = 4,
+     .example = "[1, 0, 0, 0]",
+     .help = "Of the axes of the elements in those of `axes`, where they are others yet: a unit "
+             "quaternion [w, x, y, z]."},
+    {.path = "time_direction",
+     .type = KeyType::choice,
+     .allowed = "forward|before-present",
+     .fallback = "\"forward\"",
+     .example = "\"before-present\"",
+     .help = "Whether t counts forward or, as in kyr BP, into the past. Rows may rise or fall."},
+    {.path = "order",
+     .type = KeyType::integer,
+     .example = "10",
+     .help = "Order of the interpolation: 2 to 16, even. Left out: 10."},
+};
+
+// In the order of `roles`.
+enum Role : std::size_t {
+  time,
+  axis,
+  eccentric,
+  inclination,
+  node,
+  argument,
+  pericentre,
+  anomaly,
+  longitude,
+  k,
+  h,
+  q,
+  p
+};
+constexpr ColumnRole roles[] = {{"t", Dimension::time},
+                                {"a", Dimension::length, false},
+                                {"e", Dimension::number},
+                                {"i", Dimension::angle},
+                                {"Omega", Dimension::angle},
+                                {"omega", Dimension::angle},
+                                {"varpi", Dimension::angle},
+                                {"M", Dimension::angle, false},
+                                {"lambda", Dimension::angle, false},
+                                {"k", Dimension::number},
+                                {"h", Dimension::number},
+                                {"q", Dimension::number},
+                                {"p", Dimension::number}};
+
+bool has_all(const DeclaredColumns& columns, std::initializer_list<Role> wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](Role role) { return columns.has(role); });
+}
+
+bool are_elements(const OrbitContext& at, const DeclaredColumns& columns) {
+  const bool angles = has_all(columns, {time, eccentric, inclination, node}) &&
+                      columns.has(argument) != columns.has(pericentre);
+  if (!angles && !has_all(columns, {time, k, h, q, p}))
+    at.refuse("columns",
+              "expected t, e, i, Omega and one of omega and varpi among them, or t, k, h, q and p");
+  return angles;
+}
+
+OrbitElements row_of(const DeclaredColumns& columns, std::size_t row, bool angles) {
+  const auto x = [&](Role role) { return columns.of(role)[row]; };
+  if (!angles) return {x(k), x(h), x(q), x(p)};
+  if (!(x(inclination) >= 0.0 && x(inclination) < pi<double>()))
+    throw DomainError("an inclination of 180 degrees or more, or below 0; expected 0 to below 180");
+  return orbit_elements(x(eccentric), x(inclination), x(node),
+                        columns.has(argument) ? x(argument) : x(pericentre) - x(node));
+}
+
+// Along the axes of the experiment, or "mars.csv:17: ...".
+OrbitElements placed(const DeclaredColumns& columns, std::size_t row, bool angles,
+                     const std::optional<Quaternion>& to_axes) {
+  try {
+    const OrbitElements o = row_of(columns, row, angles);
+    if (!(eccentricity(o) < 1.0))
+      throw DomainError("eccentricity " + number_text(eccentricity(o)) + "; expected 0 to below 1");
+    if (!(o.q * o.q + o.p * o.p < 1.0))
+      throw DomainError("q and p of no inclination; expected q^2 + p^2 below 1");
+    return to_axes ? turned(o, *to_axes) : o;
+  } catch (const DomainError& error) {
+    throw DomainError(columns.place(row) + error.what());
+  }
+}
+
+struct Rows {
+  std::vector<double> times;
+  std::vector<OrbitElements> elements;
+};
+
+// Times rise in the result; in the file they may fall, but not turn round, and leave no gap.
+void require_cadence(const DeclaredColumns& columns, const std::vector<double>& times) {
+  constexpr double widest = 20.0;  // intervals
+  const double time_unit = columns.unit(time);
+  const double sense = times.size() > 1 && times[1] < times[0] ? -1.0 : 1.0;
+  std::vector<double> intervals;
+  for (std::size_t row = 1; row < times.size(); ++row) {
+    const double step = sense * (times[row] - times[row - 1]);
+    const std::string text = number_text(times[row] / time_unit);
+    if (step == 0.0) throw DomainError(columns.place(row) + "time " + text + " comes twice");
+    if (step < 0.0)
+      throw DomainError(columns.place(row) + "time " + text +
+                        " turns back; expected times that rise, or that fall, from row to row");
+    intervals.push_back(step);
+  }
+  std::vector<double> sorted = intervals;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t row = 0; row < intervals.size(); ++row)
+    if (intervals[row] > widest * sorted[sorted.size() / 2])
+      throw DomainError(columns.place(row + 1) + "a gap of " +
+                        number_text(intervals[row] / time_unit) +
+                        " before this row, 20 times what is usual in this table; expected a table "
+                        "without gaps");
+}
+
+Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
+  const bool angles = are_elements(at, columns);
+  const double sign = at.choice("time_direction") == 1 ? -1.0 : 1.0;
+  std::optional<Quaternion> to_axes;
+  if (at.word("axes") == "equator-J2000" || at.word("axes") == "invariable-plane")
+    to_axes = ecliptic_from(at.word("axes"));
+  if (at.has("attitude")) {
+    const std::vector<double>& n = at.numbers("attitude");
+    const Quaternion own =
+        at.built("attitude", [&] { return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3)); });
+    to_axes = to_axes ? *to_axes * own : own;
+  }
+  Rows rows;
+  for (std::size_t row = 0; row < columns.rows(); ++row) {
+    rows.times.push_back(sign * columns.of(time)[row]);
+    rows.elements.push_back(placed(columns, row, angles, to_axes));
+  }
+  require_cadence(columns, rows.times);
+  if (rows.times.size() > 1 && rows.times[1] < rows.times[0]) {
+    std::reverse(rows.times.begin(), rows.times.end());
+    std::reverse(rows.elements.begin(), rows.elements.end());
+  }
+  return rows;
+}
+
+ScenarioHistory elements_orbit(const OrbitContext& at) {
+  constexpr std::size_t longest_file = 200;
+  const int order = at.has("order") ? static_cast<int>(std::clamp<std::int64_t>(
+                                          value_at(at.values(), at.key_path("order")).whole, 1, 99))
+                                    : 0;
+  return at.built("file", [&]() -> ScenarioHistory {
+    const DeclaredColumns columns(at, "file", roles);
+    Rows rows = rows_of(at, columns);
+    ElementTable table(std::move(rows.times), rows.elements, order);
+    return {OrbitHistory(std::move(table)), "elements " + printable(at.word("file"), longest_file) +
+                                                ", " + std::to_string(columns.rows()) + " rows"};
+  });
+}
+
+}  // namespace
+
+OrbitKind elements_kind() {
+  return {.name = "elements",
+          .help = "Elements over ages, from a table: for kind obliquity.",
+          .keys = {std::begin(keys), std::end(keys)},
+          .history = elements_orbit};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

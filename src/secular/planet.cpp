@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/secular/planet.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "polhode/error.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double arcsec_per_year = std::numbers::pi / 648000.0 / (365.25 * 86400.0);
+constexpr double day = 86400.0;
+
+// Of de Sitter for a planet whose year and mean distance (m) are known.
+double geodetic(double period, double distance) {
+  const double n = 2.0 * std::numbers::pi / period;
+  return geodetic_precession(n * n * distance * distance * distance, distance, 299792458.0);
+}
+
+// Poles: IAU (Archinal et al. 2018). Earth: K0 and the share of the Moon of Zeebe & Lourens
+// (2022); ellipticity of IAU 2000. Mars: J2 = 1.95661e-3 over C / (M R^2) = 0.3644 (Konopliv et al.
+// 2016), from which the rate follows: 3/2 n^2 E / w.
+std::array<PlanetSpin, 2> known() {
+  const double year = 365.256363 * day, year_of_mars = 686.97985 * day;
+  PlanetSpin earth{"earth",
+                   0.0,
+                   90.0 * degree,
+                   3.27379448e-3,
+                   7.292115e-5,
+                   year,
+                   {.star = 17.376255 * arcsec_per_year,
+                    .satellites = 17.376255 * 2.161213 * arcsec_per_year,
+                    .geodetic = geodetic(year, 149598023e3)},
+                   "Zeebe & Lourens 2022"};
+  PlanetSpin mars{"mars",
+                  317.68143 * degree,
+                  52.88650 * degree,
+                  1.95661e-3 / 0.3644,
+                  350.89198226 * degree / day,
+                  year_of_mars,
+                  {},
+                  "Konopliv et al. 2016"};
+  const double n = 2.0 * std::numbers::pi / year_of_mars;
+  mars.rates.star = 1.5 * n * n * mars.ellipticity / mars.spin_rate;
+  mars.rates.geodetic = geodetic(year_of_mars, 227939366e3);
+  return {earth, mars};
+}
+
+}  // namespace
+
+std::span<const PlanetSpin> planet_spins() {
+  static const std::array<PlanetSpin, 2> all = known();
+  return all;
+}
+
+const PlanetSpin* planet_spin(std::string_view name) {
+  for (const PlanetSpin& one : planet_spins())
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+const PlanetSpin& known_planet(std::string_view name) {
+  if (const PlanetSpin* const known = planet_spin(name)) return *known;
+  throw DomainError("planet: got \"" + std::string(name) + "\"; expected earth or mars");
+}
+
+Vec3 planet_pole(const PlanetSpin& of) {
+  const double c = std::cos(obliquity_J2000), s = std::sin(obliquity_J2000);
+  const Vec3 x{std::cos(of.dec) * std::cos(of.ra), std::cos(of.dec) * std::sin(of.ra),
+               std::sin(of.dec)};
+  return {x.x, c * x.y + s * x.z, c * x.z - s * x.y};
+}
+
+PrecessionRates planet_rates(const PlanetSpin& of, double year) {
+  const double second = year / (365.25 * day);
+  return {.star = of.rates.star / second,
+          .satellites = of.rates.satellites / second,
+          .geodetic = of.rates.geodetic / second};
+}
+
+}  // namespace v0
+}  // namespace polhode
