@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Spin axes over ages, against published obliquities of the Earth and the closed form."""
 
+import copy
 import pickle
 
 import budgets
@@ -139,3 +140,14 @@ def test_a_table_that_ends_ends_the_run():
 def test_what_cannot_be_says_why(call, what):
     with pytest.raises(ValueError, match=what):
         call()
+
+
+def test_orbits_have_copies_and_pickles():
+    table = polhode.shipped_orbit("mars")
+    for orbit in (earth(), table):
+        for other in (copy.copy(orbit), copy.deepcopy(orbit), pickle.loads(pickle.dumps(orbit))):
+            assert other == orbit and not other != orbit
+    assert earth() != ElementSeries([[0.0, 0.1, 0.0]], [[0.0, 0.1, 0.0]])
+    assert table != polhode.shipped_orbit("earth") and table != 1
+    with pytest.raises(ValueError, match="its bytes are damaged"):
+        ElementSeries.__new__(ElementSeries).__setstate__((b"1", b"2"))

@@ -66,6 +66,15 @@ class ElementTable {
   // order as that of a TableOrbit without velocities.
   ElementTable(std::vector<double> times, std::span<const OrbitElements> rows, int order = 0);
 
+  // The rows as they were given.
+  const std::vector<double>& times() const { return plane_.table().times; }
+  OrbitElements row(std::size_t k) const {
+    const Vec3 &ellipse = ellipse_.table().positions.at(k), &plane = plane_.table().positions.at(k);
+    return {ellipse.x, ellipse.y, plane.x, plane.y};
+  }
+  int order() const { return plane_.order(); }
+  bool operator==(const ElementTable&) const = default;
+
   double first_time() const { return plane_.first_time(); }
   double last_time() const { return plane_.last_time(); }
 
@@ -89,11 +98,17 @@ struct SeriesTerm {
   double frequency;
   double amplitude;
   double phase;
+
+  bool operator==(const SeriesTerm&) const = default;
 };
 
 class ElementSeries {
  public:
   ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<SeriesTerm> plane);
+
+  const std::vector<SeriesTerm>& ellipse_terms() const { return ellipse_; }
+  const std::vector<SeriesTerm>& plane_terms() const { return plane_; }
+  bool operator==(const ElementSeries&) const = default;
 
   template <class T>
   BasicOrbitElements<T> at(const T& t) const {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Spin axes over ages.
+#include <cstring>
+#include <tuple>
+
 #include "interface/records.hpp"
 #include "interface/signals.hpp"
 #include "interface/value.hpp"
@@ -47,8 +50,59 @@ std::vector<SeriesTerm> terms_of(nb::handle rows, const char* name) {
   return terms;
 }
 
+// Pickles hold numbers as bytes.
+template <class T>
+nb::bytes bytes_of(const std::vector<T>& numbers) {
+  return nb::bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
+}
+template <class T>
+std::vector<T> numbers_of(const nb::bytes& bytes) {
+  if (bytes.size() % sizeof(T) != 0)
+    throw nb::value_error("a pickle of elements over ages: its bytes are damaged");
+  std::vector<T> numbers(bytes.size() / sizeof(T));
+  std::memcpy(numbers.data(), bytes.c_str(), bytes.size());
+  return numbers;
+}
+
+using TableState = std::tuple<nb::bytes, nb::bytes, int>;
+TableState state_of(const ElementTable& table) {
+  std::vector<OrbitElements> rows;
+  for (std::size_t k = 0; k < table.times().size(); ++k) rows.push_back(table.row(k));
+  return {bytes_of(table.times()), bytes_of(rows), table.order()};
+}
+using SeriesState = std::tuple<nb::bytes, nb::bytes>;
+
+// Copies, pickles and equality by the numbers.
+void def_copies(nb::class_<ElementTable>& c) {
+  c.def("__getstate__", state_of)
+      .def("__setstate__",
+           [](ElementTable& self, const TableState& state) {
+             const auto rows = numbers_of<OrbitElements>(std::get<1>(state));
+             new (&self)
+                 ElementTable(numbers_of<double>(std::get<0>(state)), rows, std::get<2>(state));
+           })
+      .def(
+          "__eq__", [](const ElementTable& a, const ElementTable& b) { return a == b; },
+          nb::is_operator());
+}
+void def_copies(nb::class_<ElementSeries>& c) {
+  c.def("__getstate__",
+        [](const ElementSeries& of) {
+          return SeriesState{bytes_of(of.ellipse_terms()), bytes_of(of.plane_terms())};
+        })
+      .def("__setstate__",
+           [](ElementSeries& self, const SeriesState& state) {
+             new (&self) ElementSeries(numbers_of<SeriesTerm>(std::get<0>(state)),
+                                       numbers_of<SeriesTerm>(std::get<1>(state)));
+           })
+      .def(
+          "__eq__", [](const ElementSeries& a, const ElementSeries& b) { return a == b; },
+          nb::is_operator());
+}
+
 void bind_orbits(nb::module_& m) {
-  nb::class_<ElementTable>(m, "ElementTable", R"(An orbit that changes over ages, from a table.
+  nb::class_<ElementTable> table(m, "ElementTable",
+                                 R"(An orbit that changes over ages, from a table.
 
 Parameters
 ----------
@@ -59,7 +113,8 @@ inclination, node, argument : (N,), rad, along the reference axes; argument of t
     cos(Omega) and their like.
 order : of the interpolation, as of a TableOrbit; 0: 10.
 
-ValueError names the row of elements of no ellipse, and times that do not rise.)")
+ValueError names the row of elements of no ellipse, and times that do not rise.)");
+  table
       .def(
           "__init__",
           [](ElementTable* self, const ArrayLike& times, const ArrayLike& e, const ArrayLike& i,
@@ -72,7 +127,9 @@ ValueError names the row of elements of no ellipse, and times that do not rise.)
         return "<ElementTable: " + number_text(t.first_time()) + " to " +
                number_text(t.last_time()) + ">";
       });
-  nb::class_<ElementSeries>(m, "ElementSeries", R"(An orbit that changes over ages, from a series.
+  def_copies(table);
+  nb::class_<ElementSeries> series(m, "ElementSeries",
+                                   R"(An orbit that changes over ages, from a series.
 
 e exp(i varpi) and sin(i/2) exp(i Omega) as sums of A exp(i (nu t + phi)) (Laskar 1988).
 
@@ -80,7 +137,8 @@ Parameters
 ----------
 ellipse, plane : (n, 3), rows of frequency nu (rad per time), amplitude A, phase phi (rad).
 
-ValueError where the amplitudes of one add up to 1 or more.)")
+ValueError where the amplitudes of one add up to 1 or more, and for numbers that are not finite.)");
+  series
       .def(
           "__init__",
           [](ElementSeries* self, const ArrayLike& ellipse, const ArrayLike& plane) {
@@ -88,6 +146,7 @@ ValueError where the amplitudes of one add up to 1 or more.)")
           },
           "ellipse"_a, "plane"_a)
       .def("__repr__", [](const ElementSeries&) { return "<ElementSeries>"; });
+  def_copies(series);
 }
 
 void bind_rates(nb::module_& m) {
