@@ -49,8 +49,8 @@ std::string crossing_text(Crossing crossing) {
 std::string orbit_text(const Units& units, const ScenarioOrbit& orbit) {
   const auto* table = std::get_if<TableOrbit>(&orbit.motion);
   if (table == nullptr) return any_orbit(orbit).name();
-  return fmt::format("{}, {} rows, t = {:.10g} to {:.10g} {}", orbit.text,
-                     table->table().times.size(),
+  return fmt::format("{}, {} rows, t = {:.10g} to {:.10g} {}",
+                     orbit.text.empty() ? orbit.kind : orbit.text, table->table().times.size(),
                      units.from_core(table->first_time(), Dimension::time),
                      units.from_core(table->last_time(), Dimension::time), units.time());
 }
