@@ -60,19 +60,6 @@ std::vector<std::string_view> spin_column_groups() {
   return names;
 }
 
-std::vector<std::string_view> spin_columns() {
-  std::vector<std::string_view> names;
-  for (const SpinColumn& column : columns_table) names.push_back(column.name);
-  return names;
-}
-
-Dimension spin_column_dimension(std::string_view column) {
-  for (const SpinColumn& one : columns_table)
-    if (one.name == column) return one.dimension;
-  throw DomainError("column: got \"" + std::string(column) + "\"; expected " +
-                    one_of(spin_columns()));
-}
-
 SpinLayout::SpinLayout(std::span<const std::string> groups, const Units& units) : units_(units) {
   groups_ = {{"t", {{"t", units.time()}}}};
   for (const std::string& name : groups) {

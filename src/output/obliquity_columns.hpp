@@ -29,10 +29,6 @@ SpinRow spin_row(const SpinAxis& axis, const OrbitElements& orbit,
 
 // The names that [output] columns may list.
 std::vector<std::string_view> spin_column_groups();
-// Those of all columns, of which a map shows one.
-std::vector<std::string_view> spin_columns();
-// DomainError for an unknown column.
-Dimension spin_column_dimension(std::string_view column);
 
 class SpinLayout {
  public:

@@ -47,7 +47,7 @@ std::array<PlanetSpin, 2> known() {
                   {},
                   "Konopliv et al. 2016"};
   const double n = 2.0 * std::numbers::pi / year_of_mars;
-  mars.rates.star = 1.5 * n * n * mars.ellipticity / mars.spin_rate;
+  mars.rates.star = star_precession(mars.ellipticity, mars.spin_rate, n * n, 1.0);  // Kepler III
   mars.rates.geodetic = geodetic(year_of_mars, 227939366e3);
   return {earth, mars};
 }
@@ -70,12 +70,12 @@ const PlanetSpin& known_planet(std::string_view name) {
   throw DomainError("planet: got \"" + std::string(name) + "\"; expected earth or mars");
 }
 
-Vec3 planet_pole(const PlanetSpin& of) {
+Vec3 ecliptic_direction(double ra, double dec) {
   const double c = std::cos(obliquity_J2000), s = std::sin(obliquity_J2000);
-  const Vec3 x{std::cos(of.dec) * std::cos(of.ra), std::cos(of.dec) * std::sin(of.ra),
-               std::sin(of.dec)};
+  const Vec3 x{std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)};
   return {x.x, c * x.y + s * x.z, c * x.z - s * x.y};
 }
+Vec3 planet_pole(const PlanetSpin& of) { return ecliptic_direction(of.ra, of.dec); }
 
 PrecessionRates planet_rates(const PlanetSpin& of, double year) {
   const double second = year / (365.25 * day);

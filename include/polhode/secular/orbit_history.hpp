@@ -11,7 +11,6 @@
 
 #include <limits>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <variant>
 

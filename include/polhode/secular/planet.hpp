@@ -32,7 +32,8 @@ std::span<const PlanetSpin> planet_spins();
 const PlanetSpin* planet_spin(std::string_view name);
 // DomainError where there is none.
 const PlanetSpin& known_planet(std::string_view name);
-// Its pole along ecliptic-J2000.
+// A direction of the equator of J2000 along ecliptic-J2000, and so the pole of a planet.
+Vec3 ecliptic_direction(double ra, double dec);
 Vec3 planet_pole(const PlanetSpin& of);
 // Its rates in another unit of time, in which a Julian year is `year`.
 PrecessionRates planet_rates(const PlanetSpin& of, double year);

@@ -9,7 +9,6 @@
 #include "polhode/secular/planet.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/obliquity_kind.hpp"
-#include "scenario/detail/reference_axes.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
@@ -103,11 +102,6 @@ class PlanetBuilder {
                " (t = 0 is part of it)");
   }
 
-  Vec3 equatorial(double ra, double dec) const {
-    return ecliptic_from_equator(
-        {std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)});
-  }
-
   SpinAxis pole(const OrbitElements& start, const std::string& axes) const {
     if (planet_.has("pole.obliquity")) {
       const double obliquity = planet_.number("pole.obliquity"),
@@ -132,7 +126,7 @@ class PlanetBuilder {
     const double dec = planet_.number("pole.dec");
     if (!(std::fabs(dec) <= 0.5 * std::numbers::pi * (1.0 + 1e-15)))
       planet_.refuse("pole.dec", "expected an angle from -90 to 90 deg");
-    return spin_axis(equatorial(planet_.number("pole.ra"), dec));
+    return spin_axis(ecliptic_direction(planet_.number("pole.ra"), dec));
   }
 
   // In core units.
@@ -179,7 +173,7 @@ class PlanetBuilder {
         of_planet("orbital_period", known_ ? known_->orbital_period * second() : 0.0);
     if (day == 0.0) planet_.refuse("rotation_period", "expected a period other than 0");
     const double n = turn / year;
-    return 1.5 * n * n * E * day / turn;
+    return star_precession(E, turn / day, n * n, 1.0);  // gm / a^3 is n^2
   }
 
   static double plane_e2(const OrbitElements& o) { return o.k * o.k + o.h * o.h; }
