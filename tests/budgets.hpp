@@ -447,6 +447,11 @@ inline constexpr double chaos_trapezoid = 1e-3;
 inline constexpr double chaos_damped = 1e-6;
 // Extremes of a column (deg) against the exact free rotation.
 inline constexpr double map_extremes = 1e-9;
+// The frequency of a precession in maps: deg/kyr, and its relative change, against the closed form.
+inline constexpr double map_frequency = 1e-9;
+// By what part it changes at most from 10 to 20 Myr where the obliquity of Mars is regular, and at
+// least where it is chaotic.
+inline constexpr double map_regular = 0.002, map_chaotic = 0.02;
 // Surfaces of section: some twenty orbits of a regular motion against the planar equation, its
 // symmetries and fixed points; angles and axes of a single point; L on the curve of the energy
 // after 300 units of time; against SciPy at its tightest; sections in the units of a file.

@@ -12,14 +12,6 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-struct SpinColumn {
-  std::string_view group;
-  std::string_view name;
-  Dimension dimension;
-  double (*value)(const SpinRow&);
-  std::string_view unit = {};  // where no dimension says it
-};
-
 // I, h, H as of Andoyer: of the angular momentum against the axes of reference, per unit of G.
 constexpr SpinColumn columns_table[] = {
     {"obliquity", "obliquity", Dimension::angle,
@@ -53,6 +45,22 @@ SpinRow spin_row(const SpinAxis& axis, const OrbitElements& orbit,
           place ? daily_insolation(angles, eccentricity(orbit), *place) : std::nan("")};
 }
 
+std::string unit_of(const SpinColumn& column, const Units& units) {
+  return column.unit.empty() ? units.label(column.dimension) : std::string(column.unit);
+}
+
+const SpinColumn* spin_column(std::string_view name) {
+  for (const SpinColumn& column : columns_table)
+    if (column.name == name) return &column;
+  return nullptr;
+}
+
+std::vector<std::string_view> spin_column_names() {
+  std::vector<std::string_view> names;
+  for (const SpinColumn& column : columns_table) names.push_back(column.name);
+  return names;
+}
+
 std::vector<std::string_view> spin_column_groups() {
   std::vector<std::string_view> names;
   for (const SpinColumn& column : columns_table)
@@ -66,9 +74,7 @@ SpinLayout::SpinLayout(std::span<const std::string> groups, const Units& units) 
     ColumnGroup group{name, {}};
     for (const SpinColumn& column : columns_table) {
       if (column.group != name) continue;
-      group.columns.push_back({std::string(column.name), column.unit.empty()
-                                                             ? units.label(column.dimension)
-                                                             : std::string(column.unit)});
+      group.columns.push_back({std::string(column.name), unit_of(column, units)});
       cells_.push_back({column.value, column.dimension});
     }
     if (group.columns.empty())

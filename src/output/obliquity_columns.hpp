@@ -27,6 +27,18 @@ struct SpinRow {
 SpinRow spin_row(const SpinAxis& axis, const OrbitElements& orbit,
                  const std::optional<InsolationPlace>& place);
 
+struct SpinColumn {
+  std::string_view group;
+  std::string_view name;
+  Dimension dimension;
+  double (*value)(const SpinRow&);
+  std::string_view unit = {};  // where no dimension says it
+};
+std::string unit_of(const SpinColumn& column, const Units& units);
+// Null where there is no column of that name.
+const SpinColumn* spin_column(std::string_view name);
+std::vector<std::string_view> spin_column_names();
+
 // The names that [output] columns may list.
 std::vector<std::string_view> spin_column_groups();
 

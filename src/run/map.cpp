@@ -46,7 +46,7 @@ Scenario with_map(Scenario scenario) {
 }
 
 ColumnGroup results_of(const Scenario& scenario) {
-  return detail::result_columns(*scenario.map, scenario.units(), scenario.document.kinds->charts());
+  return detail::result_columns(*scenario.map, scenario.units());
 }
 
 }  // namespace
@@ -90,11 +90,13 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   const Document& of = scenario().document;
   try {
     const Experiment experiment = parts_->base.experiment(axis_values(index));
-    const detail::MapSubject subject = detail::subject_of(experiment);
     const std::span<const ChartKind> charts = of.kinds->charts();
-    detail::require_map({of.checked->values, of.units, charts, of.path}, subject);
-    return detail::map_cell(
-        {problem(experiment), *subject.rows, subject.orbits, plan(), of.units, charts}, progress);
+    detail::require_map({of.checked->values, of.units, charts, of.path}, experiment);
+    return std::visit(
+        [&](const auto& made) {
+          return detail::map_cell(made, {plan(), of.units, charts}, progress);
+        },
+        experiment);
   } catch (const DomainError& error) {
     return detail::failed_cell(width(), error.what());
   }

@@ -18,11 +18,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
-  if (!outcome.ok()) return failed_cell(width, outcome.advice);
-  return {std::move(numbers), ""};
-}
-
 // Of a system without a damper: chaos_indicator says so.
 MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
   const Problem problem{given.system, given.initial.rotor, given.start, given.stop, given.method};
@@ -31,24 +26,18 @@ MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
   return ended({found.mean_megno(), found.lyapunov()}, found.outcome, 2);
 }
 
-// The extremes and the last value.
-MapCell column_cell(const DampedProblem& problem, const CellContext& of, const Progress& progress) {
-  const System& system = problem.system;
+MapCell column_cell(const DampedProblem& problem, const SaveAt& rows, const CellContext& of,
+                    const Progress& progress) {
   const ScalarColumn column =
-      scalar_column(of.plan.column, system, initial_energy(problem), of.charts);
-  double least = nan, most = nan, last = nan;
+      scalar_column(of.plan.column, problem.system, initial_energy(problem), of.charts);
+  Extremes extremes;
   const DampedTrajectory trajectory = integrate(
-      problem, of.rows,
+      problem, rows,
       [&](std::span<const DampedSample> samples) {
-        for (const DampedSample& sample : samples) {
-          last = column.value(sample);
-          if (!(least <= last)) least = last;
-          if (!(most >= last)) most = last;
-        }
+        for (const DampedSample& sample : samples) extremes.add(column.value(sample));
       },
       progress);
-  const auto shown = [&](double x) { return of.units.from_core(x, column.dimension); };
-  return ended({shown(least), shown(most), shown(last)}, trajectory.outcome(), 3);
+  return ended(extremes.in(of.units, column.dimension), trajectory.outcome(), 3);
 }
 
 // Rows of numbers that have a dimension.
@@ -85,20 +74,20 @@ MapCell andoyer_cell(const DampedProblem& problem, const CellContext& of,
   return ended(rows.take(), end.outcome, 7);
 }
 
-PrecessingKeplerOrbit section_orbit(const CellContext& of) {
-  const auto orbit =
-      std::find_if(of.orbits.begin(), of.orbits.end(),
-                   [&](const ScenarioOrbit& one) { return one.name == of.plan.orbit; });
+PrecessingKeplerOrbit section_orbit(const std::vector<ScenarioOrbit>& orbits,
+                                    const std::string& name) {
+  const auto orbit = std::find_if(orbits.begin(), orbits.end(),
+                                  [&](const ScenarioOrbit& one) { return one.name == name; });
   const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit->motion);
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
 }
 
-MapCell spin_orbit_cell(const DampedProblem& problem, const CellContext& of,
-                        const Progress& progress) {
+MapCell spin_orbit_cell(const DampedProblem& problem, const PrecessingKeplerOrbit& orbit,
+                        const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const SpinOrbitSection end = spin_orbit_section(
-      problem, section_orbit(of),
+      problem, orbit,
       [&](const SpinOrbitPoint& at) {
         rows.push(
             {{at.t, time}, {at.angle, angle}, {at.spin, Dimension::number}, {at.tilt, angle}});
@@ -109,20 +98,23 @@ MapCell spin_orbit_cell(const DampedProblem& problem, const CellContext& of,
 
 }  // namespace
 
-ColumnGroup result_columns(const MapPlan& plan, const Units& units,
-                           std::span<const ChartKind> charts) {
+MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
+  if (!outcome.ok()) return failed_cell(width, outcome.advice);
+  return {std::move(numbers), ""};
+}
+
+ColumnGroup result_columns(const MapPlan& plan, const Units& units) {
   const std::string time = units.label(Dimension::time), angle = units.label(Dimension::angle),
-                    momentum = units.label(Dimension::momentum);
+                    momentum = units.label(Dimension::momentum),
+                    rate = units.label(Dimension::rate);
   switch (plan.kind) {
     case MapKind::chaos:
       return {"chaos", {{"mean_megno", "1"}, {"lyapunov", "1/" + units.time()}}};
-    case MapKind::column: {
-      const std::string unit = units.label(column_dimension(plan.column, charts));
+    case MapKind::column:
       return {"column",
-              {{plan.column + "_smallest", unit},
-               {plan.column + "_largest", unit},
-               {plan.column + "_last", unit}}};
-    }
+              {{plan.column + "_smallest", plan.unit},
+               {plan.column + "_largest", plan.unit},
+               {plan.column + "_last", plan.unit}}};
     case MapKind::andoyer_section:
       return {"section",
               {{"t", time},
@@ -134,6 +126,8 @@ ColumnGroup result_columns(const MapPlan& plan, const Units& units,
                {"H", momentum}}};
     case MapKind::spin_orbit_section:
       return {"section", {{"t", time}, {"angle", angle}, {"spin", "1"}, {"tilt", angle}}};
+    case MapKind::frequency:
+      return {"frequency", {{"frequency", rate}, {"frequency_later", rate}, {"change", "1"}}};
   }
   return {};
 }
@@ -142,20 +136,24 @@ MapCell failed_cell(std::size_t width, std::string why) {
   return {std::vector<double>(width, nan), std::move(why)};
 }
 
-MapCell map_cell(const CellContext& of, const Progress& progress) {
-  const DampedProblem& problem = of.problem;
+MapCell map_cell(const Rotation& rotation, const CellContext& of, const Progress& progress) {
+  const DampedProblem problem = rotor_problem(rotation);
   switch (of.plan.kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);
     case MapKind::column:
-      return column_cell(problem, of, progress);
+      return column_cell(problem, *rotation.time, of, progress);
     case MapKind::andoyer_section:
       return andoyer_cell(problem, of, progress);
     case MapKind::spin_orbit_section:
-      return spin_orbit_cell(problem, of, progress);
+      return spin_orbit_cell(problem, section_orbit(rotation.orbits, of.plan.orbit), of, progress);
+    case MapKind::frequency:
+      break;  // of a spin axis over ages
   }
   return {};
 }
+
+MapCell map_cell(const OwnExperiment&, const CellContext&, const Progress&) { return {}; }
 
 }  // namespace detail
 }  // namespace v0

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "output/obliquity_columns.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
 #include "scenario/number_location.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/word_list.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -16,6 +18,7 @@ namespace detail {
 namespace {
 
 constexpr double most_cells = 1e9;
+constexpr std::int64_t least_samples = 8;  // of spectrum
 
 // The numbers of a file by their keys; of arrays the first, or that with the index in `key`.
 std::vector<std::string> numbers_of(const Values& values, const std::string& key) {
@@ -96,19 +99,68 @@ std::string section_orbit(const Values& values, const std::vector<ScenarioOrbit>
 }
 
 // All but the grid.
-MapPlan without_axes(const MapContext& at, const MapSubject& subject) {
+MapPlan plan_of(const Rotation& rotation, const MapContext& at) {
   const Values& values = at.values;
   const std::string& name = at.name;
   const std::string& kind = word(values, "map.kind");
-  if (kind == "chaos" && subject.system.damper())
+  if (kind == "frequency")
+    refuse(values, "map.kind", name,
+           "expected \"chaos\", \"column\", \"andoyer-section\" or \"spin-orbit-section\", since "
+           "the frequency is that of the precession in a file of kind \"obliquity\"");
+  if (kind == "chaos" && rotation.damper)
     refuse(values, "map.kind", name,
            "expected another kind, since the state of a Kane damper has no indicator of chaos");
   if (kind == "chaos") return {.kind = MapKind::chaos};
-  if (kind == "column") return {.kind = MapKind::column, .column = column_of(at, subject.system)};
+  if (kind == "column") {
+    const std::string column = column_of(at, rotor_system(rotation));
+    return {.kind = MapKind::column,
+            .column = column,
+            .unit = at.units.label(column_dimension(column, at.charts))};
+  }
   if (kind == "andoyer-section")
     return {.kind = MapKind::andoyer_section, .surface = surface_of(values, name)};
   return {.kind = MapKind::spin_orbit_section,
-          .orbit = section_orbit(values, subject.orbits, name)};
+          .orbit = section_orbit(values, rotation.orbits, name)};
+}
+
+MapPlan plan_of(const Obliquity& of, const MapContext& at) {
+  const std::string& kind = word(at.values, "map.kind");
+  if (kind == "frequency") {
+    if (of.time && of.time->size() < 2 * least_samples)
+      refuse(at.values, "time", at.name,
+             "expected 16 rows or more, since each half of them has a frequency");
+    return {.kind = MapKind::frequency};
+  }
+  if (kind != "column")
+    refuse(at.values, "map.kind", at.name,
+           "expected \"column\" or \"frequency\" in a file of kind \"obliquity\"");
+  const std::string& column = word(at.values, "map.column");
+  const SpinColumn* const found = spin_column(column);
+  if (found == nullptr) {
+    const std::vector<std::string_view> known = spin_column_names();
+    refuse(
+        at.values, "map.column", at.name,
+        "expected a column of kind \"obliquity\": " + one_of(known) + did_you_mean(column, known));
+  }
+  if (column == "insolation" && !of.insolation)
+    refuse(at.values, "map.column", at.name,
+           "expected a table planet.insolation for the column insolation");
+  return {.kind = MapKind::column, .column = column, .unit = unit_of(*found, at.units)};
+}
+
+MapPlan plan_of(const OwnExperiment& of, const MapContext& at) {
+  refuse(at.values, "map", at.name,
+         "expected none: a map wraps files of kind \"rotation\" and \"obliquity\", not \"" +
+             of.kind + "\"");
+}
+
+MapPlan without_axes(const MapContext& at, const Experiment& experiment) {
+  return std::visit([&](const auto& of) { return plan_of(of, at); }, experiment);
+}
+
+const std::optional<SaveAt>& rows_of(const Experiment& experiment) {
+  return std::visit([](const auto& of) -> const std::optional<SaveAt>& { return row_times(of); },
+                    experiment);
 }
 
 void require_rows(const Values& values, const std::optional<SaveAt>& time,
@@ -123,15 +175,10 @@ void require_rows(const Values& values, const std::optional<SaveAt>& time,
 
 }  // namespace
 
-MapSubject subject_of(const Experiment& experiment) {
-  const Rotation& rotation = rotation_of(experiment);
-  return {rotor_system(rotation), rotation.orbits, rotation.time};
-}
-
-MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
+MapPlan map_plan(const MapContext& at, const Experiment& experiment) {
   const Values& values = at.values;
   const std::string& name = at.name;
-  MapPlan plan = without_axes(at, subject);
+  MapPlan plan = without_axes(at, experiment);
   double cells = 1.0;
   for (std::size_t i = 0; has(values, "map.axis[" + std::to_string(i) + "].key"); ++i) {
     const std::string path = "map.axis[" + std::to_string(i) + "]";
@@ -144,13 +191,13 @@ MapPlan map_plan(const MapContext& at, const MapSubject& subject) {
       refuse(values, path + ".count", name, "expected a map of at most 1e9 cells");
     plan.axes.push_back(std::move(axis));
   }
-  require_rows(values, subject.rows, name);
+  require_rows(values, rows_of(experiment), name);
   return plan;
 }
 
-void require_map(const MapContext& at, const MapSubject& subject) {
-  static_cast<void>(without_axes(at, subject));
-  require_rows(at.values, subject.rows, at.name);
+void require_map(const MapContext& at, const Experiment& experiment) {
+  static_cast<void>(without_axes(at, experiment));
+  require_rows(at.values, rows_of(experiment), at.name);
 }
 
 }  // namespace detail

@@ -2,10 +2,8 @@
 // From the values of a file to its [map].
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/values.hpp"
@@ -21,19 +19,10 @@ struct MapContext {
   std::span<const ChartKind> charts;
   const std::string& name;  // of the file, for messages
 };
-// What sections, columns and the indicator of chaos ask of an experiment, which must outlive it.
-struct MapSubject {
-  System system;
-  const std::vector<ScenarioOrbit>& orbits;
-  const std::optional<SaveAt>& rows;
-};
-// DomainError for what a map cannot wrap.
-MapSubject subject_of(const Experiment& experiment);
-
-// ScenarioError at the place of what is wrong.
-MapPlan map_plan(const MapContext& at, const MapSubject& subject);
+// ScenarioError at the place of what is wrong, and for an experiment that no map wraps.
+MapPlan map_plan(const MapContext& at, const Experiment& experiment);
 // What the plan asks of the experiment of a cell, whose numbers are others.
-void require_map(const MapContext& at, const MapSubject& subject);
+void require_map(const MapContext& at, const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0

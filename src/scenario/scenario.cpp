@@ -86,9 +86,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   output.options = detail::format_options_of(read.values, kinds.formats(), path);
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
-    map = detail::map_plan({read.values, document.units, kinds.charts(), path},
-                           detail::built(read.values, "map", path,
-                                         [&] { return detail::subject_of(made->experiment); }));
+    map = detail::map_plan({read.values, document.units, kinds.charts(), path}, made->experiment);
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
   return {std::move(document), made->experiment, std::move(output), std::move(map)};

@@ -2,7 +2,7 @@
 // MapPlan: the table [map] of a scenario, which wraps whatever the scenario describes: one run for
 // every cell of a grid of its numbers.
 //
-// Equations   those of chaos_indicator and of sections.
+// Equations   those of chaos_indicator, of sections and of spectrum.
 // Units       `from` and `to` in the unit that their key has in the file; the rest in core units.
 // Domain      1 to 1e9 cells, counted with the last axis the fastest.
 // Accuracy    none.
@@ -19,7 +19,8 @@
 namespace polhode {
 inline namespace v0 {
 
-enum class MapKind { chaos, column, andoyer_section, spin_orbit_section };
+// The last one is of a spin axis over ages; the others but `column` are of a rotation.
+enum class MapKind { chaos, column, andoyer_section, spin_orbit_section, frequency };
 
 struct MapAxis {
   std::string key;
@@ -31,7 +32,8 @@ struct MapAxis {
 
 struct MapPlan {
   MapKind kind;
-  std::string column = {};         // of MapKind::column
+  std::string column = {};  // of MapKind::column, with its unit
+  std::string unit = {};
   SectionSurface surface = {};     // of MapKind::andoyer_section
   std::string orbit = {};          // of MapKind::spin_orbit_section
   std::vector<MapAxis> axes = {};  // a section may have none: one start

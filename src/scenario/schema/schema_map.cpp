@@ -19,11 +19,13 @@ constexpr Key keys[] = {
     {.path = "map.kind",
      .type = choice,
      .presence = required,
-     .allowed = "chaos|column|andoyer-section|spin-orbit-section",
+     .allowed = "chaos|column|andoyer-section|spin-orbit-section|frequency",
      .example = "\"chaos\"",
      .help = "What a cell gives: mean MEGNO and Lyapunov indicator; the extremes and the last "
              "value of a column; or a row for every point of a surface of section: Andoyer's "
-             "elements, or angle, spin and tilt at every pericentre."},
+             "elements, or angle, spin and tilt at every pericentre. Of a file of kind "
+             "\"obliquity\": a column, or the frequency of the precession in the first and in the "
+             "second half of the rows, and by what fraction it changed, which shows chaos."},
     {.path = "map.column",
      .type = text,
      .presence = required,
@@ -76,7 +78,7 @@ constexpr Key keys[] = {
     {.path = "map.axis[]",
      .help = "The axes of the grid; the last one runs fastest. A section without an axis has one "
              "start.",
-     .needed_by = "chaos|column"},
+     .needed_by = "chaos|column|frequency"},
     {.path = "map.axis[].key",
      .type = text,
      .presence = required,

@@ -124,6 +124,11 @@ TEST_F(ExperimentKinds, WhatIsWrongStandsAtItsPlace) {
               HasSubstr("output.columns: got [\"q\"]; expected none: rows of kind gyrostat"));
   EXPECT_THAT(error(head + body + rows + "method = { kind = \"splitting\", step = 1 }\n"),
               HasSubstr("method.kind: got \"splitting\"; expected \"adaptive\", since"));
+  EXPECT_THAT(error(head + body + rows +
+                    "[map]\nkind = \"chaos\"\n[[map.axis]]\nkey = "
+                    "\"gyrostat.wheel\"\nfrom = 0\nto = 1\ncount = 2\n"),
+              HasSubstr("expected none: a map wraps files of kind \"rotation\" and \"obliquity\", "
+                        "not \"gyrostat\""));
   EXPECT_THAT(error(head + body + rows + "[body]\nmoments = [1, 2, 2]\n"),
               HasSubstr("body: a key of kind \"rotation\""));
   EXPECT_THAT(message_of([&] { read(head + body + rows, default_kinds()); }),

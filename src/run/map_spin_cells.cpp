@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The cells of a map over spin axes: extremes of a column, and how steady the precession is.
+#include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
+
+#include "output/obliquity_columns.hpp"
+#include "polhode/analysis/spectrum.hpp"
+#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/scenario/obliquity.hpp"
+#include "run/detail/map_cells.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using SpinSample = BasicSample<SpinAxis>;
+
+MapCell column_cell(const Obliquity& obliquity, const CellContext& of, const Progress& progress) {
+  const SpinColumn& column = *spin_column(of.plan.column);
+  Extremes extremes;
+  const auto run = integrate(
+      spin_problem(obliquity), *obliquity.time,
+      [&](std::span<const SpinSample> samples) {
+        for (const SpinSample& one : samples)
+          extremes.add(
+              column.value(spin_row(one.s, obliquity.history.at(one.t), obliquity.insolation)));
+      },
+      progress);
+  return ended(extremes.in(of.units, column.dimension), run.outcome(), 3);
+}
+
+// The largest line of sin(obliquity) exp(i psi), which has no singularity.
+double precession_frequency(std::span<const std::complex<double>> equinox, double interval) {
+  const Spectrum found = spectrum(0.0, interval, equinox, {.lines = 1});
+  return found.lines.empty() ? std::nan("") : found.lines.front().frequency;
+}
+
+// The frequencies of the first and of the second half of the rows: where they differ, the motion is
+// chaotic (Laskar & Robutel 1993).
+MapCell frequency_cell(const Obliquity& obliquity, const CellContext& of,
+                       const Progress& progress) {
+  std::vector<std::complex<double>> equinox;
+  const auto run = integrate(
+      spin_problem(obliquity), *obliquity.time,
+      [&](std::span<const SpinSample> samples) {
+        for (const SpinSample& one : samples) {
+          const SpinAngles angles = spin_angles(one.s, obliquity.history.at(one.t));
+          const double size = std::sin(angles.obliquity);
+          equinox.push_back(size > 0.0 ? std::polar(size, angles.precession) : 0.0);
+        }
+      },
+      progress);
+  if (!run.outcome().ok()) return failed_cell(3, run.outcome().advice);
+  const SaveAt& rows = *obliquity.time;
+  const double interval = rows[1] - rows[0];
+  const std::size_t half = equinox.size() / 2;
+  const std::span all(equinox);
+  const double first = precession_frequency(all.first(half), std::fabs(interval)),
+               later = precession_frequency(all.last(half), std::fabs(interval));
+  const double sign = interval < 0.0 ? -1.0 : 1.0;
+  const auto shown = [&](double rate) { return of.units.from_core(rate, Dimension::rate); };
+  return {{shown(sign * first), shown(sign * later), std::fabs(1.0 - later / first)}, ""};
+}
+
+}  // namespace
+
+MapCell map_cell(const Obliquity& obliquity, const CellContext& of, const Progress& progress) {
+  return of.plan.kind == MapKind::frequency ? frequency_cell(obliquity, of, progress)
+                                            : column_cell(obliquity, of, progress);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
