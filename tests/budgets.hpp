@@ -41,6 +41,11 @@ inline constexpr double shape_limit = 1e-6;
 
 // Spin axes over ages (tests/unit/secular/spin_precession.cpp).
 inline constexpr double secular_rounding = 1e-14;
+// A HistoryOrbit whose elements stay against Kepler's orbit, lengths in units of a.
+inline constexpr double history_orbit = 2e-12;
+// The mean over the orbit leaves out what goes as 1 / n: the ratio of two errors; the mean over
+// the rotation: rad over ten years of 200 / (2 pi) turns; splitting of 0.02 years over 100.
+inline constexpr double averaging_order = 0.2, averaging_rotor = 1e-5, averaging_methods = 1e-9;
 inline constexpr double secular_table = 1e-12;           // rows of 1 kyr, lines down to 70 kyr
 inline constexpr double secular_constant_orbit = 2e-12;  // 20 rad
 inline constexpr double secular_axes = 1e-11;            // two sets of axes over 5 Myr

@@ -281,6 +281,7 @@ OF_SELF = {
     "PrecessingKeplerOrbit": PRECESSING,
     "TurnedKeplerOrbit": polhode.TurnedKeplerOrbit(PRECESSING, 0.4),
     "TableOrbit": polhode.TableOrbit(TIMES, CIRCLE),
+    "HistoryOrbit": polhode.HistoryOrbit(polhode.shipped_orbit("mars"), 39.47, 1.52),
     "Frame": polhode.Frame.inertial(),
     "Date": DATE,
     "FacetShape": SHAPE,

@@ -106,6 +106,7 @@ def test_signatures_of_terms_name_every_orbit_that_they_take():
         polhode.KeplerOrbit(elements), precessing,
         polhode.TurnedKeplerOrbit.from_equator(precessing),
         polhode.TableOrbit(times, numpy.stack([numpy.cos(times), numpy.sin(times), 0 * times], 1)),
+        polhode.HistoryOrbit(polhode.shipped_orbit("mars"), 1, 1),
         lambda t: [1, 0, 0],
     ]
     moments = polhode.MassMoments(numpy.zeros(10), numpy.zeros(15))

@@ -84,7 +84,7 @@ The exact motion without torque ([guide](../../guide/free-rotation.md),
 The direction of a planet's spin, averaged over its rotation and its orbit
 ([guide](../../guide/obliquity.md)).
 """, {
-        "Orbits": "ElementTable ElementSeries shipped_orbit",
+        "Orbits": "ElementTable ElementSeries HistoryOrbit shipped_orbit",
         "What turns the axis":
             "PrecessionRates star_precession satellite_precession geodetic_precession "
             "planet_rates planet_pole",

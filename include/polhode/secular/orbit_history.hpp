@@ -37,6 +37,8 @@ class OrbitHistory {
   double last_time() const { return table() ? table()->last_time() : no_end; }
   // Null for a series.
   const ElementTable* table() const { return std::get_if<ElementTable>(of_.get()); }
+  // Null for a table.
+  const ElementSeries* series() const { return std::get_if<ElementSeries>(of_.get()); }
 
  private:
   using Of = std::variant<ElementTable, ElementSeries>;

@@ -11,6 +11,7 @@
 #include "polhode/secular/insolation.hpp"
 #include "polhode/secular/planet.hpp"
 #include "polhode/secular/shipped_orbit.hpp"
+#include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 
 namespace polhode::python {
@@ -149,6 +150,62 @@ ValueError where the amplitudes of one add up to 1 or more, and for numbers that
   def_copies(series);
 }
 
+using Elements = std::variant<ElementTable, ElementSeries>;
+
+Elements elements_of(const OrbitHistory& of) {
+  return of.table() != nullptr ? Elements(*of.table()) : Elements(*of.series());
+}
+
+void bind_history_orbit(nb::module_& m) {
+  using O = HistoryOrbit;
+  nb::class_<O> c(m, "HistoryOrbit",
+                  R"(Where a planet is on an orbit that changes over ages.
+
+For what is not averaged over the year: an orbit of terms such as GravityGradient, and of
+spin_history.
+
+Parameters
+----------
+elements : ElementTable or ElementSeries.
+gm : of the star, length^3 / time^2 in the time of the elements.
+semi_major_axis : it stays, and with it the mean motion.
+longitude : the mean longitude at t = 0, rad, from axis 1 of the equinoctial axes.
+
+ValueError for gm or semi_major_axis that is not positive.)");
+  c.def(
+       "__init__",
+       [](O* self, const Elements& elements, double gm, double a, double longitude) {
+         new (self) O(std::visit([](const auto& of) { return OrbitHistory(of); }, elements), gm, a,
+                      longitude);
+       },
+       "elements"_a, "gm"_a, "semi_major_axis"_a, "longitude"_a = 0.0)
+      .def_prop_ro(
+          "elements", [](const O& o) { return elements_of(o.elements()); },
+          "ElementTable or ElementSeries.")
+      .def_prop_ro("gm", &O::gm, "Of the star, length^3 / time^2.")
+      .def_prop_ro("semi_major_axis", &O::semi_major_axis, "A length.")
+      .def_prop_ro("longitude", &O::longitude, "The mean one at t = 0, rad.")
+      .def_prop_ro("mean_motion", &O::mean_motion, "sqrt(gm / a^3), rad per time.")
+      .def("__repr__",
+           [](const O& o) {
+             return "<HistoryOrbit: a = " + number_text(o.semi_major_axis()) +
+                    ", gm = " + number_text(o.gm()) + ">";
+           })
+      .def("__reduce__", [](nb::handle_t<O> self) {
+        const O& o = nb::cast<const O&>(self);
+        return nb::make_tuple(
+            nb::handle(self.type()),
+            nb::make_tuple(elements_of(o.elements()), o.gm(), o.semi_major_axis(), o.longitude()));
+      });
+  const auto position = [](const O& o, const ArrayLike& t) {
+    return mapped_numbers(Numbers(t, "t"), {3}, [&](double at) { return o.position(at); });
+  };
+  c.def("position", position, "t"_a,
+        "(..., 3) at times t of any shape, in the axes of the elements; NaN beyond them.")
+      .def("__call__", position, "t"_a,
+           "position(t): an orbit serves where a function of time does.");
+}
+
 void bind_rates(nb::module_& m) {
   using R = PrecessionRates;
   bind_value<R>(m, "PrecessionRates",
@@ -190,11 +247,30 @@ struct SpinHistory : Records<SpinRow> {
   std::string method;
 };
 
-template <class Elements>
-SpinHistory history_on(const Elements& orbit, const PrecessionRates& rates, const SpinAxis& start,
+template <class E>
+SpinPrecession<E> model_of(const E& orbit, const PrecessionRates& rates) {
+  return {orbit, rates};
+}
+SpinOnOrbit model_of(const HistoryOrbit& orbit, const PrecessionRates& rates) {
+  if (rates.satellites != 0.0 || rates.geodetic != 0.0 || rates.drift != 0.0)
+    throw nb::value_error("rates: got more than star; expected star alone on a HistoryOrbit");
+  return {orbit, rates.star};
+}
+
+template <class Orbit>
+OrbitElements elements_at(const Orbit& orbit, double t) {
+  if constexpr (std::is_same_v<Orbit, HistoryOrbit>)
+    return orbit.elements().at(t);
+  else
+    return orbit.at(t);
+}
+
+template <class Orbit>
+SpinHistory history_on(const Orbit& orbit, const PrecessionRates& rates, const SpinAxis& start,
                        double epoch, const SaveAt& times, const Method& method) {
-  using M = SpinPrecession<Elements>;
-  const BasicProblem<M> problem{M(orbit, rates), start, epoch, times[times.size() - 1], method};
+  const auto model = model_of(orbit, rates);
+  using M = std::remove_const_t<decltype(model)>;
+  const BasicProblem<M> problem{model, start, epoch, times[times.size() - 1], method};
   const Progress look = signal_check();
   const BasicTrajectory<SpinAxis> run = [&] {
     const WithoutGil released;
@@ -203,7 +279,7 @@ SpinHistory history_on(const Elements& orbit, const PrecessionRates& rates, cons
   warn_of(run.outcome(), "spin_history");
   std::vector<SpinRow> rows;
   for (const BasicSample<SpinAxis>& at : run.samples()) {
-    const OrbitElements o = orbit.at(at.t);
+    const OrbitElements o = elements_at(orbit, at.t);
     rows.push_back({at.t, at.s.s, spin_angles(at.s, o), eccentricity(o)});
   }
   return {Records(std::move(rows)), run.outcome(), run.statistics(), run.method()};
@@ -220,7 +296,7 @@ void require_one_side(const SaveAt& times, double epoch) {
                                 .c_str());
 }
 
-SpinHistory history(const std::variant<ElementTable, ElementSeries>& orbit,
+SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit>& orbit,
                     const PrecessionRates& rates, const ArrayLike& pole,
                     const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
                     const Typed<"Adaptive | Splitting">& method, double epoch) {
@@ -271,12 +347,13 @@ Made by spin_history; columns (N,) are read-only views.)");
         "epoch"_a = 0.0,
         R"(The spin axis of a planet on an orbit that changes over ages.
 
-Averaged over the rotation and over the orbit: ds/dt = (alpha(e) (s.n) - g) s x n.
+Averaged over the rotation and over the orbit: ds/dt = (alpha(e) (s.n) - g) s x n. On a HistoryOrbit
+over the rotation alone, which takes steps of weeks.
 
 Parameters
 ----------
-orbit : ElementTable or ElementSeries, along reference axes of any kind.
-rates : PrecessionRates, in the unit of time of the orbit.
+orbit : ElementTable, ElementSeries or HistoryOrbit, along reference axes of any kind.
+rates : PrecessionRates, in the unit of time of the orbit; on a HistoryOrbit the star alone.
 pole : (3,), at the epoch, along the reference axes; its length does not matter.
 times : SaveAt, or times (N,), away from the epoch in one direction.
 method : Adaptive, Splitting (fast: Splitting(10, "order8") in kyr); None: Adaptive().
@@ -355,6 +432,7 @@ flux : at the semi-major axis.)");
 
 void bind_secular(nb::module_& m) {
   bind_orbits(m);
+  bind_history_orbit(m);
   bind_rates(m);
   bind_history(m);
   bind_planets(m);

@@ -325,6 +325,7 @@ AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
     return nb::cast<const PrecessingKeplerOrbit&>(orbit);
   if (nb::isinstance<TurnedKeplerOrbit>(orbit)) return nb::cast<const TurnedKeplerOrbit&>(orbit);
   if (nb::isinstance<TableOrbit>(orbit)) return nb::cast<const TableOrbit&>(orbit);
+  if (nb::isinstance<HistoryOrbit>(orbit)) return nb::cast<const HistoryOrbit&>(orbit);
   functions.push_back(std::make_shared<PythonFunction>(orbit, label));
   return FunctionOrbit(functions.back());
 }

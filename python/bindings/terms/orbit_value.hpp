@@ -7,6 +7,7 @@
 #include "interface/python_function.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/orbit/turned_kepler_orbit.hpp"
+#include "polhode/secular/history_orbit.hpp"
 
 namespace polhode::python {
 
@@ -23,8 +24,8 @@ class FunctionOrbit {
   SharedFunction function_;
 };
 
-using AnyPythonOrbit =
-    std::variant<KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit, TableOrbit, FunctionOrbit>;
+using AnyPythonOrbit = std::variant<KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit,
+                                    TableOrbit, HistoryOrbit, FunctionOrbit>;
 
 // `label` names the function in messages; the one that was wrapped is added to `functions`.
 AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,

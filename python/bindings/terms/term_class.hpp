@@ -30,7 +30,7 @@ std::string docstring(const char* summary, std::span<const std::pair<const char*
 // What the argument `orbit` of a term takes: an orbit with a velocity, or any.
 using MovingOrbit = Typed<"KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit">;
 using Orbit = Typed<
-    "KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit | "
+    "KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit | HistoryOrbit | "
     "typing.Callable[[float], numpy.typing.ArrayLike]">;
 
 // made(orbit), a term, of what Python gave as one.
