@@ -7,6 +7,7 @@ import math
 import subprocess
 
 import budgets
+import numpy
 import pytest
 from closeness import largest
 
@@ -248,3 +249,20 @@ def test_a_template_runs(run, tmp_path):
     assert done.returncode == 0, done.stderr
     assert "obliquity at t = 0" in done.stdout
     assert "[laskar1993]" in run("cite", path).stdout
+
+
+def test_a_planet_is_caught_in_a_cassini_state_and_escapes(run, table, root):
+    """Precession and node: any angle between them, then next to 0, then any again."""
+    names, rows = table(run("run", root / "examples/migrating-exoplanet.toml").stdout)
+    planet = dict(zip(names, numpy.array(rows, dtype=float).T))
+    orbit = numpy.loadtxt(root / "examples/migrating-exoplanet.csv", delimiter=",")
+    node = numpy.interp(planet["t"], orbit[:, 0], numpy.unwrap(orbit[:, 3], period=360))
+    angle = (planet["precession"] + node + 180) % 360 - 180
+
+    def swing(first, last):
+        return numpy.abs(angle[(planet["t"] >= first) & (planet["t"] <= last)]).max()
+
+    assert swing(0, 90e3) > 170 and swing(350e3, 600e3) > 170
+    assert swing(150e3, 250e3) < 60
+    assert planet["obliquity"][:400].max() < 45 and planet["obliquity"][-1000:].min() > 58
+    assert numpy.ptp(planet["obliquity"][-1000:]) < 1
