@@ -27,13 +27,13 @@ kind = "frequency"
 key = "planet.precession_constant"
 from = 1
 to = {most}
-count = 25
+count = 19
 
 [[map.axis]]
 key = "planet.pole.obliquity"
 from = 0
 to = 90
-count = 31
+count = 25
 """
 
 

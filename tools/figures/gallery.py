@@ -36,7 +36,10 @@ SECTIONS = {
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
     "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],
-    "Obliquity over ages": ["chaotic_zones", "cassini_capture"],
+    "Obliquity over ages": [
+        "obliquity_series", "obliquity_spectrum", "obliquity_resonances", "chaotic_zones",
+        "cassini_capture",
+    ],
 }  # fmt: skip
 # Drawn elsewhere: picture -> (title, the page that explains it, the script).
 OTHERS = {
