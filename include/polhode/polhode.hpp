@@ -112,6 +112,7 @@
 #include "polhode/secular/spin_axis.hpp"
 #include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
+#include "polhode/secular/tidal_spin.hpp"
 #include "polhode/secular/yorp.hpp"
 #include "polhode/shape/facet_shape.hpp"
 #include "polhode/shape/mass_moments.hpp"

@@ -34,6 +34,7 @@ void bind_everything(nb::module_& m) {
   bind_dynamics(m);
   bind_analysis(m);
   bind_section(m);
+  bind_planet_data(m);
   bind_secular(m);
   bind_spectrum(m);
   bind_io(m);

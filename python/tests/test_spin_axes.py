@@ -9,7 +9,15 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import ElementSeries, ElementTable, PrecessionRates, Splitting, spin_history
+from polhode import (
+    ElementSeries,
+    ElementTable,
+    HistoryOrbit,
+    PrecessionRates,
+    Splitting,
+    TidalRates,
+    spin_history,
+)
 
 DEG = np.pi / 180
 ARCSEC = DEG / 3600
@@ -114,6 +122,10 @@ def test_it_is_pickled_and_shown():
     assert repr(RATES).startswith("PrecessionRates(star=") and "drift" not in repr(RATES)
 
 
+def round_the_star():
+    return HistoryOrbit(polhode.shipped_orbit("mars"), 4 * np.pi**2, 1.5237, 0.3)
+
+
 def test_a_table_that_ends_ends_the_run():
     rows = np.arange(0.0, 30.0)
     table = ElementTable(rows, 0.01, 0.02, 0.3, 0.4 + 0.001 * rows)
@@ -134,6 +146,15 @@ def test_a_table_that_ends_ends_the_run():
     (lambda: ElementTable([0.0, 1.0, 2.0], 0.1, [0.1, 4.0, 0.1], 0.0, 0.0),
      "row 1: orbit_elements: got inclination 4"),
     (lambda: spin_history(earth(), RATES, POLE, [0.0, 2.0, 1.0]), "1 comes after 2"),
+    (lambda: spin_history(earth(), RATES, POLE, [1.0], tides=TidalRates(0.0, 1.0)),
+     "TidalRates: spin 0 must be positive"),
+    (lambda: spin_history(earth(), PrecessionRates(1.0, drift=0.1), POLE, [1.0],
+                          tides=TidalRates(1.0, 1.0)), "tides: expected none next to a drift"),
+    (lambda: spin_history(round_the_star(), RATES, POLE, [1.0], tides=TidalRates(1.0, 1.0)),
+     "tides: expected none on a HistoryOrbit"),
+    (lambda: spin_history(round_the_star(), PrecessionRates(1.0, 1.0), POLE, [1.0]),
+     "expected star alone on a HistoryOrbit"),
+    (lambda: HistoryOrbit(earth(), -1.0, 1.0), "HistoryOrbit: gm -1 must be positive"),
     (lambda: spin_history(earth(), RATES, POLE, [1.0], polhode.VariationOfConstants()),
      "must be Adaptive or Splitting"),
 ])
@@ -151,3 +172,33 @@ def test_orbits_have_copies_and_pickles():
     assert table != polhode.shipped_orbit("earth") and table != 1
     with pytest.raises(ValueError, match="its bytes are damaged"):
         ElementSeries.__new__(ElementSeries).__setstate__((b"1", b"2"))
+
+
+def test_a_planet_on_an_orbit_that_changes():
+    orbit = round_the_star()
+    assert orbit.mean_motion == pytest.approx(2 * np.pi / 1.5237**1.5, rel=budgets.numpy_rounding)
+    assert (orbit.gm, orbit.semi_major_axis, orbit.longitude) == (4 * np.pi**2, 1.5237, 0.3)
+    assert orbit.elements == polhode.shipped_orbit("mars")
+    assert orbit.position([[0.0, 1.0]]).shape == (1, 2, 3) and orbit(0.5).shape == (3,)
+    assert np.isnan(orbit.position(3e7)).all()
+    again = pickle.loads(pickle.dumps(orbit))
+    assert np.array_equal(again.position([1.0, 1e4]), orbit.position([1.0, 1e4]))
+    system = polhode.System(polhode.Body(1, 1, 1.1), terms=[polhode.GravityGradient(1.0, orbit)])
+    assert system.terms[0].orbit.gm == orbit.gm
+
+
+def test_tides_slow_the_spin_and_lift_the_moon():
+    """Against the theory without them the spin and the distance change as their rates say."""
+    tides = TidalRates(spin=2e3, orbit=6.0, star=1e-7, satellite=5e-7, satellite_orbit=80.0,
+                       satellite_momentum=1e4)
+    times = np.linspace(0.0, 1e3, 11)
+    found = spin_history(earth(), RATES, POLE, times, tides=tides)
+    plain = spin_history(earth(), RATES, POLE, times)
+    assert (plain.spin == 1).all() and (plain.distance == 1).all()
+    assert (np.diff(found.spin) < 0).all() and (np.diff(found.distance) > 0).all()
+    assert found.obliquity[-1] != plain.obliquity[-1]
+    split = spin_history(earth(), RATES, POLE, times, Splitting(1.0, "order8"), tides=tides)
+    assert_allclose(split.s, found.s, atol=budgets.tidal_methods)
+    assert_allclose(split.spin, found.spin, atol=budgets.tidal_methods)
+    assert polhode.tidal_rate(0.3, 2.0, 5.0, 0.1, 0.5, 0.4, 2.0) == pytest.approx(
+        3 * 0.3 * 2.0 * 5.0 / 8 * 0.1 * (0.5 / 2) ** 3 / 0.4, rel=budgets.numpy_rounding)

@@ -8,11 +8,9 @@
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/secular/insolation.hpp"
-#include "polhode/secular/planet.hpp"
-#include "polhode/secular/shipped_orbit.hpp"
 #include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
+#include "polhode/secular/tidal_spin.hpp"
 
 namespace polhode::python {
 
@@ -236,6 +234,8 @@ drift : by which fraction per time star and satellites grow from t = 0 on, as by
 struct SpinRow {
   double t;
   Vec3 s;
+  double spin;
+  double distance;
   SpinAngles angles;
   double eccentricity;
 };
@@ -265,24 +265,41 @@ OrbitElements elements_at(const Orbit& orbit, double t) {
     return orbit.at(t);
 }
 
-template <class Orbit>
-SpinHistory history_on(const Orbit& orbit, const PrecessionRates& rates, const SpinAxis& start,
+TidalSpin tidal(const TidalSpin& at) { return at; }
+TidalSpin tidal(const SpinAxis& at) { return {at.s}; }
+
+template <class M, class Orbit>
+SpinHistory history_on(const M& model, const Orbit& orbit, const typename M::State& start,
                        double epoch, const SaveAt& times, const Method& method) {
-  const auto model = model_of(orbit, rates);
-  using M = std::remove_const_t<decltype(model)>;
+  using S = typename M::State;
   const BasicProblem<M> problem{model, start, epoch, times[times.size() - 1], method};
   const Progress look = signal_check();
-  const BasicTrajectory<SpinAxis> run = [&] {
+  const BasicTrajectory<S> run = [&] {
     const WithoutGil released;
     return integrate(problem, Keep{.samples = times, .dense = false}, look);
   }();
   warn_of(run.outcome(), "spin_history");
   std::vector<SpinRow> rows;
-  for (const BasicSample<SpinAxis>& at : run.samples()) {
+  for (const BasicSample<S>& at : run.samples()) {
     const OrbitElements o = elements_at(orbit, at.t);
-    rows.push_back({at.t, at.s.s, spin_angles(at.s, o), eccentricity(o)});
+    const TidalSpin state = tidal(at.s);
+    rows.push_back(
+        {at.t, state.s, state.spin, state.distance, spin_angles({state.s}, o), eccentricity(o)});
   }
   return {Records(std::move(rows)), run.outcome(), run.statistics(), run.method()};
+}
+
+template <class Orbit>
+SpinHistory with_tides(const Orbit& orbit, const PrecessionRates& rates, const TidalRates& tides,
+                       const SpinAxis& start, double epoch, const SaveAt& times,
+                       const Method& method) {
+  if constexpr (std::is_same_v<Orbit, HistoryOrbit>) {
+    throw nb::value_error("tides: expected none on a HistoryOrbit");
+  } else {
+    if (rates.drift != 0.0) throw nb::value_error("tides: expected none next to a drift of rates");
+    return history_on(TidalPrecession<Orbit>(orbit, rates, tides), orbit, TidalSpin{start.s}, epoch,
+                      times, method);
+  }
 }
 
 // Rows on the other side of the epoch would not be met.
@@ -299,7 +316,8 @@ void require_one_side(const SaveAt& times, double epoch) {
 SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit>& orbit,
                     const PrecessionRates& rates, const ArrayLike& pole,
                     const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
-                    const Typed<"Adaptive | Splitting">& method, double epoch) {
+                    const Typed<"Adaptive | Splitting">& method, double epoch,
+                    const std::optional<TidalRates>& tides) {
   const SaveAt at = save_at_of(times, "times");
   if (at.size() == 0) throw nb::value_error("times: got none; expected one or more");
   require_one_side(at, epoch);
@@ -310,7 +328,10 @@ SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit
   const SpinAxis start = spin_axis(vec3(pole, "pole"));
   const Method by = method.is_none() ? Method(Adaptive{}) : method_of(method);
   return std::visit(
-      [&](const auto& elements) { return history_on(elements, rates, start, epoch, at, by); },
+      [&](const auto& elements) {
+        if (!tides) return history_on(model_of(elements, rates), elements, start, epoch, at, by);
+        return with_tides(elements, rates, *tides, start, epoch, at, by);
+      },
       orbit);
 }
 
@@ -326,6 +347,10 @@ Made by spin_history; columns (N,) are read-only views.)");
            [](const R& r) { return &r.s.x; },
            "(N, 3): unit vectors along the spin, reference axes.",
            {3}},
+          {"spin", [](const R& r) { return &r.spin; },
+           "(N,): its rate over that at the epoch; 1 without tides."},
+          {"distance", [](const R& r) { return &r.distance; },
+           "(N,): of the satellite, over that at the epoch; 1 without tides."},
           {"obliquity", [](const R& r) { return &r.angles.obliquity; },
            "(N,): angle from the normal of the orbit, rad."},
           {"precession", [](const R& r) { return &r.angles.precession; },
@@ -344,7 +369,7 @@ Made by spin_history; columns (N,) are read-only views.)");
         return "<SpinHistory: " + counted(h.rows().size(), "sample") + "; " + h.method + ">";
       });
   m.def("spin_history", history, "orbit"_a, "rates"_a, "pole"_a, "times"_a, "method"_a = nb::none(),
-        "epoch"_a = 0.0,
+        "epoch"_a = 0.0, "tides"_a = nb::none(),
         R"(The spin axis of a planet on an orbit that changes over ages.
 
 Averaged over the rotation and over the orbit: ds/dt = (alpha(e) (s.n) - g) s x n. On a HistoryOrbit
@@ -358,6 +383,8 @@ pole : (3,), at the epoch, along the reference axes; its length does not matter.
 times : SaveAt, or times (N,), away from the epoch in one direction.
 method : Adaptive, Splitting (fast: Splitting(10, "order8") in kyr); None: Adaptive().
 epoch : when the pole is where it is.
+tides : TidalRates, or None. With them the spin slows down, the satellite goes away, and the rates
+    of precession, those at the epoch, change as they do.
 
 Returns
 -------
@@ -368,66 +395,6 @@ Releases the GIL; Ctrl-C raises KeyboardInterrupt. (Laskar and Robutel 1993; Tou
 1993))");
 }
 
-// ra and dec of the equator of J2000, along ecliptic-J2000.
-FloatArray pole_of(const std::string& name) {
-  const PlanetSpin& of = known_planet(name);
-  Result pole({}, {3});
-  const Vec3 s = planet_pole(of);
-  for (int i = 0; i < 3; ++i) pole.at(0)[i] = s[i];
-  return pole.take();
-}
-
-FloatArray insolation(const ArrayLike& obliquity, const ArrayLike& pericentre,
-                      const ArrayLike& eccentricity, const ArrayLike& latitude,
-                      const ArrayLike& longitude, const ArrayLike& flux) {
-  Numbers in[] = {Numbers(obliquity, "obliquity"),       Numbers(pericentre, "pericentre"),
-                  Numbers(eccentricity, "eccentricity"), Numbers(latitude, "latitude"),
-                  Numbers(longitude, "longitude"),       Numbers(flux, "flux")};
-  const Shape shape = broadcast(in);
-  Result result(shape, {});
-  for_each(size_of(shape), [&](std::size_t k) {
-    const SpinAngles angles{in[0][k], 0.0, in[1][k], 0.0};
-    *result.at(k) = daily_insolation(angles, in[2][k], {in[3][k], in[4][k], in[5][k]});
-  });
-  return result.take();
-}
-
-void bind_planets(nb::module_& m) {
-  m.def(
-      "shipped_orbit",
-      [](const std::string& name, double year) { return shipped_orbit(name, year); }, "name"_a,
-      "year"_a = 1.0,
-      R"(The orbit of the Earth or Mars over 20 million years on either side of J2000.
-
-From an integration of the planets with REBOUND; the Earth stands for its barycentre with the Moon.
-Axes ecliptic-J2000.
-
-Parameters
-----------
-name : "earth" or "mars".
-year : what a Julian year is in the unit of time wanted: 1e-3 for times in kyr.)");
-  m.def(
-      "planet_rates",
-      [](const std::string& name, double year) { return planet_rates(known_planet(name), year); },
-      "name"_a, "year"_a = 1.0,
-      "PrecessionRates of \"earth\" or \"mars\" as published, in rad per unit of time; `year` as "
-      "in "
-      "shipped_orbit.");
-  m.def("planet_pole", pole_of, "name"_a,
-        "(3,): the north pole of \"earth\" or \"mars\" at J2000 (IAU), along ecliptic-J2000.");
-  m.def("daily_insolation", insolation, "obliquity"_a, "pericentre"_a, "eccentricity"_a,
-        "latitude"_a, "longitude"_a, "flux"_a = 1.0,
-        R"(The sunlight of a day, the mean over a rotation (Berger 1978).
-
-Parameters
-----------
-obliquity, pericentre, eccentricity : as in a SpinHistory; any shapes that broadcast.
-latitude : from -pi/2 to pi/2; NaN outside.
-longitude : of the star as seen from the planet, from the moving equinox; pi/2 is the northern
-    summer solstice.
-flux : at the semi-major axis.)");
-}
-
 }  // namespace
 
 void bind_secular(nb::module_& m) {
@@ -435,7 +402,6 @@ void bind_secular(nb::module_& m) {
   bind_history_orbit(m);
   bind_rates(m);
   bind_history(m);
-  bind_planets(m);
 }
 
 }  // namespace polhode::python
