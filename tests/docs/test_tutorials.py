@@ -3,6 +3,7 @@
 page shows, and a number in the text stands in the code or in the output."""
 
 import re
+import shutil
 import sys
 from pathlib import Path
 
@@ -53,6 +54,8 @@ def script(request):
 
 
 def test_a_cell_prints_and_draws_what_the_page_shows(script, tmp_path, build):
+    for table in script.parent.glob("*.txt"):  # what tutorials read
+        shutil.copy(table, tmp_path)
     session = PythonSession(tmp_path, environment_of(build), SECONDS)
     try:
         for cell in tutorials.cells(script.read_text(encoding="utf-8")):

@@ -8,8 +8,10 @@ Needs the Python package (build/release/python, or PYTHONPATH) and matplotlib.""
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/site"))
@@ -23,8 +25,13 @@ def main():
     environment = dict(os.environ, MPLBACKEND="agg", PYTHONPATH=path)
     for script in scripts(ROOT):
         if not sys.argv[1:] or script.stem in sys.argv[1:]:
-            subprocess.run([sys.executable, script], cwd=ROOT / "docs/figures", check=True,
-                           env=environment, stdout=subprocess.DEVNULL)
+            with tempfile.TemporaryDirectory() as folder:
+                for table in script.parent.glob("*.txt"):  # what tutorials read
+                    shutil.copy(table, folder)
+                subprocess.run([sys.executable, script], cwd=folder, check=True,
+                               env=environment, stdout=subprocess.DEVNULL)
+                for picture in pathlib.Path(folder).glob("*.png"):
+                    shutil.copy(picture, ROOT / "docs/figures")
 
 
 if __name__ == "__main__":
