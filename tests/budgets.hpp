@@ -41,6 +41,8 @@ inline constexpr double shape_limit = 1e-6;
 
 // Spin axes over ages (tests/unit/secular/spin_precession.cpp).
 inline constexpr double secular_rounding = 1e-14;
+// Precession of Saturn, arcsec a year: its spin rate is that of the magnetic field.
+inline constexpr double secular_saturn = 1e-3;
 // A HistoryOrbit whose elements stay against Kepler's orbit, lengths in units of a.
 inline constexpr double history_orbit = 2e-12;
 // The mean over the orbit leaves out what goes as 1 / n: the ratio of two errors; the mean over

@@ -115,7 +115,7 @@ figures.save(draw(), "milankovitch.png")
 # years, which so short a time hardly parts (polhode warns of that), and the one of
 # 19,000 years.
 # %%
-warnings.simplefilter("ignore", RuntimeWarning)  # that of the lines next to each other
+warnings.simplefilter("ignore", RuntimeWarning)  # of lines that are too close
 
 
 def periods(x, lines):
@@ -134,8 +134,8 @@ print("climatic precession:", *periods(axis.climatic_precession, 3), "kyr")
 # The orbit that polhode brings along has relativity and the pull of the Moon, and
 # was filtered with more care (`data/orbits/README.md`). On it the obliquity is that
 # of the published La2004 to [a small part of a
-# degree](../guide/obliquity.md#the-orbits-that-come-along) over a million years. The
-# difference is what gravity alone leaves out:
+# degree](../guide/obliquity.md#the-orbits-that-come-along) over a million years.
+# The difference is what gravity alone leaves out:
 # %%
 better = polhode.spin_history(
     polhode.shipped_orbit("earth"), polhode.planet_rates("earth"),

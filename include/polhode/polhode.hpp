@@ -113,6 +113,7 @@
 #include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"
+#include "polhode/secular/tides.hpp"
 #include "polhode/secular/yorp.hpp"
 #include "polhode/shape/facet_shape.hpp"
 #include "polhode/shape/mass_moments.hpp"

@@ -61,6 +61,22 @@ double andoyer_factor(double J) {
   return 1.0 - 1.5 * s * s;
 }
 
+double inner_satellites_factor(double J2, double inertia_factor,
+                               std::span<const InnerSatellite> satellites) {
+  require_positive("inner_satellites_factor: J2", J2);
+  require_positive("inner_satellites_factor: inertia_factor", inertia_factor);
+  double q = 0.0, l = 0.0;
+  for (const InnerSatellite& one : satellites) {
+    require_positive("inner_satellites_factor: mass", one.mass);
+    require_positive("inner_satellites_factor: distance", one.distance);
+    require_positive("inner_satellites_factor: mean_motion", one.mean_motion);
+    const double moment = one.mass * one.distance * one.distance;
+    q += 0.5 * moment;
+    l += moment * one.mean_motion;
+  }
+  return (1.0 + q / J2) / (1.0 + l / inertia_factor);
+}
+
 SpinAxis spin_axis(const Vec3& direction) {
   const double length = norm(direction);
   if (!(length > 0.0))

@@ -9,7 +9,10 @@
 //             Robutel 1993; the Mars of section 4 of the paper). Neither has a singularity where
 //             psi has one.
 //             star = 3/2 gm / a^3 E / w with E = (C - (A + B)/2) / C, times 1 - 3/2 sin^2 J where
-//             the figure axis is J away from s ([SA (84)], J the Andoyer angle).
+//             the figure axis is J away from s ([SA (84)], J the Andoyer angle). Satellites that
+//             stay in the equator take part in the motion: star is then (1 + q / J2) / (1 + l /
+//             lambda) times as large, q = 1/2 sum (m / M) (a / R)^2, l = sum (m / M) (a / R)^2 n /
+//             w, lambda = C / M R^2 (Ward 1975; Ward & Hamilton 2004).
 // Units       any time; rates in rad per time.
 // Domain      orbits that change slowly against the rotation and the year.
 // Accuracy    that of the method. Splitting keeps |s| = 1 to rounding: frozen motion is a turn
@@ -19,6 +22,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -54,6 +58,16 @@ double satellite_precession(double ellipticity, double spin_rate, double gm, dou
 double geodetic_precession(double gm, double semi_major_axis, double light_speed);
 // 1 - 3/2 sin^2 J.
 double andoyer_factor(double J);
+
+// A satellite that stays in the equator of the planet.
+struct InnerSatellite {
+  double mass;         // m / M
+  double distance;     // a / R
+  double mean_motion;  // n / w
+};
+// What star is multiplied with for them; inertia_factor is lambda.
+double inner_satellites_factor(double J2, double inertia_factor,
+                               std::span<const InnerSatellite> satellites);
 
 // In inertial axes.
 template <class Elements>

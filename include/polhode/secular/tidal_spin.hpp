@@ -27,49 +27,12 @@
 #include <utility>
 
 #include "polhode/secular/detail/spin_model.hpp"
+#include "polhode/secular/detail/tidal_change.hpp"
 #include "polhode/secular/spin_precession.hpp"
+#include "polhode/secular/tides.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct TidalSpin {
-  Vec3 s;
-  double spin = 1.0;
-  double distance = 1.0;  // of the satellite
-
-  constexpr bool operator==(const TidalSpin&) const = default;
-};
-template <class Visit>
-void each_number(TidalSpin& at, Visit&& visit) {
-  for (double* const x : {&at.s.x, &at.s.y, &at.s.z, &at.spin, &at.distance}) visit(*x);
-}
-
-// All in rad per time, or 1 per time, at the start. Without a satellite the last three are 0.
-struct TidalRates {
-  double spin;                      // of the planet
-  double orbit;                     // mean motion of the planet
-  double star = 0.0;                // K of the star
-  double satellite = 0.0;           // K of the satellite
-  double satellite_orbit = 0.0;     // mean motion of the satellite
-  double satellite_momentum = 0.0;  // of its orbit, over C
-};
-
-// K = 3 k2 lag gm (m / M) (R / a)^3 / a^3 / (C / M R^2): gm and m of the body that raises the tide,
-// M and R of the planet.
-double tidal_rate(double k2, double lag, double gm, double mass_ratio, double radius,
-                  double inertia_factor, double semi_major_axis);
-// Throws where they are out of range.
-void require_valid(const TidalRates& rates);
-
-namespace detail {
-
-// How s, w and a change by tides alone.
-TidalSpin tidal_change(const TidalRates& tides, double e2, const Vec3& n, const TidalSpin& at);
-// The state after h of them, by one step of order 4.
-TidalSpin tidal_step(const TidalRates& tides, double e2, const Vec3& n, const TidalSpin& at,
-                     double h);
-
-}  // namespace detail
 
 template <class Elements>
 struct TidalPrecession {

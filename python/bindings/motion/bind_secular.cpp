@@ -227,6 +227,25 @@ drift : by which fraction per time star and satellites grow from t = 0 on, as by
         "semi_major_axis"_a, "eccentricity"_a = 0.0, "inclination"_a = 0.0,
         "The same of a satellite that goes round far outside the planet, at a mean inclination "
         "(rad) against the planet's orbit (Laskar and Robutel 1993).");
+  m.def(
+      "inner_satellites_factor",
+      [](double J2, double inertia_factor, const ArrayLike& mass, const ArrayLike& distance,
+         const ArrayLike& mean_motion) {
+        Numbers in[] = {Numbers(mass, "mass"), Numbers(distance, "distance"),
+                        Numbers(mean_motion, "mean_motion")};
+        std::vector<InnerSatellite> all;
+        for (std::size_t k = 0, n = size_of(broadcast(in)); k < n; ++k)
+          all.push_back({in[0][k], in[1][k], in[2][k]});
+        return inner_satellites_factor(J2, inertia_factor, all);
+      },
+      "J2"_a, "inertia_factor"_a, "mass"_a, "distance"_a, "mean_motion"_a,
+      R"(By what satellites that stay in the equator multiply star (Ward and Hamilton 2004).
+
+Parameters
+----------
+J2, inertia_factor : of the planet; C / M R^2.
+mass, distance, mean_motion : of the satellites, (N,) or numbers: m / M, a / R, and n over the spin
+    rate.)");
   m.def("geodetic_precession", &geodetic_precession, "gm"_a, "semi_major_axis"_a, "light_speed"_a,
         "De Sitter's, of a planet on a circle: 3/2 (gm / a)^(3/2) / (a c^2).");
 }

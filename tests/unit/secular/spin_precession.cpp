@@ -257,4 +257,18 @@ TEST(SpinAngles, AreThoseOfTheAlmanacAtTheEpoch) {
   EXPECT_TRUE(std::isnan(spin_angles({{0.0, 0.0, 1.0}}, earth).precession));
 }
 
+// Saturn (Ward & Hamilton 2004): q = 0.05164 and l = 0.00278 of all its satellites, here in one,
+// and 0.8306 arcsec a year.
+TEST(PrecessionRates, SatellitesInTheEquatorTakeSaturnAlong) {
+  const double J2 = 0.016297, lambda = 0.2199, q = 0.05164, l = 0.00278;
+  const InnerSatellite all{2.0 * q / 400.0, 20.0, l / (2.0 * q)};
+  const double factor = inner_satellites_factor(J2, lambda, {{all}});
+  const double n = 12.22 * deg, spin = 2.0 * std::numbers::pi / 0.44401 * 365.25;
+  const double star = star_precession(J2 / lambda, spin, n * n, 1.0) / arcsec;
+  EXPECT_NEAR(star * factor, 0.8306, budget::secular_saturn);
+  EXPECT_EQ(inner_satellites_factor(J2, lambda, {}), 1.0);
+  EXPECT_EQ(message_of([&] { inner_satellites_factor(0.0, lambda, {}); }),
+            "inner_satellites_factor: J2 0 must be positive");
+}
+
 }  // namespace

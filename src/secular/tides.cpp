@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/secular/tidal_spin.hpp"
+#include "polhode/secular/tides.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,10 +11,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace {
-
-TidalSpin plus(const TidalSpin& at, double h, const TidalSpin& change) {
-  return {at.s + h * change.s, at.spin + h * change.spin, at.distance + h * change.distance};
-}
 
 [[noreturn]] void refuse(const char* what, double got, const char* expected) {
   throw DomainError(std::string("TidalRates: ") + what + " " + detail::number_text(got) +
@@ -51,40 +48,6 @@ void require_valid(const TidalRates& of) {
   if (of.satellite > 0.0 && !(of.satellite_momentum > 0.0))
     refuse("satellite_momentum", of.satellite_momentum, "positive where there is a satellite");
 }
-
-namespace detail {
-
-TidalSpin tidal_change(const TidalRates& tides, double e2, const Vec3& n, const TidalSpin& at) {
-  const double c = dot(at.s, n), w = tides.spin * at.spin;
-  const double r = 1.0 / (1.0 - e2), r2 = r * r, r4 = r2 * r2;
-  const double f = (1.0 + e2 * (3.0 + 0.375 * e2)) * r4 * std::sqrt(r);
-  const double N = (1.0 + e2 * (7.5 + e2 * (5.625 + 0.3125 * e2))) * r4 * r2;
-  const double root = std::sqrt(at.distance), d3 = at.distance * at.distance * at.distance;
-  const double moon = tides.satellite / (d3 * d3);
-  const double month = tides.satellite_orbit / (at.distance * root);
-  // sums over star and satellite of K f and K N m
-  const double drag = tides.star * f + moon, drive = tides.star * N * tides.orbit + moon * month;
-  TidalSpin change{(drive / w - 0.5 * drag * c) * (n - c * at.s),
-                   (drive * c - 0.5 * drag * w * (1.0 + c * c)) / tides.spin, 0.0};
-  if (moon > 0.0) change.distance = 2.0 * root * moon * (w * c - month) / tides.satellite_momentum;
-  return change;
-}
-
-TidalSpin tidal_step(const TidalRates& tides, double e2, const Vec3& n, const TidalSpin& at,
-                     double h) {
-  const TidalSpin k1 = tidal_change(tides, e2, n, at),
-                  k2 = tidal_change(tides, e2, n, plus(at, 0.5 * h, k1)),
-                  k3 = tidal_change(tides, e2, n, plus(at, 0.5 * h, k2)),
-                  k4 = tidal_change(tides, e2, n, plus(at, h, k3));
-  TidalSpin next = at;
-  for (const auto& [weight, k] :
-       {std::pair(1.0, &k1), std::pair(2.0, &k2), std::pair(2.0, &k3), std::pair(1.0, &k4)})
-    next = plus(next, weight * h / 6.0, *k);
-  next.s = spin_axis(next.s).s;
-  return next;
-}
-
-}  // namespace detail
 
 }  // namespace v0
 }  // namespace polhode
