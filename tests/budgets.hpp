@@ -50,7 +50,8 @@ inline constexpr double history_orbit = 2e-12;
 inline constexpr double averaging_order = 0.2, averaging_rotor = 1e-5, averaging_methods = 1e-9;
 // Tides over ages (tests/unit/secular/tidal_spin.cpp): m a year, s a century; relative; rad.
 inline constexpr double tidal_recession = 1e-3, tidal_day = 3e-4;
-inline constexpr double tidal_momentum = 1e-11, tidal_methods = 1e-9;
+inline constexpr double tidal_momentum = 1e-11;
+inline constexpr double tidal_methods = 1e-9;
 inline constexpr double secular_table = 1e-12;           // rows of 1 kyr, lines down to 70 kyr
 inline constexpr double secular_constant_orbit = 2e-12;  // 20 rad
 inline constexpr double secular_axes = 1e-11;            // two sets of axes over 5 Myr

@@ -177,6 +177,7 @@ OF_CALL = {
         "problem": polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
     },
     "ElementTable.__init__": {"times": TIMES},
+    "TidalRates.__init__": {"orbit": 6.0},
     "ElementSeries.__init__": {name: [[0.1, 0.2, 0.3]] for name in ("ellipse", "plane")},
     "spin_history": {"pole": VECTOR, "times": [0.5, 1.0]},
     "shipped_orbit": {"name": "mars"},
