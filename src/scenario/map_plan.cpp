@@ -150,8 +150,7 @@ MapPlan plan_of(const Obliquity& of, const MapContext& at) {
 
 MapPlan plan_of(const OwnExperiment& of, const MapContext& at) {
   refuse(at.values, "map", at.name,
-         "expected none: a map wraps files of kind \"rotation\" and \"obliquity\", not \"" +
-             of.kind + "\"");
+         "kind: got \"" + of.kind + "\"; expected \"rotation\" or \"obliquity\"");
 }
 
 MapPlan without_axes(const MapContext& at, const Experiment& experiment) {
