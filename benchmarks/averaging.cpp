@@ -31,7 +31,7 @@ struct Mars {
   HistoryOrbit orbit;
   SpinAxis pole;
 };
-Mars mars() {
+Mars made() {
   const PlanetSpin& of = known_planet("mars");
   const double n = 2.0 * std::numbers::pi / (of.orbital_period / day), spin = of.spin_rate * day;
   const OrbitHistory elements(shipped_orbit("mars", year));
@@ -42,6 +42,11 @@ Mars mars() {
           elements,
           HistoryOrbit(elements, n * n, 1.0, 0.3),
           spin_axis(planet_pole(of))};
+}
+
+const Mars& mars() {
+  static const Mars of = made();
+  return of;
 }
 
 SaveAt times(double years) { return SaveAt::count(0.0, years * year, 41); }
@@ -57,16 +62,16 @@ std::vector<Vec3> axes(const M& model, double years, double step) {
   return all;
 }
 std::vector<Vec3> averaged(double years) {
-  const Mars of = mars();
+  const Mars& of = mars();
   return axes(SpinPrecession<OrbitHistory>(of.elements, {.star = of.star}), years, 500.0 * year);
 }
 std::vector<Vec3> without_rotation(double years) {
-  const Mars of = mars();
+  const Mars& of = mars();
   return axes(SpinOnOrbit(of.orbit, of.star), years, 10.0);
 }
 // The figure axis is along the pole at the start.
 std::vector<Vec3> rotor(double years) {
-  const Mars of = mars();
+  const Mars& of = mars();
   const Body body(1.0 - of.ellipticity - triaxiality, 1.0 - of.ellipticity + triaxiality, 1.0);
   const Vec3& s = of.pole.s;
   const double tilt = 0.5 * std::acos(s.z), across = std::hypot(s.x, s.y);

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_equation.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -29,10 +29,10 @@ double motion(double gm, double a) {
 }
 
 // Of a quarter of a turn at the pericentre.
-double quarter(const OrbitHistory& elements, double n) {
+double quarter(const OrbitHistory& elements, double gm, double a) {
   const double t = std::clamp(0.0, elements.first_time(), elements.last_time());
   const double e = eccentricity(elements.at(t));
-  return 0.5 * std::numbers::pi / n * (1.0 - e) * std::sqrt((1.0 - e) / (1.0 + e));
+  return quarter_turn({.gm = gm, .pericentre = a * (1.0 - e), .eccentricity = e});
 }
 
 template <class T>
@@ -57,7 +57,7 @@ HistoryOrbit::HistoryOrbit(OrbitHistory elements, double gm, double semi_major_a
       gm_(gm),
       a_(semi_major_axis),
       angle_(required(longitude, true, "longitude", "finite"), motion(gm, semi_major_axis), 0.0),
-      time_scale_(quarter(elements_, angle_.rate())) {}
+      time_scale_(quarter(elements_, gm, semi_major_axis)) {}
 
 Vec3 HistoryOrbit::position(double t) const { return placed(elements_.at(t), angle_.at(t), a_); }
 BasicVec3<DoubleDouble> HistoryOrbit::position(const DoubleDouble& t) const {

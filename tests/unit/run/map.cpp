@@ -19,12 +19,14 @@
 #include "polhode/rotor/euler.hpp"
 #include "polhode/run/map_run.hpp"
 #include "temp_folder.hpp"
+#include "unit/run/map_refusal.hpp"
 #include "worst.hpp"
 
 namespace polhode {
 namespace {
 
 using polhode::test::larger;
+using polhode::test::refusal;
 using polhode::test::smaller;
 using ::testing::HasSubstr;
 
@@ -104,15 +106,6 @@ count = 2
   EXPECT_TRUE(std::isnan(cell.numbers[0]));
   EXPECT_THAT(cell.failure, HasSubstr("body.moments"));
   EXPECT_EQ(map.cell(1).failure, "");
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    const ScenarioMap map(text, "m.toml");
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(ScenarioMap, WhatIsNoMap) {

@@ -12,12 +12,14 @@
 #include "polhode/error.hpp"
 #include "polhode/run/map.hpp"
 #include "temp_folder.hpp"
+#include "unit/run/map_refusal.hpp"
 #include "worst.hpp"
 
 namespace polhode {
 namespace {
 
 using polhode::test::larger;
+using polhode::test::refusal;
 using polhode::test::smaller;
 using ::testing::HasSubstr;
 
@@ -112,15 +114,6 @@ count = 2
   const ScenarioMap map(text, "m");
   EXPECT_GT(map.cell(0).numbers[2], budget::map_chaotic);
   EXPECT_LT(map.cell(1).numbers[2], budget::map_regular);
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    const ScenarioMap map(text, "m.toml");
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(MapOfSpins, WhatIsNone) {
