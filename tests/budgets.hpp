@@ -42,6 +42,7 @@ inline constexpr double shape_limit = 1e-6;
 // Spin axes over ages (tests/unit/secular/spin_precession.cpp).
 inline constexpr double secular_rounding = 1e-14;
 // Precession of Saturn, arcsec a year: its spin rate is that of the magnetic field.
+inline constexpr double secular_printed = 5e-19;  // rad/s, half of the last digit of VPLanet's
 inline constexpr double secular_saturn = 1e-3;
 // A HistoryOrbit whose elements stay against Kepler's orbit, lengths in units of a.
 inline constexpr double history_orbit = 2e-12;
@@ -52,7 +53,10 @@ inline constexpr double averaging_order = 0.2, averaging_rotor = 1e-5, averaging
 inline constexpr double tidal_recession = 1e-3, tidal_day = 3e-4;
 inline constexpr double tidal_momentum = 1e-11;
 inline constexpr double tidal_methods = 1e-9;
-inline constexpr double secular_table = 1e-12;           // rows of 1 kyr, lines down to 70 kyr
+inline constexpr double tidal_long_steps = 1e-11;
+inline constexpr double satellite_constant = 1e-12;  // of itself
+inline constexpr double tidal_file = 2e-9;           // 400 Myr, against Runge and Kutta's method
+inline constexpr double secular_table = 1e-12;       // rows of 1 kyr, lines down to 70 kyr
 inline constexpr double secular_constant_orbit = 2e-12;  // 20 rad
 inline constexpr double secular_axes = 1e-11;            // two sets of axes over 5 Myr
 inline constexpr double secular_splitting = 1e-10;       // against the adaptive method, 5 Myr

@@ -34,13 +34,17 @@ constexpr SpinColumn columns_table[] = {
     {"andoyer", "H", Dimension::number, [](const SpinRow& r) { return r.axis.s.z; }},
     {"insolation", "insolation", Dimension::number, [](const SpinRow& r) { return r.insolation; },
      "W/m2"},
+    // over what they are at t = 0
+    {"tides", "rotation_rate", Dimension::number, [](const SpinRow& r) { return r.axis.spin; }},
+    {"tides", "satellite_distance", Dimension::number,
+     [](const SpinRow& r) { return r.axis.distance; }},
 };
 
 }  // namespace
 
-SpinRow spin_row(const SpinAxis& axis, const OrbitElements& orbit,
+SpinRow spin_row(const TidalSpin& axis, const OrbitElements& orbit,
                  const std::optional<InsolationPlace>& place) {
-  const SpinAngles angles = spin_angles(axis, orbit);
+  const SpinAngles angles = spin_angles({axis.s}, orbit);
   return {axis, orbit, angles,
           place ? daily_insolation(angles, eccentricity(orbit), *place) : std::nan("")};
 }

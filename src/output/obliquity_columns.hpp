@@ -11,6 +11,7 @@
 
 #include "polhode/output/columns.hpp"
 #include "polhode/secular/insolation.hpp"
+#include "polhode/secular/tides.hpp"
 #include "polhode/trajectory/sample.hpp"
 
 namespace polhode {
@@ -19,12 +20,12 @@ namespace detail {
 
 // What a row is of.
 struct SpinRow {
-  SpinAxis axis;
+  TidalSpin axis;
   OrbitElements orbit;
   SpinAngles angles;
   double insolation;
 };
-SpinRow spin_row(const SpinAxis& axis, const OrbitElements& orbit,
+SpinRow spin_row(const TidalSpin& axis, const OrbitElements& orbit,
                  const std::optional<InsolationPlace>& place);
 
 struct SpinColumn {

@@ -123,6 +123,10 @@ constexpr Paper papers[] = {
      "Konopliv, A. S., Park, R. S., Folkner, W. M. (2016). An improved JPL Mars gravity field and "
      "orientation from Mars orbiter and lander tracking data. Icarus 274, 253-260.",
      "the precession constant of Mars", "spin of mars"},
+    {"nerondesurgy1997",
+     "Neron de Surgy, O., Laskar, J. (1997). On the long term evolution of the spin of the Earth. "
+     "Astronomy and Astrophysics 318, 975-989.",
+     "tides of constant time lag", "tides"},
     {"berger1978",
      "Berger, A. (1978). Long-term variations of daily insolation and Quaternary climatic changes. "
      "Journal of the Atmospheric Sciences 35, 2362-2367.",

@@ -36,14 +36,15 @@ std::string surroundings_of(const Rotation& rotation) {
   return fingerprint_text(bytes.bytes());
 }
 std::string surroundings_of(const Obliquity& of) {
-  const BasicProblem<SpinOnHistory> problem = spin_problem(of);
   StateBytes bytes;
-  Vec3 s = problem.initial.s;
-  bytes.all(s.x, s.y, s.z);
-  for (int i = 0; i < 16; ++i) {
-    auto rates = problem.system.rates(DoubleDouble(problem.stop * (i / 15.0)), {s.x, s.y, s.z});
-    bytes.all(rates[0], rates[1], rates[2]);
-  }
+  with_problem(of, [&](const auto& problem) {
+    auto start = problem.system.template values<double>(problem.initial);
+    for (double& x : start) bytes(x);
+    for (int i = 0; i < 16; ++i) {
+      auto rates = problem.system.rates(DoubleDouble(problem.stop * (i / 15.0)), start);
+      for (double& x : rates) bytes(x);
+    }
+  });
   return fingerprint_text(bytes.bytes());
 }
 std::string surroundings_of(const OwnExperiment& own) { return fingerprint_text(own.identity); }

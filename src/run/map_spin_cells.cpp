@@ -16,20 +16,24 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-using SpinSample = BasicSample<SpinAxis>;
+// seen(t, state) for every row.
+template <class Seen>
+Outcome run_rows_of(const Obliquity& obliquity, const Progress& progress, const Seen& seen) {
+  return with_problem(obliquity, [&]<class Model>(const BasicProblem<Model>& problem) {
+    const auto each = [&](std::span<const BasicSample<typename Model::State>> samples) {
+      for (const auto& one : samples) seen(one.t, tidal_spin(one.s));
+    };
+    return integrate(problem, *obliquity.time, each, progress).outcome();
+  });
+}
 
 MapCell column_cell(const Obliquity& obliquity, const CellContext& of, const Progress& progress) {
   const SpinColumn& column = *spin_column(of.plan.column);
   Extremes extremes;
-  const auto run = integrate(
-      spin_problem(obliquity), *obliquity.time,
-      [&](std::span<const SpinSample> samples) {
-        for (const SpinSample& one : samples)
-          extremes.add(
-              column.value(spin_row(one.s, obliquity.history.at(one.t), obliquity.insolation)));
-      },
-      progress);
-  return ended(extremes.in(of.units, column.dimension), run.outcome(), 3);
+  const Outcome outcome = run_rows_of(obliquity, progress, [&](double t, const TidalSpin& at) {
+    extremes.add(column.value(spin_row(at, obliquity.history.at(t), obliquity.insolation)));
+  });
+  return ended(extremes.in(of.units, column.dimension), outcome, 3);
 }
 
 // The largest line of sin(obliquity) exp(i psi), which has no singularity.
@@ -43,17 +47,12 @@ double precession_frequency(std::span<const std::complex<double>> equinox, doubl
 MapCell frequency_cell(const Obliquity& obliquity, const CellContext& of,
                        const Progress& progress) {
   std::vector<std::complex<double>> equinox;
-  const auto run = integrate(
-      spin_problem(obliquity), *obliquity.time,
-      [&](std::span<const SpinSample> samples) {
-        for (const SpinSample& one : samples) {
-          const SpinAngles angles = spin_angles(one.s, obliquity.history.at(one.t));
-          const double size = std::sin(angles.obliquity);
-          equinox.push_back(size > 0.0 ? std::polar(size, angles.precession) : 0.0);
-        }
-      },
-      progress);
-  if (!run.outcome().ok()) return failed_cell(3, run.outcome().advice);
+  const Outcome outcome = run_rows_of(obliquity, progress, [&](double t, const TidalSpin& at) {
+    const SpinAngles angles = spin_angles({at.s}, obliquity.history.at(t));
+    const double size = std::sin(angles.obliquity);
+    equinox.push_back(size > 0.0 ? std::polar(size, angles.precession) : 0.0);
+  });
+  if (!outcome.ok()) return failed_cell(3, outcome.advice);
   const SaveAt& rows = *obliquity.time;
   const double interval = rows[1] - rows[0];
   const std::size_t half = equinox.size() / 2;

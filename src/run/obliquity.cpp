@@ -47,6 +47,7 @@ std::vector<std::string> cited_parts(const Obliquity& of) {
     parts.push_back("planet pole");
     parts.push_back("spin of " + of.planet);
   }
+  if (of.tides) parts.push_back("tides");
   if (of.insolation) parts.push_back("insolation");
   return parts;
 }
@@ -55,15 +56,35 @@ RunReport rows_of(const Obliquity& of, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   const SpinLayout layout(of.columns, scenario.units());
   RowWriter writer(layout.width(), sinks, control.from == nullptr ? 0 : control.from->pushed);
-  const auto write = [&](std::span<const BasicSample<SpinAxis>> samples,
-                         std::span<double> numbers) {
-    for (std::size_t k = 0; k < samples.size(); ++k)
-      layout.write(samples[k].t, spin_row(samples[k].s, of.history.at(samples[k].t), of.insolation),
-                   numbers.subspan(k * layout.width(), layout.width()));
-  };
-  const RowsOfMotion<SpinOnHistory> motion{spin_problem(of), *of.time, write};
-  return completed(integrated_run(motion, writer, control).report, writer);
+  return with_problem(of, [&]<class Model>(const BasicProblem<Model>& problem) {
+    const auto write = [&](std::span<const BasicSample<typename Model::State>> samples,
+                           std::span<double> numbers) {
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        const double t = samples[k].t;
+        layout.write(t, spin_row(tidal_spin(samples[k].s), of.history.at(t), of.insolation),
+                     numbers.subspan(k * layout.width(), layout.width()));
+      }
+    };
+    const RowsOfMotion<Model> motion{problem, *of.time, write};
+    return completed(integrated_run(motion, writer, control).report, writer);
+  });
 }
+
+namespace {
+
+// What tides do at t = 0, as fractions per time.
+void add_tides(Lines& lines, const Obliquity& of) {
+  if (!of.tides) return;
+  const TidalSpinOnHistory model(of.history, of.rates, *of.tides);
+  const auto change = model.rates(DoubleDouble(0.0), model.values<double>(tidal_spin(of.initial)));
+  lines.number("spin_growth", "growth of the spin by tides, of itself", change[3],
+               Dimension::growth);
+  if (of.tides->satellite > 0.0)
+    lines.number("distance_growth", "growth of the satellite's distance", change[4],
+                 Dimension::growth);
+}
+
+}  // namespace
 
 std::vector<SummaryLine> summary(const Obliquity& of, const Scenario& scenario) {
   Lines lines(scenario.units());
@@ -73,8 +94,8 @@ std::vector<SummaryLine> summary(const Obliquity& of, const Scenario& scenario) 
   lines.text("orbit", "orbit " + of.orbit, of.orbit_text);
   const OrbitElements start = of.history.at(0.0);
   const SpinAngles angles = spin_angles(of.initial, start);
-  const double e2 = start.k * start.k + start.h * start.h;
-  const double rate = of.rates.torque(0.0, e2) * std::cos(angles.obliquity) - of.rates.geodetic;
+  const double rate =
+      of.rates.torque(0.0, orbit_plane(start).e2) * std::cos(angles.obliquity) - of.rates.geodetic;
   lines.number("obliquity", "obliquity at t = 0", angles.obliquity, Dimension::angle);
   lines.number("precession_constant", "precession constant, on a circle",
                of.rates.star + of.rates.satellites, Dimension::rate);
@@ -82,6 +103,7 @@ std::vector<SummaryLine> summary(const Obliquity& of, const Scenario& scenario) 
   if (rate != 0.0)
     lines.number("precession_period", "period of precession then",
                  2.0 * std::numbers::pi / std::fabs(rate), Dimension::time);
+  add_tides(lines, of);
   lines.text("method", "method", propagation_text(of, scenario.units()));
   return lines.take();
 }

@@ -44,7 +44,10 @@ std::vector<Vec3> ellipses(std::span<const OrbitElements> rows) {
 std::vector<Vec3> planes(std::span<const OrbitElements> rows) {
   std::vector<Vec3> of;
   of.reserve(rows.size());
-  for (const OrbitElements& o : rows) of.push_back({o.q, o.p, o.k * o.k + o.h * o.h});
+  for (const OrbitElements& o : rows) {
+    const OrbitPlane plane = orbit_plane(o);
+    of.push_back({plane.q, plane.p, plane.e2});
+  }
   return of;
 }
 

@@ -25,7 +25,8 @@ double geodetic(double period, double distance) {
 
 // Poles: IAU (Archinal et al. 2018). Earth: K0 and the share of the Moon of Zeebe & Lourens
 // (2022); ellipticity of IAU 2000. Mars: J2 = 1.95661e-3 over C / (M R^2) = 0.3644 (Konopliv et al.
-// 2016), from which the rate follows: 3/2 n^2 E / w.
+// 2016), from which the rate follows: 3/2 n^2 E / w. The inertia of the Earth is J2 / E, and its
+// gm, radius and J2 are those of the IERS conventions (2010).
 std::array<PlanetSpin, 2> known() {
   const double year = 365.256363 * day, year_of_mars = 686.97985 * day;
   PlanetSpin earth{"earth",
@@ -37,6 +38,10 @@ std::array<PlanetSpin, 2> known() {
                    {.star = 17.376255 * arcsec_per_year,
                     .satellites = 17.376255 * 2.161213 * arcsec_per_year,
                     .geodetic = geodetic(year, 149598023e3)},
+                   3.986004418e14,
+                   6378136.6,
+                   1.0826359e-3 / 3.27379448e-3,
+                   {.mass = 0.0123000371, .distance = 384399e3},
                    "Zeebe & Lourens 2022"};
   PlanetSpin mars{"mars",
                   317.68143 * degree,
@@ -44,6 +49,10 @@ std::array<PlanetSpin, 2> known() {
                   1.95661e-3 / 0.3644,
                   350.89198226 * degree / day,
                   year_of_mars,
+                  {},
+                  4.282837362e13,
+                  3396.0e3,
+                  0.3644,
                   {},
                   "Konopliv et al. 2016"};
   const double n = 2.0 * std::numbers::pi / year_of_mars;

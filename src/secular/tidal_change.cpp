@@ -2,20 +2,10 @@
 #include "polhode/secular/detail/tidal_change.hpp"
 
 #include <cmath>
-#include <utility>
-
-#include "polhode/secular/spin_axis.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-namespace {
-
-TidalSpin plus(const TidalSpin& at, double h, const TidalSpin& change) {
-  return {at.s + h * change.s, at.spin + h * change.spin, at.distance + h * change.distance};
-}
-
-}  // namespace
 
 TidalSpin tidal_change(const TidalRates& tides, double e2, const Vec3& n, const TidalSpin& at) {
   const double c = dot(at.s, n), w = tides.spin * at.spin;
@@ -33,21 +23,6 @@ TidalSpin tidal_change(const TidalRates& tides, double e2, const Vec3& n, const 
   return change;
 }
 
-TidalSpin tidal_step(const TidalRates& tides, double e2, const Vec3& n, const TidalSpin& at,
-                     double h) {
-  const TidalSpin k1 = tidal_change(tides, e2, n, at),
-                  k2 = tidal_change(tides, e2, n, plus(at, 0.5 * h, k1)),
-                  k3 = tidal_change(tides, e2, n, plus(at, 0.5 * h, k2)),
-                  k4 = tidal_change(tides, e2, n, plus(at, h, k3));
-  TidalSpin next = at;
-  for (const auto& [weight, k] :
-       {std::pair(1.0, &k1), std::pair(2.0, &k2), std::pair(2.0, &k3), std::pair(1.0, &k4)})
-    next = plus(next, weight * h / 6.0, *k);
-  next.s = spin_axis(next.s).s;
-  return next;
-}
-
 }  // namespace detail
-
 }  // namespace v0
 }  // namespace polhode

@@ -166,9 +166,11 @@ def test_insolation_is_a_column(mine):
     assert abs(rows[0][3] - 479) < 2.5
 
 
-def test_a_stopped_run_goes_on(run, table, tmp_path, polhode):
+@pytest.mark.parametrize("tides", ["tidal_drift = 0", 'tides = { k2 = 0.3, lag = "600 s" }'])
+def test_a_stopped_run_goes_on(run, table, tmp_path, polhode, tides):
     path, out = tmp_path / "planet.toml", tmp_path / "planet.csv"
-    path.write_text(EARTH.replace("step = 100", "step = 0.01").replace("step = 2", "step = 0.01"),
+    text = EARTH.replace('tidal_drift = "-5.2e-4 1/Myr"', tides)
+    path.write_text(text.replace("step = 100", "step = 0.01").replace("step = 2", "step = 0.01"),
                     encoding="utf-8")
     process = subprocess.Popen([str(polhode), "run", str(path), "--out", str(out), "--checkpoint",
                                 "0.02 s"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Obliquity: what a scenario of kind "obliquity" describes, the spin axis of a planet over ages.
 //
-// Equations   those of SpinPrecession (polhode/secular/spin_precession.hpp).
+// Equations   those of SpinPrecession (polhode/secular/spin_precession.hpp), with tides those of
+//             TidalPrecession (polhode/secular/tidal_spin.hpp).
 // Units       core units (polhode/text/units.hpp).
 // Domain      axes of the orbit and the spin: ecliptic-J2000, or inertial ones.
 // Accuracy    that of its method.
@@ -17,12 +18,14 @@
 #include "polhode/secular/insolation.hpp"
 #include "polhode/secular/orbit_history.hpp"
 #include "polhode/secular/spin_precession.hpp"
+#include "polhode/secular/tidal_spin.hpp"
 #include "polhode/trajectory/save_at.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 using SpinOnHistory = SpinPrecession<OrbitHistory>;
+using TidalSpinOnHistory = TidalPrecession<OrbitHistory>;
 
 struct Obliquity {
   std::string planet;      // "mars", or empty
@@ -35,6 +38,7 @@ struct Obliquity {
   SpinAxis initial;  // at t = 0
   Method method = Adaptive{};
   std::vector<std::string> columns;
+  std::optional<TidalRates> tides = std::nullopt;
   std::optional<InsolationPlace> insolation = std::nullopt;
   std::optional<SaveAt> time = std::nullopt;
 };
@@ -43,8 +47,18 @@ const std::optional<SaveAt>& row_times(const Obliquity& of);
 bool has_events(const Obliquity& of);
 std::optional<Method> propagation_method(const Obliquity& of);
 
-// From t = 0 to the last row.
+// From t = 0 to the last row, without the tides and with them.
 BasicProblem<SpinOnHistory> spin_problem(const Obliquity& of);
+// DomainError where it has none.
+BasicProblem<TidalSpinOnHistory> tidal_problem(const Obliquity& of);
+// What `use` makes of the one that it is.
+template <class Use>
+decltype(auto) with_problem(const Obliquity& of, Use&& use) {
+  return of.tides ? use(tidal_problem(of)) : use(spin_problem(of));
+}
+// A state of either.
+inline TidalSpin tidal_spin(const SpinAxis& axis) { return {.s = axis.s}; }
+inline TidalSpin tidal_spin(const TidalSpin& at) { return at; }
 
 }  // namespace v0
 }  // namespace polhode

@@ -43,6 +43,7 @@ struct OrbitPlane {
   double q, p, e2;
 };
 
+inline OrbitPlane orbit_plane(const OrbitElements& o) { return {o.q, o.p, o.k * o.k + o.h * o.h}; }
 inline double eccentricity(const OrbitElements& o) { return std::sqrt(o.k * o.k + o.h * o.h); }
 
 // Of the orbit with this unit normal and this vector of length e towards the pericentre.
@@ -117,10 +118,7 @@ class ElementSeries {
     add(sum.q, sum.p, plane_, t);
     return sum;
   }
-  OrbitPlane plane(double t) const {
-    const OrbitElements o = at(t);
-    return {o.q, o.p, o.k * o.k + o.h * o.h};
-  }
+  OrbitPlane plane(double t) const { return orbit_plane(at(t)); }
 
  private:
   template <class T>

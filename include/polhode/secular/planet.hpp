@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What is known of the spin of planets: the pole, what makes it precess.
+// What is known of the spin of planets: the pole, what makes it precess, what tides need.
 //
 // Equations   star and satellites as PrecessionRates; geodetic is de Sitter's.
-// Units       rad; rates in rad/s.
+// Units       rad; rates in rad/s; m, s, masses of moons in those of the planet.
 // Domain      the Earth and Mars at J2000.
 // Accuracy    that of the sources, some 1e-4 of the rates.
 // Errors      DomainError for a planet that is not known, of known_planet.
@@ -17,13 +17,23 @@
 namespace polhode {
 inline namespace v0 {
 
+// A moon far outside, near the plane of the orbit of its planet. None where mass is 0.
+struct OuterMoon {
+  double mass = 0.0;
+  double distance = 0.0;  // semi-major axis
+};
+
 struct PlanetSpin {
-  std::string_view name;    // "mars"
-  double ra, dec;           // of the north pole, equator of J2000
-  double ellipticity;       // (C - (A + B)/2) / C
-  double spin_rate;         // rad/s
-  double orbital_period;    // s
-  PrecessionRates rates;    // rad/s
+  std::string_view name;  // "mars"
+  double ra, dec;         // of the north pole, equator of J2000
+  double ellipticity;     // (C - (A + B)/2) / C
+  double spin_rate;       // rad/s
+  double orbital_period;  // s
+  PrecessionRates rates;  // rad/s
+  double gm;
+  double radius;            // of the equator
+  double inertia_factor;    // C / M R^2
+  OuterMoon moon;           // whose torque is the satellites of `rates`
   std::string_view source;  // of the rates, in words
 };
 

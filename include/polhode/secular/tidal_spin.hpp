@@ -15,9 +15,10 @@
 //             / (1 - e^2)^6.
 // Units       any time; w in units of that at the start, a in units of that at the start.
 // Domain      a satellite on a circle in the plane of the orbit of the planet; w > 0. Slow tides:
-//             Splitting moves them by fourth-order steps between its turns.
+//             Splitting moves them by fourth-order steps within its turns.
 // Accuracy    that of the method. Budgets tidal_*.
-// Errors      DomainError for rates that are not finite or out of range.
+// Errors      DomainError for rates that are not finite or out of range, and for a drift of them,
+//             which would count the tides twice.
 // Cost        0.5 us for a turn with a table of elements.
 #pragma once
 
@@ -26,6 +27,7 @@
 #include <string_view>
 #include <utility>
 
+#include "polhode/error.hpp"
 #include "polhode/secular/detail/spin_model.hpp"
 #include "polhode/secular/detail/tidal_change.hpp"
 #include "polhode/secular/spin_precession.hpp"
@@ -47,6 +49,8 @@ struct TidalPrecession {
   TidalPrecession(Elements elements, const PrecessionRates& rates, const TidalRates& of_tides)
       : orbit(std::move(elements)), rates_of(rates), tides(of_tides) {
     require_valid(tides);
+    if (rates.drift != 0.0)
+      throw DomainError("TidalPrecession: expected no drift of the rates next to tides");
   }
 
   template <class T>
@@ -80,9 +84,8 @@ struct TidalPrecession {
   TidalSpin frozen(const DoubleDouble& t, const TidalSpin& from, double h) const {
     const OrbitPlane o = orbit.plane(t.hi);
     const Vec3 n = orbit_normal(o);
-    TidalSpin at = detail::tidal_step(tides, o.e2, n, from, 0.5 * h);
-    at.s = detail::turned({at.s}, n, -rate(at, o, n) * h).s;
-    return detail::tidal_step(tides, o.e2, n, at, 0.5 * h);
+    return detail::tidal_step(tides, o.e2, n, from, h,
+                              [&](const TidalSpin& at) { return rate(at, o, n); });
   }
 };
 

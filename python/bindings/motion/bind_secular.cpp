@@ -315,7 +315,6 @@ SpinHistory with_tides(const Orbit& orbit, const PrecessionRates& rates, const T
   if constexpr (std::is_same_v<Orbit, HistoryOrbit>) {
     throw nb::value_error("tides: expected none on a HistoryOrbit");
   } else {
-    if (rates.drift != 0.0) throw nb::value_error("tides: expected none next to a drift of rates");
     return history_on(TidalPrecession<Orbit>(orbit, rates, tides), orbit, TidalSpin{start.s}, epoch,
                       times, method);
   }

@@ -19,7 +19,7 @@ constexpr Key keys[] = {
      .allowed = "earth|mars",
      .example = "\"mars\"",
      .help = "Fills in what is left out: pole (IAU, J2000), ellipticity, rotation_period, "
-             "orbital_period, satellites, geodetic.",
+             "orbital_period, satellites, geodetic, gm, radius, inertia_factor.",
      .in_template = true},
     {.path = "planet.orbit",
      .type = name,
@@ -60,8 +60,26 @@ constexpr Key keys[] = {
      .example = "2.161213",
      .help = "The torque of satellites over that of the star on a circle; left out, that of the "
              "planet `name`, or 0. Of a moon far outside: (m / a^3) / (M / A^3) of its mass and "
-             "distance and those of the star.",
+             "distance and those of the star. Tables [[planet.satellite]] may stand instead.",
      .range = Range::not_negative},
+    {.path = "planet.gm",
+     .type = number,
+     .dimension = Dimension::gm,
+     .example = "\"398600.4418 km3/s2\"",
+     .help = "Gravitational parameter of the planet. Only satellites and tides need it, and the "
+             "next two.",
+     .range = Range::positive},
+    {.path = "planet.radius",
+     .type = number,
+     .dimension = Dimension::length,
+     .example = "\"6378.1366 km\"",
+     .help = "Of its equator; 1 where units.length is \"1\".",
+     .range = Range::positive},
+    {.path = "planet.inertia_factor",
+     .type = number,
+     .example = "0.3307",
+     .help = "C / (M R^2).",
+     .range = Range::positive},
     {.path = "planet.geodetic",
      .type = number,
      .dimension = Dimension::rate,
@@ -108,6 +126,59 @@ constexpr Key keys[] = {
      .example = "0",
      .help = "The column of this name at t = 0: by how much the equinox has gone back in the "
              "orbit."},
+    {.path = "planet.satellite[]",
+     .help = "Satellites one by one, in place of satellites and of what the planet `name` has."},
+    {.path = "planet.satellite[].kind",
+     .type = choice,
+     .presence = required,
+     .allowed = "outer|inner",
+     .example = "\"outer\"",
+     .help = "Where it goes round."},
+    {.path = "planet.satellite[].mass",
+     .type = number,
+     .presence = required,
+     .example = "0.0123000371",
+     .help = "Over that of the planet.",
+     .range = Range::positive},
+    {.path = "planet.satellite[].distance",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::length,
+     .example = "\"384399 km\"",
+     .help = "Semi-major axis.",
+     .range = Range::positive},
+    {.path = "planet.satellite[].eccentricity",
+     .type = number,
+     .fallback = "0",
+     .example = "0.0549",
+     .help = "Of its orbit.",
+     .kinds = "outer",
+     .range = Range::not_negative},
+    {.path = "planet.satellite[].inclination",
+     .type = number,
+     .dimension = Dimension::angle,
+     .fallback = "0",
+     .example = "5.1454",
+     .help = "Its mean against the orbit of the planet.",
+     .kinds = "outer"},
+    {.path = "planet.tides",
+     .help = "Tides of constant time lag, raised by the star and by an outer satellite: the spin "
+             "slows down, the satellite goes away, the obliquity changes, and the precession with "
+             "them."},
+    {.path = "planet.tides.k2",
+     .type = number,
+     .presence = required,
+     .example = "0.305",
+     .help = "Love's number of the planet.",
+     .range = Range::not_negative},
+    {.path = "planet.tides.lag",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::time,
+     .example = "\"638 s\"",
+     .help = "By how much the tide is late; with k2 = 0.305 this one has the Moon go away at 3.7 "
+             "cm a year.",
+     .range = Range::not_negative},
     {.path = "planet.insolation", .help = "Of what the column insolation is: the mean over a day."},
     {.path = "planet.insolation.latitude",
      .type = number,
@@ -133,7 +204,13 @@ constexpr Key keys[] = {
 constexpr Alternatives sets[] = {{"planet.pole", "ra+dec|obliquity+precession"}};
 
 constexpr KindText texts[] = {
-    {{}, "obliquity", "The spin axis of a planet over ages, on an orbit that changes."}};
+    {{}, "obliquity", "The spin axis of a planet over ages, on an orbit that changes."},
+    {"planet.satellite[]", "outer",
+     "Far outside, near the plane of the orbit of the planet, as the Moon: it pulls at the equator "
+     "as the star does."},
+    {"planet.satellite[]", "inner",
+     "In the plane of the equator, as Titan: it is carried along, and the precession of planet and "
+     "satellites together is what ellipticity and the periods then give."}};
 
 }  // namespace
 

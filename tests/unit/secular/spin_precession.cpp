@@ -237,6 +237,24 @@ TEST(SpinPrecession, TheEarthPrecessesAsItDoes) {
               budget::secular_rounding);
 }
 
+// What VPLanet's own test of the solar system prints (tests/DistorbDistrot/SSDistOrbDistRot), from
+// the data of its files: Gauss's constant, a in au, days of 86400 s.
+TEST(PrecessionRates, AreTheNaturalOnesOfVPLanet) {
+  struct Planet {
+    double ellipticity, days, a, e, obliquity, printed;
+  };
+  constexpr double gauss = 0.01720209895 / 86400.0;
+  for (const Planet& of :
+       {Planet{5.363e-3, 1.0259233, 1.52366290, 0.09341266, 25.189417, 1.166082e-12},
+        Planet{1.3125e-5, 243.69, 0.72333377, 0.00677478, 177.36, -6.903194e-12},
+        Planet{3.28e-3, 1.0, 1.00000321, 0.01671327, 23.44, 2.461543e-12}}) {
+    const double spin = 2.0 * std::numbers::pi / (of.days * 86400.0);
+    const PrecessionRates rates{.star = star_precession(of.ellipticity, spin, gauss * gauss, of.a)};
+    const double rate = rates.torque(0.0, of.e * of.e) * std::cos(of.obliquity * deg);
+    EXPECT_NEAR(rate, of.printed, budget::secular_printed) << of.days;
+  }
+}
+
 TEST(SpinAngles, AreThoseOfTheAlmanacAtTheEpoch) {
   const double obliquity = 23.4392911 * deg;
   const OrbitElements earth = orbit_elements(0.016708634, 0.0, 0.0, 102.937 * deg);

@@ -92,6 +92,19 @@ TEST(TidalSpin, TheSplittingIsTheAdaptiveMethod) {
   EXPECT_NEAR(a.distance, b.distance, budget::tidal_methods);
 }
 
+// On an orbit that stays, the frozen motion is all there is: a step of any scheme is as exact as
+// the tides are slow.
+TEST(TidalSpin, StepsMayBeLongOnAnOrbitThatStays) {
+  const PrecessionRates slow{.star = 0.05, .satellites = 0.1};
+  const TidalPrecession model(ElementSeries({{0.0, 0.2, 0.0}}, {{0.0, 0.05, 1.2}}), slow, earth());
+  const TidalSpin a = moved(model, start(0.5), -400.0, Adaptive{1e-13});
+  for (const SplittingScheme scheme : {SplittingScheme::order2, SplittingScheme::order8}) {
+    const TidalSpin b = moved(model, start(0.5), -400.0, Splitting{.step = 2.0, .scheme = scheme});
+    EXPECT_LT(norm(a.s - b.s), budget::tidal_long_steps);
+    EXPECT_NEAR(a.spin, b.spin, budget::tidal_long_steps);
+  }
+}
+
 TEST(TidalSpin, WithoutTidesItIsTheTheoryWithout) {
   const TidalPrecession model(orbit, rates, TidalRates{.spin = 1.0, .orbit = 1.0});
   const SpinPrecession<ElementSeries> plain(orbit, rates);

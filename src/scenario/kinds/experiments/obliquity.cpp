@@ -9,6 +9,7 @@
 #include "polhode/secular/planet.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/obliquity_kind.hpp"
+#include "scenario/detail/planet_moons.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
@@ -36,7 +37,10 @@ class PlanetBuilder {
     require_cover(of);
     const OrbitElements start = of.history.at(0.0);
     of.initial = pole(start, of.axes);
-    of.rates = rates(start, of.initial);
+    const PlanetMoons moons(at_, planet_, known_);
+    of.rates = rates(start, of.initial, moons);
+    of.tides = planet_.has("tides.k2") ? moons.tides(spin_rate(), mean_motion()) : std::nullopt;
+    require_tides(of);
     of.method = method();
     return of;
   }
@@ -131,26 +135,49 @@ class PlanetBuilder {
 
   // In core units.
   double second() const { return at_.units.to_core(1.0, "s", Dimension::time); }
+  bool has_constant() const {
+    return planet_.has("precession_rate") || planet_.has("precession_constant");
+  }
   double of_planet(const char* key, double known) const {
     if (planet_.has(key)) return planet_.number(key);
     if (known_ == nullptr)
       refuse(at_.values, "planet", at_.name,
-             "expected precession_rate, precession_constant, the name of a planet, or all of "
-             "ellipticity, rotation_period and orbital_period; got no " +
-                 std::string(key));
+             has_constant()
+                 ? std::string("expected a key ") + key +
+                       " or the name of a planet, for its satellites and tides"
+                 : "expected precession_rate, precession_constant, the name of a planet, or all "
+                   "of ellipticity, rotation_period and orbital_period; got no " +
+                       std::string(key));
     return known;
   }
 
+  double spin_rate() const {
+    const double turn = 2.0 * std::numbers::pi;
+    const double day =
+        of_planet("rotation_period", known_ ? turn / known_->spin_rate * second() : 0.0);
+    if (day == 0.0) planet_.refuse("rotation_period", "expected a period other than 0");
+    return turn / day;
+  }
+  double mean_motion() const {
+    return 2.0 * std::numbers::pi /
+           of_planet("orbital_period", known_ ? known_->orbital_period * second() : 0.0);
+  }
+
   // star, of a circle, from whatever is given.
-  double star(double satellites, const OrbitElements& start, const SpinAxis& initial) const {
+  double star(double satellites, const OrbitElements& start, const SpinAxis& initial,
+              const PlanetMoons& moons) const {
     const bool by_rate = planet_.has("precession_rate");
     const bool by_constant = planet_.has("precession_constant");
+    const char* const given = by_rate ? "precession_rate" : "precession_constant";
     if (by_rate && by_constant)
       planet_.refuse("precession_constant", "expected one of it and precession_rate");
+    // satellites and tides need the periods whatever the constant is
+    const bool needs_periods = !moons.empty() || planet_.has("tides.k2");
     for (const char* const key : {"ellipticity", "rotation_period", "orbital_period"})
-      if ((by_rate || by_constant) && planet_.has(key))
-        planet_.refuse(key, std::string("expected none next to ") +
-                                (by_rate ? "precession_rate" : "precession_constant"));
+      if ((by_rate || by_constant) && planet_.has(key) &&
+          !(needs_periods && std::string_view(key) != "ellipticity"))
+        planet_.refuse(key, std::string("expected none next to ") + given);
+    if (by_rate || by_constant) moons.refuse_inner(given);
     if (by_constant) return planet_.number("precession_constant") / (1.0 + satellites);
     if (by_rate) {
       const double cosine = dot(initial.s, orbit_normal(start));
@@ -159,33 +186,34 @@ class PlanetBuilder {
                        "expected precession_constant, since at an obliquity of 90 deg no rate "
                        "tells the constant");
       const double per_star =
-          PrecessionRates{.star = 1.0, .satellites = satellites}.torque(0.0, plane_e2(start));
+          PrecessionRates{.star = 1.0, .satellites = satellites}.torque(0.0, orbit_plane(start).e2);
       return planet_.number("precession_rate") / (cosine * per_star);
     }
+    const double E = of_planet("ellipticity", known_ ? known_->ellipticity : 0.0);
     const bool as_known = known_ != nullptr && !planet_.has("ellipticity") &&
                           !planet_.has("rotation_period") && !planet_.has("orbital_period");
-    if (as_known) return known_->rates.star / second();
-    const double E = of_planet("ellipticity", known_ ? known_->ellipticity : 0.0);
-    const double turn = 2.0 * std::numbers::pi;
-    const double day =
-        of_planet("rotation_period", known_ ? turn / known_->spin_rate * second() : 0.0);
-    const double year =
-        of_planet("orbital_period", known_ ? known_->orbital_period * second() : 0.0);
-    if (day == 0.0) planet_.refuse("rotation_period", "expected a period other than 0");
-    const double n = turn / year;
-    return star_precession(E, turn / day, n * n, 1.0);  // gm / a^3 is n^2
+    const double w = spin_rate(), n = mean_motion();
+    return moons.inner_factor(E, w) *
+           (as_known ? known_->rates.star / second() : star_precession(E, w, n * n, 1.0));
   }
 
-  static double plane_e2(const OrbitElements& o) { return o.k * o.k + o.h * o.h; }
+  double share_of_satellites(const PlanetMoons& moons, const PrecessionRates& known) const {
+    if (moons.empty())
+      return planet_.has("satellites") ? planet_.number("satellites")
+                                       : known.satellites / known.star;
+    if (planet_.has("satellites"))
+      planet_.refuse("satellites", "expected none next to tables planet.satellite");
+    return moons.outer_share(mean_motion());
+  }
 
-  PrecessionRates rates(const OrbitElements& start, const SpinAxis& initial) const {
+  PrecessionRates rates(const OrbitElements& start, const SpinAxis& initial,
+                        const PlanetMoons& moons) const {
     const PrecessionRates none{.star = 1.0};
     const PrecessionRates& known = known_ != nullptr ? known_->rates : none;
     for (const char* const key : {"satellites", "ellipticity", "orbital_period"})
       require_range(key);
-    const double satellites =
-        planet_.has("satellites") ? planet_.number("satellites") : known.satellites / known.star;
-    const double of_star = star(satellites, start, initial);
+    const double satellites = share_of_satellites(moons, known);
+    const double of_star = star(satellites, start, initial, moons);
     const double factor =
         planet_.has("precession_rate") ? 1.0 : andoyer_factor(planet_.number("J"));
     return {.star = factor * of_star,
@@ -197,6 +225,12 @@ class PlanetBuilder {
 
   void require_range(const char* key) const {
     if (planet_.has(key)) detail::require_range(at_.values, planet_.key_path(key), at_.name);
+  }
+
+  void require_tides(const Obliquity& of) const {
+    if (!of.tides && std::find(of.columns.begin(), of.columns.end(), "tides") != of.columns.end())
+      refuse(at_.values, "output.columns", at_.name,
+             "expected a table planet.tides for the columns tides");
   }
 
   std::vector<std::string> columns() const {
@@ -254,6 +288,15 @@ BasicProblem<SpinOnHistory> spin_problem(const Obliquity& of) {
   if (!of.time) throw DomainError("spin_problem: got no [time]; expected its rows");
   const SaveAt& rows = *of.time;
   return {SpinOnHistory(of.history, of.rates), of.initial, 0.0, rows[rows.size() - 1], of.method};
+}
+BasicProblem<TidalSpinOnHistory> tidal_problem(const Obliquity& of) {
+  if (!of.tides) throw DomainError("tidal_problem: got no tides; expected [planet.tides]");
+  const BasicProblem<SpinOnHistory> without = spin_problem(of);
+  return {TidalSpinOnHistory(of.history, of.rates, *of.tides),
+          {.s = of.initial.s},
+          without.start,
+          without.stop,
+          of.method};
 }
 
 }  // namespace v0
