@@ -117,7 +117,9 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
         ": time: got nothing; expected a table [time], stop with step or count, or at");
   if (!options.events.empty() && !has_events(scenario))
     throw DomainError(options.scenario +
-                      ": event: got nothing; expected tables [[event]] for --events");
+                      (std::holds_alternative<Rotation>(scenario.experiment)
+                           ? ": event: got nothing; expected tables [[event]] for --events"
+                           : ": expected no --events, since this kind of file has none"));
   std::vector<std::string> out = options.out;
   const bool table_only = out.empty() && options.events.empty() && isatty(STDOUT_FILENO) == 1;
   if (out.empty() && options.events.empty() && !table_only) out.push_back("-");

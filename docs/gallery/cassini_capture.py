@@ -2,9 +2,9 @@
 """A planet caught in a Cassini state, and its escape
 
 The node of the orbit goes back ever more slowly. After 110,000 years the axis is caught: from then
-on it goes round with the node, and the angle between them (below) stays near 0, while the obliquity
-grows. After 250,000 years the inclination of the orbit is damped. The resonance shrinks until it
-loses the axis, and the obliquity stays.
+on it goes round with the node, and the angle between them (below) swings about 0, while the
+obliquity grows. After 250,000 years the inclination of the orbit is damped. The resonance shrinks
+until it loses the axis, and the obliquity stays.
 """
 
 import numpy as np

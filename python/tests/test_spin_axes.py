@@ -103,6 +103,16 @@ def test_methods_and_tables_agree():
     assert_allclose(of_table.pericentre, exact.pericentre, rtol=0, atol=budgets.spin_methods)
 
 
+def test_a_rate_that_was_observed_is_that_of_the_motion():
+    """Of the equinox, over a moment; geodetic precession apart."""
+    e, tilt = 0.3, 0.4
+    still = ElementSeries([[0.0, e, 0.0]], [[0.0, 0.0, 0.0]])
+    rates = polhode.rates_of_precession(2.0, tilt, e, 1.5)
+    assert rates.satellites == 1.5 * rates.star
+    found = spin_history(still, rates, [0, np.sin(tilt), np.cos(tilt)], [0.0, 0.5])
+    assert_allclose(found.precession[1], 1.0, rtol=0, atol=budgets.spin_methods)
+
+
 def test_on_a_circle_that_stays_the_equinox_goes_back_evenly():
     still = ElementSeries([[0.0, 0.0, 0.0]], [[0.0, 0.0, 0.0]])
     tilt, rates = 0.4, PrecessionRates(2.0, 1.0, geodetic=0.3)
@@ -145,6 +155,15 @@ def test_a_table_that_ends_ends_the_run():
     (lambda: spin_history(earth(), PrecessionRates(np.nan), POLE, [1.0]), "rates: got nan"),
     (lambda: ElementTable([0.0, 1.0, 2.0], 0.1, [0.1, 4.0, 0.1], 0.0, 0.0),
      "row 1: orbit_elements: got inclination 4"),
+    (lambda: ElementTable([0.0, 1.0, 2.0, 9.0, 10.0, 11.0], 0.1, 0.1, 0.1, 0.1),
+     "row 3: a gap of 7 before this row; expected a table without gaps"),
+    (lambda: spin_history(ElementTable(np.arange(4.0), 0.1, 0.1, 0.1, 0.1), RATES, POLE, [5.0],
+                          epoch=4.0),
+     "epoch: got 4.0; expected one that the table covers, 0.0 to 3.0"),
+    (lambda: spin_history(earth(), PrecessionRates(1.0, drift=-0.1), POLE, [20.0]),
+     "a drift of -0.1 turns the torques round before t = 20"),
+    (lambda: polhode.rates_of_precession(1.0, np.pi / 2), "at an obliquity of 90 deg no rate"),
+    (lambda: polhode.rates_of_precession(1.0, 0.4, 1.0), r"e\^2 from 0 to below 1"),
     (lambda: spin_history(earth(), RATES, POLE, [0.0, 2.0, 1.0]), "1 comes after 2"),
     (lambda: spin_history(earth(), RATES, POLE, [1.0], tides=TidalRates(0.0, 1.0)),
      "TidalRates: spin 0 must be positive"),

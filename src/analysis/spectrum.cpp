@@ -39,8 +39,8 @@ struct Line {
 
 class Analysis {
  public:
-  Analysis(std::vector<Complex> samples, bool is_real, const SpectrumOptions& options)
-      : x_(std::move(samples)), rest_(x_), is_real_(is_real), options_(options) {
+  Analysis(std::vector<Complex> samples, bool is_real, int lines, const SpectrumOptions& options)
+      : x_(std::move(samples)), rest_(x_), is_real_(is_real), most_(lines), options_(options) {
     const double last = static_cast<double>(x_.size() - 1);
     for (std::size_t k = 0; k < x_.size(); ++k) {
       tau_.push_back((2.0 * static_cast<double>(k) - last) / last);
@@ -53,7 +53,7 @@ class Analysis {
   void run() {
     if (is_real_) take_mean();
     fitted_ = size_of(rest_);
-    for (int n = 0; n < options_.lines; ++n) {
+    for (int n = 0; n < most_; ++n) {
       double nu = refined(strongest_bin());
       // what is left near a line may be that the line is not fitted yet
       if (is_known(nu, resolved * pi) || size_of(rest_) < 0.1 * fitted_) {
@@ -206,6 +206,7 @@ class Analysis {
   std::vector<Complex> x_, rest_;
   std::vector<double> tau_, weight_;
   bool is_real_;
+  int most_;  // lines
   SpectrumOptions options_;
   double mean_ = 0.0;
   double fitted_ = 0.0;  // what was left after the last fit of everything
@@ -363,12 +364,6 @@ Spectrum analysed(double start, double interval, std::span<const Sample> samples
                       detail::number_text(start) + "; expected a positive one, and finite times");
   if (options.window < 0 || options.window > 5)
     throw DomainError(got + "window " + std::to_string(options.window) + "; expected 0 to 5");
-  const std::size_t most = samples.size() * (is_real ? 1 : 2) / 3;
-  if (samples.size() < 8 || options.lines < 1 || static_cast<std::size_t>(options.lines) > most)
-    throw DomainError(got + std::to_string(samples.size()) + " samples for " +
-                      std::to_string(options.lines) +
-                      " lines; expected 8 samples or more, and 1 to " + std::to_string(most) +
-                      " lines with so many");
   std::vector<Complex> values;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     values.emplace_back(samples[k]);
@@ -376,7 +371,14 @@ Spectrum analysed(double start, double interval, std::span<const Sample> samples
       throw DomainError(got + "sample " + std::to_string(k) +
                         " that is not finite; expected finite ones");
   }
-  Analysis analysis(std::move(values), is_real, options);
+  const int most = static_cast<int>(samples.size() * (is_real ? 1 : 2) / 3);
+  const int lines = options.lines.value_or(std::clamp(most, 1, 20));
+  if (samples.size() < 8 || lines < 1 || lines > most)
+    throw DomainError(got + std::to_string(samples.size()) + " samples for " +
+                      std::to_string(lines) + (lines == 1 ? " line" : " lines") +
+                      "; expected 8 samples or more, and 1 to " +
+                      std::to_string(std::max(most, 1)) + " lines with so many");
+  Analysis analysis(std::move(values), is_real, lines, options);
   analysis.run();
   return analysis.result(start, interval);
 }

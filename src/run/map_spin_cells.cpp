@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The cells of a map over spin axes: extremes of a column, and how steady the precession is.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <complex>
+#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,10 +46,32 @@ double precession_frequency(std::span<const std::complex<double>> equinox, doubl
   return found.lines.empty() ? std::nan("") : found.lines.front().frequency;
 }
 
+// Why rows like these tell no frequency of a precession of up to this constant; empty: they do.
+std::string frequency_obstacle(double constant, const SaveAt& rows, const Units& units) {
+  constexpr double least_turns = 5.0;  // of a half
+  const double turn = 2.0 * std::numbers::pi, period = turn / constant;
+  const double interval = std::fabs(rows[1] - rows[0]);
+  const double half = 0.5 * interval * static_cast<double>(rows.size());
+  const auto text = [&](double t) {
+    return fmt::format("{:.4g}", units.from_core(t, Dimension::time));
+  };
+  const std::string of = "the precession, with a period of " + text(period) + " " + units.time() +
+                         " on a circle at obliquity 0, ";
+  if (interval > 0.5 * period)
+    return of + "needs rows at most " + text(0.5 * period) + " apart; got " + text(interval);
+  if (half < least_turns * period)
+    return of + "needs rows over " + text(2.0 * least_turns * period) + " or more; got " +
+           text(2.0 * half);
+  return "";
+}
+
 // The frequencies of the first and of the second half of the rows: where they differ, the motion is
 // chaotic (Laskar & Robutel 1993).
 MapCell frequency_cell(const Obliquity& obliquity, const CellContext& of,
                        const Progress& progress) {
+  const std::string obstacle =
+      frequency_obstacle(std::fabs(obliquity.rates.torque(0.0, 0.0)), *obliquity.time, of.units);
+  if (!obstacle.empty()) return failed_cell(3, obstacle);
   std::vector<std::complex<double>> equinox;
   const Outcome outcome = run_rows_of(obliquity, progress, [&](double t, const TidalSpin& at) {
     const SpinAngles angles = spin_angles({at.s}, obliquity.history.at(t));

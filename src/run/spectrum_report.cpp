@@ -53,6 +53,23 @@ void find_units(SpectrumReport& report, const SpectrumRequest& request, const Se
   report.per_unit = rate_unit(report.unit, report.time_unit);
 }
 
+// An angle that goes round and round jumps back by a turn in the column of a file.
+void require_no_jumps(const Series& series) {
+  const std::string& unit = series.units[1];
+  double turn = 0.0;
+  try {
+    turn = 2.0 * std::numbers::pi / Units().to_core(1.0, unit, Dimension::angle);
+  } catch (const DomainError&) {
+    return;
+  }
+  const std::vector<double>& x = series.columns[1];
+  for (std::size_t k = 1; k < x.size(); ++k)
+    if (std::fabs(x[k] - x[k - 1]) > 0.5 * turn)
+      throw DomainError(series.file + ": row " + std::to_string(k + 1) +
+                        ": this angle jumps by more than half a turn; expected columns that do "
+                        "not, such as its cosine and its sine (--column and --imaginary)");
+}
+
 // The interval; negative where times fall.
 double interval_of(const Series& series) {
   const std::vector<double>& t = series.columns[0];
@@ -84,6 +101,7 @@ SpectrumReport spectrum_report(const SpectrumRequest& request) {
   SpectrumReport report;
   find_units(report, request, series);
   const double interval = interval_of(series);
+  if (request.imaginary.empty()) require_no_jumps(series);
   if (interval < 0.0)
     for (std::vector<double>& column : series.columns) std::reverse(column.begin(), column.end());
   const double start = series.columns[0].front(), step = std::fabs(interval);

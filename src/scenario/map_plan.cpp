@@ -41,16 +41,17 @@ MapAxis axis_of(const Values& values, const Units& units, const std::string& pat
     const std::vector<std::string> paths = numbers_of(values, key);
     const std::vector<std::string_view> known(paths.begin(), paths.end());
     refuse(values, path + ".key", name,
-           "expected a key of this file that holds a number, such as state.euler.theta or "
-           "state.attitude-rate.omega_body[2]" +
+           "expected a key that holds a number and stands in this file or has a fallback, such as "
+           "state.euler.theta or planet.pole.dec" +
                did_you_mean(key, known));
   }
   const std::int64_t count = value_at(values, path + ".count").whole;
   if (count < 1 || static_cast<double>(count) > most_cells)
     refuse(values, path + ".count", name, "expected a whole number from 1 to 1e9");
-  const Dimension dimension = values.find(place->path)->second.key->dimension;
+  const Value& value = values.find(place->path)->second;
+  const std::string& unit = value.units[place->index];
   return {key, number(values, path + ".from"), number(values, path + ".to"), count,
-          units.label(dimension)};
+          unit.empty() ? units.label(value.key->dimension) : unit};
 }
 
 std::string column_of(const MapContext& at, const System& system) {

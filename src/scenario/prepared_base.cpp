@@ -48,9 +48,12 @@ Experiment PreparedBase::experiment(std::span<const double> numbers) const {
   std::unique_ptr<Values> values = taken();
   for (std::size_t i = 0; i < locations_.size(); ++i) {
     Value& value = values->find(locations_[i].path)->second;
-    value.numbers[locations_[i].index] =
-        scenario_.document.units.to_core(numbers[i], value.key->dimension);
-    value.shown = number_text(numbers[i]);
+    const std::string& unit = value.units[locations_[i].index];
+    const Units& units = scenario_.document.units;
+    const Dimension dimension = value.key->dimension;
+    value.numbers[locations_[i].index] = unit.empty() ? units.to_core(numbers[i], dimension)
+                                                      : units.to_core(numbers[i], unit, dimension);
+    value.shown = number_text(numbers[i]) + (unit.empty() ? "" : " " + unit);
     value.is_explicit = true;
   }
   Experiment made = remake_(*values);

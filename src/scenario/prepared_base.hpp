@@ -22,8 +22,8 @@ class PreparedBase {
   // `keys` are numbers of the file, as number_location finds them. The scenario must outlive it.
   PreparedBase(const Scenario& scenario, std::span<const std::string> keys);
 
-  // With these numbers at the keys, each in its unit of the file. From any thread. ScenarioError,
-  // as a file with these numbers would be refused.
+  // With these numbers at the keys, each in the unit that it has in the file. From any thread.
+  // ScenarioError, as a file with these numbers would be refused.
   Experiment experiment(std::span<const double> numbers) const;
 
  private:

@@ -71,6 +71,7 @@ class Reader {
   const Key* key_ = nullptr;
   std::string path_;
   const toml::node* with_unit_ = nullptr;  // a table of a value and its unit, to quote as a whole
+  std::string own_unit_;                   // of the number read last
 };
 
 std::string joined(const std::string& path, std::string_view name) {
@@ -100,6 +101,7 @@ std::optional<double> Reader::with_unit(const Key& key, const toml::node& node,
     return std::nullopt;
   }
   if (!std::isfinite(*value)) return in_range(key, node, *value);
+  own_unit_ = unit;
   try {
     return in_range(key, node, units_.to_core(*value, unit, key.dimension));
   } catch (const DomainError& error) {
@@ -109,6 +111,7 @@ std::optional<double> Reader::with_unit(const Key& key, const toml::node& node,
 }
 
 std::optional<double> Reader::number(const Key& key, const toml::node& node) {
+  own_unit_.clear();
   if (const std::optional<double> value = real(&node))
     return in_range(key, node, units_.to_core(*value, key.dimension));
   if (const toml::table* table = node.as_table())
@@ -136,6 +139,7 @@ bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t le
     const auto found = unit ? with_unit(key, item, real(&item), *unit) : number(key, item);
     if (!found) return false;
     value.numbers.push_back(*found);
+    value.units.push_back(own_unit_);
   }
   return true;
 }
@@ -205,6 +209,7 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
     case KeyType::number: {
       const std::optional<double> found = number(key, node);
       if (found) value.numbers.push_back(*found);
+      value.units = {own_unit_};
       return found.has_value();
     }
     case KeyType::numbers:
@@ -310,16 +315,6 @@ std::vector<std::string_view> Reader::unknown_keys(const toml::table& table,
                          "expected " + one_of(own));
   }
   return meant;
-}
-
-// The keys of `sets` that the table has, each once.
-std::vector<std::string_view> present_keys(const toml::table& table, std::string_view sets) {
-  std::vector<std::string_view> present;
-  for (const std::string_view set : separated(sets, '|'))
-    for (const std::string_view name : separated(set, '+'))
-      if (table.contains(name) && std::find(present.begin(), present.end(), name) == present.end())
-        present.push_back(name);
-  return present;
 }
 
 // `misspelt`: some key of the table is unknown, so a missing one may be that.

@@ -19,9 +19,10 @@ namespace detail {
 struct Value {
   const Key* key = nullptr;
   Position where;
-  bool is_explicit = true;      // false: the fallback of the schema
-  std::string shown;            // as messages quote it
-  std::vector<double> numbers;  // core units; a matrix row by row
+  bool is_explicit = true;         // false: the fallback of the schema
+  std::string shown;               // as messages quote it
+  std::vector<double> numbers;     // core units; a matrix row by row
+  std::vector<std::string> units;  // that each was written in; empty: that of the file
   std::vector<std::string> words;
   std::int64_t whole = 0;
 };

@@ -10,7 +10,9 @@ inline namespace v0 {
 double daily_insolation(const SpinAngles& angles, double eccentricity,
                         const InsolationPlace& place) {
   const double half_turn = pi<double>();
-  if (!(std::fabs(place.latitude) <= 0.5 * half_turn * (1.0 + 1e-15))) return std::nan("");
+  if (!(std::fabs(place.latitude) <= 0.5 * half_turn * (1.0 + 1e-15)) ||
+      !(eccentricity >= 0.0 && eccentricity < 1.0))
+    return std::nan("");
   const double sine = std::sin(angles.obliquity) * std::sin(place.longitude);
   const double sines = sine * std::sin(place.latitude);
   const double cosines = std::sqrt(std::max(0.0, 1.0 - sine * sine)) * std::cos(place.latitude);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/secular/orbit_elements.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -13,6 +15,18 @@ namespace {
 
 [[noreturn]] void refuse_row(std::size_t row, const std::string& what) {
   throw DomainError("ElementTable: row " + std::to_string(row) + ": " + what);
+}
+
+constexpr std::size_t rows_beside = 4;
+
+// The middle one of the intervals of `times` from `first` to `last`, at most rows_beside; 0 of
+// none.
+double usual_interval(std::span<const double> times, std::size_t first, std::size_t last) {
+  std::array<double, rows_beside> intervals{};
+  const std::size_t count = last - first;
+  for (std::size_t k = 0; k < count; ++k) intervals[k] = times[first + k + 1] - times[first + k];
+  std::sort(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(count));
+  return intervals[count / 2];
 }
 
 void require_rows(const std::vector<double>& times, std::span<const OrbitElements> rows) {
@@ -33,6 +47,9 @@ void require_rows(const std::vector<double>& times, std::span<const OrbitElement
       refuse_row(k, "got q^2 + p^2 = " + detail::number_text(o.q * o.q + o.p * o.p) +
                         "; expected below 1, an inclination below 180 degrees");
   }
+  if (const std::size_t row = row_after_gap(times))
+    refuse_row(row, "a gap of " + detail::number_text(times[row] - times[row - 1]) +
+                        " before this row; expected a table without gaps");
 }
 
 std::vector<Vec3> ellipses(std::span<const OrbitElements> rows) {
@@ -52,6 +69,19 @@ std::vector<Vec3> planes(std::span<const OrbitElements> rows) {
 }
 
 }  // namespace
+
+std::size_t row_after_gap(std::span<const double> times) {
+  constexpr double widest = 3.0;
+  for (std::size_t row = 1; row < times.size(); ++row) {
+    const std::size_t first = row > rows_beside ? row - 1 - rows_beside : 0,
+                      last = std::min(times.size() - 1, row + rows_beside);
+    const double before = usual_interval(times, first, row - 1),
+                 after = usual_interval(times, row, last);
+    const double usual = before > after ? before : after;
+    if (usual > 0.0 && times[row] - times[row - 1] > widest * usual) return row;
+  }
+  return 0;
+}
 
 OrbitElements orbit_elements(double eccentricity, double inclination, double node,
                              double argument) {

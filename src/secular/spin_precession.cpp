@@ -28,6 +28,31 @@ double precession_on_a_circle(double ellipticity, double spin_rate, double gm, d
 
 }  // namespace
 
+PrecessionRates rates_of_precession(double rate, double X, double e2, double share) {
+  if (std::fabs(X) < 1e-6)
+    throw DomainError(
+        "expected a precession constant, since at an obliquity of 90 deg no rate tells the "
+        "constant");
+  if (!std::isfinite(rate) || !(std::fabs(X) <= 1.0 + 1e-15) || !(e2 >= 0.0 && e2 < 1.0) ||
+      !(share >= 0.0) || !std::isfinite(share))
+    throw DomainError(
+        "precession rate: got " + detail::number_text(rate) + " at X " + detail::number_text(X) +
+        " and e^2 " + detail::number_text(e2) + ", satellites " + detail::number_text(share) +
+        "; expected finite numbers, X from -1 to 1, e^2 from 0 to below 1, satellites "
+        "0 or more");
+  const double star =
+      rate / (X * PrecessionRates{.star = 1.0, .satellites = share}.torque(0.0, e2));
+  return {.star = star, .satellites = share * star};
+}
+
+void require_drift(const PrecessionRates& rates, double first, double last) {
+  for (const double t : {first, last})
+    if (!(1.0 + rates.drift * t > 0.0))
+      throw DomainError("a drift of " + detail::number_text(rates.drift) +
+                        " turns the torques round before t = " + detail::number_text(t) +
+                        "; expected a smaller one");
+}
+
 double star_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis) {
   require_positive("star_precession: gm", gm);
   require_positive("star_precession: semi_major_axis", semi_major_axis);

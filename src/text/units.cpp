@@ -30,6 +30,9 @@ constexpr KnownUnit units_table[] = {
     {"yr", "Julian year", 365.25, "d"},
     {"kyr", "thousand years", 1e3, "yr"},
     {"Myr", "million years", 1e6, "yr"},
+    {"Gyr", "billion years", 1e9, "yr"},
+    {"ka", "thousand years", 1e3, "yr"},
+    {"Ma", "million years", 1e6, "yr"},
     {"cy", "century", 100.0, "yr"},
     {"rad", "radian", 1.0, ""},
     {"deg", "degree", std::numbers::pi / 180.0, "rad"},
@@ -38,6 +41,7 @@ constexpr KnownUnit units_table[] = {
     {"mas", "milliarcsecond", std::numbers::pi / 648e6, "rad"},
     {"uas", "microarcsecond", std::numbers::pi / 648e9, "rad"},
     {"rev", "revolution", 2.0 * std::numbers::pi, "rad"},
+    {"cycles", "revolutions", 2.0 * std::numbers::pi, "rad"},
     {"rpm", "revolution per minute", 1.0, "rev/min"},
     {"m", "metre", 1.0, ""},
     {"cm", "centimetre", 0.01, "m"},
@@ -180,7 +184,7 @@ std::string product(std::string_view word) {
 
 std::string nearest_unit(std::string_view word) {
   if (const Multiple found = multiple(word); found.is_one) return found.symbol;
-  if (const std::string found = product(word); !found.empty()) return found;
+  if (std::string found = product(word); !found.empty()) return found;
   std::vector<std::string_view> words;
   for (const KnownUnit& unit : units_table) {
     words.push_back(unit.symbol);

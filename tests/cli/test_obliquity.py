@@ -211,6 +211,8 @@ def test_a_stopped_run_goes_on(run, table, tmp_path, polhode, tides):
     ('axes = "inertial"', 'axes = "inertial"\n[output]\ncolumns = ["insolation"]',
      "expected a table planet.insolation"),
     ('axes = "inertial"', 'axes = "inertial"\nattitude = [0, 0, 0, 0]', "attitude"),
+    ('orbit = "mine"', 'orbit = "mine"\nJ = "20 deg"', "expected none next to precession_rate"),
+    ('orbit = "mine"', 'orbit = "mine"\ntidal_drift = -0.03', "turns the torques round"),
 ])
 def test_what_is_wrong_is_named(mine, old, new, said):
     text = HEAD + TABLE
@@ -226,11 +228,59 @@ def test_what_is_wrong_is_named(mine, old, new, said):
     ([*ROWS[:9], (8, 1.5, 1.2, 5, 70, 200), *ROWS[10:]], "mine.txt:11: orbit_elements: got "
      "eccentricity 1.2"),
     ([*ROWS[:9], (8, 1.5, 0.2, 185, 70, 200), *ROWS[10:]], "mine.txt:11: an inclination of 180"),
+    ([*ROWS[:9], *ROWS[12:]], "mine.txt:11: a gap of 8 before this row"),
     ([ROWS[0]], "row"),
+    ([], "expected a table with rows; this file has none"),
+    ([(-t, *rest) for t, *rest in ROWS], 'time_direction = "before-present"'),
 ])
 def test_rows_that_are_wrong_are_named(mine, rows, said):
     message = mine(HEAD + TABLE, written(rows))
     assert isinstance(message, str) and said in message, message
+
+
+def test_intervals_may_grow(mine):
+    """A table of any cadence, as long as the cadence does not jump back."""
+    slow = [*ROWS[:11], *((t, *ROWS[0][1:]) for t in (14, 20, 30, 40, 50, 60))]
+    assert isinstance(mine(HEAD + TABLE, written(slow)), tuple)
+
+
+def test_events_are_refused_by_their_option(run, tmp_path):
+    path = tmp_path / "earth.toml"
+    path.write_text(EARTH, encoding="utf-8")
+    done = run("run", path, "--events", tmp_path / "events.csv")
+    assert done.returncode == 2 and "expected no --events, since this kind" in done.stderr
+
+
+def test_an_axis_of_a_map_is_in_the_unit_of_its_key(run, table, tmp_path):
+    """The rate has a unit of its own, the pole that of the file."""
+    head = EARTH.replace("tidal_drift", 'precession_rate = "50 arcsec/yr"\n# ')
+    head = head.replace("orbit = ", "pole = { obliquity = 23, precession = 0 }\norbit = ")
+    axes = ""
+    for key, first in (("precession_rate", 50), ("pole.obliquity", 23)):
+        axes += (f'[[map.axis]]\nkey = "planet.{key}"\nfrom = {first}\nto = {first + 1}\n'
+                 "count = 2\n")
+    path, out = tmp_path / "map.toml", tmp_path / "map.csv"
+    path.write_text(head + '[map]\nkind = "column"\ncolumn = "sz"\n' + axes, encoding="utf-8")
+    done = run("map", path, "--out", out)
+    assert done.returncode == 0, done.stderr
+    text = out.read_text(encoding="utf-8")
+    assert "planet.precession_rate [arcsec/yr]" in text and "planet.pole.obliquity [deg]" in text
+    for rate, obliquity, *found in table(text)[1]:
+        path.write_text(head.replace("50 arcsec", f"{rate} arcsec").replace(
+            "obliquity = 23", f"obliquity = {obliquity}"), encoding="utf-8")
+        rows = table(run("run", path).stdout)[1]
+        assert found[2] == rows[-1][5]
+
+
+@pytest.mark.parametrize(("step", "stop", "said"), [
+    (20, -20000, "needs rows at most 11.7"), (1, -100, "needs rows over 235.9 or more; got 101")])
+def test_rows_that_show_no_frequency_make_no_map(run, tmp_path, step, stop, said):
+    text = EARTH.replace("stop = -1000\nstep = 100", f"stop = {stop}\nstep = {step}")
+    path = tmp_path / "map.toml"
+    path.write_text(text + '[map]\nkind = "frequency"\n[[map.axis]]\nkey = "planet.J"\n'
+                    "from = 0\nto = 0\ncount = 1\n", encoding="utf-8")
+    done = run("map", path, "--out", tmp_path / "map.csv")
+    assert said in done.stdout + done.stderr, done.stdout + done.stderr
 
 
 def test_other_kinds_refuse_what_is_not_theirs(run, scenario):

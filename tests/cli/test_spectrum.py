@@ -102,3 +102,15 @@ def test_times_must_be_even(run, tmp_path):
     assert done.returncode == 2 and "row 8: time 7.1 is not evenly spaced" in done.stderr
     done = run("spectrum", path, "--column", "x", "--unit", "deg/d")
     assert done.returncode == 2 and "expected --time-unit" in done.stderr
+
+
+def test_an_angle_that_jumps_is_refused(run, tmp_path):
+    path = tmp_path / "angle.csv"
+    path.write_text("# units: t [ka], x [deg]\nt,x\n" + "".join(
+        f"{k},{(7 * k + 180) % 360 - 180}\n" for k in range(200)), encoding="utf-8")
+    done = run("spectrum", path, "--column", "x")
+    assert done.returncode == 2 and "row 27: this angle jumps by more than" in done.stderr
+    path.write_text("# units: t [ka], x [deg]\nt,x\n" + "".join(
+        f"{k},{10 * math.sin(0.7 * k)!r}\n" for k in range(200)), encoding="utf-8")
+    done = run("spectrum", path, "--column", "x", "--unit", "cycles/ka", "--csv")
+    assert f"\n{0.7 / (2 * math.pi):.9f}" in done.stdout, done.stdout + done.stderr

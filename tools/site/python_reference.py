@@ -86,8 +86,9 @@ The direction of a planet's spin, averaged over its rotation and its orbit
 """, {
         "Orbits": "ElementTable ElementSeries HistoryOrbit shipped_orbit",
         "What turns the axis":
-            "PrecessionRates star_precession satellite_precession geodetic_precession "
-            "inner_satellites_factor planet_rates planet_pole TidalRates tidal_rate",
+            "PrecessionRates rates_of_precession star_precession satellite_precession "
+            "geodetic_precession inner_satellites_factor planet_rates planet_pole TidalRates "
+            "tidal_rate",
         "The motion": "spin_history SpinHistory",
         "Climates": "daily_insolation",
         "Frequencies": "spectrum Spectrum",

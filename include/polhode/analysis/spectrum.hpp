@@ -20,6 +20,7 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,9 +51,9 @@ struct Spectrum {
 int unresolved(const Spectrum& of);
 
 struct SpectrumOptions {
-  int lines = 20;           // at most
-  int window = 1;           // order of Hann's, 0 to 5
-  double smallest = 1e-10;  // lines below this fraction of the largest are left out
+  std::optional<int> lines = std::nullopt;  // at most; 20, or a third of the samples' numbers
+  int window = 1;                           // order of Hann's, 0 to 5
+  double smallest = 1e-10;                  // lines below this fraction of the largest are left out
 };
 
 // Samples at start + k interval.

@@ -56,9 +56,6 @@ template <class Use>
 decltype(auto) with_problem(const Obliquity& of, Use&& use) {
   return of.tides ? use(tidal_problem(of)) : use(spin_problem(of));
 }
-// A state of either.
-inline TidalSpin tidal_spin(const SpinAxis& axis) { return {.s = axis.s}; }
-inline TidalSpin tidal_spin(const TidalSpin& at) { return at; }
 
 }  // namespace v0
 }  // namespace polhode

@@ -62,6 +62,10 @@ Vec3 orbit_normal(const OrbitPlane& o);
 inline Vec3 orbit_normal(const OrbitElements& o) { return orbit_normal(OrbitPlane{o.q, o.p, 0.0}); }
 Vec3 pericentre_direction(const OrbitElements& o);
 
+// The first row of rising times that has a gap before it: an interval more than three times as long
+// as is usual among the four before it, and among the four after. 0: there is none.
+std::size_t row_after_gap(std::span<const double> times);
+
 class ElementTable {
  public:
   // order as that of a TableOrbit without velocities.

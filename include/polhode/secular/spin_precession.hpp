@@ -48,6 +48,12 @@ struct PrecessionRates {
   }
 };
 
+// With the precession `rate` of the equinox by star and satellites at X = cos(obliquity) and e^2,
+// satellites being `share` of the star.
+PrecessionRates rates_of_precession(double rate, double X, double e2, double share = 0.0);
+// Refuses a drift that turns the torques round between these times.
+void require_drift(const PrecessionRates& rates, double first, double last);
+
 // star, and satellites, of physical data. `ellipticity` is E.
 double star_precession(double ellipticity, double spin_rate, double gm, double semi_major_axis);
 // Of a satellite that goes round far outside the planet, near the plane of the planet's orbit, at

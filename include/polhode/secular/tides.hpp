@@ -11,6 +11,7 @@
 #pragma once
 
 #include "polhode/math/vector.hpp"
+#include "polhode/secular/spin_axis.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -22,6 +23,9 @@ struct TidalSpin {
 
   constexpr bool operator==(const TidalSpin&) const = default;
 };
+// The state of a theory with tides or without.
+inline TidalSpin tidal_spin(const TidalSpin& at) { return at; }
+inline TidalSpin tidal_spin(const SpinAxis& axis) { return {.s = axis.s}; }
 template <class Visit>
 void each_number(TidalSpin& at, Visit&& visit) {
   for (double* const x : {&at.s.x, &at.s.y, &at.s.z, &at.spin, &at.distance}) visit(*x);

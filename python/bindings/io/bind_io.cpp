@@ -131,7 +131,7 @@ void bind_io(nb::module_& m) {
       .def_prop_ro("epoch", [](const Scenario& s) -> const auto& { return s.rotation().epoch; })
       .def_prop_ro("axes", [](const Scenario& s) -> const auto& { return s.rotation().axes; })
       .def_prop_ro("columns", [](const Scenario& s) -> const auto& { return s.output.columns; })
-      .def_prop_ro("time", [](const Scenario& s) -> const auto& { return s.rotation().time; })
+      .def_prop_ro("time", [](const Scenario& s) -> const auto& { return row_times(s); })
       .def_prop_ro("state", state_object)
       .def_prop_ro("initial_state",
                    [](const Scenario& s) { return Batch<RotorState>::one(initial_state(s)); })

@@ -219,6 +219,20 @@ drift : by which fraction per time star and satellites grow from t = 0 on, as by
                 field("satellites", &R::satellites, "Of satellites.", 0.0),
                 field("geodetic", &R::geodetic, "Forwards, about the normal.", 0.0),
                 field("drift", &R::drift, "Fraction per time.", 0.0).but_quiet());
+  m.def(
+      "rates_of_precession",
+      [](double rate, double obliquity, double eccentricity, double satellites) {
+        return rates_of_precession(rate, std::cos(obliquity), eccentricity * eccentricity,
+                                   satellites);
+      },
+      "rate"_a, "obliquity"_a, "eccentricity"_a = 0.0, "satellites"_a = 0.0,
+      R"(The PrecessionRates with which the equinox goes back at a rate that was observed.
+
+Parameters
+----------
+rate : rad per time, by the torques of star and satellites, without geodetic precession.
+obliquity, eccentricity : at the time of the rate; rad.
+satellites : their torque over that of the star on a circle.)");
   m.def("star_precession", &star_precession, "ellipticity"_a, "spin_rate"_a, "gm"_a,
         "semi_major_axis"_a,
         "3/2 gm / a^3 E / w: E = (C - (A + B)/2) / C of the planet, w its spin rate; gm of the "
@@ -284,9 +298,6 @@ OrbitElements elements_at(const Orbit& orbit, double t) {
     return orbit.at(t);
 }
 
-TidalSpin tidal(const TidalSpin& at) { return at; }
-TidalSpin tidal(const SpinAxis& at) { return {at.s}; }
-
 template <class M, class Orbit>
 SpinHistory history_on(const M& model, const Orbit& orbit, const typename M::State& start,
                        double epoch, const SaveAt& times, const Method& method) {
@@ -301,7 +312,7 @@ SpinHistory history_on(const M& model, const Orbit& orbit, const typename M::Sta
   std::vector<SpinRow> rows;
   for (const BasicSample<S>& at : run.samples()) {
     const OrbitElements o = elements_at(orbit, at.t);
-    const TidalSpin state = tidal(at.s);
+    const TidalSpin state = tidal_spin(at.s);
     rows.push_back(
         {at.t, state.s, state.spin, state.distance, spin_angles({state.s}, o), eccentricity(o)});
   }
@@ -343,6 +354,15 @@ SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit
     if (!std::isfinite(rate))
       throw nb::value_error(
           ("rates: got " + number_text(rate) + "; expected finite rates").c_str());
+  require_drift(rates, epoch, at[at.size() - 1]);
+  if (const auto* const table = std::get_if<ElementTable>(&orbit))
+    if (!(epoch >= table->first_time() && epoch <= table->last_time()))
+      throw nb::value_error(("epoch: got " + number_text(epoch) +
+                             "; expected one that the table "
+                             "covers, " +
+                             number_text(table->first_time()) + " to " +
+                             number_text(table->last_time()))
+                                .c_str());
   const SpinAxis start = spin_axis(vec3(pole, "pole"));
   const Method by = method.is_none() ? Method(Adaptive{}) : method_of(method);
   return std::visit(

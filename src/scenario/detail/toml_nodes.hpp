@@ -80,6 +80,16 @@ inline std::string shown(const toml::node& node) {
   }
 }
 
+// The keys of `sets` that the table has, each once.
+inline std::vector<std::string_view> present_keys(const toml::table& table, std::string_view sets) {
+  std::vector<std::string_view> present;
+  for (const std::string_view set : separated(sets, '|'))
+    for (const std::string_view name : separated(set, '+'))
+      if (table.contains(name) && std::find(present.begin(), present.end(), name) == present.end())
+        present.push_back(name);
+  return present;
+}
+
 // The word of the key `kind` that a table has or takes, where that is one.
 inline std::string_view kind_in(const toml::table& table, const std::vector<const Key*>& known) {
   for (const Key* key : known) {

@@ -89,7 +89,9 @@ constexpr Key keys[] = {
      .type = number,
      .presence = required,
      .example = "0",
-     .help = "Its first value, in the unit that the key has in this file."},
+     .help = "Its first value, in the unit that the key has in this file: its own, where it was "
+             "written "
+             "with one, or that of [units]."},
     {.path = "map.axis[].to",
      .type = number,
      .presence = required,

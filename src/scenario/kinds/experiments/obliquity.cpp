@@ -41,6 +41,7 @@ class PlanetBuilder {
     of.rates = rates(start, of.initial, moons);
     of.tides = planet_.has("tides.k2") ? moons.tides(spin_rate(), mean_motion()) : std::nullopt;
     require_tides(of);
+    require_steady(of);
     of.method = method();
     return of;
   }
@@ -86,6 +87,14 @@ class PlanetBuilder {
             .columns = {}};
   }
 
+  // Where the times would do with the other sign.
+  static std::string direction_hint(const OrbitHistory& history, double first, double last) {
+    const bool fits = history.first_time() <= -last && history.last_time() >= -first;
+    return fits ? "; where its times count years before present, time_direction = "
+                  "\"before-present\" in its table"
+                : "";
+  }
+
   // t = 0 and all rows.
   void require_cover(const Obliquity& of) const {
     double first = 0.0, last = 0.0;
@@ -103,7 +112,7 @@ class PlanetBuilder {
            "its orbit covers the times " + text(of.history.first_time()) + " to " +
                text(of.history.last_time()) + " " + at_.units.time() +
                "; expected all of the run, " + text(first) + " to " + text(last) +
-               " (t = 0 is part of it)");
+               " (t = 0 is part of it)" + direction_hint(of.history, first, last));
   }
 
   SpinAxis pole(const OrbitElements& start, const std::string& axes) const {
@@ -178,17 +187,16 @@ class PlanetBuilder {
           !(needs_periods && std::string_view(key) != "ellipticity"))
         planet_.refuse(key, std::string("expected none next to ") + given);
     if (by_rate || by_constant) moons.refuse_inner(given);
+    if (by_rate && planet_.number("J") != 0.0)
+      planet_.refuse("J", "expected none next to precession_rate, which is that of this J");
     if (by_constant) return planet_.number("precession_constant") / (1.0 + satellites);
-    if (by_rate) {
-      const double cosine = dot(initial.s, orbit_normal(start));
-      if (std::fabs(cosine) < 1e-6)
-        planet_.refuse("precession_rate",
-                       "expected precession_constant, since at an obliquity of 90 deg no rate "
-                       "tells the constant");
-      const double per_star =
-          PrecessionRates{.star = 1.0, .satellites = satellites}.torque(0.0, orbit_plane(start).e2);
-      return planet_.number("precession_rate") / (cosine * per_star);
-    }
+    if (by_rate)
+      return planet_.built("precession_rate", [&] {
+        return rates_of_precession(planet_.number("precession_rate"),
+                                   dot(initial.s, orbit_normal(start)), orbit_plane(start).e2,
+                                   satellites)
+            .star;
+      });
     const double E = of_planet("ellipticity", known_ ? known_->ellipticity : 0.0);
     const bool as_known = known_ != nullptr && !planet_.has("ellipticity") &&
                           !planet_.has("rotation_period") && !planet_.has("orbital_period");
@@ -214,8 +222,7 @@ class PlanetBuilder {
       require_range(key);
     const double satellites = share_of_satellites(moons, known);
     const double of_star = star(satellites, start, initial, moons);
-    const double factor =
-        planet_.has("precession_rate") ? 1.0 : andoyer_factor(planet_.number("J"));
+    const double factor = andoyer_factor(planet_.number("J"));
     return {.star = factor * of_star,
             .satellites = factor * of_star * satellites,
             .geodetic =
@@ -227,6 +234,13 @@ class PlanetBuilder {
     if (planet_.has(key)) detail::require_range(at_.values, planet_.key_path(key), at_.name);
   }
 
+  void require_steady(const Obliquity& of) const {
+    if (!of.time) return;
+    planet_.built("tidal_drift", [&] {
+      require_drift(of.rates, (*of.time)[0], (*of.time)[of.time->size() - 1]);
+      return true;
+    });
+  }
   void require_tides(const Obliquity& of) const {
     if (!of.tides && std::find(of.columns.begin(), of.columns.end(), "tides") != of.columns.end())
       refuse(at_.values, "output.columns", at_.name,

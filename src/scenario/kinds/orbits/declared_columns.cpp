@@ -72,6 +72,7 @@ DeclaredColumns::DeclaredColumns(const KeyValues& at, std::string_view file,
     columns_[place] = std::move(table.columns[i]);
     units_[place] = read[i].second;
   }
+  if (table.lines.empty()) at.refuse(file, "expected a table with rows; this file has none");
   file_ = std::move(table.file);
   lines_ = std::move(table.lines);
 }

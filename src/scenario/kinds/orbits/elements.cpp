@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a table of elements over ages.
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -136,27 +135,24 @@ struct Rows {
 
 // Times rise in the result; in the file they may fall, but not turn round, and leave no gap.
 void require_cadence(const DeclaredColumns& columns, const std::vector<double>& times) {
-  constexpr double widest = 20.0;  // intervals
   const double time_unit = columns.unit(time);
   const double sense = times.size() > 1 && times[1] < times[0] ? -1.0 : 1.0;
-  std::vector<double> intervals;
-  for (std::size_t row = 1; row < times.size(); ++row) {
-    const double step = sense * (times[row] - times[row - 1]);
+  std::vector<double> rising;
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    rising.push_back(sense * times[row]);
+    if (row == 0) continue;
+    const double step = rising[row] - rising[row - 1];
     const std::string text = number_text(times[row] / time_unit);
     if (step == 0.0) throw DomainError(columns.place(row) + "time " + text + " comes twice");
     if (step < 0.0)
       throw DomainError(columns.place(row) + "time " + text +
                         " turns back; expected times that rise, or that fall, from row to row");
-    intervals.push_back(step);
   }
-  std::vector<double> sorted = intervals;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t row = 0; row < intervals.size(); ++row)
-    if (intervals[row] > widest * sorted[sorted.size() / 2])
-      throw DomainError(columns.place(row + 1) + "a gap of " +
-                        number_text(intervals[row] / time_unit) +
-                        " before this row, 20 times what is usual in this table; expected a table "
-                        "without gaps");
+  if (const std::size_t row = row_after_gap(rising))
+    throw DomainError(columns.place(row) + "a gap of " +
+                      number_text((rising[row] - rising[row - 1]) / time_unit) +
+                      " before this row, more than three times the intervals beside it; expected a "
+                      "table without gaps");
 }
 
 Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
