@@ -208,7 +208,8 @@ def test_wrong_arguments(run, arguments):
     (["convert", "--from", "rotor", "--to", "eulr"], "; did you mean euler?"),
     (["convert", "--from", "rotor", "--to", "sadov", "--moments", "1,1,3"],
      'convert: --moments: got "1,1,3"; Body: moments (1, 1, 3) break '),
-    (["init", "tumblr"], 'polhode init: chart: got "tumblr"; expected tumbler, '),
+    (["init", "tumblr"], 'polhode init: got "tumblr"; expected a chart (tumbler, '),
+    (["init", "elipse"], " an orbit (kepler, "),
 ])
 def test_message_names_the_argument(run, arguments, message):
     assert message in check_one_line(run(*arguments), 2)

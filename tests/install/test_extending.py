@@ -89,9 +89,16 @@ def test_messages_of_a_program_of_your_own_have_its_name(braked, tmp_path):
     assert said.endswith(f"; continue with: spin-brake run {scenario} --out {out} --resume\n")
     assert sh(program, "rum", status=2).startswith('spin-brake: got command "rum"; expected one of')
     assert sh(program, "run", status=2).startswith("spin-brake run: FILE is required")
-    assert sh(program, "init", "brake", status=2).startswith('spin-brake init: chart: got "brake"')
+    assert sh(program, "init", "brake", status=2).startswith('spin-brake init: got "brake"; expected ')
     for command in ("cite", "convert", "golden", "info", "init", "map", "run", "schema", "shape"):
         assert f"\n  spin-brake {command} " in sh(program, command, "--help")
+
+
+def runs_from_its_template(program, kind, folder):
+    """What `init` prints of a kind is a scenario that runs as it is."""
+    template = folder / "template.toml"
+    template.write_text(sh(program, "init", kind))
+    return sh(program, "run", template, "--out", folder / "template.csv")
 
 
 @pytest.fixture(scope="module")
@@ -120,6 +127,7 @@ def test_a_method_of_your_own_is_a_kind_like_ours(midpoint, tmp_path):
     assert "[author2026]" in sh(program, "cite", scenario)
     assert '"const": "lie-midpoint"' in sh(program, "schema")
     wrong = tmp_path / "wrong.toml"
+    assert "lie-midpoint, step 0.01 h" in runs_from_its_template(program, "lie-midpoint", tmp_path)
     wrong.write_text(text.replace("step = 0.01", "step = -1"))
     assert "19:8: method.step: got -1; expected a positive time" in sh(
         program, "info", wrong, status=2)
@@ -144,6 +152,11 @@ def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
     assert "orbit satellite: period" in sh(program, "info", scenario)
     assert "[author2026]" in sh(program, "cite", scenario)
     assert '"const": "sun-synchronous"' in sh(program, "schema")
+    assert "orbit earth: period" in runs_from_its_template(program, "sun-synchronous", tmp_path)
+    said = sh(program, "init", "sun-synchronus", status=2)
+    assert said.startswith('sun-synchronous init: got "sun-synchronus"; expected a chart (')
+    assert ", shipped, sun-synchronous), a frame (" in said
+    assert said.endswith("; did you mean sun-synchronous?\n")
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(text.replace('"700 km"', '"9000 km"'))
     assert ('18:12: orbit.satellite.altitude: got "9000 km"; expected a lower orbit, whose node '
@@ -169,6 +182,8 @@ def test_a_frame_of_your_own_is_a_kind_like_ours(built, tmp_path):
             math.degrees(math.acos(cosine)), rel=budgets.cli_rounding)
     assert "a plane that sways" in out.read_text()
     assert '"swaying-plane"' in sh(program, "schema")
+    assert "seen from the moving frame" in runs_from_its_template(program, "swaying-plane",
+                                                                  tmp_path)
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(text.replace("sway = 0.15", "sway = 6"))
     assert ("15:8: frame.swaying-plane.sway: got 6; expected less than the inclination"
@@ -207,6 +222,9 @@ def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
     template = tmp_path / "template.toml"
     template.write_text(sh(program, "init", "colombos-top"))
     sh(program, "run", template, "--out", tmp_path / "template.csv")
+    head = template.read_text()[:template.read_text().index("[colombos-top]")]
+    assert 'title = "The spin axis of a planet whose orbit precesses at a constant rate"' in head
+    assert '\ntime = "yr"\n' in head
     assert "colombos-top]" not in sh(program, "init", "andoyer")
     for wrong, message in {
         text.replace("obliquity = 25", 'obliquity = "25 m"'): '10:13: colombos-top.obliquity: got',
