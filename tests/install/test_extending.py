@@ -53,6 +53,32 @@ def test_a_torque_of_your_own_is_a_kind_like_ours(braked, tmp_path):
         program, "info", wrong, status=2)
 
 
+def test_a_torque_of_your_own_follows_an_orbit(braked, tmp_path):
+    program, scenario, out = braked / "build/spin-brake", braked / "comet.toml", tmp_path / "c.csv"
+    assert "jet, orbit comet" in sh(program, "run", scenario, "--out", out)
+    names, rows = rows_of(out)
+    gm, q, e = 132712440041.93 * 3600**2, 1.243 * 149597870.7, 0.641  # km and h
+    momentum, motion = math.sqrt(gm * q * (1 + e)), math.sqrt(gm * ((1 - e) / q)**3)
+    # over a turn of the body the jet gives 3/8 of its torque, over the orbit as the anomaly grows
+    for row in rows[20::20]:
+        mean = eccentric = motion * row[0]
+        for _ in range(50):
+            eccentric -= (eccentric - e * math.sin(eccentric) - mean) / (1 - e * math.cos(eccentric))
+        true = 2 * math.atan2(math.sqrt(1 + e) * math.sin(eccentric / 2),
+                              math.sqrt(1 - e) * math.cos(eccentric / 2))
+        gain = 1e6 * 3600**2 * 3 / 8 * q**2 * (true % (2 * math.pi)) / momentum / 1.9e19
+        assert row[names.index("w3")] - 29 == pytest.approx(math.degrees(gain), rel=budgets.own_jet)
+    assert "jet, orbit comet" in runs_from_its_template(program, "comet-jet", tmp_path)
+    wrong, text = tmp_path / "wrong.toml", scenario.read_text()
+    wrong.write_text(text.replace('orbit = "comet"', 'orbit = "conet"'))
+    assert 'perturbation[0].orbit: got "conet"' in sh(program, "info", wrong, status=2)
+    begin, end = text.index("gm ="), text.index("[[perturbation]]")
+    wrong.write_text(text[:begin] + "kind = 'table'\ntimes = [0, 2e4, 4e4, 6e4]\n"
+                     "x = [1, 2, 3, 4]\ny = [1, 2, 4, 8]\nz = [1, 3, 5, 7]\n" + text[end:])
+    assert 'orbit: got "comet"; expected an orbit with elements' in sh(program, "info", wrong,
+                                                                       status=2)
+
+
 def stopped(program, scenario, out, by):
     """What a run says that is stopped after its first checkpoint, long before its end."""
     command = [program, "run", scenario, "--out", out, "--checkpoint", "0"]
@@ -144,8 +170,13 @@ def test_a_run_by_a_method_of_your_own_is_stopped_and_continued(midpoint, tmp_pa
     assert cut.read_bytes() == out.read_bytes()
 
 
-def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
-    path = built("orbit")
+@pytest.fixture(scope="module")
+def sun_synchronous(built):
+    return built("orbit")
+
+
+def test_an_orbit_of_your_own_is_a_kind_like_ours(sun_synchronous, tmp_path):
+    path = sun_synchronous
     program, scenario, text = (path / "build/sun-synchronous", path / "satellite.toml",
                                (path / "satellite.toml").read_text())
     assert "completed" in sh(program, "run", scenario, "--out", tmp_path / "own.csv")
@@ -155,12 +186,36 @@ def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
     assert "orbit earth: period" in runs_from_its_template(program, "sun-synchronous", tmp_path)
     said = sh(program, "init", "sun-synchronus", status=2)
     assert said.startswith('sun-synchronous init: got "sun-synchronus"; expected a chart (')
-    assert ", shipped, sun-synchronous), a frame (" in said
+    assert ", shipped, sun-synchronous, spiral), a frame (" in said
     assert said.endswith("; did you mean sun-synchronous?\n")
     wrong = tmp_path / "wrong.toml"
+    assert "plane of orbit satellite" in sh(program, "info", scenario)
     wrong.write_text(text.replace('"700 km"', '"9000 km"'))
     assert ('18:12: orbit.satellite.altitude: got "9000 km"; expected a lower orbit, whose node '
             "turns fast enough") in sh(program, "info", wrong, status=2)
+
+
+def test_an_orbit_of_your_own_from_positions(sun_synchronous, tmp_path):
+    path, program = sun_synchronous, sun_synchronous / "build/sun-synchronous"
+    text = (path / "descent.toml").read_text()
+
+    def last_row(scenario_text):
+        scenario, out = tmp_path / "a.toml", tmp_path / "a.csv"
+        scenario.write_text(scenario_text)
+        sh(program, "run", scenario, "--out", out)
+        return rows_of(out)[1][-1]
+
+    # one that hardly shrinks is the circle
+    circle = text.replace('kind = "spiral"', 'kind = "kepler"').replace("start =", "semi_major_axis =")
+    slow = text.replace("value = 20.0", "value = 1e-8")
+    as_circle = last_row("".join(x for x in circle.splitlines(True) if "descent =" not in x))
+    assert last_row(slow) == pytest.approx(as_circle, abs=budgets.own_spiral)
+    assert last_row(text) != pytest.approx(as_circle, abs=1e3 * budgets.own_spiral)
+    assert "gravity gradient, orbit earth" in runs_from_its_template(program, "spiral", tmp_path)
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(text[:text.index("[time]")])
+    assert '16:9: orbit.low.start: got "6600 km"; expected a table [time]' in sh(
+        program, "info", wrong, status=2)
 
 
 def test_a_frame_of_your_own_is_a_kind_like_ours(built, tmp_path):
