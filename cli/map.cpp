@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t reasons_shown = 3;
 
 struct MapOfFile {
-  std::string program;  // its name
+  std::string program;  // as it was typed
   std::string scenario;
   std::vector<std::string> out;
   int threads = 0;
@@ -104,12 +104,12 @@ void make_map(const MapOfFile& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_map(CLI::App& app, const Kinds& kinds) {
+void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
   const auto options = std::make_shared<MapOfFile>();
-  options->program = app.get_name();
+  options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command

@@ -26,7 +26,7 @@ namespace {
 struct NothingToDo {};
 
 struct CommandOptions {
-  std::string program;  // its name
+  std::string program;  // as it was typed
   std::string scenario;
   std::vector<std::string> out;
   std::string events;
@@ -151,10 +151,10 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_run(CLI::App& app, const Kinds& kinds) {
+void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
   const auto options = std::make_shared<CommandOptions>();
-  options->program = app.get_name();
+  options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command

@@ -165,7 +165,7 @@ def test_a_signal_stops_a_map_in_order(polhode, run, slow_map, tmp_path, by, sta
     assert process.returncode == status and not out.exists()
     line = err.splitlines()[-1]
     assert line.startswith("body.toml: stopped after ") and line.endswith(
-        f" of 143 cells; continue with: polhode map {slow_map} --out {out} --threads 2 --resume")
+        f" of 143 cells; continue with: {polhode} map {slow_map} --out {out} --threads 2 --resume")
     # what is there is not thrown away by the same command, typed again
     before = checkpoint.read_bytes()
     done = run("map", slow_map, "--out", out)

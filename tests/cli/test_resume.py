@@ -64,7 +64,7 @@ def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
     code, out, err = stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part", by)
     assert code == status and out == ""
     assert err.splitlines()[-1].endswith(
-        f"; continue with: polhode run {long} --out {path} --resume")
+        f"; continue with: {polhode} run {long} --out {path} --resume")
     assert (tmp_path / "a.csv.checkpoint").exists() and not path.exists()
 
 
