@@ -130,7 +130,7 @@ std::vector<std::string> usual_columns(const std::string& path) {
 std::vector<std::string> columns_of(const OrbitContext& at, const std::string& path) {
   const std::string key = at.key_path("columns");
   if (!has(at.values(), key)) {
-    const std::vector<std::string> usual = usual_columns(path);
+    std::vector<std::string> usual = usual_columns(path);
     if (usual.size() < 4)
       throw DomainError(path + ": has " + std::to_string(usual.size()) +
                         " columns; expected time, x, y, z");
@@ -306,11 +306,10 @@ ScenarioOrbit table_orbit(const OrbitContext& at) {
                               value_at(at.values(), at.key_path("order")).whole, 1, 99))
                         : 0;
   const char* const rows = has(at.values(), at.key_path("times")) ? "times" : "file";
-  const ScenarioOrbit orbit =
-      built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
-        if (rows == std::string_view("file")) return file_orbit(at, order);
-        return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table", true};
-      });
+  ScenarioOrbit orbit = built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
+    if (rows == std::string_view("file")) return file_orbit(at, order);
+    return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table", true};
+  });
   require_cover(at, rows, std::get<TableOrbit>(orbit.motion));
   return orbit;
 }
