@@ -122,7 +122,7 @@ void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       ->add_option("--threads", options->threads,
                    "How many cells at a time; left out: one on each processor. The result does "
                    "not depend on it")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number());
   add_begin_options(*command, options->begin,
                     "Continue a map that was stopped, from its FIRST_OUTPUT.checkpoint",
                     "Begin anew where an unfinished map is, and lose its cells");
@@ -130,7 +130,7 @@ void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       ->add_option("--checkpoint", options->checkpoint,
                    "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(seconds())
       ->capture_default_str();
   command->footer(
       "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"

@@ -176,7 +176,7 @@ void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       ->add_option("--checkpoint", options->checkpoint,
                    "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(seconds())
       ->capture_default_str();
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"
