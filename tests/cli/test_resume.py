@@ -43,7 +43,7 @@ def stopped(polhode, arguments, after, by=signal.SIGINT):
 @pytest.fixture
 def long(scenario):
     """A scenario of hours, and the same of seconds."""
-    return scenario(time="stop = 1e9\nstep = 0.1", state=DAMPED)
+    return scenario(time="stop = 1e9\nstep = 20", state=DAMPED)
 
 
 def test_killed_at_random_moments(polhode, tmp_path):
