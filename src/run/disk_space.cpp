@@ -85,9 +85,9 @@ std::vector<DiskNeed> disk_needs(const Scenario& scenario, std::span<const std::
 
 std::string disk_text(const Scenario& scenario, const DiskNeed& need, double bytes,
                       std::int64_t done) {
-  return need.paths + ": " + whole(bytes) + " bytes for " + whole(rows_left(scenario, done)) +
-         " rows of " + whole(row_numbers(scenario)) + " numbers, and " + whole(need.available) +
-         " bytes are free there";
+  return need.paths + ": " + whole(bytes) + " bytes needed for " +
+         whole(rows_left(scenario, done)) + " rows of " + whole(row_numbers(scenario)) +
+         " numbers, " + whole(need.available) + " bytes free there";
 }
 
 }  // namespace v0

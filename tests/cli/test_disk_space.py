@@ -10,7 +10,7 @@ import subprocess
 import pytest
 
 NUMBERS = 11  # of a row: t, q, omega, g
-TEXT = r"(\d+) bytes for (\d+) rows of 11 numbers, and (\d+) bytes are free there"
+TEXT = r"(\d+) bytes needed for (\d+) rows of 11 numbers, (\d+) bytes free there"
 
 
 @pytest.mark.parametrize("name, number_bytes", [("a.csv", 2), ("a.h5", 8)])

@@ -34,7 +34,7 @@ std::vector<DiskNeed> disk_needs(const Scenario& scenario, std::span<const std::
                                  std::int64_t done = 0);
 // Whether the run may end before its last row, by an event.
 bool may_end_early(const Scenario& scenario);
-// "a.h5: 80000000000 bytes for 1000000000 rows of 10 numbers, and 5000000 bytes are free there"
+// "a.h5: 80000000000 bytes needed for 1000000000 rows of 10 numbers, 5000000 bytes free there"
 std::string disk_text(const Scenario& scenario, const DiskNeed& need, double bytes,
                       std::int64_t done = 0);
 
