@@ -118,7 +118,7 @@ TEST(OblateGravity, InAListOfTerms) {
 
 TEST(OblateGravity, RefusesWhatIsNoPlanet) {
   EXPECT_EQ(refusal([] {
-              Oblateness{1e-3, -1.0};
+              static_cast<void>(Oblateness{1e-3, -1.0});
             }),
             "Oblateness: radius -1 must be positive and finite");
   EXPECT_EQ(refusal([] {
