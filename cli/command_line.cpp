@@ -31,11 +31,17 @@ int failure(int status, const std::string& message) {
   return status;
 }
 
+// The program, as the shell was told to find it.
+std::string typed_program(int argc, const char* const* argv) {
+  const std::string typed = argc > 0 && argv[0] != nullptr ? argv[0] : "";
+  return typed.empty() ? "polhode" : typed;
+}
+
 // The file that was started, without its folder: a program with kinds of its own has another name.
 std::string program_name(int argc, const char* const* argv) {
-  const std::string_view path = argc > 0 && argv[0] != nullptr ? argv[0] : "";
-  const std::string_view name = path.substr(path.rfind('/') + 1);
-  return name.empty() ? "polhode" : std::string(name);
+  const std::string path = typed_program(argc, argv);
+  const std::string name = path.substr(path.rfind('/') + 1);
+  return name.empty() ? "polhode" : name;
 }
 
 // "polhode rum FILE": CLI11 only says that a subcommand is missing.
@@ -113,8 +119,9 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   const std::string& name = app.get_name();
   app.footer("\nExample:\n  " + name + " init tumbler > body.toml && " + name +
              " run body.toml --out body.csv");
-  add_run(app, kinds);
-  add_map(app, kinds);
+  const std::string typed = typed_program(argc, argv);
+  add_run(app, kinds, typed);
+  add_map(app, kinds, typed);
   add_info(app, kinds);
   add_convert(app, kinds);
   add_init(app, kinds);

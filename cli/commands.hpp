@@ -12,13 +12,14 @@
 namespace polhode::cli {
 
 // Those that read scenarios know the kinds of things that these may hold.
-void add_run(CLI::App& app, const Kinds& kinds);
+// Those that can be stopped say how to continue: by the program as it was typed.
+void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_info(CLI::App& app, const Kinds& kinds);
 void add_convert(CLI::App& app, const Kinds& kinds);
 void add_init(CLI::App& app, const Kinds& kinds);
 void add_cite(CLI::App& app, const Kinds& kinds);
 void add_golden(CLI::App& app);
-void add_map(CLI::App& app, const Kinds& kinds);
+void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
 void add_spectrum(CLI::App& app);

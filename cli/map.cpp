@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t reasons_shown = 3;
 
 struct MapOfFile {
-  std::string program;  // its name
+  std::string program;  // as it was typed
   std::string scenario;
   std::vector<std::string> out;
   int threads = 0;
@@ -104,12 +104,12 @@ void make_map(const MapOfFile& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_map(CLI::App& app, const Kinds& kinds) {
+void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
   const auto options = std::make_shared<MapOfFile>();
-  options->program = app.get_name();
+  options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command
@@ -122,7 +122,7 @@ void add_map(CLI::App& app, const Kinds& kinds) {
       ->add_option("--threads", options->threads,
                    "How many cells at a time; left out: one on each processor. The result does "
                    "not depend on it")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number());
   add_begin_options(*command, options->begin,
                     "Continue a map that was stopped, from its FIRST_OUTPUT.checkpoint",
                     "Begin anew where an unfinished map is, and lose its cells");
@@ -130,7 +130,7 @@ void add_map(CLI::App& app, const Kinds& kinds) {
       ->add_option("--checkpoint", options->checkpoint,
                    "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(seconds())
       ->capture_default_str();
   command->footer(
       "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstring>
+#include <limits>
 
 #include "polhode/error.hpp"
 
@@ -22,7 +24,26 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+// A check that all of the text is a number of this type in a range.
+template <class T>
+CLI::Validator in_range(T first, T last, const std::string& expected) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        T x{};
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, x);
+        const bool good = error == std::errc() && stop == end && x >= first && x <= last;
+        return good ? std::string() : "got \"" + text + "\"; expected " + expected;
+      },
+      "");
+}
+
 }  // namespace
+
+CLI::Validator seconds() { return in_range(0.0, 1e9, "a number of seconds, from 0 to 1e9"); }
+CLI::Validator whole_number() {
+  return in_range(1, std::numeric_limits<int>::max(), "a whole number, 1 or more");
+}
 
 RunBegin BeginOptions::begin() const {
   return resume ? RunBegin::resume : restart ? RunBegin::restart : RunBegin::anew;

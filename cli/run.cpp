@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/disk_space.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
@@ -26,7 +27,7 @@ namespace {
 struct NothingToDo {};
 
 struct CommandOptions {
-  std::string program;  // its name
+  std::string program;  // as it was typed
   std::string scenario;
   std::vector<std::string> out;
   std::string events;
@@ -76,6 +77,18 @@ void announce(const CommandOptions& options, const Scenario& scenario, const Sce
   std::fputs(text.c_str(), stderr);
 }
 
+// That the disk may be too small, where nobody can tell before: of text, or of a run that an event
+// may end.
+void warn_of_room(const Scenario& scenario, const std::vector<std::string>& out,
+                  const ScenarioRun& run) {
+  for (const DiskNeed& need : disk_needs(scenario, out, run.rows()))
+    if (need.usual > need.available)
+      std::fputs((scenario.document.name + ": the disk may not hold " +
+                  disk_text(scenario, need, need.usual, run.rows()) + "\n")
+                     .c_str(),
+                 stderr);
+}
+
 RunReport run_into_files(const CommandOptions& options, const Scenario& scenario,
                          const std::vector<std::string>& out, bool rows_on_terminal) {
   const SaveAt& rows = *row_times(scenario);
@@ -90,6 +103,7 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   ScenarioRun run(scenario, {out, options.events}, std::move(how));
   if (run.is_complete()) throw NothingToDo();
   announce(options, scenario, run);
+  warn_of_room(scenario, out, run);
   progress.emplace(0.0, rows[rows.size() - 1], scenario.units().time(), run.t());
   try {
     return report_of(scenario, run);
@@ -153,10 +167,10 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_run(CLI::App& app, const Kinds& kinds) {
+void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
   const auto options = std::make_shared<CommandOptions>();
-  options->program = app.get_name();
+  options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   command
@@ -178,7 +192,7 @@ void add_run(CLI::App& app, const Kinds& kinds) {
       ->add_option("--checkpoint", options->checkpoint,
                    "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(seconds())
       ->capture_default_str();
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"

@@ -564,6 +564,9 @@ inline constexpr double cli_carried = 4e-14;
 inline constexpr double own_midpoint = 4e-4;
 // Of the energy of docs/extending/experiment.md, relative, over 70 periods.
 inline constexpr double own_model = 1e-11;
+// a jet whose mean over turns of the body is taken, and a spiral that is all but a circle
+inline constexpr double own_jet = 1e-3;
+inline constexpr double own_spiral = 1e-9;
 // psi_max as a table prints it, rounded down.
 inline constexpr double cli_printed_digits = 1e-9;
 // Times of flips after 1e9 s: in units of their last place; and half a period, by 11 of them near

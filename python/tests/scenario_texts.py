@@ -22,7 +22,7 @@ COLLISION = (
 FAILING = BODY + STATE + COLLISION + "[time]\nstop = 2\nstep = 0.001\n"
 ENDLESS = (
     BODY + STATE + "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [1e-9, 0, 0]\n"
-    "[time]\nstop = 1e9\nstep = 10\n"
+    "[time]\nstop = 1e9\nstep = 20\n"
 )
 
 

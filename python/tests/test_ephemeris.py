@@ -2,6 +2,7 @@
 """Dates, tables of positions and planets from Python; the Earth under Sun and Moon."""
 
 import copy
+import math
 import pickle
 
 import budgets
@@ -41,9 +42,18 @@ def test_dates_are_texts_too():
     text = "2029-04-13T21:46:00 UTC"
     there = polhode.planetary_position("moon", "earth", polhode.Date(text))
     assert np.array_equal(there, polhode.planetary_position("moon", "earth", text))
-    for wrong, what in (("2013-02-30 UTC", "no such day"), ("2013-01-05", "time scale is missing")):
-        with pytest.raises(ValueError, match=what):
+    for wrong, what in (
+        ("2013-02-30 UTC", "no such day in the calendar: day 30 must be from 1 to 28"),
+        ("2013-13-01 UTC", "no such day in the calendar: month 13 must be from 1 to 12"),
+        ("2013-01-05", "time scale is missing"),
+    ):
+        with pytest.raises(ValueError, match=f'Date: got "{wrong}"; .*{what}'):
             polhode.Date(wrong)
+    for day, fraction in ((math.nan, 0), (2451545, math.inf)):
+        with pytest.raises(ValueError, match="Date: day .* and fraction .* must be finite"):
+            polhode.Date("TT", day, fraction)
+    with pytest.raises(ValueError, match="its month 13 from 1 to 12"):
+        polhode.calendar_date("TT", 2013, 13, 1)
 
 
 def test_tables_are_orbits():

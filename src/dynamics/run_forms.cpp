@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/number_text.hpp"
+#include "polhode/dynamics/detail/finite_span.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -15,6 +16,8 @@ void require_finite_span(const std::string& function, double start, double stop)
     throw DomainError(function + ": start " + number_text(start) + " and stop " +
                       number_text(stop) + " must be finite");
 }
+
+FiniteSpan::FiniteSpan(double start, double stop) { require_finite_span("Problem", start, stop); }
 
 }  // namespace detail
 }  // namespace v0

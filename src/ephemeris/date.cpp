@@ -4,6 +4,7 @@
 #include <erfa.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -28,9 +29,26 @@ std::string text(const CalendarTime& t) {
          two(t.minute) + ":" + detail::number_text(t.second);
 }
 
+// The first of its numbers that no date has: ", its month 13 from 1 to 12".
+std::string out_of_range(const CalendarTime& t) {
+  const auto named = [](const char* what, int x, int first, int last) {
+    return std::string(", its ") + what + " " + std::to_string(x) + " from " +
+           std::to_string(first) + " to " + std::to_string(last);
+  };
+  if (t.month < 1 || t.month > 12) return named("month", t.month, 1, 12);
+  const std::chrono::year_month_day_last end{
+      std::chrono::year(t.year),
+      std::chrono::month_day_last(std::chrono::month(static_cast<unsigned>(t.month)))};
+  const int days = static_cast<int>(static_cast<unsigned>(end.day()));
+  if (t.day < 1 || t.day > days) return named("day", t.day, 1, days);
+  if (t.hour < 0 || t.hour > 23) return named("hour", t.hour, 0, 23);
+  if (t.minute < 0 || t.minute > 59) return named("minute", t.minute, 0, 59);
+  return {};
+}
+
 // ERFA's answers: negative is an error, 1 a dubious year.
 void require_there(int status, const Date& date) {
-  if (status < 0)
+  if (status < 0 || !std::isfinite(date.day + date.fraction))
     fail("converted", "the date " + detail::number_text(date.day + date.fraction) + " " +
                           std::string(name(date.scale)) + " must be one of the calendar");
 }
@@ -82,6 +100,7 @@ Date calendar_date(TimeScale scale, const CalendarTime& t) {
   // 2 and 3: a second beyond the end of the day
   if (status < 0 || status >= 2 || !std::isfinite(t.second))
     fail("calendar_date", "the time " + text(t) + " " + of_scale + " must be one of the calendar" +
+                              out_of_range(t) +
                               (t.second >= 60.0 ? ", and a 60th second a leap second of UTC" : ""));
   return result;
 }

@@ -8,6 +8,7 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/detail/run_state.hpp"
+#include "polhode/run/disk_space.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "run/detail/sized.hpp"
 #include "text/printable.hpp"
@@ -77,6 +78,7 @@ class ScenarioRun::Parts {
       kept_.transfer(bytes);
       from_ = kept_.run;
     }
+    require_room();
     outputs_.with_remedy([&] { open(); });
   }
 
@@ -102,6 +104,16 @@ class ScenarioRun::Parts {
   const detail::RunState& state() const { return from_; }
 
  private:
+  // Before anything is written: days of work would end with a disk that is full.
+  void require_room() const {
+    if (may_end_early(scenario_)) return;
+    for (const DiskNeed& need : disk_needs(scenario_, files_.outputs, from_.pushed))
+      if (need.least > need.available)
+        throw OutputError(scenario_.document.name + ": got " +
+                          disk_text(scenario_, need, need.least, from_.pushed) +
+                          "; expected fewer rows or columns, or another disk");
+  }
+
   void open() {
     const Provenance origin = provenance(scenario_);
     outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {

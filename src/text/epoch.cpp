@@ -48,10 +48,14 @@ void require_date(std::string_view& text) {
   const auto day = take_number(text, 2);
   if (!year || !dash || !month || !second_dash || !day)
     throw DomainError("it does not start with a date like 2013-01-05");
-  const std::chrono::year_month_day date{std::chrono::year(*year),
-                                         std::chrono::month(static_cast<unsigned>(*month)),
-                                         std::chrono::day(static_cast<unsigned>(*day))};
-  if (!date.ok()) throw DomainError("there is no such day in the calendar");
+  const auto refuse = [](const char* what, int x, unsigned last) {
+    throw DomainError("there is no such day in the calendar: " + std::string(what) + " " +
+                      std::to_string(x) + " must be from 1 to " + std::to_string(last));
+  };
+  if (*month < 1 || *month > 12) refuse("month", *month, 12);
+  const std::chrono::month_day_last month_end{std::chrono::month(static_cast<unsigned>(*month))};
+  const unsigned days{std::chrono::year_month_day_last(std::chrono::year(*year), month_end).day()};
+  if (*day < 1 || *day > static_cast<int>(days)) refuse("day", *day, days);
 }
 
 // hh:mm, hh:mm:ss or hh:mm:ss.fff; a 60th second only where UTC may have one.

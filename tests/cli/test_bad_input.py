@@ -208,7 +208,14 @@ def test_wrong_arguments(run, arguments):
     (["convert", "--from", "rotor", "--to", "eulr"], "; did you mean euler?"),
     (["convert", "--from", "rotor", "--to", "sadov", "--moments", "1,1,3"],
      'convert: --moments: got "1,1,3"; Body: moments (1, 1, 3) break '),
-    (["init", "tumblr"], 'polhode init: chart: got "tumblr"; expected tumbler, '),
+    (["run", "x", "--checkpoint", "-3"],
+     'polhode run: --checkpoint: got "-3"; expected a number of seconds, from 0 to 1e9'),
+    (["map", "x", "--checkpoint", "soon"],
+     'polhode map: --checkpoint: got "soon"; expected a number of seconds, from 0 to 1e9'),
+    (["map", "x", "--threads", "0"],
+     'polhode map: --threads: got "0"; expected a whole number, 1 or more'),
+    (["init", "tumblr"], 'polhode init: got "tumblr"; expected a chart (tumbler, '),
+    (["init", "elipse"], " an orbit (kepler, "),
 ])
 def test_message_names_the_argument(run, arguments, message):
     assert message in check_one_line(run(*arguments), 2)
@@ -280,7 +287,7 @@ def test_a_killed_run_leaves_its_blocks(polhode, scenario, tmp_path, extension):
     path = tmp_path / f"a.{extension}"
     part = tmp_path / f"a.{extension}.part"
     process = subprocess.Popen(
-        [polhode, "run", scenario(time="stop = 1e9\nstep = 0.1"), "--out", path])
+        [polhode, "run", scenario(time="stop = 5e6\nstep = 0.1"), "--out", path])
     deadline = time.monotonic() + 60
     while time.monotonic() < deadline and (not part.exists() or part.stat().st_size < 2_000_000):
         time.sleep(0.02)

@@ -43,7 +43,7 @@ def stopped(polhode, arguments, after, by=signal.SIGINT):
 @pytest.fixture
 def long(scenario):
     """A scenario of hours, and the same of seconds."""
-    return scenario(time="stop = 1e9\nstep = 0.1", state=DAMPED)
+    return scenario(time="stop = 1e9\nstep = 20", state=DAMPED)
 
 
 def test_killed_at_random_moments(polhode, tmp_path):
@@ -64,7 +64,7 @@ def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
     code, out, err = stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part", by)
     assert code == status and out == ""
     assert err.splitlines()[-1].endswith(
-        f"; continue with: polhode run {long} --out {path} --resume")
+        f"; continue with: {polhode} run {long} --out {path} --resume")
     assert (tmp_path / "a.csv.checkpoint").exists() and not path.exists()
 
 

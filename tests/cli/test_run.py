@@ -225,7 +225,7 @@ def test_every_template_runs(run, table):
         assert f"[state.{chart}]" in template
         names, rows = table(run("run", "-", stdin=template).stdout)
         assert len(rows) == 1441 and "l" in names
-    for kind in ("gravity-gradient", "constant-torque", "damping"):
+    for kind in ("gravity-gradient", "constant-torque", "damping", "kepler", "splitting"):
         assert kind in from_help
         template = run("init", kind).stdout
         assert f"kind = \"{kind}\"" in template

@@ -53,6 +53,32 @@ def test_a_torque_of_your_own_is_a_kind_like_ours(braked, tmp_path):
         program, "info", wrong, status=2)
 
 
+def test_a_torque_of_your_own_follows_an_orbit(braked, tmp_path):
+    program, scenario, out = braked / "build/spin-brake", braked / "comet.toml", tmp_path / "c.csv"
+    assert "jet, orbit comet" in sh(program, "run", scenario, "--out", out)
+    names, rows = rows_of(out)
+    gm, q, e = 132712440041.93 * 3600**2, 1.243 * 149597870.7, 0.641  # km and h
+    momentum, motion = math.sqrt(gm * q * (1 + e)), math.sqrt(gm * ((1 - e) / q)**3)
+    # over a turn of the body the jet gives 3/8 of its torque, over the orbit as the anomaly grows
+    for row in rows[20::20]:
+        mean = angle = motion * row[0]
+        for _ in range(50):
+            angle -= (angle - e * math.sin(angle) - mean) / (1 - e * math.cos(angle))
+        true = 2 * math.atan2(math.sqrt(1 + e) * math.sin(angle / 2),
+                              math.sqrt(1 - e) * math.cos(angle / 2))
+        gain = 1e6 * 3600**2 * 3 / 8 * q**2 * (true % (2 * math.pi)) / momentum / 1.9e19
+        assert row[names.index("w3")] - 29 == pytest.approx(math.degrees(gain), rel=budgets.own_jet)
+    assert "jet, orbit comet" in runs_from_its_template(program, "comet-jet", tmp_path)
+    wrong, text = tmp_path / "wrong.toml", scenario.read_text()
+    wrong.write_text(text.replace('orbit = "comet"', 'orbit = "conet"'))
+    assert 'perturbation[0].orbit: got "conet"' in sh(program, "info", wrong, status=2)
+    begin, end = text.index("gm ="), text.index("[[perturbation]]")
+    wrong.write_text(text[:begin] + "kind = 'table'\ntimes = [0, 2e4, 4e4, 6e4]\n"
+                     "x = [1, 2, 3, 4]\ny = [1, 2, 4, 8]\nz = [1, 3, 5, 7]\n" + text[end:])
+    assert 'orbit: got "comet"; expected an orbit with elements' in sh(program, "info", wrong,
+                                                                       status=2)
+
+
 def stopped(program, scenario, out, by):
     """What a run says that is stopped after its first checkpoint, long before its end."""
     command = [program, "run", scenario, "--out", out, "--checkpoint", "0"]
@@ -86,12 +112,19 @@ def test_messages_of_a_program_of_your_own_have_its_name(braked, tmp_path):
     scenario.write_text(text.replace("stop = 3000\n", "stop = 600000\n"))
     out = tmp_path / "cut.csv"
     said = stopped(program, scenario, out, signal.SIGINT)
-    assert said.endswith(f"; continue with: spin-brake run {scenario} --out {out} --resume\n")
+    assert said.endswith(f"; continue with: {program} run {scenario} --out {out} --resume\n")
     assert sh(program, "rum", status=2).startswith('spin-brake: got command "rum"; expected one of')
     assert sh(program, "run", status=2).startswith("spin-brake run: FILE is required")
-    assert sh(program, "init", "brake", status=2).startswith('spin-brake init: chart: got "brake"')
+    assert sh(program, "init", "brake", status=2).startswith('spin-brake init: got "brake"; ')
     for command in ("cite", "convert", "golden", "info", "init", "map", "run", "schema", "shape"):
         assert f"\n  spin-brake {command} " in sh(program, command, "--help")
+
+
+def runs_from_its_template(program, kind, folder):
+    """What `init` prints of a kind is a scenario that runs as it is."""
+    template = folder / "template.toml"
+    template.write_text(sh(program, "init", kind))
+    return sh(program, "run", template, "--out", folder / "template.csv")
 
 
 @pytest.fixture(scope="module")
@@ -120,6 +153,7 @@ def test_a_method_of_your_own_is_a_kind_like_ours(midpoint, tmp_path):
     assert "[author2026]" in sh(program, "cite", scenario)
     assert '"const": "lie-midpoint"' in sh(program, "schema")
     wrong = tmp_path / "wrong.toml"
+    assert "lie-midpoint, step 0.01 h" in runs_from_its_template(program, "lie-midpoint", tmp_path)
     wrong.write_text(text.replace("step = 0.01", "step = -1"))
     assert "19:8: method.step: got -1; expected a positive time" in sh(
         program, "info", wrong, status=2)
@@ -136,18 +170,52 @@ def test_a_run_by_a_method_of_your_own_is_stopped_and_continued(midpoint, tmp_pa
     assert cut.read_bytes() == out.read_bytes()
 
 
-def test_an_orbit_of_your_own_is_a_kind_like_ours(built, tmp_path):
-    path = built("orbit")
+@pytest.fixture(scope="module")
+def sun_synchronous(built):
+    return built("orbit")
+
+
+def test_an_orbit_of_your_own_is_a_kind_like_ours(sun_synchronous, tmp_path):
+    path = sun_synchronous
     program, scenario, text = (path / "build/sun-synchronous", path / "satellite.toml",
                                (path / "satellite.toml").read_text())
     assert "completed" in sh(program, "run", scenario, "--out", tmp_path / "own.csv")
     assert "orbit satellite: period" in sh(program, "info", scenario)
     assert "[author2026]" in sh(program, "cite", scenario)
     assert '"const": "sun-synchronous"' in sh(program, "schema")
+    assert "orbit earth: period" in runs_from_its_template(program, "sun-synchronous", tmp_path)
+    said = sh(program, "init", "sun-synchronus", status=2)
+    assert said.startswith('sun-synchronous init: got "sun-synchronus"; expected a chart (')
+    assert ", shipped, sun-synchronous, spiral), a frame (" in said
+    assert said.endswith("; did you mean sun-synchronous?\n")
     wrong = tmp_path / "wrong.toml"
+    assert "plane of orbit satellite" in sh(program, "info", scenario)
     wrong.write_text(text.replace('"700 km"', '"9000 km"'))
     assert ('18:12: orbit.satellite.altitude: got "9000 km"; expected a lower orbit, whose node '
             "turns fast enough") in sh(program, "info", wrong, status=2)
+
+
+def test_an_orbit_of_your_own_from_positions(sun_synchronous, tmp_path):
+    path, program = sun_synchronous, sun_synchronous / "build/sun-synchronous"
+    text = (path / "descent.toml").read_text()
+
+    def last_row(scenario_text):
+        scenario, out = tmp_path / "a.toml", tmp_path / "a.csv"
+        scenario.write_text(scenario_text)
+        sh(program, "run", scenario, "--out", out)
+        return rows_of(out)[1][-1]
+
+    # one that hardly shrinks is the circle
+    circle = text.replace('"spiral"', '"kepler"').replace("start =", "semi_major_axis =")
+    slow = text.replace("value = 20.0", "value = 1e-8")
+    as_circle = last_row("".join(x for x in circle.splitlines(True) if "descent =" not in x))
+    assert last_row(slow) == pytest.approx(as_circle, abs=budgets.own_spiral)
+    assert last_row(text) != pytest.approx(as_circle, abs=1e3 * budgets.own_spiral)
+    assert "gravity gradient, orbit earth" in runs_from_its_template(program, "spiral", tmp_path)
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(text[:text.index("[time]")])
+    assert '16:9: orbit.low.start: got "6600 km"; expected a table [time]' in sh(
+        program, "info", wrong, status=2)
 
 
 def test_a_frame_of_your_own_is_a_kind_like_ours(built, tmp_path):
@@ -169,6 +237,8 @@ def test_a_frame_of_your_own_is_a_kind_like_ours(built, tmp_path):
             math.degrees(math.acos(cosine)), rel=budgets.cli_rounding)
     assert "a plane that sways" in out.read_text()
     assert '"swaying-plane"' in sh(program, "schema")
+    assert "seen from the moving frame" in runs_from_its_template(program, "swaying-plane",
+                                                                  tmp_path)
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(text.replace("sway = 0.15", "sway = 6"))
     assert ("15:8: frame.swaying-plane.sway: got 6; expected less than the inclination"
@@ -207,6 +277,9 @@ def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
     template = tmp_path / "template.toml"
     template.write_text(sh(program, "init", "colombos-top"))
     sh(program, "run", template, "--out", tmp_path / "template.csv")
+    head = template.read_text()[:template.read_text().index("[colombos-top]")]
+    assert 'title = "The spin axis of a planet whose orbit precesses at a constant rate"' in head
+    assert '\ntime = "yr"\n' in head
     assert "colombos-top]" not in sh(program, "init", "andoyer")
     for wrong, message in {
         text.replace("obliquity = 25", 'obliquity = "25 m"'): '10:13: colombos-top.obliquity: got',

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The program `polhode` with a kind of [orbit.NAME] of its own, "sun-synchronous".
+// The program `polhode` with two kinds of [orbit.NAME] of its own, "sun-synchronous" and "spiral".
 #include <cmath>
 #include <numbers>
 #include <span>
 
 #include "polhode/cli/command_line.hpp"
+#include "spiral.hpp"
 
 namespace {
 
@@ -70,5 +71,6 @@ polhode::OrbitKind sun_synchronous() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(sun_synchronous()));
+  const polhode::Kinds kinds = polhode::default_kinds().with(sun_synchronous()).with(spiral());
+  return polhode::command_line(argc, argv, kinds);
 }

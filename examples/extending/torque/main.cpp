@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The program `polhode` with a kind of [[perturbation]] of its own, "spin-brake".
+// The program `polhode` with two kinds of [[perturbation]] of its own, "spin-brake" and
+// "comet-jet".
 #include <span>
 
+#include "comet_jet.hpp"
 #include "polhode/cli/command_line.hpp"
 #include "spin_brake.hpp"
 
@@ -45,5 +47,6 @@ polhode::PerturbationKind spin_brake() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(spin_brake()));
+  const polhode::Kinds kinds = polhode::default_kinds().with(spin_brake()).with(comet_jet());
+  return polhode::command_line(argc, argv, kinds);
 }

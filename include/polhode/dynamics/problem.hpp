@@ -7,13 +7,15 @@
 //             motion is meant. Problem: a rotor. DampedProblem: a rotor whose system may have a
 //             damper, with the rate of the damper.
 // Accuracy    none.
-// Errors      none: it is a plain value. Functions that integrate it check it.
+// Errors      DomainError where it is made with a time that is not finite. It is a plain value:
+//             functions that integrate it check it, all of it.
 // Cost        none.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "polhode/dynamics/detail/finite_span.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/system/damped_rotor_state.hpp"
@@ -34,6 +36,8 @@ struct BasicProblem {
   std::vector<BasicEvent<S>> events = {};
   // This run continues one that ended at `start`, which has already reported any event there.
   bool continues = false;
+  // Last, and left out: it looks at the times, and holds nothing.
+  [[no_unique_address]] detail::FiniteSpan span = {start, stop};
 };
 using Problem = BasicProblem<System, RotorState>;
 using DampedProblem = BasicProblem<System, DampedRotorState>;

@@ -62,6 +62,12 @@ struct FormatNeeds {
   bool rising = false;  // each row later than the one before
 };
 
+// What a number of a row takes in a file; 0: it is not known.
+struct NumberBytes {
+  int least = 0;
+  int usual = 0;
+};
+
 struct OutputFormat {
   using Open = std::function<std::unique_ptr<Sink>(const SinkRequest&)>;
 
@@ -78,6 +84,7 @@ struct OutputFormat {
   std::string help;       // what it is, or what [output.NAME] says; one or two sentences
   Open open;
   FormatNeeds needs = {};
+  NumberBytes number_bytes = {};
   // The groups of columns that it needs, which may depend on the run and the options.
   std::function<std::vector<std::string>(const SinkRequest&)> columns = {};
 

@@ -13,23 +13,28 @@
 //             0 along the axes of the orbit. The orbit may be that of either body as seen from the
 //             other. Left out are J2 with the body's moments of degree 3 and 4, and J3, J4, ... .
 // Accuracy    a few roundings of the torque; a sphere has none, exactly.
-// Errors      DomainError for a gm or R that is not positive, a J2 that is not finite, no pole.
+// Errors      DomainError for a gm that is not positive; of Oblateness, for an R that is not, a J2
+//             that is not finite, no pole.
 // Cost        one position and some 150 flops. For Tangent the orbit is evaluated in double.
 #pragma once
 
 #include <utility>
 
 #include "polhode/perturb/detail/argument_checks.hpp"
+#include "polhode/perturb/detail/sound_oblateness.hpp"
 #include "polhode/perturb/detail/symmetric_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
+// DomainError where it is made for a radius that is not positive, a J2 that is not finite, no pole.
 struct Oblateness {
   double J2;
   double radius;                // the equatorial radius that J2 belongs to
   Vec3 pole = {0.0, 0.0, 1.0};  // the axis of figure, along the axes of the orbit
+  // Last, and left out: it looks at the others, and holds nothing.
+  [[no_unique_address]] detail::SoundOblateness sound = {J2, radius, pole};
 
   constexpr bool operator==(const Oblateness&) const = default;
 };

@@ -77,6 +77,7 @@ struct OrbitKind {
   // One of them. Without name and kind, which are those of the file.
   std::function<ScenarioOrbit(const OrbitContext&)> made = {};
   std::function<ScenarioHistory(const OrbitContext&)> history = {};
+  bool is_dated = false;  // needs state.epoch, and axes of the sky
 };
 
 // A kind whose arguments are a plain struct A, filled by its keys.

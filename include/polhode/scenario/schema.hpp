@@ -35,6 +35,8 @@ struct KindText {
   std::string_view kind;
   std::string_view text;
   bool on_surface = false;  // acts on the facets of [[surface]]
+  bool over_ages = false;   // elements over ages, without positions
+  bool is_dated = false;    // positions of a date: they need state.epoch, and axes of the sky
 };
 
 struct Schema {
@@ -66,11 +68,16 @@ std::string markdown_reference(const Schema& schema);
 std::string markdown_units();
 // The charts that [state.CHART] knows.
 std::vector<std::string_view> state_charts(const Schema& schema = scenario_schema());
-// What scenario_template knows: the charts, for free rotation, and the kinds of [[perturbation]].
-std::vector<std::string_view> scenario_templates(const Schema& schema = scenario_schema());
-// A commented scenario to start from, with the given chart in [state.CHART] or the given kind of
-// perturbation. DomainError when there is none of this name. `program` is what reads it.
-std::string scenario_template(std::string_view name, const Schema& schema = scenario_schema(),
+// What scenario_template knows, sort by sort.
+struct TemplateSort {
+  std::string_view sort;  // "chart", "perturbation", "experiment", "orbit", ...
+  std::vector<std::string>
+      words;  // names of its kinds; of one that a sort before has, "frame.NAME"
+};
+std::vector<TemplateSort> scenario_templates(const Schema& schema = scenario_schema());
+// A commented scenario to start from, with the kind that the word stands for. DomainError when it
+// stands for none. `program` is what reads it.
+std::string scenario_template(std::string_view word, const Schema& schema = scenario_schema(),
                               std::string_view program = "polhode");
 
 }  // namespace v0

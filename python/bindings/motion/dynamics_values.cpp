@@ -188,6 +188,7 @@ void make_problem(PythonProblem* self, Typed<"System"> system, Typed<"RotorState
                   bool continues) {
   system_of(system, "Problem: system");
   require_state(initial);
+  static_cast<void>(polhode::detail::FiniteSpan(start, stop));
   method_of(method);
   new (self) PythonProblem{nb::borrow(system),
                            nb::borrow(initial),

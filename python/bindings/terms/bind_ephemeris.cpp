@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Dates in the scales of astronomy, and where Sun, Moon and planets are.
+#include <cmath>
+
 #include "interface/arrays.hpp"
 #include "interface/choice.hpp"
 #include "interface/value.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"
+#include "polhode/error.hpp"
 #include "polhode/text/epoch.hpp"
 #include "terms/orbit_value.hpp"
 
@@ -15,6 +18,21 @@ namespace {
 nb::tuple arguments_of(const Date& d) { return nb::make_tuple(d.scale, d.day, d.fraction); }
 
 Planetary body_of(nb::handle value, const char* name) { return choice<Planetary>(value, name); }
+
+void make_date(Date* self, const OneOf<TimeScale>& scale, double day, double fraction) {
+  if (!std::isfinite(day) || !std::isfinite(fraction))
+    throw DomainError("Date: day " + number_text(day) + " and fraction " + number_text(fraction) +
+                      " must be finite");
+  new (self) Date{choice<TimeScale>(scale, "scale"), day, fraction};
+}
+
+void make_date_of_text(Date* self, const std::string& text) {
+  try {
+    new (self) Date(epoch_date(text));
+  } catch (const DomainError& error) {
+    throw DomainError("Date: got \"" + text + "\"; " + error.what());
+  }
+}
 
 void bind_dates(nb::module_& m) {
   nb::enum_<TimeScale>(m, "TimeScale", "A time scale of astronomy.")
@@ -32,15 +50,8 @@ day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of
     day with a leap second is stretched.
 text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
     "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for others.)");
-  c.def(
-       "__init__",
-       [](Date* self, OneOf<TimeScale> scale, double day, double fraction) {
-         new (self) Date{choice<TimeScale>(scale, "scale"), day, fraction};
-       },
-       "scale"_a, "day"_a, "fraction"_a = 0.0)
-      .def(
-          "__init__",
-          [](Date* self, const std::string& text) { new (self) Date(epoch_date(text)); }, "text"_a)
+  c.def("__init__", make_date, "scale"_a, "day"_a, "fraction"_a = 0.0)
+      .def("__init__", make_date_of_text, "text"_a)
       .def_ro("scale", &Date::scale, "Its time scale.")
       .def_ro("day", &Date::day, "The first part, days.")
       .def_ro("fraction", &Date::fraction, "The second part, days.")
@@ -66,6 +77,9 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
       });
   def_value(c, [](const Date& d) { return arguments_of(d); });
   nb::implicitly_convertible<nb::str, Date>();
+}
+
+void bind_time(nb::module_& m) {
   m.def(
       "calendar_date",
       [](OneOf<TimeScale> scale, int year, int month, int day, int hour, int minute,
@@ -141,6 +155,7 @@ void bind_planets(nb::module_& m) {
 
 void bind_ephemeris(nb::module_& m) {
   bind_dates(m);
+  bind_time(m);
   bind_planets(m);
 }
 

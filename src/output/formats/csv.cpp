@@ -72,6 +72,7 @@ OutputFormat csv_format() {
                                          append_row);
                       });
   format.label = "CSV";
+  format.number_bytes = {2, 18};  // a digit and a comma; some 17 digits
   format.difference = [](const std::string& path, const std::vector<ColumnGroup>& groups,
                          const Provenance& provenance) {
     return text_difference(path, comments, csv_head(groups, provenance));

@@ -338,6 +338,7 @@ OutputFormat hdf5_format() {
                       });
   format.label = "HDF5";
   format.needs.file = true;
+  format.number_bytes = {8, 8};
   format.difference = [](const std::string& path, const std::vector<ColumnGroup>& groups,
                          const Provenance& provenance) {
     return difference(origin_of(path), origin_of(groups, provenance));

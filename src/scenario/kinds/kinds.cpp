@@ -77,7 +77,13 @@ detail::KindOfTable row_of(const MethodKind& kind) {
   return {{{}, kind.name, kind.help}, kind.keys, {}};
 }
 detail::KindOfTable row_of(const OrbitKind& kind) {
-  return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
+  return {{.table = {},
+           .kind = kind.name,
+           .text = kind.help,
+           .over_ages = static_cast<bool>(kind.history),
+           .is_dated = kind.is_dated},
+          kind.keys,
+          kind.sets};
 }
 constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
 detail::KindOfTable row_of(const FrameKind& kind) {
@@ -139,8 +145,8 @@ std::vector<PerturbationKind> our_perturbations() {
           kane_damper_kind()};
 }
 
-// Scenarios have one word for a chart, for its table in [state] and for its columns, and the words
-// of `polhode init` are charts and perturbations.
+// Scenarios have one word for a chart, for its table in [state] and for its columns, and `polhode
+// init` has one for a chart, a perturbation or an experiment.
 void require_own_word(const Kinds& kinds, const ChartKind& chart) {
   std::vector<std::string_view> taken = column_group_names(kinds.charts());
   for (const std::string_view group : detail::spin_column_groups()) taken.push_back(group);

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
@@ -20,6 +21,7 @@
 namespace {
 
 using namespace polhode;
+using polhode::test::message_of;
 using testing::HasSubstr;
 
 const Body wing_nut(1.0, 2.0, 2.7);
@@ -289,6 +291,14 @@ TEST(Integrate, ARunOfNoLengthIsItsStart) {
   EXPECT_EQ(run.at(3.0), run.samples()[0].s);
 }
 
+TEST(Integrate, AProblemThatNeverEndsIsNotMade) {
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(message_of([] { problem(Adaptive{}, 0.0, std::nan("")); }),
+            "Problem: start 0 and stop nan must be finite");
+  EXPECT_EQ(message_of([inf] { problem(Adaptive{}, -inf, 1.0); }),
+            "Problem: start -inf and stop 1 must be finite");
+}
+
 TEST(Integrate, WhatIsNoProblemIsRefused) {
   const double nan = std::nan("");
   const auto refused = [](Problem p, const std::string& words) {
@@ -300,8 +310,9 @@ TEST(Integrate, WhatIsNoProblemIsRefused) {
   p = problem(Adaptive{});
   p.initial.g.y = nan;
   refused(p, "momentum (0.8, nan, 0.3) must be finite");
-  refused(problem(Adaptive{}, 0.0, std::numeric_limits<double>::infinity()),
-          "stop inf must be finite");
+  p = problem(Adaptive{});
+  p.stop = std::numeric_limits<double>::infinity();
+  refused(p, "integrate: start 0 and stop inf must be finite");
   refused(problem(Adaptive{.tolerance = 0.0}), "tolerance 0 must be from 1e-15 to 0.01");
   refused(problem(Adaptive{.tolerance = 1e-16}), "tolerance 1e-16 must be");
   refused(problem(Splitting{0.0}), "step 0 must be positive");

@@ -62,7 +62,11 @@ TEST(Dates, WhatIsNoTimeIsRefused) {
   EXPECT_THAT(error(TT, {2016, 12, 31, 23, 59, 60.0}), HasSubstr("must be one of the calendar"));
   EXPECT_THAT(error(UTC, {2001, 2, 29}), HasSubstr("2001-02-29 00:00:0"));
   EXPECT_THAT(error(UTC, {2001, 2, 8, 24}), HasSubstr("must be one of the calendar"));
+  EXPECT_THAT(error(UTC, {2020, 13, 1}), HasSubstr("calendar, its month 13 from 1 to 12"));
+  EXPECT_THAT(error(UTC, {2023, 2, 29}), HasSubstr("calendar, its day 29 from 1 to 28"));
+  EXPECT_THAT(error(UTC, {2024, 2, 8, 7, 60}), HasSubstr("calendar, its minute 60 from 0 to 59"));
   EXPECT_EQ(error(UTC, {2016, 12, 31, 23, 59, 60.0}), "no error");
+  EXPECT_THROW(converted({TT, std::nan(""), 0.0}, UTC), DomainError);
   EXPECT_THROW(converted(calendar_date(UT1, {2000, 1, 1}), TT), DomainError);
 }
 

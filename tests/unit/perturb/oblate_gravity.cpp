@@ -118,21 +118,25 @@ TEST(OblateGravity, InAListOfTerms) {
 
 TEST(OblateGravity, RefusesWhatIsNoPlanet) {
   EXPECT_EQ(refusal([] {
+              static_cast<void>(Oblateness{1e-3, -1.0});
+            }),
+            "Oblateness: radius -1 must be positive and finite");
+  EXPECT_EQ(refusal([] {
               OblateGravity(-1.0, Curve{}, {0.1, 1.0});
             }),
             "OblateGravity: gm -1 must be positive and finite");
   EXPECT_EQ(refusal([] {
               OblateGravity(1.0, Curve{}, {0.1, 0.0});
             }),
-            "OblateGravity: radius 0 must be positive and finite");
+            "Oblateness: radius 0 must be positive and finite");
   EXPECT_EQ(refusal([] {
               OblateGravity(1.0, Curve{}, {HUGE_VAL, 1.0});
             }),
-            "OblateGravity: J2 inf must be finite");
+            "Oblateness: J2 inf must be finite");
   EXPECT_EQ(refusal([] {
               OblateGravity(1.0, Curve{}, {0.1, 1.0, {0.0, 0.0, 0.0}});
             }),
-            "OblateGravity: pole (0, 0, 0) must be a direction: finite and not 0");
+            "Oblateness: pole (0, 0, 0) must be a direction: finite and not 0");
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ TEST(ChartKinds, SchemaPageAndTemplateKnowIt) {
   EXPECT_THAT(json_schema(of.schema()), HasSubstr("\"log_G\""));
   EXPECT_THAT(json_schema(default_kinds().schema()), Not(HasSubstr("log_G")));
   EXPECT_THAT(markdown_reference(of.schema()), HasSubstr("## `[state.modified-spherical]`"));
-  EXPECT_THAT(scenario_templates(of.schema()), Contains("sided"));
+  EXPECT_THAT(scenario_templates(of.schema()).front().words, Contains("sided"));
   for (const char* chart : {"modified-spherical", "sided"}) {
     const Scenario scenario =
         scenario_from_text(scenario_template(chart, of.schema()), "template", of);

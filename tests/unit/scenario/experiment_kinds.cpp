@@ -111,6 +111,21 @@ TEST_F(ExperimentKinds, SaysWhatItIs) {
               HasSubstr("[gyrostat]\n# Principal moments.\nmoments = [1, 1.7, 2.2]\n"));
 }
 
+// Nothing in it is of a body that tumbles: the title says what it is, and time is that of examples.
+TEST_F(ExperimentKinds, ATemplateIsInItsOwnWordsAndUnits) {
+  ExperimentKind kind = gyrostat();
+  kind.help = "A \"wheel\" in a body.";
+  const auto text = [&] {
+    return scenario_template("gyrostat", default_kinds().with(kind).schema());
+  };
+  EXPECT_THAT(text(), HasSubstr("\ntitle = \"A \\\"wheel\\\" in a body\"\n"));
+  EXPECT_THAT(text(), HasSubstr("\ntime = \"s\"\n"));
+  kind.keys.at(1).example = "\"0.5 kg m2/d\"";
+  EXPECT_THAT(text(), HasSubstr("\ntime = \"d\"\n"));
+  EXPECT_THAT(text(), HasSubstr("\nmoment = \"kg m2\"\n"));
+  EXPECT_EQ(read(text(), default_kinds().with(kind)).document.title, "A \"wheel\" in a body");
+}
+
 TEST_F(ExperimentKinds, WhatIsWrongStandsAtItsPlace) {
   const auto error = [](const std::string& text) { return message_of([&] { read(text); }); };
   EXPECT_EQ(error(head + body + rows), "");

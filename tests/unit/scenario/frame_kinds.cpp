@@ -100,5 +100,21 @@ TEST(FrameKinds, WhatIsNotSoundIsRefusedWhenItIsAdded) {
             "Kinds: frame \"turntable\": got \"rate\" in its sets; expected one of its keys");
 }
 
+TEST(FrameKinds, ATemplateHasIt) {
+  const Kinds kinds = default_kinds().with(turntable());
+  const Scenario scenario =
+      scenario_from_text(scenario_template("turntable", kinds.schema()), "template", kinds);
+  EXPECT_EQ(scenario.rotation().frame_text, "turntable");
+  FrameKind following = turntable("following");
+  for (Key& key : following.keys) key.presence = Presence::required;
+  const Kinds with_orbit = default_kinds().with(following);
+  EXPECT_EQ(scenario_from_text(scenario_template("following", with_orbit.schema()), "template",
+                               with_orbit)
+                .rotation()
+                .orbits.at(0)
+                .name,
+            "moon");
+}
+
 }  // namespace
 }  // namespace polhode

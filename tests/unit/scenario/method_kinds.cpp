@@ -130,5 +130,12 @@ TEST(MethodKinds, OursAreSoundAndMakeWhatTheyAreCalled) {
   }
 }
 
+TEST(MethodKinds, ATemplateHasIt) {
+  const Kinds kinds = default_kinds().with(runge_kutta_kind());
+  const Scenario scenario =
+      scenario_from_text(scenario_template("runge-kutta-4", kinds.schema()), "template", kinds);
+  EXPECT_EQ(method_traits(scenario.rotation().method.value()).kind, "runge-kutta-4");
+}
+
 }  // namespace
 }  // namespace polhode

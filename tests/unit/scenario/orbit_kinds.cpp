@@ -114,5 +114,36 @@ TEST(OrbitKinds, OneThatIsNotSoundIsRefused) {
               HasSubstr("got no function that makes it; expected one"));
 }
 
+// What goes round on it has a gm of its own, since the kind has no key for one.
+TEST(OrbitKinds, ATemplateHasItUnderATorque) {
+  const Kinds kinds = default_kinds().with(circle_kind());
+  const std::string text = scenario_template("circle", kinds.schema());
+  EXPECT_THAT(text, HasSubstr("\n[orbit.earth]\n# For tests.\nkind = \"circle\"\n"));
+  EXPECT_THAT(text, HasSubstr("\ngm = \"398600.4418 km3/s2\"\n"));
+  const Scenario scenario = scenario_from_text(text, "template", kinds);
+  EXPECT_EQ(scenario.rotation().orbits.at(0).kind, "circle");
+  EXPECT_EQ(scenario.rotation().terms.size(), 1U);
+}
+
+TEST(OrbitKinds, ATemplateOverAgesIsOfThePlanetThatMoves) {
+  OrbitKind kind = circle_kind("ages");
+  kind.made = nullptr;
+  kind.history = [](const OrbitContext&) -> ScenarioHistory { throw DomainError("never made"); };
+  const std::string text = scenario_template("ages", default_kinds().with(kind).schema());
+  EXPECT_THAT(text, HasSubstr("\n[orbit.mars]\n# For tests.\nkind = \"ages\"\n"));
+  EXPECT_THAT(text, HasSubstr("\nkind = \"obliquity\"\n"));
+}
+
+// A word stands for the first of them; the other has its table before it.
+TEST(OrbitKinds, ATemplateOfANameThatAnotherSortHasIsKnownByItsTable) {
+  const Kinds kinds = default_kinds().with(circle_kind("drag"));
+  EXPECT_THAT(scenario_template("drag", kinds.schema()),
+              HasSubstr("\n[[perturbation]]\n# Air on the facets"));
+  EXPECT_THAT(scenario_template("orbit.drag", kinds.schema()),
+              HasSubstr("\n[orbit.earth]\n# For tests.\nkind = \"drag\"\n"));
+  EXPECT_THAT(scenario_templates(kinds.schema()),
+              Contains(Field(&TemplateSort::words, Contains("orbit.drag"))));
+}
+
 }  // namespace
 }  // namespace polhode

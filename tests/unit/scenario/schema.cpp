@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "message_of.hpp"
 #include "output/obliquity_columns.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/scenario.hpp"
@@ -22,9 +23,14 @@
 namespace polhode {
 namespace {
 
+using polhode::test::message_of;
 using polhode::test::Worst;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 // What later sections need: names that the file chooses, and arrays of tables.
 constexpr Key growing_keys[] = {
@@ -94,19 +100,25 @@ TEST(Schema, TemplatesAreScenarios) {
     EXPECT_EQ(scenario.rotation().chart, chart);
     EXPECT_EQ(scenario.rotation().time->size(), 1441) << chart;
   }
-  EXPECT_THROW(scenario_template("tumbelr"), DomainError);
+  EXPECT_THAT(message_of([] { scenario_template("tumbelr"); }),
+              AllOf(StartsWith("got \"tumbelr\"; expected a chart (tumbler, attitude-rate, "),
+                    HasSubstr("), an orbit (kepler, "), HasSubstr("), a frame (precessing, "),
+                    EndsWith(" or an output format (aem); did you mean tumbler?")));
+}
+
+std::vector<std::string> words_of(std::string_view sort) {
+  for (const TemplateSort& one : scenario_templates())
+    if (one.sort == sort) return one.words;
+  return {};
 }
 
 TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
-  EXPECT_THAT(scenario_templates(),
-              ElementsAre("tumbler", "attitude-rate", "euler", "andoyer", "poincare-0-0",
-                          "poincare-0-pi", "poincare-pi-0", "poincare-pi-pi", "serret", "sadov",
-                          "gravity-gradient", "constant-torque", "damping", "tide",
+  const std::vector<std::string> kinds = words_of("perturbation");
+  EXPECT_THAT(kinds,
+              ElementsAre("gravity-gradient", "constant-torque", "damping", "tide",
                           "internal-damping", "anelastic-damping", "torque-table", "solar-pressure",
-                          "drag", "residual-dipole", "eddy-currents", "kane-damper", "obliquity"));
-  std::vector<std::string_view> templates = scenario_templates();
-  templates.pop_back();
-  for (const std::string_view kind : std::span(templates).subspan(state_charts().size())) {
+                          "drag", "residual-dipole", "eddy-currents", "kane-damper"));
+  for (const std::string& kind : kinds) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
     EXPECT_THAT(scenario.rotation().kinds, ElementsAre(std::string(kind)));
     EXPECT_EQ(scenario.rotation().terms.size() + (scenario.rotation().damper ? 1U : 0U), 1U);
@@ -132,6 +144,36 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
     EXPECT_GT(largest.value(), 0.0) << kind;
     EXPECT_THAT(scenario_template(kind), HasSubstr("\n# dut1 = "));
   }
+}
+
+// Those of orbits that are read from files name these files, and are the user's to fill in.
+TEST(Schema, TemplatesOfOrbitsFramesAndMethodsAreScenarios) {
+  EXPECT_THAT(words_of("chart"), ElementsAreArray(state_charts()));
+  EXPECT_THAT(words_of("experiment"), ElementsAre("obliquity"));
+  EXPECT_THAT(words_of("orbit"), ElementsAre("kepler", "state", "table", "ephemeris", "elements",
+                                             "series", "shipped"));
+  for (const char* orbit : {"kepler", "state", "table", "ephemeris"}) {
+    const Scenario scenario = scenario_from_text(scenario_template(orbit), "template");
+    ASSERT_EQ(scenario.rotation().orbits.size(), 1U);
+    EXPECT_EQ(scenario.rotation().orbits.front().kind, orbit);
+    EXPECT_THAT(scenario.rotation().kinds, ElementsAre("gravity-gradient"));
+  }
+  EXPECT_THAT(scenario_template("shipped"), HasSubstr("\n[orbit.mars]\n"));
+  for (const char* orbit : {"elements", "series"})
+    EXPECT_THAT(message_of([&] { scenario_from_text(scenario_template(orbit), "template"); }),
+                HasSubstr(": cannot be read: "));
+  for (const std::string& frame : words_of("frame")) {
+    const Scenario scenario = scenario_from_text(scenario_template(frame), "template");
+    EXPECT_NE(scenario.rotation().frame_text, "inertial") << frame;
+    EXPECT_TRUE(scenario.rotation().kinds.empty());
+  }
+  EXPECT_THAT(words_of("method"), ElementsAre("adaptive", "splitting", "variation-of-constants"));
+  for (const std::string& method : words_of("method")) {
+    const Scenario scenario = scenario_from_text(scenario_template(method), "template");
+    EXPECT_EQ(method_traits(*scenario.rotation().method).kind, method);
+    EXPECT_THAT(scenario.rotation().kinds, ElementsAre("constant-torque"));
+  }
+  EXPECT_THAT(scenario_template("aem"), HasSubstr("\n[output.aem]\n"));
 }
 
 // Keys of one kind: refused with another, required with their own.

@@ -103,7 +103,8 @@ OrbitKind ephemeris_kind() {
   return {.name = "ephemeris",
           .help = "Sun, Moon and planets as they move (docs/guide/orbits.md).",
           .keys = {std::begin(keys), std::end(keys)},
-          .made = ephemeris_orbit};
+          .made = ephemeris_orbit,
+          .is_dated = true};
 }
 
 }  // namespace detail

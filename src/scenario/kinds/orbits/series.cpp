@@ -29,7 +29,8 @@ constexpr Key keys[] = {
      .fallback = "[\"frequency\", \"amplitude\", \"phase\"]",
      .example = "[\"-\", \"frequency\", \"amplitude\", \"phase\"]",
      .help = "What the columns of both files are, by the names that the files give them or in "
-             "their order: frequency, amplitude and phase; - is a column that is not read."},
+             "their order: frequency, amplitude and phase; - is a column that is not read.",
+     .in_template = true},
     {.path = "units",
      .type = KeyType::units,
      .presence = Presence::required,

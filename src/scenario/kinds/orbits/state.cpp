@@ -27,7 +27,7 @@ constexpr Key keys[] = {
      .presence = Presence::required,
      .dimension = Dimension::speed,
      .length = 3,
-     .example = "[0.0, 5.0, 5.6]",
+     .example = "{ value = [0.0, 5.0, 5.6], unit = \"km/s\" }",
      .help = "Velocity at the epoch."},
     {.path = "J2",
      .type = KeyType::number,

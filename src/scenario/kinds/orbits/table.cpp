@@ -30,19 +30,19 @@ constexpr Key keys[] = {
      .type = KeyType::numbers,
      .presence = Presence::alternative,
      .dimension = Dimension::time,
-     .example = "[0, 60, 120, 180]",
+     .example = "[0, 240, 480, 720]",
      .help = "Times of rows that stand here, rising, from t = 0."},
     {.path = "x",
      .type = KeyType::numbers,
      .presence = Presence::alternative,
      .dimension = Dimension::length,
-     .example = "[7000, 6986, 6944, 6875]",
+     .example = "[384400, -256033, -43335, 313759]",
      .help = "The first component of the positions in these rows."},
     {.path = "y",
      .type = KeyType::numbers,
      .presence = Presence::alternative,
      .dimension = Dimension::length,
-     .example = "[0, 452, 903, 1349]",
+     .example = "[0, 286724, -381950, 222077]",
      .help = "The second."},
     {.path = "z",
      .type = KeyType::numbers,
@@ -53,12 +53,12 @@ constexpr Key keys[] = {
     {.path = "vx",
      .type = KeyType::numbers,
      .dimension = Dimension::speed,
-     .example = "[0, -0.5, -0.9, -1.4]",
+     .example = "[0, -2747, 3660, -2128]",
      .help = "The first component of their velocities; all three, or none."},
     {.path = "vy",
      .type = KeyType::numbers,
      .dimension = Dimension::speed,
-     .example = "[7.5, 7.5, 7.5, 7.4]",
+     .example = "[3683, -2453, -415, 3006]",
      .help = "The second."},
     {.path = "vz",
      .type = KeyType::numbers,
@@ -130,7 +130,7 @@ std::vector<std::string> usual_columns(const std::string& path) {
 std::vector<std::string> columns_of(const OrbitContext& at, const std::string& path) {
   const std::string key = at.key_path("columns");
   if (!has(at.values(), key)) {
-    const std::vector<std::string> usual = usual_columns(path);
+    std::vector<std::string> usual = usual_columns(path);
     if (usual.size() < 4)
       throw DomainError(path + ": has " + std::to_string(usual.size()) +
                         " columns; expected time, x, y, z");
@@ -306,11 +306,10 @@ ScenarioOrbit table_orbit(const OrbitContext& at) {
                               value_at(at.values(), at.key_path("order")).whole, 1, 99))
                         : 0;
   const char* const rows = has(at.values(), at.key_path("times")) ? "times" : "file";
-  const ScenarioOrbit orbit =
-      built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
-        if (rows == std::string_view("file")) return file_orbit(at, order);
-        return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table", true};
-      });
+  ScenarioOrbit orbit = built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
+    if (rows == std::string_view("file")) return file_orbit(at, order);
+    return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table", true};
+  });
   require_cover(at, rows, std::get<TableOrbit>(orbit.motion));
   return orbit;
 }
