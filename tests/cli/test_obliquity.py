@@ -273,7 +273,9 @@ def test_an_axis_of_a_map_is_in_the_unit_of_its_key(run, table, tmp_path):
 
 
 @pytest.mark.parametrize(("step", "stop", "said"), [
-    (20, -20000, "needs rows at most 11.7"), (1, -100, "needs rows over 235.9 or more; got 101")])
+    (20, -20000, "needs rows at most 11.8 apart; got 20"),
+    (1, -100, "needs rows over 235.9 or more; got 101"),
+])
 def test_rows_that_show_no_frequency_make_no_map(run, tmp_path, step, stop, said):
     text = EARTH.replace("stop = -1000\nstep = 100", f"stop = {stop}\nstep = {step}")
     path = tmp_path / "map.toml"

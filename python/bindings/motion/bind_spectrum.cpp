@@ -25,11 +25,11 @@ bool are_complex(const nb::object& values, const nb::module_& numpy) {
   return is_list && nb::len(values) > 0 && PyComplex_Check(nb::object(values[0]).ptr()) != 0;
 }
 
-PythonSpectrum analysed(const ArrayLike& values, double interval, double start,
-                        std::optional<int> lines, int window, double smallest) {
+PythonSpectrum analysed(const ArrayLike& values, double interval, double start, int lines,
+                        int window, double smallest) {
   const nb::module_ numpy = nb::module_::import_("numpy");
   const bool is_complex = are_complex(values, numpy);
-  const SpectrumOptions options{lines, window, smallest};
+  const SpectrumOptions options{lines == 0 ? std::nullopt : std::optional(lines), window, smallest};
   const Numbers real(is_complex ? nb::object(numpy.attr("real")(values)) : nb::object(values),
                      "values");
   if (real.shape().size() != 1)
@@ -89,7 +89,7 @@ Made by spectrum; columns (n,), the largest line first, are read-only views.)");
         return "<Spectrum: " + counted(s.rows().size(), "line") + ", residual " +
                number_text(s.residual) + ">";
       });
-  m.def("spectrum", analysed, "values"_a, "interval"_a, "start"_a = 0.0, "lines"_a = nb::none(),
+  m.def("spectrum", analysed, "values"_a, "interval"_a, "start"_a = 0.0, "lines"_a = 0,
         "window"_a = 1, "smallest"_a = 1e-10,
         R"(The leading frequencies of evenly spaced samples.
 
@@ -101,7 +101,7 @@ Parameters
 values : (N,), real or complex, finite; 8 or more.
 interval : between two of them, positive.
 start : the time of the first.
-lines : how many at most; None: 20, or a third of the samples' numbers.
+lines : how many at most; 0 stands for 20, or for as many as the samples allow.
 window : order of Hann's, 0 to 5; a higher one keeps far lines apart better, and close ones worse.
 smallest : lines below this fraction of the largest are left out.
 

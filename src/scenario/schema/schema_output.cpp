@@ -23,8 +23,8 @@ constexpr Key keys[] = {
      .example = "[\"q\", \"omega\", \"andoyer\"]",
      .help = "Groups of columns after t. A column that two groups share is written once. Kind "
              "obliquity has obliquity, precession, climatic_precession, pericentre, eccentricity, "
-             "spin, andoyer and insolation, of which the first three are the default; all else, "
-             "and andoyer, is of a rotation."},
+             "spin, andoyer, insolation and tides, of which the first three are the default; all "
+             "else, and andoyer, is of a rotation."},
 };
 
 bool is_among(std::string_view words, std::string_view word) {

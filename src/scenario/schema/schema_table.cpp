@@ -134,8 +134,8 @@ constexpr Key keys_of_time[] = {
      .presence = alternative,
      .dimension = Dimension::time,
      .example = "0.5",
-     .help = "Rows at start + k step, each rounded once; its sign is that of stop - start, "
-             "which kind obliquity does not ask for."},
+     .help = "Rows at start + k step, each rounded once; negative where stop is before start. In "
+             "files of kind obliquity either sign will do."},
     {.path = "time.count",
      .type = integer,
      .presence = alternative,

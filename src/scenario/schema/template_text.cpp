@@ -96,13 +96,15 @@ std::string example_value(const Schema& schema, const Key& key) {
     if (stands(schema, *part, {}))
       inline_table += (inline_table.empty() ? "{ " : ", ") + std::string(key_name(part->path)) +
                       " = " + example_value(schema, *part);
-  return inline_table + " }";
+  inline_table += " }";
+  return key.path.ends_with("[]") ? "[" + inline_table + "]" : inline_table;
 }
 
 constexpr std::string_view perturbation_table = "perturbation[]";
 constexpr std::string_view frame_table = "frame";
 constexpr std::string_view method_table = "method";
 constexpr std::string_view output_table = "output";
+constexpr std::string_view obliquity = "obliquity";
 constexpr std::string_view planet_table = "planet";
 constexpr std::string_view orbit_table = "orbit.*";
 constexpr std::string_view surface_table = "surface[]";
@@ -140,7 +142,7 @@ bool is_orbit_name(const Schema& schema, const Key& key, const TemplateSubject& 
 // The orbits that the examples of a subject name, each once.
 std::vector<std::string> example_orbits(const Schema& schema, const TemplateSubject& subject) {
   std::vector<std::string> names;
-  if (subject.experiment == "obliquity") return {"mars"};
+  if (subject.experiment == obliquity) return {"mars"};
   for (const Key& key : schema.keys) {
     if (!is_orbit_name(schema, key, subject)) continue;
     const std::string value = example_value(schema, key);
@@ -237,7 +239,7 @@ std::string_view time_in(std::string_view unit) {
 
 // The unit of time of an experiment: that of the first of its examples that has one.
 std::string time_unit(const Schema& schema, std::string_view experiment) {
-  if (experiment == "obliquity") return "kyr";
+  if (experiment == obliquity) return "kyr";
   for (const Key* key : keys_of(schema, experiment)) {
     if (key->dimension == Dimension::number || key->type == KeyType::unit) continue;
     const std::string unit = unit_of(schema, *key);
@@ -265,6 +267,7 @@ bool is_section(const Schema& schema, const Key& key, const TemplateSubject& sub
     const bool is_own = key_table(key.path).empty() && key.presence == Presence::required &&
                         belongs(key, subject.experiment);
     return is_own || key.path == "units" || key.path == "time" ||
+           (key.path == output_table && subject.experiment == obliquity) ||
            (key.path == orbit_table && !subject.orbit.empty());
   }
   if (!belongs(key, subject.experiment)) return false;
@@ -296,11 +299,25 @@ std::string_view kind_in(const Key& kind, const TemplateSubject& subject) {
   return without_quotes(kind.example);
 }
 
+// What rows over ages look like.
+struct KeyExample {
+  std::string_view path, value;
+};
+constexpr KeyExample over_ages[] = {
+    {"time.stop", "-5000"},
+    {"time.step", "1"},
+    {"time.count", "5001"},
+    {"time.at", "[0.0, -1.0, -10.0]"},
+    {"output.columns", "[\"obliquity\", \"precession\", \"climatic_precession\"]"}};
+
 // The value of a key in this template.
 std::string value_in(const Schema& schema, const Key& key, const TemplateSubject& subject) {
   const bool physical = is_physical(schema, subject);
   if (key.path == "title" && !is_rotation(subject))
     return title_of(kind_text(schema, {}, subject.experiment));
+  if (subject.experiment == obliquity)
+    for (const KeyExample& one : over_ages)
+      if (one.path == key.path) return std::string(one.value);
   if (key.path == "units.time" && !is_rotation(subject))
     return in_quotes(time_unit(schema, subject.experiment));
   if (key.path == "units.time" && physical) return "\"s\"";
