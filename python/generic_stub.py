@@ -111,7 +111,7 @@ def states_of(lines: list[str]) -> dict[str, dict[str, str]]:
                 fields[field] = VECTOR
             elif many == LABELS:
                 fields[field] = "int" if one == "int" else f"{one} | int | str"
-        elif line.startswith("    def reshape(self, shape: object)"):
+        elif line.startswith("    def reshape(self, shape: "):
             found[name] = fields
     return found
 

@@ -86,6 +86,11 @@ void warn_of(const Outcome& outcome, const char* function) {
 
 namespace {
 
+using ProgressFunction = Typed<"collections.abc.Callable[[float], object]">;
+using SinkFunction = Typed<"collections.abc.Callable[..., object]">;
+using EventFunction = Typed<"collections.abc.Callable[[EventRecord], object]">;
+using CheckpointFunction = Typed<"collections.abc.Callable[[Checkpoint], object]">;
+
 // Signals, then the caller's function.
 Progress listener(nb::handle progress) {
   Progress look = signal_check(), report = progress_to(progress);
@@ -174,8 +179,9 @@ PythonTrajectory streamed(const PythonProblem& python_problem, const StreamArgum
 
 PythonTrajectory integrated(const PythonProblem& python_problem,
                             Typed<"SaveAt | numpy.typing.ArrayLike"> samples, bool dense,
-                            nb::handle progress, nb::handle sink, nb::handle events,
-                            nb::handle checkpoint, double checkpoint_seconds) {
+                            const ProgressFunction& progress, const SinkFunction& sink,
+                            const EventFunction& events, const CheckpointFunction& checkpoint,
+                            double checkpoint_seconds) {
   if (!sink.is_none())
     return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds},
                     progress, nullptr);
@@ -196,8 +202,9 @@ PythonTrajectory integrated(const PythonProblem& python_problem,
 
 PythonTrajectory resumed(const PythonProblem& python_problem,
                          Typed<"SaveAt | numpy.typing.ArrayLike"> samples, const Checkpoint& from,
-                         nb::handle sink, nb::handle progress, nb::handle events,
-                         nb::handle checkpoint, double checkpoint_seconds) {
+                         const SinkFunction& sink, const ProgressFunction& progress,
+                         const EventFunction& events, const CheckpointFunction& checkpoint,
+                         double checkpoint_seconds) {
   return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds}, progress,
                   &from);
 }
@@ -205,7 +212,7 @@ PythonTrajectory resumed(const PythonProblem& python_problem,
 std::vector<DampedEventRecord> free_events_of(const FreeRotation& motion,
                                               Typed<"collections.abc.Iterable[Event]"> events,
                                               double start, double stop, Typed<"Frame"> frame,
-                                              nb::handle progress) {
+                                              const ProgressFunction& progress) {
   const nb::tuple all = events_of(events, "free_events");
   std::vector<Event> wanted;
   for (const nb::handle event : all)
