@@ -2,7 +2,7 @@
 // What is known of the spin of planets: the pole, what makes it precess, what tides need.
 //
 // Equations   star and satellites as PrecessionRates; geodetic is de Sitter's.
-// Units       rad; rates in rad/s; m, s, masses of moons in those of the planet.
+// Units       rad; rates in rad/s; m, s, masses of satellites in that of the planet.
 // Domain      the Earth and Mars at J2000.
 // Accuracy    that of the sources, some 1e-4 of the rates.
 // Errors      DomainError for a planet that is not known, of known_planet.
@@ -17,8 +17,8 @@
 namespace polhode {
 inline namespace v0 {
 
-// A moon far outside, near the plane of the orbit of its planet. None where mass is 0.
-struct OuterMoon {
+// A satellite far outside, near the plane of the orbit of its planet. None where mass is 0.
+struct OuterSatellite {
   double mass = 0.0;
   double distance = 0.0;  // semi-major axis
 };
@@ -31,10 +31,10 @@ struct PlanetSpin {
   double orbital_period;  // s
   PrecessionRates rates;  // rad/s
   double gm;
-  double radius;            // of the equator
-  double inertia_factor;    // C / M R^2
-  OuterMoon moon;           // whose torque is the satellites of `rates`
-  std::string_view source;  // of the rates, in words
+  double radius;             // of the equator
+  double inertia_factor;     // C / M R^2
+  OuterSatellite satellite;  // whose torque is the satellites of `rates`
+  std::string_view source;   // of the rates, in words
 };
 
 std::span<const PlanetSpin> planet_spins();

@@ -105,6 +105,25 @@ TEST(TidalSpin, StepsMayBeLongOnAnOrbitThatStays) {
   }
 }
 
+// Below the synchronous distance a satellite comes down, and the equations end.
+TEST(TidalSpin, ARunEndsWhereASatelliteComesDown) {
+  const TidalRates tides{.spin = 5.0,
+                         .orbit = 1.0,
+                         .satellite = 0.1,
+                         .satellite_orbit = 10.0,
+                         .satellite_momentum = 3.0};
+  const TidalPrecession model(orbit, PrecessionRates{.star = 1.0}, tides);
+  for (const Method& method :
+       {Method(Adaptive{}), Method(Splitting{.step = 0.1, .scheme = SplittingScheme::order8})}) {
+    const Keep rows{.samples = SaveAt::times({0.0, 0.1, 500.0}), .dense = false};
+    const auto run = integrate(
+        BasicProblem<TidalPrecession<ElementSeries>>{model, start(0.4), 0.0, 500.0, method}, rows);
+    EXPECT_FALSE(run.outcome().ok());
+    EXPECT_GE(run.samples().size(), 2U);
+    EXPECT_LT(run.outcome().t, 1.0);
+  }
+}
+
 TEST(TidalSpin, WithoutTidesItIsTheTheoryWithout) {
   const TidalPrecession model(orbit, rates, TidalRates{.spin = 1.0, .orbit = 1.0});
   const SpinPrecession<ElementSeries> plain(orbit, rates);

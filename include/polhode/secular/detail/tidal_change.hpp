@@ -28,7 +28,8 @@ TidalSpin tidal_step(const TidalRates& tides, double e2, const Vec3& n, const Ti
   TidalSpin next = plus(plus(at, h / 6.0, k1), h / 6.0, k4);
   next = plus(plus(next, h / 3.0, k2), h / 3.0, k3);
   const double turn = h / 6.0 * (rate(at) + 2.0 * (rate(at2) + rate(at3)) + rate(at4));
-  next.s = turned(spin_axis(next.s), n, -turn).s;
+  // not a number where a satellite has come down: the run says so
+  next.s = turned({(1.0 / norm(next.s)) * next.s}, n, -turn).s;
   return next;
 }
 

@@ -9,7 +9,7 @@
 #include "polhode/secular/planet.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/obliquity_kind.hpp"
-#include "scenario/detail/planet_moons.hpp"
+#include "scenario/detail/planet_satellites.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
@@ -37,9 +37,9 @@ class PlanetBuilder {
     require_cover(of);
     const OrbitElements start = of.history.at(0.0);
     of.initial = pole(start, of.axes);
-    const PlanetMoons moons(at_, planet_, known_);
-    of.rates = rates(start, of.initial, moons);
-    of.tides = planet_.has("tides.k2") ? moons.tides(spin_rate(), mean_motion()) : std::nullopt;
+    const PlanetSatellites bodies(at_, planet_, known_);
+    of.rates = rates(start, of.initial, bodies);
+    of.tides = planet_.has("tides.k2") ? bodies.tides(spin_rate(), mean_motion()) : std::nullopt;
     require_tides(of);
     require_steady(of);
     of.method = method();
@@ -174,19 +174,19 @@ class PlanetBuilder {
 
   // star, of a circle, from whatever is given.
   double star(double satellites, const OrbitElements& start, const SpinAxis& initial,
-              const PlanetMoons& moons) const {
+              const PlanetSatellites& bodies) const {
     const bool by_rate = planet_.has("precession_rate");
     const bool by_constant = planet_.has("precession_constant");
     const char* const given = by_rate ? "precession_rate" : "precession_constant";
     if (by_rate && by_constant)
       planet_.refuse("precession_constant", "expected one of it and precession_rate");
     // satellites and tides need the periods whatever the constant is
-    const bool needs_periods = !moons.empty() || planet_.has("tides.k2");
+    const bool needs_periods = !bodies.empty() || planet_.has("tides.k2");
     for (const char* const key : {"ellipticity", "rotation_period", "orbital_period"})
       if ((by_rate || by_constant) && planet_.has(key) &&
           !(needs_periods && std::string_view(key) != "ellipticity"))
         planet_.refuse(key, std::string("expected none next to ") + given);
-    if (by_rate || by_constant) moons.refuse_inner(given);
+    if (by_rate || by_constant) bodies.refuse_inner(given);
     if (by_rate && planet_.number("J") != 0.0)
       planet_.refuse("J", "expected none next to precession_rate, which is that of this J");
     if (by_constant) return planet_.number("precession_constant") / (1.0 + satellites);
@@ -201,27 +201,27 @@ class PlanetBuilder {
     const bool as_known = known_ != nullptr && !planet_.has("ellipticity") &&
                           !planet_.has("rotation_period") && !planet_.has("orbital_period");
     const double w = spin_rate(), n = mean_motion();
-    return moons.inner_factor(E, w) *
+    return bodies.inner_factor(E, w) *
            (as_known ? known_->rates.star / second() : star_precession(E, w, n * n, 1.0));
   }
 
-  double share_of_satellites(const PlanetMoons& moons, const PrecessionRates& known) const {
-    if (moons.empty())
+  double share_of_satellites(const PlanetSatellites& bodies, const PrecessionRates& known) const {
+    if (bodies.empty())
       return planet_.has("satellites") ? planet_.number("satellites")
                                        : known.satellites / known.star;
     if (planet_.has("satellites"))
       planet_.refuse("satellites", "expected none next to tables planet.satellite");
-    return moons.outer_share(mean_motion());
+    return bodies.outer_share(mean_motion());
   }
 
   PrecessionRates rates(const OrbitElements& start, const SpinAxis& initial,
-                        const PlanetMoons& moons) const {
+                        const PlanetSatellites& bodies) const {
     const PrecessionRates none{.star = 1.0};
     const PrecessionRates& known = known_ != nullptr ? known_->rates : none;
     for (const char* const key : {"satellites", "ellipticity", "orbital_period"})
       require_range(key);
-    const double satellites = share_of_satellites(moons, known);
-    const double of_star = star(satellites, start, initial, moons);
+    const double satellites = share_of_satellites(bodies, known);
+    const double of_star = star(satellites, start, initial, bodies);
     const double factor = andoyer_factor(planet_.number("J"));
     return {.star = factor * of_star,
             .satellites = factor * of_star * satellites,

@@ -17,19 +17,19 @@ inline namespace v0 {
 namespace detail {
 
 // In core units; mass over that of the planet.
-struct PlanetMoon {
+struct PlanetSatellite {
   std::string path;
   bool is_inner;
   double mass, distance;
   double eccentricity, inclination;  // of an outer one
 };
 
-class PlanetMoons {
+class PlanetSatellites {
  public:
   // `known` is the planet `name`, or null.
-  PlanetMoons(const KindContext& at, const KeyValues& planet, const PlanetSpin* known);
+  PlanetSatellites(const KindContext& at, const KeyValues& planet, const PlanetSpin* known);
 
-  bool empty() const { return moons_.empty(); }
+  bool empty() const { return satellites_.empty(); }
   // The torque of the outer ones over that of the star on a circle; n of the planet's orbit.
   double outer_share(double n) const;
   // Where a constant is given next to inner ones, which it has in it.
@@ -48,12 +48,12 @@ class PlanetMoons {
   // Refuses a planet that is not known, for want of the key.
   const PlanetSpin& known_for(const char* key) const;
   // The one that raises tides; mass 0 where there is none.
-  OuterMoon tidal_moon() const;
+  OuterSatellite tidal_satellite() const;
 
   const KindContext& at_;
   const KeyValues& planet_;
   const PlanetSpin* known_;
-  std::vector<PlanetMoon> moons_;
+  std::vector<PlanetSatellite> satellites_;
 };
 
 }  // namespace detail
