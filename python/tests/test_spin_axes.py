@@ -183,6 +183,11 @@ def test_what_cannot_be_says_why(call, what):
         call()
 
 
+def test_no_method_is_named_with_who_wants_one():
+    with pytest.raises(TypeError, match="spin_history: method: got int; expected Adaptive"):
+        spin_history(earth(), RATES, POLE, [1.0], 3)
+
+
 def test_orbits_have_copies_and_pickles():
     table = polhode.shipped_orbit("mars")
     for orbit in (earth(), table):

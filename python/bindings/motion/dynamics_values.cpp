@@ -278,10 +278,10 @@ using OurMethods = Methods<Adaptive, Splitting, VariationOfConstants>;
 
 }  // namespace
 
-Method method_of(nb::handle method) {
+Method method_of(nb::handle method, const char* whose) {
   std::optional<Method> found;
   if (OurMethods::set(found, method)) return *found;
-  throw nb::type_error(("Problem: method: got " + class_name(method) +
+  throw nb::type_error((std::string(whose) + ": method: got " + class_name(method) +
                         "; expected Adaptive, Splitting or VariationOfConstants")
                            .c_str());
 }

@@ -31,7 +31,7 @@ struct PythonProblem {
 };
 
 // TypeError for what is none.
-Method method_of(nb::handle method);
+Method method_of(nb::handle method, const char* whose = "Problem");
 // The object of its class; None where there is none.
 nb::object object_of(const std::optional<Method>& method);
 // The event of C++; the object that it is made of must outlive it.
