@@ -141,8 +141,8 @@ outcome that says so.)",
       .def(
           "__init__",
           [](PythonEvent* self, const std::string& name,
-             Typed<"collections.abc.Callable[[float, RotorState], float]"> function,
-             OneOf<Crossing> crossing, bool stops, double period, double interval) {
+             const Typed<"collections.abc.Callable[[float, RotorState], float]">& function,
+             const OneOf<Crossing>& crossing, bool stops, double period, double interval) {
             new (self)
                 PythonEvent(checked_event(name, function, crossing, stops, period, interval));
           },
@@ -181,11 +181,11 @@ void require_state(nb::handle initial) {
                            .c_str());
 }
 
-void make_problem(PythonProblem* self, Typed<"System"> system, Typed<"RotorState"> initial,
-                  double start, double stop,
-                  Typed<"Adaptive | Splitting | VariationOfConstants"> method,
-                  Typed<"collections.abc.Iterable[Event]"> events, ArrayLike damper_rate,
-                  bool continues) {
+void make_problem(PythonProblem* self, const Typed<"System">& system,
+                  const Typed<"RotorState">& initial, double start, double stop,
+                  const Typed<"Adaptive | Splitting | VariationOfConstants">& method,
+                  const Typed<"collections.abc.Iterable[Event]">& events,
+                  const ArrayLike& damper_rate, bool continues) {
   system_of(system, "Problem: system");
   require_state(initial);
   static_cast<void>(polhode::detail::FiniteSpan(start, stop));
