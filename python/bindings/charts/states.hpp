@@ -204,7 +204,9 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
   });
   c.def(
       "reshape",
-      [states](Self self, const Typed<"int | collections.abc.Iterable[int]">& shape) {
+      [states](Self self,
+               const Typed<"typing.SupportsIndex | collections.abc.Iterable[typing.SupportsIndex]">&
+                   shape) {
         const B& whole = states(self);
         return part_of(whole, items_of(memory(whole), sizeof(S)).attr("reshape")(shape));
       },
