@@ -176,7 +176,7 @@ constexpr Key keys[] = {
      .presence = required,
      .dimension = Dimension::time,
      .example = "\"638 s\"",
-     .help = "By how much the tide is late; with k2 = 0.305 this one has the Moon go away at 3.7 "
+     .help = "By how much the tide is late; with k2 = 0.305 this one has the Moon go away at 3.8 "
              "cm a year.",
      .range = Range::not_negative},
     {.path = "planet.insolation", .help = "Of what the column insolation is: the mean over a day."},
