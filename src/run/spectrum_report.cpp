@@ -46,8 +46,9 @@ void find_units(SpectrumReport& report, const SpectrumRequest& request, const Se
     report.unit = "rad per unit of t";
     return;
   }
+  constexpr std::string_view of_ages[] = {"yr", "kyr", "Myr", "Gyr", "ka", "Ma"};
   const bool is_long =
-      report.time_unit == "yr" || report.time_unit == "kyr" || report.time_unit == "Myr";
+      std::find(std::begin(of_ages), std::end(of_ages), report.time_unit) != std::end(of_ages);
   report.unit =
       !request.unit.empty() ? request.unit : (is_long ? "arcsec/yr" : "rad/" + report.time_unit);
   report.per_unit = rate_unit(report.unit, report.time_unit);

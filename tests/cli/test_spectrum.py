@@ -114,3 +114,6 @@ def test_an_angle_that_jumps_is_refused(run, tmp_path):
         f"{k},{10 * math.sin(0.7 * k)!r}\n" for k in range(200)), encoding="utf-8")
     done = run("spectrum", path, "--column", "x", "--unit", "cycles/ka", "--csv")
     assert f"\n{0.7 / (2 * math.pi):.9f}" in done.stdout, done.stdout + done.stderr
+    # a unit of ages shows arcseconds a year
+    assert "frequency [arcsec/yr], period [ka]" in run("spectrum", path, "--column", "x",
+                                                       "--csv").stdout

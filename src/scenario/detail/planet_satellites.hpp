@@ -3,7 +3,6 @@
 // of a file.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,19 +23,24 @@ struct PlanetSatellite {
   double eccentricity, inclination;  // of an outer one
 };
 
+// Of a planet without name, for want of a key that satellites and tides need.
+[[noreturn]] void refuse_without(const KindContext& at, const char* key);
+
 class PlanetSatellites {
  public:
   // `known` is the planet `name`, or null.
   PlanetSatellites(const KindContext& at, const KeyValues& planet, const PlanetSpin* known);
 
   bool empty() const { return satellites_.empty(); }
+  bool has_tides() const { return planet_.has("tides.k2"); }
   // The torque of the outer ones over that of the star on a circle; n of the planet's orbit.
   double outer_share(double n) const;
   // Where a constant is given next to inner ones, which it has in it.
   void refuse_inner(const std::string& given) const;
   // What star is multiplied with for the inner ones; of a planet that turns at w.
   double inner_factor(double ellipticity, double w) const;
-  std::optional<TidalRates> tides(double w, double n) const;
+  // Where there are tides.
+  TidalRates tides(double w, double n) const;
 
  private:
   // In core units. Where files have no unit of length the radius is 1.

@@ -12,6 +12,14 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// The paths of the tables that templates know, in the schema.
+inline constexpr std::string_view state_table = "state";
+inline constexpr std::string_view perturbation_table = "perturbation[]";
+inline constexpr std::string_view orbit_table = "orbit.*";
+inline constexpr std::string_view frame_table = "frame";
+inline constexpr std::string_view method_table = "method";
+inline constexpr std::string_view output_table = "output";
+
 // What a template is made for. Its parts are names of kinds.
 struct TemplateSubject {
   std::string_view chart = "attitude-rate";

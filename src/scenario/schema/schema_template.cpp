@@ -13,15 +13,14 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::frame_table;
 using detail::kinds_of;
+using detail::method_table;
+using detail::orbit_table;
+using detail::output_table;
+using detail::perturbation_table;
+using detail::state_table;
 using detail::TemplateSubject;
-
-constexpr std::string_view state_table = "state";
-constexpr std::string_view perturbation_table = "perturbation[]";
-constexpr std::string_view orbit_table = "orbit.*";
-constexpr std::string_view frame_table = "frame";
-constexpr std::string_view method_table = "method";
-constexpr std::string_view output_table = "output";
 
 std::vector<std::string_view> tables_in(const Schema& schema, std::string_view table) {
   std::vector<std::string_view> names;

@@ -12,11 +12,15 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::frame_table;
 using detail::kinds_of;
+using detail::method_table;
+using detail::orbit_table;
+using detail::output_table;
+using detail::perturbation_table;
+using detail::state_table;
 using detail::TemplateSubject;
 using detail::text_of;
-
-constexpr std::string_view state_table = "state";
 
 void append_comment(std::string& page, std::string_view text) {
   constexpr std::size_t width = 96;
@@ -100,13 +104,8 @@ std::string example_value(const Schema& schema, const Key& key) {
   return key.path.ends_with("[]") ? "[" + inline_table + "]" : inline_table;
 }
 
-constexpr std::string_view perturbation_table = "perturbation[]";
-constexpr std::string_view frame_table = "frame";
-constexpr std::string_view method_table = "method";
-constexpr std::string_view output_table = "output";
 constexpr std::string_view obliquity = "obliquity";
 constexpr std::string_view planet_table = "planet";
-constexpr std::string_view orbit_table = "orbit.*";
 constexpr std::string_view surface_table = "surface[]";
 constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
                                               "surface[]", "method", "event[]"};

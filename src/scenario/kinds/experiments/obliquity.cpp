@@ -39,7 +39,8 @@ class PlanetBuilder {
     of.initial = pole(start, of.axes);
     const PlanetSatellites bodies(at_, planet_, known_);
     of.rates = rates(start, of.initial, bodies);
-    of.tides = planet_.has("tides.k2") ? bodies.tides(spin_rate(), mean_motion()) : std::nullopt;
+    of.tides.reset();
+    if (bodies.has_tides()) of.tides = bodies.tides(spin_rate(), mean_motion());
     require_tides(of);
     require_steady(of);
     of.method = method();
@@ -149,14 +150,12 @@ class PlanetBuilder {
   }
   double of_planet(const char* key, double known) const {
     if (planet_.has(key)) return planet_.number(key);
+    if (known_ == nullptr && has_constant()) refuse_without(at_, key);
     if (known_ == nullptr)
       refuse(at_.values, "planet", at_.name,
-             has_constant()
-                 ? std::string("expected a key ") + key +
-                       " or the name of a planet, for its satellites and tides"
-                 : "expected precession_rate, precession_constant, the name of a planet, or all "
-                   "of ellipticity, rotation_period and orbital_period; got no " +
-                       std::string(key));
+             "expected precession_rate, precession_constant, the name of a planet, or all of "
+             "ellipticity, rotation_period and orbital_period; got no " +
+                 std::string(key));
     return known;
   }
 
@@ -181,7 +180,7 @@ class PlanetBuilder {
     if (by_rate && by_constant)
       planet_.refuse("precession_constant", "expected one of it and precession_rate");
     // satellites and tides need the periods whatever the constant is
-    const bool needs_periods = !bodies.empty() || planet_.has("tides.k2");
+    const bool needs_periods = !bodies.empty() || bodies.has_tides();
     for (const char* const key : {"ellipticity", "rotation_period", "orbital_period"})
       if ((by_rate || by_constant) && planet_.has(key) &&
           !(needs_periods && std::string_view(key) != "ellipticity"))

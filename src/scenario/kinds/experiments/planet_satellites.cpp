@@ -19,6 +19,12 @@ double mean_motion(double gm, const OuterSatellite& of) {
 
 }  // namespace
 
+void refuse_without(const KindContext& at, const char* key) {
+  refuse(at.values, "planet", at.name,
+         std::string("expected a key ") + key +
+             " or the name of a planet, for its satellites and tides");
+}
+
 PlanetSatellites::PlanetSatellites(const KindContext& at, const KeyValues& planet,
                                    const PlanetSpin* known)
     : at_(at), planet_(planet), known_(known) {
@@ -38,10 +44,8 @@ PlanetSatellites::PlanetSatellites(const KindContext& at, const KeyValues& plane
 }
 
 const PlanetSpin& PlanetSatellites::known_for(const char* key) const {
-  if (known_ != nullptr) return *known_;
-  refuse(at_.values, "planet", at_.name,
-         std::string("expected a key ") + key +
-             " or the name of a planet, for its satellites and tides");
+  if (known_ == nullptr) refuse_without(at_, key);
+  return *known_;
 }
 double PlanetSatellites::known_length(double metres) const {
   return is_scale_free() ? metres / known_->radius
@@ -111,8 +115,7 @@ OuterSatellite PlanetSatellites::tidal_satellite() const {
 }
 
 // Of the star, gm / a^3 is n^2, at any a.
-std::optional<TidalRates> PlanetSatellites::tides(double w, double n) const {
-  if (!planet_.has("tides.k2")) return std::nullopt;
+TidalRates PlanetSatellites::tides(double w, double n) const {
   for (const char* const key : {"tides.k2", "tides.lag"})
     require_range(at_.values, planet_.key_path(key), at_.name);
   if (planet_.number("tidal_drift") != 0.0)
