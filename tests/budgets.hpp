@@ -763,4 +763,10 @@ inline constexpr double splitting_affine_composed = 1e-8;
 inline constexpr double oem_times = 1e-6;
 // Attitude after a revolution along a table of rows 60 s apart, against elements.
 inline constexpr double oem_run = 1e-8;
+
+// --- Poisson series (tests/unit/series/evaluation.cpp) ---
+// Of the sum of |C a^n|, in eps.
+inline constexpr double compiled_series_eps = 5.0;
+// Relative, of 2^-168, after products of some terms.
+inline constexpr double series_of_50_digits = 1e-47;
 }  // namespace polhode::budget

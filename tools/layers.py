@@ -48,6 +48,7 @@ MOST_SOURCES = 25
 TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 # Other people's libraries, by the folder of src/ that may use them. Public headers use none.
 THIRD_PARTY = {
+    "series": r"boost/multiprecision/",
     "rotor": r"Eigen/",
     "perturb": r"Eigen/",
     "analysis": r"(unsupported/)?Eigen/",

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Rows of terms in CSV, apart from the type of their coefficients.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/series/key.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct CsvRow {
+  std::size_t line;
+  std::string_view coefficient;
+  Key key;
+};
+
+std::string csv_header(const Symbols& symbols);
+// What follows the coefficient, up to the end of the line.
+std::string csv_row(const Symbols& symbols, const Key& key);
+std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table);
+[[noreturn]] void refuse_row(std::size_t line, std::string_view value, const char* why);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

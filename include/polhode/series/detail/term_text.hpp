@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Terms put together to a sum, as text and as LaTeX.
+#pragma once
+
+#include <string>
+
+#include "polhode/series/key.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Adds coefficient * product to the text of a sum; a coefficient of 1 goes where it can.
+void add_term(std::string& sum, std::string coefficient, const std::string& product,
+              const char* times);
+std::string latex(const Symbols& symbols, const Key& key);
+// "3/4" becomes a fraction, "1e-5" a power of ten.
+std::string latex_number(const std::string& number);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

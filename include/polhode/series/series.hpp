@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// A Poisson series: sum of C a1^n1 ... am^nm cos|sin(k1 phi1 + ... + kr phir).
+//
+// Equations   cos(-x) = cos x, sin(-x) = -sin x, sin 0 = 0 bring every term to one form: the first
+//             multiplier that is not zero is positive. Terms are sorted by their keys, no key is
+//             there twice, no coefficient is zero: equal series have equal terms.
+// Units       those of the symbols; angles in radians.
+// Domain      any Coefficient; symbols, exponents and multipliers as in symbols.hpp.
+// Accuracy    exact in Rational; else a rounding of T for every operation of coefficients.
+// Errors      DomainError for symbols that are not there, exponents and multipliers out of range,
+//             and two series with different symbols.
+// Cost        a term is 16 bytes and its coefficient. A sum is linear in the terms, a product takes
+//             all pairs (product.hpp).
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "polhode/series/coefficient.hpp"
+#include "polhode/series/detail/canonical_terms.hpp"
+#include "polhode/series/key.hpp"
+#include "polhode/series/symbols.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Coefficient T>
+class Series {
+ public:
+  using Number = T;
+
+  // Zero.
+  explicit Series(Symbols symbols) : symbols_(std::move(symbols)) {}
+  // Terms in any order and form; equal ones are added up.
+  Series(Symbols symbols, std::vector<Term<T>> terms)
+      : symbols_(std::move(symbols)), terms_(detail::canonical(symbols_, std::move(terms))) {}
+
+  const Symbols& symbols() const { return symbols_; }
+  std::span<const Term<T>> terms() const { return terms_; }
+  std::size_t size() const { return terms_.size(); }
+  bool is_zero() const { return terms_.empty(); }
+
+  friend bool operator==(const Series& a, const Series& b) {
+    return a.symbols_ == b.symbols_ && a.terms_ == b.terms_;
+  }
+
+  friend Series operator-(Series a) {
+    for (Term<T>& term : a.terms_) term.c = -term.c;
+    return a;
+  }
+  friend Series operator+(const Series& a, const Series& b) {
+    return Series(a, detail::merged<T>(a.symbols_, b.symbols_, a.terms_, b.terms_, false));
+  }
+  friend Series operator-(const Series& a, const Series& b) {
+    return Series(a, detail::merged<T>(a.symbols_, b.symbols_, a.terms_, b.terms_, true));
+  }
+  friend Series operator*(const T& c, Series a) {
+    for (Term<T>& term : a.terms_) term.c = c * term.c;
+    std::erase_if(a.terms_, [](const Term<T>& term) { return term.c == T(0); });
+    return a;
+  }
+  friend Series operator*(Series a, const T& c) { return c * std::move(a); }
+  friend Series operator/(Series a, const T& c) {
+    for (Term<T>& term : a.terms_) term.c = term.c / c;
+    return a;
+  }
+  Series& operator+=(const Series& b) { return *this = *this + b; }
+  Series& operator-=(const Series& b) { return *this = *this - b; }
+
+ private:
+  // Terms that are in order.
+  Series(const Series& like, std::vector<Term<T>> terms)
+      : symbols_(like.symbols_), terms_(std::move(terms)) {}
+
+  Symbols symbols_;
+  std::vector<Term<T>> terms_;
+};
+
+// c.
+template <Coefficient T>
+Series<T> constant(const Symbols& symbols, T c) {
+  return Series<T>(symbols, {{zero_key(symbols), std::move(c)}});
+}
+
+// Names with an exponent or a multiplier each: {{"e", 2}, {"G", -1}}.
+using Powers = std::vector<std::pair<std::string, int>>;
+using Multiples = std::vector<std::pair<std::string, int>>;
+
+// c e^2 G^-1.
+template <Coefficient T>
+Series<T> monomial(const Symbols& symbols, T c, const Powers& powers) {
+  return Series<T>(symbols, {{packed(symbols, powers, {}, Function::cosine), std::move(c)}});
+}
+// c e^2 G^-1 cos(2 l - g), or sin.
+template <Coefficient T>
+Series<T> cosine(const Symbols& symbols, T c, const Powers& powers, const Multiples& multiples) {
+  return Series<T>(symbols, {{packed(symbols, powers, multiples, Function::cosine), std::move(c)}});
+}
+template <Coefficient T>
+Series<T> sine(const Symbols& symbols, T c, const Powers& powers, const Multiples& multiples) {
+  return Series<T>(symbols, {{packed(symbols, powers, multiples, Function::sine), std::move(c)}});
+}
+
+// The terms that keep(key) is true of.
+template <Coefficient T, class Keep>
+Series<T> selected(const Series<T>& a, const Keep& keep) {
+  std::vector<Term<T>> terms;
+  for (const Term<T>& term : a.terms())
+    if (keep(term.key)) terms.push_back(term);
+  return Series<T>(a.symbols(), std::move(terms));
+}
+
+// The same series with coefficients convert(c) of another type.
+template <Coefficient U, Coefficient T, class Convert>
+Series<U> with_coefficients(const Series<T>& a, const Convert& convert) {
+  std::vector<Term<U>> terms;
+  terms.reserve(a.size());
+  for (const Term<T>& term : a.terms()) terms.push_back({term.key, convert(term.c)});
+  return Series<U>(a.symbols(), std::move(terms));
+}
+// The nearest doubles.
+template <Coefficient T>
+Series<double> to_doubles(const Series<T>& a) {
+  return with_coefficients<double>(a, [](const T& c) { return to_double(c); });
+}
+
+}  // namespace v0
+}  // namespace polhode

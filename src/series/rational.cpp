@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/series/rational.hpp"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <charconv>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+using boost::multiprecision::cpp_int;
+using boost::multiprecision::cpp_rational;
+
+namespace detail {
+
+class BigRational {
+ public:
+  static constexpr unsigned most_bits = 300000;
+
+  explicit BigRational(cpp_rational x) : value(std::move(x)) {}
+  cpp_rational value;
+
+  static cpp_rational of(const Rational& a) {
+    return a.big_ ? a.big_->value : cpp_rational(cpp_int(a.n_), cpp_int(a.d_));
+  }
+  // Small where it fits, so that every number has one form.
+  static Rational number(cpp_rational x) {
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    const cpp_int n = numerator(x), d = denominator(x);
+    if ((n != 0 && msb(abs(n)) > most_bits) || msb(d) > most_bits)
+      throw DomainError("Rational: a number of more than " + std::to_string(most_bits) +
+                        " binary digits; none is that long");
+    Rational a;
+    if (abs(n) <= most && d <= most) {
+      a.n_ = n.convert_to<std::int64_t>();
+      a.d_ = d.convert_to<std::int64_t>();
+    } else {
+      a.big_ = std::make_shared<const BigRational>(std::move(x));
+    }
+    return a;
+  }
+};
+
+}  // namespace detail
+
+using detail::BigRational;
+
+namespace {
+
+constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+
+// What no exact number should cost: the longest text, and the largest power of ten in it.
+constexpr std::size_t most_digits = 10000;
+constexpr int most_power = 4000;
+
+[[noreturn]] void refuse(std::string_view text, const char* why) {
+  throw DomainError("Rational: '" + std::string(text.substr(0, 40)) + "' " + why);
+}
+
+bool is_digits(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// cpp_int takes a leading 0 for octal.
+cpp_int integer(std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  return digits.empty() ? cpp_int(0) : cpp_int(std::string(digits));
+}
+
+// Digits, perhaps with a point and a power of ten.
+cpp_rational decimal(std::string_view whole, std::string_view text) {
+  int power = 0;
+  if (const std::size_t e = text.find_first_of("eE"); e != std::string_view::npos) {
+    std::string_view digits = text.substr(e + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
+    if (error != std::errc{} || end != digits.data() + digits.size() || digits.starts_with("--"))
+      refuse(whole, "is no number");
+    if (power > most_power || power < -most_power) refuse(whole, "has too large a power of ten");
+    text = text.substr(0, e);
+  }
+  std::string digits(text);
+  if (const std::size_t point = text.find('.'); point != std::string_view::npos) {
+    digits.erase(point, 1);
+    power -= static_cast<int>(text.size() - point) - 1;
+  }
+  if (!is_digits(digits)) refuse(whole, "is no number");
+  const cpp_int scale = pow(cpp_int(10), static_cast<unsigned>(power < 0 ? -power : power));
+  const cpp_rational value(integer(digits));
+  return power < 0 ? cpp_rational(value / scale) : cpp_rational(value * scale);
+}
+
+}  // namespace
+
+Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
+  if (denominator == 0) throw DomainError("Rational: denominator 0; it must not be 0");
+  if (numerator == least || denominator == least) {
+    // Boost takes no negative denominator.
+    const cpp_int sign = denominator < 0 ? -1 : 1;
+    *this = BigRational::number(cpp_rational(sign * numerator, sign * denominator));
+    return;
+  }
+  const std::int64_t divisor = std::gcd(numerator, denominator);
+  const std::int64_t sign = denominator < 0 ? -1 : 1;
+  n_ = sign * (numerator / divisor);
+  d_ = sign * (denominator / divisor);
+}
+
+Rational Rational::from_text(std::string_view text) {
+  if (text.size() > most_digits) refuse(text, "is too long");
+  std::string_view rest = text;
+  const bool negative = rest.starts_with('-');
+  if (negative) rest.remove_prefix(1);
+  cpp_rational value;
+  if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
+    const std::string_view n = rest.substr(0, slash), d = rest.substr(slash + 1);
+    if (!is_digits(n) || !is_digits(d)) refuse(text, "is no number");
+    const cpp_int divisor = integer(d);
+    if (divisor == 0) refuse(text, "has a denominator of 0");
+    value = cpp_rational(integer(n), divisor);
+  } else {
+    value = decimal(text, rest);
+  }
+  return BigRational::number(negative ? cpp_rational(-value) : value);
+}
+
+Rational operator-(const Rational& a) {
+  if (a.big_) return BigRational::number(-a.big_->value);
+  Rational b;
+  b.n_ = -a.n_;
+  b.d_ = a.d_;
+  return b;
+}
+
+// Sums and products in lowest terms by Henrici's method: common factors go before they can
+// overflow.
+Rational operator+(const Rational& a, const Rational& b) {
+  if (!a.big_ && !b.big_) {
+    const std::int64_t shared = std::gcd(a.d_, b.d_);
+    std::int64_t left, right, n, d;
+    if (!__builtin_mul_overflow(a.n_, b.d_ / shared, &left) &&
+        !__builtin_mul_overflow(b.n_, a.d_ / shared, &right) &&
+        !__builtin_add_overflow(left, right, &n) && n != least) {
+      const std::int64_t again = shared == 1 ? 1 : std::gcd(n, shared);
+      if (!__builtin_mul_overflow(a.d_ / shared, b.d_ / again, &d)) {
+        Rational sum;
+        sum.n_ = n / again;
+        sum.d_ = n == 0 ? 1 : d;
+        return sum;
+      }
+    }
+  }
+  return BigRational::number(BigRational::of(a) + BigRational::of(b));
+}
+
+Rational operator-(const Rational& a, const Rational& b) { return a + (-b); }
+
+Rational operator*(const Rational& a, const Rational& b) {
+  if (!a.big_ && !b.big_) {
+    const std::int64_t first = std::gcd(a.n_, b.d_), second = std::gcd(b.n_, a.d_);
+    Rational product;
+    if (!__builtin_mul_overflow(a.n_ / first, b.n_ / second, &product.n_) &&
+        !__builtin_mul_overflow(a.d_ / second, b.d_ / first, &product.d_) && product.n_ != least)
+      return product;
+  }
+  return BigRational::number(BigRational::of(a) * BigRational::of(b));
+}
+
+Rational operator/(const Rational& a, const Rational& b) {
+  if (b == Rational{}) throw DomainError("Rational: division by 0; the divisor must not be 0");
+  if (b.big_) return BigRational::number(BigRational::of(a) / b.big_->value);
+  Rational inverse;
+  inverse.n_ = b.n_ < 0 ? -b.d_ : b.d_;
+  inverse.d_ = b.n_ < 0 ? -b.n_ : b.n_;
+  return a * inverse;
+}
+
+// One form a number: a big one is never equal to a small one.
+bool operator==(const Rational& a, const Rational& b) {
+  if (a.big_ && b.big_) return a.big_ == b.big_ || a.big_->value == b.big_->value;
+  return !a.big_ && !b.big_ && a.n_ == b.n_ && a.d_ == b.d_;
+}
+
+bool operator<(const Rational& a, const Rational& b) {
+  return BigRational::of(a) < BigRational::of(b);
+}
+
+Rational::operator double() const { return BigRational::of(*this).convert_to<double>(); }
+
+std::string Rational::text() const {
+  if (big_) return big_->value.str();
+  return d_ == 1 ? std::to_string(n_) : std::to_string(n_) + "/" + std::to_string(d_);
+}
+
+}  // namespace v0
+}  // namespace polhode

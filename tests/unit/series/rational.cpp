@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Rational numbers against those of Boost, and what they refuse.
+#include "polhode/series/rational.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "message_of.hpp"
+
+namespace series_test {
+namespace {
+
+using boost::multiprecision::cpp_int;
+using boost::multiprecision::cpp_rational;
+using polhode::Rational;
+using polhode::test::message_of;
+using testing::HasSubstr;
+
+constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+
+// Small, and where 63 bits end.
+std::vector<std::int64_t> numbers() {
+  std::vector<std::int64_t> all{0,
+                                1,
+                                -1,
+                                2,
+                                -3,
+                                6,
+                                35,
+                                largest,
+                                -largest,
+                                least,
+                                largest - 1,
+                                std::int64_t{1} << 32,
+                                (std::int64_t{1} << 62) + 1};
+  std::mt19937_64 draw(1311);
+  for (int i = 0; i < 6; ++i) all.push_back(static_cast<std::int64_t>(draw()) >> (10 * i));
+  return all;
+}
+
+// Boost takes no negative denominator.
+cpp_rational oracle(std::int64_t n, std::int64_t d) {
+  return d < 0 ? cpp_rational(-cpp_int(n), -cpp_int(d)) : cpp_rational(cpp_int(n), cpp_int(d));
+}
+
+TEST(Rational, IsThatOfBoost) {
+  std::vector<std::pair<Rational, cpp_rational>> all;
+  for (const std::int64_t n : numbers())
+    for (const std::int64_t d : numbers())
+      if (d != 0) all.emplace_back(Rational(n, d), oracle(n, d));
+  for (const auto& [a, of_a] : all) {
+    EXPECT_EQ(a.text(), of_a.str());
+    EXPECT_EQ((-a).text(), cpp_rational(-of_a).str());
+    EXPECT_EQ(static_cast<double>(a), of_a.convert_to<double>());
+    for (std::size_t i = 0; i < all.size(); i += 7) {
+      const auto& [b, of_b] = all[i];
+      ASSERT_EQ((a + b).text(), cpp_rational(of_a + of_b).str());
+      ASSERT_EQ((a - b).text(), cpp_rational(of_a - of_b).str());
+      ASSERT_EQ((a * b).text(), cpp_rational(of_a * of_b).str());
+      ASSERT_EQ(a == b, of_a == of_b);
+      ASSERT_EQ(a < b, of_a < of_b);
+      if (of_b == 0) continue;
+      ASSERT_EQ((a / b).text(), cpp_rational(of_a / of_b).str());
+    }
+  }
+}
+
+TEST(Rational, HasOneFormWhereBigBecomesSmallAgain) {
+  const Rational big = Rational(largest) * Rational(largest);
+  EXPECT_EQ(big / Rational(largest), Rational(largest));
+  EXPECT_EQ(big - big, Rational(0));
+  EXPECT_EQ(big * Rational(3), Rational(3) * big);
+}
+
+TEST(Rational, ReadsWhatTextSays) {
+  EXPECT_EQ(Rational::from_text("-3/4"), Rational(-3, 4));
+  EXPECT_EQ(Rational::from_text("0.1"), Rational(1, 10));
+  EXPECT_EQ(Rational::from_text("010"), Rational(10));
+  EXPECT_EQ(Rational::from_text("1.25e-1"), Rational(1, 8));
+  EXPECT_EQ(Rational::from_text("2.5E+2"), Rational(250));
+  const Rational big = Rational(largest) * Rational(-largest, 7);
+  EXPECT_EQ(Rational::from_text(big.text()), big);
+}
+
+TEST(Rational, Refuses) {
+  EXPECT_THAT(message_of([] { return Rational(1, 0); }), HasSubstr("denominator 0"));
+  EXPECT_THAT(message_of([] { return Rational(1) / Rational(0); }), HasSubstr("division by 0"));
+  for (const char* const text :
+       {"", "-", "1/", "/2", "1/-2", "x", "1e", "1e--2", "1.2.3", " 1", ".", "1e9999", "--1", "+1"})
+    EXPECT_THAT(message_of([&] { return Rational::from_text(text); }), HasSubstr("Rational: '"))
+        << text;
+  EXPECT_THAT(message_of([] { return Rational::from_text("1/0"); }), HasSubstr("denominator of 0"));
+  const Rational long_one = Rational::from_text("1e4000");
+  EXPECT_THAT(message_of([&] {
+                Rational x = long_one;
+                for (int i = 0; i < 10; ++i) x *= x;
+              }),
+              HasSubstr("more than 300000 binary digits"));
+}
+
+}  // namespace
+}  // namespace series_test
