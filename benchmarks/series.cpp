@@ -4,7 +4,8 @@
 // values at some points, over sum |C a^n| of the result.
 //
 // sparse: exponents and multipliers drawn far apart, so that hardly two pairs have one key; dense:
-// as in theories of motion, where many have.
+// where every second pair has that of another; full: as in theories of motion, where terms have
+// nearly all keys between bounds, and twenty pairs go into one.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -65,6 +66,7 @@ void product_of(benchmark::State& state, int spread) {
 }
 BENCHMARK_CAPTURE(product_of, sparse, 60)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(product_of, dense, 4)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(product_of, full, 2)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 void truncated_product(benchmark::State& state) {
   const Series<double> a = drawn(1, 1000, 4), b = drawn(2, 1000, 4);

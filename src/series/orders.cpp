@@ -2,7 +2,6 @@
 #include "polhode/series/detail/orders.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "polhode/error.hpp"
@@ -39,25 +38,6 @@ void require_room(const ProductSize& size, std::size_t most_bytes) {
                     rounded(size.terms) + " terms and take " + rounded(size.bytes / 1e9) +
                     " GB, more than the " + rounded(static_cast<double>(most_bytes) / 1e9) +
                     " GB allowed; lower the order, or raise Truncation::most_bytes");
-}
-
-double KeyBox::keys(const KeyRange& a, const KeyRange& b) const {
-  const auto variables = static_cast<std::size_t>(symbols_.exponents().count());
-  double keys = 1.0, angles = 1.0;
-  for (std::size_t i = 0; i < a.fields.size(); ++i) {
-    const auto [least_a, largest_a] = a.fields[i];
-    const auto [least_b, largest_b] = b.fields[i];
-    if (i < variables) {
-      keys *= largest_a + largest_b - least_a - least_b + 1;
-    } else {
-      // Of A + B, A - B and B - A.
-      const int a_end = std::max(std::abs(least_a), std::abs(largest_a));
-      const int b_end = std::max(std::abs(least_b), std::abs(largest_b));
-      angles *= 2 * (a_end + b_end) + 1;
-    }
-  }
-  // Half of the angles are the others turned round; each has a cosine and a sine.
-  return keys * angles;
 }
 
 }  // namespace detail

@@ -12,8 +12,10 @@
 // Cost        a derivative is linear in the terms; a bracket is two products a pair.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "polhode/series/detail/partial.hpp"
 #include "polhode/series/product.hpp"
@@ -32,12 +34,18 @@ Series<T> derivative(const Series<T>& a, std::string_view name) {
 template <Coefficient T>
 Series<T> bracket(const Series<T>& a, const Series<T>& b, const Truncation& keep = {}) {
   detail::require_same(a.symbols(), b.symbols());
-  detail::Products<T> sum(a.symbols(), keep);
-  for (const auto& [q, p] : a.symbols().pairs()) {
-    sum.add(derivative(a, q).terms(), derivative(b, p).terms(), T(1));
-    sum.add(derivative(a, p).terms(), derivative(b, q).terms(), T(-1));
+  std::vector<Series<T>> parts;  // four a pair
+  for (const auto& [q, p] : a.symbols().pairs())
+    for (const Series<T>& one :
+         {derivative(a, q), derivative(b, p), derivative(a, p), derivative(b, q)})
+      parts.push_back(one);
+  std::vector<detail::Pairing<T>> pairings;
+  for (std::size_t i = 0; i < parts.size(); i += 4) {
+    pairings.push_back({parts[i].terms(), parts[i + 1].terms(), T(1)});
+    pairings.push_back({parts[i + 2].terms(), parts[i + 3].terms(), T(-1)});
   }
-  return Series<T>(a.symbols(), std::move(sum).terms());
+  const detail::Products<T> products(a.symbols(), keep, std::move(pairings));
+  return Series<T>(a.symbols(), products.terms());
 }
 
 }  // namespace v0

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/series/detail/pairs.hpp"
+#include "polhode/series/detail/products.hpp"
 #include "polhode/series/series.hpp"
 #include "polhode/series/truncation.hpp"
 
@@ -32,16 +32,14 @@ inline namespace v0 {
 template <Coefficient T>
 ProductSize product_size(const Series<T>& a, const Series<T>& b, const Truncation& keep = {}) {
   detail::require_same(a.symbols(), b.symbols());
-  const detail::Orders orders(a.symbols(), keep);
-  return detail::product_size<T>(a.symbols(), a.terms(), b.terms(), orders, keep.order);
+  return detail::Products<T>(a.symbols(), keep, {{a.terms(), b.terms(), T(1)}}).size();
 }
 
 template <Coefficient T>
 Series<T> product(const Series<T>& a, const Series<T>& b, const Truncation& keep = {}) {
   detail::require_same(a.symbols(), b.symbols());
-  detail::Products<T> sum(a.symbols(), keep);
-  sum.add(a.terms(), b.terms(), T(1));
-  return Series<T>(a.symbols(), std::move(sum).terms());
+  const detail::Products<T> products(a.symbols(), keep, {{a.terms(), b.terms(), T(1)}});
+  return Series<T>(a.symbols(), products.terms());
 }
 template <Coefficient T>
 Series<T> operator*(const Series<T>& a, const Series<T>& b) {

@@ -160,5 +160,37 @@ TEST(SeriesValues, SizesAreUpperBounds) {
   EXPECT_EQ(product_size(dense, dense).terms, 61.0 * 5.0);
 }
 
+// More than 64 bits of exponents and multipliers.
+TEST(SeriesValues, ProductsInManySymbols) {
+  std::vector<std::string> variables, angles;
+  for (char c = 'a'; c <= 'l'; ++c) {
+    variables.emplace_back(1, c);
+    angles.push_back("w_" + variables.back());
+  }
+  const Symbols symbols(variables, angles, {{"w_a", "a"}, {"b", "c"}, {"w_l", "l"}});
+  for (unsigned seed = 0; seed < seeds; ++seed) {
+    Draw draw(1150 + seed);
+    const Exact a = drawn_series(symbols, draw, 20, -2), b = drawn_series(symbols, draw, 20, -2);
+    const Point<Rational> at = drawn_point(symbols, draw);
+    EXPECT_EQ(value(a * b, at), value(a, at) * value(b, at));
+    EXPECT_EQ(a * b, b * a);
+    EXPECT_EQ(bracket(a, b), -bracket(b, a));
+  }
+}
+
+// Coefficients of few bits: exact in doubles too.
+TEST(SeriesValues, ProductsOfManyTermsInDoublesAndRationals) {
+  const Symbols symbols = some_symbols();
+  Draw draw(1180);
+  const auto whole = [&] { return Rational(draw.integer(-99, 99)); };
+  const Exact a = drawn(symbols, draw, 80, -4, 5, 6, whole);
+  const Exact b = drawn(symbols, draw, 90, -2, 9, 3, whole);
+  const Exact ab = a * b;
+  EXPECT_GT(ab.size(), 10000U);
+  EXPECT_EQ(to_doubles(a) * to_doubles(b), to_doubles(ab));
+  const Truncation keep{{{"L", 3}, {"e", 1}, {"q", 2}}, 11};
+  EXPECT_EQ(product(to_doubles(a), to_doubles(b), keep), to_doubles(truncated(ab, keep)));
+}
+
 }  // namespace
 }  // namespace series_test
