@@ -8,6 +8,10 @@
 // nearly all keys between bounds, and twenty pairs go into one.
 #include <benchmark/benchmark.h>
 
+#ifdef POLHODE_GINAC
+#include <ginac/ginac.h>
+#endif
+
 #include <cmath>
 #include <random>
 #include <vector>
@@ -67,6 +71,39 @@ void product_of(benchmark::State& state, int spread) {
 BENCHMARK_CAPTURE(product_of, sparse, 60)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(product_of, dense, 4)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(product_of, full, 2)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+#ifdef POLHODE_GINAC
+// The same in general computer algebra: cos x = (z + 1/z) / 2 with z = exp(i x) as a symbol.
+GiNaC::ex of_ginac(const Series<double>& series, const std::vector<GiNaC::symbol>& names) {
+  using namespace GiNaC;
+  const Symbols& by = series.symbols();
+  exvector sum;
+  for (const Term<double>& term : series.terms()) {
+    ex monomial = numeric(term.c / 2.0), wave = 1;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      monomial *= pow(names[k], exponent(by, term.key, i));
+      wave *= pow(names[3 + k], multiplier(by, term.key, i));
+    }
+    const bool is_sine = term.key.function() == Function::sine;
+    const ex turned = pow(wave, -1);
+    sum.push_back(monomial * (is_sine ? ex(-I) : ex(1)) * wave);
+    sum.push_back(monomial * (is_sine ? ex(I) : ex(1)) * turned);
+  }
+  return add(sum);
+}
+
+void product_by_ginac(benchmark::State& state, int spread) {
+  const auto terms = static_cast<std::size_t>(state.range(0));
+  const std::vector<GiNaC::symbol> names(6);
+  const GiNaC::ex a = of_ginac(drawn(1, terms, spread), names),
+                  b = of_ginac(drawn(2, terms, spread), names);
+  GiNaC::ex ab;
+  for (auto _ : state) ab = (a * b).expand();
+  state.counters["waves"] = static_cast<double>(ab.nops());
+}
+BENCHMARK_CAPTURE(product_by_ginac, full, 2)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+#endif
 
 void truncated_product(benchmark::State& state) {
   const Series<double> a = drawn(1, 1000, 4), b = drawn(2, 1000, 4);
