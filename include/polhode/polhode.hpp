@@ -105,6 +105,7 @@
 #include "polhode/rotor/rotor_state.hpp"
 #include "polhode/secular/history_orbit.hpp"
 #include "polhode/secular/insolation.hpp"
+#include "polhode/secular/lie_transform.hpp"
 #include "polhode/secular/orbit_elements.hpp"
 #include "polhode/secular/orbit_history.hpp"
 #include "polhode/secular/planet.hpp"

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Angles eliminated from a Hamiltonian by a canonical Lie transform, to any order, by Deprit's
+// triangle or by Hori's method; and the maps between mean and osculating functions.
+//
+// Equations   H = sum of H_n, n the order in the small parameters, H_0 without angles.
+//             Hori: K = exp(L_S) H, L_S f = {f, S}. Deprit: H_n^(k) = H_(n+1)^(k-1)
+//             + sum over j of binomial(n, j) {H_(n-j)^(k-1), W_(j+1)}, n! H_n at k = 0, K from
+//             H_0^(n) / n!. Order by order, K_n is what is kept of all that is known, and the rest
+//             is the flow of H_0 on the generator: w.dS_n/dphi = rest, w = dH_0/dp. The generator
+//             is sum of S_n, or of W_n / (n-1)!.
+// Corrections none.
+// Units       those of the Hamiltonian's symbols.
+// Domain      small parameters: variables in no pair, with weights > 0. H_0 has no angle, and no
+//             coordinate that is a variable. A clock is an angle without a momentum that advances at
+//             a rate of its own: time. At most 30 orders.
+// Accuracy    exact in Rational, to the order kept; else the roundings of T.
+// Errors      DomainError for what breaks this, for a divisor below the bound (with its combination
+//             of angles), and for an order that needs too much memory.
+// Cost        brackets: some order^3 / 6 of parts of series, which grow with the order themselves.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "polhode/secular/detail/lie_orders.hpp"
+#include "polhode/series/linear_flow.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+enum class LieMethod { deprit, hori };
+
+template <Coefficient T>
+struct Elimination {
+  Series<T> hamiltonian;
+  Truncation keep;                         // the small parameters, and the highest order
+  std::vector<std::string> angles;         // to be eliminated
+  std::vector<Multiples> resonances = {};  // combinations of them that stay, and their multiples
+  std::vector<AngleRate<T>> clocks = {};
+  double least_divisor = 0.0;  // the smallest coefficient of a rate to divide by
+};
+
+template <Coefficient T>
+class LieTransform {
+ public:
+  explicit LieTransform(Elimination<T> problem, LieMethod method = LieMethod::hori)
+      : problem_(std::move(problem)),
+        method_(method),
+        generator_(problem_.hamiltonian.symbols()),
+        mean_(problem_.hamiltonian.symbols()) {
+    detail::require_small(problem_.hamiltonian.symbols(), problem_.keep);
+    const detail::Parts<T> h = detail::parts(problem_.hamiltonian, problem_.keep);
+    const detail::LieSolver<T> solver{
+        [&](const Series<T>& s) { return flow(h[0], s); },
+        [&](const Series<T>& rest) { return eliminated(h[0], rest); }};
+    detail::require_integrable(h[0]);
+    auto [mean, generator] = method_ == LieMethod::deprit
+                                 ? detail::deprit_mean(h, solver, problem_.keep)
+                                 : detail::hori_mean(h, solver, problem_.keep);
+    generators_ = std::move(generator);
+    mean_ = detail::sum(mean);
+    for (std::size_t n = 1; n < generators_.size(); ++n)
+      generator_ += method_ == LieMethod::deprit
+                        ? generators_[n] / detail::factorial<T>(static_cast<int>(n) - 1)
+                        : generators_[n];
+  }
+
+  const Series<T>& mean_hamiltonian() const { return mean_; }
+  const Series<T>& generator() const { return generator_; }
+
+  // f of the osculating variables, as a function of the mean ones.
+  Series<T> in_mean(const Series<T>& f) const { return mapped(f, false); }
+  // f of the mean variables, as a function of the osculating ones.
+  Series<T> in_osculating(const Series<T>& f) const { return mapped(f, true); }
+
+  // Osculating minus mean value of a variable or an angle, as a function of the mean variables.
+  Series<T> short_period(std::string_view name) const { return displacement(name, false); }
+  // Mean minus osculating value, as a function of the osculating variables.
+  Series<T> short_period_back(std::string_view name) const { return displacement(name, true); }
+
+ private:
+  // {H_0, s}, and what the clocks add to it.
+  Series<T> flow(const Series<T>& h0, const Series<T>& s) const {
+    Series<T> sum = bracket(h0, s, problem_.keep);
+    for (const AngleRate<T>& clock : problem_.clocks)
+      sum -= product(clock.rate, derivative(s, clock.angle), problem_.keep);
+    return sum;
+  }
+
+  std::pair<Series<T>, Series<T>> eliminated(const Series<T>& h0, const Series<T>& rest) const {
+    std::vector<AngleRate<T>> rates = problem_.clocks;
+    for (const ConjugatePair& pair : h0.symbols().pairs())
+      if (h0.symbols().has_angle(pair.coordinate))
+        rates.push_back({pair.coordinate, derivative(h0, pair.momentum)});
+    const detail::KeptAngles kept(h0.symbols(), problem_.angles, problem_.resonances);
+    const Series<T> mean = selected(rest, [&](const Key& key) { return kept.keeps(key); });
+    return {mean, integral(rest - mean, rates, problem_.least_divisor)};
+  }
+
+  Series<T> mapped(const Series<T>& f, bool back) const {
+    detail::require_same(f.symbols(), mean_.symbols());
+    const detail::Parts<T> parts = detail::parts(f, problem_.keep);
+    return carried(
+        parts, [&](const Series<T>& s) { return bracket(parts[0], s, problem_.keep); }, back);
+  }
+
+  Series<T> displacement(std::string_view name, bool back) const {
+    const Symbols& symbols = mean_.symbols();
+    const detail::Parts<T> none(generators_.size(), Series<T>(symbols));
+    return carried(
+        none, [&](const Series<T>& s) { return detail::symbol_bracket(s, name); }, back);
+  }
+
+  // first(s) is {f_0, s}.
+  template <class First>
+  Series<T> carried(const detail::Parts<T>& f, const First& first, bool back) const {
+    if (method_ == LieMethod::hori)
+      return detail::sum(detail::hori_map(f, generators_, first, back, problem_.keep));
+    return detail::sum(back ? detail::deprit_inverse(f, generators_, first, problem_.keep)
+                            : detail::deprit_map(f, generators_, first, problem_.keep));
+  }
+
+  Elimination<T> problem_;
+  LieMethod method_;
+  detail::Parts<T> generators_;  // by order; S_n, or W_n
+  Series<T> generator_, mean_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Lie transforms, exact in rationals: the pendulum's published series, Hori beside Deprit, maps
+// that undo each other and keep brackets, resonances, clocks, and what is refused.
+#include "polhode/secular/lie_transform.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "message_of.hpp"
+#include "polhode/series/series_text.hpp"
+#include "polhode/series/substitution.hpp"
+
+namespace secular_test {
+namespace {
+
+using polhode::Elimination;
+using polhode::LieMethod;
+using polhode::LieTransform;
+using polhode::Rational;
+using polhode::Series;
+using polhode::series_from_text;
+using polhode::Symbols;
+using polhode::Truncation;
+using polhode::test::message_of;
+using testing::HasSubstr;
+
+using Exact = Series<Rational>;
+constexpr LieMethod methods[] = {LieMethod::deprit, LieMethod::hori};
+
+Symbols pendulum() { return Symbols({"G", "k"}, {"g"}, {{"g", "G"}}); }
+// Two degrees of freedom, and an angle that is a clock in one description.
+Symbols two() {
+  return Symbols({"L", "G", "T", "k"}, {"l", "g", "t"}, {{"l", "L"}, {"g", "G"}, {"t", "T"}});
+}
+Exact read(const Symbols& symbols, const char* text) {
+  return series_from_text<Rational>(symbols, text);
+}
+Truncation up_to(int order) { return {{{"k", 1}}, order}; }
+
+// H = G^2/2 + k cos g is Mathieu's equation in the limit of large r: a_r = r^2 + q^2 / (2 r^2)
+// + 5 q^4 / (32 r^6) + 9 q^6 / (64 r^10), Abramowitz and Stegun 20.3.15, with k = q/4, G = r/2,
+// K = a/8.
+TEST(LieTransform, PendulumIsThatOfMathieusFunctions) {
+  const Exact h = read(pendulum(), "G^2/2 + k*cos(g)");
+  const Exact mathieu = read(pendulum(), "G^2/2 + 1/4*k^2*G^-2 + 5/64*k^4*G^-6 + 9/128*k^6*G^-10");
+  for (const LieMethod method : methods)
+    EXPECT_EQ(LieTransform<Rational>({h, up_to(7), {"g"}}, method).mean_hamiltonian(), mathieu);
+}
+
+Elimination<Rational> two_angles(int order) {
+  return {read(two(),
+               "3*L + 7/5*G + k*L*cos(l - g) + k*G*sin(2*g) + k^2*L*G*cos(l) + k*G^2*cos(l + g)"
+               " + k*L^2/4"),
+          up_to(order),
+          {"l", "g"}};
+}
+// Parts of several orders, with and without angles.
+Exact some_function() { return read(two(), "L*cos(g) + G^2 + k*sin(l - 2*g) + k^2*L^-1"); }
+Exact other_function() { return read(two(), "G*sin(l) + L*G + k*L*cos(2*l)"); }
+
+TEST(LieTransform, HoriAndDepritHaveOneMeanHamiltonian) {
+  const auto problem = two_angles(4);
+  const LieTransform<Rational> hori(problem, LieMethod::hori), deprit(problem, LieMethod::deprit);
+  EXPECT_EQ(hori.mean_hamiltonian(), deprit.mean_hamiltonian());
+  EXPECT_GE(hori.mean_hamiltonian().size(), 10U);
+  for (const char* const angle : {"l", "g"})
+    EXPECT_TRUE(derivative(hori.mean_hamiltonian(), angle).is_zero());
+  // Generators are one at the first order.
+  EXPECT_EQ(part_of_order(hori.generator(), up_to(4), 1),
+            part_of_order(deprit.generator(), up_to(4), 1));
+}
+
+TEST(LieTransform, MapsUndoEachOtherAndCarryTheHamiltonian) {
+  for (const LieMethod method : methods) {
+    const auto problem = two_angles(4);
+    const LieTransform<Rational> transform(problem, method);
+    const Exact f = some_function();
+    ASSERT_GE(transform.in_mean(f).size(), 50U);
+    EXPECT_EQ(transform.in_osculating(transform.in_mean(f)), f);
+    EXPECT_EQ(transform.in_mean(transform.in_osculating(f)), f);
+    EXPECT_EQ(transform.in_mean(problem.hamiltonian), transform.mean_hamiltonian());
+    EXPECT_EQ(transform.in_osculating(transform.mean_hamiltonian()), problem.hamiltonian);
+  }
+}
+
+TEST(LieTransform, MapsAreCanonicalAndKeepProducts) {
+  const Truncation keep = up_to(3);
+  for (const LieMethod method : methods) {
+    const LieTransform<Rational> transform(two_angles(3), method);
+    const Exact f = some_function(), g = other_function();
+    const Exact mean_f = transform.in_mean(f), mean_g = transform.in_mean(g);
+    EXPECT_EQ(bracket(mean_f, mean_g, keep), transform.in_mean(bracket(f, g, keep)));
+    EXPECT_EQ(product(mean_f, mean_g, keep), transform.in_mean(product(f, g, keep)));
+  }
+}
+
+// cos(l + d) and L + D put together from the displacements of l and L.
+TEST(LieTransform, ShortPeriodsAreTheMapOfTheSymbols) {
+  const Truncation keep = up_to(3);
+  const Exact wave = read(two(), "cos(l)"), momentum = read(two(), "L");
+  for (const LieMethod method : methods) {
+    const LieTransform<Rational> transform(two_angles(3), method);
+    EXPECT_EQ(displaced(wave, "l", transform.short_period("l"), keep), transform.in_mean(wave));
+    EXPECT_EQ(displaced(wave, "l", transform.short_period_back("l"), keep),
+              transform.in_osculating(wave));
+    EXPECT_EQ(momentum + transform.short_period("L"), transform.in_mean(momentum));
+    EXPECT_EQ(momentum + transform.short_period_back("L"), transform.in_osculating(momentum));
+    EXPECT_TRUE(transform.short_period("k").is_zero());
+  }
+}
+
+TEST(LieTransform, KeepsWhatIsNotToBeEliminated) {
+  const Symbols symbols = two();
+  const Exact h =
+      read(symbols, "2*L + G + k*cos(l - 2*g) + k*cos(2*l - 4*g) + k*G*cos(l) + k*sin(g)");
+  for (const LieMethod method : methods) {
+    const LieTransform<Rational> resonant({h, up_to(2), {"l", "g"}, {{{"l", -1}, {"g", 2}}}},
+                                          method);
+    EXPECT_EQ(part_of_order(resonant.mean_hamiltonian(), up_to(2), 1),
+              read(symbols, "k*cos(l - 2*g) + k*cos(2*l - 4*g)"));
+    // The angle l - 2 g alone: momenta 2 L + G stay.
+    EXPECT_TRUE(bracket(resonant.mean_hamiltonian(), read(symbols, "2*L + G")).is_zero());
+    const Exact plain = read(symbols, "2*L + G + k*G*cos(l) + k*sin(g)");
+    const LieTransform<Rational> fast({plain, up_to(2), {"l"}}, method);
+    EXPECT_TRUE(derivative(fast.mean_hamiltonian(), "l").is_zero());
+    EXPECT_EQ(part_of_order(fast.mean_hamiltonian(), up_to(2), 1), read(symbols, "k*sin(g)"));
+    // 2 l - 4 g is no multiple of 3 (l - 2 g).
+    EXPECT_THAT(
+        message_of([&] {
+          LieTransform<Rational>({h, up_to(1), {"l", "g"}, {{{"l", 3}, {"g", -6}}}}, method);
+        }),
+        HasSubstr("l - 2*g, whose rate is 0: a resonance"));
+  }
+}
+
+// Time as an angle with a rate, and time as an angle whose momentum is T.
+TEST(LieTransform, AClockIsAnAngleWithAMomentumThatIsLeftOut) {
+  const Symbols symbols = two();
+  const Exact forced = read(symbols, "3*L + 7/5*G + k*L^2 + k*L*cos(l - t) + k*G*sin(g + 2*t)");
+  const Exact momentum = read(symbols, "1/3*T");
+  const Exact f = some_function();
+  for (const LieMethod method : methods) {
+    Elimination<Rational> problem{forced, up_to(3), {"l", "g", "t"}};
+    problem.clocks = {{"t", constant(symbols, Rational(1, 3))}};
+    const LieTransform<Rational> with_clock(problem, method);
+    const LieTransform<Rational> extended({forced + momentum, up_to(3), {"l", "g", "t"}}, method);
+    EXPECT_EQ(with_clock.mean_hamiltonian() + momentum, extended.mean_hamiltonian());
+    EXPECT_EQ(with_clock.generator(), extended.generator());
+    EXPECT_EQ(with_clock.in_mean(f), extended.in_mean(f));
+  }
+}
+
+TEST(LieTransform, Refuses) {
+  const Symbols symbols = two();
+  const auto refused = [&](const char* h, Truncation keep, double least = 0.0) {
+    return message_of([&] {
+      LieTransform<Rational>({read(symbols, h), keep, {"l", "g"}, {}, {}, least});
+    });
+  };
+  EXPECT_EQ(refused("L + 2*G + k*cos(l)", up_to(2)), "");
+  EXPECT_THAT(refused("L", {}), HasSubstr("no small parameters"));
+  EXPECT_THAT(refused("L", {{{"G", 1}}, 2}), HasSubstr("small parameter G has a conjugate"));
+  EXPECT_THAT(refused("L", up_to(31)), HasSubstr("the order 31 is out of [0, 30]"));
+  EXPECT_THAT(refused("L + cos(l)", up_to(2)), HasSubstr("order 0 depends on the angle l"));
+  EXPECT_THAT(refused("L + k^-1*cos(l)", up_to(2)), HasSubstr("an order below 0"));
+  EXPECT_THAT(refused("L + 1001/1000*G + k*cos(l - g)", up_to(1), 0.01),
+              HasSubstr("turns with l - g, whose rate has the coefficient -0.001, below"));
+  EXPECT_THAT(message_of([&] {
+                LieTransform<Rational>({read(symbols, "L"), up_to(1), {"l"}, {{{"g", 1}}}});
+              }),
+              HasSubstr("the resonance has the angle g"));
+  const Symbols plane({"q", "p", "k"}, {}, {{"q", "p"}});
+  EXPECT_THAT(
+      message_of([&] {
+        LieTransform<Rational>({series_from_text<Rational>(plane, "p^2 + q^2"), up_to(1), {}});
+      }),
+      HasSubstr("depends on the coordinate q"));
+}
+
+}  // namespace
+}  // namespace secular_test
