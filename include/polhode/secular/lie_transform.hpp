@@ -11,8 +11,8 @@
 // Corrections none.
 // Units       those of the Hamiltonian's symbols.
 // Domain      small parameters: variables in no pair, with weights > 0. H_0 has no angle, and no
-//             coordinate that is a variable. A clock is an angle without a momentum that advances at
-//             a rate of its own: time. At most 30 orders.
+//             coordinate that is a variable. A clock is an angle without a momentum that advances
+//             at a rate of its own: time. At most 30 orders.
 // Accuracy    exact in Rational, to the order kept; else the roundings of T.
 // Errors      DomainError for what breaks this, for a divisor below the bound (with its combination
 //             of angles), and for an order that needs too much memory.
