@@ -13,8 +13,11 @@
 namespace polhode {
 inline namespace v0 {
 
-using boost::multiprecision::cpp_int;
-using boost::multiprecision::cpp_rational;
+// Without expression templates: their temporaries mislead readers and checkers alike.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                              boost::multiprecision::et_off>;
+using Fraction = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
+                                               boost::multiprecision::et_off>;
 
 namespace detail {
 
@@ -22,16 +25,16 @@ class BigRational {
  public:
   static constexpr unsigned most_bits = 300000;
 
-  explicit BigRational(cpp_rational x) : value(std::move(x)) {}
-  cpp_rational value;
+  explicit BigRational(Fraction x) : value(std::move(x)) {}
+  Fraction value;
 
-  static cpp_rational of(const Rational& a) {
-    return a.big_ ? a.big_->value : cpp_rational(cpp_int(a.n_), cpp_int(a.d_));
+  static Fraction of(const Rational& a) {
+    return a.big_ ? a.big_->value : Fraction(a.n_) / Fraction(a.d_);
   }
   // Small where it fits, so that every number has one form.
-  static Rational number(cpp_rational x) {
+  static Rational number(Fraction x) {
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    const cpp_int n = numerator(x), d = denominator(x);
+    const Integer n = numerator(x), d = denominator(x);
     if ((n != 0 && msb(abs(n)) > most_bits) || msb(d) > most_bits)
       throw DomainError("Rational: a number of more than " + std::to_string(most_bits) +
                         " binary digits; none is that long");
@@ -67,14 +70,14 @@ bool is_digits(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// cpp_int takes a leading 0 for octal.
-cpp_int integer(std::string_view digits) {
+// Integer takes a leading 0 for octal.
+Integer integer(std::string_view digits) {
   digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-  return digits.empty() ? cpp_int(0) : cpp_int(std::string(digits));
+  return digits.empty() ? Integer(0) : Integer(std::string(digits));
 }
 
 // Digits, perhaps with a point and a power of ten.
-cpp_rational decimal(std::string_view whole, std::string_view text) {
+Fraction decimal(std::string_view whole, std::string_view text) {
   int power = 0;
   if (const std::size_t e = text.find_first_of("eE"); e != std::string_view::npos) {
     std::string_view digits = text.substr(e + 1);
@@ -91,9 +94,9 @@ cpp_rational decimal(std::string_view whole, std::string_view text) {
     power -= static_cast<int>(text.size() - point) - 1;
   }
   if (!is_digits(digits)) refuse(whole, "is no number");
-  const cpp_int scale = pow(cpp_int(10), static_cast<unsigned>(power < 0 ? -power : power));
-  const cpp_rational value(integer(digits));
-  return power < 0 ? cpp_rational(value / scale) : cpp_rational(value * scale);
+  const Integer scale = pow(Integer(10), static_cast<unsigned>(power < 0 ? -power : power));
+  const Fraction value(integer(digits));
+  return power < 0 ? value / Fraction(scale) : value * Fraction(scale);
 }
 
 }  // namespace
@@ -102,8 +105,8 @@ Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
   if (denominator == 0) throw DomainError("Rational: denominator 0; it must not be 0");
   if (numerator == least || denominator == least) {
     // Boost takes no negative denominator.
-    const cpp_int sign = denominator < 0 ? -1 : 1;
-    *this = BigRational::number(cpp_rational(sign * numerator, sign * denominator));
+    const Integer sign = denominator < 0 ? -1 : 1;
+    *this = BigRational::number(Fraction(sign * numerator) / Fraction(sign * denominator));
     return;
   }
   const std::int64_t divisor = std::gcd(numerator, denominator);
@@ -117,17 +120,17 @@ Rational Rational::from_text(std::string_view text) {
   std::string_view rest = text;
   const bool negative = rest.starts_with('-');
   if (negative) rest.remove_prefix(1);
-  cpp_rational value;
+  Fraction value;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
     const std::string_view n = rest.substr(0, slash), d = rest.substr(slash + 1);
     if (!is_digits(n) || !is_digits(d)) refuse(text, "is no number");
-    const cpp_int divisor = integer(d);
+    const Integer divisor = integer(d);
     if (divisor == 0) refuse(text, "has a denominator of 0");
-    value = cpp_rational(integer(n), divisor);
+    value = Fraction(integer(n)) / Fraction(divisor);
   } else {
     value = decimal(text, rest);
   }
-  return BigRational::number(negative ? cpp_rational(-value) : value);
+  return BigRational::number(negative ? Fraction(-value) : value);
 }
 
 Rational operator-(const Rational& a) {
