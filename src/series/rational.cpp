@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -13,11 +14,14 @@
 namespace polhode {
 inline namespace v0 {
 
-// Without expression templates: their temporaries mislead readers and checkers alike.
+// Without expression templates.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                               boost::multiprecision::et_off>;
-using Fraction = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
-                                               boost::multiprecision::et_off>;
+
+// Not always in lowest terms; d is not 0.
+struct Fraction {
+  Integer n = 0, d = 1;
+};
 
 namespace detail {
 
@@ -28,13 +32,15 @@ class BigRational {
   explicit BigRational(Fraction x) : value(std::move(x)) {}
   Fraction value;
 
-  static Fraction of(const Rational& a) {
-    return a.big_ ? a.big_->value : Fraction(a.n_) / Fraction(a.d_);
-  }
-  // Small where it fits, so that every number has one form.
+  static Fraction of(const Rational& a) { return a.big_ ? a.big_->value : Fraction{a.n_, a.d_}; }
+  // In lowest terms, and small where it fits: every number has one form.
   static Rational number(Fraction x) {
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    const Integer n = numerator(x), d = denominator(x);
+    Integer &n = x.n, &d = x.d, divisor;
+    eval_gcd(divisor.backend(), n.backend(), d.backend());
+    if (d < 0) divisor = -divisor;
+    n /= divisor;
+    d /= divisor;
     if ((n != 0 && msb(abs(n)) > most_bits) || msb(d) > most_bits)
       throw DomainError("Rational: a number of more than " + std::to_string(most_bits) +
                         " binary digits; none is that long");
@@ -95,8 +101,8 @@ Fraction decimal(std::string_view whole, std::string_view text) {
   }
   if (!is_digits(digits)) refuse(whole, "is no number");
   const Integer scale = pow(Integer(10), static_cast<unsigned>(power < 0 ? -power : power));
-  const Fraction value(integer(digits));
-  return power < 0 ? value / Fraction(scale) : value * Fraction(scale);
+  const Integer value = integer(digits);
+  return power < 0 ? Fraction{value, scale} : Fraction{value * scale};
 }
 
 }  // namespace
@@ -104,9 +110,7 @@ Fraction decimal(std::string_view whole, std::string_view text) {
 Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
   if (denominator == 0) throw DomainError("Rational: denominator 0; it must not be 0");
   if (numerator == least || denominator == least) {
-    // Boost takes no negative denominator.
-    const Integer sign = denominator < 0 ? -1 : 1;
-    *this = BigRational::number(Fraction(sign * numerator) / Fraction(sign * denominator));
+    *this = BigRational::number({numerator, denominator});
     return;
   }
   const std::int64_t divisor = std::gcd(numerator, denominator);
@@ -126,15 +130,16 @@ Rational Rational::from_text(std::string_view text) {
     if (!is_digits(n) || !is_digits(d)) refuse(text, "is no number");
     const Integer divisor = integer(d);
     if (divisor == 0) refuse(text, "has a denominator of 0");
-    value = Fraction(integer(n)) / Fraction(divisor);
+    value = {integer(n), divisor};
   } else {
     value = decimal(text, rest);
   }
-  return BigRational::number(negative ? Fraction(-value) : value);
+  if (negative) value.n = -value.n;
+  return BigRational::number(std::move(value));
 }
 
 Rational operator-(const Rational& a) {
-  if (a.big_) return BigRational::number(-a.big_->value);
+  if (a.big_) return BigRational::number({-a.big_->value.n, a.big_->value.d});
   Rational b;
   b.n_ = -a.n_;
   b.d_ = a.d_;
@@ -159,7 +164,8 @@ Rational operator+(const Rational& a, const Rational& b) {
       }
     }
   }
-  return BigRational::number(BigRational::of(a) + BigRational::of(b));
+  const Fraction left = BigRational::of(a), right = BigRational::of(b);
+  return BigRational::number({left.n * right.d + right.n * left.d, left.d * right.d});
 }
 
 Rational operator-(const Rational& a, const Rational& b) { return a + (-b); }
@@ -172,12 +178,16 @@ Rational operator*(const Rational& a, const Rational& b) {
         !__builtin_mul_overflow(a.d_ / second, b.d_ / first, &product.d_) && product.n_ != least)
       return product;
   }
-  return BigRational::number(BigRational::of(a) * BigRational::of(b));
+  const Fraction left = BigRational::of(a), right = BigRational::of(b);
+  return BigRational::number({left.n * right.n, left.d * right.d});
 }
 
 Rational operator/(const Rational& a, const Rational& b) {
   if (b == Rational{}) throw DomainError("Rational: division by 0; the divisor must not be 0");
-  if (b.big_) return BigRational::number(BigRational::of(a) / b.big_->value);
+  if (b.big_) {
+    const Fraction left = BigRational::of(a), &right = b.big_->value;
+    return BigRational::number({left.n * right.d, left.d * right.n});
+  }
   Rational inverse;
   inverse.n_ = b.n_ < 0 ? -b.d_ : b.d_;
   inverse.d_ = b.n_ < 0 ? -b.n_ : b.n_;
@@ -186,18 +196,36 @@ Rational operator/(const Rational& a, const Rational& b) {
 
 // One form a number: a big one is never equal to a small one.
 bool operator==(const Rational& a, const Rational& b) {
-  if (a.big_ && b.big_) return a.big_ == b.big_ || a.big_->value == b.big_->value;
+  if (a.big_ && b.big_)
+    return a.big_ == b.big_ ||
+           (a.big_->value.n == b.big_->value.n && a.big_->value.d == b.big_->value.d);
   return !a.big_ && !b.big_ && a.n_ == b.n_ && a.d_ == b.d_;
 }
 
 bool operator<(const Rational& a, const Rational& b) {
-  return BigRational::of(a) < BigRational::of(b);
+  const Fraction left = BigRational::of(a), right = BigRational::of(b);
+  return left.n * right.d < right.n * left.d;
 }
 
-Rational::operator double() const { return BigRational::of(*this).convert_to<double>(); }
+// The first 63 or 64 bits of the quotient, the last of them set where more follow, are rounded
+// once.
+Rational::operator double() const {
+  const Fraction x = BigRational::of(*this);
+  if (x.n == 0) return 0.0;
+  Integer n = abs(x.n), d = x.d;
+  const int shift = 63 - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
+  if (shift >= 0)
+    n <<= shift;
+  else
+    d <<= -shift;
+  const Integer quotient = n / d;
+  const auto bits = quotient.convert_to<std::uint64_t>() | (quotient * d == n ? 0U : 1U);
+  const double size = std::ldexp(static_cast<double>(bits), -shift);
+  return x.n < 0 ? -size : size;
+}
 
 std::string Rational::text() const {
-  if (big_) return big_->value.str();
+  if (big_) return big_->value.n.str() + (big_->value.d == 1 ? "" : "/" + big_->value.d.str());
   return d_ == 1 ? std::to_string(n_) : std::to_string(n_) + "/" + std::to_string(d_);
 }
 
