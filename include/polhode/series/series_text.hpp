@@ -12,7 +12,7 @@
 //             and Rational; other types to their max_digits10.
 // Errors      DomainError of one line: the column, or the row, and what was expected there.
 //             Powers of sums above 1000, parentheses more than 100 deep, and products that
-//             together have more than 1e6 pairs of terms and 100 a character, are refused.
+//             together have more than 2e5 pairs of terms and 100 a character, are refused.
 // Cost        linear in the terms.
 #pragma once
 

@@ -40,7 +40,7 @@ class Expression {
   static constexpr int most_depth = 100;
   static constexpr int most_power = 1000;  // of a sum
   // Pairs of terms that text may ask for: a second at most, and more for long text.
-  static constexpr std::size_t pairs_of_text = 1'000'000, pairs_of_character = 100;
+  static constexpr std::size_t pairs_of_text = 200'000, pairs_of_character = 100;
 
   Series<T> sum() {
     if (++depth_ > most_depth) lexer_.refuse("parentheses no deeper than 100");
