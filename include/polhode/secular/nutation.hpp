@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Precession and nutation of a rigid planet: Kinoshita's theory, to the second order, for the axis
+// of momentum, of figure and of rotation.
+//
+// Equations   Kinoshita (1977), [SA 4.4.5]. Andoyer's variables on the ecliptic of date, J small.
+//             H / G = T(J) + V + (mu.n), V = 3/2 sum gm/r^3 (A u1^2 + B u2^2 + C u3^2) / G as a
+//             Fourier series in the arguments; c = cos I and h are conjugate. Poisson terms: a Lie
+//             transform removes the arguments from what J = 0 leaves; short periods of h and I are
+//             the nutation of the momentum. Oppolzer terms: Euler's equations, linear in J, forced
+//             by the same series, are solved exactly; triaxial bodies too. Longitude is -h, as it
+//             is counted from the node.
+//             Rotation: the unperturbed formula w = I^-1 g holds in the precessing frame, and
+//             gives the inertial rate [SA 4.4.5]; the rate relative to the ecliptic of date is
+//             less by mu, a constant offset of its axis.
+// Corrections none.
+// Units       any unit of time; rad. gm / distance^3 in 1/time^2, moments in any unit.
+// Domain      bodies that turn about axis 3, the one of largest moment, J = 0 but for what is
+//             forced; 0 < I < pi, not within 1e-3 of either end. Arguments advance evenly; they are
+//             counted from the mean equinox of date, the direction h + pi. Orders 1 and 2.
+// Accuracy    what orders beyond 2 and products of two Oppolzer terms leave out; harmonics that the
+//             numbers of points do not hold (FourierSeries::at_border) and what is below `least`.
+// Errors      DomainError for moments, rates, obliquities and orders that break this, for names of
+//             arguments, and for arguments in resonance.
+// Cost        one analysis of the grid (0.3 s for the Earth), and brackets of series.
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/math/vector.hpp"
+#include "polhode/rotor/body.hpp"
+#include "polhode/series/series.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct NutationArgument {
+  std::string name;
+  double at_epoch, rate;
+  int points;  // of the grid, odd
+};
+
+// Its position from the planet: axis 1 to the mean equinox of date, axis 3 to the pole of the
+// ecliptic of date, as a function of the arguments.
+struct NutationBody {
+  double gm;
+  std::function<Vec3(std::span<const double>)> position;
+};
+
+struct NutationProblem {
+  Body body;
+  double spin_rate;
+  double obliquity;  // I of the mean momentum
+  std::vector<NutationArgument> arguments;
+  std::vector<NutationBody> bodies;
+  Vec3 ecliptic_rate{0.0, 0.0, 0.0};  // mu, of the ecliptic of date, along its axes
+  int order = 2;
+  double least = 1e-13;  // rad: smaller terms are left out
+  double slowest = 0.0;  // rate: slower terms are left out, as secular changes
+};
+
+enum class PlanetAxis { momentum, figure, rotation };
+
+// dpsi = sin_longitude sin(theta) + cos_longitude cos(theta), theta = sum of multipliers times
+// arguments; deps likewise. The last multiplier that is not zero is positive.
+struct NutationTerm {
+  std::vector<int> multipliers;
+  double rate;  // of theta
+  double longitude_sine, longitude_cosine, obliquity_cosine, obliquity_sine;
+};
+
+struct NutationOffset {
+  double longitude, obliquity;
+};
+
+class NutationTheory {
+ public:
+  explicit NutationTheory(const NutationProblem& problem);
+
+  // The names of the arguments: those given, and "Phi", the angle of axis 1 from the node of
+  // momentum and ecliptic, where the body has A < B.
+  const std::vector<std::string>& arguments() const { return arguments_; }
+  const std::vector<double>& at_epoch() const { return at_epoch_; }
+  const std::vector<double>& rates() const { return rates_; }
+
+  // Of the mean axis, on the ecliptic of date: d psi / dt and d eps / dt.
+  NutationOffset precession() const { return precession_; }
+
+  // Largest first.
+  const std::vector<NutationTerm>& terms(PlanetAxis axis) const;
+  // What the axis has besides periodic terms: constant distance from the mean axis of momentum.
+  NutationOffset offset(PlanetAxis axis) const;
+  // What is to be added to the axis of rotation for the rate relative to the ecliptic of date.
+  NutationOffset relative_offset() const { return relative_offset_; }
+
+  // Nutation at a time from the epoch of the arguments, offset included.
+  NutationOffset at(PlanetAxis axis, double t) const;
+
+  // The largest coefficient of the torque at the border of the grid, over its largest: of folding.
+  double folding() const { return folding_; }
+
+ private:
+  struct AxisSeries {
+    std::vector<NutationTerm> terms;
+    NutationOffset offset;
+  };
+  const AxisSeries& of(PlanetAxis axis) const;
+
+  std::vector<std::string> arguments_;
+  std::vector<double> at_epoch_, rates_;
+  AxisSeries momentum_, figure_, rotation_;
+  NutationOffset precession_, relative_offset_;
+  double folding_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/scenario/planet_nutation.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "math/number_text.hpp"
+#include "polhode/ephemeris/delaunay.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
+#include "polhode/error.hpp"
+#include "polhode/secular/planet.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::number_text;
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double arcsec = degree / 3600.0;
+constexpr double day = 86400.0;
+constexpr double century = 36525.0 * day;
+
+[[noreturn]] void refuse(const std::string& why) { throw DomainError("nutation: " + why); }
+
+void require(const PlanetNutation& of) {
+  if (!(std::abs(of.T) <= 10.0))
+    refuse("T " + number_text(of.T) + " must be within 10 centuries of J2000");
+  const auto within = [](const std::optional<double>& value, const char* name, double least,
+                         double largest) {
+    if (value && !(*value >= least && *value <= largest))
+      refuse(std::string(name) + " " + number_text(*value) + " must be in [" + number_text(least) +
+             ", " + number_text(largest) + "]");
+  };
+  within(of.ellipticity, "ellipticity", 1e-9, 0.5);
+  within(of.triaxiality, "triaxiality", 0.0, 0.5);
+  within(of.satellite_mass, "satellite_mass", 1e-9, 1.0);
+}
+
+// Axis 1 = the smallest moment, in units of C.
+Body body_of(double ellipticity, double triaxiality) {
+  return {1.0 - ellipticity - 0.5 * triaxiality, 1.0 - ellipticity + 0.5 * triaxiality, 1.0};
+}
+
+// --- Earth ---
+
+DelaunayArguments delaunay(std::span<const double> at) { return {at[0], at[1], at[2], at[3], at[4]}; }
+
+// Of IAU 2006 (Capitaine et al. 2003): eps_A, and the rate of the ecliptic's pole P_A, Q_A, in axes
+// of date.
+double earth_obliquity(double T) {
+  return arcsec * (84381.406 - T * (46.836769 + T * (0.0001831 - T * 0.00200340)));
+}
+Vec3 earth_ecliptic_rate(double T) {
+  const double Q = (-46.811015 + 2.0 * 0.0510283 * T) * arcsec / century;
+  const double P = (4.199094 + 2.0 * 0.1939873 * T) * arcsec / century;
+  const double general = 5028.796195 * T * arcsec;  // the equinox since J2000
+  return {Q * std::cos(general) - P * std::sin(general),
+          Q * std::sin(general) + P * std::cos(general), 0.0};
+}
+
+NutationProblem earth_problem(const PlanetNutation& of) {
+  const double T = of.T;
+  const DelaunayArguments at = delaunay_arguments(T), rate = delaunay_rates(T);
+  const auto argument = [](const char* name, double at_epoch, double per_century, int points) {
+    return NutationArgument{name, at_epoch, per_century / century, points};
+  };
+  const double gm_moon = *of.satellite_mass * planetary_gm(Planetary::earth);
+  return {body_of(*of.ellipticity, *of.triaxiality),
+          *of.spin_rate,
+          *of.obliquity,
+          {argument("l", at.l, rate.l, 11), argument("lp", at.lp, rate.lp, 7),
+           argument("F", at.F, rate.F, 11), argument("D", at.D, rate.D, 11),
+           argument("Om", at.Om, rate.Om, 7)},
+          {{planetary_gm(Planetary::sun),
+            [T](std::span<const double> x) { return cartesian(sun_of_date(delaunay(x), T)); }},
+           {gm_moon,
+            [T](std::span<const double> x) { return cartesian(moon_of_date(delaunay(x), T)); }}},
+          earth_ecliptic_rate(T),
+          of.order,
+          of.least,
+          // The one slower combination, 2F - 2D + 2Om - 2l' in 10,467 years, is a secular change to
+          // the theory of the Moon too: its divisor would make 21 mas of what Meeus leaves out.
+          2.0 * std::numbers::pi / (10.0 * century)};
+}
+
+// --- Planets under the Sun alone ---
+
+struct Orbit {
+  double a, e, mean_motion, perihelion, perihelion_rate, mean_longitude;
+};
+
+// Mean elements of Simon et al. (1994), equinox of J2000: au, deg, arcsec a century.
+Orbit orbit_of(const std::string& planet, double T) {
+  constexpr double au = 149597870.7;
+  const bool venus = planet == "venus";
+  const double a = (venus ? 0.72332982 : 1.5236793419) * au;
+  const double e = venus ? 0.0067719164 - 0.00004776521 * T : 0.0934006477 + 0.00009048438 * T;
+  const double n = (venus ? 58517.81567425 : 19140.30268499) * degree / century;
+  const double longitude = (venus ? 181.97980085 : 355.43299958) * degree + n * century * T;
+  const double perihelion = (venus ? 131.56370300 : 336.06023395) * degree;
+  const double rate = (venus ? 175.48640 : 15980.45908) * arcsec / century;
+  return {a, e, n, perihelion + rate * century * T, rate, longitude};
+}
+
+struct Equator {
+  double equinox;    // in the longitudes of the planet's orbit
+  double obliquity;  // of the momentum, and so above 90 deg for Venus
+};
+
+// By the poles of equator (IAU) and orbit (inclination and node of Simon et al. 1994).
+Equator equator_of(const std::string& planet) {
+  const bool venus = planet == "venus";
+  const double i = (venus ? 3.39466189 : 1.84972648) * degree;
+  const double node = (venus ? 76.67992019 : 49.55809321) * degree;
+  const Vec3 normal{std::sin(i) * std::sin(node), -std::sin(i) * std::cos(node), std::cos(i)};
+  const Vec3 ascending{std::cos(node), std::sin(node), 0.0};
+  // Venus turns backward: its momentum is opposite to the pole of the IAU (Archinal et al. 2018).
+  const Vec3 momentum = venus ? -ecliptic_direction(272.76 * degree, 67.16 * degree)
+                              : planet_pole(known_planet("mars"));
+  const Vec3 equinox = cross(momentum, normal);
+  return {node + std::atan2(dot(normal, cross(ascending, equinox)), dot(ascending, equinox)),
+          std::atan2(norm(equinox), dot(momentum, normal))};
+}
+
+NutationProblem planet_problem(const PlanetNutation& of) {
+  const Orbit orbit = orbit_of(of.planet, of.T);
+  // The equinox moves with the precession that the torque makes.
+  const double spin = *of.spin_rate;
+  const double precession = -1.5 * orbit.mean_motion * orbit.mean_motion / spin * *of.ellipticity *
+                            std::cos(*of.obliquity) * std::pow(1.0 - orbit.e * orbit.e, -1.5);
+  const double Ls = orbit.mean_longitude - equator_of(of.planet).equinox + std::numbers::pi;
+  const double M = orbit.mean_longitude - orbit.perihelion;
+  const double e = orbit.e, a = orbit.a;
+  const auto sun = [e, a](std::span<const double> x) -> Vec3 {
+    const double M_x = x[0], Ls_x = x[1];
+    double E = M_x;
+    for (int i = 0; i < 60; ++i) E = M_x + e * std::sin(E);
+    const double truth = std::atan2(std::sqrt(1.0 - e * e) * std::sin(E), std::cos(E) - e);
+    const double r = a * (1.0 - e * std::cos(E)), longitude = Ls_x - M_x + truth;
+    return {r * std::cos(longitude), r * std::sin(longitude), 0.0};
+  };
+  return {body_of(*of.ellipticity, *of.triaxiality),
+          spin,
+          *of.obliquity,
+          {{"M", M, orbit.mean_motion - orbit.perihelion_rate, 41},
+           {"Ls", Ls, orbit.mean_motion - precession, 7}},
+          {{planetary_gm(Planetary::sun), sun}},
+          {0.0, 0.0, 0.0},
+          of.order,
+          of.least,
+          2.0 * std::numbers::pi / (10.0 * century)};
+}
+
+}  // namespace
+
+std::string_view nutation_planets() { return "earth|venus|mars"; }
+
+PlanetNutation completed(const PlanetNutation& of) {
+  require(of);
+  PlanetNutation all = of;
+  const auto missing = [](std::optional<double>& value, double known) {
+    if (!value) value = known;
+  };
+  if (of.planet == "earth") {
+    missing(all.ellipticity, 0.0032737548);
+    missing(all.triaxiality, 0.0);
+    missing(all.spin_rate, 7.292115e-5);
+    missing(all.obliquity, earth_obliquity(of.T));
+    missing(all.satellite_mass, 1.0 / earth_to_moon_mass);
+    return all;
+  }
+  if (of.planet != "venus" && of.planet != "mars")
+    refuse("got the planet \"" + of.planet + "\"; expected earth, venus or mars");
+  if (of.satellite_mass) refuse("satellite_mass: " + of.planet + " has no satellite here");
+  if (of.planet == "venus") {
+    missing(all.ellipticity, 1.31e-5);
+    missing(all.triaxiality, 4.0 * 1.66e-6);
+    missing(all.spin_rate, 2.0 * std::numbers::pi / (243.02 * day));
+  } else {
+    missing(all.ellipticity, known_planet("mars").ellipticity);
+    missing(all.triaxiality, 0.0);
+    missing(all.spin_rate, known_planet("mars").spin_rate);
+  }
+  missing(all.obliquity, equator_of(of.planet).obliquity);
+  return all;
+}
+
+NutationProblem nutation_problem(const PlanetNutation& of) {
+  const PlanetNutation all = completed(of);
+  return all.planet == "earth" ? earth_problem(all) : planet_problem(all);
+}
+
+NutationTheory nutation_theory(const PlanetNutation& of) {
+  return NutationTheory(nutation_problem(of));
+}
+
+}  // namespace v0
+}  // namespace polhode

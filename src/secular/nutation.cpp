@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/secular/nutation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+#include "secular/nutation_motion.hpp"
+#include "secular/nutation_torque.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::number_text;
+
+void require(const NutationProblem& problem) {
+  const auto refuse = [](const std::string& why) { throw DomainError("NutationTheory: " + why); };
+  const Vec3& moments = problem.body.moments();
+  if (!(moments.x < moments.z && moments.y < moments.z))
+    refuse("moments (" + number_text(moments.x) + ", " + number_text(moments.y) + ", " +
+           number_text(moments.z) + "); the third must be the largest");
+  if (!(problem.spin_rate > 0.0) || !std::isfinite(problem.spin_rate))
+    refuse("spin_rate " + number_text(problem.spin_rate) + " must be positive and finite");
+  constexpr double margin = 1e-3;
+  if (!(problem.obliquity >= margin && problem.obliquity <= std::numbers::pi - margin))
+    refuse("obliquity " + number_text(problem.obliquity) +
+           " rad must be between 0 and pi, and not within 0.001 of either: the node is not there");
+  if (problem.order != 1 && problem.order != 2)
+    refuse("order " + std::to_string(problem.order) + " must be 1 or 2");
+  if (!(problem.least > 0.0))
+    refuse("least " + number_text(problem.least) + " must be positive");
+  if (problem.bodies.empty()) refuse("no bodies; one at least must pull");
+  for (const NutationArgument& one : problem.arguments)
+    if (!std::isfinite(one.rate) || !std::isfinite(one.at_epoch))
+      refuse("the argument " + one.name + " must have a finite rate and value at the epoch");
+  for (const NutationBody& one : problem.bodies)
+    if (!(one.gm > 0.0)) refuse("gm " + number_text(one.gm) + " must be positive");
+}
+
+double size(const NutationTerm& term) {
+  return std::hypot(std::hypot(term.longitude_sine, term.longitude_cosine),
+                    std::hypot(term.obliquity_sine, term.obliquity_cosine));
+}
+
+// Rows of the table from sums, with the last multiplier positive.
+std::vector<NutationTerm> table(const detail::Waves& waves, const std::vector<double>& rates,
+                                const NutationProblem& problem) {
+  std::vector<NutationTerm> terms;
+  for (const auto& [multipliers, wave] : waves) {
+    NutationTerm term{multipliers,      0.0,          wave.longitude_sine, wave.longitude_cosine,
+                      wave.obliquity_cosine, wave.obliquity_sine};
+    const auto last = std::find_if(multipliers.rbegin(), multipliers.rend(),
+                                   [](int k) { return k != 0; });
+    if (last == multipliers.rend()) continue;  // the offset
+    if (*last < 0) {
+      for (int& k : term.multipliers) k = -k;
+      term.longitude_sine = -term.longitude_sine;
+      term.obliquity_sine = -term.obliquity_sine;
+    }
+    for (std::size_t i = 0; i < rates.size(); ++i) term.rate += term.multipliers[i] * rates[i];
+    if (size(term) >= problem.least && std::abs(term.rate) >= problem.slowest)
+      terms.push_back(term);
+  }
+  std::ranges::stable_sort(terms, [](const auto& a, const auto& b) { return size(a) > size(b); });
+  return terms;
+}
+
+NutationOffset offset_of(const detail::Waves& waves, std::size_t count) {
+  const auto constant = waves.find(std::vector<int>(count, 0));
+  if (constant == waves.end()) return {0.0, 0.0};
+  return {constant->second.longitude_cosine, constant->second.obliquity_cosine};
+}
+
+}  // namespace
+
+NutationTheory::NutationTheory(const NutationProblem& problem)
+    : precession_{0.0, 0.0}, relative_offset_{0.0, 0.0}, folding_(0.0) {
+  require(problem);
+  const detail::NutationSymbols names(problem);
+  arguments_ = names.arguments();
+  for (const NutationArgument& one : problem.arguments) {
+    at_epoch_.push_back(one.at_epoch);
+    rates_.push_back(one.rate);
+  }
+  if (arguments_.size() > rates_.size()) {  // Phi
+    at_epoch_.push_back(0.0);
+    rates_.push_back(problem.spin_rate);
+  }
+  const detail::NutationTorque torque(problem, names, rates_);
+  folding_ = torque.folding;
+  const detail::MomentumMotion momentum = momentum_motion(problem, names, torque, rates_);
+  precession_ = momentum.precession;
+  const detail::WobbleMotion wobble = wobble_motion(problem, names, torque, rates_);
+  const auto axis = [&](const detail::Waves& waves) {
+    return AxisSeries{table(waves, rates_, problem), offset_of(waves, rates_.size())};
+  };
+  momentum_ = axis(momentum.nutation);
+  figure_ = axis(sum(momentum.nutation, wobble.figure));
+  rotation_ = axis(sum(momentum.nutation, wobble.rotation));
+  const Vec3& mu = problem.ecliptic_rate;
+  const double c = std::cos(problem.obliquity), s = std::sin(problem.obliquity);
+  // The axis of w - mu less that of w, in the plane normal to the momentum.
+  relative_offset_ = {-mu.x / (s * problem.spin_rate), (s * mu.z - c * mu.y) / problem.spin_rate};
+}
+
+const NutationTheory::AxisSeries& NutationTheory::of(PlanetAxis axis) const {
+  return axis == PlanetAxis::momentum ? momentum_
+         : axis == PlanetAxis::figure ? figure_
+                                      : rotation_;
+}
+
+const std::vector<NutationTerm>& NutationTheory::terms(PlanetAxis axis) const {
+  return of(axis).terms;
+}
+NutationOffset NutationTheory::offset(PlanetAxis axis) const { return of(axis).offset; }
+
+NutationOffset NutationTheory::at(PlanetAxis axis, double t) const {
+  NutationOffset sum = of(axis).offset;
+  for (const NutationTerm& term : of(axis).terms) {
+    double theta = term.rate * t;
+    for (std::size_t i = 0; i < at_epoch_.size(); ++i) theta += term.multipliers[i] * at_epoch_[i];
+    const double sine = std::sin(theta), cosine = std::cos(theta);
+    sum.longitude += term.longitude_sine * sine + term.longitude_cosine * cosine;
+    sum.obliquity += term.obliquity_sine * sine + term.obliquity_cosine * cosine;
+  }
+  return sum;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+
+#include "polhode/secular/lie_transform.hpp"
+#include "secular/nutation_motion.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr int most_powers = 3;  // of x and y: second-order terms take three derivatives at most
+
+using Number = Series<double>;
+
+// c = cos I = (cos I0 + x) / (1 + y), s = sin I and I itself less I0, as polynomials in x and y.
+struct Inclination {
+  Number c, s, I;
+  Truncation keep;
+};
+
+Inclination inclination(const NutationSymbols& names, double I0) {
+  const Symbols& symbols = names.symbols();
+  Truncation keep{{{NutationSymbols::x, 1}}, most_powers};
+  const double c0 = std::cos(I0), s0 = std::sin(I0);
+  Number c = constant(symbols, c0) + monomial(symbols, 1.0, {{NutationSymbols::x, 1}});
+  if (names.has_phi()) {
+    keep.weights.emplace_back(NutationSymbols::y, 1);
+    Number inverse(symbols);
+    for (int n = 0; n <= most_powers; ++n)
+      inverse += monomial(symbols, n % 2 == 0 ? 1.0 : -1.0, {{NutationSymbols::y, n}});
+    c = product(c, inverse, keep);
+  }
+  // s = s0 sqrt(1 + e), e = (c0^2 - c^2) / s0^2.
+  const Number e = (constant(symbols, c0 * c0) - product(c, c, keep)) / (s0 * s0);
+  Number s = constant(symbols, s0), term = s;
+  for (int n = 1; n <= most_powers; ++n) {
+    term = product(term, e, keep) * ((1.5 - n) / n);
+    s += term;
+  }
+  // dI/dc = -1/s, d(1/s)/dc = c/s^3.
+  const std::array<double, 3> derivatives = {-1.0 / s0, -c0 / (s0 * s0 * s0),
+                                             -(1.0 + 3.0 * c0 * c0 / (s0 * s0)) / (s0 * s0 * s0)};
+  const Number of_c = c - constant(symbols, c0);
+  Number I(symbols), power = constant(symbols, 1.0);
+  double factorial = 1.0;
+  for (int n = 1; n <= most_powers; ++n) {
+    power = product(power, of_c, keep);
+    factorial *= n;
+    I += (derivatives[static_cast<std::size_t>(n - 1)] / factorial) * power;
+  }
+  return {c, s, I, keep};
+}
+
+// u3^2 - 1/3, weighted with gm / r^3.
+Number of_the_bulge(const NutationTorque& torque, const Inclination& at) {
+  const auto times = [&](const Number& a, const Number& b) { return product(a, b, at.keep); };
+  const Symbols& symbols = at.c.symbols();
+  const Number c2 = times(at.c, at.c), one = constant(symbols, 1.0);
+  // h = pi + h_: (u_x + i u_y) exp(-i h) has the sign -.
+  const ComplexSeries first = turned(torque.q1, {{NutationSymbols::h, -1}}, at.keep);
+  const ComplexSeries second = turned(torque.q2, {{NutationSymbols::h, -2}}, at.keep);
+  return times(1.5 * c2 - 0.5 * one, torque.q0) + 2.0 * times(times(at.c, at.s), first.im) -
+         0.5 * times(one - c2, second.re);
+}
+
+// The real part of exp(-2 i Phi) (u . (X + i Y))^2, X along the node and Y across it, normal to the
+// momentum, with the same weights.
+Number of_the_equator(const NutationTorque& torque, const Inclination& at) {
+  const Symbols& symbols = at.c.symbols();
+  const Number one = constant(symbols, 1.0);
+  const Number plus = one + at.c, minus = one - at.c;
+  const auto times = [&](const Number& a, const Number& b) { return product(a, b, at.keep); };
+  const ComplexSeries first = turned(torque.q1, {{NutationSymbols::h, -1}}, at.keep);
+  const ComplexSeries second = turned(torque.q2, {{NutationSymbols::h, -2}}, at.keep);
+  ComplexSeries sum = product(0.25 * times(plus, plus), second, at.keep) +
+                      product(0.25 * times(minus, minus), conj(second), at.keep);
+  sum = sum - times_i(product(times(at.s, plus), first, at.keep));
+  sum = sum - times_i(product(times(at.s, minus), conj(first), at.keep));
+  sum.re -= 1.5 * times(times(plus, minus), torque.q0);
+  return turned(sum, {{"Phi", -2}}, at.keep).re;
+}
+
+// The pull, and the turning ecliptic, over G0.
+struct Pull {
+  Number of_bodies, of_ecliptic;
+};
+
+Pull pull(const NutationProblem& problem, const NutationSymbols& names,
+          const NutationTorque& torque, const Inclination& at) {
+  const Symbols& symbols = names.symbols();
+  const Vec3& m = problem.body.moments();
+  const double per_G = 1.5 / (m.z * problem.spin_rate);
+  Number bodies = per_G * (m.z - 0.5 * (m.x + m.y)) * of_the_bulge(torque, at);
+  if (names.has_phi()) bodies += per_G * 0.5 * (m.x - m.y) * of_the_equator(torque, at);
+  const Vec3& mu = problem.ecliptic_rate;
+  // -mu.n, n = (-s sin h_, s cos h_, c)
+  const Number wave = mu.x * sine(symbols, 1.0, {}, {{NutationSymbols::h, 1}}) -
+                      mu.y * cosine(symbols, 1.0, {}, {{NutationSymbols::h, 1}});
+  return {bodies, product(at.s, wave, at.keep) - mu.z * at.c};
+}
+
+// At the mean axis: x = y = h_ = 0.
+Number at_mean(const Number& a) {
+  const Symbols& symbols = a.symbols();
+  const int k = symbols.variable(NutationSymbols::k), h = symbols.angle(NutationSymbols::h);
+  std::vector<Term<double>> terms;
+  for (const Term<double>& term : a.terms()) {
+    const auto exponents =
+        symbols.exponents().with(term.key.exponents, k, -exponent(symbols, term.key, k));
+    if (exponents != symbols.exponents().zero()) continue;
+    const auto multipliers =
+        symbols.multipliers().with(term.key.multipliers, h, -multiplier(symbols, term.key, h));
+    terms.push_back({{exponents, multipliers}, term.c});
+  }
+  return Number(symbols, std::move(terms));
+}
+double constant_of(const Number& a) {
+  for (const Term<double>& term : a.terms())
+    if (term.key == zero_key(a.symbols())) return term.c;
+  return 0.0;
+}
+
+// k counts orders. A term so small that its product with the largest falls below `least` is of the
+// second order itself: it then enters alone, and products with it are left out.
+Number with_orders(const Number& of_bodies, const Truncation& of_momenta,
+                   const NutationProblem& problem, const std::vector<double>& rates) {
+  const Symbols& symbols = of_bodies.symbols();
+  constexpr double largest = 1e-3;  // rad: of the nutation of any planet
+  const double first = problem.least / largest;
+  const int k = symbols.variable(NutationSymbols::k);
+  const Orders degree(symbols, of_momenta);
+  std::vector<Term<double>> terms;
+  for (const Term<double>& term : of_bodies.terms()) {
+    const double rate = std::abs(rate_of(symbols, term.key, rates));
+    const bool small = problem.order == 2 && std::abs(term.c) < 0.1 * first * rate;
+    if (small && degree.of(term.key) > 1) continue;
+    terms.push_back({{symbols.exponents().with(term.key.exponents, k, small ? 2 : 1),
+                      term.key.multipliers},
+                     term.c});
+  }
+  return Number(symbols, std::move(terms));
+}
+
+Waves waves(const Number& longitude, const Number& obliquity) {
+  const Symbols& symbols = longitude.symbols();
+  Waves found;
+  const auto each = [&](const Number& of, bool is_longitude) {
+    for (const Term<double>& term : of.terms()) {
+      std::vector<int> multipliers;
+      for (int i = 1; i < symbols.multipliers().count(); ++i)
+        multipliers.push_back(multiplier(symbols, term.key, i));
+      Wave& wave = found[multipliers];
+      const bool is_sine = term.key.function() == Function::sine;
+      (is_longitude ? (is_sine ? wave.longitude_sine : wave.longitude_cosine)
+                    : (is_sine ? wave.obliquity_sine : wave.obliquity_cosine)) += term.c;
+    }
+  };
+  each(longitude, true);
+  each(obliquity, false);
+  return found;
+}
+
+}  // namespace
+
+MomentumMotion momentum_motion(const NutationProblem& problem, const NutationSymbols& names,
+                               const NutationTorque& torque, const std::vector<double>& rates) {
+  const Symbols& symbols = names.symbols();
+  const Inclination at = inclination(names, problem.obliquity);
+  const auto [of_bodies, of_ecliptic] = pull(problem, names, torque, at);
+  const Truncation keep{{{NutationSymbols::k, 1}}, problem.order};
+  Number h = with_orders(of_bodies, at.keep, problem, rates) +
+             product(monomial(symbols, 1.0, {{NutationSymbols::k, 1}}), of_ecliptic);
+  // The arguments are counted from the mean equinox: h_ has no mean motion of the first order.
+  const double turn =
+      constant_of(at_mean(derivative(mean(h, names.arguments()), NutationSymbols::x)));
+  h -= monomial(symbols, turn, {{NutationSymbols::x, 1}, {NutationSymbols::k, 1}});
+  if (names.has_phi()) {  // G^2 / (2 C) over G0; y is small
+    h += monomial(symbols, problem.spin_rate, {{NutationSymbols::y, 1}}) +
+         monomial(symbols, 0.5 * problem.spin_rate,
+                  {{NutationSymbols::y, 2}, {NutationSymbols::k, 1}});
+  }
+  Elimination<double> elimination{h, keep, names.arguments()};
+  for (std::size_t i = 0; i < problem.arguments.size(); ++i)
+    elimination.clocks.push_back({names.arguments()[i], constant(symbols, rates[i])});
+  const LieTransform<double> transform(std::move(elimination));
+  const Number& mean_h = transform.mean_hamiltonian();
+  const NutationOffset precession{
+      -turn - constant_of(at_mean(derivative(mean_h, NutationSymbols::x))),
+      constant_of(at_mean(derivative(mean_h, NutationSymbols::h))) / std::sin(problem.obliquity)};
+  const Number longitude = -at_mean(transform.short_period(NutationSymbols::h));
+  const Number obliquity = at_mean(transform.in_mean(at.I));
+  return {precession, waves(longitude, obliquity)};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
