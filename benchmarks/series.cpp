@@ -85,7 +85,7 @@ GiNaC::ex of_ginac(const Series<double>& series, const std::vector<GiNaC::symbol
       monomial *= pow(names[k], exponent(by, term.key, i));
       wave *= pow(names[3 + k], multiplier(by, term.key, i));
     }
-    const bool is_sine = term.key.function() == Function::sine;
+    const bool is_sine = term.key.function() == Trigonometric::sine;
     const ex turned = pow(wave, -1);
     sum.push_back(monomial * (is_sine ? ex(-I) : ex(1)) * wave);
     sum.push_back(monomial * (is_sine ? ex(I) : ex(1)) * turned);

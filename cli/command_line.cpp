@@ -127,6 +127,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   add_init(app, kinds);
   add_cite(app, kinds);
   add_golden(app);
+  add_nutation(app);
   add_schema(app, kinds);
   add_shape(app);
   add_spectrum(app);

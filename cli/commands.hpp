@@ -20,6 +20,7 @@ void add_init(CLI::App& app, const Kinds& kinds);
 void add_cite(CLI::App& app, const Kinds& kinds);
 void add_golden(CLI::App& app);
 void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
+void add_nutation(CLI::App& app);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
 void add_spectrum(CLI::App& app);

@@ -3,6 +3,7 @@
 #include "polhode/scenario/own_experiment.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,36 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
+
+RunReport formula_rows(const OwnExperiment& own, const Units& units, RowWriter& writer,
+                       const RunControl& control) {
+  constexpr std::int64_t rows_per_block = 1024;
+  const SaveAt& rows = *own.rows;
+  RunReport report;
+  report.outcome.t = rows[rows.size() - 1];
+  while (writer.rows() < rows.size()) {
+    const std::int64_t first = writer.rows();
+    const std::int64_t last = std::min(rows.size(), first + rows_per_block);
+    writer.push(static_cast<std::size_t>(last - first), [&](std::span<double> numbers) {
+      const std::size_t width = own.columns.size() + 1;
+      for (std::int64_t k = first; k < last; ++k) {
+        const std::span<double> row =
+            numbers.subspan(static_cast<std::size_t>(k - first) * width, width);
+        row[0] = units.from_core(rows[k], Dimension::time);
+        own.formula(rows[k], row.subspan(1));
+        for (std::size_t i = 1; i < width; ++i)
+          row[i] = units.from_core(row[i], own.columns[i - 1].dimension);
+      }
+    });
+    const double t = rows[last - 1];
+    if (last < rows.size() && control.due && control.due(t)) control.keep({t, last, {}});
+    if (control.progress) control.progress(t);
+  }
+  return report;
+}
+
+}  // namespace
 
 std::vector<ColumnGroup> row_groups(const OwnExperiment& own, const Scenario& scenario) {
   const Units& units = scenario.units();
@@ -27,6 +58,7 @@ std::vector<ColumnGroup> row_groups(const OwnExperiment& own, const Scenario& sc
 void add_facts(const OwnExperiment&, RunFacts&) {}
 
 std::string propagation_text(const OwnExperiment& own, const Units& units) {
+  if (own.formula) return "formula";
   return method_in_units(own.method, units);
 }
 
@@ -41,12 +73,14 @@ std::vector<std::string> cited_parts(const OwnExperiment&) { return {}; }
 
 RunReport rows_of(const OwnExperiment& own, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
-  if (own.maker == nullptr)
+  if (own.maker == nullptr && !own.formula)
     throw DomainError(scenario.document.name + ": kind: got \"" + own.kind +
-                      "\" without a model; expected one that own_experiment has made");
+                      "\" without a model or a formula; expected one that own_experiment has made");
   RowWriter writer(row_width(row_groups(own, scenario)), sinks,
                    control.from == nullptr ? 0 : control.from->pushed);
-  return completed(own.maker->run(writer, control), writer);
+  return completed(own.formula ? formula_rows(own, scenario.units(), writer, control)
+                               : own.maker->run(writer, control),
+                   writer);
 }
 
 std::vector<SummaryLine> summary(const OwnExperiment& own, const Scenario& scenario) {
@@ -59,10 +93,10 @@ std::vector<SummaryLine> summary(const OwnExperiment& own, const Scenario& scena
   return lines.take();
 }
 
-std::vector<SummaryLine> report_lines(const OwnExperiment&, const Scenario& scenario,
+std::vector<SummaryLine> report_lines(const OwnExperiment& own, const Scenario& scenario,
                                       const RunReport& report, const std::string& events) {
   Lines lines(scenario.units());
-  add_report(lines, report, "model", events);
+  if (!own.formula) add_report(lines, report, "model", events);
   return lines.take();
 }
 

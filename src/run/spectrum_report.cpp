@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "polhode/error.hpp"
-#include "polhode/output/series.hpp"
+#include "polhode/output/time_series.hpp"
 #include "polhode/text/units.hpp"
 #include "text/number_text.hpp"
 
@@ -36,7 +36,7 @@ double rate_unit(const std::string& unit, const std::string& time) {
   }
 }
 
-void find_units(SpectrumReport& report, const SpectrumRequest& request, const Series& series) {
+void find_units(SpectrumReport& report, const SpectrumRequest& request, const TimeSeries& series) {
   report.time_unit = time_unit_of(request, series.units[0]);
   report.column_unit = series.units[1];
   if (report.time_unit.empty()) {
@@ -55,7 +55,7 @@ void find_units(SpectrumReport& report, const SpectrumRequest& request, const Se
 }
 
 // An angle that goes round and round jumps back by a turn in the column of a file.
-void require_no_jumps(const Series& series) {
+void require_no_jumps(const TimeSeries& series) {
   const std::string& unit = series.units[1];
   double turn = 0.0;
   try {
@@ -72,7 +72,7 @@ void require_no_jumps(const Series& series) {
 }
 
 // The interval; negative where times fall.
-double interval_of(const Series& series) {
+double interval_of(const TimeSeries& series) {
   const std::vector<double>& t = series.columns[0];
   if (t.size() < 2) throw DomainError(series.file + ": has no two rows; expected 8 or more");
   const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
@@ -98,7 +98,7 @@ std::string line_text(const SpectralLine& line, double unit, double resolution) 
 SpectrumReport spectrum_report(const SpectrumRequest& request) {
   std::vector<std::string> wanted = {request.time, request.column};
   if (!request.imaginary.empty()) wanted.push_back(request.imaginary);
-  Series series = read_series(request.file, wanted);
+  TimeSeries series = read_time_series(request.file, wanted);
   SpectrumReport report;
   find_units(report, request, series);
   const double interval = interval_of(series);

@@ -195,5 +195,42 @@ NutationTheory nutation_theory(const PlanetNutation& of) {
   return NutationTheory(nutation_problem(of));
 }
 
+std::vector<Citation> nutation_citations() {
+  return {
+      {"kinoshita1977",
+       "Kinoshita, H. (1977). Theory of the rotation of the rigid Earth. Celestial Mechanics 15, "
+       "277-326.",
+       "the theory of nutation"},
+      {"souchay1996",
+       "Souchay, J., Kinoshita, H. (1996). Corrections and new developments in rigid Earth nutation "
+       "theory. I. Lunisolar influence including indirect planetary effects. Astronomy and "
+       "Astrophysics 312, 1017-1030.",
+       "the dynamical ellipticity of the Earth"},
+      {"meeus1998",
+       "Meeus, J. (1998). Astronomical Algorithms, 2nd edition. Willmann-Bell, Richmond.",
+       "the Moon in Delaunay's arguments"},
+      {"capitaine2003",
+       "Capitaine, N., Wallace, P. T., Chapront, J. (2003). Expressions for IAU 2000 precession "
+       "quantities. Astronomy and Astrophysics 412, 567-586.",
+       "the obliquity and the moving ecliptic of the Earth"},
+      {"simon1994",
+       "Simon, J. L., Bretagnon, P., Chapront, J., Chapront-Touze, M., Francou, G., Laskar, J. "
+       "(1994). Numerical expressions for precession formulae and mean elements for the Moon and "
+       "the planets. Astronomy and Astrophysics 282, 663-683.",
+       "mean elements"},
+      {"park2021",
+       "Park, R. S., Folkner, W. M., Williams, J. G., Boggs, D. H. (2021). The JPL planetary and "
+       "lunar ephemerides DE440 and DE441. The Astronomical Journal 161, 105.",
+       "masses"},
+      {"cottereau2009",
+       "Cottereau, L., Souchay, J. (2009). Rotation of rigid Venus: a complete precession-nutation "
+       "model. Astronomy and Astrophysics 507, 1635-1648.",
+       "the moments and the spin of Venus"},
+      {"konopliv2016",
+       "Konopliv, A. S., Park, R. S., Folkner, W. M. (2016). An improved JPL Mars gravity field and "
+       "orientation from Mars orbiter and lander tracking data. Icarus 274, 253-260.",
+       "the moments of Mars"}};
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -44,7 +44,7 @@ KeptAngles::KeptAngles(const Symbols& symbols, const std::vector<std::string>& a
   }
 }
 
-bool KeptAngles::keeps(const Key& key) const {
+bool KeptAngles::keeps(const TermKey& key) const {
   std::vector<int> k;
   for (const int place : places_) k.push_back(multiplier(symbols_, key, place));
   if (std::all_of(k.begin(), k.end(), [](int n) { return n == 0; })) return true;

@@ -95,12 +95,14 @@ NutationTheory::NutationTheory(const NutationProblem& problem)
   const detail::MomentumMotion momentum = momentum_motion(problem, names, torque, rates_);
   precession_ = momentum.precession;
   const detail::WobbleMotion wobble = wobble_motion(problem, names, torque, rates_);
-  const auto axis = [&](const detail::Waves& waves) {
-    return AxisSeries{table(waves, rates_, problem), offset_of(waves, rates_.size())};
+  const auto axis = [&](const detail::Waves& oppolzer) {
+    const detail::Waves both = sum(momentum.nutation, oppolzer);
+    return AxisSeries{table(both, rates_, problem), table(oppolzer, rates_, problem),
+                      offset_of(both, rates_.size())};
   };
-  momentum_ = axis(momentum.nutation);
-  figure_ = axis(sum(momentum.nutation, wobble.figure));
-  rotation_ = axis(sum(momentum.nutation, wobble.rotation));
+  momentum_ = axis({});
+  figure_ = axis(wobble.figure);
+  rotation_ = axis(wobble.rotation);
   const Vec3& mu = problem.ecliptic_rate;
   const double c = std::cos(problem.obliquity), s = std::sin(problem.obliquity);
   // The axis of w - mu less that of w, in the plane normal to the momentum.
@@ -115,6 +117,9 @@ const NutationTheory::AxisSeries& NutationTheory::of(PlanetAxis axis) const {
 
 const std::vector<NutationTerm>& NutationTheory::terms(PlanetAxis axis) const {
   return of(axis).terms;
+}
+const std::vector<NutationTerm>& NutationTheory::oppolzer_terms(PlanetAxis axis) const {
+  return of(axis).oppolzer;
 }
 NutationOffset NutationTheory::offset(PlanetAxis axis) const { return of(axis).offset; }
 

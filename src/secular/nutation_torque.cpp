@@ -78,7 +78,7 @@ NutationSymbols::NutationSymbols(const NutationProblem& problem)
       given_(problem.arguments.size()),
       symbols_(symbols_of(arguments_, has_phi())) {}
 
-double rate_of(const Symbols& symbols, const Key& key, const std::vector<double>& rates) {
+double rate_of(const Symbols& symbols, const TermKey& key, const std::vector<double>& rates) {
   double sum = 0.0;
   for (std::size_t i = 0; i < rates.size(); ++i)
     sum += multiplier(symbols, key, static_cast<int>(i) + 1) * rates[i];  // after h

@@ -44,7 +44,7 @@ struct NutationTorque {
 };
 
 // The rate of the arguments in a key.
-double rate_of(const Symbols& symbols, const Key& key, const std::vector<double>& rates);
+double rate_of(const Symbols& symbols, const TermKey& key, const std::vector<double>& rates);
 
 }  // namespace detail
 }  // namespace v0

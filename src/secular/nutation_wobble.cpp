@@ -27,7 +27,7 @@ void add(Phasors& sum, const Series<double>& a, Complex factor) {
     std::vector<int> k;
     for (int j = 1; j < symbols.multipliers().count(); ++j)
       k.push_back(multiplier(symbols, term.key, j));
-    const bool is_sine = term.key.function() == Function::sine;
+    const bool is_sine = term.key.function() == Trigonometric::sine;
     const Complex half = 0.5 * term.c * factor;
     sum[k] += is_sine ? -i * half : half;
     sum[opposite(k)] += is_sine ? i * half : half;

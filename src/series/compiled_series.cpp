@@ -54,14 +54,14 @@ CompiledSeries::CompiledSeries(const Series<double>& series) {
     }
     const auto [found, is_new] = known.emplace(term.key.angle(), waves_.size());
     if (is_new) waves_.push_back(wave_of(symbols, term.key));
-    const std::size_t is_sine = term.key.function() == Function::sine ? 1 : 0;
+    const std::size_t is_sine = term.key.function() == Trigonometric::sine ? 1 : 0;
     terms_.push_back({term.c, wave_start_ + 2 * found->second + is_sine});
     groups_.back().last = terms_.size();
   }
   scratch_ += 2 * waves_.size();
 }
 
-CompiledSeries::Product CompiledSeries::monomial_of(const Symbols& symbols, const Key& key) {
+CompiledSeries::Product CompiledSeries::monomial_of(const Symbols& symbols, const TermKey& key) {
   const std::size_t first = factors_.size();
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     const int n = exponent(symbols, key, static_cast<int>(i));
@@ -72,7 +72,7 @@ CompiledSeries::Product CompiledSeries::monomial_of(const Symbols& symbols, cons
 }
 
 // Even factors turn forwards, odd ones backwards.
-CompiledSeries::Product CompiledSeries::wave_of(const Symbols& symbols, const Key& key) {
+CompiledSeries::Product CompiledSeries::wave_of(const Symbols& symbols, const TermKey& key) {
   const std::size_t first = factors_.size();
   for (std::size_t i = 0; i < angles_.size(); ++i) {
     const int k = multiplier(symbols, key, static_cast<int>(i));

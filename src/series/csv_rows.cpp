@@ -43,7 +43,7 @@ CsvRow row_of(const Symbols& symbols, std::size_t line, std::string_view text) {
     powers.emplace_back(symbols.variables()[i], integer(line, found[2 + i]));
   for (std::size_t i = 0; i < angles; ++i)
     multiples.emplace_back(symbols.angles()[i], integer(line, found[2 + variables + i]));
-  const Function function = found[1] == "cos" ? Function::cosine : Function::sine;
+  const Trigonometric function = found[1] == "cos" ? Trigonometric::cosine : Trigonometric::sine;
   return {line, found[0], packed(symbols, powers, multiples, function)};
 }
 
@@ -60,8 +60,8 @@ std::string csv_header(const Symbols& symbols) {
   return header + "\n";
 }
 
-std::string csv_row(const Symbols& symbols, const Key& key) {
-  std::string row = key.function() == Function::sine ? ",sin" : ",cos";
+std::string csv_row(const Symbols& symbols, const TermKey& key) {
+  std::string row = key.function() == Trigonometric::sine ? ",sin" : ",cos";
   for (int i = 0; i < symbols.exponents().count(); ++i)
     row += "," + std::to_string(exponent(symbols, key, i));
   for (int i = 0; i < symbols.multipliers().count(); ++i)

@@ -157,8 +157,8 @@ FourierSeries fourier_series(const Symbols& symbols, const std::vector<FourierAn
         const double size = twice * std::abs(c);
         if (border) found.at_border = std::max(found.at_border, size);
         if (size <= least) continue;
-        const Key cosine = packed(symbols, {}, multiples, Function::cosine);
-        const Key sine = packed(symbols, {}, multiples, Function::sine);
+        const TermKey cosine = packed(symbols, {}, multiples, Trigonometric::cosine);
+        const TermKey sine = packed(symbols, {}, multiples, Trigonometric::sine);
         terms[function].push_back({cosine, twice * c.real()});
         if (other != node) terms[function].push_back({sine, -twice * c.imag()});
       }

@@ -43,8 +43,8 @@ void refuse_first(const PackedFields& fields, const std::vector<std::string>& na
 
 }  // namespace
 
-Key packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>>& powers,
-           const std::vector<std::pair<std::string, int>>& multiples, Function function) {
+TermKey packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>>& powers,
+           const std::vector<std::pair<std::string, int>>& multiples, Trigonometric function) {
   std::vector<std::pair<int, int>> exponents, multipliers;
   for (const auto& [name, n] : powers) exponents.emplace_back(symbols.variable(name), n);
   for (const auto& [name, n] : multiples) multipliers.emplace_back(symbols.angle(name), n);
@@ -53,13 +53,13 @@ Key packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>
               static_cast<std::uint64_t>(function)};
 }
 
-void out_of_range(const Symbols& symbols, const Key& key) {
+void out_of_range(const Symbols& symbols, const TermKey& key) {
   refuse_first(symbols.exponents(), symbols.variables(), key.exponents, "exponent");
   refuse_first(symbols.multipliers(), symbols.angles(), key.angle(), "multiplier");
   throw DomainError("Series: a key that is no key of " + symbols.names());
 }
 
-std::string text(const Symbols& symbols, const Key& key) {
+std::string text(const Symbols& symbols, const TermKey& key) {
   std::string product;
   for (int i = 0; i < symbols.exponents().count(); ++i) {
     const int n = exponent(symbols, key, i);
@@ -79,7 +79,7 @@ std::string text(const Symbols& symbols, const Key& key) {
   }
   if (!angle.empty()) {
     if (!product.empty()) product += '*';
-    product += (key.function() == Function::sine ? "sin(" : "cos(") + angle + ')';
+    product += (key.function() == Trigonometric::sine ? "sin(" : "cos(") + angle + ')';
   }
   return product.empty() ? "1" : product;
 }

@@ -54,7 +54,7 @@ void add_term(std::string& sum, std::string coefficient, const std::string& prod
     sum += coefficient == "1" ? product : coefficient + times + product;
 }
 
-std::string latex(const Symbols& symbols, const Key& key) {
+std::string latex(const Symbols& symbols, const TermKey& key) {
   std::string product;
   const auto add = [](std::string& to, const char* between, const std::string& what) {
     if (!to.empty()) to += between;
@@ -83,7 +83,7 @@ std::string latex(const Symbols& symbols, const Key& key) {
     angle += latex_name(symbols.angles()[static_cast<std::size_t>(i)]);
   }
   if (!angle.empty())
-    add(product, " ", (key.function() == Function::sine ? "\\sin(" : "\\cos(") + angle + ")");
+    add(product, " ", (key.function() == Trigonometric::sine ? "\\sin(" : "\\cos(") + angle + ")");
   return product.empty() ? "1" : product;
 }
 

@@ -146,6 +146,13 @@ consteval KindKey<A> file_key(std::string_view name, std::string_view help) {
       {.path = name, .type = KeyType::text, .help = help, .is_file = true});
 }
 
+// A date, "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB" (polhode/text/epoch.hpp).
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
+consteval KindKey<A> epoch_key(std::string_view name, std::string_view help) {
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::epoch, .help = help});
+}
+
 // A unit, and the columns of a file by their names or numbers.
 template <auto at, class A = detail::Owner<at>>
   requires detail::Holds<at, std::string> && detail::HasMember<A, at>

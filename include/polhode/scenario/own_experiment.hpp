@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// OwnExperiment: an experiment from outside, made by own_experiment
-// (polhode/run/own_experiment.hpp) from a model that integrate() moves. Files, checkpoints, events
-// and summaries are those of every run.
+// OwnExperiment: an experiment from outside. Either own_experiment (polhode/run/own_experiment.hpp)
+// has made it from a model that integrate() moves, or its columns are functions of time. Files,
+// checkpoints, events and summaries are those of every run.
 //
-// Equations   those of its model.
+// Equations   those of its model or formula.
 // Units       times in core units (polhode/text/units.hpp); columns are written in those of the
 //             file.
 // Domain      rows in order, on one side of t = 0 or on both; it starts at t = 0.
@@ -12,8 +12,10 @@
 // Cost        none.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,11 +52,15 @@ struct OwnExperiment {
   bool has_events = false;
   std::string identity = {};  // bytes of the state at t = 0: a run is continued with the same alone
   std::shared_ptr<const detail::RowsMaker> maker = nullptr;
+  // In place of a model: the numbers of the columns at a time, in core units.
+  std::function<void(double, std::span<double>)> formula = nullptr;
 };
 
 inline const std::optional<SaveAt>& row_times(const OwnExperiment& own) { return own.rows; }
 inline bool has_events(const OwnExperiment& own) { return own.has_events; }
-inline std::optional<Method> propagation_method(const OwnExperiment& own) { return own.method; }
+inline std::optional<Method> propagation_method(const OwnExperiment& own) {
+  return own.formula ? std::nullopt : std::optional(own.method);
+}
 
 }  // namespace v0
 }  // namespace polhode

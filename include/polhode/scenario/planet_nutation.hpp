@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "polhode/secular/nutation.hpp"
+#include "polhode/text/citation.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -48,6 +49,9 @@ NutationTheory nutation_theory(const PlanetNutation& of);
 
 // The numbers that a request stands for, none left out.
 PlanetNutation completed(const PlanetNutation& of);
+
+// The works that the theory of any of the planets rests on.
+std::vector<Citation> nutation_citations();
 
 }  // namespace v0
 }  // namespace polhode

@@ -95,7 +95,7 @@ class LieTransform {
       if (h0.symbols().has_angle(pair.coordinate))
         rates.push_back({pair.coordinate, derivative(h0, pair.momentum)});
     const detail::KeptAngles kept(h0.symbols(), problem_.angles, problem_.resonances);
-    const Series<T> mean = selected(rest, [&](const Key& key) { return kept.keeps(key); });
+    const Series<T> mean = selected(rest, [&](const TermKey& key) { return kept.keeps(key); });
     return {mean, integral(rest - mean, rates, problem_.least_divisor)};
   }
 

@@ -90,8 +90,10 @@ class NutationTheory {
   // Of the mean axis, on the ecliptic of date: d psi / dt and d eps / dt.
   NutationOffset precession() const { return precession_; }
 
-  // Largest first.
+  // Poisson and Oppolzer terms together, largest first.
   const std::vector<NutationTerm>& terms(PlanetAxis axis) const;
+  // The Oppolzer terms alone: the axis less that of the momentum.
+  const std::vector<NutationTerm>& oppolzer_terms(PlanetAxis axis) const;
   // What the axis has besides periodic terms: constant distance from the mean axis of momentum.
   NutationOffset offset(PlanetAxis axis) const;
   // What is to be added to the axis of rotation for the rate relative to the ecliptic of date.
@@ -105,7 +107,7 @@ class NutationTheory {
 
  private:
   struct AxisSeries {
-    std::vector<NutationTerm> terms;
+    std::vector<NutationTerm> terms, oppolzer;
     NutationOffset offset;
   };
   const AxisSeries& of(PlanetAxis axis) const;

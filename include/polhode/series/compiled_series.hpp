@@ -54,8 +54,8 @@ class CompiledSeries {
     std::size_t first, last;
   };
 
-  Product monomial_of(const Symbols& symbols, const Key& key);
-  Product wave_of(const Symbols& symbols, const Key& key);
+  Product monomial_of(const Symbols& symbols, const TermKey& key);
+  Product wave_of(const Symbols& symbols, const TermKey& key);
 
   template <std::size_t lanes>
   void evaluate(const double* points, double* scratch, double* values) const;

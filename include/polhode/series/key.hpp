@@ -22,48 +22,48 @@
 namespace polhode {
 inline namespace v0 {
 
-enum class Function : std::uint8_t { cosine = 0, sine = 1 };
+enum class Trigonometric : std::uint8_t { cosine = 0, sine = 1 };
 
-struct Key {
+struct TermKey {
   std::uint64_t exponents, multipliers;
 
   static constexpr std::uint64_t function_bit = 1;
-  constexpr Function function() const { return static_cast<Function>(multipliers & function_bit); }
+  constexpr Trigonometric function() const { return static_cast<Trigonometric>(multipliers & function_bit); }
   // The multipliers without the function.
   constexpr std::uint64_t angle() const { return multipliers & ~function_bit; }
-  constexpr auto operator<=>(const Key&) const = default;
+  constexpr auto operator<=>(const TermKey&) const = default;
 };
 
 template <class T>
 struct Term {
-  Key key;
+  TermKey key;
   T c;
   bool operator==(const Term&) const = default;
 };
 
 // That of a constant.
-inline Key zero_key(const Symbols& symbols) {
+inline TermKey zero_key(const Symbols& symbols) {
   return {symbols.exponents().zero(), symbols.multipliers().zero()};
 }
-inline int exponent(const Symbols& symbols, const Key& key, int variable) {
+inline int exponent(const Symbols& symbols, const TermKey& key, int variable) {
   return symbols.exponents().at(key.exponents, variable);
 }
-inline int multiplier(const Symbols& symbols, const Key& key, int angle) {
+inline int multiplier(const Symbols& symbols, const TermKey& key, int angle) {
   return symbols.multipliers().at(key.multipliers, angle);
 }
-inline bool fits(const Symbols& symbols, const Key& key) {
+inline bool fits(const Symbols& symbols, const TermKey& key) {
   return symbols.exponents().fits(key.exponents) && symbols.multipliers().fits(key.angle());
 }
 
 // Checked; not canonical. A name that is there twice counts twice.
-Key packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>>& powers,
-           const std::vector<std::pair<std::string, int>>& multiples, Function function);
+TermKey packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>>& powers,
+           const std::vector<std::pair<std::string, int>>& multiples, Trigonometric function);
 
 // Throws for the first field of a key that does not fit.
-[[noreturn]] void out_of_range(const Symbols& symbols, const Key& key);
+[[noreturn]] void out_of_range(const Symbols& symbols, const TermKey& key);
 
 // "e^2*G^-1*cos(2*l - g)"; "1" of a constant.
-std::string text(const Symbols& symbols, const Key& key);
+std::string text(const Symbols& symbols, const TermKey& key);
 
 }  // namespace v0
 }  // namespace polhode

@@ -30,7 +30,7 @@ template <Coefficient T>
 Series<T> mean(const Series<T>& a, const std::vector<std::string>& angles) {
   std::vector<int> places;
   for (const std::string& name : angles) places.push_back(a.symbols().angle(name));
-  return selected(a, [&](const Key& key) {
+  return selected(a, [&](const TermKey& key) {
     for (const int i : places)
       if (multiplier(a.symbols(), key, i) != 0) return false;
     return true;
@@ -45,15 +45,15 @@ struct AngleRate {
 
 // The combination of angles of a term as text: "2*l - g".
 template <Coefficient T>
-std::string angle_text(const Series<T>& a, const Key& key) {
+std::string angle_text(const Series<T>& a, const TermKey& key) {
   const std::string whole =
-      text(a.symbols(), {a.symbols().exponents().zero(), key.angle() | Key::function_bit});
+      text(a.symbols(), {a.symbols().exponents().zero(), key.angle() | TermKey::function_bit});
   return whole.substr(4, whole.size() - 5);  // without "sin(" and ")"
 }
 
 // d phi / dt of the angle of a term.
 template <Coefficient T>
-Series<T> rate(const Series<T>& a, const Key& key, const std::vector<AngleRate<T>>& rates) {
+Series<T> rate(const Series<T>& a, const TermKey& key, const std::vector<AngleRate<T>>& rates) {
   Series<T> sum(a.symbols());
   for (const AngleRate<T>& one : rates) {
     const int k = multiplier(a.symbols(), key, a.symbols().angle(one.angle));
@@ -68,7 +68,7 @@ template <Coefficient T>
 Series<T> integral(const Series<T>& f, const std::vector<AngleRate<T>>& rates, double least) {
   const Symbols& symbols = f.symbols();
   const PackedFields& exponents = symbols.exponents();
-  const auto refuse = [&](const Key& key, const std::string& why) {
+  const auto refuse = [&](const TermKey& key, const std::string& why) {
     throw DomainError("integral: the term with " + text(symbols, key) + " turns with " +
                       angle_text(f, key) + ", whose rate " + why);
   };
@@ -89,9 +89,9 @@ Series<T> integral(const Series<T>& f, const std::vector<AngleRate<T>>& rates, d
       refuse(term.key, "has the coefficient " +
                            CoefficientText<double>::text(to_double(divisor.c)) +
                            ", below the bound " + CoefficientText<double>::text(least));
-    const bool is_sine = term.key.function() == Function::sine;
-    const Key key{exponents.difference(term.key.exponents, divisor.key.exponents),
-                  term.key.multipliers ^ Key::function_bit};
+    const bool is_sine = term.key.function() == Trigonometric::sine;
+    const TermKey key{exponents.difference(term.key.exponents, divisor.key.exponents),
+                  term.key.multipliers ^ TermKey::function_bit};
     terms.push_back({key, is_sine ? -(term.c / divisor.c) : term.c / divisor.c});
   }
   return Series<T>(symbols, std::move(terms));

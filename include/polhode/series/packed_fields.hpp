@@ -8,7 +8,7 @@
 // Domain      1 to 12 integers, w = min(16, 63 / count); each in [-2^(w-2), 2^(w-2) - 1]. One bit
 //             of each field is left free, so that a sum or a difference of two rows never reaches
 //             the next field, and whether it fits is seen by one comparison. Bit 0 of the word is
-//             not used: a Key keeps there what function a term has.
+//             not used: a TermKey keeps there what function a term has.
 // Accuracy    exact.
 // Errors      none: fits() says whether a word holds legal values.
 // Cost        one to three instructions, at() and with() included.

@@ -50,13 +50,13 @@ Series<T> operator*(const Series<T>& a, const Series<T>& b) {
 template <Coefficient T>
 Series<T> truncated(const Series<T>& a, const Truncation& keep) {
   const detail::Orders orders(a.symbols(), keep);
-  return selected(a, [&](const Key& key) { return !keep.cuts(orders.of(key)); });
+  return selected(a, [&](const TermKey& key) { return !keep.cuts(orders.of(key)); });
 }
 // Those of one order alone.
 template <Coefficient T>
 Series<T> part_of_order(const Series<T>& a, const Truncation& weights, int order) {
   const detail::Orders orders(a.symbols(), weights);
-  return selected(a, [&](const Key& key) { return orders.of(key) == order; });
+  return selected(a, [&](const TermKey& key) { return orders.of(key) == order; });
 }
 
 // 1 / a, where a is one term without an angle; throws where it is not.
@@ -67,7 +67,7 @@ Series<T> inverse(const Series<T>& a) {
     throw DomainError("inverse: a series of " + std::to_string(a.size()) +
                       " terms; it must be one term without an angle");
   const Term<T>& term = a.terms()[0];
-  const Key key{symbols.exponents().negative(term.key.exponents), term.key.multipliers};
+  const TermKey key{symbols.exponents().negative(term.key.exponents), term.key.multipliers};
   return Series<T>(symbols, {{key, T(1) / term.c}});
 }
 

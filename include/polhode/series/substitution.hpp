@@ -77,7 +77,7 @@ Series<T> angles_replaced(const Series<T>& a, const std::vector<AngleSum>& sums)
         multiples.emplace_back(name, k * n);
       }
     }
-    const Key key = packed(symbols, {}, multiples, term.key.function());
+    const TermKey key = packed(symbols, {}, multiples, term.key.function());
     terms.push_back({{term.key.exponents, key.multipliers}, term.c});
   }
   return Series<T>(symbols, std::move(terms));

@@ -12,6 +12,7 @@
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
+#include "scenario/detail/nutation_kind.hpp"
 #include "scenario/detail/frame_kinds.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/kind_check.hpp"
@@ -254,7 +255,7 @@ Kinds default_kinds() {
        detail::elements_kind(), detail::series_kind(), detail::shipped_kind()},
       {detail::precessing_kind(), detail::orbit_plane_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
-      {},
+      {detail::nutation_kind()},
       default_output_formats()});
   return Kinds(ours);
 }

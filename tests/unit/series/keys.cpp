@@ -65,7 +65,7 @@ TEST(PackedFields, AddsRowsWithoutCarries) {
       ASSERT_EQ(fields.fits(fields.negative(of_a)), fits(fields, negative));
       ASSERT_EQ(of_a < of_b, a < b);
       ASSERT_EQ(fields.is_negative(of_a), a < Row(a.size(), 0));
-      ASSERT_EQ(of_a & Key::function_bit, 0U);
+      ASSERT_EQ(of_a & TermKey::function_bit, 0U);
     }
   }
   EXPECT_EQ(PackedFields(3).greatest(), 16383);

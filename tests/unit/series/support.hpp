@@ -16,8 +16,8 @@
 
 namespace series_test {
 
-using polhode::Function;
-using polhode::Key;
+using polhode::Trigonometric;
+using polhode::TermKey;
 using polhode::Rational;
 using polhode::Series;
 using polhode::Symbols;
@@ -95,7 +95,7 @@ X value(const Series<T>& a, const Point<X>& at, const Convert& convert) {
         s = s * at.cosines[i] + before * step;
       }
     }
-    sum = sum + monomial * (term.key.function() == Function::sine ? s : c);
+    sum = sum + monomial * (term.key.function() == Trigonometric::sine ? s : c);
   }
   return sum;
 }

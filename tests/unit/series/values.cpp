@@ -85,15 +85,15 @@ TEST(SeriesValues, AnglesReplacedAtOnce) {
   const Exact a = drawn_series(symbols, draw, 10);
   const Point<Rational> at = drawn_point(symbols, draw);
   // l -> g - 2 x, g -> l.
-  const auto wave = [&](Function function, const polhode::Multiples& angle) {
-    return value(function == Function::sine ? sine(symbols, Rational(1), {}, angle)
+  const auto wave = [&](Trigonometric function, const polhode::Multiples& angle) {
+    return value(function == Trigonometric::sine ? sine(symbols, Rational(1), {}, angle)
                                             : cosine(symbols, Rational(1), {}, angle),
                  at);
   };
   const polhode::Multiples sum{{"g", 1}, {"x", -2}};
   Point<Rational> turned = at;
-  turned.cosines[0] = wave(Function::cosine, sum);
-  turned.sines[0] = wave(Function::sine, sum);
+  turned.cosines[0] = wave(Trigonometric::cosine, sum);
+  turned.sines[0] = wave(Trigonometric::sine, sum);
   turned.cosines[1] = at.cosines[0];
   turned.sines[1] = at.sines[0];
   EXPECT_EQ(value(angles_replaced(a, {{"l", sum}, {"g", {{"l", 1}}}}), at), value(a, turned));

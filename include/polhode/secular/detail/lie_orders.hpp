@@ -30,7 +30,7 @@ class KeptAngles {
   KeptAngles(const Symbols& symbols, const std::vector<std::string>& angles,
              const std::vector<std::vector<std::pair<std::string, int>>>& resonances);
   // None of the angles, or a multiple of a resonance.
-  bool keeps(const Key& key) const;
+  bool keeps(const TermKey& key) const;
 
  private:
   Symbols symbols_;

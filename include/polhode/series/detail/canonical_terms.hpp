@@ -20,9 +20,9 @@ void require_same(const Symbols& a, const Symbols& b);
 template <class T>
 bool turned(const PackedFields& multipliers, Term<T>& term) {
   const std::uint64_t angle = term.key.angle();
-  const bool is_sine = term.key.function() == Function::sine;
+  const bool is_sine = term.key.function() == Trigonometric::sine;
   if (multipliers.is_negative(angle)) {
-    term.key.multipliers = multipliers.negative(angle) | (is_sine ? Key::function_bit : 0);
+    term.key.multipliers = multipliers.negative(angle) | (is_sine ? TermKey::function_bit : 0);
     if (is_sine) term.c = -term.c;
   }
   return !is_sine || angle != multipliers.zero();

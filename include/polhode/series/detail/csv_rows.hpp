@@ -16,12 +16,12 @@ namespace detail {
 struct CsvRow {
   std::size_t line;
   std::string_view coefficient;
-  Key key;
+  TermKey key;
 };
 
 std::string csv_header(const Symbols& symbols);
 // What follows the coefficient, up to the end of the line.
-std::string csv_row(const Symbols& symbols, const Key& key);
+std::string csv_row(const Symbols& symbols, const TermKey& key);
 std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table);
 [[noreturn]] void refuse_row(std::size_t line, std::string_view value, const char* why);
 

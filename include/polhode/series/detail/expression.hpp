@@ -91,8 +91,8 @@ class Expression {
       lexer_.expect(")");
       return inner;
     }
-    if (lexer_.takes("cos")) return wave(Function::cosine);
-    if (lexer_.takes("sin")) return wave(Function::sine);
+    if (lexer_.takes("cos")) return wave(Trigonometric::cosine);
+    if (lexer_.takes("sin")) return wave(Trigonometric::sine);
     const std::string name(lexer_.word());
     if (symbols_.has_angle(name))
       lexer_.refuse("a variable: an angle stands in cos(...) or sin(...) alone");
@@ -102,7 +102,7 @@ class Expression {
     return monomial<T>(symbols_, T(1), {{name, 1}});
   }
 
-  Series<T> wave(Function function) {
+  Series<T> wave(Trigonometric function) {
     lexer_.expect("(");
     Multiples multiples;
     bool negative = lexer_.takes("-");

@@ -25,14 +25,14 @@ struct KeyBox {
   template <class T>
   void add_product(const Symbols& symbols, std::span<const Term<T>> a, std::span<const Term<T>> b) {
     for (std::size_t i = 0; i < variables.size(); ++i) {
-      const auto at = [&](const Key& key) { return exponent(symbols, key, static_cast<int>(i)); };
+      const auto at = [&](const TermKey& key) { return exponent(symbols, key, static_cast<int>(i)); };
       const FieldRange of_a = range<T>(a, at), of_b = range<T>(b, at);
       const int least = of_a.least + of_b.least, largest = of_a.largest + of_b.largest;
       variables[i].least = is_empty ? least : std::min(variables[i].least, least);
       variables[i].largest = is_empty ? largest : std::max(variables[i].largest, largest);
     }
     for (std::size_t i = 0; i < angles.size(); ++i) {
-      const auto at = [&](const Key& key) {
+      const auto at = [&](const TermKey& key) {
         return std::abs(multiplier(symbols, key, static_cast<int>(i)));
       };
       const int largest = range<T>(a, at).largest + range<T>(b, at).largest;

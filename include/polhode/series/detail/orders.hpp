@@ -19,7 +19,7 @@ class Orders {
 
   bool is_weighted() const { return !weights_.empty(); }
   // Of at most 12 variables.
-  int of(const Key& key) const {
+  int of(const TermKey& key) const {
     int order = 0;
     for (const auto& [variable, weight] : weights_)
       order += weight * fields_.at(key.exponents, variable);

@@ -31,8 +31,8 @@ Series<T> by_angle(const Series<T>& a, int angle) {
   for (const Term<T>& term : a.terms()) {
     const int k = multiplier(a.symbols(), term.key, angle);
     if (k == 0) continue;
-    const bool is_sine = term.key.function() == Function::sine;
-    terms.push_back({{term.key.exponents, term.key.multipliers ^ Key::function_bit},
+    const bool is_sine = term.key.function() == Trigonometric::sine;
+    terms.push_back({{term.key.exponents, term.key.multipliers ^ TermKey::function_bit},
                      T(is_sine ? k : -k) * term.c});
   }
   return Series<T>(a.symbols(), std::move(terms));

@@ -111,7 +111,7 @@ class Products {
   template <class Word>
   static Factor<Word> factor_of(const TermCodes<Word>& codes, const Term<T>& term) {
     return {codes.exponents(term.key), codes.multipliers(term.key), term.c,
-            term.key.function() == Function::sine};
+            term.key.function() == Trigonometric::sine};
   }
 
   template <class Word>

@@ -40,13 +40,13 @@ class TermCodes {
 
   // Parts of a code: of exponents, and of multipliers; base() + sums of the first and zero() + sums
   // of the second are codes.
-  Word exponents(const Key& key) const {
+  Word exponents(const TermKey& key) const {
     Word word = 0;
     for (std::size_t i = 0; i < variables_.size(); ++i)
       word += shifted(exponent(symbols_, key, static_cast<int>(i)), variables_[i].shift);
     return word;
   }
-  Word multipliers(const Key& key) const {
+  Word multipliers(const TermKey& key) const {
     Word word = 0;
     for (std::size_t i = 0; i < angles_.size(); ++i)
       word += shifted(multiplier(symbols_, key, static_cast<int>(i)), angles_[i].shift);
@@ -56,8 +56,8 @@ class TermCodes {
   Word zero() const { return zero_; }
 
   // Throws where it is out of the range of keys.
-  Key key(Word code) const {
-    Key key = zero_key(symbols_);
+  TermKey key(Word code) const {
+    TermKey key = zero_key(symbols_);
     for (std::size_t i = 0; i < variables_.size(); ++i)
       key.exponents =
           symbols_.exponents().with(key.exponents, static_cast<int>(i), at(code, variables_[i]));
@@ -65,7 +65,7 @@ class TermCodes {
       key.multipliers =
           symbols_.multipliers().with(key.multipliers, static_cast<int>(i), at(code, angles_[i]));
     if (!fits(symbols_, key)) out_of_range(symbols_, key);
-    key.multipliers |= static_cast<std::uint64_t>(code) & Key::function_bit;
+    key.multipliers |= static_cast<std::uint64_t>(code) & TermKey::function_bit;
     return key;
   }
 

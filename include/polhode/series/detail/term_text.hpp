@@ -13,7 +13,7 @@ namespace detail {
 // Adds coefficient * product to the text of a sum; a coefficient of 1 goes where it can.
 void add_term(std::string& sum, std::string coefficient, const std::string& product,
               const char* times);
-std::string latex(const Symbols& symbols, const Key& key);
+std::string latex(const Symbols& symbols, const TermKey& key);
 // "3/4" becomes a fraction, "1e-5" a power of ten.
 std::string latex_number(const std::string& number);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// read_series: columns of an output of polhode, or of any table, and the times of their rows.
+// read_time_series: columns of an output of polhode, or of any table, and the times of their rows.
 //
 // Equations   none.
 // Units       those that the file names, as it names them.
@@ -19,13 +19,13 @@
 namespace polhode {
 inline namespace v0 {
 
-struct Series {
+struct TimeSeries {
   std::string file;                          // as messages show it
   std::vector<std::vector<double>> columns;  // in the order in which they were asked for
   std::vector<std::string> units;            // of each; empty where the file does not say
 };
 
-Series read_series(const std::string& path, std::span<const std::string> columns);
+TimeSeries read_time_series(const std::string& path, std::span<const std::string> columns);
 
 }  // namespace v0
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/output/series.hpp"
+#include "polhode/output/time_series.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,10 +21,10 @@ namespace {
 using detail::attribute_texts;
 using detail::Handle;
 
-Series series_of_table(const std::string& path, std::span<const std::string> columns) {
+TimeSeries series_of_table(const std::string& path, std::span<const std::string> columns) {
   NumberTable table = read_number_table(path, columns);
   const detail::TableHeader header = detail::header_of(table);
-  Series series{std::move(table.file), std::move(table.columns), {}};
+  TimeSeries series{std::move(table.file), std::move(table.columns), {}};
   for (const std::string& name : columns) {
     const auto unit = header.columns.find(name);
     const bool is_time = name == "t" && header.time.has_value();
@@ -48,7 +48,7 @@ class Hdf5Series {
 
   const std::string& name() const { return name_; }
 
-  void append(Series& series, const std::string& column) const {
+  void append(TimeSeries& series, const std::string& column) const {
     std::vector<std::string> known;
     H5G_info_t info;
     if (H5Gget_info(file_.id(), &info) < 0) info.nlinks = 0;
@@ -71,7 +71,7 @@ class Hdf5Series {
   }
 
  private:
-  void read(Series& series, hid_t dataset, std::size_t width, std::ptrdiff_t at) const {
+  void read(TimeSeries& series, hid_t dataset, std::size_t width, std::ptrdiff_t at) const {
     const Handle space(H5Dget_space(dataset), H5Sclose);
     hsize_t size[2] = {0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -98,10 +98,10 @@ class Hdf5Series {
   Handle file_;
 };
 
-Series series_of_hdf5(const std::string& path, std::span<const std::string> columns) {
+TimeSeries series_of_hdf5(const std::string& path, std::span<const std::string> columns) {
   const detail::QuietScope quiet;
   const Hdf5Series file(path);
-  Series series{file.name(), {}, {}};
+  TimeSeries series{file.name(), {}, {}};
   for (const std::string& column : columns) file.append(series, column);
   for (const std::vector<double>& column : series.columns)
     if (column.size() != series.columns.front().size())
@@ -113,7 +113,7 @@ Series series_of_hdf5(const std::string& path, std::span<const std::string> colu
 
 }  // namespace
 
-Series read_series(const std::string& path, std::span<const std::string> columns) {
+TimeSeries read_time_series(const std::string& path, std::span<const std::string> columns) {
   const bool hdf5 = path.ends_with(".h5") || path.ends_with(".hdf5");
   return hdf5 ? series_of_hdf5(path, columns) : series_of_table(path, columns);
 }

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/nutation_report.hpp"
+#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct NutationCommand {
+  NutationRequest request;
+  std::string axis = "figure", part = "all", rate = "inertial";
+  std::string epoch = "JD 2451545.0 TDB", obliquity, least = "1 uas", out;
+};
+
+// "23.4 deg".
+double angle(const std::string& option, const std::string& text) {
+  try {
+    const Quantity q = quantity_from_text(text);
+    const double value = Units("s").to_core(q.value, q.unit, Dimension::angle);
+    if (std::isfinite(value) && value > 0.0) return value;
+  } catch (const DomainError&) {
+  }
+  throw DomainError("nutation: " + option + ": got \"" + text +
+                    "\"; expected a positive angle with its unit, such as \"23.4 deg\"");
+}
+
+NutationRequest completed_request(const NutationCommand& of) {
+  NutationRequest request = of.request;
+  request.axis = of.axis == "momentum" ? PlanetAxis::momentum
+                 : of.axis == "figure" ? PlanetAxis::figure
+                                       : PlanetAxis::rotation;
+  request.part = of.part == "all" ? NutationPart::all : NutationPart::oppolzer;
+  request.relative = of.rate == "relative";
+  if (!of.obliquity.empty()) request.of.obliquity = angle("--obliquity", of.obliquity);
+  request.of.least = angle("--least", of.least);
+  try {
+    const Date J2000{TimeScale::TDB, 2451545.0, 0.0};
+    request.of.T = seconds_between(J2000, epoch_date(of.epoch)) / (36525.0 * 86400.0);
+  } catch (const DomainError& error) {
+    throw DomainError("nutation: --epoch: got \"" + of.epoch + "\"; " + error.what());
+  }
+  return request;
+}
+
+void show(const NutationCommand& of) {
+  const NutationReport report = nutation_report(completed_request(of));
+  if (!of.out.empty()) write_nutation_csv(report, of.out);
+  if (of.out != "-") print(nutation_text(report));
+}
+
+}  // namespace
+
+void add_nutation(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "nutation", "The nutation of a rigid planet as a table of coefficients (Kinoshita's theory)");
+  const auto of = std::make_shared<NutationCommand>();
+  PlanetNutation& planet = of->request.of;
+  const auto one_of = [](const char* a, const char* b, const char* c = nullptr) {
+    std::vector<std::string> words{a, b};
+    if (c != nullptr) words.emplace_back(c);
+    return CLI::IsMember(words);
+  };
+  command->add_option("--planet", planet.planet, "earth (Moon and Sun), venus or mars (Sun)")
+      ->check(one_of("earth", "venus", "mars"))
+      ->capture_default_str();
+  command->add_option("--axis", of->axis, "momentum, figure or rotation")
+      ->check(one_of("momentum", "figure", "rotation"))
+      ->capture_default_str();
+  command
+      ->add_option("--part", of->part,
+                   "all, or oppolzer: the axis less that of the momentum, whose terms are Poisson's")
+      ->check(one_of("all", "oppolzer"))
+      ->capture_default_str();
+  command
+      ->add_option("--rate", of->rate,
+                   "Of the axis of rotation: inertial, or relative to the moving ecliptic")
+      ->check(one_of("inertial", "relative"))
+      ->capture_default_str();
+  command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output");
+  command->add_option("--lines", of->request.lines, "How many terms to print")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--epoch", of->epoch, "Date of the obliquity and the eccentricities")
+      ->capture_default_str();
+  command->add_option("--ellipticity", planet.ellipticity,
+                      "H = (C - (A + B)/2)/C, in place of the planet's own");
+  command->add_option("--triaxiality", planet.triaxiality, "(B - A)/C");
+  command->add_option("--obliquity", of->obliquity, "Such as \"84381.406 arcsec\"");
+  command->add_option("--satellite-mass", planet.satellite_mass,
+                      "Mass of the Moon over that of the Earth");
+  command->add_option("--order", planet.order, "Of the Lie transform, 1 or 2")
+      ->capture_default_str();
+  command->add_option("--least", of->least, "Leave out smaller terms")->capture_default_str();
+  command->footer("\nExample:\n  " + full_name(*command) +
+                  " --axis momentum --out momentum.csv");
+  command->callback([of] { show(*of); });
+}
+
+}  // namespace polhode::cli
