@@ -87,6 +87,8 @@ void add_nutation(CLI::App& app) {
   command->add_option("--lines", of->request.lines, "How many terms to print")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  command->add_flag("--changes", of->request.changes,
+                    "Four columns more: how fast the coefficients change, in mas a century");
   command->add_option("--epoch", of->epoch, "Date of the obliquity and the eccentricities")
       ->capture_default_str();
   command->add_option("--ellipticity", planet.ellipticity,

@@ -88,6 +88,12 @@ std::vector<std::string> notes(const NutationReport& report) {
   return lines;
 }
 
+std::string coefficients(const NutationWave& of, double unit) {
+  return fmt::format(",{:.6f},{:.6f},{:.6f},{:.6f}", of.longitude_sine * unit,
+                     of.longitude_cosine * unit, of.obliquity_cosine * unit,
+                     of.obliquity_sine * unit);
+}
+
 }  // namespace
 
 NutationReport nutation_report(const NutationRequest& request) {
@@ -119,9 +125,9 @@ std::string nutation_text(const NutationReport& report) {
     const NutationTerm& term = terms[i];
     for (const int k : term.multipliers) text += fmt::format("{:>4}", k);
     text += fmt::format("{:>14.4f} {:>14.4f} {:>12.4f} {:>14.4f} {:>12.4f}\n",
-                        2.0 * std::numbers::pi / term.rate / day, term.longitude_sine / mas,
-                        term.longitude_cosine / mas, term.obliquity_cosine / mas,
-                        term.obliquity_sine / mas);
+                        2.0 * std::numbers::pi / term.rate / day, term.wave.longitude_sine / mas,
+                        term.wave.longitude_cosine / mas, term.wave.obliquity_cosine / mas,
+                        term.wave.obliquity_sine / mas);
   }
   if (shown < terms.size()) text += fmt::format("and {} smaller terms\n", terms.size() - shown);
   return text;
@@ -132,15 +138,16 @@ std::string nutation_csv(const NutationReport& report) {
   for (const std::string& line : notes(report)) text += "# " + line + "\n";
   for (const Citation& citation : nutation_citations())
     text += fmt::format("# cite: {}\n", citation.text);
-  text += "# units: period [d], dpsi and deps [mas]\n";
+  text += "# units: period [d], dpsi and deps [mas], their changes (_t) [mas a century]\n";
   for (const std::string& argument : report.theory.arguments()) text += argument + ",";
-  text += "period,dpsi_sin,dpsi_cos,deps_cos,deps_sin\n";
+  text += "period,dpsi_sin,dpsi_cos,deps_cos,deps_sin";
+  const bool changes = report.request.changes;
+  text += changes ? ",dpsi_sin_t,dpsi_cos_t,deps_cos_t,deps_sin_t\n" : "\n";
   for (const NutationTerm& term : terms_of(report)) {
     for (const int k : term.multipliers) text += fmt::format("{},", k);
-    text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n",
-                        2.0 * std::numbers::pi / term.rate / day, term.longitude_sine / mas,
-                        term.longitude_cosine / mas, term.obliquity_cosine / mas,
-                        term.obliquity_sine / mas);
+    text += fmt::format("{:.6f}{}", 2.0 * std::numbers::pi / term.rate / day,
+                        coefficients(term.wave, 1.0 / mas));
+    text += (changes ? coefficients(term.change, 36525.0 * day / mas) : "") + "\n";
   }
   return text;
 }

@@ -24,8 +24,8 @@ constexpr double century = 36525.0 * day;
 [[noreturn]] void refuse(const std::string& why) { throw DomainError("nutation: " + why); }
 
 void require(const PlanetNutation& of) {
-  if (!(std::abs(of.T) <= 10.0))
-    refuse("T " + number_text(of.T) + " must be within 10 centuries of J2000");
+  if (!(std::abs(of.T) <= 11.0))
+    refuse("T " + number_text(of.T) + " must be within 11 centuries of J2000");
   const auto within = [](const std::optional<double>& value, const char* name, double least,
                          double largest) {
     if (value && !(*value >= least && *value <= largest))
@@ -192,7 +192,15 @@ NutationProblem nutation_problem(const PlanetNutation& of) {
 }
 
 NutationTheory nutation_theory(const PlanetNutation& of) {
-  return NutationTheory(nutation_problem(of));
+  const PlanetNutation all = completed(of);
+  // Obliquity and eccentricities change evenly.
+  const auto at = [&](double T) {
+    PlanetNutation then = all;
+    then.T = T;
+    if (all.planet == "earth") *then.obliquity += earth_obliquity(T) - earth_obliquity(all.T);
+    return NutationTheory(nutation_problem(then));
+  };
+  return at(all.T).changing(at(all.T - 0.5), at(all.T + 0.5), century);
 }
 
 std::vector<Citation> nutation_citations() {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <map>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
@@ -42,8 +44,9 @@ void require(const NutationProblem& problem) {
 }
 
 double size(const NutationTerm& term) {
-  return std::hypot(std::hypot(term.longitude_sine, term.longitude_cosine),
-                    std::hypot(term.obliquity_sine, term.obliquity_cosine));
+  const NutationWave& of = term.wave;
+  return std::hypot(std::hypot(of.longitude_sine, of.longitude_cosine),
+                    std::hypot(of.obliquity_sine, of.obliquity_cosine));
 }
 
 // Rows of the table from sums, with the last multiplier positive.
@@ -51,15 +54,14 @@ std::vector<NutationTerm> table(const detail::Waves& waves, const std::vector<do
                                 const NutationProblem& problem) {
   std::vector<NutationTerm> terms;
   for (const auto& [multipliers, wave] : waves) {
-    NutationTerm term{multipliers,      0.0,          wave.longitude_sine, wave.longitude_cosine,
-                      wave.obliquity_cosine, wave.obliquity_sine};
+    NutationTerm term{multipliers, 0.0, wave};
     const auto last = std::find_if(multipliers.rbegin(), multipliers.rend(),
                                    [](int k) { return k != 0; });
     if (last == multipliers.rend()) continue;  // the offset
     if (*last < 0) {
       for (int& k : term.multipliers) k = -k;
-      term.longitude_sine = -term.longitude_sine;
-      term.obliquity_sine = -term.obliquity_sine;
+      term.wave.longitude_sine = -wave.longitude_sine;
+      term.wave.obliquity_sine = -wave.obliquity_sine;
     }
     for (std::size_t i = 0; i < rates.size(); ++i) term.rate += term.multipliers[i] * rates[i];
     if (size(term) >= problem.least && std::abs(term.rate) >= problem.slowest)
@@ -73,6 +75,21 @@ NutationOffset offset_of(const detail::Waves& waves, std::size_t count) {
   const auto constant = waves.find(std::vector<int>(count, 0));
   if (constant == waves.end()) return {0.0, 0.0};
   return {constant->second.longitude_cosine, constant->second.obliquity_cosine};
+}
+
+using ByMultipliers = std::map<std::vector<int>, NutationWave>;
+
+ByMultipliers by_multipliers(const std::vector<NutationTerm>& terms) {
+  ByMultipliers all;
+  for (const NutationTerm& term : terms) all.emplace(term.multipliers, term.wave);
+  return all;
+}
+
+NutationWave slope(const NutationWave& a, const NutationWave& b, double interval) {
+  return {(b.longitude_sine - a.longitude_sine) / interval,
+          (b.longitude_cosine - a.longitude_cosine) / interval,
+          (b.obliquity_cosine - a.obliquity_cosine) / interval,
+          (b.obliquity_sine - a.obliquity_sine) / interval};
 }
 
 }  // namespace
@@ -96,7 +113,7 @@ NutationTheory::NutationTheory(const NutationProblem& problem)
   precession_ = momentum.precession;
   const detail::WobbleMotion wobble = wobble_motion(problem, names, torque, rates_);
   const auto axis = [&](const detail::Waves& oppolzer) {
-    const detail::Waves both = sum(momentum.nutation, oppolzer);
+    const detail::Waves both = detail::sum(momentum.nutation, oppolzer);
     return AxisSeries{table(both, rates_, problem), table(oppolzer, rates_, problem),
                       offset_of(both, rates_.size())};
   };
@@ -129,10 +146,37 @@ NutationOffset NutationTheory::at(PlanetAxis axis, double t) const {
     double theta = term.rate * t;
     for (std::size_t i = 0; i < at_epoch_.size(); ++i) theta += term.multipliers[i] * at_epoch_[i];
     const double sine = std::sin(theta), cosine = std::cos(theta);
-    sum.longitude += term.longitude_sine * sine + term.longitude_cosine * cosine;
-    sum.obliquity += term.obliquity_sine * sine + term.obliquity_cosine * cosine;
+    const NutationWave &a = term.wave, &b = term.change;
+    sum.longitude += (a.longitude_sine + t * b.longitude_sine) * sine +
+                     (a.longitude_cosine + t * b.longitude_cosine) * cosine;
+    sum.obliquity += (a.obliquity_sine + t * b.obliquity_sine) * sine +
+                     (a.obliquity_cosine + t * b.obliquity_cosine) * cosine;
   }
   return sum;
+}
+
+NutationTheory NutationTheory::changing(const NutationTheory& before, const NutationTheory& after,
+                                        double interval) const {
+  if (before.arguments_ != arguments_ || after.arguments_ != arguments_)
+    throw DomainError("NutationTheory::changing: theories with other arguments");
+  if (!(interval > 0.0))
+    throw DomainError("NutationTheory::changing: interval " + number_text(interval) +
+                      " must be positive");
+  const auto change = [&](std::vector<NutationTerm>& terms, const std::vector<NutationTerm>& first,
+                          const std::vector<NutationTerm>& second) {
+    const ByMultipliers from = by_multipliers(first), to = by_multipliers(second);
+    for (NutationTerm& term : terms) {
+      const auto a = from.find(term.multipliers), b = to.find(term.multipliers);
+      if (a != from.end() && b != to.end()) term.change = slope(a->second, b->second, interval);
+    }
+  };
+  NutationTheory with = *this;
+  for (AxisSeries NutationTheory::*const axis :
+       {&NutationTheory::momentum_, &NutationTheory::figure_, &NutationTheory::rotation_}) {
+    change((with.*axis).terms, (before.*axis).terms, (after.*axis).terms);
+    change((with.*axis).oppolzer, (before.*axis).oppolzer, (after.*axis).oppolzer);
+  }
+  return with;
 }
 
 }  // namespace v0

@@ -151,7 +151,7 @@ Waves waves(const Number& longitude, const Number& obliquity) {
       std::vector<int> multipliers;
       for (int i = 1; i < symbols.multipliers().count(); ++i)
         multipliers.push_back(multiplier(symbols, term.key, i));
-      Wave& wave = found[multipliers];
+      NutationWave& wave = found[multipliers];
       const bool is_sine = term.key.function() == Trigonometric::sine;
       (is_longitude ? (is_sine ? wave.longitude_sine : wave.longitude_cosine)
                     : (is_sine ? wave.obliquity_sine : wave.obliquity_cosine)) += term.c;

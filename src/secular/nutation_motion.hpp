@@ -13,11 +13,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-struct Wave {
-  double longitude_sine = 0.0, longitude_cosine = 0.0, obliquity_cosine = 0.0, obliquity_sine = 0.0;
-};
 // By multipliers, of which the first that is not zero is positive.
-using Waves = std::map<std::vector<int>, Wave>;
+using Waves = std::map<std::vector<int>, NutationWave>;
 
 Waves sum(const Waves& a, const Waves& b);
 

@@ -54,7 +54,7 @@ Waves waves(const Phasors& z, double sin_I) {
   for (const auto& [k, c] : z) {
     const auto first = std::find_if(k.begin(), k.end(), [](int n) { return n != 0; });
     const bool flipped = first != k.end() && *first < 0;
-    Wave& wave = found[flipped ? opposite(k) : k];
+    NutationWave& wave = found[flipped ? opposite(k) : k];
     const double sign = flipped ? -1.0 : 1.0;
     wave.longitude_cosine -= c.real() / sin_I;
     wave.longitude_sine += sign * c.imag() / sin_I;
@@ -69,7 +69,7 @@ Waves waves(const Phasors& z, double sin_I) {
 Waves sum(const Waves& a, const Waves& b) {
   Waves total = a;
   for (const auto& [k, wave] : b) {
-    Wave& into = total[k];
+    NutationWave& into = total[k];
     into.longitude_sine += wave.longitude_sine;
     into.longitude_cosine += wave.longitude_cosine;
     into.obliquity_cosine += wave.obliquity_cosine;

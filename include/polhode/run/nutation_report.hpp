@@ -25,6 +25,7 @@ struct NutationRequest {
   NutationPart part = NutationPart::all;
   bool relative = false;  // to the moving ecliptic; of the axis of rotation alone
   int lines = 20;         // of the text
+  bool changes = false;   // columns for the change of each coefficient, mas a century
 };
 
 struct NutationReport {
@@ -35,7 +36,8 @@ struct NutationReport {
 NutationReport nutation_report(const NutationRequest& request);
 // For people: what the theory rests on, precession, offset, the largest terms.
 std::string nutation_text(const NutationReport& report);
-// Notes behind #, then arguments,period,dpsi_sin,dpsi_cos,deps_cos,deps_sin; largest first.
+// Notes behind #, then arguments,period,dpsi_sin,dpsi_cos,deps_cos,deps_sin; largest first. With
+// changes, four columns more, the names of coefficients with _t behind.
 std::string nutation_csv(const NutationReport& report);
 // As PATH.part, which is renamed when it is complete; "-" is standard output.
 void write_nutation_csv(const NutationReport& report, const std::string& path);

@@ -65,12 +65,17 @@ struct NutationProblem {
 
 enum class PlanetAxis { momentum, figure, rotation };
 
-// dpsi = sin_longitude sin(theta) + cos_longitude cos(theta), theta = sum of multipliers times
+struct NutationWave {
+  double longitude_sine = 0.0, longitude_cosine = 0.0, obliquity_cosine = 0.0, obliquity_sine = 0.0;
+};
+
+// dpsi = longitude_sine sin(theta) + longitude_cosine cos(theta), theta = sum of multipliers times
 // arguments; deps likewise. The last multiplier that is not zero is positive.
 struct NutationTerm {
   std::vector<int> multipliers;
-  double rate;  // of theta
-  double longitude_sine, longitude_cosine, obliquity_cosine, obliquity_sine;
+  double rate;               // of theta
+  NutationWave wave;         // at the epoch
+  NutationWave change = {};  // of it, per unit of time
 };
 
 struct NutationOffset {
@@ -86,6 +91,11 @@ class NutationTheory {
   const std::vector<std::string>& arguments() const { return arguments_; }
   const std::vector<double>& at_epoch() const { return at_epoch_; }
   const std::vector<double>& rates() const { return rates_; }
+
+  // The same theory with terms that change evenly, as those of two others do that are made for
+  // epochs half an interval before and after.
+  NutationTheory changing(const NutationTheory& before, const NutationTheory& after,
+                          double interval) const;
 
   // Of the mean axis, on the ecliptic of date: d psi / dt and d eps / dt.
   NutationOffset precession() const { return precession_; }
