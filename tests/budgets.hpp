@@ -769,4 +769,14 @@ inline constexpr double oem_run = 1e-8;
 inline constexpr double compiled_series_eps = 5.0;
 // Relative, of 2^-168, after products of some terms.
 inline constexpr double series_of_50_digits = 1e-47;
+
+// --- nutation (tests/unit/secular/nutation.cpp) ---
+// Relative, of coefficients with a closed form.
+inline constexpr double nutation_closed = 1e-12;
+// Of log-log slopes of the error; what they should be is an integer.
+inline constexpr double nutation_slope = 0.2;
+// Axes of figure and rotation against the rotor, over the size of the Oppolzer terms.
+inline constexpr double nutation_rotor = 0.05;
+// Differences of axes from their ratio, over J: second order.
+inline constexpr double nutation_axes = 1e-9;
 }  // namespace polhode::budget

@@ -116,10 +116,18 @@ Number at_mean(const Number& a) {
   }
   return Number(symbols, std::move(terms));
 }
-double constant_of(const Number& a) {
-  for (const Term<double>& term : a.terms())
-    if (term.key == zero_key(a.symbols())) return term.c;
-  return 0.0;
+// What does not turn, and what turns slowly as it stands at the epoch.
+double at_epoch(const Number& a, const NutationProblem& problem) {
+  const Symbols& symbols = a.symbols();
+  double sum = 0.0;
+  for (const Term<double>& term : a.terms()) {
+    double theta = 0.0;
+    for (std::size_t i = 0; i < problem.arguments.size(); ++i)
+      theta += multiplier(symbols, term.key, static_cast<int>(i) + 1) *
+               problem.arguments[i].at_epoch;
+    sum += term.c * (term.key.function() == Trigonometric::sine ? std::sin(theta) : std::cos(theta));
+  }
+  return sum;
 }
 
 // k counts orders. A term so small that its product with the largest falls below `least` is of the
@@ -174,7 +182,7 @@ MomentumMotion momentum_motion(const NutationProblem& problem, const NutationSym
              product(monomial(symbols, 1.0, {{NutationSymbols::k, 1}}), of_ecliptic);
   // The arguments are counted from the mean equinox: h_ has no mean motion of the first order.
   const double turn =
-      constant_of(at_mean(derivative(mean(h, names.arguments()), NutationSymbols::x)));
+      at_epoch(at_mean(derivative(mean(h, names.arguments()), NutationSymbols::x)), problem);
   h -= monomial(symbols, turn, {{NutationSymbols::x, 1}, {NutationSymbols::k, 1}});
   if (names.has_phi()) {  // G^2 / (2 C) over G0; y is small
     h += monomial(symbols, problem.spin_rate, {{NutationSymbols::y, 1}}) +
@@ -182,13 +190,15 @@ MomentumMotion momentum_motion(const NutationProblem& problem, const NutationSym
                   {{NutationSymbols::y, 2}, {NutationSymbols::k, 1}});
   }
   Elimination<double> elimination{h, keep, names.arguments()};
+  elimination.slowest = problem.slowest;
   for (std::size_t i = 0; i < problem.arguments.size(); ++i)
     elimination.clocks.push_back({names.arguments()[i], constant(symbols, rates[i])});
   const LieTransform<double> transform(std::move(elimination));
   const Number& mean_h = transform.mean_hamiltonian();
   const NutationOffset precession{
-      -turn - constant_of(at_mean(derivative(mean_h, NutationSymbols::x))),
-      constant_of(at_mean(derivative(mean_h, NutationSymbols::h))) / std::sin(problem.obliquity)};
+      -turn - at_epoch(at_mean(derivative(mean_h, NutationSymbols::x)), problem),
+      at_epoch(at_mean(derivative(mean_h, NutationSymbols::h)), problem) /
+          std::sin(problem.obliquity)};
   const Number longitude = -at_mean(transform.short_period(NutationSymbols::h));
   const Number obliquity = at_mean(transform.in_mean(at.I));
   return {precession, waves(longitude, obliquity)};

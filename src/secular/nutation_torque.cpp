@@ -59,8 +59,7 @@ Series<double> sifted(const Series<double>& q, const NutationProblem& problem, d
   for (const Term<double>& term : q.terms()) {
     const double rate = std::abs(rate_of(q.symbols(), term.key, rates));
     const bool matters = std::abs(term.c) * per_torque >= 0.1 * problem.least * rate;
-    const bool secular = rate != 0.0 && rate < problem.slowest;
-    if (std::abs(term.c) > dust && matters && !secular) kept.push_back(term);
+    if (std::abs(term.c) > dust && matters) kept.push_back(term);
   }
   return Series<double>(q.symbols(), std::move(kept));
 }

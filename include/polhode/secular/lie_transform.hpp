@@ -19,6 +19,7 @@
 // Cost        brackets: some order^3 / 6 of parts of series, which grow with the order themselves.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,6 +41,7 @@ struct Elimination {
   std::vector<Multiples> resonances = {};  // combinations of them that stay, and their multiples
   std::vector<AngleRate<T>> clocks = {};
   double least_divisor = 0.0;  // the smallest coefficient of a rate to divide by
+  double slowest = 0.0;        // what turns at a rate with a smaller coefficient stays
 };
 
 template <Coefficient T>
@@ -95,8 +97,17 @@ class LieTransform {
       if (h0.symbols().has_angle(pair.coordinate))
         rates.push_back({pair.coordinate, derivative(h0, pair.momentum)});
     const detail::KeptAngles kept(h0.symbols(), problem_.angles, problem_.resonances);
-    const Series<T> mean = selected(rest, [&](const TermKey& key) { return kept.keeps(key); });
+    const Series<T> mean = selected(
+        rest, [&](const TermKey& key) { return kept.keeps(key) || is_slow(rest, key, rates); });
     return {mean, integral(rest - mean, rates, problem_.least_divisor)};
+  }
+
+  bool is_slow(const Series<T>& rest, const TermKey& key,
+               const std::vector<AngleRate<T>>& rates) const {
+    if (!(problem_.slowest > 0.0)) return false;
+    const Series<T> w = rate(rest, key, rates);
+    return w.is_zero() ||
+           (w.size() == 1 && std::abs(to_double(w.terms()[0].c)) < problem_.slowest);
   }
 
   Series<T> mapped(const Series<T>& f, bool back) const {

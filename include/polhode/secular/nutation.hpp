@@ -60,7 +60,7 @@ struct NutationProblem {
   Vec3 ecliptic_rate{0.0, 0.0, 0.0};  // mu, of the ecliptic of date, along its axes
   int order = 2;
   double least = 1e-13;  // rad: smaller terms are left out
-  double slowest = 0.0;  // rate: slower terms are left out, as secular changes
+  double slowest = 0.0;  // rate: what turns slower is a secular change, as at the epoch
 };
 
 enum class PlanetAxis { momentum, figure, rotation };
