@@ -769,6 +769,15 @@ inline constexpr double oem_run = 1e-8;
 inline constexpr double compiled_series_eps = 5.0;
 // Relative, of 2^-168, after products of some terms.
 inline constexpr double series_of_50_digits = 1e-47;
+// Of coefficients of size 1.
+inline constexpr double fourier_series = 1e-14;
+
+// --- Moon and Sun in Delaunay's arguments (tests/unit/ephemeris/delaunay.cpp) ---
+// Over the distance; the Sun: perturbations of the Earth by the planets, 30 arcsec.
+inline constexpr double delaunay_moon = 5e-11;
+inline constexpr double delaunay_sun = 1.5e-4;
+// Relative, of differences over 2e-4 centuries.
+inline constexpr double delaunay_rates = 1e-9;
 
 // --- nutation (tests/unit/secular/nutation.cpp) ---
 // Relative, of coefficients with a closed form.

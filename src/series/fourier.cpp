@@ -154,13 +154,13 @@ FourierSeries fourier_series(const Symbols& symbols, const std::vector<FourierAn
     for (std::size_t j = 0; j < values.pairs.size(); ++j) {
       const auto [first, second] = separated(values.pairs[j][node], values.pairs[j][other]);
       for (const auto& [c, function] : {std::pair{first, 2 * j}, std::pair{second, 2 * j + 1}}) {
-        const double size = twice * std::abs(c);
-        if (border) found.at_border = std::max(found.at_border, size);
-        if (size <= least) continue;
-        const TermKey cosine = packed(symbols, {}, multiples, Trigonometric::cosine);
-        const TermKey sine = packed(symbols, {}, multiples, Trigonometric::sine);
-        terms[function].push_back({cosine, twice * c.real()});
-        if (other != node) terms[function].push_back({sine, -twice * c.imag()});
+        if (border) found.at_border = std::max(found.at_border, twice * std::abs(c));
+        const double of_cosine = twice * c.real(), of_sine = -twice * c.imag();
+        if (std::abs(of_cosine) > least)
+          terms[function].push_back(
+              {packed(symbols, {}, multiples, Trigonometric::cosine), of_cosine});
+        if (other != node && std::abs(of_sine) > least)
+          terms[function].push_back({packed(symbols, {}, multiples, Trigonometric::sine), of_sine});
       }
     }
   }

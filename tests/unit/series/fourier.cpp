@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Fourier analysis over angles: series that are known, folding, and what is refused.
+#include "polhode/series/fourier.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/series/compiled_series.hpp"
+#include "support.hpp"
+
+namespace series_test {
+namespace {
+
+using polhode::CompiledSeries;
+using polhode::fourier_series;
+using polhode::test::message_of;
+using testing::HasSubstr;
+
+Symbols two_angles() { return Symbols({"x"}, {"l", "g", "h"}); }
+
+TEST(Fourier, GivesBackTheSeriesThatItSamples) {
+  const Symbols symbols = two_angles();
+  Draw draw(7);
+  polhode::Series<double> first(symbols), second(symbols), third(symbols);
+  for (polhode::Series<double>* one : {&first, &second, &third})
+    for (int n = 0; n < 12; ++n) {
+      const polhode::Multiples angle{{"l", draw.integer(-3, 3)}, {"h", draw.integer(-2, 2)}};
+      *one += polhode::cosine(symbols, 0.1 * draw.integer(1, 9), {}, angle);
+      *one += polhode::sine(symbols, 0.1 * draw.integer(1, 9), {}, angle);
+    }
+  const CompiledSeries a(first), b(second), c(third);
+  const auto found = fourier_series(symbols, {{"h", 7}, {"l", 9}}, [&](std::span<const double> at) {
+    const double point[] = {0.0, at[1], 0.0, at[0]};
+    return std::vector<double>{a.at(point), b.at(point), c.at(point)};
+  });
+  ASSERT_EQ(found.series.size(), 3U);
+  const polhode::Series<double>* const given[] = {&first, &second, &third};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Term<double>& left : (found.series[i] - *given[i]).terms())
+      EXPECT_LT(std::abs(left.c), polhode::budget::fourier_series);
+  // One place on either side of the harmonics is free.
+  EXPECT_LT(found.at_border, polhode::budget::fourier_series);
+}
+
+// cos 3 l at the points of a grid of 5 is cos 2 l.
+TEST(Fourier, FoldsWhatTheGridDoesNotHold) {
+  const Symbols symbols = two_angles();
+  const auto found = fourier_series(
+      symbols, {{"l", 5}},
+      [](std::span<const double> at) { return std::vector<double>{std::cos(3.0 * at[0])}; }, 1e-9);
+  ASSERT_EQ(found.series[0].size(), 1U);
+  EXPECT_EQ(text(symbols, found.series[0].terms()[0].key), "cos(2*l)");
+  EXPECT_NEAR(found.at_border, 1.0, polhode::budget::fourier_series);
+}
+
+TEST(Fourier, WhatIsRefused) {
+  const Symbols symbols = two_angles();
+  const auto one = [](std::span<const double>) { return std::vector<double>{1.0}; };
+  EXPECT_THAT(message_of([&] { fourier_series(symbols, {{"l", 4}}, one); }),
+              HasSubstr("4 points for the angle l must be odd"));
+  EXPECT_THAT(message_of([&] { fourier_series(symbols, {{"l", -1}}, one); }), HasSubstr("-1 points"));
+  EXPECT_THAT(message_of([&] { fourier_series(symbols, {{"l", 3}, {"l", 3}}, one); }),
+              HasSubstr("l is there twice"));
+  EXPECT_THAT(message_of([&] { fourier_series(symbols, {{"x", 3}}, one); }), HasSubstr("x"));
+  EXPECT_THAT(
+      message_of([&] { fourier_series(symbols, {{"l", 9999}, {"g", 9999}}, one); }),
+      HasSubstr("the grid has more than"));
+  EXPECT_THAT(message_of([&] {
+                fourier_series(symbols, {{"l", 3}}, [](std::span<const double> at) {
+                  return std::vector<double>(at[0] > 0.0 ? 2 : 1);
+                });
+              }),
+              HasSubstr("f has 2 values at one point and 1 at another"));
+}
+
+}  // namespace
+}  // namespace series_test
