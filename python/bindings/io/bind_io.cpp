@@ -116,6 +116,7 @@ void bind_io(nb::module_& m) {
   bind_units(m);
   bind_golden(m);
   bind_aem(m);
+  bind_nutation(m);
   bind_oem(m);
   nb::class_<Scenario> c(m, "_Scenario");
   c.def_static("from_text",

@@ -22,6 +22,8 @@ void bind_units(nb::module_& m);
 void bind_golden(nb::module_& m);
 // AttitudeEphemeris, AemSegment, read_aem.
 void bind_aem(nb::module_& m);
+// NutationTheory, PlanetAxis, nutation_theory.
+void bind_nutation(nb::module_& m);
 // OrbitEphemeris, OemSegment, read_oem.
 void bind_oem(nb::module_& m);
 
