@@ -788,4 +788,23 @@ inline constexpr double nutation_slope = 0.2;
 inline constexpr double nutation_rotor = 0.05;
 // Differences of axes from their ratio, over J: second order.
 inline constexpr double nutation_axes = 1e-9;
+
+// --- nutation of planets (python/tests/test_nutation.py) ---
+// mas: terms against REN-2000; axes and terms against integration.
+inline constexpr double nutation_published = 0.4;
+inline constexpr double nutation_integrated = 1.0;
+inline constexpr double nutation_term = 0.15;
+// d; mas of what is printed with three digits; mas of sums of numbers with six digits, and of all
+// terms of a table.
+inline constexpr double nutation_period = 0.01;
+inline constexpr double nutation_digits = 2e-6;
+inline constexpr double nutation_sum = 0.01;
+// Relative, of what the obliquity and eccentricities change in a century.
+inline constexpr double nutation_change = 0.02;
+// arcsec/yr.
+inline constexpr double nutation_precession = 1e-3;
+// Relative, against theories with other digits of the constants.
+inline constexpr double nutation_venus = 2e-3;
+// Of axes apart by 40 nrad, without terms below 5 prad.
+inline constexpr double nutation_axes_ratio = 5e-3;
 }  // namespace polhode::budget

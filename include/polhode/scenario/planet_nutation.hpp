@@ -38,7 +38,7 @@ struct PlanetNutation {
   std::optional<double> obliquity = {};       // rad: of the equator on the orbit of date
   std::optional<double> satellite_mass = {};  // over that of the planet
   int order = 2;
-  double least = 1e-13;  // rad: smaller terms are left out
+  double least = 5e-12;  // rad: smaller terms, below 1 uas, are left out
 };
 
 // "earth|venus|mars".

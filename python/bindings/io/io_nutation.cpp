@@ -144,7 +144,7 @@ axis : "momentum", "figure" or "rotation".)")
   m.def("nutation_theory", made, "planet"_a = "earth", nb::kw_only(), "T"_a = 0.0,
         "ellipticity"_a = nb::none(), "triaxiality"_a = nb::none(), "spin_rate"_a = nb::none(),
         "obliquity"_a = nb::none(), "satellite_mass"_a = nb::none(), "order"_a = 2,
-        "least"_a = 1e-13,
+        "least"_a = 5e-12,
         R"(The theory of nutation of the rigid Earth under Moon and Sun, or of Venus or Mars.
 
 Parameters
@@ -157,7 +157,7 @@ spin_rate : rad/s.
 obliquity : of the mean equator on the orbit of date, rad.
 satellite_mass : mass of the Moon over that of the Earth.
 order : of the Lie transform, 1 or 2.
-least : smaller terms are left out, rad.
+least : smaller terms are left out, rad; 5e-12 is 1 uas.
 
 Returns
 -------

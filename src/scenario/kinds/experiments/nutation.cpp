@@ -59,7 +59,7 @@ constexpr KindKey<Arguments> keys[] = {
         .example("0.0123000371")
         .positive(),
     quantity_key<&Arguments::least>("least", Dimension::angle, "Smaller terms are left out.")
-        .otherwise("\"0.1 uas\"")
+        .otherwise("\"1 uas\"")
         .positive(),
 };
 

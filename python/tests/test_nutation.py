@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+"""Nutation of rigid planets: against published tables and against integration of the rotor."""
+
+import budgets
+import numpy as np
+import polhode
+import pytest
+from closeness import assert_allclose
+from scenario_texts import ROOT
+
+MAS = np.pi / 648000e3
+DAY = 86400.0
+
+
+@pytest.fixture(scope="module")
+def earth():
+    return polhode.nutation_theory()
+
+
+def row(columns, multipliers):
+    keys = np.column_stack([columns[name] for name in list(columns)[: len(multipliers)]])
+    return int(np.flatnonzero((keys == multipliers).all(axis=1))[0])
+
+
+def coefficient(theory, axis, multipliers, name, *, oppolzer=False):
+    columns = theory.terms(axis, oppolzer)
+    return columns[name][row(columns, multipliers)] / MAS
+
+
+# Souchay et al. (1999), REN-2000, axis of figure: mas.
+REN_2000 = {(0, 0, 0, 0, 1): (-17280.592, 9227.910), (0, 0, 2, -2, 2): (-1277.475, 553.335)}
+
+
+@pytest.mark.parametrize("multipliers", REN_2000)
+def test_the_earth_is_that_of_ren_2000(earth, multipliers):
+    longitude, obliquity = REN_2000[multipliers]
+    got = coefficient(earth, "figure", multipliers, "longitude_sine")
+    assert abs(got - longitude) < budgets.nutation_published
+    got = coefficient(earth, "figure", multipliers, "obliquity_cosine")
+    assert abs(got - obliquity) < budgets.nutation_published
+
+
+# The change of the largest term: IAU 2000A (Mathews et al. 2002), mas a century; a body that
+# yields changes it by less than a hundredth.
+def test_the_largest_term_changes_as_published(earth):
+    century = 36525 * DAY
+    changes = [
+        coefficient(earth, "figure", (0, 0, 0, 0, 1), name + "_change") * century
+        for name in ("longitude_sine", "obliquity_cosine")
+    ]
+    assert_allclose(changes, [-17.4666, 0.9086], rtol=budgets.nutation_change)
+
+
+def test_precession_of_the_earth(earth):
+    """General precession 50.28796 arcsec/yr (Capitaine et al. 2003) with the geodetic one, -0.0192,
+    taken off; obliquity -0.46837 arcsec/yr, of which -0.00025 is no torque of theirs."""
+    longitude, obliquity = earth.precession * 365.25 * DAY / (1e3 * MAS)
+    assert abs(longitude - (50.28796 + 0.0192)) < budgets.nutation_precession
+    assert abs(obliquity + 0.46837) < budgets.nutation_precession
+
+
+# Cottereau et al. (2010), tables 9 and 6: axis of figure in longitude, Oppolzer terms in obliquity;
+# 1e-7 arcsec. Their longitudes have the other sign; M, Ls.
+VENUS = {
+    (0, 2): (-6937480, -690090),
+    (1, 0): (-5244238, -260831),
+    (1, 2): (-81654, -12184),
+    (-1, 2): (72257, 3594),
+    (2, 2): (-803, -160),
+    (2, 0): (-1228, -122),
+}
+
+
+@pytest.mark.parametrize("multipliers", VENUS)
+def test_venus_is_that_of_cottereau(multipliers):
+    venus = polhode.nutation_theory("venus", triaxiality=0.0, order=1)
+    assert venus.arguments == ["M", "Ls"]
+    longitude, obliquity = (1e-4 * x for x in VENUS[multipliers])
+    got = coefficient(venus, "figure", multipliers, "longitude_sine")
+    assert_allclose(got, -longitude, rtol=budgets.nutation_venus, atol=1e-4)
+    got = coefficient(venus, "figure", multipliers, "obliquity_cosine", oppolzer=True)
+    assert_allclose(got, obliquity, rtol=budgets.nutation_venus, atol=1e-4)
+
+
+def test_precession_of_venus():
+    """Cottereau & Souchay (2009): 4474.35 arcsec a century, backward on a backward planet."""
+    rate = polhode.nutation_theory("venus").precession[0] * 36525 * DAY / (1e3 * MAS)
+    assert_allclose(rate, -4474.35, rtol=budgets.nutation_venus)
+
+
+# --- integration of every turn of the Earth ---
+
+
+def earth_run(**changes):
+    """examples/earth.toml with parts of its text replaced."""
+    text = (ROOT / "examples/earth.toml").read_text()
+    for old, new in changes.values():
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    return polhode.Scenario.from_text(text).run()
+
+
+def integrated(run, axis):
+    """Longitude and obliquity of an axis on the ecliptic of date, mas: (2, n)."""
+    T = run.t / 36525
+    node, tilt = np.radians(run["h_" + axis]), np.radians(run["I_" + axis])
+    z = np.array([np.sin(tilt) * np.sin(node), -np.sin(tilt) * np.cos(node), np.cos(tilt)])
+    # Capitaine et al. (2003): the ecliptic turns by the vector (Q, P, 0)
+    P = (4.199094 * T + 0.1939873 * T**2) * 1e3 * MAS
+    Q = (-46.811015 * T + 0.0510283 * T**2) * 1e3 * MAS
+    angle = np.hypot(P, Q)
+    about = np.array([Q, P, 0 * P]) / np.where(angle == 0, 1, angle)
+    z = (
+        z * np.cos(angle)
+        - np.cross(about, z, axis=0) * np.sin(angle)
+        + about * (about * z).sum(axis=0) * (1 - np.cos(angle))
+    )
+    return np.array([-np.unwrap(np.arctan2(z[0], -z[1])), np.arccos(z[2])]) / MAS
+
+
+def left_over(run, theory, axis):
+    """What the theory does not explain, less a secular motion of the second degree: mas, (2, n)."""
+    rest = integrated(run, axis[0]) - theory.at(run.t * DAY, axis).T / MAS
+    powers = np.vander((run.t - run.t.mean()) / run.t.std(), 3)
+    return rest - (powers @ np.linalg.lstsq(powers, rest.T, rcond=None)[0]).T
+
+
+def test_nineteen_years_of_every_turn(earth):
+    run = earth_run(stop=("stop = 13594", "stop = 6940"))
+    for axis in ("figure", "momentum", "rotation"):
+        rest = left_over(run, earth, axis)
+        assert np.abs(rest).max() < budgets.nutation_integrated
+    # and no term is off by more
+    columns = earth.terms()
+    size = np.hypot(columns["longitude_sine"], columns["obliquity_cosine"])
+    rates = np.abs(columns["rate"][size > MAS]) * DAY
+    turns = run.t[-1] / (2 * np.pi)
+    apart = [x for i, x in enumerate(rates) if (np.abs(x - rates[:i]) * turns > 1).all()]
+    assert len(apart) > 20
+    waves = np.column_stack([f(x * run.t) for x in apart for f in (np.cos, np.sin)])
+    fitted = np.linalg.lstsq(waves, left_over(run, earth, "figure").T, rcond=None)[0]
+    assert np.hypot(fitted[::2], fitted[1::2]).max() < budgets.nutation_term
+
+
+@pytest.mark.parametrize(
+    ("changed", "text"),
+    [
+        ({"ellipticity": 0.003}, ("[0.9967262452, 0.9967262452, 1.0]", "[0.997, 0.997, 1.0]")),
+        (
+            {"satellite_mass": 0.9 * 4902.800118 / 398600.435507},
+            ('target = "moon"', 'target = "moon"\ngm = "4412.5201062 km3/s2"'),
+        ),
+        ({"obliquity": np.radians(20.0)}, ("theta = 23.43768", "theta = 19.9984")),
+    ],
+)
+def test_theory_and_integration_change_alike(earth, changed, text):
+    run = earth_run(stop=("stop = 13594", "stop = 1100"), changed=text)
+    rest = np.abs(left_over(run, polhode.nutation_theory(**changed), "momentum")).max()
+    assert rest < budgets.nutation_integrated
+    assert np.abs(left_over(run, earth, "momentum")).max() > 20 * rest
+
+
+# --- the three axes ---
+
+
+def test_the_momentum_is_between_figure_and_rotation(earth):
+    H, t = 0.0032737548, np.linspace(0, 1e9, 7)
+    momentum, figure, rotation = (earth.at(t, axis) for axis in ("momentum", "figure", "rotation"))
+    ratio = (rotation - momentum) / (figure - momentum)
+    assert_allclose(ratio, -H / (1 - H), rtol=budgets.nutation_axes_ratio)
+
+
+def test_the_moving_ecliptic_turns_the_axis_of_the_relative_rate(earth):
+    """47 arcsec a century over 366.24 turns a year: 0.2 mas."""
+    longitude, obliquity = earth.relative_offset / MAS
+    eps = np.radians(84381.406 / 3600)
+    size = np.hypot(np.sin(eps) * longitude, obliquity)
+    rate = np.hypot(46.811015, np.cos(eps) * 4.199094) * 1e3 * MAS / (36525 * DAY)
+    assert_allclose(size * MAS, rate / 7.292115e-5, rtol=budgets.nutation_axes_ratio)
+    assert 0.2 < size < 0.21
+
+
+def test_what_is_refused():
+    with pytest.raises(ValueError, match="expected earth, venus or mars"):
+        polhode.nutation_theory("pluto")
+    with pytest.raises(ValueError, match="T 12 must be within"):
+        polhode.nutation_theory(T=12)
+    with pytest.raises(ValueError, match="venus has no satellite here"):
+        polhode.nutation_theory("venus", satellite_mass=0.01)
+    with pytest.raises(ValueError, match="order 3 must be 1 or 2"):
+        polhode.nutation_theory("mars", order=3)
+    with pytest.raises(ValueError, match="ellipticity -1 must be in"):
+        polhode.nutation_theory(ellipticity=-1)
+    with pytest.raises(ValueError, match="axis: got 'pole'; expected one of momentum figure"):
+        polhode.nutation_theory("mars").terms("pole")
