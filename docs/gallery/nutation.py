@@ -3,8 +3,8 @@
 
 Left: the path of the axis of figure among the stars by the theory, once precession is taken off,
 and the ellipse that the node of the Moon alone draws. Right: the axis of figure less that of the
-momentum, the Oppolzer terms, over the same years and a thousand times smaller. Most of it is a
-constant offset in obliquity; what goes round it has the periods of half a month and half a year.
+momentum, the Oppolzer terms, over one year and a thousand times smaller: a constant offset in
+obliquity, and round it loops of half a month that half a year makes wider and narrower.
 """
 
 import numpy as np
@@ -14,7 +14,9 @@ from polhode import figures
 MAS = np.pi / 648000e3
 earth = polhode.nutation_theory()
 days = np.arange(0, 6798.4, 0.5)
-figure, momentum = (earth.at(days * 86400, axis) for axis in ("figure", "momentum"))
+figure = earth.at(days * 86400)
+year = np.arange(0, 365.3, 0.1) * 86400
+oppolzer = earth.at(year) - earth.at(year, "momentum")
 sky = np.array([np.sin(np.radians(84381.406 / 3600)), 1.0])  # angles on the sky
 
 node = earth.terms()
@@ -30,8 +32,9 @@ with figures.style.style():
     left.set(xlabel="longitude on the sky (arcsec)", ylabel="obliquity (arcsec)", aspect="equal",
              xlim=(-11, 11), ylim=(-13, 14))  # fmt: skip
     left.legend(loc="upper center", ncols=2)
-    right.plot(*((figure - momentum) * sky / MAS).T, color=figures.style.VERMILLION, lw=0.4)
+    right.plot(*(oppolzer * sky / MAS).T, color=figures.style.VERMILLION, lw=0.7)
     right.plot(0, 0, "+", color=figures.style.BLACK)
-    right.annotate("axis of momentum", (0, 0), (4, 4), textcoords="offset points")
-    right.set(xlabel="longitude on the sky (mas)", ylabel="obliquity (mas)", aspect="equal")
+    right.annotate("axis of momentum", (0, 0), (0, 6), textcoords="offset points", ha="center")
+    right.set(xlabel="longitude on the sky (mas)", ylabel="obliquity (mas)", aspect="equal",
+              xlim=(-16, 16), ylim=(-25, 5))  # fmt: skip
     figures.save(left, "nutation.png")

@@ -92,6 +92,7 @@ The direction of a planet's spin, averaged over its rotation and its orbit
         "The motion": "spin_history SpinHistory",
         "Climates": "daily_insolation",
         "Frequencies": "spectrum Spectrum",
+        "Nutation": "nutation_theory NutationTheory PlanetAxis",
     }),
     Page("frames-and-orbits", "Frames and orbits", """\
 Where attitudes are counted from, and where the attracting body is. Any Python function of time
