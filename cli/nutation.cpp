@@ -74,8 +74,9 @@ void add_nutation(CLI::App& app) {
       ->check(one_of("momentum", "figure", "rotation"))
       ->capture_default_str();
   command
-      ->add_option("--part", of->part,
-                   "all, or oppolzer: the axis less that of the momentum, whose terms are Poisson's")
+      ->add_option(
+          "--part", of->part,
+          "all, or oppolzer: the axis less that of the momentum, whose terms are Poisson's")
       ->check(one_of("all", "oppolzer"))
       ->capture_default_str();
   command
@@ -100,8 +101,7 @@ void add_nutation(CLI::App& app) {
   command->add_option("--order", planet.order, "Of the Lie transform, 1 or 2")
       ->capture_default_str();
   command->add_option("--least", of->least, "Leave out smaller terms")->capture_default_str();
-  command->footer("\nExample:\n  " + full_name(*command) +
-                  " --axis momentum --out momentum.csv");
+  command->footer("\nExample:\n  " + full_name(*command) + " --axis momentum --out momentum.csv");
   command->callback([of] { show(*of); });
 }
 

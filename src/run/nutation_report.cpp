@@ -51,8 +51,8 @@ std::string what(const NutationRequest& of) {
                          ? fmt::format("Oppolzer terms of the axis of {}", name(of.axis))
                          : fmt::format("nutation of the axis of {}", name(of.axis));
   if (of.axis == PlanetAxis::rotation)
-    text += of.relative ? ", of the rate relative to the ecliptic of date"
-                        : ", of the inertial rate";
+    text +=
+        of.relative ? ", of the rate relative to the ecliptic of date" : ", of the inertial rate";
   return text;
 }
 
@@ -69,15 +69,16 @@ std::vector<std::string> notes(const NutationReport& report) {
       fmt::format("obliquity {:.8f} deg at T = {:g} centuries from J2000 (TDB), order {}",
                   *of.obliquity / degree, of.T, of.order)};
   if (of.satellite_mass)
-    lines.push_back(fmt::format("mass of the Moon over that of the Earth {:.10g}",
-                                *of.satellite_mass));
-  lines.push_back(fmt::format("precession on the ecliptic of date {:.6f} arcsec/yr, of the "
-                              "obliquity {:.6f} arcsec/yr",
-                              precession.longitude * year / (1e3 * mas),
-                              precession.obliquity * year / (1e3 * mas)));
-  lines.push_back(fmt::format("offset from the mean axis of momentum {:.6f} mas in longitude, "
-                              "{:.6f} mas in obliquity",
-                              offset.longitude / mas, offset.obliquity / mas));
+    lines.push_back(
+        fmt::format("mass of the Moon over that of the Earth {:.10g}", *of.satellite_mass));
+  lines.push_back(fmt::format(
+      "precession on the ecliptic of date {:.6f} arcsec/yr, of the "
+      "obliquity {:.6f} arcsec/yr",
+      precession.longitude * year / (1e3 * mas), precession.obliquity * year / (1e3 * mas)));
+  lines.push_back(
+      fmt::format("offset from the mean axis of momentum {:.6f} mas in longitude, "
+                  "{:.6f} mas in obliquity",
+                  offset.longitude / mas, offset.obliquity / mas));
   if (report.request.axis == PlanetAxis::rotation && !report.request.relative) {
     const NutationOffset by_ecliptic = theory.relative_offset();
     lines.push_back(

@@ -32,7 +32,8 @@ inline ComplexSeries product(const Series<double>& a, const ComplexSeries& b,
 
 // a exp(i n angle).
 inline ComplexSeries turned(const ComplexSeries& a, const Multiples& by, const Truncation& keep) {
-  const Series<double> c = cosine(a.re.symbols(), 1.0, {}, by), s = sine(a.re.symbols(), 1.0, {}, by);
+  const Series<double> c = cosine(a.re.symbols(), 1.0, {}, by),
+                       s = sine(a.re.symbols(), 1.0, {}, by);
   return {product(a.re, c, keep) - product(a.im, s, keep),
           product(a.re, s, keep) + product(a.im, c, keep)};
 }

@@ -33,8 +33,7 @@ void require(const NutationProblem& problem) {
            " rad must be between 0 and pi, and not within 0.001 of either: the node is not there");
   if (problem.order != 1 && problem.order != 2)
     refuse("order " + std::to_string(problem.order) + " must be 1 or 2");
-  if (!(problem.least > 0.0))
-    refuse("least " + number_text(problem.least) + " must be positive");
+  if (!(problem.least > 0.0)) refuse("least " + number_text(problem.least) + " must be positive");
   if (problem.bodies.empty()) refuse("no bodies; one at least must pull");
   for (const NutationArgument& one : problem.arguments)
     if (!std::isfinite(one.rate) || !std::isfinite(one.at_epoch))
@@ -55,8 +54,8 @@ std::vector<NutationTerm> table(const detail::Waves& waves, const std::vector<do
   std::vector<NutationTerm> terms;
   for (const auto& [multipliers, wave] : waves) {
     NutationTerm term{multipliers, 0.0, wave};
-    const auto last = std::find_if(multipliers.rbegin(), multipliers.rend(),
-                                   [](int k) { return k != 0; });
+    const auto last =
+        std::find_if(multipliers.rbegin(), multipliers.rend(), [](int k) { return k != 0; });
     if (last == multipliers.rend()) continue;  // the offset
     if (*last < 0) {
       for (int& k : term.multipliers) k = -k;

@@ -123,9 +123,10 @@ double at_epoch(const Number& a, const NutationProblem& problem) {
   for (const Term<double>& term : a.terms()) {
     double theta = 0.0;
     for (std::size_t i = 0; i < problem.arguments.size(); ++i)
-      theta += multiplier(symbols, term.key, static_cast<int>(i) + 1) *
-               problem.arguments[i].at_epoch;
-    sum += term.c * (term.key.function() == Trigonometric::sine ? std::sin(theta) : std::cos(theta));
+      theta +=
+          multiplier(symbols, term.key, static_cast<int>(i) + 1) * problem.arguments[i].at_epoch;
+    sum +=
+        term.c * (term.key.function() == Trigonometric::sine ? std::sin(theta) : std::cos(theta));
   }
   return sum;
 }
@@ -144,9 +145,9 @@ Number with_orders(const Number& of_bodies, const Truncation& of_momenta,
     const double rate = std::abs(rate_of(symbols, term.key, rates));
     const bool small = problem.order == 2 && std::abs(term.c) < 0.1 * first * rate;
     if (small && degree.of(term.key) > 1) continue;
-    terms.push_back({{symbols.exponents().with(term.key.exponents, k, small ? 2 : 1),
-                      term.key.multipliers},
-                     term.c});
+    terms.push_back(
+        {{symbols.exponents().with(term.key.exponents, k, small ? 2 : 1), term.key.multipliers},
+         term.c});
   }
   return Number(symbols, std::move(terms));
 }

@@ -86,10 +86,7 @@ double rate_of(const Symbols& symbols, const TermKey& key, const std::vector<dou
 
 NutationTorque::NutationTorque(const NutationProblem& problem, const NutationSymbols& names,
                                const std::vector<double>& rates)
-    : q0(names.symbols()),
-      q1{q0, q0},
-      q2{q0, q0},
-      folding(0.0) {
+    : q0(names.symbols()), q1{q0, q0}, q2{q0, q0}, folding(0.0) {
   FourierSeries found = analysed(problem, names);
   double size = 0.0;
   for (const Series<double>& one : found.series) size = std::max(size, largest(one));

@@ -94,8 +94,7 @@ WobbleMotion wobble_motion(const NutationProblem& problem, const NutationSymbols
     double rate = -spin;
     for (std::size_t j = 0; j < rates.size(); ++j) rate += k[j] * rates[j];
     const double determinant = rate * rate - alpha * alpha + beta * beta;
-    const Complex p =
-        3.0 * S * (beta * equator - bulge * (rate + alpha)) / determinant;
+    const Complex p = 3.0 * S * (beta * equator - bulge * (rate + alpha)) / determinant;
     const Complex r_conjugate = 3.0 * S * ((rate - alpha) * equator + beta * bulge) / determinant;
     figure[k] -= p / G;
     rotation[k] += (gamma * p + eta * r_conjugate) / G;

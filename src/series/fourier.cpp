@@ -18,9 +18,9 @@ using Complex = std::complex<double>;
 constexpr std::size_t most_points = std::size_t{1} << 26;
 
 struct Axis {
-  int angle;             // its place among the angles of the symbols
-  std::size_t points;    // odd
-  std::size_t stride;    // between neighbours in a grid
+  int angle;           // its place among the angles of the symbols
+  std::size_t points;  // odd
+  std::size_t stride;  // between neighbours in a grid
   int largest() const { return static_cast<int>(points / 2); }
   // The multiplier of the harmonic at place i of a transform.
   int harmonic(std::size_t i) const {
@@ -93,11 +93,11 @@ void transform(std::vector<Complex>& values, const Axis& axis) {
   const std::size_t n = axis.points;
   std::vector<Complex> roots(n), line(n);
   for (std::size_t i = 0; i < n; ++i)
-    roots[i] = std::polar(1.0 / static_cast<double>(n), -2.0 * std::numbers::pi *
-                                                            static_cast<double>(i) /
-                                                            static_cast<double>(n));
-  for (std::size_t start = 0; start < values.size(); ++start) {
-    if (start / axis.stride % n != 0) continue;
+    roots[i] =
+        std::polar(1.0 / static_cast<double>(n),
+                   -2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+  for (std::size_t at = 0; at < values.size() / n; ++at) {
+    const std::size_t start = at / axis.stride * axis.stride * n + at % axis.stride;
     for (std::size_t i = 0; i < n; ++i) line[i] = values[start + i * axis.stride];
     for (std::size_t k = 0; k < n; ++k) {
       double re = 0.0, im = 0.0;  // std::complex's product looks for infinities

@@ -44,7 +44,7 @@ void refuse_first(const PackedFields& fields, const std::vector<std::string>& na
 }  // namespace
 
 TermKey packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>>& powers,
-           const std::vector<std::pair<std::string, int>>& multiples, Trigonometric function) {
+               const std::vector<std::pair<std::string, int>>& multiples, Trigonometric function) {
   std::vector<std::pair<int, int>> exponents, multipliers;
   for (const auto& [name, n] : powers) exponents.emplace_back(symbols.variable(name), n);
   for (const auto& [name, n] : multiples) multipliers.emplace_back(symbols.angle(name), n);

@@ -5,8 +5,8 @@
 // Units       periods in days, with the sign of their rate; coefficients in mas.
 // Domain      planets of polhode/scenario/planet_nutation.hpp.
 // Accuracy    that of the theory; coefficients are written to 1e-6 mas.
-// Errors      those of nutation_theory; DomainError for a path that cannot be had, OutputError where
-//             writing fails.
+// Errors      those of nutation_theory; DomainError for a path that cannot be had, OutputError
+//             where writing fails.
 // Cost        that of the theory, and a microsecond a term.
 #pragma once
 

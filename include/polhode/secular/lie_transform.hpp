@@ -106,8 +106,7 @@ class LieTransform {
                const std::vector<AngleRate<T>>& rates) const {
     if (!(problem_.slowest > 0.0)) return false;
     const Series<T> w = rate(rest, key, rates);
-    return w.is_zero() ||
-           (w.size() == 1 && std::abs(to_double(w.terms()[0].c)) < problem_.slowest);
+    return w.is_zero() || (w.size() == 1 && std::abs(to_double(w.terms()[0].c)) < problem_.slowest);
   }
 
   Series<T> mapped(const Series<T>& f, bool back) const {

@@ -28,7 +28,9 @@ struct TermKey {
   std::uint64_t exponents, multipliers;
 
   static constexpr std::uint64_t function_bit = 1;
-  constexpr Trigonometric function() const { return static_cast<Trigonometric>(multipliers & function_bit); }
+  constexpr Trigonometric function() const {
+    return static_cast<Trigonometric>(multipliers & function_bit);
+  }
   // The multipliers without the function.
   constexpr std::uint64_t angle() const { return multipliers & ~function_bit; }
   constexpr auto operator<=>(const TermKey&) const = default;
@@ -57,7 +59,7 @@ inline bool fits(const Symbols& symbols, const TermKey& key) {
 
 // Checked; not canonical. A name that is there twice counts twice.
 TermKey packed(const Symbols& symbols, const std::vector<std::pair<std::string, int>>& powers,
-           const std::vector<std::pair<std::string, int>>& multiples, Trigonometric function);
+               const std::vector<std::pair<std::string, int>>& multiples, Trigonometric function);
 
 // Throws for the first field of a key that does not fit.
 [[noreturn]] void out_of_range(const Symbols& symbols, const TermKey& key);

@@ -91,7 +91,7 @@ Series<T> integral(const Series<T>& f, const std::vector<AngleRate<T>>& rates, d
                            ", below the bound " + CoefficientText<double>::text(least));
     const bool is_sine = term.key.function() == Trigonometric::sine;
     const TermKey key{exponents.difference(term.key.exponents, divisor.key.exponents),
-                  term.key.multipliers ^ TermKey::function_bit};
+                      term.key.multipliers ^ TermKey::function_bit};
     terms.push_back({key, is_sine ? -(term.c / divisor.c) : term.c / divisor.c});
   }
   return Series<T>(symbols, std::move(terms));

@@ -100,11 +100,13 @@ Series<T> monomial(const Symbols& symbols, T c, const Powers& powers) {
 // c e^2 G^-1 cos(2 l - g), or sin.
 template <Coefficient T>
 Series<T> cosine(const Symbols& symbols, T c, const Powers& powers, const Multiples& multiples) {
-  return Series<T>(symbols, {{packed(symbols, powers, multiples, Trigonometric::cosine), std::move(c)}});
+  return Series<T>(symbols,
+                   {{packed(symbols, powers, multiples, Trigonometric::cosine), std::move(c)}});
 }
 template <Coefficient T>
 Series<T> sine(const Symbols& symbols, T c, const Powers& powers, const Multiples& multiples) {
-  return Series<T>(symbols, {{packed(symbols, powers, multiples, Trigonometric::sine), std::move(c)}});
+  return Series<T>(symbols,
+                   {{packed(symbols, powers, multiples, Trigonometric::sine), std::move(c)}});
 }
 
 // The terms that keep(key) is true of.

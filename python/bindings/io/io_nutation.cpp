@@ -64,26 +64,20 @@ NutationTheory made(const std::string& planet, double T, std::optional<double> e
                     std::optional<double> obliquity, std::optional<double> satellite_mass,
                     int order, double least) {
   const WithoutGil released;
-  return nutation_theory({planet, T, ellipticity, triaxiality, spin_rate, obliquity,
-                          satellite_mass, order, least});
+  return nutation_theory(
+      {planet, T, ellipticity, triaxiality, spin_rate, obliquity, satellite_mass, order, least});
 }
 
-}  // namespace
+using T = NutationTheory;
 
-void bind_nutation(nb::module_& m) {
-  nb::enum_<PlanetAxis>(m, "PlanetAxis", "Which axis of a planet: a string with its name will do.")
-      .value("momentum", PlanetAxis::momentum, "Of the angular momentum.")
-      .value("figure", PlanetAxis::figure, "Of the largest moment.")
-      .value("rotation", PlanetAxis::rotation, "Of the inertial angular velocity.");
-  using T = NutationTheory;
-  nb::class_<T>(m, "NutationTheory", R"(Precession and nutation of a rigid planet, s and rad.
+nb::class_<T> bound_class(nb::module_& m) {
+  return nb::class_<T>(m, "NutationTheory", R"(Precession and nutation of a rigid planet, s and rad.
 
 Made by nutation_theory. Kinoshita (1977): Poisson terms by a Lie transform to the second order,
 Oppolzer terms from Euler's equations.)")
       .def_prop_ro("arguments", &T::arguments, "Names of the arguments: l, lp, F, D, Om.")
       .def_prop_ro(
-          "at_epoch",
-          [](const T& t) { return array_of(std::span<const double>(t.at_epoch())); },
+          "at_epoch", [](const T& t) { return array_of(std::span<const double>(t.at_epoch())); },
           "(k,): the arguments at the epoch, rad.")
       .def_prop_ro(
           "rates", [](const T& t) { return array_of(std::span<const double>(t.rates())); },
@@ -97,14 +91,17 @@ Oppolzer terms from Euler's equations.)")
 relative to the moving ecliptic. (SA 4.4.5))")
       .def_prop_ro("folding", &T::folding,
                    "The largest coefficient of the torque at the border of the grid, over its "
-                   "largest.")
-      .def(
-          "terms",
-          [](const T& t, nb::handle axis, bool oppolzer) { return columns_of(t, axis, oppolzer); },
-          "axis"_a = "figure", "oppolzer"_a = false,
-          nb::sig("def terms(self, axis: PlanetAxis | str = 'figure', oppolzer: bool = False) -> "
-                  "dict[str, Annotated[NDArray[numpy.float64], dict(shape=(None,))]]"),
-          R"(The terms of an axis, largest first, as columns (n,).
+                   "largest.");
+}
+
+void def_axes(nb::class_<T>& c) {
+  c.def(
+       "terms",
+       [](const T& t, nb::handle axis, bool oppolzer) { return columns_of(t, axis, oppolzer); },
+       "axis"_a = "figure", "oppolzer"_a = false,
+       nb::sig("def terms(self, axis: PlanetAxis | str = 'figure', oppolzer: bool = False) -> "
+               "dict[str, Annotated[NDArray[numpy.float64], dict(shape=(None,))]]"),
+       R"(The terms of an axis, largest first, as columns (n,).
 
 Parameters
 ----------
@@ -141,6 +138,17 @@ axis : "momentum", "figure" or "rotation".)")
         return "<NutationTheory: " + std::to_string(t.terms(PlanetAxis::figure).size()) +
                " terms of the axis of figure>";
       });
+}
+
+}  // namespace
+
+void bind_nutation(nb::module_& m) {
+  nb::enum_<PlanetAxis>(m, "PlanetAxis", "Which axis of a planet: a string with its name will do.")
+      .value("momentum", PlanetAxis::momentum, "Of the angular momentum.")
+      .value("figure", PlanetAxis::figure, "Of the largest moment.")
+      .value("rotation", PlanetAxis::rotation, "Of the inertial angular velocity.");
+  nb::class_<T> c = bound_class(m);
+  def_axes(c);
   m.def("nutation_theory", made, "planet"_a = "earth", nb::kw_only(), "T"_a = 0.0,
         "ellipticity"_a = nb::none(), "triaxiality"_a = nb::none(), "spin_rate"_a = nb::none(),
         "obliquity"_a = nb::none(), "satellite_mass"_a = nb::none(), "order"_a = 2,

@@ -39,8 +39,8 @@ Vec3 whole_moon(double T) {
                A3 = (313.45 + 481266.484 * T) * degree;
   EclipticPosition moon = moon_of_date(a, T);
   moon.longitude += degree * (0.003958 * std::sin(A1) + 0.000318 * std::sin(A2));
-  moon.latitude += degree * (0.000382 * std::sin(A3) +
-                             0.000175 * (std::sin(A1 - a.F) + std::sin(A1 + a.F)));
+  moon.latitude +=
+      degree * (0.000382 * std::sin(A3) + 0.000175 * (std::sin(A1 - a.F) + std::sin(A1 + a.F)));
   return cartesian(moon);
 }
 

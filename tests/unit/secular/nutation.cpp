@@ -59,8 +59,7 @@ NutationProblem planet(const Body& body, double spin, double e, double precessio
 NutationTheory theory(const Body& body, double spin, double e, int order) {
   double precession = 0.0;
   for (int i = 0; i < 4; ++i)
-    precession =
-        NutationTheory(planet(body, spin, e, precession, 2)).precession().longitude;
+    precession = NutationTheory(planet(body, spin, e, precession, 2)).precession().longitude;
   return NutationTheory(planet(body, spin, e, precession, order));
 }
 
@@ -86,16 +85,15 @@ TEST(Nutation, OfACircularOrbitIsTheClosedForm) {
   const NutationTerm& half = term(of, PlanetAxis::momentum, {0, 2});
   const double rate = half.rate;
   EXPECT_NEAR(half.wave.longitude_sine / (-K * std::cos(I0) / rate), 1.0, budget::nutation_closed);
-  EXPECT_NEAR(half.wave.obliquity_cosine / (K * std::sin(I0) / rate), 1.0,
-              budget::nutation_closed);
+  EXPECT_NEAR(half.wave.obliquity_cosine / (K * std::sin(I0) / rate), 1.0, budget::nutation_closed);
   EXPECT_EQ(of.terms(PlanetAxis::momentum).size(), 1U);
 }
 
 double largest_error(double H, double e, int order) {
   const double spin = 1e3, star = 1.5 * H / spin;
   const NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), spin, e, order);
-  const std::vector<OrbitElements> rows(
-      12, orbit_elements(e, 0.0, 0.0, pericentre + std::numbers::pi));
+  const std::vector<OrbitElements> rows(12,
+                                        orbit_elements(e, 0.0, 0.0, pericentre + std::numbers::pi));
   std::vector<double> times;
   for (int k = -1; k <= 10; ++k) times.push_back(1e3 * k);
   // The planet is where the star is not.
@@ -103,10 +101,10 @@ double largest_error(double H, double e, int order) {
                                        pericentre + anomaly + std::numbers::pi),
                           star);
   const SaveAt at = SaveAt::count(0.0, 3.0 * turn, 100);
-  const auto run = integrate(
-      BasicProblem<SpinOnOrbit>{model, SpinAxis{direction(of, PlanetAxis::momentum, 0.0)}, 0.0,
-                                3.0 * turn, Adaptive{1e-14}},
-      Keep{.samples = at, .dense = false});
+  const auto run =
+      integrate(BasicProblem<SpinOnOrbit>{model, SpinAxis{direction(of, PlanetAxis::momentum, 0.0)},
+                                          0.0, 3.0 * turn, Adaptive{1e-14}},
+                Keep{.samples = at, .dense = false});
   Worst worst;
   for (const auto& sample : run.samples())
     worst.add(norm(sample.s.s - direction(of, PlanetAxis::momentum, sample.t)));
@@ -143,7 +141,8 @@ Errors rotor_errors(double H, double triaxiality) {
                            .eccentricity = e,
                            .argument = pericentre + std::numbers::pi,
                            .mean_anomaly = anomaly});
-  const System system(body, Frame::inertial(), {AnyPerturbation("star", GravityGradient(1.0, orbit))});
+  const System system(body, Frame::inertial(),
+                      {AnyPerturbation("star", GravityGradient(1.0, orbit))});
   const auto run = integrate(Problem{system, start, 0.0, 2.0 * turn, Adaptive{1e-13}},
                              Keep{.samples = SaveAt::count(0.0, 2.0 * turn, 400), .dense = false});
   Worst figure, rotation, oppolzer;
@@ -178,8 +177,8 @@ TEST(Nutation, TheMomentumIsBetweenFigureAndRotation) {
                          figure = of.at(PlanetAxis::figure, t),
                          rotation = of.at(PlanetAxis::rotation, t);
     const double beyond = -H / (1.0 - H);  // 1 - C / A
-    const double J = std::hypot(figure.longitude - momentum.longitude,
-                                figure.obliquity - momentum.obliquity);
+    const double J =
+        std::hypot(figure.longitude - momentum.longitude, figure.obliquity - momentum.obliquity);
     EXPECT_NEAR(rotation.longitude - momentum.longitude,
                 beyond * (figure.longitude - momentum.longitude), budget::nutation_axes * J);
     EXPECT_NEAR(rotation.obliquity - momentum.obliquity,
@@ -213,7 +212,8 @@ TEST(Nutation, WhatIsRefused) {
   EXPECT_THAT(refused([](auto& p) {
                 p.arguments[1].rate = 0.0;
                 p.slowest = 0.0;
-              }), HasSubstr("a resonance"));
+              }),
+              HasSubstr("a resonance"));
 }
 
 }  // namespace

@@ -16,12 +16,12 @@
 
 namespace series_test {
 
-using polhode::Trigonometric;
-using polhode::TermKey;
 using polhode::Rational;
 using polhode::Series;
 using polhode::Symbols;
 using polhode::Term;
+using polhode::TermKey;
+using polhode::Trigonometric;
 using polhode::Truncation;
 
 using Exact = Series<Rational>;

@@ -87,7 +87,7 @@ TEST(SeriesValues, AnglesReplacedAtOnce) {
   // l -> g - 2 x, g -> l.
   const auto wave = [&](Trigonometric function, const polhode::Multiples& angle) {
     return value(function == Trigonometric::sine ? sine(symbols, Rational(1), {}, angle)
-                                            : cosine(symbols, Rational(1), {}, angle),
+                                                 : cosine(symbols, Rational(1), {}, angle),
                  at);
   };
   const polhode::Multiples sum{{"g", 1}, {"x", -2}};

@@ -25,7 +25,9 @@ struct KeyBox {
   template <class T>
   void add_product(const Symbols& symbols, std::span<const Term<T>> a, std::span<const Term<T>> b) {
     for (std::size_t i = 0; i < variables.size(); ++i) {
-      const auto at = [&](const TermKey& key) { return exponent(symbols, key, static_cast<int>(i)); };
+      const auto at = [&](const TermKey& key) {
+        return exponent(symbols, key, static_cast<int>(i));
+      };
       const FieldRange of_a = range<T>(a, at), of_b = range<T>(b, at);
       const int least = of_a.least + of_b.least, largest = of_a.largest + of_b.largest;
       variables[i].least = is_empty ? least : std::min(variables[i].least, least);

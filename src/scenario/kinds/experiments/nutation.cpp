@@ -99,9 +99,12 @@ OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
     const NutationOffset figure = theory->at(PlanetAxis::figure, t);
     const NutationOffset rotation = theory->at(PlanetAxis::rotation, t);
     const NutationOffset moved = theory->relative_offset();
-    const std::array<double, 8> all = {momentum.longitude, momentum.obliquity,
-                                       figure.longitude,   figure.obliquity,
-                                       rotation.longitude, rotation.obliquity,
+    const std::array<double, 8> all = {momentum.longitude,
+                                       momentum.obliquity,
+                                       figure.longitude,
+                                       figure.obliquity,
+                                       rotation.longitude,
+                                       rotation.obliquity,
                                        rotation.longitude + moved.longitude,
                                        rotation.obliquity + moved.obliquity};
     std::copy(all.begin(), all.end(), row.begin());
@@ -111,7 +114,8 @@ OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
       {"ellipticity", "dynamical ellipticity H", *of.ellipticity, Dimension::number},
       {"obliquity", "mean obliquity at t = 0", *of.obliquity, Dimension::angle},
       {"precession", "precession in longitude", precession.longitude / second, Dimension::rate},
-      {"obliquity_rate", "rate of the mean obliquity", precession.obliquity / second, Dimension::rate},
+      {"obliquity_rate", "rate of the mean obliquity", precession.obliquity / second,
+       Dimension::rate},
       {"terms", "terms of the axis of figure",
        static_cast<double>(theory->terms(PlanetAxis::figure).size()), Dimension::number}};
   return own;
@@ -121,8 +125,9 @@ OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
 
 ExperimentKind nutation_kind() {
   return experiment_kind<Arguments>(
-      "nutation", "Nutation of a rigid planet: how its axes of momentum, figure and rotation swing.",
-      keys, made, nutation_citations());
+      "nutation",
+      "Nutation of a rigid planet: how its axes of momentum, figure and rotation swing.", keys,
+      made, nutation_citations());
 }
 
 }  // namespace detail

@@ -44,7 +44,9 @@ Body body_of(double ellipticity, double triaxiality) {
 
 // --- Earth ---
 
-DelaunayArguments delaunay(std::span<const double> at) { return {at[0], at[1], at[2], at[3], at[4]}; }
+DelaunayArguments delaunay(std::span<const double> at) {
+  return {at[0], at[1], at[2], at[3], at[4]};
+}
 
 // Of IAU 2006 (Capitaine et al. 2003): eps_A, and the rate of the ecliptic's pole P_A, Q_A, in axes
 // of date.
@@ -210,7 +212,8 @@ std::vector<Citation> nutation_citations() {
        "277-326.",
        "the theory of nutation"},
       {"souchay1996",
-       "Souchay, J., Kinoshita, H. (1996). Corrections and new developments in rigid Earth nutation "
+       "Souchay, J., Kinoshita, H. (1996). Corrections and new developments in rigid Earth "
+       "nutation "
        "theory. I. Lunisolar influence including indirect planetary effects. Astronomy and "
        "Astrophysics 312, 1017-1030.",
        "the dynamical ellipticity of the Earth"},
@@ -235,7 +238,8 @@ std::vector<Citation> nutation_citations() {
        "model. Astronomy and Astrophysics 507, 1635-1648.",
        "the moments and the spin of Venus"},
       {"konopliv2016",
-       "Konopliv, A. S., Park, R. S., Folkner, W. M. (2016). An improved JPL Mars gravity field and "
+       "Konopliv, A. S., Park, R. S., Folkner, W. M. (2016). An improved JPL Mars gravity field "
+       "and "
        "orientation from Mars orbiter and lander tracking data. Icarus 274, 253-260.",
        "the moments of Mars"}};
 }
