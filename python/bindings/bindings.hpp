@@ -9,6 +9,7 @@
 // Casters are included here, once for all: a source without one would compile another cast of the
 // same name, and the linker takes either.
 #include <nanobind/stl/function.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
@@ -43,6 +44,8 @@ void bind_section(nb::module_& m);
 void bind_secular(nb::module_& m);
 void bind_planet_data(nb::module_& m);
 void bind_spectrum(nb::module_& m);
+void bind_series(nb::module_& m);
+void bind_lie_transform(nb::module_& m);
 void bind_io(nb::module_& m);
 
 }  // namespace polhode::python

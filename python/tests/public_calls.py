@@ -33,6 +33,9 @@ polhode.integrate(
     keep_checkpoint=CHECKPOINTS.append,
     checkpoint_seconds=0.0,
 )
+NAMES_OF_SERIES = polhode.Symbols(["G", "k"], ["g"], [("g", "G")])
+KEEP = polhode.Truncation({"k": 1}, 2)
+SERIES = polhode.Series(NAMES_OF_SERIES, "k*cos(g)")
 
 
 def variables(z):
@@ -58,6 +61,9 @@ OF_CLASS = {
     "TidalBody": polhode.TidalBody(0.3, 0.01, 1.0),
     "ElementTable": polhode.ElementSeries([[0.1, 0.2, 0.3]], [[0.1, 0.2, 0.3]]),
     "PrecessionRates": polhode.PrecessionRates(1.0),
+    "Symbols": NAMES_OF_SERIES,
+    "Truncation": KEEP,
+    "Series": SERIES,
     "DampedMaterial": polhode.DampedMaterial(1e9, 100.0, 2000.0, 100.0, 0.02),
 }
 
@@ -184,6 +190,15 @@ OF_CALL = {
     "planet_rates": {"name": "mars"},
     "planet_pole": {"name": "mars"},
     "spectrum": {"values": np.cos(0.7 * np.arange(100.0)), "lines": 2},
+    "Truncation.__init__": {"order": 2, "most_bytes": 1000},
+    "SeriesTerm.__init__": {"coefficient": 0.5},
+    "Series.power": {"n": 2},
+    "Series.integral": {"rates": {"g": 1}},
+    "Series.substituted": {"name": "G", "s": 2},
+    "Series.displaced": {"name": "G", "d": 2},
+    "CompiledSeries.at": {"points": [1.0, 0.1, 0.5]},
+    "LieTransform.__init__": {"angles": ["g"], "hamiltonian": SERIES + polhode.Series(
+        NAMES_OF_SERIES, "G")},
     "satellite_precession": {"eccentricity": 0.1},
     "chaos_indicator": {"distance": 1e-6, "deviation": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]},
 }
@@ -291,5 +306,7 @@ OF_SELF = {
     "KaneDamper": DAMPER,
     "DipoleField": polhode.DipoleField([0, 0, 1.0]),
     "Units": polhode.Units(),
+    "Series": SERIES,
+    "CompiledSeries": polhode.CompiledSeries(SERIES),
     "Trajectory": polhode.integrate(polhode.Problem(DAMPED, STATE, 0.0, 1.0)),
 }

@@ -2,6 +2,7 @@
 """What a type checker knows of states (test_typing.py)."""
 
 import dataclasses
+import fractions
 from typing import Any, Union
 
 import numpy as np
@@ -90,3 +91,14 @@ of_either(many)
 
 # small values are dataclasses to those who ask
 assert_type(dataclasses.replace(polhode.Adaptive(), tolerance=1e-9), polhode.Adaptive)
+
+# a number may stand for a series; coefficients are fractions or floats
+symbols = polhode.Symbols(["G", "k"], ["g"], [("g", "G")])
+h = 2 * polhode.Series(symbols, "G^2/2 + k*cos(g)") - 1.5
+assert_type(h, polhode.Series)
+assert_type(h.bracket(h / 2, polhode.Truncation({"k": 1}, 2)), polhode.Series)
+assert_type([term.coefficient for term in h], list[Union[fractions.Fraction, float]])
+assert_type(polhode.CompiledSeries(h).at([[1.0, 0.1, 0.2]]), Union[float, Array])
+assert_type(h(G=1.0, k=0.1, g=times), Union[float, Array])
+transform = polhode.LieTransform(h, polhode.Truncation({"k": 1}, 2), ["g"], resonances=[{"g": 2}])
+assert_type(transform.in_mean(h), polhode.Series)

@@ -94,6 +94,13 @@ The direction of a planet's spin, averaged over its rotation and its orbit
         "Frequencies": "spectrum Spectrum",
         "Nutation": "nutation_theory NutationTheory PlanetAxis",
     }),
+    Page("perturbation-theory", "Perturbation theory", """\
+Hamiltonians as Poisson series, and angles eliminated from them
+([guide](../../guide/perturbation-theory.md)).
+""", {
+        "Series": "Symbols Series SeriesTerm Truncation ProductSize CompiledSeries",
+        "Lie transforms": "LieTransform LieMethod",
+    }),
     Page("frames-and-orbits", "Frames and orbits", """\
 Where attitudes are counted from, and where the attracting body is. Any Python function of time
 that returns three numbers is an orbit wherever one is expected.

@@ -68,6 +68,14 @@ struct Carried<std::array<double, n>> {
   static FloatArray shown(const std::array<double, n>& x) { return array_of(std::span(x)); }
   static nb::object argument(const std::array<double, n>& x) { return tuple_of(std::span(x)); }
 };
+template <class X>
+struct Carried<std::vector<X>> {
+  using In = std::vector<X>;
+  using Out = nb::typed<nb::tuple, X, nb::ellipsis>;
+  static In read(const In& x, const char*) { return x; }
+  static Out shown(const In& x) { return nb::borrow<Out>(argument(x)); }
+  static nb::object argument(const In& x) { return nb::tuple(nb::cast(x)); }
+};
 
 struct Required {};
 
@@ -102,9 +110,10 @@ ValueField<Get, Default> field(const char* name, Get get, const char* text, Defa
   return {name, get, text, otherwise};
 }
 
-// Equality, hash, copies and pickles by arguments(value), the tuple that its constructor takes.
+// Equality, hash, copies and pickles by arguments(value), the tuple that its constructor takes, or
+// its class method of this name.
 template <class C, class Arguments>
-void def_value(nb::class_<C>& c, Arguments arguments) {
+void def_value(nb::class_<C>& c, Arguments arguments, const char* method = "") {
   c.def(
        "__eq__", [arguments](const C& a, const C& b) { return arguments(a).equal(arguments(b)); },
        nb::is_operator(), "other"_a)
@@ -112,8 +121,8 @@ void def_value(nb::class_<C>& c, Arguments arguments) {
       .def("__copy__", [](const C& v) { return v; })
       .def(
           "__deepcopy__", [](const C& v, nb::handle) { return v; }, "memo"_a)
-      .def("__reduce__", [arguments](nb::handle_t<C> self) {
-        return remade(self, arguments(nb::cast<const C&>(self)));
+      .def("__reduce__", [arguments, method](nb::handle_t<C> self) {
+        return remade(self, arguments(nb::cast<const C&>(self)), method);
       });
 }
 

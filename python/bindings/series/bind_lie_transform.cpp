@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Lie transforms of Hamiltonians in series.
+#include <memory>
+
+#include "interface/value.hpp"
+#include "polhode/secular/lie_transform.hpp"
+#include "series/series_value.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+// What it was made from, and what came of it.
+struct PythonTransform {
+  template <class T>
+  using Shared = std::shared_ptr<const LieTransform<T>>;
+
+  PythonSeries hamiltonian;
+  Truncation keep;
+  std::vector<std::string> angles;
+  std::vector<Counts> resonances;
+  Operands clocks;
+  double least_divisor;
+  LieMethod method;
+  std::variant<Shared<Rational>, Shared<double>> transform;
+};
+
+template <class T>
+std::shared_ptr<const LieTransform<T>> solved(const PythonTransform& of) {
+  const Symbols& symbols = of.hamiltonian.symbols();
+  Elimination<T> problem{as<T>(of.hamiltonian),           of.keep,         of.angles, {},
+                         rates_of<T>(symbols, of.clocks), of.least_divisor};
+  for (const Counts& resonance : of.resonances) problem.resonances.push_back(pairs_of(resonance));
+  return std::make_shared<LieTransform<T>>(std::move(problem), of.method);
+}
+
+PythonTransform made(const PythonSeries& hamiltonian, const Truncation& keep,
+                     const std::vector<std::string>& angles, const std::vector<Counts>& resonances,
+                     const Operands& clocks, double least_divisor, LieMethod method) {
+  PythonTransform out{hamiltonian, keep, angles, resonances, clocks, least_divisor, method, {}};
+  const WithoutGil released;
+  if (hamiltonian.is_exact() && are_exact(hamiltonian.symbols(), clocks))
+    out.transform = solved<Rational>(out);
+  else
+    out.transform = solved<double>(out);
+  return out;
+}
+
+// f(transform), a series.
+template <class F>
+PythonSeries of(const PythonTransform& t, F f) {
+  const WithoutGil released;
+  return std::visit([&](const auto& shared) { return PythonSeries{f(*shared)}; }, t.transform);
+}
+template <class T>
+Series<T> alike(const LieTransform<T>&, const PythonSeries& f) {
+  return as<T>(f);
+}
+
+void def_maps(nb::class_<PythonTransform>& c) {
+  using T = PythonTransform;
+  c.def_prop_ro(
+       "mean_hamiltonian",
+       [](const T& t) { return of(t, [](const auto& lie) { return lie.mean_hamiltonian(); }); },
+       "In mean variables, without the angles that were eliminated.")
+      .def_prop_ro(
+          "generator",
+          [](const T& t) { return of(t, [](const auto& lie) { return lie.generator(); }); },
+          "Hori's S; of Deprit the sum of W_n / (n - 1)!.")
+      .def(
+          "in_mean",
+          [](const T& t, const PythonSeries& f) {
+            return of(t, [&](const auto& lie) { return lie.in_mean(alike(lie, f)); });
+          },
+          "f"_a, "f of the osculating variables, as a function of the mean ones.")
+      .def(
+          "in_osculating",
+          [](const T& t, const PythonSeries& f) {
+            return of(t, [&](const auto& lie) { return lie.in_osculating(alike(lie, f)); });
+          },
+          "f"_a, "f of the mean variables, as a function of the osculating ones.")
+      .def(
+          "short_period",
+          [](const T& t, const std::string& name) {
+            return of(t, [&](const auto& lie) { return lie.short_period(name); });
+          },
+          "name"_a,
+          "Osculating minus mean value of a variable or an angle, as a function of the mean ones.")
+      .def(
+          "short_period_back",
+          [](const T& t, const std::string& name) {
+            return of(t, [&](const auto& lie) { return lie.short_period_back(name); });
+          },
+          "name"_a, "Mean minus osculating value, as a function of the osculating variables.");
+}
+
+}  // namespace
+
+void bind_lie_transform(nb::module_& m) {
+  nb::enum_<LieMethod>(m, "LieMethod", "A way to the mean Hamiltonian.")
+      .value("deprit", LieMethod::deprit, "Deprit's triangle.")
+      .value("hori", LieMethod::hori, "Hori's exponential of one generator.");
+  using T = PythonTransform;
+  auto c = bind_made_value<T>(
+      m, "LieTransform", R"(Angles eliminated from a Hamiltonian, to any order.
+
+H = sum of H_n, n the order in the small parameters. Hori: K = exp(L_S) H with L_S f = {f, S};
+Deprit: his triangle. Order by order K_n is what has none of the angles, and the rest is the flow
+of H_0 on the generator. Exact if the Hamiltonian and the clocks are.
+
+Parameters
+----------
+hamiltonian : Series; its part of order 0 has no angle, and no coordinate that is a variable.
+keep : Truncation by small parameters, which are in no pair; at most order 30.
+angles : to be eliminated.
+resonances : combinations of them that stay, with their multiples: [{"l": 1, "g": -2}].
+clocks : rates of angles without a momentum: time, {"t": 1}.
+least_divisor : the smallest coefficient of a rate to divide by.
+method : LieMethod or its name.
+
+ValueError for what breaks this, for a divisor below the bound, with its combination of angles, and
+for an order that needs more memory than keep.most_bytes. Releases the GIL. (Hori 1966; Deprit
+1969))",
+      made, field("hamiltonian", &T::hamiltonian, "What was given."),
+      field("keep", &T::keep, "The small parameters, and the highest order."),
+      field("angles", &T::angles, "Those eliminated."),
+      field("resonances", &T::resonances, "Combinations of them that stay.", std::vector<Counts>()),
+      field("clocks", &T::clocks, "Rates of angles without a momentum.", Operands()),
+      field("least_divisor", &T::least_divisor, "The smallest coefficient of a rate.", 0.0),
+      field("method", &T::method, "Hori's or Deprit's.", LieMethod::hori));
+  def_maps(c);
+}
+
+}  // namespace polhode::python
