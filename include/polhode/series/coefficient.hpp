@@ -38,6 +38,13 @@ concept Coefficient = std::copyable<T> && std::constructible_from<T, int> && req
   { polhode::to_double(a) } -> std::convertible_to<double>;
 };
 
+// A coefficient that itself depends on the first variables of a series (taylor_coefficient.hpp).
+template <class T>
+concept VariableCoefficient = Coefficient<T> && requires(const T& a, int place) {
+  { T::variable_count } -> std::convertible_to<int>;
+  { a.derivative(place) } -> std::convertible_to<T>;
+};
+
 // The customization point. What text is given to from_text: digits, perhaps with a point and a
 // power of ten; a sign and a quotient too, in tables.
 template <class T>

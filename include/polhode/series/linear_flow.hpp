@@ -6,7 +6,8 @@
 // Units       f times the unit of time of the rates.
 // Domain      a rate is a series without angles: a number, or a function of variables that the flow
 //             leaves alone (G / C). Angles without a rate stand still. k.w must be one term, and
-//             its coefficient no smaller than the bound.
+//             its coefficient no smaller than the bound. Sums of different functions are one term
+//             where the coefficient is a function itself (taylor_coefficient.hpp).
 // Accuracy    exact in Rational; else a rounding of T a term.
 // Errors      DomainError that names the combination of angles, where its rate is below the bound,
 //             is zero, or is a sum of different functions; for unknown angles and different
@@ -85,6 +86,9 @@ Series<T> integral(const Series<T>& f, const std::vector<AngleRate<T>>& rates, d
     const Term<T>& divisor = w.terms()[0];
     if (divisor.key.multipliers != symbols.multipliers().zero())
       refuse(term.key, "depends on angles");
+    if constexpr (VariableCoefficient<T>)
+      if (to_double(divisor.c) == 0.0)
+        refuse(term.key, "is 0 at the values chosen: a resonance; keep it in the mean");
     if (!(std::abs(to_double(divisor.c)) >= least))
       refuse(term.key, "has the coefficient " +
                            CoefficientText<double>::text(to_double(divisor.c)) +

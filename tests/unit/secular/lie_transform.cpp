@@ -6,7 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "message_of.hpp"
+#include "polhode/series/expanded.hpp"
 #include "polhode/series/series_text.hpp"
 #include "polhode/series/substitution.hpp"
 
@@ -147,6 +150,66 @@ TEST(LieTransform, AClockIsAnAngleWithAMomentumThatIsLeftOut) {
     EXPECT_EQ(with_clock.mean_hamiltonian() + momentum, extended.mean_hamiltonian());
     EXPECT_EQ(with_clock.generator(), extended.generator());
     EXPECT_EQ(with_clock.in_mean(f), extended.in_mean(f));
+  }
+}
+
+// Momenta of the rotor about L = 3, G = 1/2; its divisors are sums of functions of both.
+using Taylor = polhode::TaylorCoefficient<Rational, 2, 6>;
+using Local = Series<Taylor>;
+Taylor number(Rational c) { return Taylor(std::move(c)); }
+Taylor momentum_L() { return Taylor::variable(0, Rational(3)); }
+Taylor momentum_G() { return Taylor::variable(1, Rational(1, 2)); }
+
+// K of order n in k, up to a degree in the displacements.
+Exact of_order(const Local& k, int n, int degree) {
+  return expanded(part_of_order(k, up_to(n), n), degree);
+}
+
+// H = L^2/2 + a G^2 + k cos(l - g) is a pendulum in p = w / m, w = L - 2 a G, m = 1 + 2 a:
+// K = L^2/2 + a G^2 + k^2 m / (4 w^2) + 5/64 k^4 m^3 / w^6.
+TEST(LieTransform, DivisorsOfTwoMomentaAreThoseOfAPendulum) {
+  const Symbols symbols = two();
+  const Taylor l = momentum_L(), g = momentum_G(), a = number(Rational(3, 5)),
+               m = number(Rational(11, 5)), w = l - number(Rational(2)) * a * g, w2 = w * w;
+  const Local h = constant(symbols, l * l / Taylor(2) + a * g * g) +
+                  cosine(symbols, Taylor(1), {{"k", 1}}, {{"l", 1}, {"g", -1}});
+  const Local second = monomial(symbols, m / (Taylor(4) * w2), {{"k", 2}});
+  const Local fourth =
+      monomial(symbols, number(Rational(5, 64)) * m * m * m / (w2 * w2 * w2), {{"k", 4}});
+  for (const LieMethod method : methods) {
+    const LieTransform<Taylor> transform({h, up_to(4), {"l", "g"}}, method);
+    const Local k = transform.mean_hamiltonian();
+    EXPECT_EQ(of_order(k, 0, 6), expanded(part_of_order(h, up_to(4), 0)));
+    EXPECT_TRUE(of_order(k, 1, 6).is_zero());
+    EXPECT_EQ(of_order(k, 2, 5), expanded(second, 5));
+    EXPECT_TRUE(of_order(k, 3, 4).is_zero());
+    EXPECT_EQ(of_order(k, 4, 3), expanded(fourth, 3));
+    for (const auto& term : k.terms())
+      EXPECT_EQ(term.c.known(),
+                std::min<int>(6, 7 - exponent(symbols, term.key, symbols.variable("k"))));
+  }
+}
+
+TEST(LieTransform, DivisorsOfTwoMomentaInHoriAndDeprit) {
+  const Symbols symbols = two();
+  const Taylor l = momentum_L(), g = momentum_G(), square = l * l;
+  const auto wave = [&](const Taylor& c, int of_l, int of_g) {
+    return cosine(symbols, c, {{"k", 1}}, {{"l", of_l}, {"g", of_g}});
+  };
+  const Local h = constant(symbols, square / Taylor(2) + g * g * g) + wave(g, 1, 1) +
+                  wave(l, 1, -1) + wave(Taylor(1) / l, 2, 1) + wave(square, 2, 0);
+  const LieTransform<Taylor> hori({h, up_to(3), {"l", "g"}}, LieMethod::hori),
+      deprit({h, up_to(3), {"l", "g"}}, LieMethod::deprit);
+  const Local f = constant(symbols, l * g) + cosine(symbols, g, {}, {{"l", 1}});
+  for (int n = 1; n <= 3; ++n) {
+    const Exact k = of_order(hori.mean_hamiltonian(), n, 7 - n);
+    EXPECT_EQ(k, of_order(deprit.mean_hamiltonian(), n, 7 - n));
+    EXPECT_EQ(k.is_zero(), n == 1);
+    for (const auto* const transform : {&hori, &deprit}) {
+      const Local there = transform->in_mean(f);
+      EXPECT_FALSE(of_order(there, n, 6 - n).is_zero());
+      EXPECT_TRUE(of_order(transform->in_osculating(there), n, 6 - n).is_zero());
+    }
   }
 }
 

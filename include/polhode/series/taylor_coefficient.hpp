@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// A coefficient that is a function of the first variables of a series: its Taylor polynomial about
+// chosen values of them. Divisors k.w of any form are divided by, and brackets know what they do.
+//
+// Equations   c(x) = sum of c_m x^m, |m| <= degree, x the displacement from the values chosen.
+//             Quotients and roots are power series in what is left without the constant term.
+// Units       those of the function.
+// Domain      the first `count` variables of the symbols, in their order. A power of such a
+//             variable in a key is one of its displacement. Division and roots need a constant term
+//             that is not zero, or positive; they converge where x is small against the distance of
+//             the nearest zero.
+// Accuracy    exact in Rational up to known(); else the roundings of T. A polynomial that nothing
+//             was cut off from is exact, and stays so in sums, products within the degree and
+//             derivatives. Else a derivative is known to one degree less. A term of a series whose
+//             known part is zero is dropped.
+// Errors      DomainError for a division by a constant term of zero, a root of one that is not
+//             positive, a derivative of which nothing would be known, a place that is not there.
+// Cost        sizeof: binomial(count + degree, count) numbers. A product takes the pairs within the
+//             degree, those with a zero left out.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "polhode/math/real.hpp"
+#include "polhode/series/detail/taylor_layout.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <class T, int count, int degree>
+class TaylorCoefficient {
+  using Layout = detail::TaylorLayout<count, degree>;
+  static constexpr const Layout& layout = detail::taylor_layout<count, degree>;
+  static constexpr int exact = degree + 1;
+
+ public:
+  using Number = T;
+  using Exponents = std::array<int, static_cast<std::size_t>(count)>;
+  static constexpr int variable_count = count;
+  static constexpr std::size_t size = Layout::size;
+
+  TaylorCoefficient() : TaylorCoefficient(0) {}
+  explicit TaylorCoefficient(int number) : TaylorCoefficient(T(number)) {}
+  explicit TaylorCoefficient(T number) {
+    c_.fill(T(0));
+    c_[0] = std::move(number);
+  }
+  // The variable itself, at `value` of it.
+  static TaylorCoefficient variable(int place, T value) {
+    require_place(place);
+    TaylorCoefficient a(std::move(value));
+    a.c_[layout.raised[static_cast<std::size_t>(place)][0]] = T(1);
+    return a;
+  }
+
+  // The degree up to which all is known.
+  int known() const { return known_ < degree ? known_ : degree; }
+  const T& constant() const { return c_[0]; }
+  // Of the monomial with that place, in ascending degree; and its exponents.
+  const T& at(std::size_t i) const { return c_[i]; }
+  static Exponents exponents(std::size_t i) { return layout.exponents[i]; }
+
+  TaylorCoefficient derivative(int place) const {
+    require_place(place);
+    TaylorCoefficient d;
+    d.known_ = known_ == exact ? exact : known_ - 1;
+    if (d.known_ < 0)
+      throw DomainError(
+          "TaylorCoefficient: nothing is known of a derivative after so many; a higher degree has "
+          "more");
+    const auto& raised = layout.raised[static_cast<std::size_t>(place)];
+    for (std::size_t i = 0; i < Layout::size_to(degree - 1) && layout.order[i] <= d.known_; ++i) {
+      const T& c = c_[raised[i]];
+      if (!(c == T(0)))
+        d.c_[i] = T(layout.exponents[raised[i]][static_cast<std::size_t>(place)]) * c;
+    }
+    return d;
+  }
+
+  friend TaylorCoefficient operator-(TaylorCoefficient a) {
+    for (T& c : a.c_) c = -c;
+    return a;
+  }
+  friend TaylorCoefficient operator+(const TaylorCoefficient& a, const TaylorCoefficient& b) {
+    TaylorCoefficient sum = within(a, b.known_);
+    for (std::size_t i = 0; i < size && layout.order[i] <= sum.known_; ++i)
+      sum.c_[i] = sum.c_[i] + b.c_[i];
+    return sum;
+  }
+  friend TaylorCoefficient operator-(const TaylorCoefficient& a, const TaylorCoefficient& b) {
+    return a + -b;
+  }
+  friend TaylorCoefficient operator*(const TaylorCoefficient& a, const TaylorCoefficient& b) {
+    TaylorCoefficient product;
+    product.known_ = a.known_ < b.known_ ? a.known_ : b.known_;
+    if (product.known_ == exact && a.order() + b.order() > degree) product.known_ = degree;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (a.c_[i] == T(0) || layout.order[i] > product.known_) continue;
+      const int room = (product.known_ < degree ? product.known_ : degree) - layout.order[i];
+      for (std::size_t j = 0; j < Layout::size_to(room); ++j) {
+        if (b.c_[j] == T(0)) continue;
+        T& sum = product.c_[layout.product[i][j]];
+        sum = sum + a.c_[i] * b.c_[j];
+      }
+    }
+    return product;
+  }
+  friend TaylorCoefficient operator/(const TaylorCoefficient& a, const TaylorCoefficient& b) {
+    return a * b.inverse();
+  }
+  // Of what is known: degrees are not compared.
+  friend bool operator==(const TaylorCoefficient& a, const TaylorCoefficient& b) {
+    return a.c_ == b.c_;
+  }
+
+  // Also for T without roots: they are looked up where this is called.
+  friend TaylorCoefficient sqrt(const TaylorCoefficient& a) {
+    using std::sqrt;
+    if (!(to_double(a.c_[0]) > 0.0))
+      throw DomainError("TaylorCoefficient: the root of a function that is not positive");
+    const T root = sqrt(a.c_[0]);
+    // binomial(1/2, n) u^n, a = c (1 + u)
+    const TaylorCoefficient u = a.rest();
+    TaylorCoefficient sum(0), power(1);
+    T factor(1);
+    for (int n = 0; n <= degree; ++n) {
+      sum = sum + TaylorCoefficient(factor) * power;
+      power = power * u;
+      factor = factor * (T(1) - T(2 * n)) / T(2 * (n + 1));
+    }
+    return TaylorCoefficient(root) * sum.cut_at(a.constant_alone() ? exact : degree);
+  }
+
+  // The value at a displacement.
+  T value(const std::array<T, static_cast<std::size_t>(count)>& x) const {
+    T sum(0);
+    for (std::size_t i = 0; i < size; ++i) {
+      T product = c_[i];
+      for (std::size_t v = 0; v < x.size(); ++v)
+        for (int n = 0; n < layout.exponents[i][v]; ++n) product = product * x[v];
+      sum = sum + product;
+    }
+    return sum;
+  }
+
+ private:
+  static void require_place(int place) {
+    if (place < 0 || place >= count)
+      throw DomainError("TaylorCoefficient: no variable at place " + std::to_string(place));
+  }
+  // Without what is beyond a degree.
+  static TaylorCoefficient within(TaylorCoefficient a, int known) {
+    if (known >= a.known_) return a;
+    a.known_ = known;
+    for (std::size_t i = 0; i < size; ++i)
+      if (layout.order[i] > known) a.c_[i] = T(0);
+    return a;
+  }
+  TaylorCoefficient cut_at(int known) const { return within(*this, known); }
+  int order() const {
+    int most = 0;
+    for (std::size_t i = 0; i < size; ++i)
+      if (!(c_[i] == T(0))) most = layout.order[i];
+    return most;
+  }
+  bool constant_alone() const { return order() == 0; }
+  // u of a = c (1 + u).
+  TaylorCoefficient rest() const {
+    TaylorCoefficient u = *this;
+    for (T& c : u.c_) c = c / c_[0];
+    u.c_[0] = T(0);
+    return u;
+  }
+  TaylorCoefficient inverse() const {
+    if (c_[0] == T(0))
+      throw DomainError("TaylorCoefficient: a division by a function that is 0 where it is taken");
+    if (constant_alone()) return within(TaylorCoefficient(T(1) / c_[0]), known_);
+    const TaylorCoefficient u = -rest();
+    TaylorCoefficient sum(1);
+    for (int n = 0; n < degree; ++n) sum = TaylorCoefficient(1) + u * sum;
+    return TaylorCoefficient(T(1) / c_[0]) * sum.cut_at(degree);
+  }
+
+  std::array<T, size> c_;
+  int known_ = exact;
+};
+
+template <class T, int count, int degree>
+struct RealTraits<TaylorCoefficient<T, count, degree>> {
+  static double to_double(const TaylorCoefficient<T, count, degree>& a) {
+    return polhode::to_double(a.constant());
+  }
+};
+
+}  // namespace v0
+}  // namespace polhode
