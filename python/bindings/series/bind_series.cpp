@@ -67,7 +67,8 @@ Series<T> series_of_terms(const Symbols& symbols, const std::vector<PythonTerm>&
   for (const PythonTerm& term : all) {
     if (term.function != "cos" && term.function != "sin")
       throw DomainError("Series: the function '" + term.function + "'; expected cos or sin");
-    const Trigonometric function = term.function == "sin" ? Trigonometric::sine : Trigonometric::cosine;
+    const Trigonometric function =
+        term.function == "sin" ? Trigonometric::sine : Trigonometric::cosine;
     const TermKey key = packed(symbols, pairs_of(term.powers), pairs_of(term.multiples), function);
     const auto coefficient = [](const auto& c) {
       if constexpr (std::is_constructible_v<T, decltype(c)>)
