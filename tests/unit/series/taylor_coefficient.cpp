@@ -41,11 +41,11 @@ Local drawn_local(Draw& draw, int terms = 4) {
 // The degree to which all of a series is known.
 int known(const Local& a) {
   int least = 5;
-  for (const auto& term : a.terms()) least = std::min(least, term.c.known());
+  for (const auto& term : a.terms()) least = std::min<int>(least, term.c.known());
   return least;
 }
 void expect_equal(const Local& a, const Local& b, int least_known) {
-  const int degree = std::min(known(a), known(b));
+  const int degree = std::min<int>(known(a), known(b));
   EXPECT_GE(degree, least_known);
   EXPECT_EQ(expanded(a, degree), expanded(b, degree));
 }
