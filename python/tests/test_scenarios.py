@@ -83,7 +83,11 @@ def shortened(scenario):
     return Scenario.from_dict(data, scenario.name)
 
 
-ROTATIONS = [path for path in EXAMPLES if 'kind = "obliquity"' not in path.read_text()]
+ROTATIONS = [
+    path
+    for path in EXAMPLES
+    if not any(f'kind = "{kind}"' in path.read_text() for kind in ("obliquity", "nutation"))
+]
 
 
 @pytest.mark.parametrize("path", ROTATIONS, ids=names(ROTATIONS))

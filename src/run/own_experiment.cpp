@@ -75,7 +75,7 @@ RunReport rows_of(const OwnExperiment& own, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   if (own.maker == nullptr && !own.formula)
     throw DomainError(scenario.document.name + ": kind: got \"" + own.kind +
-                      "\" without a model or a formula; expected one that own_experiment has made");
+                      "\" without a model; expected one that own_experiment has made");
   RowWriter writer(row_width(row_groups(own, scenario)), sinks,
                    control.from == nullptr ? 0 : control.from->pushed);
   return completed(own.formula ? formula_rows(own, scenario.units(), writer, control)

@@ -21,6 +21,7 @@ LAYERS = {
     "perturb": "What acts on a body: terms, and the concepts that one of your own satisfies.",
     "system": "A body, a frame and terms: rates, energies, both angular velocities, osculation.",
     "dynamics": "Integration of a system: problem, methods, events.",
+    "series": "Poisson series: their algebra, calculus, values and text.",
     "secular": "What is averaged over rotation and orbit.",
     "analysis": "What a run shows: how chaotic it is, and of which lines it is made.",
     "ensemble": "Many runs at once, on the processors of one machine.",

@@ -382,10 +382,10 @@ TEST(Scenario, TheKindOfAnExperimentIsARotationUnlessTheFileSaysOtherwise) {
   const Scenario named = scenario_from_text("kind = \"rotation\"\n" + head + andoyer, "f.toml");
   EXPECT_TRUE(std::holds_alternative<Rotation>(named.experiment));
   const std::string error = error_of("kind = \"rotaton\"\n" + head + andoyer);
-  EXPECT_EQ(
-      error,
-      "f.toml:1:8: kind: got \"rotaton\"; expected \"rotation\" or \"obliquity\"; did you mean "
-      "\"rotation\"?");
+  EXPECT_EQ(error,
+            "f.toml:1:8: kind: got \"rotaton\"; expected \"rotation\", \"obliquity\" or "
+            "\"nutation\"; did you mean "
+            "\"rotation\"?");
 }
 
 TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {

@@ -12,12 +12,14 @@
 #include "polhode/series/expanded.hpp"
 #include "polhode/series/linear_flow.hpp"
 #include "unit/series/support.hpp"
+#include "worst.hpp"
 
 namespace series_test {
 namespace {
 
 using polhode::AngleRate;
 using polhode::test::message_of;
+using polhode::test::smaller;
 using testing::HasSubstr;
 
 using Taylor = polhode::TaylorCoefficient<Rational, 2, 5>;
@@ -41,11 +43,11 @@ Local drawn_local(Draw& draw, int terms = 4) {
 // The degree to which all of a series is known.
 int known(const Local& a) {
   int least = 5;
-  for (const auto& term : a.terms()) least = std::min<int>(least, term.c.known());
+  for (const auto& term : a.terms()) least = smaller<int>(least, term.c.known());
   return least;
 }
 void expect_equal(const Local& a, const Local& b, int least_known) {
-  const int degree = std::min<int>(known(a), known(b));
+  const int degree = smaller<int>(known(a), known(b));
   EXPECT_GE(degree, least_known);
   EXPECT_EQ(expanded(a, degree), expanded(b, degree));
 }
