@@ -816,4 +816,11 @@ inline constexpr double lie_slope = 0.1;
 inline constexpr double lie_map_slope = 0.2;
 // Radians and relative momentum, of first order, after ten units of time.
 inline constexpr double lie_first_order = 5e-3;
+
+// --- normal form of the rotor (tests/unit/secular/triaxial_normal_form.cpp) ---
+// At order 8 and triaxiality 0.01: relative; rad and over G.
+inline constexpr double normal_form_frequencies = 1e-14;
+inline constexpr double normal_form_angles = 1e-14;
+// Of log-log slopes of the error; what they should be is an integer.
+inline constexpr double normal_form_slope = 0.25;
 }  // namespace polhode::budget

@@ -117,6 +117,7 @@
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"
 #include "polhode/secular/tides.hpp"
+#include "polhode/secular/triaxial_normal_form.hpp"
 #include "polhode/secular/yorp.hpp"
 #include "polhode/series/coefficient.hpp"
 #include "polhode/series/compiled_series.hpp"

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Normal form of the triaxial rotor. Oracle: Sadov's closed-form action-angle variables.
+#include "polhode/secular/triaxial_normal_form.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/free/sadov.hpp"
+#include "worst.hpp"
+
+namespace {
+
+using namespace polhode;
+using polhode::test::message_of;
+using polhode::test::Worst;
+using ::testing::HasSubstr;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// With the triaxiality e: a = 1, b = 1/4.
+Body body(double e) { return {1.0 / (1.0 + 0.25 * e), 1.0 / (1.0 - 0.25 * e), 1.0 / 0.75}; }
+
+AndoyerState state(double J, double l) {
+  return {.l = l, .g = 0.7, .h = 0.3, .L = 2.0 * std::cos(J), .G = 2.0, .H = 1.1};
+}
+
+struct Errors {
+  double energy, frequencies, actions, angles, back;
+};
+// Relative to G and the frequencies, over l, for J up to 30 degrees.
+Errors errors(double e, int order) {
+  const TriaxialNormalForm form(body(e), order);
+  Worst energy, frequencies, actions, angles, back;
+  for (const double J : {10.0 * degree, 30.0 * degree})
+    for (const double l : {0.2, 1.0, 2.1, 3.9, 5.5}) {
+      const AndoyerState s = state(J, l);
+      const FreeRotation motion(body(e), to_rotor(s), 0.0);
+      const SadovState exact = to_sadov(motion, 0.0);
+      const SadovFrequencies n = sadov_frequencies(motion);
+      const RotorFrequencies by_series = form.frequencies(exact.I_l, exact.I_g);
+      frequencies.add(by_series.n_l / n.n_l - 1.0);
+      frequencies.add(by_series.n_g / n.n_g - 1.0);
+      energy.add(form.energy(exact.I_l, exact.I_g) / kinetic_energy(body(e), to_rotor(s)) - 1.0);
+      const AndoyerState mean = form.mean(s);
+      actions.add((mean.L - exact.I_l) / s.G);
+      constexpr double turn = 2.0 * std::numbers::pi;
+      angles.add(std::remainder(mean.l - exact.phi_l - 0.25 * turn, turn));
+      angles.add(std::remainder(mean.g - exact.phi_g, turn));
+      const AndoyerState again = form.osculating(mean);
+      back.add(again.l - s.l);
+      back.add((again.L - s.L) / s.G);
+    }
+  return {energy.value(), frequencies.value(), actions.value(), angles.value(), back.value()};
+}
+
+TEST(TriaxialNormalForm, FrequenciesAreSadovs) {
+  const Errors of = errors(0.01, 8);
+  EXPECT_LT(of.frequencies, budget::normal_form_frequencies);
+  EXPECT_LT(of.energy, budget::normal_form_frequencies);
+  EXPECT_LT(of.angles, budget::normal_form_angles);
+  EXPECT_LT(of.actions, budget::normal_form_angles);
+}
+
+TEST(TriaxialNormalForm, ErrorsFallWithTheOrder) {
+  for (int order = 1; order <= 8; ++order) {
+    const Errors one = errors(0.2, order), half = errors(0.1, order);
+    const auto slope = [](double a, double b) { return std::log2(a / b); };
+    const double next_even = 2.0 * (order / 2) + 2.0;
+    EXPECT_NEAR(slope(one.frequencies, half.frequencies), next_even, budget::normal_form_slope)
+        << order;
+    EXPECT_NEAR(slope(one.energy, half.energy), next_even, budget::normal_form_slope) << order;
+    EXPECT_NEAR(slope(one.angles, half.angles), order + 1.0, budget::normal_form_slope) << order;
+    EXPECT_NEAR(slope(one.actions, half.actions), order + 1.0, budget::normal_form_slope) << order;
+    EXPECT_NEAR(slope(one.back, half.back), order + 1.0, budget::normal_form_slope) << order;
+  }
+}
+
+TEST(TriaxialNormalForm, WhatIsRefused) {
+  EXPECT_THAT(message_of([] { TriaxialNormalForm(body(0.1), 0); }), HasSubstr("order 0 must be"));
+  EXPECT_THAT(message_of([] { TriaxialNormalForm(Body(2.0, 1.5, 3.0), 2); }),
+              HasSubstr("must rise"));
+  EXPECT_THAT(message_of([] { TriaxialNormalForm(Body(1.0, 1.0, 1.0), 2); }),
+              HasSubstr("must rise"));
+}
+
+}  // namespace
