@@ -822,5 +822,5 @@ inline constexpr double lie_first_order = 5e-3;
 inline constexpr double normal_form_frequencies = 1e-14;
 inline constexpr double normal_form_angles = 1e-14;
 // Of log-log slopes of the error; what they should be is an integer.
-inline constexpr double normal_form_slope = 0.25;
+inline constexpr double normal_form_slope = 0.5;
 }  // namespace polhode::budget
