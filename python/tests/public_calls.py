@@ -189,7 +189,9 @@ OF_CALL = {
     "shipped_orbit": {"name": "mars"},
     "planet_rates": {"name": "mars"},
     "planet_pole": {"name": "mars"},
-    "nutation_theory": {"satellite_mass": 0.0123, "ellipticity": 0.003, "least": 1e-9},
+    "nutation_theory": {
+        "satellite_mass": 0.0123, "ellipticity": 0.003, "triaxiality": 0.0, "least": 1e-9
+    },
     "spectrum": {"values": np.cos(0.7 * np.arange(100.0)), "lines": 2},
     "Truncation.__init__": {"order": 2, "most_bytes": 1000},
     "SeriesTerm.__init__": {"coefficient": 0.5},
