@@ -190,7 +190,11 @@ OF_CALL = {
     "planet_rates": {"name": "mars"},
     "planet_pole": {"name": "mars"},
     "nutation_theory": {
-        "satellite_mass": 0.0123, "ellipticity": 0.003, "triaxiality": 0.0, "least": 1e-9
+        "satellite_mass": 0.0123,
+        "ellipticity": 0.003,
+        "triaxiality": 0.0,
+        "order": 1,
+        "least": 1e-9,
     },
     "spectrum": {"values": np.cos(0.7 * np.arange(100.0)), "lines": 2},
     "Truncation.__init__": {"order": 2, "most_bytes": 1000},
@@ -200,8 +204,10 @@ OF_CALL = {
     "Series.substituted": {"name": "G", "s": 2},
     "Series.displaced": {"name": "G", "d": 2},
     "CompiledSeries.at": {"points": [1.0, 0.1, 0.5]},
-    "LieTransform.__init__": {"angles": ["g"], "hamiltonian": SERIES + polhode.Series(
-        NAMES_OF_SERIES, "G")},
+    "LieTransform.__init__": {
+        "angles": ["g"],
+        "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G"),
+    },
     "satellite_precession": {"eccentricity": 0.1},
     "chaos_indicator": {"distance": 1e-6, "deviation": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]},
 }
