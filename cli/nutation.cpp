@@ -41,8 +41,7 @@ NutationRequest completed_request(const NutationCommand& of) {
   if (!of.obliquity.empty()) request.of.obliquity = angle("--obliquity", of.obliquity);
   request.of.least = angle("--least", of.least);
   try {
-    const Date J2000{TimeScale::TDB, 2451545.0, 0.0};
-    request.of.T = seconds_between(J2000, epoch_date(of.epoch)) / (36525.0 * 86400.0);
+    request.of.T = julian_centuries(epoch_date(of.epoch));
   } catch (const DomainError& error) {
     throw DomainError("nutation: --epoch: got \"" + of.epoch + "\"; " + error.what());
   }
@@ -62,27 +61,23 @@ void add_nutation(CLI::App& app) {
       "nutation", "The nutation of a rigid planet as a table of coefficients (Kinoshita's theory)");
   const auto of = std::make_shared<NutationCommand>();
   PlanetNutation& planet = of->request.of;
-  const auto one_of = [](const char* a, const char* b, const char* c = nullptr) {
-    std::vector<std::string> words{a, b};
-    if (c != nullptr) words.emplace_back(c);
-    return CLI::IsMember(words);
-  };
+  const auto one_of = [](const std::vector<std::string>& words) { return CLI::IsMember(words); };
   command->add_option("--planet", planet.planet, "earth (Moon and Sun), venus or mars (Sun)")
-      ->check(one_of("earth", "venus", "mars"))
+      ->check(one_of({"earth", "venus", "mars"}))
       ->capture_default_str();
   command->add_option("--axis", of->axis, "momentum, figure or rotation")
-      ->check(one_of("momentum", "figure", "rotation"))
+      ->check(one_of({"momentum", "figure", "rotation"}))
       ->capture_default_str();
   command
       ->add_option(
           "--part", of->part,
           "all, or oppolzer: the axis less that of the momentum, whose terms are Poisson's")
-      ->check(one_of("all", "oppolzer"))
+      ->check(one_of({"all", "oppolzer"}))
       ->capture_default_str();
   command
       ->add_option("--rate", of->rate,
                    "Of the axis of rotation: inertial, or relative to the moving ecliptic")
-      ->check(one_of("inertial", "relative"))
+      ->check(one_of({"inertial", "relative"}))
       ->capture_default_str();
   command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output");
   command->add_option("--lines", of->request.lines, "How many terms to print")

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <span>
 
+#include "polhode/orbit/kepler_equation.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace {
@@ -182,21 +184,19 @@ EclipticPosition moon_of_date(const DelaunayArguments& a, double T) {
           1e-3 * (385000560.0 + main.real())};
 }
 
-EclipticPosition sun_of_date(const DelaunayArguments& a, double T) {
+Vec3 on_ellipse(double a, double e, double mean_anomaly, double pericentre) {
+  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly, Eccentricity::of(e));
+  const double x = a * ((1.0 - e) - at.versine), y = a * std::sqrt(1.0 - e * e) * at.sine;
+  const double c = std::cos(pericentre), s = std::sin(pericentre);
+  return {c * x - s * y, s * x + c * y, 0.0};
+}
+
+Vec3 sun_of_date(const DelaunayArguments& a, double T) {
   const double e = 0.016708634 - T * (0.000042037 + T * 0.0000001267);
-  double E = a.lp;  // Kepler's equation: each turn gains a factor e
-  for (int i = 0; i < 12; ++i) E = a.lp + e * std::sin(E);
-  const double true_anomaly = std::atan2(std::sqrt(1.0 - e * e) * std::sin(E), std::cos(E) - e);
   const double mean_longitude = a.F - a.D + a.Om;
   // The centre of the Earth is off that of Earth and Moon.
-  const Vec3 from_barycentre = cartesian(
-      {mean_longitude - a.lp + true_anomaly, 0.0, 1.000001018 * au_km * (1.0 - e * std::cos(E))});
-  const Vec3 to_moon = cartesian(moon_of_date(a, T));
-  const double share = 1.0 / (1.0 + earth_to_moon_mass);
-  const Vec3 r = {from_barycentre.x + share * to_moon.x, from_barycentre.y + share * to_moon.y,
-                  from_barycentre.z + share * to_moon.z};
-  const double rho = std::hypot(r.x, r.y);
-  return {std::atan2(r.y, r.x), std::atan2(r.z, rho), std::hypot(rho, r.z)};
+  return on_ellipse(1.000001018 * au_km, e, a.lp, mean_longitude - a.lp) +
+         (1.0 / (1.0 + earth_to_moon_mass)) * cartesian(moon_of_date(a, T));
 }
 
 Vec3 cartesian(const EclipticPosition& p) {

@@ -20,9 +20,9 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "polhode/ephemeris/date.hpp"
 #include "polhode/secular/nutation.hpp"
 #include "polhode/text/citation.hpp"
 
@@ -41,8 +41,8 @@ struct PlanetNutation {
   double least = 5e-12;  // rad: smaller terms, below 1 uas, are left out
 };
 
-// "earth|venus|mars".
-std::string_view nutation_planets();
+// T of a date: from J2000, TDB.
+double julian_centuries(const Date& date);
 
 NutationProblem nutation_problem(const PlanetNutation& of);
 NutationTheory nutation_theory(const PlanetNutation& of);

@@ -69,10 +69,9 @@ double second_of(const ExperimentContext& at) {
 }
 
 PlanetNutation request_of(const Arguments& a, const ExperimentContext& at) {
-  const Date epoch = at.built("epoch", [&] { return epoch_date(a.epoch); });
   PlanetNutation of;
   of.planet = a.planet == Planet::earth ? "earth" : a.planet == Planet::venus ? "venus" : "mars";
-  of.T = seconds_between({TimeScale::TDB, 2451545.0, 0.0}, epoch) / (36525.0 * 86400.0);
+  of.T = at.built("epoch", [&] { return julian_centuries(epoch_date(a.epoch)); });
   of.ellipticity = a.ellipticity;
   of.triaxiality = a.triaxiality;
   if (a.spin_rate) of.spin_rate = *a.spin_rate * second_of(at);

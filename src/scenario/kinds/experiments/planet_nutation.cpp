@@ -24,8 +24,8 @@ constexpr double century = 36525.0 * day;
 [[noreturn]] void refuse(const std::string& why) { throw DomainError("nutation: " + why); }
 
 void require(const PlanetNutation& of) {
-  if (!(std::abs(of.T) <= 11.0))
-    refuse("T " + number_text(of.T) + " must be within 11 centuries of J2000");
+  if (!(std::abs(of.T) <= 10.0))
+    refuse("T " + number_text(of.T) + " must be within 10 centuries of J2000");
   const auto within = [](const std::optional<double>& value, const char* name, double least,
                          double largest) {
     if (value && !(*value >= least && *value <= largest))
@@ -75,7 +75,7 @@ NutationProblem earth_problem(const PlanetNutation& of) {
            argument("F", at.F, rate.F, 11), argument("D", at.D, rate.D, 11),
            argument("Om", at.Om, rate.Om, 7)},
           {{planetary_gm(Planetary::sun),
-            [T](std::span<const double> x) { return cartesian(sun_of_date(delaunay(x), T)); }},
+            [T](std::span<const double> x) { return sun_of_date(delaunay(x), T); }},
            {gm_moon,
             [T](std::span<const double> x) { return cartesian(moon_of_date(delaunay(x), T)); }}},
           earth_ecliptic_rate(T),
@@ -134,13 +134,8 @@ NutationProblem planet_problem(const PlanetNutation& of) {
   const double Ls = orbit.mean_longitude - equator_of(of.planet).equinox + std::numbers::pi;
   const double M = orbit.mean_longitude - orbit.perihelion;
   const double e = orbit.e, a = orbit.a;
-  const auto sun = [e, a](std::span<const double> x) -> Vec3 {
-    const double M_x = x[0], Ls_x = x[1];
-    double E = M_x;
-    for (int i = 0; i < 60; ++i) E = M_x + e * std::sin(E);
-    const double truth = std::atan2(std::sqrt(1.0 - e * e) * std::sin(E), std::cos(E) - e);
-    const double r = a * (1.0 - e * std::cos(E)), longitude = Ls_x - M_x + truth;
-    return {r * std::cos(longitude), r * std::sin(longitude), 0.0};
+  const auto sun = [e, a](std::span<const double> x) {
+    return on_ellipse(a, e, x[0], x[1] - x[0]);
   };
   return {body_of(*of.ellipticity, *of.triaxiality),
           spin,
@@ -154,9 +149,15 @@ NutationProblem planet_problem(const PlanetNutation& of) {
           2.0 * std::numbers::pi / (10.0 * century)};
 }
 
+NutationProblem problem_of(const PlanetNutation& all) {
+  return all.planet == "earth" ? earth_problem(all) : planet_problem(all);
+}
+
 }  // namespace
 
-std::string_view nutation_planets() { return "earth|venus|mars"; }
+double julian_centuries(const Date& date) {
+  return seconds_between({TimeScale::TDB, 2451545.0, 0.0}, date) / century;
+}
 
 PlanetNutation completed(const PlanetNutation& of) {
   require(of);
@@ -188,10 +189,7 @@ PlanetNutation completed(const PlanetNutation& of) {
   return all;
 }
 
-NutationProblem nutation_problem(const PlanetNutation& of) {
-  const PlanetNutation all = completed(of);
-  return all.planet == "earth" ? earth_problem(all) : planet_problem(all);
-}
+NutationProblem nutation_problem(const PlanetNutation& of) { return problem_of(completed(of)); }
 
 NutationTheory nutation_theory(const PlanetNutation& of) {
   const PlanetNutation all = completed(of);
@@ -200,7 +198,7 @@ NutationTheory nutation_theory(const PlanetNutation& of) {
     PlanetNutation then = all;
     then.T = T;
     if (all.planet == "earth") *then.obliquity += earth_obliquity(T) - earth_obliquity(all.T);
-    return NutationTheory(nutation_problem(then));
+    return NutationTheory(problem_of(then));
   };
   return at(all.T).changing(at(all.T - 0.5), at(all.T + 0.5), century);
 }
