@@ -823,4 +823,10 @@ inline constexpr double normal_form_frequencies = 1e-14;
 inline constexpr double normal_form_angles = 1e-14;
 // Of log-log slopes of the error; what they should be is an integer.
 inline constexpr double normal_form_slope = 0.5;
+// Mean rotation under a gravity gradient (tests/unit/secular/gravity_gradient_theory.cpp): slopes
+// of the error; relative, rad and energies of bodies of about 1; what a mean element differs by at
+// least.
+inline constexpr double gravity_theory_slope = 0.12, gravity_theory_closed = 1e-12;
+inline constexpr double gravity_theory_series = 1e-12, gravity_theory_back = 1e-11;
+inline constexpr double gravity_theory_moved = 1e-6;
 }  // namespace polhode::budget

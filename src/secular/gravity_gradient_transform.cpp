@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "secular/gravity_gradient_transform.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using Local = Series<ActionTaylor>;
+
+Symbols symbols() {
+  return Symbols({"I_l", "I_g", "I_h", "k"}, {"phi_l", "phi_g", "phi_h", "M"},
+                 {{"phi_l", "I_l"}, {"phi_g", "I_g"}, {"phi_h", "I_h"}});
+}
+
+struct Rates {
+  double l, g, M;
+  double of(const Symbols& names, const TermKey& key) const {
+    return multiplier(names, key, 0) * l + multiplier(names, key, 1) * g +
+           multiplier(names, key, 3) * M;
+  }
+};
+// H_0 is one term.
+double rate_by(const Local& h0, const char* action) {
+  return derivative(h0, action).terms()[0].c.constant();
+}
+
+double size_of(const Term<ActionTaylor>& term) { return std::abs(term.c.constant()); }
+
+// Periodic terms as small as `least` are left out. Those of which products with the largest are are
+// of the second order: they enter alone.
+Local by_size(const Local& gradient, const Rates& rates, double I_g,
+              const GravityGradientOptions& options) {
+  const Symbols& names = gradient.symbols();
+  const auto is_periodic = [&](const Term<ActionTaylor>& term) {
+    return multiplier(names, term.key, 0) != 0 || multiplier(names, term.key, 1) != 0 ||
+           multiplier(names, term.key, 3) != 0;
+  };
+  const auto angle_moved = [&](const Term<ActionTaylor>& term) {
+    return size_of(term) / (I_g * std::abs(rates.of(names, term.key)));
+  };
+  double largest = 0.0, most = 0.0;
+  for (const auto& term : gradient.terms()) {
+    largest = std::max(largest, size_of(term));
+    if (is_periodic(term)) most = std::max(most, angle_moved(term));
+  }
+  constexpr double rounding = 1e-15;
+  const int k = names.variable("k");
+  std::vector<Term<ActionTaylor>> terms;
+  for (const auto& term : gradient.terms()) {
+    if (!(size_of(term) > rounding * largest)) continue;
+    Term<ActionTaylor> kept = term;
+    if (is_periodic(term)) {
+      if (!(angle_moved(term) > options.least)) continue;
+      if (options.order == 2 && angle_moved(term) * most < options.least)
+        kept.key.exponents = names.exponents().with(kept.key.exponents, k, 1);
+    }
+    terms.push_back(kept);
+  }
+  return Local(names, std::move(terms));
+}
+
+// k.H_0''.k of the angles of a term.
+double curvature(const TermKey& key, const Local& h0) {
+  const Symbols& names = h0.symbols();
+  const char* const action[2] = {"I_l", "I_g"};
+  double sum = 0.0;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (const auto& one : derivative(derivative(h0, action[i]), action[j]).terms())
+        sum += multiplier(names, key, i) * multiplier(names, key, j) * one.c.constant();
+  return sum;
+}
+
+// A term A cos(angle) of the Hamiltonian, which the generator has over its rate w, holds what turns
+// slower than 2 sqrt(|A k.H_0''.k|). At twice that, the second order is a sixteenth of the first.
+void require_no_resonance(const Local& generator, const Local& h0, const Rates& rates) {
+  for (const auto& term : generator.terms()) {
+    const double rate = std::abs(rates.of(generator.symbols(), term.key));
+    const double held = 2.0 * std::sqrt(size_of(term) * rate * std::abs(curvature(term.key, h0)));
+    if (rate > 2.0 * held) continue;
+    refuse_theory("a resonance: " + angle_text(generator, term.key) + " turns at the rate " +
+                  number_text(rate) + ", and the torque holds what is slower than " +
+                  number_text(held));
+  }
+}
+
+// What an action moves by at the first order must be small against its way to where the elements
+// lose their sense.
+void require_small(const LieTransform<ActionTaylor>& transform, const GravityGradientRequest& s) {
+  constexpr double share = 0.3;
+  const auto require = [&](const char* name, double distance, const char* where) {
+    double moved = 0.0;
+    const Local short_period = transform.short_period(name);
+    for (const auto& term : part_of_order(short_period, gradient_orders(1), 1).terms())
+      moved += size_of(term) / s.at.I_g;
+    if (moved < share * distance) return;
+    refuse_theory("the torque moves " + std::string(name) + " / I_g by " + number_text(moved) +
+                  ", and it is " + number_text(distance) + " from " + where);
+  };
+  require("I_l", distance_in_region(s.body, s.at), "spin about an axis or the separatrix");
+  require("I_h", 1.0 - std::abs(s.at.I_h) / s.at.I_g, "momentum along the normal of the orbit");
+}
+
+}  // namespace
+
+void refuse_theory(const std::string& why) { throw DomainError("GravityGradientTheory: " + why); }
+
+Truncation gradient_orders(int order) { return {{{"k", 1}}, order}; }
+
+void require_valid(const GravityGradientRequest& s) {
+  const Vec3& m = s.body.moments();
+  const double e = s.orbit.elements().eccentricity;
+  if (!(s.gm > 0.0) || !std::isfinite(s.gm))
+    refuse_theory("gm = " + number_text(s.gm) + " must be positive");
+  if (!(e < 1.0)) refuse_theory("the eccentricity " + number_text(e) + " must be below 1");
+  if (s.options.order != 1 && s.options.order != 2)
+    refuse_theory("the order " + std::to_string(s.options.order) + " must be 1 or 2");
+  if (!(s.options.least > 0.0))
+    refuse_theory("least = " + number_text(s.options.least) + " must be positive");
+  if (m.x == m.y && m.y == m.z) refuse_theory("a sphere has no gravity gradient");
+  if (!(s.at.I_g > 0.0)) refuse_theory("the body is at rest");
+  constexpr double nearest = 1e-4;  // nearer, interpolated coefficients lose their digits
+  if (!(distance_in_region(s.body, s.at) > nearest))
+    refuse_theory("I_l / I_g = " + number_text(s.at.I_l / s.at.I_g) +
+                  " is next to spin about an axis or to the separatrix, where the elements lose "
+                  "their sense");
+  if (!(1.0 - std::abs(s.at.I_h) / s.at.I_g > nearest))
+    refuse_theory("I_h / I_g = " + number_text(s.at.I_h / s.at.I_g) +
+                  ": the momentum is along the normal of the orbit, where phi_h loses its sense");
+}
+
+GravityGradientTransform transformed(const GravityGradientRequest& s) {
+  require_valid(s);
+  const Symbols names = symbols();
+  const KeplerElements& e = s.orbit.elements();
+  const double a = semi_major_axis(e);
+  constexpr double rounding = 1e-15;
+  const TurningTensor tensor = turning_tensor(s.body, s.at, rounding);
+  const OrbitWaves orbit = orbit_waves(Eccentricity::of(e.eccentricity), rounding);
+  const Local gradient = gradient_series(names, tensor, orbit, s.at, 1.5 * s.gm / (a * a * a));
+  const Local h0 = constant(names, tensor.energy);
+  const Rates rates{rate_by(h0, "I_l"), rate_by(h0, "I_g"), s.orbit.mean_motion()};
+  const Local kept = by_size(gradient, rates, s.at.I_g, s.options);
+  Elimination<ActionTaylor> problem{
+      h0 + kept, gradient_orders(s.options.order), {"phi_l", "phi_g"}};
+  if (s.options.averages_orbit) problem.angles.emplace_back("M");
+  problem.clocks = {{"M", constant(names, ActionTaylor(rates.M))}};
+  LieTransform<ActionTaylor> transform(std::move(problem));
+  require_no_resonance(transform.generator(), h0, rates);
+  require_small(transform, s);
+  return {std::move(transform), kept.size()};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
