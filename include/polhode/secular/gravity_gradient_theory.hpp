@@ -2,18 +2,19 @@
 // A rigid body that spins fast under the gravity gradient of a Kepler orbit: its mean elements and
 // what was averaged away, by canonical perturbation theory of the first or second order.
 //
-// Equations   Sadov's variables [SA 5] in the axes of the orbit, x to the pericentre and z along the
-//             normal. H = H_0(I_l, I_g) + 3 gm/(2 r^3) n.I n. The body turns exactly in phi_l and
-//             phi_g, whatever its shape: its tensor of inertia in the axes of the momentum is a
+// Equations   Sadov's variables [SA 5] in the axes of the orbit, x to the pericentre and z along
+//             its normal. H = H_0(I_l, I_g) + 3 gm/(2 r^3) n.I n. The body turns exactly in phi_l
+//             and phi_g, whatever its shape: its tensor of inertia in the axes of the momentum is a
 //             Fourier series in both, n n^T / r^3 is one in phi_h and M, and H is their product. A
-//             Lie transform (Hori) removes phi_l and phi_g, and M if the orbit is averaged too. Left
-//             is K(phi_h, I_h, M) with I_l and I_g constant: dphi/dt = dK/dI, dI_h/dt = -dK/dphi_h.
+//             Lie transform (Hori) removes phi_l and phi_g, and M if the orbit is averaged too.
+//             Left is K(phi_h, I_h, M) with I_l and I_g constant: dphi/dt = dK/dI, dI_h/dt =
+//             -dK/dphi_h.
 // Corrections none.
 // Units       those of the body, gm, the orbit and the state.
 // Domain      elliptic orbits; gm may be another than that of the orbit. A motion in short- or
 //             long-axis mode, 1e-4 at least (of I_l / I_g and I_h / I_g) from the separatrix, from
-//             spin about an axis and from momentum along the normal of the orbit, where the elements
-//             lose their sense as Andoyer's do at J = 0 and I = 0. (At J = 0 there is
+//             spin about an axis and from momentum along the normal of the orbit, where the
+//             elements lose their sense as Andoyer's do at J = 0 and I = 0. (At J = 0 there is
 //             NutationTheory.) No resonance between phi_l, phi_g and M. Coefficients are Taylor
 //             polynomials of the actions about their means: a theory holds for the motion that it
 //             was made of, and for those near it.
