@@ -599,6 +599,8 @@ inline constexpr double harmonic_terms = 1e-13;
 // how much more noise is in an amplitude than without the other terms; with the scatter of 2000
 // draws, and the part that mean and rate take of the term alone
 inline constexpr double harmonic_growth = 2.1;
+// Periods of printed digits (python/tests/test_argument_fit.py), relative.
+inline constexpr double argument_period = 3e-5;
 
 // --- real bodies (python/tests/test_real_bodies.py) ---
 // Published numbers, relative.

@@ -9,6 +9,7 @@ from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
 from polhode._signatures import ClassSignature, sign_methods, with_signature
 from polhode._summary import Summary
+from polhode.argument_fit import ArgumentFit, argument_fit
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
 from polhode.maps import MapResults
@@ -16,12 +17,14 @@ from polhode.results import Results
 from polhode.scenarios import Citation, Scenario, load
 
 __all__ = [
+    "ArgumentFit",
     "Citation",
     "HarmonicFit",
     "MapResults",
     "Results",
     "Scenario",
     "Summary",
+    "argument_fit",
     "elliptic",
     "harmonic_fit",
     "load",

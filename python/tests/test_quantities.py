@@ -162,6 +162,9 @@ SATELLITE = satellites.satellite_from_tle(*TLE)
 EPOCH = "2000-06-28T00:00:00 UTC"
 
 
+ARGUMENTS = {"at_epoch": [0.0], "rates": [2.0], "multiples": [[1.0]]}
+
+
 def no_figures(tmp_path):
     """Name: function, arguments that are numbers, other arguments."""
     first_last = {"first": 0.0, "last": 3600.0, "spacing": 60.0}
@@ -173,6 +176,12 @@ def no_figures(tmp_path):
             {"t": TIMES, "y": np.sin(TIMES), "periods": [3.0], "degree": 1},
             {},
         ),
+        "argument_fit": (
+            polhode.argument_fit,
+            {"t": TIMES, "y": np.sin(TIMES), "degree": 1, **ARGUMENTS},
+            {},
+        ),
+        "ArgumentFit.at": (polhode.argument_fit(TIMES, TIMES, **ARGUMENTS).at, {"t": TIMES}, {}),
         "HarmonicFit.at": (polhode.harmonic_fit(TIMES, TIMES, [3.0]).at, {"t": TIMES}, {}),
         "to_scipy": (polhode.to_scipy, {"attitude": [1.0, 0.0, 0.0, 0.0]}, {}),
         "Satellite.states": (SATELLITE.states, {"times": [0.0, 60.0]}, {"epoch": EPOCH}),

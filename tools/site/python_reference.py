@@ -167,7 +167,7 @@ names of the [columns](../files.md).
         "Results": "Results MapResults",
         "Attitude files": "read_aem AttitudeEphemeris AemSegment",
         "Orbit files": "read_oem OrbitEphemeris OemSegment",
-        "Terms of a run": "HarmonicFit harmonic_fit",
+        "Terms of a run": "ArgumentFit HarmonicFit argument_fit harmonic_fit",
         "Units": "Units Dimension known_units",
     }),
     Page("elliptic", "Elliptic functions", """\
