@@ -7,6 +7,8 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
@@ -91,11 +93,28 @@ TEST(Rational, ReadsWhatTextSays) {
   EXPECT_EQ(Rational::from_text(big.text()), big);
 }
 
+// n / 2^k, below the normal range too, where a double has fewer digits: strtod rounds once.
+TEST(Rational, IsRoundedOnce) {
+  std::mt19937_64 draw(77);
+  for (int k = 1040; k <= 1140; ++k)
+    for (int bits = 1; bits <= 62; ++bits) {
+      const std::uint64_t n = draw() >> (64 - bits);
+      char hexadecimal[40];
+      std::snprintf(hexadecimal, sizeof hexadecimal, "0x%llxp-%d",
+                    static_cast<unsigned long long>(n), k);
+      const double wanted = std::strtod(hexadecimal, nullptr);
+      const cpp_int power = cpp_int(1) << k;
+      const std::string text = std::to_string(n) + "/" + power.str();
+      EXPECT_EQ(static_cast<double>(Rational::from_text(text)), wanted) << hexadecimal;
+      EXPECT_EQ(static_cast<double>(Rational::from_text("-" + text)), -wanted) << hexadecimal;
+    }
+}
+
 TEST(Rational, Refuses) {
   EXPECT_THAT(message_of([] { return Rational(1, 0); }), HasSubstr("denominator 0"));
   EXPECT_THAT(message_of([] { return Rational(1) / Rational(0); }), HasSubstr("division by 0"));
-  for (const char* const text :
-       {"", "-", "1/", "/2", "1/-2", "x", "1e", "1e--2", "1.2.3", " 1", ".", "1e9999", "--1", "+1"})
+  for (const char* const text : {"", "-", "1/", "/2", "1/-2", "x", "1e", "1e--2", "1e+-2", "1.2.3",
+                                 " 1", ".", "1e9999", "--1", "+1"})
     EXPECT_THAT(message_of([&] { return Rational::from_text(text); }), HasSubstr("Rational: '"))
         << text;
   EXPECT_THAT(message_of([] { return Rational::from_text("1/0"); }), HasSubstr("denominator of 0"));
