@@ -69,6 +69,7 @@
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_equation.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/orbit/orbit.hpp"
 #include "polhode/orbit/planar_kepler.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"

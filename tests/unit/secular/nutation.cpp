@@ -17,6 +17,7 @@
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/secular/spin_on_orbit.hpp"
@@ -32,24 +33,16 @@ using ::testing::HasSubstr;
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double I0 = 0.4;
 
-// A star on an ellipse of semi-major axis 1, seen from the planet; a year is 2 pi. M and Ls.
-Vec3 ellipse(double e, double M, double Ls) {
-  double E = M;
-  for (int i = 0; i < 60; ++i) E = M + e * std::sin(E);
-  const double truth = std::atan2(std::sqrt(1.0 - e * e) * std::sin(E), std::cos(E) - e);
-  const double r = 1.0 - e * std::cos(E), longitude = Ls - M + truth;
-  return {r * std::cos(longitude), r * std::sin(longitude), 0.0};
-}
-
 // Pericentre at longitude 0.3, mean anomaly 0.7 at t = 0.
 constexpr double pericentre = 0.3, anomaly = 0.7;
 
+// A star on an ellipse of semi-major axis 1, seen from the planet; a year is 2 pi.
 NutationProblem planet(const Body& body, double spin, double e, double precession, int order) {
   return {body,
           spin,
           I0,
           {{"M", anomaly, 1.0, 25}, {"Ls", pericentre + anomaly, 1.0 + precession, 7}},
-          {{1.0, [e](std::span<const double> x) { return ellipse(e, x[0], x[1]); }}},
+          {{1.0, [e](std::span<const double> x) { return on_ellipse(1.0, e, x[0], x[1] - x[0]); }}},
           {0.0, 0.0, 0.0},
           order,
           1e-14,

@@ -8,6 +8,7 @@
 #include "polhode/ephemeris/delaunay.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/secular/planet.hpp"
 
 namespace polhode {
@@ -170,7 +171,7 @@ PlanetNutation completed(const PlanetNutation& of) {
     missing(all.triaxiality, 0.0);
     missing(all.spin_rate, 7.292115e-5);
     missing(all.obliquity, earth_obliquity(of.T));
-    missing(all.satellite_mass, 1.0 / earth_to_moon_mass);
+    missing(all.satellite_mass, planetary_gm(Planetary::moon) / planetary_gm(Planetary::earth));
     return all;
   }
   if (of.planet != "venus" && of.planet != "mars")
