@@ -208,7 +208,9 @@ MomentumMotion momentum_motion(const NutationProblem& problem, const NutationSym
           std::sin(problem.obliquity)};
   const Number longitude = -at_mean(transform.short_period(NutationSymbols::h));
   const Number obliquity = at_mean(transform.in_mean(at.I));
-  return {precession, waves(longitude, obliquity)};
+  const double phi_rate =
+      names.has_phi() ? at_epoch(at_mean(derivative(mean_h, NutationSymbols::y)), problem) : 0.0;
+  return {precession, phi_rate, waves(longitude, obliquity)};
 }
 
 }  // namespace detail

@@ -55,6 +55,8 @@ inline constexpr double nutation_closed = 1e-12;
 inline constexpr double nutation_slope = 0.2;
 // Axes of figure and rotation against the rotor, over the size of the Oppolzer terms.
 inline constexpr double nutation_rotor = 0.05;
+// Rate of Phi less the spin, relative: second order.
+inline constexpr double nutation_phi = 0.02;
 // Differences of axes from their ratio, over J: second order.
 inline constexpr double nutation_axes = 1e-9;
 
