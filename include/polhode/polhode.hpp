@@ -36,6 +36,7 @@
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/ephemeris/delaunay.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
+#include "polhode/ephemeris/iau_nutation.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"
 #include "polhode/error.hpp"
 #include "polhode/frame/frame.hpp"

@@ -41,4 +41,7 @@ inline constexpr double delaunay_sun = 1.5e-4;
 // Relative, of differences over 2e-4 centuries.
 inline constexpr double delaunay_rates = 1e-9;
 
+// rad: a rounding of the date, times the rates of the arguments.
+inline constexpr double iau_nutation = 1e-16;
+
 }  // namespace polhode::budget

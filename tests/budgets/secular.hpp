@@ -63,6 +63,7 @@ inline constexpr double nutation_axes = 1e-9;
 // --- nutation of planets (python/tests/test_nutation.py) ---
 // mas: terms against REN-2000; axes and terms against integration.
 inline constexpr double nutation_published = 0.4;
+inline constexpr double nutation_published_fast = 0.03;
 inline constexpr double nutation_integrated = 1.0;
 inline constexpr double nutation_term = 0.15;
 // d; mas of what is printed with three digits; mas of sums of numbers with six digits, and of all
@@ -74,6 +75,11 @@ inline constexpr double nutation_sum = 0.01;
 inline constexpr double nutation_change = 0.02;
 // arcsec/yr.
 inline constexpr double nutation_precession = 1e-3;
+// mas: parts of IAU 2000A beside the theory, among what planets do.
+inline constexpr double nutation_real_earth = 0.5;
+// Turns of the arguments, and over the nutation, a century from the epoch.
+inline constexpr double nutation_epochs = 1e-6;
+inline constexpr double nutation_epochs_size = 1e-4;
 // Relative, against theories with other digits of the constants.
 inline constexpr double nutation_venus = 2e-3;
 // Of axes apart by 40 nrad, without terms below 5 prad.
