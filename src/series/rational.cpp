@@ -217,7 +217,7 @@ double subnormal(const Integer& n, const Integer& d) {
   Integer quotient = scaled / d;
   const Integer rest = 2 * (scaled - quotient * d);
   if (rest > d || (rest == d && quotient % 2 != 0)) quotient += 1;
-  return std::ldexp(quotient.convert_to<double>(), -smallest);
+  return std::ldexp(static_cast<double>(quotient.convert_to<std::uint64_t>()), -smallest);
 }
 
 // The first 63 or 64 bits of the quotient, the last of them set where more follow, are rounded

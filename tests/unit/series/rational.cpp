@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
@@ -93,20 +92,18 @@ TEST(Rational, ReadsWhatTextSays) {
   EXPECT_EQ(Rational::from_text(big.text()), big);
 }
 
-// n / 2^k, below the normal range too, where a double has fewer digits: strtod rounds once.
+// n / 2^k, below the normal range too, where a double has fewer digits: a long double holds it
+// whole. (strtod of glibc 2.36 is wrong for 0x34fcf391a6815bp-1076.)
 TEST(Rational, IsRoundedOnce) {
   std::mt19937_64 draw(77);
   for (int k = 1040; k <= 1140; ++k)
     for (int bits = 1; bits <= 62; ++bits) {
       const std::uint64_t n = draw() >> (64 - bits);
-      char hexadecimal[40];
-      std::snprintf(hexadecimal, sizeof hexadecimal, "0x%llxp-%d",
-                    static_cast<unsigned long long>(n), k);
-      const double wanted = std::strtod(hexadecimal, nullptr);
+      const auto wanted = static_cast<double>(std::ldexp(static_cast<long double>(n), -k));
       const cpp_int power = cpp_int(1) << k;
       const std::string text = std::to_string(n) + "/" + power.str();
-      EXPECT_EQ(static_cast<double>(Rational::from_text(text)), wanted) << hexadecimal;
-      EXPECT_EQ(static_cast<double>(Rational::from_text("-" + text)), -wanted) << hexadecimal;
+      EXPECT_EQ(static_cast<double>(Rational::from_text(text)), wanted) << text;
+      EXPECT_EQ(static_cast<double>(Rational::from_text("-" + text)), -wanted) << text;
     }
 }
 
