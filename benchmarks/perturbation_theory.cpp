@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "polhode/free/sadov.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/secular/nutation.hpp"
 #include "polhode/secular/triaxial_normal_form.hpp"
 
@@ -35,15 +36,7 @@ NutationProblem planet(double e, int order) {
           400.0,
           0.4,
           {{"M", 0.7, 1.0, 25}, {"Ls", 1.0, 1.0, 7}},
-          {{1.0,
-            [e](std::span<const double> x) {
-              double E = x[0];
-              for (int i = 0; i < 60; ++i) E = x[0] + e * std::sin(E);
-              const double truth =
-                  std::atan2(std::sqrt(1.0 - e * e) * std::sin(E), std::cos(E) - e);
-              const double r = 1.0 - e * std::cos(E), longitude = x[1] - x[0] + truth;
-              return Vec3{r * std::cos(longitude), r * std::sin(longitude), 0.0};
-            }}},
+          {{1.0, [e](std::span<const double> x) { return on_ellipse(1.0, e, x[0], x[1] - x[0]); }}},
           {0.0, 0.0, 0.0},
           order,
           1e-14,

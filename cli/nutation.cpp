@@ -8,6 +8,7 @@
 #include "polhode/error.hpp"
 #include "polhode/run/nutation_report.hpp"
 #include "polhode/text/epoch.hpp"
+#include "polhode/text/separated.hpp"
 #include "polhode/text/units.hpp"
 
 namespace polhode::cli {
@@ -33,9 +34,7 @@ double angle(const std::string& option, const std::string& text) {
 
 NutationRequest completed_request(const NutationCommand& of) {
   NutationRequest request = of.request;
-  request.axis = of.axis == "momentum" ? PlanetAxis::momentum
-                 : of.axis == "figure" ? PlanetAxis::figure
-                                       : PlanetAxis::rotation;
+  request.axis = planet_axis(of.axis).value();  // one of planet_axes
   request.part = of.part == "all" ? NutationPart::all : NutationPart::oppolzer;
   request.relative = of.rate == "relative";
   if (!of.obliquity.empty()) request.of.obliquity = angle("--obliquity", of.obliquity);
@@ -61,23 +60,25 @@ void add_nutation(CLI::App& app) {
       "nutation", "The nutation of a rigid planet as a table of coefficients (Kinoshita's theory)");
   const auto of = std::make_shared<NutationCommand>();
   PlanetNutation& planet = of->request.of;
-  const auto one_of = [](const std::vector<std::string>& words) { return CLI::IsMember(words); };
+  const auto one_of = [](const auto& words) {
+    return CLI::IsMember(std::vector<std::string>(words.begin(), words.end()));
+  };
   command->add_option("--planet", planet.planet, "earth (Moon and Sun), venus or mars (Sun)")
-      ->check(one_of({"earth", "venus", "mars"}))
+      ->check(one_of(separated(nutation_planets, '|')))
       ->capture_default_str();
   command->add_option("--axis", of->axis, "momentum, figure or rotation")
-      ->check(one_of({"momentum", "figure", "rotation"}))
+      ->check(one_of(planet_axes))
       ->capture_default_str();
   command
       ->add_option(
           "--part", of->part,
           "all, or oppolzer: the axis less that of the momentum, whose terms are Poisson's")
-      ->check(one_of({"all", "oppolzer"}))
+      ->check(CLI::IsMember({"all", "oppolzer"}))
       ->capture_default_str();
   command
       ->add_option("--rate", of->rate,
                    "Of the axis of rotation: inertial, or relative to the moving ecliptic")
-      ->check(one_of({"inertial", "relative"}))
+      ->check(CLI::IsMember({"inertial", "relative"}))
       ->capture_default_str();
   command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output");
   command->add_option("--lines", of->request.lines, "How many terms to print")

@@ -4,10 +4,13 @@
 import pathlib
 import re
 
-_TEXT = pathlib.Path(__file__).resolve().with_name("budgets.hpp").read_text("ascii")
+_FILES = sorted(pathlib.Path(__file__).resolve().with_name("budgets").glob("*.hpp"))
+# `inline constexpr double a = 1e-3, b = 0x1p-4;`
 _VALUES = {
-    name: float(value)
-    for name, value in re.findall(r"inline constexpr double (\w+) = ([-+.e\d]+);", _TEXT)
+    name: float.fromhex(value) if value.startswith("0x") else float(value)
+    for file in _FILES
+    for line in re.findall(r"inline constexpr double ([^;]+);", file.read_text("ascii"))
+    for name, value in (pair.split(" = ") for pair in re.split(r",\s*", line))
 }
 
 
@@ -15,4 +18,4 @@ def __getattr__(name: str) -> float:
     try:
         return _VALUES[name]
     except KeyError:
-        raise AttributeError(f"tests/budgets.hpp has no {name}") from None
+        raise AttributeError(f"tests/budgets has no {name}") from None

@@ -17,8 +17,8 @@ FORBIDDEN_IN_LIBRARY = re.compile(
     r"std::(cout|cerr|clog|exit|abort|getenv|printf|puts|print)\b|\b(printf|puts|getenv|_exit)\s*\("
     r"|[^\w.:]exit\s*\(|\bfprintf\s*\(\s*std(out|err)\b|\b(catch\s*\(\.\.\.\)\s*\{\s*\})"
 )
-# A tolerance is a name in tests/budgets.hpp, never a number in a test.
-TYPED = "tolerance typed in a test; name it in budgets.hpp"
+# A tolerance is a name in tests/budgets, never a number in a test.
+TYPED = "tolerance typed in a test; name it in tests/budgets"
 TYPED_TOLERANCE = re.compile(
     r"(?:EXPECT|ASSERT)_(?:NEAR|LT|LE)\s*\((?:(?!;\s*$).)*?,\s*"
     r"(?:\d*\.?\d+e-\d+|0?\.0+[1-9]\d*)\s*\)\s*(?:;|<<)",

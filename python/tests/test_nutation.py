@@ -27,17 +27,115 @@ def coefficient(theory, axis, multipliers, name, *, oppolzer=False):
     return columns[name][row(columns, multipliers)] / MAS
 
 
-# Souchay et al. (1999), REN-2000, axis of figure: mas.
-REN_2000 = {(0, 0, 0, 0, 1): (-17280.592, 9227.910), (0, 0, 2, -2, 2): (-1277.475, 553.335)}
+# Souchay et al. (1999), REN-2000, axis of figure: l, l', F, D, Om; mas of sin in longitude and cos
+# in obliquity. All terms above 1 mas but 2F - 2D + 2Om - 2l' in 10,467 years, 3.248 and -1.387 mas,
+# which is a secular change here. From the circular amplitudes, in picoradians, that NASA's sgdass
+# has of them (vtd/include/ren2000_heo.i); the first two are those that papers quote.
+REN_2000 = {
+    (0, 0, 0, 0, 1): (-17280.592, 9227.910),
+    (0, 0, 2, -2, 2): (-1277.475, 553.335),
+    (0, 0, 2, 0, 2): (-221.512, 94.921),
+    (0, 0, 0, 0, 2): (209.030, -90.337),
+    (0, 1, 0, 0, 0): (125.504, -0.135),
+    (1, 0, 0, 0, 0): (67.768, -0.972),
+    (0, 1, 2, -2, 2): (-49.938, 21.620),
+    (0, 0, 2, 0, 1): (-37.853, 19.413),
+    (1, 0, 2, 0, 2): (-29.583, 12.610),
+    (0, -1, 2, -2, 2): (21.311, -9.236),
+    (-1, 0, 0, 2, 0): (14.959, -0.186),
+    (0, 0, 2, -2, 1): (12.510, -6.632),
+    (-1, 0, 2, 0, 2): (11.919, -5.137),
+    (1, 0, 0, 0, 1): (6.109, -3.195),
+    (-1, 0, 2, 2, 2): (-5.846, 2.494),
+    (-1, 0, 0, 0, 1): (-5.432, 2.968),
+    (0, 0, 0, 2, 0): (6.043, -0.161),
+    (1, 0, 2, 0, 1): (-5.095, 2.566),
+    (-2, 0, 2, 0, 1): (4.508, -2.406),
+    (-2, 0, 0, 2, 0): (-4.485, -0.009),
+    (0, 0, 2, 2, 2): (-3.812, 1.618),
+    (2, 0, 2, 0, 2): (-3.072, 1.303),
+    (1, 0, 2, -2, 2): (2.763, -1.190),
+    (2, 0, 0, 0, 0): (2.788, -0.080),
+    (0, 0, 2, 0, 0): (2.468, -0.072),
+    (-1, 0, 2, 0, 1): (1.979, -1.035),
+    (0, 0, -2, 2, 0): (2.057, 0.004),
+    (0, 1, 0, 0, 1): (-1.482, 0.789),
+    (0, 2, 2, -2, 2): (-1.523, 0.659),
+    (-1, 0, 0, 2, 1): (1.466, -0.769),
+    (0, 2, 0, 0, 0): (1.576, -0.003),
+    (1, 0, 0, -2, 1): (-1.207, 0.657),
+    (-1, 0, 2, 2, 1): (-1.006, 0.508),
+    (-2, 0, 2, 0, 0): (-1.112, 0.000),
+    (0, -1, 0, 0, 1): (-0.977, 0.523),
+}
 
 
 @pytest.mark.parametrize("multipliers", REN_2000)
 def test_the_earth_is_that_of_ren_2000(earth, multipliers):
-    longitude, obliquity = REN_2000[multipliers]
-    got = coefficient(earth, "figure", multipliers, "longitude_sine")
-    assert abs(got - longitude) < budgets.nutation_published
-    got = coefficient(earth, "figure", multipliers, "obliquity_cosine")
-    assert abs(got - obliquity) < budgets.nutation_published
+    got = [
+        coefficient(earth, "figure", multipliers, name)
+        for name in ("longitude_sine", "obliquity_cosine")
+    ]
+    longitude, obliquity = np.abs(np.subtract(got, REN_2000[multipliers]))
+    # 0.3 mas in 18.6 years, where planets pull too; 0.16 in 9.3 years, of the second order
+    is_slow = multipliers[:4] == (0, 0, 0, 0)
+    bound = budgets.nutation_published if is_slow else budgets.nutation_published_fast
+    assert longitude < bound
+    assert obliquity < bound
+
+
+def test_no_published_term_is_missing(earth):
+    """As many terms above 1 mas as REN-2000 has."""
+    columns = earth.terms()
+    size = np.hypot(columns["longitude_sine"], columns["obliquity_cosine"])
+    keys = np.column_stack([columns[name] for name in earth.arguments]).astype(int)
+    assert {tuple(map(int, k)) for k in keys[size > MAS]} == set(REN_2000)
+
+
+# --- the real Earth ---
+
+# IAU 2000A (Mathews et al. 2002), sin in longitude and cos in obliquity, mas: the Earth yields, and
+# has a core and oceans.
+IAU_2000A = {
+    (0, 0, 0, 0, 1): (-17206.4161, 9205.2331),
+    (0, 0, 2, 0, 2): (-227.6413, 97.8459),
+    (0, 0, 0, 0, 2): (207.4554, -89.7492),
+    (1, 0, 0, 0, 0): (71.1159, -0.6750),
+    (0, 0, 2, 0, 1): (-38.7298, 20.0728),
+    (1, 0, 2, 0, 2): (-30.1461, 12.9025),
+}
+
+
+def fitted(values, theta):
+    """Coefficients of sin and cos of n angles, beside a parabola: (n, 2, ...)."""
+    t = np.linspace(-1, 1, len(values))
+    waves = [f(angle) for angle in theta for f in (np.sin, np.cos)]
+    found = np.linalg.lstsq(np.column_stack([*waves, t**0, t, t**2]), values, rcond=None)[0]
+    return found[: 2 * len(theta)].reshape(len(theta), 2, -1)
+
+
+def test_the_real_earth_differs_as_published(earth):
+    """IAU 2000A less the theory, fitted over two turns of the node, has the terms of IAU 2000A less
+    REN-2000. What is slower apart (l' and 2F - 2D + 2Om - l') is one wave there."""
+    columns = earth.terms()
+    t = np.arange(0, 2 * 6798.4, 1.5) * DAY
+    size = np.hypot(columns["longitude_sine"], columns["obliquity_cosine"])
+    rates = columns["rate"]
+    apart = [
+        i
+        for i, rate in enumerate(np.abs(rates))
+        if size[i] > 0.3 * MAS and (np.abs(rate - np.abs(rates[:i])) * t[-1] > 6).all()
+    ]
+    assert len(apart) > 50
+    keys = np.column_stack([columns[name] for name in earth.arguments])
+    theta = [keys[i] @ earth.at_epoch + rates[i] * t for i in apart]
+    rest = (polhode.iau_nutation(t / (36525 * DAY)) - earth.at(t)) / MAS
+    assert 50 < np.sqrt((rest[:, 0] ** 2).mean()) < 70
+    found = fitted(rest, theta)
+    for multipliers, published in IAU_2000A.items():
+        i = apart.index(row(columns, multipliers))
+        want = np.subtract(published, REN_2000[multipliers])
+        assert_allclose([found[i, 0, 0], found[i, 1, 1]], want, atol=budgets.nutation_real_earth)
 
 
 # The change of the largest term: IAU 2000A (Mathews et al. 2002), mas a century; a body that
@@ -81,6 +179,17 @@ def test_venus_is_that_of_cottereau(multipliers):
     assert_allclose(got, -longitude, rtol=budgets.nutation_venus, atol=VENUS_DIGITS)
     got = coefficient(venus, "figure", multipliers, "obliquity_cosine", oppolzer=True)
     assert_allclose(got, obliquity, rtol=budgets.nutation_venus, atol=VENUS_DIGITS)
+
+
+@pytest.mark.parametrize("planet", ["mars", "venus"])
+def test_epochs_a_century_apart_agree(planet):
+    """Arguments of date: a theory of another epoch has the same nutation then."""
+    now, later = (polhode.nutation_theory(planet, T=T, triaxiality=0.0) for T in (0.0, 1.0))
+    century = 36525 * DAY
+    turns = (now.at_epoch + century * now.rates - later.at_epoch) / (2 * np.pi)
+    assert np.abs(turns - np.round(turns)).max() < budgets.nutation_epochs
+    size = np.abs(now.at(np.linspace(0, century, 500))).max()
+    assert np.abs(now.at(century) - later.at(0.0)).max() < budgets.nutation_epochs_size * size
 
 
 def test_precession_of_venus():
@@ -194,3 +303,9 @@ def test_what_is_refused():
         polhode.nutation_theory(ellipticity=-1)
     with pytest.raises(ValueError, match="axis: got 'pole'; expected one of momentum figure"):
         polhode.nutation_theory("mars").terms("pole")
+    with pytest.raises(ValueError, match="obliquity .rad. 0 must be in"):
+        polhode.nutation_theory("mars", obliquity=0.0)
+    with pytest.raises(ValueError, match="spin_rate .rad/s. nan must be in"):
+        polhode.nutation_theory("mars", spin_rate=np.nan)
+    with pytest.raises(ValueError, match="least .rad. inf must be in"):
+        polhode.nutation_theory("mars", least=np.inf)

@@ -9,7 +9,8 @@
 #include <numbers>
 #include <span>
 
-#include "polhode/orbit/kepler_equation.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -184,19 +185,13 @@ EclipticPosition moon_of_date(const DelaunayArguments& a, double T) {
           1e-3 * (385000560.0 + main.real())};
 }
 
-Vec3 on_ellipse(double a, double e, double mean_anomaly, double pericentre) {
-  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly, Eccentricity::of(e));
-  const double x = a * ((1.0 - e) - at.versine), y = a * std::sqrt(1.0 - e * e) * at.sine;
-  const double c = std::cos(pericentre), s = std::sin(pericentre);
-  return {c * x - s * y, s * x + c * y, 0.0};
-}
-
 Vec3 sun_of_date(const DelaunayArguments& a, double T) {
   const double e = 0.016708634 - T * (0.000042037 + T * 0.0000001267);
   const double mean_longitude = a.F - a.D + a.Om;
   // The centre of the Earth is off that of Earth and Moon.
+  const double earth = planetary_gm(Planetary::earth), moon = planetary_gm(Planetary::moon);
   return on_ellipse(1.000001018 * au_km, e, a.lp, mean_longitude - a.lp) +
-         (1.0 / (1.0 + earth_to_moon_mass)) * cartesian(moon_of_date(a, T));
+         (moon / (earth + moon)) * cartesian(moon_of_date(a, T));
 }
 
 Vec3 cartesian(const EclipticPosition& p) {

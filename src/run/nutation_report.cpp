@@ -20,12 +20,6 @@ constexpr double mas = std::numbers::pi / 648000.0e3;
 constexpr double day = 86400.0;
 constexpr double year = 365.25 * day;
 
-std::string_view name(PlanetAxis axis) {
-  return axis == PlanetAxis::momentum ? "momentum"
-         : axis == PlanetAxis::figure ? "figure"
-                                      : "rotation";
-}
-
 const std::vector<NutationTerm>& terms_of(const NutationReport& report) {
   const NutationRequest& of = report.request;
   return of.part == NutationPart::oppolzer ? report.theory.oppolzer_terms(of.axis)

@@ -87,8 +87,12 @@ std::vector<SummaryLine> summary(const OwnExperiment& own, const Scenario& scena
   Lines lines(scenario.units());
   lines.text("title", "title", scenario.document.title);
   lines.text("kind", "kind", own.kind);
-  for (const OwnFact& fact : own.facts)
-    lines.number(fact.key, fact.label, fact.number, fact.dimension);
+  const auto add = [&](const std::vector<OwnFact>& facts) {
+    for (const OwnFact& fact : facts)
+      lines.number(fact.key, fact.label, fact.number, fact.dimension);
+  };
+  add(own.facts);
+  if (own.more_facts) add(own.more_facts());
   lines.text("method", "method", propagation_text(own, scenario.units()));
   return lines.take();
 }

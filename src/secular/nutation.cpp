@@ -33,13 +33,25 @@ void require(const NutationProblem& problem) {
            " rad must be between 0 and pi, and not within 0.001 of either: the node is not there");
   if (problem.order != 1 && problem.order != 2)
     refuse("order " + std::to_string(problem.order) + " must be 1 or 2");
+  const auto finite = [&](double value, const char* name) {
+    if (!std::isfinite(value)) refuse(name + (" " + number_text(value)) + " must be finite");
+  };
   if (!(problem.least > 0.0)) refuse("least " + number_text(problem.least) + " must be positive");
+  finite(problem.least, "least");
+  if (!(problem.slowest >= 0.0))
+    refuse("slowest " + number_text(problem.slowest) + " must not be negative");
+  finite(problem.slowest, "slowest");
+  for (const double rate :
+       {problem.ecliptic_rate.x, problem.ecliptic_rate.y, problem.ecliptic_rate.z})
+    finite(rate, "a component of ecliptic_rate");
   if (problem.bodies.empty()) refuse("no bodies; one at least must pull");
   for (const NutationArgument& one : problem.arguments)
     if (!std::isfinite(one.rate) || !std::isfinite(one.at_epoch))
       refuse("the argument " + one.name + " must have a finite rate and value at the epoch");
-  for (const NutationBody& one : problem.bodies)
+  for (const NutationBody& one : problem.bodies) {
     if (!(one.gm > 0.0)) refuse("gm " + number_text(one.gm) + " must be positive");
+    finite(one.gm, "gm");
+  }
 }
 
 double size(const NutationTerm& term) {
@@ -111,6 +123,7 @@ NutationTheory::NutationTheory(const NutationProblem& problem)
   const detail::MomentumMotion momentum = momentum_motion(problem, names, torque, rates_);
   precession_ = momentum.precession;
   const detail::WobbleMotion wobble = wobble_motion(problem, names, torque, rates_);
+  if (names.has_phi()) rates_.back() = momentum.phi_rate;
   const auto axis = [&](const detail::Waves& oppolzer) {
     const detail::Waves both = detail::sum(momentum.nutation, oppolzer);
     return AxisSeries{table(both, rates_, problem), table(oppolzer, rates_, problem),
@@ -123,6 +136,14 @@ NutationTheory::NutationTheory(const NutationProblem& problem)
   const double c = std::cos(problem.obliquity), s = std::sin(problem.obliquity);
   // The axis of w - mu less that of w, in the plane normal to the momentum.
   relative_offset_ = {-mu.x / (s * problem.spin_rate), (s * mu.z - c * mu.y) / problem.spin_rate};
+}
+
+std::string_view name(PlanetAxis axis) { return planet_axes.at(static_cast<std::size_t>(axis)); }
+
+std::optional<PlanetAxis> planet_axis(std::string_view name) {
+  const auto found = std::ranges::find(planet_axes, name);
+  if (found == planet_axes.end()) return std::nullopt;
+  return static_cast<PlanetAxis>(found - planet_axes.begin());
 }
 
 const NutationTheory::AxisSeries& NutationTheory::of(PlanetAxis axis) const {

@@ -53,32 +53,37 @@ Inclination inclination(const NutationSymbols& names, double I0) {
   return {c, s, I, keep};
 }
 
+// The harmonics of the pull in axes that turn with the node: u_z^2 - 1/3, u_z w, w^2, with
+// w = -(u_x + i u_y) exp(-i h) = (u_x + i u_y) exp(-i h_), since h = pi + h_.
+struct PullAtNode {
+  Number q0;
+  ComplexSeries q1, q2;
+};
+
+PullAtNode at_node(const NutationTorque& torque, const Truncation& keep) {
+  return {torque.q0, turned(torque.q1, {{NutationSymbols::h, -1}}, keep),
+          turned(torque.q2, {{NutationSymbols::h, -2}}, keep)};
+}
+
 // u3^2 - 1/3, weighted with gm / r^3.
-Number of_the_bulge(const NutationTorque& torque, const Inclination& at) {
+Number of_the_bulge(const PullAtNode& pull, const Inclination& at) {
   const auto times = [&](const Number& a, const Number& b) { return product(a, b, at.keep); };
-  const Symbols& symbols = at.c.symbols();
-  const Number c2 = times(at.c, at.c), one = constant(symbols, 1.0);
-  // h = pi + h_: (u_x + i u_y) exp(-i h) has the sign -.
-  const ComplexSeries first = turned(torque.q1, {{NutationSymbols::h, -1}}, at.keep);
-  const ComplexSeries second = turned(torque.q2, {{NutationSymbols::h, -2}}, at.keep);
-  return times(1.5 * c2 - 0.5 * one, torque.q0) + 2.0 * times(times(at.c, at.s), first.im) -
-         0.5 * times(one - c2, second.re);
+  const Number c2 = times(at.c, at.c), one = constant(at.c.symbols(), 1.0);
+  return times(1.5 * c2 - 0.5 * one, pull.q0) + 2.0 * times(times(at.c, at.s), pull.q1.im) -
+         0.5 * times(one - c2, pull.q2.re);
 }
 
 // The real part of exp(-2 i Phi) (u . (X + i Y))^2, X along the node and Y across it, normal to the
 // momentum, with the same weights.
-Number of_the_equator(const NutationTorque& torque, const Inclination& at) {
-  const Symbols& symbols = at.c.symbols();
-  const Number one = constant(symbols, 1.0);
+Number of_the_equator(const PullAtNode& pull, const Inclination& at) {
+  const Number one = constant(at.c.symbols(), 1.0);
   const Number plus = one + at.c, minus = one - at.c;
   const auto times = [&](const Number& a, const Number& b) { return product(a, b, at.keep); };
-  const ComplexSeries first = turned(torque.q1, {{NutationSymbols::h, -1}}, at.keep);
-  const ComplexSeries second = turned(torque.q2, {{NutationSymbols::h, -2}}, at.keep);
-  ComplexSeries sum = product(0.25 * times(plus, plus), second, at.keep) +
-                      product(0.25 * times(minus, minus), conj(second), at.keep);
-  sum = sum - times_i(product(times(at.s, plus), first, at.keep));
-  sum = sum - times_i(product(times(at.s, minus), conj(first), at.keep));
-  sum.re -= 1.5 * times(times(plus, minus), torque.q0);
+  ComplexSeries sum = product(0.25 * times(plus, plus), pull.q2, at.keep) +
+                      product(0.25 * times(minus, minus), conj(pull.q2), at.keep);
+  sum = sum - times_i(product(times(at.s, plus), pull.q1, at.keep));
+  sum = sum - times_i(product(times(at.s, minus), conj(pull.q1), at.keep));
+  sum.re -= 1.5 * times(times(plus, minus), pull.q0);
   return turned(sum, {{"Phi", -2}}, at.keep).re;
 }
 
@@ -92,8 +97,9 @@ Pull pull(const NutationProblem& problem, const NutationSymbols& names,
   const Symbols& symbols = names.symbols();
   const Vec3& m = problem.body.moments();
   const double per_G = 1.5 / (m.z * problem.spin_rate);
-  Number bodies = per_G * (m.z - 0.5 * (m.x + m.y)) * of_the_bulge(torque, at);
-  if (names.has_phi()) bodies += per_G * 0.5 * (m.x - m.y) * of_the_equator(torque, at);
+  const PullAtNode turned_pull = at_node(torque, at.keep);
+  Number bodies = per_G * (m.z - 0.5 * (m.x + m.y)) * of_the_bulge(turned_pull, at);
+  if (names.has_phi()) bodies += per_G * 0.5 * (m.x - m.y) * of_the_equator(turned_pull, at);
   const Vec3& mu = problem.ecliptic_rate;
   // -mu.n, n = (-s sin h_, s cos h_, c)
   const Number wave = mu.x * sine(symbols, 1.0, {}, {{NutationSymbols::h, 1}}) -
@@ -202,7 +208,9 @@ MomentumMotion momentum_motion(const NutationProblem& problem, const NutationSym
           std::sin(problem.obliquity)};
   const Number longitude = -at_mean(transform.short_period(NutationSymbols::h));
   const Number obliquity = at_mean(transform.in_mean(at.I));
-  return {precession, waves(longitude, obliquity)};
+  const double phi_rate =
+      names.has_phi() ? at_epoch(at_mean(derivative(mean_h, NutationSymbols::y)), problem) : 0.0;
+  return {precession, phi_rate, waves(longitude, obliquity)};
 }
 
 }  // namespace detail

@@ -20,6 +20,7 @@ Waves sum(const Waves& a, const Waves& b);
 
 struct MomentumMotion {
   NutationOffset precession;
+  double phi_rate;  // of Phi, where it is there
   Waves nutation;
 };
 // Poisson terms.

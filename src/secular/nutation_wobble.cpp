@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 
+#include "polhode/error.hpp"
 #include "secular/nutation_motion.hpp"
 
 namespace polhode {
@@ -64,6 +65,18 @@ Waves waves(const Phasors& z, double sin_I) {
   return found;
 }
 
+// Where the torque turns with the free wobble, as seen from the body.
+void require_no_resonance(double determinant, const NutationSymbols& names,
+                          const std::vector<int>& k) {
+  constexpr double least = 1e-12;
+  if (std::abs(determinant) > least) return;
+  Multiples multiples;
+  for (std::size_t j = 0; j < k.size(); ++j) multiples.emplace_back(names.arguments()[j], k[j]);
+  throw DomainError(
+      "NutationTheory: a resonance: the free wobble turns with the torque of " +
+      text(names.symbols(), packed(names.symbols(), {}, multiples, Trigonometric::cosine)));
+}
+
 }  // namespace
 
 Waves sum(const Waves& a, const Waves& b) {
@@ -94,6 +107,7 @@ WobbleMotion wobble_motion(const NutationProblem& problem, const NutationSymbols
     double rate = -spin;
     for (std::size_t j = 0; j < rates.size(); ++j) rate += k[j] * rates[j];
     const double determinant = rate * rate - alpha * alpha + beta * beta;
+    require_no_resonance(determinant / (spin * spin), names, k);
     const Complex p = 3.0 * S * (beta * equator - bulge * (rate + alpha)) / determinant;
     const Complex r_conjugate = 3.0 * S * ((rate - alpha) * equator + beta * bulge) / determinant;
     figure[k] -= p / G;

@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <numbers>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::number_text;
 using Complex = std::complex<double>;
 
 constexpr std::size_t most_points = std::size_t{1} << 26;
@@ -61,6 +63,13 @@ struct Values {
   std::vector<std::vector<Complex>> pairs;
 };
 
+[[noreturn]] void refuse_value(double value, const std::vector<double>& angles) {
+  std::string at;
+  for (const double angle : angles) at += (at.empty() ? "" : ", ") + number_text(angle);
+  throw DomainError("fourier_series: f is " + number_text(value) + " at (" + at +
+                    "); it must be finite everywhere");
+}
+
 Values values_of(const Grid& grid,
                  const std::function<std::vector<double>(std::span<const double>)>& f) {
   Values values;
@@ -80,6 +89,8 @@ Values values_of(const Grid& grid,
       throw DomainError("fourier_series: f has " + std::to_string(here.size()) +
                         " values at one point and " + std::to_string(values.functions) +
                         " at another");
+    for (const double value : here)
+      if (!std::isfinite(value)) refuse_value(value, angles);
     here.resize(2 * values.pairs.size(), 0.0);
     for (std::size_t j = 0; j < values.pairs.size(); ++j)
       values.pairs[j][node] = {here[2 * j], here[2 * j + 1]};
@@ -134,6 +145,8 @@ std::pair<Complex, Complex> separated(Complex at, Complex at_opposite) {
 FourierSeries fourier_series(const Symbols& symbols, const std::vector<FourierAngle>& angles,
                              const std::function<std::vector<double>(std::span<const double>)>& f,
                              double least) {
+  if (!(least >= 0.0))
+    throw DomainError("fourier_series: least " + number_text(least) + " must not be negative");
   const Grid grid = grid_of(symbols, angles);
   Values values = values_of(grid, f);
   for (std::vector<Complex>& pair : values.pairs)

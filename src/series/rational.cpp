@@ -87,9 +87,11 @@ Fraction decimal(std::string_view whole, std::string_view text) {
   int power = 0;
   if (const std::size_t e = text.find_first_of("eE"); e != std::string_view::npos) {
     std::string_view digits = text.substr(e + 1);
-    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const bool plus = digits.starts_with('+');
+    if (plus) digits.remove_prefix(1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
-    if (error != std::errc{} || end != digits.data() + digits.size() || digits.starts_with("--"))
+    if (error != std::errc{} || end != digits.data() + digits.size() ||
+        (plus && digits.starts_with('-')))
       refuse(whole, "is no number");
     if (power > most_power || power < -most_power) refuse(whole, "has too large a power of ten");
     text = text.substr(0, e);
@@ -207,13 +209,28 @@ bool operator<(const Rational& a, const Rational& b) {
   return left.n * right.d < right.n * left.d;
 }
 
+// A quotient below the normal range, in units of the smallest double: to even where two are as
+// near.
+double subnormal(const Integer& n, const Integer& d) {
+  constexpr int smallest = 1074;
+  const Integer scaled = n << smallest;
+  Integer quotient = scaled / d;
+  const Integer rest = 2 * (scaled - quotient * d);
+  if (rest > d || (rest == d && quotient % 2 != 0)) quotient += 1;
+  return std::ldexp(static_cast<double>(quotient.convert_to<std::uint64_t>()), -smallest);
+}
+
 // The first 63 or 64 bits of the quotient, the last of them set where more follow, are rounded
 // once.
 Rational::operator double() const {
   const Fraction x = BigRational::of(*this);
   if (x.n == 0) return 0.0;
   Integer n = abs(x.n), d = x.d;
-  const int shift = 63 - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
+  const int exponent = static_cast<int>(msb(n)) - static_cast<int>(msb(d));
+  // Below 2^-1021, and so an integer of 53 bits there.
+  if (exponent < std::numeric_limits<double>::min_exponent)
+    return x.n < 0 ? -subnormal(n, d) : subnormal(n, d);
+  const int shift = 63 - exponent;
   if (shift >= 0)
     n <<= shift;
   else

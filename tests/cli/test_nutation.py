@@ -4,6 +4,7 @@
 import csv
 import math
 import pathlib
+import re
 
 import budgets
 import pytest
@@ -153,6 +154,16 @@ def test_a_scenario_evaluates_the_table(out, figure, tmp_path):
     assert abs(at[2]["dpsi_relative"] - at[2]["dpsi_rotation"] - 0.5114) < budgets.nutation_period
 
 
+def test_info_says_what_the_theory_finds(out, tmp_path):
+    (tmp_path / "n.toml").write_text(SCENARIO)
+    info = out("info", tmp_path / "n.toml")
+    assert "dynamical ellipticity H" in info
+    found = re.search(r"precession in longitude +(\S+) mas/d", info)
+    # 50.306 arcsec a year
+    assert abs(float(found[1]) - 50306.407 / 365.25) < budgets.nutation_period
+    assert "[kinoshita1977]" in out("cite", tmp_path / "n.toml")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
@@ -160,6 +171,7 @@ def test_a_scenario_evaluates_the_table(out, figure, tmp_path):
         ('planet = "earth"', 'planet = "mars"\nsatellite_mass = 0.1', "mars has no satellite"),
         ('planet = "earth"', 'planet = "earth"\nepoch = "noon"', "n.toml:6:9: nutation.epoch"),
         ('planet = "earth"', 'planet = "earth"\nellipticity = 0.9', "ellipticity 0.9 must be in"),
+        ('planet = "earth"', 'planet = "earth"\nobliquity = "0.01 deg"', "obliquity (rad) 0.00017"),
         ("[time]", '[output]\ncolumns = ["obliquity"]\n[time]', "expected none"),
     ],
 )

@@ -15,6 +15,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+import budgets  # noqa: E402
+
 PAGE = ROOT / "docs/accuracy/free-rotation.md"
 
 # Test -> what its cases are, and how long they run.
@@ -90,14 +93,6 @@ Up to ten turns either way, against 76-digit variational equations
 """
 
 
-def budget(name):
-    for line in (ROOT / "tests/budgets.hpp").read_text().splitlines():
-        words = line.replace(";", "").split()
-        if name in words:
-            return float(words[-1])
-    raise KeyError(name)
-
-
 def measured(binary, test):
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "report.json"
@@ -118,8 +113,8 @@ def page(results):
         text += (f"| {what} | {turns} | {r['cases']} | {r['angle_median']} | {r['angle_max']} "
                  f"| {r['momentum_median']} | {r['momentum_max']} |\n")
     names = ("free_state", "free_state_median", "free_transition")
-    budgets = {name: budget(name) for name in names}
-    text += STATE_NOTE.format(**budgets) + MATRIX_HEAD.format(**budgets)
+    limits = {name: getattr(budgets, name) for name in names}
+    text += STATE_NOTE.format(**limits) + MATRIX_HEAD.format(**limits)
     for name, what in MATRICES.items():
         r = results[f"FreeTransition.{name}"]
         text += f"| {what} | {r['cases']} | {r['transition_median']} | {r['transition_max']} |\n"

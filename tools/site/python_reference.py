@@ -92,7 +92,7 @@ The direction of a planet's spin, averaged over its rotation and its orbit
         "The motion": "spin_history SpinHistory",
         "Climates": "daily_insolation",
         "Frequencies": "spectrum Spectrum",
-        "Nutation": "nutation_theory NutationTheory PlanetAxis",
+        "Nutation": "nutation_theory NutationTheory PlanetAxis iau_nutation",
     }),
     Page("perturbation-theory", "Perturbation theory", """\
 Hamiltonians as Poisson series, and angles eliminated from them

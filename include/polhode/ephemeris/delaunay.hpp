@@ -39,12 +39,5 @@ Vec3 sun_of_date(const DelaunayArguments& arguments, double T);
 // Axis 1 to the equinox, axis 3 to the pole of the ecliptic.
 Vec3 cartesian(const EclipticPosition& position);
 
-// On a Kepler ellipse of semi-major axis a in the plane of axes 1 and 2, the pericentre at this
-// longitude.
-Vec3 on_ellipse(double a, double e, double mean_anomaly, double pericentre);
-
-// Mass of the Earth over that of the Moon, DE440 (Park et al. 2021).
-constexpr double earth_to_moon_mass = 398600.435507 / 4902.800118;
-
 }  // namespace v0
 }  // namespace polhode

@@ -49,6 +49,8 @@ struct OwnExperiment {
   std::vector<OwnColumn> columns;  // behind t
   Method method = Adaptive{};
   std::vector<OwnFact> facts = {};
+  // Further facts, which take time to find: asked for when they are shown.
+  std::function<std::vector<OwnFact>()> more_facts = nullptr;
   bool has_events = false;
   std::string identity = {};  // bytes of the state at t = 0: a run is continued with the same alone
   std::shared_ptr<const detail::RowsMaker> maker = nullptr;

@@ -9,7 +9,9 @@
 // Domain      earth, venus, mars; |T| <= 10. What is left out of a request is that of the planet:
 //             Earth: H = 0.0032737548 (Souchay & Kinoshita 1996), no triaxiality, the obliquity and
 //             the moving ecliptic of IAU 2006, masses of DE440. Venus: Cottereau & Souchay (2009).
-//             Mars: Konopliv et al. (2016). Nothing here is fitted to a theory of nutation.
+//             Mars: Konopliv et al. (2016). Nothing here is fitted to a theory of nutation. Where
+//             A < B, axis 1 is along the node at the epoch. satellite_mass is that of what pulls:
+//             the positions of Moon and Sun stay as they are.
 // Accuracy    docs/guide/nutation.md compares it with direct integration and published tables. The
 //             mean longitudes advance evenly: some mas in a century from T, as
 //             polhode/secular/nutation.hpp says.
@@ -20,6 +22,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/ephemeris/date.hpp"
@@ -28,6 +31,9 @@
 
 namespace polhode {
 inline namespace v0 {
+
+// That there is a theory of.
+inline constexpr std::string_view nutation_planets = "earth|venus|mars";
 
 struct PlanetNutation {
   std::string planet = "earth";

@@ -3,7 +3,7 @@
 // of momentum, of figure and of rotation.
 //
 // Equations   Kinoshita (1977), [SA 4.4.5]. Andoyer's variables on the ecliptic of date, J small.
-//             H / G = T(J) + V + (mu.n), V = 3/2 sum gm/r^3 (A u1^2 + B u2^2 + C u3^2) / G as a
+//             H / G = T(J) + V - (mu.n), V = 3/2 sum gm/r^3 (A u1^2 + B u2^2 + C u3^2) / G as a
 //             Fourier series in the arguments; c = cos I and h are conjugate. Poisson terms: a Lie
 //             transform removes the arguments from what J = 0 leaves; short periods of h and I are
 //             the nutation of the momentum. Oppolzer terms: Euler's equations, linear in J, forced
@@ -19,16 +19,17 @@
 //             counted from the mean equinox of date, the direction h + pi. Orders 1 and 2.
 // Accuracy    what orders beyond 2 and products of two Oppolzer terms leave out; harmonics that the
 //             numbers of points do not hold (FourierSeries::at_border) and what is below `least`.
-// Errors      DomainError for moments, rates, obliquities and orders that break this, for names of
-//             arguments, and for arguments in resonance.
+// Errors      DomainError for numbers that break this or are not finite, for names of arguments,
+//             and for a resonance, of arguments or of the torque with the free wobble.
 // Cost        one analysis of the grid (0.3 s for the Earth), and brackets of series.
 #pragma once
 
+#include <array>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/math/vector.hpp"
@@ -64,6 +65,9 @@ struct NutationProblem {
 };
 
 enum class PlanetAxis { momentum, figure, rotation };
+inline constexpr std::array<std::string_view, 3> planet_axes = {"momentum", "figure", "rotation"};
+std::string_view name(PlanetAxis axis);
+std::optional<PlanetAxis> planet_axis(std::string_view name);
 
 struct NutationWave {
   double longitude_sine = 0.0, longitude_cosine = 0.0, obliquity_cosine = 0.0, obliquity_sine = 0.0;
@@ -87,7 +91,7 @@ class NutationTheory {
   explicit NutationTheory(const NutationProblem& problem);
 
   // The names of the arguments: those given, and "Phi", the angle of axis 1 from the node of
-  // momentum and ecliptic, where the body has A < B.
+  // momentum and ecliptic, where the body has A < B. Phi is 0 at the epoch.
   const std::vector<std::string>& arguments() const { return arguments_; }
   const std::vector<double>& at_epoch() const { return at_epoch_; }
   const std::vector<double>& rates() const { return rates_; }

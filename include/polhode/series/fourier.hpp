@@ -9,7 +9,8 @@
 // Accuracy    harmonics beyond those are folded back onto others; `at_border` is the largest
 //             coefficient with an outermost multiplier, a measure of it. Else rounding.
 // Errors      DomainError for unknown angles, angles named twice, numbers of points that are not
-//             odd or below 1, a grid above 2^26 points, and an f that changes its number of values.
+//             odd or below 1, a grid above 2^26 points, a least that is negative or NaN, and an f
+//             that changes its number of values or has one that is not finite.
 // Cost        one f a point of the grid, and as many products as points times the sum of the
 //             numbers of points; 16 bytes a point and pair of functions.
 #pragma once

@@ -62,13 +62,12 @@ class Series {
   }
   friend Series operator*(const T& c, Series a) {
     for (Term<T>& term : a.terms_) term.c = c * term.c;
-    std::erase_if(a.terms_, [](const Term<T>& term) { return term.c == T(0); });
-    return a;
+    return without_zeros(std::move(a));
   }
   friend Series operator*(Series a, const T& c) { return c * std::move(a); }
   friend Series operator/(Series a, const T& c) {
     for (Term<T>& term : a.terms_) term.c = term.c / c;
-    return a;
+    return without_zeros(std::move(a));
   }
   Series& operator+=(const Series& b) { return *this = *this + b; }
   Series& operator-=(const Series& b) { return *this = *this - b; }
@@ -77,6 +76,11 @@ class Series {
   // Terms that are in order.
   Series(const Series& like, std::vector<Term<T>> terms)
       : symbols_(like.symbols_), terms_(std::move(terms)) {}
+  // A product or a quotient may underflow.
+  static Series without_zeros(Series a) {
+    std::erase_if(a.terms_, [](const Term<T>& term) { return term.c == T(0); });
+    return a;
+  }
 
   Symbols symbols_;
   std::vector<Term<T>> terms_;

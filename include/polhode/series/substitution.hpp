@@ -4,7 +4,8 @@
 // Equations   f(x = s) by powers of s; f(phi -> sums of angles) by turning the multipliers;
 //             f(x + d) = sum of d^n / n! d^n f / dx^n, x a variable or an angle.
 // Units       those of the symbols.
-// Domain      substituted: a negative exponent needs an s that is one term without an angle.
+// Domain      substituted: a negative exponent needs an s that is one term without an angle; no
+//             variable that the coefficients depend on (taylor_coefficient.hpp).
 //             displaced: it ends where the derivatives do (a polynomial in x), or where the
 //             truncation cuts d^n off, and so d needs an order above 0 for an angle. Order n of the
 //             truncation is that of the result.
@@ -33,6 +34,10 @@ Series<T> substituted(const Series<T>& a, std::string_view name, const Series<T>
   const Symbols& symbols = a.symbols();
   detail::require_same(symbols, s.symbols());
   const int variable = symbols.variable(name);
+  if constexpr (VariableCoefficient<T>)
+    if (variable < T::variable_count)
+      throw DomainError("substituted: " + std::string(name) +
+                        " is a variable of the coefficients too; it can be displaced alone");
   std::map<int, std::vector<Term<T>>> by_exponent;
   for (const Term<T>& term : a.terms()) {
     const int n = exponent(symbols, term.key, variable);

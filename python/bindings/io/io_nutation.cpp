@@ -10,6 +10,7 @@
 #include "interface/gil.hpp"
 #include "interface/signals.hpp"
 #include "io/io_parts.hpp"
+#include "polhode/ephemeris/iau_nutation.hpp"
 #include "polhode/scenario/planet_nutation.hpp"
 
 namespace polhode::python {
@@ -53,6 +54,18 @@ FloatArray values_at(const NutationTheory& theory, nb::handle axis, const ArrayL
   Result result(shape, {2});
   for_each(size_of(shape), [&](std::size_t k) {
     const NutationOffset now = theory.at(of, in[0][k]);
+    result.at(k)[0] = now.longitude;
+    result.at(k)[1] = now.obliquity;
+  });
+  return result.take();
+}
+
+FloatArray iau_at(const ArrayLike& T) {
+  Numbers in[] = {Numbers(T, "T")};
+  const Shape shape = broadcast(in);
+  Result result(shape, {2});
+  for_each(size_of(shape), [&](std::size_t k) {
+    const IauNutation now = iau_nutation(in[0][k]);
     result.at(k)[0] = now.longitude;
     result.at(k)[1] = now.obliquity;
   });
@@ -172,6 +185,16 @@ Returns
 NutationTheory
 
 ValueError for other planets and for numbers out of range. Releases the GIL. (Kinoshita 1977))");
+  m.def("iau_nutation", iau_at, "T"_a,
+        nb::sig("def iau_nutation(T: ArrayLike) -> NDArray[numpy.float64]"),
+        R"(Nutation of the real Earth in longitude and obliquity, (..., 2) rad: IAU 2000A, by ERFA.
+
+Parameters
+----------
+T : (...), Julian centuries of TDB from J2000.
+
+On mean ecliptic and equator of date, without the free core nutation; NaN for NaN.
+(Mathews et al. 2002))");
 }
 
 }  // namespace polhode::python

@@ -17,6 +17,7 @@
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/secular/spin_on_orbit.hpp"
@@ -32,24 +33,16 @@ using ::testing::HasSubstr;
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double I0 = 0.4;
 
-// A star on an ellipse of semi-major axis 1, seen from the planet; a year is 2 pi. M and Ls.
-Vec3 ellipse(double e, double M, double Ls) {
-  double E = M;
-  for (int i = 0; i < 60; ++i) E = M + e * std::sin(E);
-  const double truth = std::atan2(std::sqrt(1.0 - e * e) * std::sin(E), std::cos(E) - e);
-  const double r = 1.0 - e * std::cos(E), longitude = Ls - M + truth;
-  return {r * std::cos(longitude), r * std::sin(longitude), 0.0};
-}
-
 // Pericentre at longitude 0.3, mean anomaly 0.7 at t = 0.
 constexpr double pericentre = 0.3, anomaly = 0.7;
 
+// A star on an ellipse of semi-major axis 1, seen from the planet; a year is 2 pi.
 NutationProblem planet(const Body& body, double spin, double e, double precession, int order) {
   return {body,
           spin,
           I0,
           {{"M", anomaly, 1.0, 25}, {"Ls", pericentre + anomaly, 1.0 + precession, 7}},
-          {{1.0, [e](std::span<const double> x) { return ellipse(e, x[0], x[1]); }}},
+          {{1.0, [e](std::span<const double> x) { return on_ellipse(1.0, e, x[0], x[1] - x[0]); }}},
           {0.0, 0.0, 0.0},
           order,
           1e-14,
@@ -191,6 +184,22 @@ TEST(Nutation, TheMomentumIsBetweenFigureAndRotation) {
                 budget::nutation_closed);
 }
 
+// The body turns at its spin rate while the node moves back, against which Phi is counted.
+TEST(Nutation, PhiIsCountedFromTheMovingNode) {
+  const double spin = 30.0;
+  const NutationTheory of = theory(Body(0.994, 0.998, 1.0), spin, 0.1, 2);
+  ASSERT_EQ(of.arguments().back(), "Phi");
+  EXPECT_NEAR((of.rates().back() - spin) / (of.precession().longitude * std::cos(I0)), 1.0,
+              budget::nutation_phi);
+}
+
+TEST(Nutation, AxesHaveNames) {
+  for (const PlanetAxis axis : {PlanetAxis::momentum, PlanetAxis::figure, PlanetAxis::rotation})
+    EXPECT_EQ(planet_axis(name(axis)), axis);
+  EXPECT_EQ(name(PlanetAxis::rotation), "rotation");
+  EXPECT_EQ(planet_axis("pole"), std::nullopt);
+}
+
 TEST(Nutation, WhatIsRefused) {
   const Body oblate(0.99, 0.99, 1.0);
   const auto refused = [&](const auto& change) {
@@ -207,13 +216,25 @@ TEST(Nutation, WhatIsRefused) {
   EXPECT_THAT(refused([](auto& p) { p.least = 0.0; }), HasSubstr("least 0"));
   EXPECT_THAT(refused([](auto& p) { p.bodies.clear(); }), HasSubstr("no bodies"));
   EXPECT_THAT(refused([](auto& p) { p.bodies[0].gm = 0.0; }), HasSubstr("gm 0"));
+  EXPECT_THAT(refused([](auto& p) { p.bodies[0].gm = INFINITY; }), HasSubstr("gm inf"));
+  EXPECT_THAT(refused([](auto& p) {
+                p.bodies[0].position = [](std::span<const double>) { return Vec3{}; };
+              }),
+              HasSubstr("it must be finite everywhere"));
   EXPECT_THAT(refused([](auto& p) { p.arguments[0].rate = NAN; }), HasSubstr("argument M"));
+  EXPECT_THAT(refused([](auto& p) { p.slowest = NAN; }), HasSubstr("slowest nan"));
+  EXPECT_THAT(refused([](auto& p) { p.slowest = -1.0; }), HasSubstr("slowest -1"));
+  EXPECT_THAT(refused([](auto& p) { p.least = INFINITY; }), HasSubstr("least inf"));
+  EXPECT_THAT(refused([](auto& p) { p.ecliptic_rate.y = NAN; }), HasSubstr("ecliptic_rate nan"));
   EXPECT_THAT(refused([](auto& p) { p.arguments[1].points = 8; }), HasSubstr("must be odd"));
   EXPECT_THAT(refused([](auto& p) {
                 p.arguments[1].rate = 0.0;
                 p.slowest = 0.0;
               }),
               HasSubstr("a resonance"));
+  // As seen from the body, 2 Ls turns with the free wobble, at (C - A)/A of the spin.
+  EXPECT_THAT(refused([](auto& p) { p.arguments[1].rate = 15.0 / 0.99; }),
+              HasSubstr("the free wobble turns with the torque of cos(2*Ls)"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "budgets.hpp"
 #include "message_of.hpp"
@@ -83,6 +84,18 @@ TEST(Fourier, WhatIsRefused) {
                 });
               }),
               HasSubstr("f has 2 values at one point and 1 at another"));
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THAT(message_of([&] {
+                  fourier_series(symbols, {{"l", 3}, {"g", 1}}, [&](std::span<const double> at) {
+                    return std::vector<double>{1.0, at[0] > 4.0 ? bad : 0.0};
+                  });
+                }),
+                HasSubstr(" at (4.18879020478639"));
+  EXPECT_THAT(message_of([&] {
+                fourier_series(symbols, {{"l", 3}}, one, std::numeric_limits<double>::quiet_NaN());
+              }),
+              HasSubstr("least nan must not be negative"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "message_of.hpp"
 #include "polhode/series/expanded.hpp"
 #include "polhode/series/linear_flow.hpp"
+#include "polhode/series/substitution.hpp"
 #include "unit/series/support.hpp"
 #include "worst.hpp"
 
@@ -117,6 +118,16 @@ TEST(TaylorCoefficient, IntegralsAreUndoneByTheFlow) {
                 return integral(cosine(symbols, number(1), {}, {{"l", 1}, {"g", -1}}), near, 0.0);
               }),
               HasSubstr("turns with l - g, whose rate is 0 at the values chosen"));
+}
+
+// The coefficient of k L cos(l) depends on L too.
+TEST(TaylorCoefficient, ItsVariablesAreDisplacedNotReplaced) {
+  const Symbols symbols = rotor();
+  const Local a = cosine(symbols, L() * G(), {{"k", 2}}, {{"l", 1}});
+  EXPECT_THAT(message_of([&] { return substituted(a, "L", constant(symbols, number(2))); }),
+              HasSubstr("L is a variable of the coefficients too"));
+  EXPECT_EQ(substituted(a, "k", constant(symbols, number(2))),
+            cosine(symbols, number(4) * L() * G(), {}, {{"l", 1}}));
 }
 
 TEST(TaylorCoefficient, ExpandedIsASeriesInDisplacements) {

@@ -89,7 +89,9 @@ TEST(SeriesText, Refuses) {
   EXPECT_THAT(refused("cos(2*l"), HasSubstr("expected ')'"));
   EXPECT_THAT(refused("cos l"), HasSubstr("expected '('"));
   EXPECT_THAT(refused("e^99999"), HasSubstr("exponent"));
-  EXPECT_THAT(refused("(e + G)^1001"), HasSubstr("powers of sums up to 1000"));
+  EXPECT_THAT(refused("(e + G)^1001"), HasSubstr("powers of sums and waves up to 1000"));
+  EXPECT_THAT(refused("cos(l)^1001"), HasSubstr("powers of sums and waves up to 1000"));
+  EXPECT_THAT(refused("cos(l)^900*cos(l)^900"), HasSubstr("fewer products"));
   EXPECT_THAT(refused((std::string(101, '(') + "1").c_str()), HasSubstr("no deeper than 100"));
   EXPECT_THAT(refused("1 + \t\x01"), HasSubstr("column 6: '?'"));
   const auto of_doubles = [](const char* text) {

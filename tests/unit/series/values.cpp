@@ -22,6 +22,10 @@ TEST(SeriesValues, SumsAndProducts) {
     EXPECT_EQ(value(a * b, at), value(a, at) * value(b, at));
     EXPECT_EQ(value(power(a, 3), at), to_power(value(a, at), 3));
   }
+  // No term is left of what is too small for a double.
+  const polhode::Series<double> tiny = monomial(symbols, 1e-300, {{"e", 1}});
+  EXPECT_TRUE((tiny / 1e300).is_zero());
+  EXPECT_TRUE((1e-300 * tiny).is_zero());
 }
 
 // x + d x, to first order in d x.

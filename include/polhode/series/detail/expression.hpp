@@ -38,7 +38,7 @@ class Expression {
 
  private:
   static constexpr int most_depth = 100;
-  static constexpr int most_power = 1000;  // of a sum
+  static constexpr int most_power = 1000;  // of what is no monomial
   // Pairs of terms that text may ask for: a second at most, and more for long text.
   static constexpr std::size_t pairs_of_text = 200'000, pairs_of_character = 100;
 
@@ -73,8 +73,8 @@ class Expression {
     if (!lexer_.takes("^")) return base;
     const int n = lexer_.integer();
     if (n < 0) base = inverted(base);
-    if (base.size() == 1) return power(base, std::abs(n));
-    if (std::abs(n) > most_power) lexer_.refuse("powers of sums up to 1000 before it");
+    if (is_monomial(base)) return power(base, std::abs(n));
+    if (std::abs(n) > most_power) lexer_.refuse("powers of sums and waves up to 1000 before it");
     Series<T> all = constant<T>(symbols_, T(1));
     for (int i = 0; i < std::abs(n) && !all.is_zero(); ++i) all = times(all, base);
     return all;
@@ -132,9 +132,11 @@ class Expression {
     pairs_left_ -= pairs;
     return a * b;
   }
+  bool is_monomial(const Series<T>& a) const {
+    return a.size() == 1 && a.terms()[0].key.multipliers == symbols_.multipliers().zero();
+  }
   Series<T> inverted(const Series<T>& a) const {
-    if (a.size() != 1 || a.terms()[0].key.multipliers != symbols_.multipliers().zero())
-      lexer_.refuse("a divisor of one term without an angle before it");
+    if (!is_monomial(a)) lexer_.refuse("a divisor of one term without an angle before it");
     return inverse(a);
   }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // kind = "nutation".
-#include <algorithm>
-#include <array>
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "polhode/scenario/planet_nutation.hpp"
 #include "polhode/text/epoch.hpp"
+#include "polhode/text/separated.hpp"
 #include "scenario/detail/nutation_kind.hpp"
 
 namespace polhode {
@@ -17,7 +19,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-enum class Planet { earth, venus, mars };
+enum class Planet : std::size_t {};  // its place among nutation_planets
 
 struct Arguments {
   Planet planet;
@@ -27,8 +29,8 @@ struct Arguments {
 };
 
 constexpr KindKey<Arguments> keys[] = {
-    choice_key<&Arguments::planet, Planet::earth, Planet::venus, Planet::mars>(
-        "planet", "earth|venus|mars",
+    choice_key<&Arguments::planet, Planet{0}, Planet{1}, Planet{2}>(
+        "planet", nutation_planets,
         "Whose nutation: the Earth under Moon and Sun, or another under the Sun.")
         .required()
         .example("\"earth\""),
@@ -70,7 +72,7 @@ double second_of(const ExperimentContext& at) {
 
 PlanetNutation request_of(const Arguments& a, const ExperimentContext& at) {
   PlanetNutation of;
-  of.planet = a.planet == Planet::earth ? "earth" : a.planet == Planet::venus ? "venus" : "mars";
+  of.planet = separated(nutation_planets, '|').at(static_cast<std::size_t>(a.planet));
   of.T = at.built("epoch", [&] { return julian_centuries(epoch_date(a.epoch)); });
   of.ellipticity = a.ellipticity;
   of.triaxiality = a.triaxiality;
@@ -81,42 +83,67 @@ PlanetNutation request_of(const Arguments& a, const ExperimentContext& at) {
   return of;
 }
 
-// Longitude and obliquity of the axes of momentum, figure and rotation; the last once more for the
-// rate relative to the ecliptic of date.
+// Made when it is asked for: what a file says is read, described and cited without it.
+class Lazy {
+ public:
+  explicit Lazy(PlanetNutation of) : of_(std::move(of)) {}
+  const NutationTheory& theory() const {
+    std::call_once(once_, [&] { theory_.emplace(nutation_theory(of_)); });
+    return *theory_;
+  }
+
+ private:
+  PlanetNutation of_;
+  mutable std::once_flag once_;
+  mutable std::optional<NutationTheory> theory_;
+};
+
+// Longitude and obliquity of each axis, then of that of rotation once more, for the rate relative
+// to the ecliptic of date.
+std::vector<OwnColumn> columns() {
+  std::vector<std::string> axes(planet_axes.begin(), planet_axes.end());
+  axes.emplace_back("relative");
+  std::vector<OwnColumn> all;
+  for (const std::string& axis : axes)
+    for (const char* const angle : {"dpsi_", "deps_"})
+      all.push_back({angle + axis, Dimension::angle});
+  return all;
+}
+
+void fill(const NutationTheory& theory, double t, std::span<double> row) {
+  auto next = row.begin();
+  NutationOffset last{};
+  for (std::size_t i = 0; i < planet_axes.size(); ++i) {
+    last = theory.at(static_cast<PlanetAxis>(i), t);
+    *next++ = last.longitude;
+    *next++ = last.obliquity;
+  }
+  const NutationOffset moved = theory.relative_offset();
+  *next++ = last.longitude + moved.longitude;
+  *next++ = last.obliquity + moved.obliquity;
+}
+
 OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
   const PlanetNutation of = completed(request_of(a, at));
-  const auto theory = std::make_shared<const NutationTheory>(nutation_theory(of));
-  std::vector<OwnColumn> columns;
-  for (const char* const axis : {"momentum", "figure", "rotation", "relative"})
-    for (const char* const angle : {"dpsi_", "deps_"})
-      columns.push_back({std::string(angle) + axis, Dimension::angle});
-  OwnExperiment own{.kind = "nutation", .rows = at.rows(), .columns = std::move(columns)};
+  OwnExperiment own{.kind = "nutation", .rows = at.rows(), .columns = columns()};
   const double second = second_of(at);
-  own.formula = [theory, second](double t_core, std::span<double> row) {
-    const double t = t_core / second;
-    const NutationOffset momentum = theory->at(PlanetAxis::momentum, t);
-    const NutationOffset figure = theory->at(PlanetAxis::figure, t);
-    const NutationOffset rotation = theory->at(PlanetAxis::rotation, t);
-    const NutationOffset moved = theory->relative_offset();
-    const std::array<double, 8> all = {momentum.longitude,
-                                       momentum.obliquity,
-                                       figure.longitude,
-                                       figure.obliquity,
-                                       rotation.longitude,
-                                       rotation.obliquity,
-                                       rotation.longitude + moved.longitude,
-                                       rotation.obliquity + moved.obliquity};
-    std::copy(all.begin(), all.end(), row.begin());
+  const auto lazy = std::make_shared<const Lazy>(of);
+  own.formula = [lazy, second](double t, std::span<double> row) {
+    fill(lazy->theory(), t / second, row);
   };
-  const NutationOffset precession = theory->precession();
-  own.facts = {
-      {"ellipticity", "dynamical ellipticity H", *of.ellipticity, Dimension::number},
-      {"obliquity", "mean obliquity at t = 0", *of.obliquity, Dimension::angle},
-      {"precession", "precession in longitude", precession.longitude / second, Dimension::rate},
-      {"obliquity_rate", "rate of the mean obliquity", precession.obliquity / second,
-       Dimension::rate},
-      {"terms", "terms of the axis of figure",
-       static_cast<double>(theory->terms(PlanetAxis::figure).size()), Dimension::number}};
+  own.facts = {{"ellipticity", "dynamical ellipticity H", *of.ellipticity, Dimension::number},
+               {"obliquity", "mean obliquity at t = 0", *of.obliquity, Dimension::angle}};
+  // Of the epoch: no change of coefficients, and so one theory in place of three.
+  own.more_facts = [of, second] {
+    const NutationTheory theory(nutation_problem(of));
+    const NutationOffset precession = theory.precession();
+    return std::vector<OwnFact>{
+        {"precession", "precession in longitude", precession.longitude / second, Dimension::rate},
+        {"obliquity_rate", "rate of the mean obliquity", precession.obliquity / second,
+         Dimension::rate},
+        {"terms", "terms of the axis of figure",
+         static_cast<double>(theory.terms(PlanetAxis::figure).size()), Dimension::number}};
+  };
   return own;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/scenario/planet_nutation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,7 +9,10 @@
 #include "polhode/ephemeris/delaunay.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/secular/planet.hpp"
+#include "polhode/text/separated.hpp"
+#include "text/word_list.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -20,6 +24,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 constexpr double arcsec = degree / 3600.0;
 constexpr double day = 86400.0;
 constexpr double century = 36525.0 * day;
+constexpr double au = 149597870.7;  // km, IAU 2012
 
 [[noreturn]] void refuse(const std::string& why) { throw DomainError("nutation: " + why); }
 
@@ -35,6 +40,9 @@ void require(const PlanetNutation& of) {
   within(of.ellipticity, "ellipticity", 1e-9, 0.5);
   within(of.triaxiality, "triaxiality", 0.0, 0.5);
   within(of.satellite_mass, "satellite_mass", 1e-9, 1.0);
+  within(of.spin_rate, "spin_rate (rad/s)", 1e-9, 1e-2);
+  within(of.obliquity, "obliquity (rad)", 1e-3, std::numbers::pi - 1e-3);
+  within(of.least, "least (rad)", 1e-18, 1e-3);
 }
 
 // Axis 1 = the smallest moment, in units of C.
@@ -88,21 +96,34 @@ NutationProblem earth_problem(const PlanetNutation& of) {
 
 // --- Planets under the Sun alone ---
 
+// Simon et al. (1994), equinox of J2000: au, deg, arcsec; rates a century.
+struct MeanElements {
+  double a, e, e_rate, mean_motion, mean_longitude, perihelion, perihelion_rate, inclination, node;
+};
+constexpr MeanElements of_venus = {0.72332982,     0.0067719164, -0.00004776521,
+                                   58517.81567425, 181.97980085, 131.56370300,
+                                   175.48640,      3.39466189,   76.67992019};
+constexpr MeanElements of_mars = {1.5236793419,   0.0934006477, 0.00009048438,
+                                  19140.30268499, 355.43299958, 336.06023395,
+                                  15980.45908,    1.84972648,   49.55809321};
+
+const MeanElements& elements_of(const std::string& planet) {
+  return planet == "venus" ? of_venus : of_mars;
+}
+
 struct Orbit {
   double a, e, mean_motion, perihelion, perihelion_rate, mean_longitude;
 };
 
-// Mean elements of Simon et al. (1994), equinox of J2000: au, deg, arcsec a century.
 Orbit orbit_of(const std::string& planet, double T) {
-  constexpr double au = 149597870.7;
-  const bool venus = planet == "venus";
-  const double a = (venus ? 0.72332982 : 1.5236793419) * au;
-  const double e = venus ? 0.0067719164 - 0.00004776521 * T : 0.0934006477 + 0.00009048438 * T;
-  const double n = (venus ? 58517.81567425 : 19140.30268499) * degree / century;
-  const double longitude = (venus ? 181.97980085 : 355.43299958) * degree + n * century * T;
-  const double perihelion = (venus ? 131.56370300 : 336.06023395) * degree;
-  const double rate = (venus ? 175.48640 : 15980.45908) * arcsec / century;
-  return {a, e, n, perihelion + rate * century * T, rate, longitude};
+  const MeanElements& of = elements_of(planet);
+  const double rate = of.perihelion_rate * arcsec;
+  return {of.a * au,
+          of.e + of.e_rate * T,
+          of.mean_motion * degree / century,
+          of.perihelion * degree + rate * T,
+          rate / century,
+          (of.mean_longitude + of.mean_motion * T) * degree};
 }
 
 struct Equator {
@@ -110,16 +131,15 @@ struct Equator {
   double obliquity;  // of the momentum, and so above 90 deg for Venus
 };
 
-// By the poles of equator (IAU) and orbit (inclination and node of Simon et al. 1994).
+// At J2000, by the poles of equator (IAU) and orbit.
 Equator equator_of(const std::string& planet) {
-  const bool venus = planet == "venus";
-  const double i = (venus ? 3.39466189 : 1.84972648) * degree;
-  const double node = (venus ? 76.67992019 : 49.55809321) * degree;
+  const double i = elements_of(planet).inclination * degree;
+  const double node = elements_of(planet).node * degree;
   const Vec3 normal{std::sin(i) * std::sin(node), -std::sin(i) * std::cos(node), std::cos(i)};
   const Vec3 ascending{std::cos(node), std::sin(node), 0.0};
   // Venus turns backward: its momentum is opposite to the pole of the IAU (Archinal et al. 2018).
-  const Vec3 momentum = venus ? -ecliptic_direction(272.76 * degree, 67.16 * degree)
-                              : planet_pole(known_planet("mars"));
+  const Vec3 momentum = planet == "venus" ? -ecliptic_direction(272.76 * degree, 67.16 * degree)
+                                          : planet_pole(known_planet("mars"));
   const Vec3 equinox = cross(momentum, normal);
   return {node + std::atan2(dot(normal, cross(ascending, equinox)), dot(ascending, equinox)),
           std::atan2(norm(equinox), dot(momentum, normal))};
@@ -127,11 +147,12 @@ Equator equator_of(const std::string& planet) {
 
 NutationProblem planet_problem(const PlanetNutation& of) {
   const Orbit orbit = orbit_of(of.planet, of.T);
-  // The equinox moves with the precession that the torque makes.
+  // The equinox moves with the precession that the torque makes, from where it is at J2000.
   const double spin = *of.spin_rate;
   const double precession = -1.5 * orbit.mean_motion * orbit.mean_motion / spin * *of.ellipticity *
                             std::cos(*of.obliquity) * std::pow(1.0 - orbit.e * orbit.e, -1.5);
-  const double Ls = orbit.mean_longitude - equator_of(of.planet).equinox + std::numbers::pi;
+  const double equinox = equator_of(of.planet).equinox + precession * century * of.T;
+  const double Ls = orbit.mean_longitude - equinox + std::numbers::pi;
   const double M = orbit.mean_longitude - orbit.perihelion;
   const double e = orbit.e, a = orbit.a;
   const auto sun = [e, a](std::span<const double> x) {
@@ -170,11 +191,12 @@ PlanetNutation completed(const PlanetNutation& of) {
     missing(all.triaxiality, 0.0);
     missing(all.spin_rate, 7.292115e-5);
     missing(all.obliquity, earth_obliquity(of.T));
-    missing(all.satellite_mass, 1.0 / earth_to_moon_mass);
+    missing(all.satellite_mass, planetary_gm(Planetary::moon) / planetary_gm(Planetary::earth));
     return all;
   }
-  if (of.planet != "venus" && of.planet != "mars")
-    refuse("got the planet \"" + of.planet + "\"; expected earth, venus or mars");
+  const std::vector<std::string_view> known = separated(nutation_planets, '|');
+  if (std::ranges::find(known, of.planet) == known.end())
+    refuse("got the planet \"" + of.planet + "\"; expected " + detail::one_of(known));
   if (of.satellite_mass) refuse("satellite_mass: " + of.planet + " has no satellite here");
   if (of.planet == "venus") {
     missing(all.ellipticity, 1.31e-5);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Tolerances of tests: programs and pages.
+#pragma once
+
+namespace polhode::budget {
+
+// --- the command line and documents (tests/cli, tests/install, tests/docs), of order one ---
+// Numbers of one row or table against each other and against formulas.
+inline constexpr double cli_rounding = 1e-15;
+// The same along a run of some turns, through a chart and back, or after cancellation.
+inline constexpr double cli_carried = 4e-14;
+// The explicit midpoint rule of docs/extending/method.md, ten minutes of two turns each, deg/s.
+inline constexpr double own_midpoint = 4e-4;
+// Of the energy of docs/extending/experiment.md, relative, over 70 periods.
+inline constexpr double own_model = 1e-11;
+// a jet whose mean over turns of the body is taken, and a spiral that is all but a circle
+inline constexpr double own_jet = 1e-3;
+inline constexpr double own_spiral = 1e-9;
+// psi_max as a table prints it, rounded down.
+inline constexpr double cli_printed_digits = 1e-9;
+// Times of flips after 1e9 s: in units of their last place; and half a period, by 11 of them near
+// t = 0.
+inline constexpr double cli_flip_ulps = 3.0;
+inline constexpr double cli_half_period_ulps = 2.0;
+inline constexpr double cli_half_period = 1e-14;
+// Where the numbers of a chart hold half the digits of the state.
+inline constexpr double cli_half_the_digits = 1e-7;
+// Every method against double-double, at the steps of that test.
+inline constexpr double cli_methods = 2e-11;
+// rad, and relative rates, after a thousand orbits at the tolerance of the example.
+inline constexpr double cli_thousand_orbits = 1e-10;
+// Numbers of documents against what their programs print.
+inline constexpr double documents = 1e-9;
+// Errors of another program that a page calls rounding; those it names are larger.
+inline constexpr double documents_rounding = 1e-9;
+
+// --- long runs (tests/cli/test_resume.py) ---
+// Peak memory with twenty times the events, over that before.
+inline constexpr double run_memory = 1.2;
+
+}  // namespace polhode::budget

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Tolerances of tests: frames.
+#pragma once
+
+namespace polhode::budget {
+
+// --- frames (tests/unit/frame), in eps ---
+// Attitude, rad, and rate over max(1, |mu|), against matrices at 76 digits and their differences.
+inline constexpr double frame_attitude_eps = 4.0;
+inline constexpr double frame_rate_eps = 2.0;
+// The same in double-double.
+inline constexpr double frame_wide = 2e-31;
+
+}  // namespace polhode::budget

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Tolerances of tests: text and files.
+#pragma once
+
+namespace polhode::budget {
+
+// --- text and files (tests/unit/text, tables, output, scenario, run) ---
+// A state read from text against the same state built directly; momentum of order ten.
+inline constexpr double io_state = 4e-15;
+// Serret elements of two states of one motion.
+inline constexpr double io_elements = 4e-14;
+// Columns of a row of `convert` after a round trip through another chart, numbers of order one.
+inline constexpr double io_convert = 4e-15;
+
+}  // namespace polhode::budget

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Tolerances of tests: numbers.
+#pragma once
+
+namespace polhode::budget {
+
+// --- numbers (tests/unit/math): relative errors in units of epsilon<T>(), 2^-52 of double and
+// 2^-104 of DoubleDouble ---
+inline constexpr double double_double_constant = 0.125;
+inline constexpr double double_double_arithmetic = 1.0;
+inline constexpr double double_double_functions = 2.0;
+inline constexpr double dual_derivative = 4.0;
+
+// --- numbers with an exponent of their own (tests/unit/math/wide_range.cpp), relative ---
+inline constexpr double wide_range = 4e-16;
+
+// --- angles beyond the 32-digit reduction (tests/unit/math) ---
+inline constexpr double large_angle = 2e-16;
+
+}  // namespace polhode::budget

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Tolerances of tests: what Python computes by itself.
+#pragma once
+
+namespace polhode::budget {
+
+// --- light on a turning plate (python/tests/test_switches.py) ---
+// What a weak torque adds to g, relative, at loose tolerances: some roundings of g.
+inline constexpr double turning_plate = 1e-6;
+
+// --- formulas written in NumPy (python/tests), on numbers of order one ---
+// The same few operations, in another order or none.
+inline constexpr double numpy_rounding = 1e-15;
+inline constexpr double numpy_formula = 2e-14;
+// of states drawn at random, some next to a pole of a chart
+inline constexpr double numpy_random = 5e-12;
+// central differences of sixth order, step 2^-10
+inline constexpr double numpy_differences = 5e-12;
+
+// --- terms fitted to a series (python/tests/test_harmonics.py), over the largest number in it ---
+inline constexpr double harmonic_terms = 1e-13;
+// how much more noise is in an amplitude than without the other terms; with the scatter of 2000
+// draws, and the part that mean and rate take of the term alone
+inline constexpr double harmonic_growth = 2.1;
+// Periods of printed digits (python/tests/test_argument_fit.py), relative.
+inline constexpr double argument_period = 3e-5;
+
+// --- real bodies (python/tests/test_real_bodies.py) ---
+// Published numbers, relative.
+inline constexpr double published_mercury = 1e-3;
+inline constexpr double published_phobos = 1e-3;
+inline constexpr double published_moon = 5e-3;
+inline constexpr double published_cassini = 1e-2;
+inline constexpr double published_mars = 5e-3;
+// Other solutions of the same model: SciPy's integrator, rad; averages of first order, relative.
+inline constexpr double oracle_tolerance = 1e-13;
+inline constexpr double planar_libration = 1e-9;
+inline constexpr double averaged_moon = 1e-3;
+inline constexpr double cassini_node = 1e-3;
+inline constexpr double mars_rate = 1e-4;
+inline constexpr double mars_nutation = 1e-2;
+inline constexpr double averaged_envisat = 3e-2;
+
+// --- the gallery (python/tests/gallery_values.py), on numbers of order one ---
+// Laws that hold along a curve, and steps of the same formulas.
+inline constexpr double gallery_law = 1e-12;
+// Against SciPy at its tolerance, over the flips of a wing nut.
+inline constexpr double gallery_integrated = 5e-9;
+// Of an energy, relative; of one along a run at tolerance 1e-10.
+inline constexpr double gallery_energy = 1e-14;
+inline constexpr double gallery_run = 1e-8;
+
+// --- figures (python/tests/test_figures_*.py) ---
+// The extremes of a curve that is drawn by samples, over its size.
+inline constexpr double figure_sampled = 2e-5;
+// Products of lengths in pixels, small compared with where they are.
+inline constexpr double numpy_pixels = 4e-13;
+
+// --- instantaneous ellipses (python/tests/test_figures_ellipses.py), in the orbit's own units ---
+// Against other equations of motion, after a revolution.
+inline constexpr double figure_orbit = 1e-13;
+inline constexpr double figure_differences = 1e-9;
+// Slope of the distance between orbit and ellipse against the time from the contact.
+inline constexpr double figure_contact = 0.01;
+
+// --- attitude files (python/tests/test_attitude_files.py) ---
+// Central differences of attitudes against rates: some 0.04 rad between the outer two.
+inline constexpr double aem_difference = 1e-4;
+
+// --- Apophis in 2029 (python/tests/test_apophis_2029.py) ---
+// deg: between the plane or pericentre of the example and those of either orbit next to it.
+inline constexpr double apophis_plane = 2.0;
+// Against SciPy's DOP853 after 96 h.
+inline constexpr double apophis_scipy = 1e-9;
+// Tolerance asked of it.
+inline constexpr double apophis_oracle = 1e-12;
+// Relative change of the periods from 48 h to 192 h after the closest approach.
+inline constexpr double apophis_after = 2e-3;
+
+// --- orbit files (python/tests/test_oem.py) ---
+// s: times of the package oem, whose dates are doubles.
+inline constexpr double oem_times = 1e-6;
+// Attitude after a revolution along a table of rows 60 s apart, against elements.
+inline constexpr double oem_run = 1e-8;
+
+}  // namespace polhode::budget
