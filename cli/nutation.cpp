@@ -48,6 +48,9 @@ NutationRequest completed_request(const NutationCommand& of) {
 }
 
 void show(const NutationCommand& of) {
+  if (!of.out.empty() && of.out != "-" && !of.out.ends_with(".csv"))
+    throw DomainError("nutation: --out: got \"" + of.out +
+                      "\"; the table is written as CSV: expected a name that ends with .csv, or -");
   const NutationReport report = nutation_report(completed_request(of));
   if (!of.out.empty()) write_nutation_csv(report, of.out);
   if (of.out != "-") print(nutation_text(report));
@@ -82,10 +85,14 @@ void add_nutation(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output");
   command->add_option("--lines", of->request.lines, "How many terms to print")
-      ->check(CLI::NonNegativeNumber)
+      ->check([](const std::string& text) {
+        const bool whole = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+        return whole ? std::string() : "got " + text + "; expected 0, 1, 2, ...";
+      })
       ->capture_default_str();
-  command->add_flag("--changes", of->request.changes,
-                    "Four columns more: how fast the coefficients change, in mas a century");
+  command->add_flag(
+      "--changes", of->request.changes,
+      "Four columns more in the file: how fast the coefficients change, in mas a century");
   command->add_option("--epoch", of->epoch, "Date of the obliquity and the eccentricities")
       ->capture_default_str();
   command->add_option("--ellipticity", planet.ellipticity,

@@ -309,3 +309,20 @@ def test_what_is_refused():
         polhode.nutation_theory("mars", spin_rate=np.nan)
     with pytest.raises(ValueError, match="least .rad. inf must be in"):
         polhode.nutation_theory("mars", least=np.inf)
+
+
+@pytest.mark.parametrize("changed", [{"ellipticity": 2 * 0.0032737548}, {"satellite_mass": 0.0246},
+                                     {"obliquity": 1.2}])  # fmt: skip
+def test_the_node_is_counted_from_the_equinox_that_these_numbers_make(earth, changed):
+    theory = polhode.nutation_theory(order=1, least=1e-9, **changed)
+    precession = theory.precession[0] - earth.precession[0]
+    assert abs(precession) > 1e-3 * abs(earth.precession[0])
+    moved = theory.rates - earth.rates
+    assert_allclose(moved[4], precession, rtol=budgets.nutation_equinox)
+    assert np.all(moved[:4] == 0)
+
+
+def test_the_year_of_mars_is_the_anomalistic_one():
+    """686.9957 d (Allison & McEwen 2000: 686.9957); the perihelion moves 16 arcsec a year."""
+    mars = polhode.nutation_theory("mars", order=1)
+    assert abs(2 * np.pi / mars.rates[0] / DAY - 686.9957) < budgets.nutation_year

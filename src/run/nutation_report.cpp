@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -65,6 +66,11 @@ std::vector<std::string> notes(const NutationReport& report) {
   if (of.satellite_mass)
     lines.push_back(
         fmt::format("mass of the Moon over that of the Earth {:.10g}", *of.satellite_mass));
+  std::string arguments;
+  for (std::size_t i = 0; i < theory.arguments().size(); ++i)
+    arguments += fmt::format(" {} {:.6f}", theory.arguments()[i],
+                             std::remainder(theory.at_epoch()[i] / degree, 360.0));
+  lines.push_back("arguments at the epoch, deg:" + arguments);
   lines.push_back(fmt::format(
       "precession on the ecliptic of date {:.6f} arcsec/yr, of the "
       "obliquity {:.6f} arcsec/yr",

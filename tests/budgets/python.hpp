@@ -24,6 +24,8 @@ inline constexpr double harmonic_terms = 1e-13;
 inline constexpr double harmonic_growth = 2.1;
 // Periods of printed digits (python/tests/test_argument_fit.py), relative.
 inline constexpr double argument_period = 3e-5;
+// Where coefficients change with time, over the largest number in the series.
+inline constexpr double argument_changes = 1e-12;
 
 // --- real bodies (python/tests/test_real_bodies.py) ---
 // Published numbers, relative.

@@ -66,6 +66,8 @@ inline constexpr double nutation_published = 0.4;
 inline constexpr double nutation_published_fast = 0.03;
 inline constexpr double nutation_integrated = 1.0;
 inline constexpr double nutation_term = 0.15;
+// The rate of the node against the precession of the theory, relative; d, of the year of Mars.
+inline constexpr double nutation_equinox = 0.01, nutation_year = 1e-4;
 // d; mas of what is printed with three digits; mas of sums of numbers with six digits, and of all
 // terms of a table.
 inline constexpr double nutation_period = 0.01;

@@ -11,7 +11,9 @@
 //             the moving ecliptic of IAU 2006, masses of DE440. Venus: Cottereau & Souchay (2009).
 //             Mars: Konopliv et al. (2016). Nothing here is fitted to a theory of nutation. Where
 //             A < B, axis 1 is along the node at the epoch. satellite_mass is that of what pulls:
-//             the positions of Moon and Sun stay as they are.
+//             the positions of Moon and Sun stay as they are, and are counted from the equinox that
+//             these numbers make. Orbit and obliquity of Venus and Mars are those of J2000 at every
+//             epoch; their "ecliptic" is that orbit.
 // Accuracy    docs/guide/nutation.md compares it with direct integration and published tables. The
 //             mean longitudes advance evenly: some mas in a century from T, as
 //             polhode/secular/nutation.hpp says.

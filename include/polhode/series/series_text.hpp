@@ -11,8 +11,8 @@
 // Accuracy    what is written is read back as the same series, NaN and infinities apart, in double
 //             and Rational; other types to their max_digits10.
 // Errors      DomainError of one line: the column, or the row, and what was expected there.
-//             Powers above 1000 of sums, cos and sin, parentheses more than 100 deep, and products that
-//             together have more than 2e5 pairs of terms and 100 a character, are refused.
+//             Powers above 1000 of sums, cos and sin, parentheses more than 100 deep, and products
+//             that together have more than 2e5 pairs of terms and 100 a character, are refused.
 // Cost        linear in the terms.
 #pragma once
 

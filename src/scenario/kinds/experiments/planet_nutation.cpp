@@ -69,9 +69,36 @@ Vec3 earth_ecliptic_rate(double T) {
           Q * std::sin(general) + P * std::cos(general), 0.0};
 }
 
+// Of Sun and Moon on the Earth, 2/3 H gm / a^3 cos(obliquity) over the spin left out: mean
+// distances and eccentricities, the inclination of the Moon.
+double mean_pull(double satellite_mass) {
+  const auto pull = [](double gm, double a, double e, double i) {
+    return gm / (a * a * a) * std::pow(1.0 - e * e, -1.5) * (1.0 - 1.5 * std::sin(i) * std::sin(i));
+  };
+  return pull(planetary_gm(Planetary::sun), au, 0.0167, 0.0) +
+         pull(satellite_mass * planetary_gm(Planetary::earth), 384399.0, 0.0549, 5.145 * degree);
+}
+
+// What the equinox of this Earth precesses by more than that of the real one, whose longitudes
+// delaunay_rates has: rad a century.
+double more_precession(const PlanetNutation& of) {
+  constexpr double observed = 5038.481507 * arcsec;  // psi_A of IAU 2006
+  const auto torque = [](const PlanetNutation& earth) {
+    return *earth.ellipticity / *earth.spin_rate * std::cos(*earth.obliquity) *
+           mean_pull(*earth.satellite_mass);
+  };
+  PlanetNutation real;
+  real.T = of.T;
+  return observed * (torque(of) / torque(completed(real)) - 1.0);
+}
+
 NutationProblem earth_problem(const PlanetNutation& of) {
   const double T = of.T;
-  const DelaunayArguments at = delaunay_arguments(T), rate = delaunay_rates(T);
+  DelaunayArguments at = delaunay_arguments(T), rate = delaunay_rates(T);
+  // Om is the one longitude among them.
+  const double more = more_precession(of);
+  rate.Om += more;
+  at.Om += more * T;
   const auto argument = [](const char* name, double at_epoch, double per_century, int points) {
     return NutationArgument{name, at_epoch, per_century / century, points};
   };
@@ -96,16 +123,17 @@ NutationProblem earth_problem(const PlanetNutation& of) {
 
 // --- Planets under the Sun alone ---
 
-// Simon et al. (1994), equinox of J2000: au, deg, arcsec; rates a century.
+// Simon et al. (1994), equinox of J2000: au, deg, arcsec; rates a century, where they have those of
+// e and the perihelion in a thousand years.
 struct MeanElements {
   double a, e, e_rate, mean_motion, mean_longitude, perihelion, perihelion_rate, inclination, node;
 };
 constexpr MeanElements of_venus = {0.72332982,     0.0067719164, -0.00004776521,
                                    58517.81567425, 181.97980085, 131.56370300,
-                                   175.48640,      3.39466189,   76.67992019};
+                                   17.548640,      3.39466189,   76.67992019};
 constexpr MeanElements of_mars = {1.5236793419,   0.0934006477, 0.00009048438,
                                   19140.30268499, 355.43299958, 336.06023395,
-                                  15980.45908,    1.84972648,   49.55809321};
+                                  1598.045908,    1.84972648,   49.55809321};
 
 const MeanElements& elements_of(const std::string& planet) {
   return planet == "venus" ? of_venus : of_mars;
