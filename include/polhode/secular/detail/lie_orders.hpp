@@ -168,6 +168,16 @@ Series<T> deprit_sum(const std::vector<Parts<T>>& rows, const Parts<T>& w, std::
   return sum;
 }
 
+// f_(n-k)^(k) for k = 1, ..., n, from f_n^(0) on; step is {f_0, w_n}.
+template <class T>
+void deprit_diagonal(std::vector<Parts<T>>& rows, const Parts<T>& w, std::size_t n,
+                     const Series<T>& step, const Truncation& keep) {
+  for (std::size_t k = 1; k <= n; ++k) {
+    rows[k][n - k] = rows[k - 1][n - k + 1] + deprit_sum(rows, w, k - 1, n - k, keep);
+    if (k == 1) rows[k][n - k] += step;
+  }
+}
+
 template <class T>
 MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
                                 const Truncation& keep) {
@@ -175,13 +185,11 @@ MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
   const Series<T> zero(h[0].symbols());
   MeanAndGenerator<T> found{{h[0]}, Parts<T>(count, zero)};
   std::vector<Parts<T>> rows(count, Parts<T>(count, zero));
-  for (std::size_t n = 0; n < count; ++n) {
+  rows[0][0] = h[0];
+  for (std::size_t n = 1; n < count; ++n) {
     const T scale = factorial<T>(static_cast<int>(n));
     rows[0][n] = scale * h[n];
-    if (n == 0) continue;
-    for (std::size_t k = 1; k <= n; ++k)
-      rows[k][n - k] =
-          rows[k - 1][n - k + 1] + deprit_sum(rows, found.generator, k - 1, n - k, keep);
+    deprit_diagonal(rows, found.generator, n, zero, keep);
     auto [mean, w] = solver.eliminated(rows[n][0]);
     const Series<T> flow = solver.flow(w);
     for (std::size_t k = 1; k <= n; ++k) rows[k][n - k] += flow;
@@ -200,10 +208,7 @@ Parts<T> deprit_map(const Parts<T>& f, const Parts<T>& w, const First& first,
   for (std::size_t n = 0; n < count; ++n) {
     const T scale = factorial<T>(static_cast<int>(n));
     rows[0][n] = scale * f[n];
-    for (std::size_t k = 1; k <= n; ++k) {
-      rows[k][n - k] = rows[k - 1][n - k + 1] + deprit_sum(rows, w, k - 1, n - k, keep);
-      if (k == 1) rows[k][n - k] += first(w[n]);
-    }
+    deprit_diagonal(rows, w, n, first(w[n]), keep);
     result[n] = rows[n][0] / scale;
   }
   return result;
