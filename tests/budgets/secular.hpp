@@ -85,7 +85,7 @@ inline constexpr double nutation_venus = 2e-3;
 // Of axes apart by 40 nrad, without terms below 5 prad.
 inline constexpr double nutation_axes_ratio = 5e-3;
 
-// --- Lie transforms (python/tests/test_lie_transform.py) ---
+// --- Lie transforms (tests/unit/secular/lie_maps.cpp, python/tests/test_lie_transform.py) ---
 // Of the logarithm of two errors, parameters 0.04 and 0.08, and of the motion at 0.005 and 0.01.
 inline constexpr double lie_slope = 0.1;
 inline constexpr double lie_map_slope = 0.2;
