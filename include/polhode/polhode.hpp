@@ -106,6 +106,7 @@
 #include "polhode/rotor/pole.hpp"
 #include "polhode/rotor/rate_jacobian.hpp"
 #include "polhode/rotor/rotor_state.hpp"
+#include "polhode/secular/elimination.hpp"
 #include "polhode/secular/gravity_gradient_theory.hpp"
 #include "polhode/secular/history_orbit.hpp"
 #include "polhode/secular/insolation.hpp"

@@ -89,6 +89,11 @@ inline constexpr double nutation_axes_ratio = 5e-3;
 // Of the logarithm of two errors, parameters 0.04 and 0.08, and of the motion at 0.005 and 0.01.
 inline constexpr double lie_slope = 0.1;
 inline constexpr double lie_map_slope = 0.2;
+// Estimate of the number of terms over what is there (tests/unit/secular/transform_size.cpp): below
+// 2.5, and 4.8 where the terms of the Hamiltonian are hardly coupled.
+inline constexpr double transform_size_factor = 5.0;
+// And of orders that are extrapolated from the first few.
+inline constexpr double transform_size_extrapolated = 2.0;
 // Radians and relative momentum, of first order, after ten units of time.
 inline constexpr double lie_first_order = 5e-3;
 

@@ -83,6 +83,9 @@ T binomial(std::size_t n, std::size_t k) {
   return product;
 }
 
+// Throws for an unknown one.
+void require_symbol(const Symbols& symbols, std::string_view name);
+
 // {x, s} of the symbol x itself: ds/dp of a coordinate, -ds/dq of a momentum, 0 of others.
 template <class T>
 Series<T> symbol_bracket(const Series<T>& s, std::string_view name) {
@@ -90,7 +93,6 @@ Series<T> symbol_bracket(const Series<T>& s, std::string_view name) {
     if (pair.coordinate == name) return derivative(s, pair.momentum);
     if (pair.momentum == name) return -derivative(s, pair.coordinate);
   }
-  if (!s.symbols().has_angle(name)) s.symbols().variable(name);  // throws for an unknown one
   return Series<T>(s.symbols());
 }
 
