@@ -10,12 +10,13 @@
 //             to do with each other (tests/unit/secular/transform_size.cpp). It is counted for a
 //             tenth of a second; higher orders are extrapolated by a power of the order, that of
 //             the dimensions of the keys. Digits of rationals on the heap come on top.
-// Errors      DomainError for what a Lie transform refuses of H_0 and its orders.
+// Errors      DomainError for what a Lie transform refuses of H_0, its orders and clocks.
 // Cost        20 ns a pair of keys, 2e6 pairs at most; as a rule below a tenth of the transform
 //             (benchmarks/perturbation_theory.cpp).
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,12 @@ Parts<T> checked_parts(const Elimination<T>& problem) {
   require_small(symbols, problem.keep);
   Parts<T> h = parts(problem.hamiltonian, problem.keep);
   require_integrable(h[0]);
+  std::set<std::string> clocks;
+  for (const AngleRate<T>& clock : problem.clocks) {
+    require_clock(problem.hamiltonian, clock, problem.keep);
+    if (!clocks.insert(clock.angle).second)
+      throw DomainError("LieTransform: the clock " + clock.angle + " is there twice");
+  }
   return h;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/series/derivative.hpp"
+#include "polhode/series/linear_flow.hpp"
 #include "polhode/series/product.hpp"
 
 namespace polhode {
@@ -47,6 +48,34 @@ void require_integrable(const Series<T>& h0) {
     if (h0.symbols().has_variable(pair.coordinate) && !derivative(h0, pair.coordinate).is_zero())
       throw DomainError("LieTransform: the part of order 0 depends on the coordinate " +
                         pair.coordinate);
+  // q would advance in time, and nothing here follows it.
+  for (const ConjugatePair& pair : h0.symbols().pairs())
+    if (h0.symbols().has_variable(pair.coordinate) && !derivative(h0, pair.momentum).is_zero())
+      throw DomainError("LieTransform: the part of order 0 depends on the momentum " +
+                        pair.momentum + " of " + pair.coordinate +
+                        ", which is a variable; give that part an order");
+}
+
+template <class T>
+void require_clock(const Series<T>& h, const AngleRate<T>& clock, const Truncation& keep) {
+  const Symbols& symbols = h.symbols();
+  require_same(symbols, clock.rate.symbols());
+  symbols.angle(clock.angle);
+  for (const auto& [q, p] : symbols.pairs())
+    if (q == clock.angle && !derivative(h, p).is_zero())
+      throw DomainError("LieTransform: the clock " + q + " has the momentum " + p +
+                        ", and a rate by the Hamiltonian");
+  const Orders orders(symbols, keep);
+  const auto refuse = [&](const std::string& why) {
+    throw DomainError("LieTransform: the rate of the clock " + clock.angle + " " + why);
+  };
+  for (const Term<T>& term : clock.rate.terms()) {
+    if (term.key.angle() != symbols.multipliers().zero()) refuse("depends on angles");
+    if (orders.of(term.key) != 0) refuse("has a small parameter");
+  }
+  for (const ConjugatePair& pair : symbols.pairs())
+    for (const std::string& name : {pair.coordinate, pair.momentum})
+      if (!derivative(clock.rate, name).is_zero()) refuse("depends on " + name + ", of a pair");
 }
 
 template <class T>
