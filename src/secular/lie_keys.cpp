@@ -130,9 +130,11 @@ std::vector<double> bytes_by_order(const std::vector<double>& terms, std::size_t
   std::vector<double> bytes;
   double stored = 0.0;
   for (std::size_t n = 0; n < terms.size(); ++n) {
-    stored += static_cast<double>(n + 3) * terms[n] * static_cast<double>(term);
-    // as a product counts them
-    bytes.push_back(stored + terms[n] * static_cast<double>(6 * slot + term));
+    const double t = terms[n];
+    stored += static_cast<double>(n + 3) * t * static_cast<double>(term);
+    // The table of a product: as it begins, or as it counts itself (products.hpp).
+    const double slots = std::max(6.0 * t, std::min(4.0 * t * t, 2.0 * most_expected_terms));
+    bytes.push_back(stored + slots * static_cast<double>(slot) + t * static_cast<double>(term));
   }
   return bytes;
 }

@@ -3,7 +3,7 @@
 //
 // Equations   keys of order n, exponents and multipliers, are those of H_n, and those of order n - a
 //             with a key of H_a, a momentum less, over a rate. Bytes: n + 3 series of each order n,
-//             and the table of a product of the last.
+//             and the table of a product, which begins with 2^18 places.
 // Units       bytes.
 // Domain      as in lie_transform.hpp.
 // Accuracy    terms: an upper bound, 1 to 2.5 times what is there, and 5 where few terms of H have

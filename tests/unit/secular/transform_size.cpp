@@ -147,7 +147,7 @@ TEST(TransformSize, RefusesBeforeItStarts) {
   const TransformSize size = transform_size(problem);
   EXPECT_EQ(refused(size.bytes[12] + 1.0), "");
   EXPECT_THAT(refused(size.bytes[12] - 1.0),
-              AllOf(HasSubstr("LieTransform: order 12 may have 7 terms in a series and take 2."),
+              AllOf(HasSubstr("LieTransform: order 12 may have 7 terms in a series and take 3."),
                     HasSubstr("e-05 GB allowed; order 11 takes"),
                     HasSubstr("lower the order, or raise Truncation::most_bytes")));
   EXPECT_THAT(refused(1.0), HasSubstr("more than the 1e-09 GB allowed; lower the order"));
