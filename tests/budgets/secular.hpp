@@ -103,6 +103,8 @@ inline constexpr double normal_form_frequencies = 1e-14;
 inline constexpr double normal_form_angles = 1e-14;
 // Of log-log slopes of the error; what they should be is an integer.
 inline constexpr double normal_form_slope = 0.5;
+// python/tests/test_normal_form.py: the same over 40 units of time; rad and relative.
+inline constexpr double normal_form_motion = 1e-13;
 // Mean rotation under a gravity gradient (tests/unit/secular/gravity_gradient_theory.cpp): slopes
 // of the error; relative, rad and energies of bodies of about 1; what a mean element differs by at
 // least.
