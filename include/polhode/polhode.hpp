@@ -121,6 +121,7 @@
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"
 #include "polhode/secular/tides.hpp"
+#include "polhode/secular/transform_size.hpp"
 #include "polhode/secular/triaxial_normal_form.hpp"
 #include "polhode/secular/yorp.hpp"
 #include "polhode/series/coefficient.hpp"

@@ -179,8 +179,8 @@ def test_its_size_is_known_before():
     size = h.transform_size(up_to(30))
     assert size.counted < 30 and size.bytes[30] > 2**32 > size.bytes[10]
     with pytest.raises(ValueError, match=(
-            r"LieTransform: order 30 may have .*e\+07 terms in a series and take .* GB, more than the "
-            r"4.29 GB allowed; order 18 takes 3.* GB: lower the order, or raise Trunc")):
+            r"LieTransform: order 30 may have .*e\+07 terms in a series and take .* GB, more than "
+            r"the 4.29 GB allowed; order 18 takes 3.* GB: lower the order, or raise Trunc")):
         LieTransform(h, up_to(30), names)
     assert LieTransform(h, up_to(3), names).mean_hamiltonian
 

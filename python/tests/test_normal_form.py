@@ -33,7 +33,8 @@ def test_the_motion_is_that_of_the_rotor(J):
     assert mean.l.shape == (81,)
     assert_allclose(mean.L, exact.I_l, rtol=budgets.normal_form_motion)
     assert_allclose(mean.G, exact.I_g, rtol=budgets.normal_form_motion)
-    for angle, sadov, rate in ((mean.l, exact.phi_l + np.pi / 2, n.n_l), (mean.g, exact.phi_g, n.n_g)):
+    for angle, sadov, rate in (
+            (mean.l, exact.phi_l + np.pi / 2, n.n_l), (mean.g, exact.phi_g, n.n_g)):
         turned = np.angle(np.exp(1j * (angle - sadov)))
         assert_allclose(turned, 0.0, atol=budgets.normal_form_motion)
         uniform = np.angle(np.exp(1j * (angle - angle[0] - rate * times)))

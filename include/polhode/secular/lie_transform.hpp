@@ -17,7 +17,7 @@
 // Accuracy    exact in Rational, to the order kept; else the roundings of T.
 // Errors      DomainError for what breaks this, for a divisor below the bound (with its combination
 //             of angles), and, before it starts, for an order that may need more memory than
-//             keep.most_bytes, by the estimate of elimination.hpp.
+//             keep.most_bytes, by the estimate of transform_size.hpp.
 // Cost        brackets: some order^3 / 6 of parts of series, which grow with the order themselves.
 #pragma once
 
@@ -27,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/secular/detail/lie_problem.hpp"
 #include "polhode/secular/elimination.hpp"
 
 namespace polhode {
@@ -114,7 +115,7 @@ class LieTransform {
   }
 
   void require_room(const detail::KeyCount& count, const char* what) const {
-    detail::require_room(what, count, detail::size_of<T>(count).bytes, problem_.keep.most_bytes);
+    detail::require_room(what, count, detail::bytes_of<T>(count), problem_.keep.most_bytes);
   }
 
   // first(s) is {f_0, s}.

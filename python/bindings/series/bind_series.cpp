@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "interface/value.hpp"
-#include "polhode/secular/elimination.hpp"
+#include "polhode/secular/transform_size.hpp"
 #include "polhode/series/derivative.hpp"
 #include "polhode/series/series_text.hpp"
 #include "polhode/series/substitution.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How many terms and bytes a Lie transform takes, before it is made: against the transforms
 // themselves.
+#include "polhode/secular/transform_size.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
