@@ -1,19 +1,113 @@
 // SPDX-License-Identifier: MIT
-// Theories: the normal form of the triaxial rotor by order, and the nutation of a planet. Counters:
-// "terms" of the mean Hamiltonian or of the table, "error" against Sadov's frequency at a
-// triaxiality of 0.05 (relative), or of the closed form of a circular orbit (relative).
+// Theories: Lie transforms, the normal form of the triaxial rotor by order, and the nutation of a
+// planet. Counters: "terms" of the mean Hamiltonian or of the table, "error" against Sadov's
+// frequency at a triaxiality of 0.05 (relative), or of the closed form of a circular orbit
+// (relative). Of Lie transforms: "terms" of the last order of mean Hamiltonian and generator, "MB"
+// on the heap at most, both beside the estimates made before.
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include "polhode/free/sadov.hpp"
 #include "polhode/orbit/mean_ellipse.hpp"
+#include "polhode/secular/lie_transform.hpp"
 #include "polhode/secular/nutation.hpp"
+#include "polhode/secular/transform_size.hpp"
 #include "polhode/secular/triaxial_normal_form.hpp"
+#include "polhode/series/series_text.hpp"
+
+namespace {
+
+std::atomic<std::size_t> on_heap{0}, most_on_heap{0};
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  void* const p = std::malloc(size == 0 ? 1 : size);
+  if (p == nullptr) throw std::bad_alloc();
+  on_heap += malloc_usable_size(p);
+  most_on_heap = std::max<std::size_t>(most_on_heap.load(), on_heap.load());
+  return p;
+}
+void operator delete(void* p) noexcept {
+  on_heap -= malloc_usable_size(p);
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 
 using namespace polhode;
+
+// Two or three degrees of freedom; frequencies are numbers.
+template <class T>
+Elimination<T> coupled(int pairs, int order) {
+  if (pairs == 2) {
+    const Symbols two({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
+    return {series_from_text<T>(two,
+                                "2*L + 7/5*G + k*(L^2 + L*G + G^2)*(cos(l) + cos(l - g))"
+                                " + k*G^2*cos(g)"),
+            {{{"k", 1}}, order},
+            {"l", "g"}};
+  }
+  const Symbols three({"L", "G", "H", "k"}, {"l", "g", "h"}, {{"l", "L"}, {"g", "G"}, {"h", "H"}});
+  return {series_from_text<T>(three,
+                              "2*L + 7/5*G + 11/13*H + k*G^2 + k*(L + G + H)"
+                              "*(cos(l) + cos(g + h) + cos(l - g) + cos(2*h))"),
+          {{{"k", 1}}, order},
+          {"l", "g", "h"}};
+}
+
+template <class T>
+void transform(benchmark::State& state, int pairs) {
+  const int order = static_cast<int>(state.range(0));
+  const Elimination<T> problem = coupled<T>(pairs, order);
+  const auto terms_of = [&](const Series<T>& a) {
+    return static_cast<double>(part_of_order(a, problem.keep, order).size());
+  };
+  for (auto _ : state) {
+    const std::size_t before = on_heap;
+    most_on_heap = before;
+    const LieTransform<T> made(problem);
+    state.counters["MB"] = static_cast<double>(most_on_heap - before) / 1e6;
+    state.counters["terms"] = terms_of(made.mean_hamiltonian()) + terms_of(made.generator());
+  }
+  const TransformSize size = transform_size(problem);
+  state.counters["terms_before"] = size.terms.back();
+  state.counters["MB_before"] = size.bytes.back() / 1e6;
+}
+void transform_in_doubles(benchmark::State& state, int pairs) { transform<double>(state, pairs); }
+void exact_transform(benchmark::State& state, int pairs) { transform<Rational>(state, pairs); }
+BENCHMARK_CAPTURE(transform_in_doubles, two_pairs, 2)
+    ->DenseRange(2, 12, 2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(exact_transform, two_pairs, 2)
+    ->DenseRange(2, 8, 2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(transform_in_doubles, three_pairs, 3)
+    ->DenseRange(2, 7)
+    ->Unit(benchmark::kMillisecond);
+
+void size_of_transform(benchmark::State& state, int pairs) {
+  const Elimination<double> problem = coupled<double>(pairs, static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(transform_size(problem));
+  state.counters["counted"] = transform_size(problem).counted;
+}
+BENCHMARK_CAPTURE(size_of_transform, two_pairs, 2)
+    ->Arg(8)
+    ->Arg(12)
+    ->Arg(30)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(size_of_transform, three_pairs, 3)
+    ->Arg(4)
+    ->Arg(7)
+    ->Arg(12)
+    ->Unit(benchmark::kMillisecond);
 
 // With the triaxiality 0.05: a = 1, b = 1/4.
 const Body body(1.0 / 1.0125, 1.0 / 0.9875, 4.0 / 3.0);

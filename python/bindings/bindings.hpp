@@ -46,6 +46,7 @@ void bind_planet_data(nb::module_& m);
 void bind_spectrum(nb::module_& m);
 void bind_series(nb::module_& m);
 void bind_lie_transform(nb::module_& m);
+void bind_normal_form(nb::module_& m);
 void bind_io(nb::module_& m);
 
 }  // namespace polhode::python

@@ -39,6 +39,7 @@ void bind_everything(nb::module_& m) {
   bind_spectrum(m);
   bind_series(m);
   bind_lie_transform(m);
+  bind_normal_form(m);
   bind_io(m);
 }
 

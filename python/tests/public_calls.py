@@ -204,6 +204,7 @@ OF_CALL = {
     "Series.substituted": {"name": "G", "s": 2},
     "Series.displaced": {"name": "G", "d": 2},
     "CompiledSeries.at": {"points": [1.0, 0.1, 0.5]},
+    "Series.transform_size": {"keep": KEEP},
     "LieTransform.__init__": {
         "angles": ["g"],
         "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G"),
@@ -318,5 +319,6 @@ OF_SELF = {
     "Units": polhode.Units(),
     "Series": SERIES,
     "CompiledSeries": polhode.CompiledSeries(SERIES),
+    "TriaxialNormalForm": polhode.TriaxialNormalForm(BODY, 2),
     "Trajectory": polhode.integrate(polhode.Problem(DAMPED, STATE, 0.0, 1.0)),
 }

@@ -156,6 +156,35 @@ def test_it_is_a_value():
     assert t != pendulum(3)
 
 
+def test_its_size_is_known_before():
+    t = pendulum(6)
+    size = t.hamiltonian.transform_size(t.keep)
+    assert size.terms == (1, 1, 2, 2, 3, 3, 4) and size.counted == 6
+    for n in range(7):
+        assert size.terms[n] == (len(t.mean_hamiltonian.part_of_order(t.keep, n))
+                                 + len(t.generator.part_of_order(t.keep, n)))
+    assert list(size.bytes) == sorted(size.bytes) and size.bytes[6] < 1e5
+    floats = t.hamiltonian.to_doubles().transform_size(t.keep)
+    assert floats.terms == size.terms and floats.bytes[6] < size.bytes[6]
+    assert pickle.loads(pickle.dumps(size)) == size
+    # A clock divides: its rate is n.
+    h = Series(PENDULUM, "G*k*cos(t)")
+    assert h.transform_size(up_to(3)).terms == (0, 1, 0, 0)
+    assert h.transform_size(up_to(3), clocks={"t": 2}).terms[1:] == (1, 0, 0)
+    # what fits easily is not refused, what does not is refused at once
+    names = ["a", "b", "c"]
+    many = Symbols([*"ABC", "k"], names, list(zip(names, "ABC")))
+    waves = "(1 + cos(a) + cos(b) + cos(c) + cos(a - b) + cos(b - c))"
+    h = Series(many, "A + 11/10*B + 13/10*C + k*(A + B + C)^2*" + waves, exact=False)
+    size = h.transform_size(up_to(30))
+    assert size.counted < 30 and size.bytes[30] > 2**32 > size.bytes[10]
+    with pytest.raises(ValueError, match=(
+            r"LieTransform: order 30 may have .*e\+07 terms in a series and take .* GB, more than "
+            r"the 4.29 GB allowed; order 18 takes 3.* GB: lower the order, or raise Trunc")):
+        LieTransform(h, up_to(30), names)
+    assert LieTransform(h, up_to(3), names).mean_hamiltonian
+
+
 @pytest.mark.parametrize("wrong, message", [
     (lambda: pendulum(2, text="G^2/2 + cos(g)"), "order 0 depends on the angle g"),
     (lambda: pendulum(2, text="G^2/2 + k^-1*cos(g)"), "an order below 0"),
@@ -171,7 +200,18 @@ def test_it_is_a_value():
      "small parameter G has a conjugate"),
     (lambda: LieTransform(Series(PENDULUM, "G"), up_to(2), ["h"]), "no angle 'h'"),
     (lambda: LieTransform(Series(PENDULUM, "G^2/2 + k*cos(g)"), Truncation({"k": 1}, 20, 5000),
-                          ["g"]), "pairs of terms may become .* GB allowed; lower the order"),
+                          ["g"]), "order 20 may have 11 terms .* GB allowed; order [1-9] takes"),
+    (lambda: pendulum(2).hamiltonian.transform_size(Truncation()), "no small parameters"),
+    (lambda: pendulum(2, clocks={"g": 1}), "the clock g has the momentum G"),
+    (lambda: pendulum(2, clocks={"t": Series(PENDULUM, "G")}), "clock t depends on G, of a pair"),
+    (lambda: pendulum(2, clocks={"t": Series(PENDULUM, "k")}), "clock t has a small parameter"),
+    (lambda: pendulum(2, clocks={"t": Series(TWO, "1")}), "two sets of symbols"),
+    (lambda: LieTransform(Series(TWO, "G"), up_to(2), ["l"], resonances=[{"g": 1}]),
+     "the resonance has the angle g"),
+    (lambda: LieTransform(Series(Symbols(["q", "p", "k"], [], [("q", "p")]), "p"), up_to(2), []),
+     "depends on the momentum p of q, which is a variable"),
+    (lambda: pendulum(1, text="G + k*cos(g - t)", clocks={"t": 1}),
+     "turns with g - t, whose rate is 0: a resonance; keep it in the mean"),
 ])
 def test_what_is_wrong_is_named(wrong, message):
     with pytest.raises(ValueError, match=message):

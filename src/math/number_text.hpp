@@ -16,6 +16,14 @@ inline std::string number_text(double x) {
   return std::string(buffer, end.ptr);
 }
 
+// To three digits: "1.23e+04".
+inline std::string rounded_text(double x) {
+  char buffer[32];
+  const std::to_chars_result end =
+      std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 3);
+  return std::string(buffer, end.ptr);
+}
+
 // "(1, 2.5, nan)"
 inline std::string tuple_text(std::initializer_list<double> values) {
   std::string text;

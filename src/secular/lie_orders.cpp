@@ -27,6 +27,10 @@ void require_small(const Symbols& symbols, const Truncation& keep) {
                           " has a conjugate; brackets would change the order");
 }
 
+void require_symbol(const Symbols& symbols, std::string_view name) {
+  if (!symbols.has_angle(name)) symbols.variable(name);
+}
+
 KeptAngles::KeptAngles(const Symbols& symbols, const std::vector<std::string>& angles,
                        const std::vector<std::vector<std::pair<std::string, int>>>& resonances)
     : symbols_(symbols) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/series/detail/orders.hpp"
 
-#include <cstdio>
 #include <string>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -14,12 +14,6 @@ namespace {
 
 // Twelve weighted exponents of 16 bits stay below 2^31.
 constexpr int largest_weight = 1000;
-
-std::string rounded(double x) {
-  char digits[32];
-  const int n = std::snprintf(digits, sizeof digits, "%.3g", x);
-  return {digits, static_cast<std::size_t>(n)};
-}
 
 }  // namespace
 
@@ -34,9 +28,9 @@ Orders::Orders(const Symbols& symbols, const Truncation& keep) : fields_(symbols
 
 void require_room(const ProductSize& size, std::size_t most_bytes) {
   if (size.bytes <= static_cast<double>(most_bytes)) return;
-  throw DomainError("product: " + rounded(size.pairs) + " pairs of terms may become " +
-                    rounded(size.terms) + " terms and take " + rounded(size.bytes / 1e9) +
-                    " GB, more than the " + rounded(static_cast<double>(most_bytes) / 1e9) +
+  throw DomainError("product: " + rounded_text(size.pairs) + " pairs of terms may become " +
+                    rounded_text(size.terms) + " terms and take " + rounded_text(size.bytes / 1e9) +
+                    " GB, more than the " + rounded_text(static_cast<double>(most_bytes) / 1e9) +
                     " GB allowed; lower the order, or raise Truncation::most_bytes");
 }
 

@@ -87,10 +87,15 @@ inline constexpr double nutation_venus = 2e-3;
 // Of axes apart by 40 nrad, without terms below 5 prad.
 inline constexpr double nutation_axes_ratio = 5e-3;
 
-// --- Lie transforms (python/tests/test_lie_transform.py) ---
+// --- Lie transforms (tests/unit/secular/lie_maps.cpp, python/tests/test_lie_transform.py) ---
 // Of the logarithm of two errors, parameters 0.04 and 0.08, and of the motion at 0.005 and 0.01.
 inline constexpr double lie_slope = 0.1;
 inline constexpr double lie_map_slope = 0.2;
+// Estimate of the number of terms over what is there (tests/unit/secular/transform_size.cpp): below
+// 2.5, and 4.8 where the terms of the Hamiltonian are hardly coupled.
+inline constexpr double transform_size_factor = 5.0;
+// And of orders that are extrapolated from the first few.
+inline constexpr double transform_size_extrapolated = 2.0;
 // Radians and relative momentum, of first order, after ten units of time.
 inline constexpr double lie_first_order = 5e-3;
 
@@ -100,6 +105,8 @@ inline constexpr double normal_form_frequencies = 1e-14;
 inline constexpr double normal_form_angles = 1e-14;
 // Of log-log slopes of the error; what they should be is an integer.
 inline constexpr double normal_form_slope = 0.5;
+// python/tests/test_normal_form.py: the same over 40 units of time; rad and relative.
+inline constexpr double normal_form_motion = 1e-13;
 // Mean rotation under a gravity gradient (tests/unit/secular/gravity_gradient_theory.cpp): slopes
 // of the error; relative, rad and energies of bodies of about 1; what a mean element differs by at
 // least.

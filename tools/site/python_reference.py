@@ -98,8 +98,9 @@ The direction of a planet's spin, averaged over its rotation and its orbit
 Hamiltonians as Poisson series, and angles eliminated from them
 ([guide](../../guide/perturbation-theory.md)).
 """, {
-        "Series": "Symbols Series SeriesTerm Truncation ProductSize CompiledSeries",
+        "Series": "Symbols Series SeriesTerm Truncation ProductSize TransformSize CompiledSeries",
         "Lie transforms": "LieTransform LieMethod",
+        "The free rotor": "TriaxialNormalForm RotorFrequencies",
     }),
     Page("frames-and-orbits", "Frames and orbits", """\
 Where attitudes are counted from, and where the attracting body is. Any Python function of time

@@ -11,11 +11,13 @@
 // Corrections none.
 // Units       those of the Hamiltonian's symbols.
 // Domain      small parameters: variables in no pair, with weights > 0. H_0 has no angle, and no
-//             coordinate that is a variable. A clock is an angle without a momentum that advances
-//             at a rate of its own: time. At most 30 orders.
+//             coordinate that is a variable, nor its momentum. A clock is an angle without a
+//             momentum that advances at a rate of its own: time. That has neither angles, nor
+//             small parameters, nor what is in a pair. At most 30 orders.
 // Accuracy    exact in Rational, to the order kept; else the roundings of T.
 // Errors      DomainError for what breaks this, for a divisor below the bound (with its combination
-//             of angles), and for an order that needs too much memory.
+//             of angles), and, before it starts, for an order that may need more memory than
+//             keep.most_bytes, by the estimate of transform_size.hpp.
 // Cost        brackets: some order^3 / 6 of parts of series, which grow with the order themselves.
 #pragma once
 
@@ -25,8 +27,8 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/secular/detail/lie_orders.hpp"
-#include "polhode/series/linear_flow.hpp"
+#include "polhode/secular/detail/lie_problem.hpp"
+#include "polhode/secular/elimination.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -34,30 +36,19 @@ inline namespace v0 {
 enum class LieMethod { deprit, hori };
 
 template <Coefficient T>
-struct Elimination {
-  Series<T> hamiltonian;
-  Truncation keep;                         // the small parameters, and the highest order
-  std::vector<std::string> angles;         // to be eliminated
-  std::vector<Multiples> resonances = {};  // combinations of them that stay, and their multiples
-  std::vector<AngleRate<T>> clocks = {};
-  double least_divisor = 0.0;  // the smallest coefficient of a rate to divide by
-  double slowest = 0.0;        // what turns at a rate with a smaller coefficient stays
-};
-
-template <Coefficient T>
 class LieTransform {
  public:
   explicit LieTransform(Elimination<T> problem, LieMethod method = LieMethod::hori)
       : problem_(std::move(problem)),
         method_(method),
+        keys_(detail::lie_keys(problem_, detail::checked_parts(problem_))),
         generator_(problem_.hamiltonian.symbols()),
         mean_(problem_.hamiltonian.symbols()) {
-    detail::require_small(problem_.hamiltonian.symbols(), problem_.keep);
+    require_room(keys_.count(), "");
     const detail::Parts<T> h = detail::parts(problem_.hamiltonian, problem_.keep);
     const detail::LieSolver<T> solver{
         [&](const Series<T>& s) { return flow(h[0], s); },
         [&](const Series<T>& rest) { return eliminated(h[0], rest); }};
-    detail::require_integrable(h[0]);
     auto [mean, generator] = method_ == LieMethod::deprit
                                  ? detail::deprit_mean(h, solver, problem_.keep)
                                  : detail::hori_mean(h, solver, problem_.keep);
@@ -92,10 +83,7 @@ class LieTransform {
   }
 
   std::pair<Series<T>, Series<T>> eliminated(const Series<T>& h0, const Series<T>& rest) const {
-    std::vector<AngleRate<T>> rates = problem_.clocks;
-    for (const ConjugatePair& pair : h0.symbols().pairs())
-      if (h0.symbols().has_angle(pair.coordinate))
-        rates.push_back({pair.coordinate, derivative(h0, pair.momentum)});
+    const std::vector<AngleRate<T>> rates = detail::angle_rates(h0, problem_.clocks);
     const detail::KeptAngles kept(h0.symbols(), problem_.angles, problem_.resonances);
     const Series<T> mean = selected(
         rest, [&](const TermKey& key) { return kept.keeps(key) || is_slow(rest, key, rates); });
@@ -112,15 +100,22 @@ class LieTransform {
   Series<T> mapped(const Series<T>& f, bool back) const {
     detail::require_same(f.symbols(), mean_.symbols());
     const detail::Parts<T> parts = detail::parts(f, problem_.keep);
+    require_room(keys_.count_of(detail::keys_of(parts)), "a map to ");
     return carried(
         parts, [&](const Series<T>& s) { return bracket(parts[0], s, problem_.keep); }, back);
   }
 
   Series<T> displacement(std::string_view name, bool back) const {
     const Symbols& symbols = mean_.symbols();
+    detail::require_symbol(symbols, name);
+    require_room(keys_.count_of(name), "a map to ");
     const detail::Parts<T> none(generators_.size(), Series<T>(symbols));
     return carried(
         none, [&](const Series<T>& s) { return detail::symbol_bracket(s, name); }, back);
+  }
+
+  void require_room(const detail::KeyCount& count, const char* what) const {
+    detail::require_room(what, count, detail::bytes_of<T>(count), problem_.keep.most_bytes);
   }
 
   // first(s) is {f_0, s}.
@@ -134,6 +129,7 @@ class LieTransform {
 
   Elimination<T> problem_;
   LieMethod method_;
+  detail::LieKeys keys_;
   detail::Parts<T> generators_;  // by order; S_n, or W_n
   Series<T> generator_, mean_;
 };

@@ -29,6 +29,8 @@ inline namespace v0 {
 
 struct RotorFrequencies {
   double n_l, n_g;
+
+  bool operator==(const RotorFrequencies&) const = default;
 };
 
 class TriaxialNormalForm {

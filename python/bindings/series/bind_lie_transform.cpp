@@ -110,16 +110,19 @@ of H_0 on the generator. Exact if the Hamiltonian and the clocks are.
 
 Parameters
 ----------
-hamiltonian : Series; its part of order 0 has no angle, and no coordinate that is a variable.
+hamiltonian : Series; its part of order 0 has no angle, and no coordinate that is a variable, nor
+    the momentum of one.
 keep : Truncation by small parameters, which are in no pair; at most order 30.
 angles : to be eliminated.
 resonances : combinations of them that stay, with their multiples: [{"l": 1, "g": -2}].
-clocks : rates of angles without a momentum: time, {"t": 1}.
+clocks : rates of angles without a momentum: time, {"t": 1}. They have no angles, no small
+    parameters, and nothing that is in a pair.
 least_divisor : the smallest coefficient of a rate to divide by.
 method : LieMethod or its name.
 
-ValueError for what breaks this, for a divisor below the bound, with its combination of angles, and
-for an order that needs more memory than keep.most_bytes. Releases the GIL. (Hori 1966; Deprit
+ValueError for what breaks this, for a divisor below the bound, with its combination of angles, and,
+before it starts, for an order that may need more memory than keep.most_bytes (by
+Series.transform_size). Releases the GIL. (Hori 1966; Deprit
 1969))",
       made, field("hamiltonian", &T::hamiltonian, "What was given."),
       field("keep", &T::keep, "The small parameters, and the highest order."),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "interface/value.hpp"
+#include "polhode/secular/transform_size.hpp"
 #include "polhode/series/derivative.hpp"
 #include "polhode/series/series_text.hpp"
 #include "polhode/series/substitution.hpp"
@@ -121,6 +122,18 @@ PythonSeries integral_of(const PythonSeries& a, const Operands& rates, double le
     return integral(s, rates_of<T>(s.symbols(), rates), least);
   });
 }
+TransformSize transform_size_of(const PythonSeries& h, const Truncation& keep,
+                                const Operands& clocks) {
+  const auto of = [&](const auto& hamiltonian) {
+    using T = typename std::decay_t<decltype(hamiltonian)>::Number;
+    Elimination<T> problem{hamiltonian, keep, {}};
+    problem.clocks = rates_of<T>(hamiltonian.symbols(), clocks);
+    const WithoutGil released;
+    return transform_size(problem);
+  };
+  if (h.is_exact() && are_exact(h.symbols(), clocks)) return of(std::get<0>(h.s));
+  return of(h.doubles());
+}
 PythonSeries with_angles(const PythonSeries& a, const std::map<std::string, Counts>& sums) {
   std::vector<AngleSum> all;
   for (const auto& [angle, sum] : sums) all.push_back({angle, pairs_of(sum)});
@@ -168,7 +181,8 @@ Parameters
 ----------
 weights : of small variables; the order of a term is the sum of weight times exponent.
 order : the highest that is kept.
-most_bytes : of memory for one product, else it is refused before it starts.
+most_bytes : of memory for one product, or for one Lie transform, else it is refused before it
+    starts. The digits of long fractions come on top.
 
 Without weights every term is kept.)",
       [](const Counts& weights, int order, std::size_t most_bytes) {
@@ -178,7 +192,7 @@ Without weights every term is kept.)",
           "weights", [](const T& t) { return Counts(t.weights.begin(), t.weights.end()); },
           "Of small variables.", Counts()),
       field("order", &T::order, "The highest that is kept.", 0),
-      field("most_bytes", &T::most_bytes, "Of memory for one product.", T{}.most_bytes)
+      field("most_bytes", &T::most_bytes, "Of memory for one product or transform.", T{}.most_bytes)
           .but_quiet());
 }
 
@@ -202,6 +216,12 @@ multiples : the multiplier of each angle.)",
                 field("pairs", &P::pairs, "Of terms that are multiplied."),
                 field("terms", &P::terms, "Of the result."),
                 field("bytes", &P::bytes, "Of memory while it is made."));
+  using L = TransformSize;
+  bind_value<L>(m, "TransformSize", "What a Lie transform will take, by its order from 0 on.",
+                field("terms", &L::terms, "Of a series of each order, at most."),
+                field("bytes", &L::bytes, "Of memory, if the order is the last."),
+                field("counted", &L::counted,
+                      "The last order that was counted; what follows is extrapolated."));
 }
 
 template <class F>
@@ -256,6 +276,18 @@ void def_products(nb::class_<PythonSeries>& c) {
             a, b, [&](const auto& x, const auto& y) { return product_size(x, y, kept(keep)); });
       },
       "other"_a, "keep"_a = nb::none(), "What a product will take, without making it.");
+  c.def("transform_size", transform_size_of, "keep"_a, "clocks"_a = Operands(),
+        R"(What LieTransform will take of this Hamiltonian, without making it.
+
+Exponents and multipliers that can be reached are counted order by order, without coefficients, for
+a tenth of a second; orders beyond that are extrapolated.
+
+Parameters
+----------
+keep : Truncation by small parameters, as for the transform.
+clocks : rates of angles without a momentum, as for the transform.
+
+ValueError for what a LieTransform refuses of the part of order 0, the orders and the clocks.)");
   c.def(
       "power",
       [](const S& a, int n, const Keep& keep) {

@@ -232,12 +232,63 @@ TEST(LieTransform, Refuses) {
                 LieTransform<Rational>({read(symbols, "L"), up_to(1), {"l"}, {{{"g", 1}}}});
               }),
               HasSubstr("the resonance has the angle g"));
-  const Symbols plane({"q", "p", "k"}, {}, {{"q", "p"}});
-  EXPECT_THAT(
-      message_of([&] {
-        LieTransform<Rational>({series_from_text<Rational>(plane, "p^2 + q^2"), up_to(1), {}});
-      }),
-      HasSubstr("depends on the coordinate q"));
+  const Symbols plane({"q", "p", "L", "k"}, {"l"}, {{"q", "p"}, {"l", "L"}});
+  const auto in_plane = [&](const char* h) {
+    return message_of([&] {
+      LieTransform<Rational>({series_from_text<Rational>(plane, h), up_to(1), {}});
+    });
+  };
+  EXPECT_THAT(in_plane("p^2 + q^2"), HasSubstr("depends on the coordinate q"));
+  EXPECT_THAT(in_plane("L + p^2 + k*q*cos(l)"),
+              HasSubstr("depends on the momentum p of q, which is a variable"));
+  EXPECT_EQ(in_plane("L + k*p^2 + k*q*cos(l)"), "");
+}
+
+TEST(LieTransform, RefusesClocksThatAreNone) {
+  const Symbols symbols({"L", "k", "n"}, {"l", "t"}, {{"l", "L"}});
+  const auto refused = [&](const char* angle, const char* rate) {
+    Elimination<Rational> problem{read(symbols, "L + k*cos(l - 2*t)"), up_to(1), {"l", "t"}};
+    problem.clocks = {{angle, read(symbols, rate)}};
+    return message_of([&] { LieTransform<Rational>{problem}; });
+  };
+  EXPECT_EQ(refused("t", "n^2"),
+            "integral: the term with k*cos(l - 2*t) turns with l - 2*t, whose "
+            "rate is a sum of 2 terms; it must be one");
+  EXPECT_EQ(refused("t", "3"), "");
+  EXPECT_THAT(refused("x", "1"), HasSubstr("no angle 'x'"));
+  EXPECT_THAT(refused("l", "1"), HasSubstr("the clock l has the momentum L"));
+  EXPECT_THAT(refused("t", "1 + k"), HasSubstr("rate of the clock t has a small parameter"));
+  EXPECT_THAT(refused("t", "L"), HasSubstr("rate of the clock t depends on L, of a pair"));
+  EXPECT_THAT(refused("t", "cos(l)"), HasSubstr("rate of the clock t depends on angles"));
+  Elimination<Rational> twice{read(symbols, "L"), up_to(1), {"t"}};
+  twice.clocks = {{"t", read(symbols, "1")}, {"t", read(symbols, "2")}};
+  EXPECT_THAT(message_of([&] { LieTransform<Rational>{twice}; }), HasSubstr("clock t is there"));
+}
+
+TEST(LieTransform, NamesUnknownSymbolsAndOtherSets) {
+  const Symbols symbols = two();
+  const auto refused = [&](std::vector<std::string> angles,
+                           std::vector<polhode::Multiples> resonances) {
+    return message_of([&] {
+      LieTransform<Rational>(
+          {read(symbols, "L"), up_to(1), std::move(angles), std::move(resonances)});
+    });
+  };
+  EXPECT_THAT(refused({"x"}, {}), HasSubstr("no angle 'x'; there are variables L, G"));
+  EXPECT_THAT(refused({"L"}, {}), HasSubstr("no angle 'L'"));
+  EXPECT_THAT(refused({"l"}, {{{"x", 1}}}), HasSubstr("no angle 'x'"));
+  const LieTransform<Rational> transform(two_angles(1));
+  EXPECT_THAT(message_of([&] { transform.short_period("x"); }), HasSubstr("no variable 'x'"));
+  EXPECT_THAT(message_of([&] { transform.in_mean(read(pendulum(), "G")); }),
+              HasSubstr("two sets of symbols"));
+  Elimination<Rational> problem{read(symbols, "L"), up_to(1), {"t"}};
+  problem.clocks = {{"t", constant(pendulum(), Rational(1))}};
+  EXPECT_THAT(message_of([&] { LieTransform<Rational>{problem}; }),
+              HasSubstr("two sets of symbols"));
+  EXPECT_THAT(message_of([&] {
+                LieTransform<Rational>({read(symbols, "L"), {{{"x", 1}}, 1}, {"l"}});
+              }),
+              HasSubstr("no variable 'x'"));
 }
 
 }  // namespace

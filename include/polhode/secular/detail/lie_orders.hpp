@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/series/derivative.hpp"
+#include "polhode/series/linear_flow.hpp"
 #include "polhode/series/product.hpp"
 
 namespace polhode {
@@ -47,6 +48,34 @@ void require_integrable(const Series<T>& h0) {
     if (h0.symbols().has_variable(pair.coordinate) && !derivative(h0, pair.coordinate).is_zero())
       throw DomainError("LieTransform: the part of order 0 depends on the coordinate " +
                         pair.coordinate);
+  // q would advance in time, and nothing here follows it.
+  for (const ConjugatePair& pair : h0.symbols().pairs())
+    if (h0.symbols().has_variable(pair.coordinate) && !derivative(h0, pair.momentum).is_zero())
+      throw DomainError("LieTransform: the part of order 0 depends on the momentum " +
+                        pair.momentum + " of " + pair.coordinate +
+                        ", which is a variable; give that part an order");
+}
+
+template <class T>
+void require_clock(const Series<T>& h, const AngleRate<T>& clock, const Truncation& keep) {
+  const Symbols& symbols = h.symbols();
+  require_same(symbols, clock.rate.symbols());
+  symbols.angle(clock.angle);
+  for (const auto& [q, p] : symbols.pairs())
+    if (q == clock.angle && !derivative(h, p).is_zero())
+      throw DomainError("LieTransform: the clock " + q + " has the momentum " + p +
+                        ", and a rate by the Hamiltonian");
+  const Orders orders(symbols, keep);
+  const auto refuse = [&](const std::string& why) {
+    throw DomainError("LieTransform: the rate of the clock " + clock.angle + " " + why);
+  };
+  for (const Term<T>& term : clock.rate.terms()) {
+    if (term.key.angle() != symbols.multipliers().zero()) refuse("depends on angles");
+    if (orders.of(term.key) != 0) refuse("has a small parameter");
+  }
+  for (const ConjugatePair& pair : symbols.pairs())
+    for (const std::string& name : {pair.coordinate, pair.momentum})
+      if (!derivative(clock.rate, name).is_zero()) refuse("depends on " + name + ", of a pair");
 }
 
 template <class T>
@@ -83,6 +112,9 @@ T binomial(std::size_t n, std::size_t k) {
   return product;
 }
 
+// Throws for an unknown one.
+void require_symbol(const Symbols& symbols, std::string_view name);
+
 // {x, s} of the symbol x itself: ds/dp of a coordinate, -ds/dq of a momentum, 0 of others.
 template <class T>
 Series<T> symbol_bracket(const Series<T>& s, std::string_view name) {
@@ -90,7 +122,6 @@ Series<T> symbol_bracket(const Series<T>& s, std::string_view name) {
     if (pair.coordinate == name) return derivative(s, pair.momentum);
     if (pair.momentum == name) return -derivative(s, pair.coordinate);
   }
-  if (!s.symbols().has_angle(name)) s.symbols().variable(name);  // throws for an unknown one
   return Series<T>(s.symbols());
 }
 
@@ -168,6 +199,16 @@ Series<T> deprit_sum(const std::vector<Parts<T>>& rows, const Parts<T>& w, std::
   return sum;
 }
 
+// f_(n-k)^(k) for k = 1, ..., n, from f_n^(0) on; step is {f_0, w_n}.
+template <class T>
+void deprit_diagonal(std::vector<Parts<T>>& rows, const Parts<T>& w, std::size_t n,
+                     const Series<T>& step, const Truncation& keep) {
+  for (std::size_t k = 1; k <= n; ++k) {
+    rows[k][n - k] = rows[k - 1][n - k + 1] + deprit_sum(rows, w, k - 1, n - k, keep);
+    if (k == 1) rows[k][n - k] += step;
+  }
+}
+
 template <class T>
 MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
                                 const Truncation& keep) {
@@ -175,13 +216,11 @@ MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
   const Series<T> zero(h[0].symbols());
   MeanAndGenerator<T> found{{h[0]}, Parts<T>(count, zero)};
   std::vector<Parts<T>> rows(count, Parts<T>(count, zero));
-  for (std::size_t n = 0; n < count; ++n) {
+  rows[0][0] = h[0];
+  for (std::size_t n = 1; n < count; ++n) {
     const T scale = factorial<T>(static_cast<int>(n));
     rows[0][n] = scale * h[n];
-    if (n == 0) continue;
-    for (std::size_t k = 1; k <= n; ++k)
-      rows[k][n - k] =
-          rows[k - 1][n - k + 1] + deprit_sum(rows, found.generator, k - 1, n - k, keep);
+    deprit_diagonal(rows, found.generator, n, zero, keep);
     auto [mean, w] = solver.eliminated(rows[n][0]);
     const Series<T> flow = solver.flow(w);
     for (std::size_t k = 1; k <= n; ++k) rows[k][n - k] += flow;
@@ -200,10 +239,7 @@ Parts<T> deprit_map(const Parts<T>& f, const Parts<T>& w, const First& first,
   for (std::size_t n = 0; n < count; ++n) {
     const T scale = factorial<T>(static_cast<int>(n));
     rows[0][n] = scale * f[n];
-    for (std::size_t k = 1; k <= n; ++k) {
-      rows[k][n - k] = rows[k - 1][n - k + 1] + deprit_sum(rows, w, k - 1, n - k, keep);
-      if (k == 1) rows[k][n - k] += first(w[n]);
-    }
+    deprit_diagonal(rows, w, n, first(w[n]), keep);
     result[n] = rows[n][0] / scale;
   }
   return result;

@@ -74,6 +74,8 @@ std::vector<Term<T>> merged(const Symbols& of_a, const Symbols& of_b, std::span<
       ++right;
     }
   }
+  // Lie transforms keep sums of series with the same keys: half of the room.
+  if (4 * sum.size() < 3 * sum.capacity()) sum.shrink_to_fit();
   return sum;
 }
 

@@ -52,6 +52,10 @@ double pair_count(const Pairing<T>& of, const Orders& orders, int order) {
   return pairs;
 }
 
+// That a table has room for before the first: larger ones grow, since many products have far fewer
+// terms than they could have.
+inline constexpr double most_expected_terms = 1 << 17;
+
 template <class T>
 class Products {
  public:
@@ -82,9 +86,6 @@ class Products {
   }
 
  private:
-  // Larger tables grow, since many products have far fewer terms than they could have.
-  static constexpr double most_expected = 1 << 17;
-
   template <class Word>
   struct Factor {
     Word exponents, multipliers;
@@ -98,7 +99,7 @@ class Products {
   template <class Word>
   std::vector<Term<T>> terms_by(const ProductSize& most) const {
     const TermCodes<Word> codes(symbols_, box_);
-    TermTable<Word, T> table(static_cast<std::size_t>(std::min(most.terms, most_expected)),
+    TermTable<Word, T> table(static_cast<std::size_t>(std::min(most.terms, most_expected_terms)),
                              box_.bits());
     for (const Pairing<T>& one : pairings_) add(codes, table, one);
     const auto sorted = std::move(table).sorted();

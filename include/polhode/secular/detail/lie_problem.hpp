@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// An elimination, checked, and what is made of it before a Lie transform starts.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/secular/detail/lie_keys.hpp"
+#include "polhode/secular/detail/lie_orders.hpp"
+#include "polhode/secular/elimination.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// The parts of the Hamiltonian by order; throws for what breaks the domain.
+template <class T>
+Parts<T> checked_parts(const Elimination<T>& problem) {
+  const Symbols& symbols = problem.hamiltonian.symbols();
+  require_small(symbols, problem.keep);
+  Parts<T> h = parts(problem.hamiltonian, problem.keep);
+  require_integrable(h[0]);
+  std::set<std::string> clocks;
+  for (const AngleRate<T>& clock : problem.clocks) {
+    require_clock(problem.hamiltonian, clock, problem.keep);
+    if (!clocks.insert(clock.angle).second)
+      throw DomainError("LieTransform: the clock " + clock.angle + " is there twice");
+  }
+  return h;
+}
+
+// Rates of the angles that turn.
+template <class T>
+std::vector<AngleRate<T>> angle_rates(const Series<T>& h0, std::vector<AngleRate<T>> clocks) {
+  std::vector<AngleRate<T>> rates = std::move(clocks);
+  for (const ConjugatePair& pair : h0.symbols().pairs())
+    if (h0.symbols().has_angle(pair.coordinate))
+      rates.push_back({pair.coordinate, derivative(h0, pair.momentum)});
+  return rates;
+}
+
+template <class T>
+LieKeys lie_keys(const Elimination<T>& problem, const Parts<T>& h) {
+  Keys rates(problem.hamiltonian.symbols());
+  for (const AngleRate<T>& one : angle_rates(h[0], problem.clocks))
+    if (!derivative(problem.hamiltonian, one.angle).is_zero()) rates += keys_of(one.rate);
+  int of_coefficients = 0;
+  if constexpr (VariableCoefficient<T>) of_coefficients = T::variable_count;
+  return LieKeys(keys_of(h), rates, of_coefficients);
+}
+
+// Of a transform that ends at each order.
+template <class T>
+std::vector<double> bytes_of(const KeyCount& count) {
+  return bytes_by_order(count.terms, sizeof(Term<T>), sizeof(CodedTerm<std::uint64_t, T>));
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

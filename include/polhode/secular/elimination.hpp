@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a Lie transform is asked for.
+//
+// Equations   as in lie_transform.hpp.
+// Units       those of the Hamiltonian's symbols.
+// Domain      as in lie_transform.hpp.
+// Accuracy    none.
+// Errors      none here; lie_transform.hpp and transform_size.hpp throw.
+// Cost        none.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/series/linear_flow.hpp"
+#include "polhode/series/series.hpp"
+#include "polhode/series/truncation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+template <Coefficient T>
+struct Elimination {
+  Series<T> hamiltonian;
+  Truncation keep;                         // the small parameters, and the highest order
+  std::vector<std::string> angles;         // to be eliminated
+  std::vector<Multiples> resonances = {};  // combinations of them that stay, and their multiples
+  std::vector<AngleRate<T>> clocks = {};
+  double least_divisor = 0.0;  // the smallest coefficient of a rate to divide by
+  double slowest = 0.0;        // what turns at a rate with a smaller coefficient stays
+};
+
+}  // namespace v0
+}  // namespace polhode
