@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/secular/detail/lie_problem.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -29,6 +31,23 @@ void require_small(const Symbols& symbols, const Truncation& keep) {
 
 void require_symbol(const Symbols& symbols, std::string_view name) {
   if (!symbols.has_angle(name)) symbols.variable(name);
+}
+
+void require_turning(const Symbols& symbols, const std::vector<std::string>& angles,
+                     const std::set<std::string>& clocks) {
+  for (const std::string& angle : angles) {
+    symbols.angle(angle);  // throws for an unknown one
+    const auto is_of = [&](const ConjugatePair& pair) { return pair.coordinate == angle; };
+    if (!clocks.contains(angle) && std::ranges::none_of(symbols.pairs(), is_of))
+      throw DomainError("LieTransform: the angle " + angle +
+                        " is to be eliminated, and has neither a momentum nor a clock");
+  }
+}
+
+void require_bound(const char* name, double bound) {
+  if (!(bound >= 0.0))
+    throw DomainError("LieTransform: " + std::string(name) + " = " + number_text(bound) +
+                      " must not be negative");
 }
 
 KeptAngles::KeptAngles(const Symbols& symbols, const std::vector<std::string>& angles,

@@ -265,6 +265,27 @@ TEST(LieTransform, RefusesClocksThatAreNone) {
   EXPECT_THAT(message_of([&] { LieTransform<Rational>{twice}; }), HasSubstr("clock t is there"));
 }
 
+TEST(LieTransform, RefusesWhatDoesNotTurn) {
+  const auto refused = [&](std::vector<std::string> angles, double least) {
+    return message_of([&] {
+      const Symbols names({"G", "k"}, {"g", "t"}, {{"g", "G"}});
+      LieTransform<Rational>(
+          {read(names, "G + k*cos(g - t)"), up_to(1), std::move(angles), {}, {}, least});
+    });
+  };
+  EXPECT_EQ(refused({"g"}, 0.0), "");
+  EXPECT_THAT(refused({"g", "t"}, 0.0),
+              HasSubstr("angle t is to be eliminated, and has neither a momentum nor a clock"));
+  EXPECT_THAT(refused({"g"}, -1.0), HasSubstr("least_divisor = -1 must not be negative"));
+  EXPECT_THAT(message_of([&] {
+                const Symbols names({"k", "G"}, {"g"}, {{"g", "G"}});
+                const Local h = constant(names, momentum_G()) +
+                                cosine(names, number(Rational(1)), {{"k", 1}}, {{"g", 1}});
+                LieTransform<Taylor>({h, up_to(1), {"g"}});
+              }),
+              HasSubstr("the small parameter k is a variable of the coefficients"));
+}
+
 TEST(LieTransform, NamesUnknownSymbolsAndOtherSets) {
   const Symbols symbols = two();
   const auto refused = [&](std::vector<std::string> angles,

@@ -16,11 +16,23 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// Throws for an angle that is to be eliminated and does not turn.
+void require_turning(const Symbols& symbols, const std::vector<std::string>& angles,
+                     const std::set<std::string>& clocks);
+void require_bound(const char* name, double bound);
+
 // The parts of the Hamiltonian by order; throws for what breaks the domain.
 template <class T>
 Parts<T> checked_parts(const Elimination<T>& problem) {
   const Symbols& symbols = problem.hamiltonian.symbols();
   require_small(symbols, problem.keep);
+  require_bound("least_divisor", problem.least_divisor);
+  require_bound("slowest", problem.slowest);
+  if constexpr (VariableCoefficient<T>)
+    for (const auto& [name, weight] : problem.keep.weights)
+      if (weight != 0 && symbols.variable(name) < T::variable_count)
+        throw DomainError("LieTransform: the small parameter " + name +
+                          " is a variable of the coefficients, which have no order");
   Parts<T> h = parts(problem.hamiltonian, problem.keep);
   require_integrable(h[0]);
   std::set<std::string> clocks;
@@ -29,6 +41,7 @@ Parts<T> checked_parts(const Elimination<T>& problem) {
     if (!clocks.insert(clock.angle).second)
       throw DomainError("LieTransform: the clock " + clock.angle + " is there twice");
   }
+  require_turning(symbols, problem.angles, clocks);
   return h;
 }
 
