@@ -185,10 +185,16 @@ GravityGradientTheory::Values GravityGradientTheory::rates(const DoubleDouble& t
   const auto& rates = parts_->rates;
   return {rates[0].at(at), rates[1].at(at), rates[2].at(at), 0.0, 0.0, -rates[3].at(at)};
 }
+// The fast angles turn evenly: by 1e5 rad in a step, of which the rounding is no error of the
+// method.
 double GravityGradientTheory::error_size(const Values& error, const Values& y,
-                                         const Values&) const {
+                                         const Values& increment) const {
+  constexpr double rounding = 4e-15;
+  const auto beyond_rounding = [&](std::size_t i) {
+    return std::max<double>(std::abs(error[i]) - rounding * std::abs(increment[i]), 0.0);
+  };
   return std::max<double>(
-      {std::abs(error[0]), std::abs(error[1]), std::abs(error[2]), std::abs(error[5] / y[4])});
+      {beyond_rounding(0), beyond_rounding(1), std::abs(error[2]), std::abs(error[5] / y[4])});
 }
 
 std::vector<MeanRotation> GravityGradientTheory::means(double t0, const MeanRotation& mean,

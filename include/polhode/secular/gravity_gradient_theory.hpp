@@ -113,7 +113,7 @@ class GravityGradientTheory {
   }
   MeanRotation state(const Values& y) const { return {y[0], y[1], y[2], y[3], y[4], y[5]}; }
   Values rates(const DoubleDouble& t, const Values& y) const;
-  double error_size(const Values& error, const Values& y, const Values&) const;
+  double error_size(const Values& error, const Values& y, const Values& increment) const;
 
  private:
   struct Parts;
