@@ -129,6 +129,7 @@ for an order that needs more memory than keep.most_bytes. Releases the GIL. (Hor
       field("least_divisor", &T::least_divisor, "The smallest coefficient of a rate.", 0.0),
       field("method", &T::method, "Hori's or Deprit's.", LieMethod::hori));
   def_maps(c);
+  bind_mean_rotation(m);
 }
 
 }  // namespace polhode::python
