@@ -28,7 +28,9 @@
 // Errors      DomainError for an orbit out of the domain, a sphere, a motion out of it, an order
 //             that is not 1 or 2, a time that is not finite, and a resonance, with its combination
 //             of angles.
-// Cost        30 ms to some seconds to make, by the number of terms; a state 0.2 ms
+// Cost        8 to 20 ms to make up to e = 0.05, 0.2 s of a triaxial body at e = 0.3 and order 2,
+//             seconds where `least` is 1e-15; a mean state 0.01 to 0.4 ms, an osculating one 0.05
+//             to 0.12 ms; mean elements over a month 2 ms on a circle, 0.1 to 0.2 s where M stays
 //             (benchmarks/perturbation_theory.cpp).
 #pragma once
 
