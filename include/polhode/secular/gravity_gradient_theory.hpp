@@ -12,19 +12,19 @@
 // Corrections none.
 // Units       those of the body, gm, the orbit and the state.
 // Domain      eccentricities up to 0.9; gm may be another than that of the orbit. A motion in
-//             short- or long-axis mode, 1e-4 at least (of I_l / I_g and I_h / I_g) from the separatrix, from
-//             spin about an axis and from momentum along the normal of the orbit, where the
-//             elements lose their sense as Andoyer's do at J = 0 and I = 0. (At J = 0 there is
-//             NutationTheory.) No resonance between phi_l, phi_g and M. Coefficients are Taylor
-//             polynomials of the actions about their means: a theory holds for the motion that it
-//             was made of, and for those near it. At a relative distance d in the actions rates
-//             err by d^3 of the free ones; beyond 0.3 of the way to the ends of the domain, states
-//             and elements are refused.
+//             short- or long-axis mode, 1e-4 at least (of I_l / I_g and I_h / I_g) from the
+//             separatrix, from spin about an axis and from momentum along the normal of the orbit,
+//             where the elements lose their sense as Andoyer's do at J = 0 and I = 0. (At J = 0
+//             there is NutationTheory.) No resonance between phi_l, phi_g and M. Coefficients are
+//             Taylor polynomials of the actions about their means: a theory holds for the motion
+//             that it was made of, and for those near it. At a relative distance d in the actions
+//             rates err by d^3 of the free ones; beyond 0.3 of the way to the ends of the domain,
+//             states and elements are refused.
 // Accuracy    order N leaves out rates and short periods of order N + 1 in gm: budgets
 //             gravity_theory_*. Close to a resonance the error grows with powers of 1 / (its rate).
 //             Terms that move angles by less than `least`, and at order 2 products that do so in a
-//             radian of rotation, are left out.
-//             Angles are doubles: after a million turns they have 1e-9 rad.
+//             radian of rotation, are left out. Angles are doubles: after a million turns they have
+//             1e-9 rad.
 // Errors      DomainError for an orbit out of the domain, a sphere, a motion out of it, an order
 //             that is not 1 or 2, a time that is not finite, and a resonance, with its combination
 //             of angles.
