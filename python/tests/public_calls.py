@@ -36,6 +36,7 @@ polhode.integrate(
 NAMES_OF_SERIES = polhode.Symbols(["G", "k"], ["g"], [("g", "G")])
 KEEP = polhode.Truncation({"k": 1}, 2)
 SERIES = polhode.Series(NAMES_OF_SERIES, "k*cos(g)")
+THEORY = polhode.GravityGradientTheory(BODY, ORBIT, STATE, gm=1e-5, order=1)
 
 
 def variables(z):
@@ -64,6 +65,7 @@ OF_CLASS = {
     "Symbols": NAMES_OF_SERIES,
     "Truncation": KEEP,
     "Series": SERIES,
+    "MeanRotation": THEORY.reference,
     "DampedMaterial": polhode.DampedMaterial(1e9, 100.0, 2000.0, 100.0, 0.02),
 }
 
@@ -209,6 +211,8 @@ OF_CALL = {
         "angles": ["g"],
         "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G"),
     },
+    "GravityGradientTheory.__init__": {"gm": 1e-5, "order": 1, "least": 1e-9},
+    **{f"GravityGradientTheory.{name}": {"tolerance": 1e-9} for name in ("means", "states")},
     "satellite_precession": {"eccentricity": 0.1},
     "chaos_indicator": {"distance": 1e-6, "deviation": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]},
 }
@@ -318,6 +322,7 @@ OF_SELF = {
     "DipoleField": polhode.DipoleField([0, 0, 1.0]),
     "Units": polhode.Units(),
     "Series": SERIES,
+    "GravityGradientTheory": THEORY,
     "CompiledSeries": polhode.CompiledSeries(SERIES),
     "TriaxialNormalForm": polhode.TriaxialNormalForm(BODY, 2),
     "Trajectory": polhode.integrate(polhode.Problem(DAMPED, STATE, 0.0, 1.0)),

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "math/number_text.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/series/compiled_series.hpp"
 #include "polhode/series/expanded.hpp"
@@ -16,6 +18,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::number_text;
+using detail::refuse_theory;
 using Local = Series<detail::ActionTaylor>;
 using Six = std::array<double, 6>;
 
@@ -44,6 +48,10 @@ Quaternion axes_of(const KeplerElements& e) {
   return rotation_z(e.node) * rotation_x(e.inclination) * rotation_z(e.argument);
 }
 RotorState in_axes(const Quaternion& axes, const RotorState& s) { return {conj(axes) * s.q, s.g}; }
+
+void require_finite(double t) {
+  if (!std::isfinite(t)) refuse_theory("the time " + number_text(t) + " must be finite");
+}
 
 }  // namespace
 
@@ -84,15 +92,33 @@ struct GravityGradientTheory::Parts {
             m.phi_l,        m.phi_g,        m.phi_h,        mean_anomaly(t)};
   }
   MeanRotation osculating(double t, const MeanRotation& mean) const {
+    require_near(t, mean);
     const auto here = point(DoubleDouble(t), mean);
     Six y = numbers_of(mean);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += short_periods[i].at(here);
     return rotation_of(y);
   }
+  // Beyond, Taylor polynomials of the actions are of no use.
+  void require_near(double t, const MeanRotation& mean) const;
   // Of which these are the osculating ones. Not by the Lie transform back: its coefficients belong
   // to the osculating actions, which can be farther from the mean ones than a small divisor allows.
   MeanRotation mean(double t, const MeanRotation& osculating_elements) const;
 };
+
+void GravityGradientTheory::Parts::require_near(double t, const MeanRotation& mean) const {
+  require_finite(t);
+  constexpr double share = 0.3;
+  const auto require = [&](const char* name, double is, double made, double distance) {
+    if (std::abs(is - made) < share * distance) return;
+    refuse_theory(std::string(name) + " = " + number_text(is) + ", and the theory is made for " +
+                  number_text(made) + " and what is within " + number_text(share * distance));
+  };
+  const SadovState& at = request.at;
+  require("I_g", mean.I_g, at.I_g, at.I_g);
+  require("I_l / I_g", mean.I_l / mean.I_g, at.I_l / at.I_g,
+          detail::distance_in_region(request.body, at));
+  require("I_h / I_g", mean.I_h / mean.I_g, at.I_h / at.I_g, 1.0 - std::abs(at.I_h) / at.I_g);
+}
 
 MeanRotation GravityGradientTheory::Parts::mean(double t, const MeanRotation& elements) const {
   constexpr int most_rounds = 50;
@@ -111,14 +137,14 @@ MeanRotation GravityGradientTheory::Parts::mean(double t, const MeanRotation& el
     }
     if (change < small && !(change < before)) return rotation_of(y);
   }
-  detail::refuse_theory(
-      "no mean elements were found for the state: its short periods are too large");
+  refuse_theory("no mean elements were found for the state: its short periods are too large");
 }
 
 GravityGradientTheory::GravityGradientTheory(const Body& body, double gm, const KeplerOrbit& orbit,
                                              const RotorState& state, double t,
                                              const GravityGradientOptions& options)
     : options_(options) {
+  require_finite(t);
   const RotorState in_orbit = in_axes(axes_of(orbit.elements()), state);
   detail::GravityGradientRequest request{body, gm, orbit,
                                          to_sadov(FreeRotation(body, in_orbit, t), t), options};
@@ -133,10 +159,11 @@ GravityGradientTheory::GravityGradientTheory(const Body& body, double gm, const 
 }
 
 MeanRotation GravityGradientTheory::elements(double t, const RotorState& state) const {
+  require_finite(t);
   const detail::GravityGradientRequest& made = parts_->request;
   const SadovState s = to_sadov(FreeRotation(made.body, in_axes(parts_->orbit_axes, state), t), t);
   if (s.region != made.at.region || s.lobe != made.at.lobe || s.I_l * made.at.I_l < 0.0)
-    detail::refuse_theory("the state is in another mode than the motion that the theory is of");
+    refuse_theory("the state is in another mode than the motion that the theory is of");
   return rotation_of(s);
 }
 RotorState GravityGradientTheory::state_of(const MeanRotation& elements) const {
@@ -158,29 +185,51 @@ GravityGradientTheory::Values GravityGradientTheory::rates(const DoubleDouble& t
   const auto& rates = parts_->rates;
   return {rates[0].at(at), rates[1].at(at), rates[2].at(at), 0.0, 0.0, -rates[3].at(at)};
 }
+// The fast angles turn evenly: by 1e5 rad in a step, of which the rounding is no error of the
+// method.
 double GravityGradientTheory::error_size(const Values& error, const Values& y,
-                                         const Values&) const {
+                                         const Values& increment) const {
+  constexpr double rounding = 4e-15;
+  const auto beyond_rounding = [&](std::size_t i) {
+    return std::max<double>(std::abs(error[i]) - rounding * std::abs(increment[i]), 0.0);
+  };
   return std::max<double>(
-      {std::abs(error[0]), std::abs(error[1]), std::abs(error[2]), std::abs(error[5] / y[4])});
+      {beyond_rounding(0), beyond_rounding(1), std::abs(error[2]), std::abs(error[5] / y[4])});
 }
 
-std::vector<RotorState> GravityGradientTheory::states(double t0, const MeanRotation& mean,
-                                                      std::span<const double> times,
-                                                      double tolerance) const {
-  std::vector<RotorState> found;
+std::vector<MeanRotation> GravityGradientTheory::means(double t0, const MeanRotation& mean,
+                                                       std::span<const double> times,
+                                                       double tolerance,
+                                                       const Progress& progress) const {
+  require_finite(t0);
+  for (const double t : times) require_finite(t);
+  std::vector<MeanRotation> found;
   if (times.empty()) return found;
   const auto run = [&](double stop) -> std::optional<BasicTrajectory<MeanRotation>> {
     if (stop == t0) return std::nullopt;
     const BasicProblem<GravityGradientTheory> problem{*this, mean, t0, stop, Adaptive{tolerance}};
-    auto trajectory = integrate(problem, Keep{}, Progress{});
-    if (!trajectory.outcome().ok()) detail::refuse_theory(trajectory.outcome().advice);
+    auto trajectory = integrate(problem, Keep{}, progress);
+    if (!trajectory.outcome().ok()) refuse_theory(trajectory.outcome().advice);
     return trajectory;
   };
   const auto [first, last] = std::ranges::minmax(times);
   const auto forward = run(std::max<double>(t0, last)), backward = run(std::min<double>(t0, first));
   found.reserve(times.size());
   for (const double t : times)
-    found.push_back(osculating(t, t == t0 ? mean : (t > t0 ? forward : backward)->at(t)));
+    found.push_back(t == t0 ? mean : (t > t0 ? forward : backward)->at(t));
+  return found;
+}
+std::vector<RotorState> GravityGradientTheory::states(double t0, const MeanRotation& mean,
+                                                      std::span<const double> times,
+                                                      double tolerance,
+                                                      const Progress& progress) const {
+  const std::vector<MeanRotation> moved = means(t0, mean, times, tolerance, progress);
+  std::vector<RotorState> found;
+  found.reserve(moved.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    found.push_back(osculating(times[i], moved[i]));
+    if (progress) progress(times[i]);
+  }
   return found;
 }
 

@@ -80,17 +80,29 @@ double curvature(const TermKey& key, const Local& h0) {
   return sum;
 }
 
-// A term A cos(angle) of the Hamiltonian, which the generator has over its rate w, holds what turns
-// slower than 2 sqrt(|A k.H_0''.k|). At twice that, the second order is a sixteenth of the first.
+// A term A cos(angle) of the Hamiltonian holds what turns slower than 2 sqrt(|A k.H_0''.k|). At
+// twice that, the second order is a sixteenth of the first.
+void require_no_resonance(const Local& h0, const Rates& rates, const TermKey& key, double A) {
+  const Symbols& names = h0.symbols();
+  const double rate = std::abs(rates.of(names, key));
+  const double held = 2.0 * std::sqrt(A * std::abs(curvature(key, h0)));
+  if (rate > 2.0 * held) return;
+  refuse_theory("a resonance: " + angle_text(h0, key) + " turns at the rate " + number_text(rate) +
+                ", and the torque holds what is slower than " + number_text(held));
+}
+void require_no_resonance(const Local& gradient, const Local& h0, const Rates& rates,
+                          bool averages_orbit) {
+  const Symbols& names = gradient.symbols();
+  for (const auto& term : gradient.terms())
+    if (multiplier(names, term.key, 0) != 0 || multiplier(names, term.key, 1) != 0 ||
+        (averages_orbit && multiplier(names, term.key, 3) != 0))
+      require_no_resonance(h0, rates, term.key, size_of(term));
+}
+// Of a generator, which has terms over their rates: those of the second order too.
 void require_no_resonance(const Local& generator, const Local& h0, const Rates& rates) {
-  for (const auto& term : generator.terms()) {
-    const double rate = std::abs(rates.of(generator.symbols(), term.key));
-    const double held = 2.0 * std::sqrt(size_of(term) * rate * std::abs(curvature(term.key, h0)));
-    if (rate > 2.0 * held) continue;
-    refuse_theory("a resonance: " + angle_text(generator, term.key) + " turns at the rate " +
-                  number_text(rate) + ", and the torque holds what is slower than " +
-                  number_text(held));
-  }
+  for (const auto& term : generator.terms())
+    require_no_resonance(h0, rates, term.key,
+                         size_of(term) * std::abs(rates.of(generator.symbols(), term.key)));
 }
 
 // What an action moves by at the first order must be small against its way to where the elements
@@ -122,6 +134,10 @@ void require_valid(const GravityGradientRequest& s) {
   if (!(s.gm > 0.0) || !std::isfinite(s.gm))
     refuse_theory("gm = " + number_text(s.gm) + " must be positive");
   if (!(e < 1.0)) refuse_theory("the eccentricity " + number_text(e) + " must be below 1");
+  constexpr double most_eccentric = 0.9;
+  if (e > most_eccentric)
+    refuse_theory("the eccentricity " + number_text(e) +
+                  " must be at most 0.9: series in the mean anomaly grow too long");
   if (s.options.order != 1 && s.options.order != 2)
     refuse_theory("the order " + std::to_string(s.options.order) + " must be 1 or 2");
   if (!(s.options.least > 0.0))
@@ -150,6 +166,7 @@ GravityGradientTransform transformed(const GravityGradientRequest& s) {
   const Local h0 = constant(names, tensor.energy);
   const Rates rates{rate_by(h0, "I_l"), rate_by(h0, "I_g"), s.orbit.mean_motion()};
   const Local kept = by_size(gradient, rates, s.at.I_g, s.options);
+  require_no_resonance(kept, h0, rates, s.options.averages_orbit);
   Elimination<ActionTaylor> problem{
       h0 + kept, gradient_orders(s.options.order), {"phi_l", "phi_g"}};
   if (s.options.averages_orbit) problem.angles.emplace_back("M");

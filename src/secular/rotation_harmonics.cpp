@@ -181,9 +181,7 @@ OrbitWaves orbit_waves(const Eccentricity& e, double least) {
   const double root = std::sqrt(e.complement * (1.0 + e.e));
   const double fall = e.e * std::exp(root) / (1.0 + root);
   const int most =
-      fall == 0.0
-          ? 2
-          : static_cast<int>(std::min(2000.0, 12.0 + 1.5 * std::log(least) / std::log(fall)));
+      fall == 0.0 ? 2 : static_cast<int>(12.0 + 1.5 * std::log(least) / std::log(fall));
   const int steps = 4 * most + 1;
   std::vector<Complex> even(static_cast<std::size_t>(steps)), turning(even.size());
   for (int j = 0; j < steps; ++j) {
@@ -194,18 +192,18 @@ OrbitWaves orbit_waves(const Eccentricity& e, double least) {
     even[static_cast<std::size_t>(j)] = 1.0 / r3;
     turning[static_cast<std::size_t>(j)] = position * position / (r * r * r3);
   }
+  std::vector<Complex> roots;
+  for (int j = 0; j < steps; ++j) roots.push_back(std::polar(1.0, -turn * j / steps));
   const auto coefficient = [&](const std::vector<Complex>& values, int q) {
     double sum = 0.0;  // real: both are symmetric about the pericentre
-    for (int j = 0; j < steps; ++j)
-      sum +=
-          (values[static_cast<std::size_t>(j)] *
-           std::polar(1.0, -turn * static_cast<double>(static_cast<long>(j) * q % steps) / steps))
-              .real();
+    const auto by = static_cast<std::size_t>(q < 0 ? q + steps : q);
+    for (std::size_t j = 0, at = 0; j < values.size(); ++j, at = (at + by) % values.size())
+      sum += values[j].real() * roots[at].real() - values[j].imag() * roots[at].imag();
     return sum / steps;
   };
   OrbitWaves found;
   for (int q = -most; q <= most; ++q) {
-    const double of_even = coefficient(even, q), of_turning = coefficient(turning, q);
+    const double of_even = coefficient(even, std::abs(q)), of_turning = coefficient(turning, q);
     if (std::abs(of_even) > least) found.even.push_back({q, of_even});
     if (std::abs(of_turning) > least) found.turning.push_back({q, of_turning});
   }

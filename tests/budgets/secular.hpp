@@ -113,5 +113,10 @@ inline constexpr double normal_form_motion = 1e-13;
 inline constexpr double gravity_theory_slope = 0.12, gravity_theory_closed = 1e-12;
 inline constexpr double gravity_theory_series = 1e-12, gravity_theory_back = 1e-11;
 inline constexpr double gravity_theory_moved = 1e-6;
+// In Python (python/tests/test_mean_rotation.py); measured 5e-6 and 8e-8 rad, 1e-14, 1e-12.
+inline constexpr double gravity_theory_python_first = 2e-5;
+inline constexpr double gravity_theory_python_second = 3e-7;
+inline constexpr double gravity_theory_python_rate = 1e-12;
+inline constexpr double gravity_theory_python_back = 1e-11;
 
 }  // namespace polhode::budget

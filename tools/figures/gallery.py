@@ -36,7 +36,7 @@ SECTIONS = {
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
     "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],
-    "Perturbation theory": ["normal_form", "nutation"],
+    "Perturbation theory": ["normal_form", "mean_rotation", "nutation"],
     "Obliquity over ages": [
         "obliquity_series", "obliquity_spectrum", "obliquity_resonances", "chaotic_zones",
         "cassini_capture",

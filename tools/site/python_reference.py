@@ -101,6 +101,7 @@ Hamiltonians as Poisson series, and angles eliminated from them
         "Series": "Symbols Series SeriesTerm Truncation ProductSize TransformSize CompiledSeries",
         "Lie transforms": "LieTransform LieMethod",
         "The free rotor": "TriaxialNormalForm RotorFrequencies",
+        "Mean rotation": "GravityGradientTheory MeanRotation",
     }),
     Page("frames-and-orbits", "Frames and orbits", """\
 Where attitudes are counted from, and where the attracting body is. Any Python function of time

@@ -11,20 +11,26 @@
 //             -dK/dphi_h.
 // Corrections none.
 // Units       those of the body, gm, the orbit and the state.
-// Domain      elliptic orbits; gm may be another than that of the orbit. A motion in short- or
-//             long-axis mode, 1e-4 at least (of I_l / I_g and I_h / I_g) from the separatrix, from
-//             spin about an axis and from momentum along the normal of the orbit, where the
-//             elements lose their sense as Andoyer's do at J = 0 and I = 0. (At J = 0 there is
-//             NutationTheory.) No resonance between phi_l, phi_g and M. Coefficients are Taylor
-//             polynomials of the actions about their means: a theory holds for the motion that it
-//             was made of, and for those near it.
+// Domain      eccentricities up to 0.9; gm may be another than that of the orbit. A motion in
+//             short- or long-axis mode, 1e-4 at least (of I_l / I_g and I_h / I_g) from the
+//             separatrix, from spin about an axis and from momentum along the normal of the orbit,
+//             where the elements lose their sense as Andoyer's do at J = 0 and I = 0. (At J = 0
+//             there is NutationTheory.) No resonance between phi_l, phi_g and M. Coefficients are
+//             Taylor polynomials of the actions about their means: a theory holds for the motion
+//             that it was made of, and for those near it. At a relative distance d in the actions
+//             rates err by d^3 of the free ones; beyond 0.3 of the way to the ends of the domain,
+//             states and elements are refused.
 // Accuracy    order N leaves out rates and short periods of order N + 1 in gm: budgets
 //             gravity_theory_*. Close to a resonance the error grows with powers of 1 / (its rate).
 //             Terms that move angles by less than `least`, and at order 2 products that do so in a
-//             radian of rotation, are left out.
-// Errors      DomainError for an orbit that is no ellipse, a sphere, a motion out of the domain, an
-//             order that is not 1 or 2, and a resonance, with its combination of angles.
-// Cost        30 ms to some seconds to make, by the number of terms; a state 0.2 ms
+//             radian of rotation, are left out. Angles are doubles: after a million turns they have
+//             1e-9 rad.
+// Errors      DomainError for an orbit out of the domain, a sphere, a motion out of it, an order
+//             that is not 1 or 2, a time that is not finite, and a resonance, with its combination
+//             of angles.
+// Cost        8 to 20 ms to make up to e = 0.05, 0.2 s of a triaxial body at e = 0.3 and order 2,
+//             seconds where `least` is 1e-15; a mean state 0.01 to 0.4 ms, an osculating one 0.05
+//             to 0.12 ms; mean elements over a month 2 ms on a circle, 0.1 to 0.2 s where M stays
 //             (benchmarks/perturbation_theory.cpp).
 #pragma once
 
@@ -42,6 +48,7 @@
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 #include "polhode/series/series.hpp"
+#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/sample.hpp"
 
 namespace polhode {
@@ -83,9 +90,13 @@ class GravityGradientTheory {
   MeanRotation elements(double t, const RotorState& state) const;
   RotorState state_of(const MeanRotation& elements) const;
 
-  // The states at these times of the motion with these mean elements at t0, which Adaptive moves.
+  // At these times, before and after t0, of the motion with these mean elements at t0, which
+  // Adaptive moves. `progress` is called after each step, and after each state.
+  std::vector<MeanRotation> means(double t0, const MeanRotation& mean,
+                                  std::span<const double> times, double tolerance = 1e-12,
+                                  const Progress& progress = {}) const;
   std::vector<RotorState> states(double t0, const MeanRotation& mean, std::span<const double> times,
-                                 double tolerance = 1e-12) const;
+                                 double tolerance = 1e-12, const Progress& progress = {}) const;
 
   const GravityGradientOptions& options() const { return options_; }
   // The elements about whose actions coefficients are expanded.
@@ -104,7 +115,7 @@ class GravityGradientTheory {
   }
   MeanRotation state(const Values& y) const { return {y[0], y[1], y[2], y[3], y[4], y[5]}; }
   Values rates(const DoubleDouble& t, const Values& y) const;
-  double error_size(const Values& error, const Values& y, const Values&) const;
+  double error_size(const Values& error, const Values& y, const Values& increment) const;
 
  private:
   struct Parts;

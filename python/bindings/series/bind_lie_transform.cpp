@@ -132,6 +132,7 @@ Series.transform_size). Releases the GIL. (Hori 1966; Deprit
       field("least_divisor", &T::least_divisor, "The smallest coefficient of a rate.", 0.0),
       field("method", &T::method, "Hori's or Deprit's.", LieMethod::hori));
   def_maps(c);
+  bind_mean_rotation(m);
 }
 
 }  // namespace polhode::python

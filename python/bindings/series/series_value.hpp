@@ -138,6 +138,8 @@ Series<Rational> as(const PythonSeries& a);
 // Its value where each symbol has the number or array of its name.
 FloatArray value_of(const PythonSeries& a, const nb::kwargs& at);
 void bind_compiled_series(nb::module_& m);
+// Bound with the Lie transforms.
+void bind_mean_rotation(nb::module_& m);
 
 inline bool are_exact(const Symbols& symbols, const Operands& all) {
   for (const auto& [name, x] : all)

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "budgets.hpp"
@@ -48,10 +50,10 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
 }
 
 // The largest error in attitude and momentum over a run, of gm = n^2 times `strength`.
-double error(const Body& body, double e, double strength, const GravityGradientOptions& options) {
+double error(const Body& body, const RotorState& s0, double e, double strength,
+             const GravityGradientOptions& options) {
   const double gm = strength * n * n, stop = 300.0;
   const KeplerOrbit orbit = orbit_of(e);
-  const RotorState s0 = start(body);
   const GravityGradientTheory theory(body, gm, orbit, s0, 0.0, options);
   std::vector<double> times;
   for (int i = 1; i <= 20; ++i) times.push_back(stop * i / 20.0);
@@ -69,16 +71,17 @@ double error(const Body& body, double e, double strength, const GravityGradientO
   return worst.value();
 }
 
-void expect_slope(const Body& body, double e, double strength,
+void expect_slope(const Body& body, const RotorState& s0, double e, double strength,
                   const GravityGradientOptions& options) {
-  const double slope =
-      std::log2(error(body, e, strength, options) / error(body, e, 0.5 * strength, options));
+  const double slope = std::log2(error(body, s0, e, strength, options) /
+                                 error(body, s0, e, 0.5 * strength, options));
   EXPECT_NEAR(slope, options.order + 1, budget::gravity_theory_slope)
       << "order " << options.order << ", orbit averaged: " << options.averages_orbit;
 }
 void expect_slopes(const Body& body, double e, double strength) {
   for (const bool averages : {true, false})
-    for (const int order : {1, 2}) expect_slope(body, e, strength, {order, averages, 1e-15});
+    for (const int order : {1, 2})
+      expect_slope(body, start(body), e, strength, {order, averages, 1e-15});
 }
 
 TEST(GravityGradientTheory, SlopesOfAxisymmetricBody) {
@@ -87,8 +90,26 @@ TEST(GravityGradientTheory, SlopesOfAxisymmetricBody) {
 }
 TEST(GravityGradientTheory, SlopesOfTriaxialBodies) {
   expect_slopes(short_axis, 0.0, 0.2);
-  expect_slope(short_axis, 0.05, 0.2, {2, true, 1e-14});
+  expect_slope(short_axis, start(short_axis), 0.05, 0.2, {2, true, 1e-14});
   expect_slopes(long_axis, 0.0, 0.05);
+}
+// The other lobe, momentum below the orbit, moments in another order, a prolate body.
+TEST(GravityGradientTheory, SlopesInEveryMode) {
+  const Body prolate(1.0, 1.5, 1.5), permuted(1.7, 1.0, 1.3);
+  const GravityGradientOptions second{2, true, 1e-15};
+  const auto slope = [&](const Body& body, const Vec3& w, const Quaternion& q, double e,
+                         double strength) {
+    expect_slope(body, rotor_state(body, q, w), e, strength, second);
+  };
+  const Quaternion below = rotation_x(2.2) * attitude;
+  slope(axisymmetric, {0.3, 0.1, -1.0}, attitude, 0.05, 0.2);
+  slope(short_axis, {0.3, 0.1, -1.0}, attitude, 0.0, 0.2);
+  slope(axisymmetric, {0.3, 0.1, 1.0}, below, 0.05, 0.2);
+  slope(short_axis, {0.3, 0.1, 1.0}, below, 0.0, 0.2);
+  slope(permuted, {1.0, 0.3, 0.1}, attitude, 0.0, 0.2);
+  slope(long_axis, {-1.0, 0.1, 0.2}, attitude, 0.0, 0.05);
+  slope(prolate, {1.0, 0.1, 0.2}, attitude, 0.0, 0.05);
+  slope(prolate, {-1.0, 0.1, 0.2}, attitude, 0.05, 0.05);
 }
 
 // At the first order the mean node moves by -3/2 gm/a^3 (1 - e^2)^(-3/2) (C - A) cos I
@@ -156,6 +177,11 @@ TEST(GravityGradientTheory, StatesBeforeAndAfterInAnyOrder) {
               budget::gravity_theory_back);
   }
   EXPECT_TRUE(theory.states(0.0, m, {}).empty());
+  std::vector<double> seen;
+  const auto means = theory.means(0.0, m, times, 1e-12, [&](double t) { seen.push_back(t); });
+  EXPECT_EQ(theory.osculating(-10.0, means[1]), found[1]);
+  EXPECT_EQ(means[2], m);
+  EXPECT_THAT(seen, ::testing::Contains(-10.0));
 }
 
 // --- what it is made of ---
@@ -211,10 +237,14 @@ TEST(RotationHarmonics, HansenCoefficientsHaveTheirClosedForms) {
   ASSERT_EQ(circle.turning.size(), 1U);
   EXPECT_EQ(circle.turning[0].multiple, 2);
   EXPECT_NEAR(circle.turning[0].c, 1.0, budget::gravity_theory_closed);
-  for (const double e : {0.01, 0.2, 0.7}) {
+  for (const double e : {0.01, 0.2, 0.7, 0.9}) {
     const auto waves = polhode::detail::orbit_waves(Eccentricity::of(e), 1e-14);
-    EXPECT_NEAR(of(waves.even, 0), std::pow(1.0 - e * e, -1.5), budget::gravity_theory_closed);
-    EXPECT_EQ(of(waves.turning, 0), 0.0);
+    const double mean = std::pow(1.0 - e * e, -1.5);
+    EXPECT_NEAR(of(waves.even, 0) / mean, 1.0, budget::gravity_theory_closed);
+    EXPECT_NEAR(of(waves.turning, 0), 0.0, budget::gravity_theory_closed);
+    double pericentre = 0.0;  // all are in phase there
+    for (const auto& wave : waves.turning) pericentre += wave.c;
+    EXPECT_NEAR(pericentre * std::pow(1.0 - e, 3), 1.0, budget::gravity_theory_closed);
     EXPECT_EQ(of(waves.even, 3), of(waves.even, -3));
   }
   // X_1(-3, 2) = -e/2 + e^3/16, X_3 = 7e/2 - 123 e^3/16 (Goldreich & Peale 1966).
@@ -259,11 +289,41 @@ TEST(GravityGradientTheory, Refuses) {
                 GravityGradientTheory(short_axis, gm, KeplerOrbit({1.0, 1.0, 1.5}), s0, 0.0);
               }),
               HasSubstr("the eccentricity 1.5 must be below 1"));
+  EXPECT_THAT(message_of([&] { GravityGradientTheory(short_axis, gm, orbit_of(0.91), s0, 0.0); }),
+              HasSubstr("the eccentricity 0.91 must be at most 0.9"));
   const GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0);
   EXPECT_THAT(message_of([&] {
                 theory.mean(0.0, spinning({1, 0.1, 0.1}));
               }),
               HasSubstr("in another mode"));
+}
+
+TEST(GravityGradientTheory, RefusesWhatIsFarOrNoTime) {
+  const RotorState s0 = start(short_axis);
+  const GravityGradientTheory theory(short_axis, 0.05 * n * n, orbit_of(0.1), s0, 0.0);
+  const MeanRotation m = theory.mean(0.0, s0);
+  EXPECT_THAT(message_of([&] {
+                theory.mean(0.0, RotorState{s0.q, 1.4 * s0.g});
+              }),
+              HasSubstr("and the theory is made for"));
+  MeanRotation other = m;
+  other.I_h = 0.99 * m.I_g;
+  EXPECT_THAT(message_of([&] { theory.osculating(0.0, other); }), HasSubstr("I_h / I_g = 0.99"));
+  other = m;
+  other.I_l = m.I_g;
+  EXPECT_THAT(message_of([&] { theory.osculating(0.0, other); }), HasSubstr("I_l / I_g = 1,"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> with_nan = {1.0, nan, -2.0}, with_infinity = {infinity};
+  const std::vector<std::string> messages = {
+      message_of([&] { theory.states(0.0, m, with_nan); }),
+      message_of([&] { theory.states(0.0, m, with_infinity); }),
+      message_of([&] { theory.means(nan, m, std::vector{1.0}); }),
+      message_of([&] { theory.mean(nan, s0); }),
+      message_of([&] { theory.osculating(infinity, m); }),
+      message_of([&] { theory.elements(nan, s0); }),
+      message_of([&] { GravityGradientTheory(short_axis, 1e-4, orbit_of(0.1), s0, nan); })};
+  for (const std::string& message : messages) EXPECT_THAT(message, HasSubstr("must be finite"));
 }
 
 // The body turns about its momentum once an orbit.
@@ -275,6 +335,10 @@ TEST(GravityGradientTheory, NamesAResonance) {
   });
   EXPECT_THAT(message, HasSubstr("a resonance: phi_g - M turns at the rate"));
   EXPECT_THAT(message, HasSubstr("the torque holds what is slower than"));
+  EXPECT_THAT(message_of([&] {
+                GravityGradientTheory(axisymmetric, 1e-9 * n_g * n_g, orbit_of(0.1, n_g), s0, 0.0);
+              }),
+              HasSubstr("a resonance: phi_g"));
 }
 
 }  // namespace
