@@ -80,7 +80,8 @@ void add_nutation(CLI::App& app) {
                    "Of the axis of rotation: inertial, or relative to the moving ecliptic")
       ->check(CLI::IsMember({"inertial", "relative"}))
       ->capture_default_str();
-  command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output");
+  command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output")
+      ->type_name("PATH");
   command->add_option("--lines", of->request.lines, "How many terms to print")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
