@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bash and zsh offer for a command line of polhode: at a Tab, and for every option there is."""
+"""What bash and zsh offer for a command line of polhode: at a Tab, and for every option."""
 
 import os
 import pty

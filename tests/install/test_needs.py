@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+
 import pytest
 from shell import sh
 
@@ -85,7 +86,8 @@ def test_a_compiler_and_pkg_config_are_named_with_the_rest(root, tmp_path):
     for tool in ("cmake", "ninja", "sh"):
         (tmp_path / "bin" / tool).symlink_to(shutil.which(tool))
     said = configured(root, tmp_path / "build", "-DPOLHODE_TESTS=OFF",
-                      *NO_SYSTEM[:1], status=1, PATH=str(tmp_path / "bin"), CXX="", CC="", PKG_CONFIG="")
+                      NO_SYSTEM[0], status=1, PATH=str(tmp_path / "bin"), CXX="", CC="",
+                      PKG_CONFIG="")
     missing = to_install(said)
     assert missing[0] == "g++" and "pkg-config" in missing and "libhdf5-dev" in missing
     assert "libeigen3-dev" in missing and "CMAKE_CXX_COMPILER-NOTFOUND" not in said
@@ -150,6 +152,6 @@ def test_a_component_that_was_not_installed_says_which_were(root, tmp_path):
     for name in ("polhode-config.cmake", "polhode-config-version.cmake"):
         (package / name).write_text((tmp_path / "core" / name).read_text())
     (package / "polhode-core.cmake").write_text("add_library(polhode::polhode IMPORTED STATIC)\n")
-    said = found(tmp_path / "prefix", tmp_path / "a", "find_package(polhode COMPONENTS io REQUIRED)",
-                 1)
+    said = found(tmp_path / "prefix", tmp_path / "a",
+                 "find_package(polhode COMPONENTS io REQUIRED)", 1)
     assert 'component "io" is not part of this installation, which has: core' in said
