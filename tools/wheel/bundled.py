@@ -14,6 +14,8 @@ SHARED = {"liberfa1": "BSD-3-Clause", "libexpat1": "MIT", "libfmt9": "MIT",
           "libtbb12": "Apache-2.0", "libudunits2-0": "UCAR", "zlib1g": "Zlib"}
 HEADERS = {"libeigen3-dev": "MPL-2.0", "libboost1.74-dev": "BSL-1.0",
            "libtomlplusplus-dev": "MIT", "libcli11-dev": "BSD-3-Clause"}
+# Boost is a hundred libraries, with 2 MB of names: ours is headers of one.
+PART_USED = {"libboost1.74-dev": "libs/multiprecision/*"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,8 +42,15 @@ def version_of(package):
                           stdout=subprocess.PIPE, check=True).stdout
 
 
-def text_of(package):
-    return pathlib.Path("/usr/share/doc", package, "copyright").read_bytes()
+def text_of(package, licence):
+    text = pathlib.Path("/usr/share/doc", package, "copyright").read_text(encoding="utf-8")
+    if package in PART_USED:  # of a collection: who wrote that part, and its licence
+        paragraphs = re.split(r"\n\s*\n(?=\S)", text)
+        (who,) = (one for one in paragraphs
+                  if one.startswith("Files:") and f" {PART_USED[package]}\n" in one)
+        (terms,) = (one for one in paragraphs if one.startswith(f"License: {licence}\n"))
+        text = f"{who}\n\n{terms}\n"
+    return text.encode()
 
 
 def static_size(module, archive):
@@ -64,14 +73,14 @@ def parts(libraries, prefix, module):
             raise SystemExit(f"wheel: {path.name} of {package} is bundled; if it is meant to be, "
                              "tools/wheel/bundled.py needs its licence")
         found.append(Part(package, version_of(package), SHARED[package], "shared library",
-                          path.stat().st_size, text_of(package)))
+                          path.stat().st_size, text_of(package, SHARED[package])))
     pc = (prefix / "lib/pkgconfig/hdf5-serial.pc").read_text()
     found.append(Part("hdf5", re.search(r"(?m)^Version: (.*)$", pc).group(1), "BSD-3-Clause",
                       "in the module", static_size(module, prefix / "lib/libhdf5.a"),
                       (prefix / "COPYING").read_bytes()))
     for package, licence in HEADERS.items():
         found.append(Part(package, version_of(package), licence, "headers", None,
-                          text_of(package)))
+                          text_of(package, licence)))
     nanobind = importlib.metadata.distribution("nanobind")
     (text,) = (path for path in nanobind.files if path.name == "LICENSE")
     found.append(Part("nanobind", nanobind.version, "BSD-3-Clause", "in the module", None,
