@@ -16,6 +16,9 @@ FUZZ        := 600
 # What `make bits` compares the tree with.
 REV         := HEAD
 
+# Interpreters that `make wheel` builds for, in place of that of .venv: "python3.11 python3.12".
+WHEEL_PYTHONS :=
+
 # Mutation testing: what is drawn. PAGE=docs/accuracy/tests.md writes the figures into that page.
 SEED    := 1
 MUTANTS := 400
@@ -25,7 +28,7 @@ MUTANTS := 400
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-deps: ## Install what is missing (Debian 12, Ubuntu 24.04); does nothing when all is there
+deps: ## Install what is missing (Debian 12; Ubuntu 24.04 untried); does nothing when all is there
 	@tools/install-deps
 
 build/%/build.ninja: CMakePresets.json | deps
@@ -104,9 +107,8 @@ fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 
 mutate: build/release/build.ninja ## MUTANTS small changes of the formulas, drawn by SEED: which do the tests catch? (an hour)
 	$(PYTHON) tools/mutate --seed "$(SEED)" --mutants $(MUTANTS) --jobs $(CORES) $(if $(PAGE),--page $(PAGE))
 
-wheel: deps ## Build a wheel and a source distribution of the Python package into build/dist
-	$(PYTHON) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir build/dist .
-	$(PYTHON) -c "from scikit_build_core.build import build_sdist; build_sdist('build/dist')"
+wheel: build ## Build a wheel that needs nothing of a machine, try it in a bare root; an sdist: build/dist
+	$(PYTHON) tools/wheel $(addprefix --python ,$(WHEEL_PYTHONS))
 	@ls -l build/dist
 
 clean: ## Remove build/ (keeps .venv)

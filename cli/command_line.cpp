@@ -126,6 +126,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   add_convert(app, kinds);
   add_init(app, kinds);
   add_cite(app, kinds);
+  add_completion(app);
   add_golden(app);
   add_nutation(app);
   add_schema(app, kinds);

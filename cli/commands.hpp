@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "polhode/scenario/kinds.hpp"
 
@@ -18,6 +19,7 @@ void add_info(CLI::App& app, const Kinds& kinds);
 void add_convert(CLI::App& app, const Kinds& kinds);
 void add_init(CLI::App& app, const Kinds& kinds);
 void add_cite(CLI::App& app, const Kinds& kinds);
+void add_completion(CLI::App& app);
 void add_golden(CLI::App& app);
 void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_nutation(CLI::App& app);
@@ -27,6 +29,9 @@ void add_spectrum(CLI::App& app);
 
 // "polhode run": the name of the program, and that of its subcommand.
 std::string full_name(const CLI::App& command);
+
+// The words that completion offers for an option whose command checks them by itself.
+void offer(CLI::Option& option, const std::vector<std::string>& words);
 
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);

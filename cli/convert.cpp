@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
@@ -117,10 +118,19 @@ void add_convert(CLI::App& app, const Kinds& kinds) {
       "convert", "Convert a CSV table of states to another chart, row by row (angles in radians)");
   const auto options = std::make_shared<ConvertOptions>();
   std::string charts = "Charts and the columns they need:\n";
-  for (const ChartKind& chart : kinds.charts()) charts += "  " + chart_line(chart) + "\n";
+  std::vector<std::string> from, to;
+  for (const ChartKind& chart : kinds.charts()) {
+    charts += "  " + chart_line(chart) + "\n";
+    from.emplace_back(chart.name);
+  }
+  to = from;
+  from.emplace_back("aem");
+  to.emplace_back("csv");
   charts += "\nA CCSDS Attitude Ephemeris Message becomes a table by --from aem --to csv.\n";
-  command->add_option("--from", options->from, "Chart of the input, or aem")->required();
-  command->add_option("--to", options->to, "Chart of the output; csv of aem")->required();
+  offer(*command->add_option("--from", options->from, "Chart of the input, or aem")->required(),
+        from);
+  offer(*command->add_option("--to", options->to, "Chart of the output; csv of aem")->required(),
+        to);
   command->add_option("--moments", options->moments, "Principal moments, for charts that need them")
       ->type_name("I1,I2,I3");
   command->add_option("FILE", options->in, "CSV to read; - is standard input")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
@@ -12,12 +13,16 @@ void add_init(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("init", "Print a commented scenario to start from");
   const auto word = std::make_shared<std::string>("attitude-rate");
   std::string names;
+  std::vector<std::string> words;
   for (const TemplateSort& one : scenario_templates(kinds.schema())) {
     names += (names.empty() ? "" : "; ") + std::string(one.sort) + ": ";
+    words.insert(words.end(), one.words.begin(), one.words.end());
     for (const std::string& name : one.words)
       names += (&name == one.words.data() ? "" : ", ") + name;
   }
-  command->add_option("KIND", *word, "What the scenario shows. " + names)->capture_default_str();
+  offer(*command->add_option("KIND", *word, "What the scenario shows. " + names)
+             ->capture_default_str(),
+        words);
   command->footer("Example:\n  " + full_name(*command) + " gravity-gradient > body.toml");
   command->callback([word, kinds, name = full_name(*command), program = app.get_name()] {
     try {

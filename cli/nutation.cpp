@@ -83,7 +83,8 @@ void add_nutation(CLI::App& app) {
                    "Of the axis of rotation: inertial, or relative to the moving ecliptic")
       ->check(CLI::IsMember({"inertial", "relative"}))
       ->capture_default_str();
-  command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output");
+  command->add_option("--out", of->out, "Where to write the table (.csv); - is standard output")
+      ->type_name("PATH");
   command->add_option("--lines", of->request.lines, "How many terms to print")
       ->check([](const std::string& text) {
         const bool whole = !text.empty() && text.find_first_not_of("0123456789") == text.npos;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hidden: what docs/reference is generated from (tests/cli check that it is current).
+// What docs/reference is generated from, too (tests/cli check that it is current).
 #include "polhode/scenario/schema.hpp"
 
 #include <memory>

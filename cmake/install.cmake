@@ -40,6 +40,12 @@ if(TARGET polhode_commands)
 endif()
 if(TARGET polhode)
   install(TARGETS polhode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(NOT CMAKE_CROSSCOMPILING)
+    install(FILES ${PROJECT_BINARY_DIR}/cli/polhode.bash
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME polhode)
+    install(FILES ${PROJECT_BINARY_DIR}/cli/polhode.zsh
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _polhode)
+  endif()
 endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/polhode-config.cmake.in

@@ -6,5 +6,6 @@ include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)
 find_dependency(fmt)
 find_dependency(ZLIB)
-pkg_check_modules(POLHODE_HDF5 REQUIRED IMPORTED_TARGET GLOBAL hdf5-serial)
+# Debian calls it hdf5-serial, beside those with MPI.
+pkg_search_module(POLHODE_HDF5 REQUIRED IMPORTED_TARGET GLOBAL hdf5-serial hdf5)
 pkg_search_module(POLHODE_UDUNITS REQUIRED IMPORTED_TARGET GLOBAL udunits udunits2)

@@ -118,6 +118,7 @@ void bind_io(nb::module_& m) {
   bind_aem(m);
   bind_nutation(m);
   bind_oem(m);
+  bind_command_line(m);
   nb::class_<Scenario> c(m, "_Scenario");
   c.def_static("from_text",
                [](const nb::bytes& text, const std::string& name) {
