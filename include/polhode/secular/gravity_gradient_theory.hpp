@@ -30,7 +30,7 @@
 //             of angles.
 // Cost        8 to 20 ms to make up to e = 0.05, 0.2 s of a triaxial body at e = 0.3 and order 2,
 //             seconds where `least` is 1e-15; a mean state 0.01 to 0.4 ms, an osculating one 0.05
-//             to 0.12 ms; mean elements over a month 2 ms on a circle, 0.1 to 0.2 s where M stays
+//             to 0.12 ms; a month of mean elements 0.1 to 0.2 s where M stays
 //             (benchmarks/perturbation_theory.cpp).
 #pragma once
 
