@@ -6,8 +6,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "polhode/scenario/kinds.hpp"
+#include "polhode/scenario/scenario.hpp"
 
 namespace polhode::cli {
 
@@ -27,6 +29,11 @@ void add_spectrum(CLI::App& app);
 
 // "polhode run": the name of the program, and that of its subcommand.
 std::string full_name(const CLI::App& command);
+
+// --set KEY=VALUE, any number of them: changes of a scenario before it is read.
+void add_set_option(CLI::App& command, std::vector<std::string>& changes);
+Scenario changed_scenario(const std::string& path, const std::vector<std::string>& changes,
+                          const Kinds& kinds);
 
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);
