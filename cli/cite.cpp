@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "polhode/run/citations.hpp"
@@ -11,12 +12,19 @@ namespace polhode::cli {
 
 void add_cite(CLI::App& app, const Kinds& kinds) {
   CLI::App* command = app.add_subcommand("cite", "Print the papers that a scenario rests on");
-  const auto path = std::make_shared<std::string>();
-  command->add_option("FILE", *path, "Scenario (.toml); - is standard input")->required();
+  struct Options {
+    std::string scenario;
+    std::vector<std::string> set;
+  };
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
+      ->required();
+  add_set_option(*command, options->set);
   command->footer("Example:\n  " + full_name(*command) + " examples/apophis.toml");
-  command->callback([path, kinds] {
+  command->callback([options, kinds] {
     std::string text;
-    for (const Citation& citation : citations(read_scenario(*path, kinds)))
+    for (const Citation& citation :
+         citations(changed_scenario(options->scenario, options->set, kinds)))
       text += fmt::format("[{}] {}\n    For {}.\n", citation.key, citation.text, citation.reason);
     print(text);
   });

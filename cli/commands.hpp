@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "polhode/scenario/kinds.hpp"
+#include "polhode/scenario/scenario.hpp"
 
 namespace polhode::cli {
 
@@ -32,6 +33,10 @@ std::string full_name(const CLI::App& command);
 
 // The words that completion offers for an option whose command checks them by itself.
 void offer(CLI::Option& option, const std::vector<std::string>& words);
+// --set KEY=VALUE, any number of them: changes of a scenario before it is read.
+void add_set_option(CLI::App& command, std::vector<std::string>& changes);
+Scenario changed_scenario(const std::string& path, const std::vector<std::string>& changes,
+                          const Kinds& kinds);
 
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);

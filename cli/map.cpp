@@ -26,6 +26,7 @@ constexpr std::size_t reasons_shown = 3;
 struct MapOfFile {
   std::string program;  // as it was typed
   std::string scenario;
+  std::vector<std::string> set;
   std::vector<std::string> out;
   int threads = 0;
   BeginOptions begin;
@@ -62,6 +63,7 @@ void announce(const ScenarioMap& map, const MapRun& run) {
 
 std::vector<std::string> command_of(const MapOfFile& options) {
   std::vector<std::string> words = {"map", options.scenario};
+  for (const std::string& change : options.set) words.insert(words.end(), {"--set", change});
   for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
   if (options.threads > 0)
     words.insert(words.end(), {"--threads", std::to_string(options.threads)});
@@ -69,7 +71,7 @@ std::vector<std::string> command_of(const MapOfFile& options) {
 }
 
 void make_map(const MapOfFile& options, const Kinds& kinds) {
-  const ScenarioMap map(read_scenario(options.scenario, kinds));
+  const ScenarioMap map(changed_scenario(options.scenario, options.set, kinds));
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   require_different("map", out);
@@ -112,6 +114,7 @@ void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
+  add_set_option(*command, options->set);
   command
       ->add_option("--out,-o", options->out,
                    paths_in_words(kinds.formats(),

@@ -29,6 +29,7 @@ struct NothingToDo {};
 struct CommandOptions {
   std::string program;  // as it was typed
   std::string scenario;
+  std::vector<std::string> set;
   std::vector<std::string> out;
   std::string events;
   BeginOptions begin;
@@ -47,6 +48,7 @@ RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
 // The same command, but for what comes after its outputs.
 std::vector<std::string> command_of(const CommandOptions& options) {
   std::vector<std::string> words = {"run", options.scenario};
+  for (const std::string& change : options.set) words.insert(words.end(), {"--set", change});
   for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
   if (!options.events.empty()) words.insert(words.end(), {"--events", options.events});
   return words;
@@ -124,7 +126,7 @@ std::string output_paths(const OutputFormats& formats) {
 }
 
 void run_scenario(const CommandOptions& options, const Kinds& kinds) {
-  const Scenario scenario = read_scenario(options.scenario, kinds);
+  const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
   if (!row_times(scenario))
     throw DomainError(
         options.scenario +
@@ -173,6 +175,7 @@ void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
+  add_set_option(*command, options->set);
   command
       ->add_option(
           "--out,-o", options->out,

@@ -125,12 +125,12 @@ class _Writer:
         }
 
     def frame(self, frame: Any) -> dict[str, Any]:
-        if frame.is_inertial:
+        if frame.is_inertial or frame.kind == "local_vertical":  # its orbit has a table: tables_of
             return {}
         if frame.kind != "precessing":
             raise ValueError(
-                f"build: frame {frame!r} has no place in a scenario; expected Frame.inertial() or "
-                "Frame.precessing"
+                f"build: frame {frame!r} has no place in a scenario; expected Frame.inertial(), "
+                "Frame.precessing or Frame.local_vertical"
             )
         given = frame.arguments
         return {"frame": {"precessing": {

@@ -29,6 +29,9 @@ def tables_of(
     for term in system.terms:
         tables.add(term)
     data: dict[str, Any] = {}
+    if system.frame.kind == "local_vertical":
+        orbit = tables.name_of(system.frame.arguments["orbit"])
+        data["frame"] = {"local-vertical": {"orbit": orbit}}
     if tables.orbits:
         data["orbit"] = {name: tables.orbit(orbit) for name, orbit in tables.orbits.items()}
     if tables.surface is not None:
@@ -211,12 +214,15 @@ class _Tables:
     # Orbits.
 
     def _orbit_name(self, term: Any, orbit: Any) -> str:
-        """Equal orbits are one table, of the name that was given for it."""
         if type(orbit).__name__ not in _ORBITS:
             raise ValueError(
                 f"build: term \"{term.name}\": its orbit {orbit!r} has no place in a scenario; "
                 f"expected one of {', '.join(_ORBITS)}"
             )
+        return self.name_of(orbit)
+
+    def name_of(self, orbit: Any) -> str:
+        """Equal orbits are one table, of the name that was given for it."""
         name = _name_in(self.orbits, orbit) or _name_in(self._names, orbit)
         if name is None:
             taken = {*self.orbits, *self._names}

@@ -27,6 +27,11 @@ def data_from(text: str) -> dict[str, Any]:
     return tomlkit.parse(text).unwrap()
 
 
+def value_text(value: Any, key: str) -> str:
+    """The TOML of one value, tables in braces; TypeError, naming the key, for what it has not."""
+    return _value(value, key)
+
+
 def with_columns(text: str, columns: Iterable[str]) -> str:
     """The same text, comments and all, with [output] columns set to these."""
     document = tomlkit.parse(text)

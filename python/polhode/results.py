@@ -28,7 +28,8 @@ class Results(Mapping[str, "Array"]):
     """The rows of a scenario: `results["theta"]` is a column, a read-only view without a copy.
 
     Columns are named and have the units as in the files of `polhode run`, t first; `results.groups`
-    has those that belong together as one array. Made by `Scenario.run`.
+    has those that belong together as one array. Made by `Scenario.run`. `results["date"]` holds
+    texts, which numpy.asarray(..., "datetime64[us]") turns into times.
     """
 
     def __init__(
@@ -40,6 +41,7 @@ class Results(Mapping[str, "Array"]):
         events: Sequence[EventRecord],
         energy_change: float | None,
         kept: bool = True,
+        end: EventRecord | None = None,
     ) -> None:
         self._scenario = scenario
         self._table = table
@@ -48,6 +50,8 @@ class Results(Mapping[str, "Array"]):
         self._events = list(events)
         self._energy_change = energy_change
         self._kept = kept
+        self._end = end  # the last state of an integrated run
+        self._dates = frozenset(scenario._file.date_columns)
         self._where: dict[str, int] = {}
         self._units: dict[str, str] = {}
         self._spans: dict[str, slice] = {}
@@ -60,9 +64,17 @@ class Results(Mapping[str, "Array"]):
 
     def __getitem__(self, name: str) -> Array:
         try:
-            return self._table[:, self._where[name]]
+            column = self._table[:, self._where[name]]
+            return self._dated(column) if name in self._dates else column
         except (KeyError, TypeError):
             raise _MissingColumn(self._missing(name)) from None
+
+    def _dated(self, times: Array) -> Array:
+        import numpy
+
+        dates = numpy.array(self._scenario._file.dates(times.tolist()), dtype="<U26")
+        dates.flags.writeable = False
+        return dates
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._where)
@@ -97,9 +109,10 @@ class Results(Mapping[str, "Array"]):
 
     @property
     def groups(self) -> dict[str, Array]:
-        """Columns that belong together, as views: "q" is (N, 4), "omega" (N, 3), "t" (N,)."""
+        """Columns that belong together, as views: "q" is (N, 4), "omega" (N, 3), "t" (N,), and
+        "date", texts, (N,)."""
         return {
-            group: self.t if group == "t" else self._table[:, span]
+            group: self[group] if group == "t" or group in self._dates else self._table[:, span]
             for group, span in self._spans.items()
         }
 
@@ -146,7 +159,7 @@ class Results(Mapping[str, "Array"]):
         """What the body does and how the run went: what `polhode run` prints."""
         file = self._scenario._file
         lines = file.report_lines(
-            self._outcome, self._statistics, self._events, self._energy_change
+            self._outcome, self._statistics, self._events, self._energy_change, self._end
         )
         return Summary([*file.summary, *lines])
 
@@ -230,7 +243,7 @@ class Results(Mapping[str, "Array"]):
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (
             self._scenario, self._table.copy(), self._outcome, self._statistics, self._events,
-            self._energy_change, self._kept,
+            self._energy_change, self._kept, self._end,
         )
 
 

@@ -125,7 +125,8 @@ class Scenario:
         ----------
         system : System, or a Body that moves freely. Its terms are any but those that are written
             in Python, along orbits and in fields that are not, HigherGravity and OblateGravity
-            right after the GravityGradient that they belong to; its frame inertial or precessing.
+            right after the GravityGradient that they belong to; its frame inertial, precessing or a
+            local vertical.
         state : at t = 0, in any chart, or a FreeRotation. A chart that files do not know becomes a
             quaternion and a momentum.
         time : SaveAt, (start, stop, step), or times (N,).
@@ -158,7 +159,30 @@ class Scenario:
     def with_columns(self, columns: str | Sequence[str]) -> Scenario:
         """The same scenario with these groups of columns; its text too, where comments stay."""
         names = [columns] if isinstance(columns, str) else list(columns)
-        return Scenario.from_text(_toml.with_columns(self.text, names), self.name)
+        return Scenario.from_text(_toml.with_columns(self.text, names), self._file.path)
+
+    def replace(self, changes: Mapping[str, Any] | None = None, **tables: Any) -> Scenario:
+        """The same scenario with other values of some keys, as `polhode run --set` makes it.
+
+        Parameters
+        ----------
+        changes : values by key, with dots and, for tables of an array, an index:
+            {"state.tumbler.rotation_period": 100.0, "event.0.value": 45}. None takes a key out. A
+            quantity has its unit in the text: "27.38 h".
+        tables : the same for keys at the top: title="Other", time={"at": [1, 2, 4]}.
+
+        The text is changed where these keys stand; comments stay. ValueError for a key that can
+        have no place, ScenarioError for one that scenarios do not know and for a wrong value.
+        """
+        if changes is not None and not isinstance(changes, Mapping):
+            raise TypeError(f"replace: got {changes!r}; expected a dict of values by key")
+        text = self.text
+        for key, value in {**(changes or {}), **tables}.items():
+            if not isinstance(key, str):
+                raise TypeError(f"replace: got a key {key!r}; expected a str")
+            toml = "" if value is None else _toml.value_text(value, key)
+            text = _core._changed_text(text, key, toml)
+        return Scenario.from_text(text, self._file.path)
 
     def save(self, path: Path, *, overwrite: bool = False) -> None:
         """Writes the text to a file, as PATH.part until it is complete.
@@ -222,7 +246,8 @@ class Scenario:
         _require_files(paths if events is None else [*paths, events])
         done = self._file.run(paths, events, keep, resume, restart, progress)
         results = Results(
-            self, done.table, done.outcome, done.statistics, done.events, done.energy_change, keep
+            self, done.table, done.outcome, done.statistics, done.events, done.energy_change, keep,
+            done.end,
         )
         if not done.outcome.ok:
             warnings.warn(_failure(self, done, paths), RuntimeWarning, stacklevel=2)

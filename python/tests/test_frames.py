@@ -46,6 +46,8 @@ MOVING = {
     "orbit_plane": Frame.orbit_plane(node, inclination),
     "orbit_plane_pq": Frame.orbit_plane_pq(lambda t: 0.3 * np.sin(0.2 * t),
                                            lambda t: 0.3 * np.cos(0.2 * t)),
+    "local_vertical": Frame.local_vertical(
+        polhode.KeplerOrbit(polhode.KeplerElements(0.3, 0.9, 0.3, 0.9, 2.0, 1.0, 0.4, 0.5))),
     "from_attitude": Frame.from_attitude(tilted),
     "of an orbit": Frame.from_attitude(orbit_axes),
 }
@@ -177,6 +179,7 @@ def test_what_is_no_precession():
 
 @pytest.mark.parametrize("frame", [Frame.inertial(), MOVING["precessing"], MOVING["orbit_plane"],
                                    Frame.orbit_plane(0.1, 0.2), MOVING["from_attitude"],
+                                   MOVING["local_vertical"],
                                    Frame.orbit_plane_pq(0.1, 0.2)], ids=lambda f: f.kind)
 def test_frames_compare_copy_and_pickle(frame):
     again = pickle.loads(pickle.dumps(frame))
@@ -184,6 +187,39 @@ def test_frames_compare_copy_and_pickle(frame):
     assert again.at(1.5) == frame.at(1.5)
     assert copy.copy(frame) == frame
     assert frame != Frame.orbit_plane(0.5, 0.2) and frame != "frame"
+
+
+def test_the_local_vertical_is_that_of_position_and_velocity():
+    elements = polhode.KeplerElements(1.0, 0.7, 0.3, inclination=0.9, node=2.0, argument=1.0)
+    orbit = polhode.KeplerOrbit(elements)
+    frame = Frame.local_vertical(orbit)
+    assert frame.arguments == {"orbit": orbit}
+    for t in (-3.0, 0.0, 0.4, 40.0):
+        r, v = orbit.position(t), orbit.velocity(t)
+        z, h = -r / np.sqrt(r @ r), np.cross(r, v)
+        y = -h / np.sqrt(h @ h)
+        axes = attitude_matrix(frame.at(t).q_IS)  # its rows are the axes
+        assert_allclose(axes, [np.cross(y, z), y, z], atol=budgets.numpy_formula)
+        assert_allclose(frame.at(t).mu_S, [0, -np.sqrt(h @ h) / (r @ r), 0],
+                        atol=budgets.numpy_formula)
+    precessing = polhode.PrecessingKeplerOrbit(elements, polhode.SecularRates())
+    assert_allclose(Frame.local_vertical(precessing).at(1.0).q_IS, frame.at(1.0).q_IS,
+                    atol=budgets.numpy_formula)
+    with pytest.raises(TypeError, match="Frame.local_vertical: orbit: got 3"):
+        Frame.local_vertical(3)
+
+
+def test_a_scenario_is_built_in_the_local_vertical():
+    orbit = polhode.KeplerOrbit(polhode.KeplerElements(398600.4418, 7000.0, 0.1))
+    system = polhode.System(polhode.Body(100.0, 110.0, 20.0), Frame.local_vertical(orbit),
+                            [polhode.GravityGradient(orbit.gm, orbit)])
+    start = polhode.rotor_state(system.body, [1, 0, 0, 0], [0, -1e-3, 0])
+    scenario = polhode.Scenario.build(system, start, time=(0.0, 100.0, 50.0),
+                                      columns=["roll_pitch_yaw"], orbits={"earth": orbit})
+    assert scenario.to_dict()["frame"] == {"local-vertical": {"orbit": "earth"}}
+    assert_allclose(scenario.frame.at(33.0).q_IS, system.frame.at(33.0).q_IS,
+                    atol=budgets.numpy_rounding)
+    assert set(scenario.run()) == {"t", "roll", "pitch", "yaw"}
 
 
 def test_what_a_frame_was_made_from():

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "free/detail/mean_phase.hpp"
 #include "free/detail/polhode_family.hpp"
@@ -212,6 +213,34 @@ double least_period_ratio(const Body& body, Regime mode) {
 double psi_max(const FreeRotation& m) {
   if (m.regime() != Regime::short_axis) return std::numeric_limits<double>::quiet_NaN();
   return largest_psi(detail::primed_arc<DD>(m.body(), m.initial_state().g).curve);
+}
+
+double long_axis_period(double short_axis_period, double rotation_period) {
+  if (!(short_axis_period > 0.0) || !(short_axis_period < rotation_period))
+    throw DomainError("long_axis_period: got a period " + detail::number_text(short_axis_period) +
+                      " of the short axis; expected one that is positive and less than P_psi = " +
+                      detail::number_text(rotation_period));
+  const double rest = rotation_period - short_axis_period;
+  return short_axis_period * (rotation_period / rest);
+}
+
+TumblingAngles tumbling_angles(const FreeRotation& m) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), pi = 2.0 * half_pi;
+  const bool long_axis = m.regime() == Regime::long_axis;
+  if (!long_axis && m.regime() != Regime::short_axis) return {nan, nan, nan, nan};
+  const detail::PolhodeCurve<DD> c = detail::primed_arc<DD>(m.body(), m.initial_state().g).curve;
+  // primed axis 3, which the momentum goes round: at sn = 0 and at sn = 1
+  double least = atan2(c.a1, c.a3).hi, most = atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
+  if (least > most) std::swap(least, most);
+  if ((long_axis ? m.sign_g1() : m.sign_g3()) < 0) {
+    const double farthest = pi - least;
+    least = pi - most;
+    most = farthest;
+  }
+  // primed axis 1, on either side of which it comes to lie
+  const double other = atan2(c.a3, c.a1).hi;
+  if (long_axis) return {least, most, other, pi - other};
+  return {other, pi - other, least, most};
 }
 
 RotorState to_rotor(const Body& body, const TumblerState& given) {

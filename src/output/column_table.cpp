@@ -2,9 +2,14 @@
 #include "output/detail/column_table.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
+#include "polhode/free/tumbler.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/roll_pitch_yaw.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/osculation.hpp"
 
@@ -67,6 +72,47 @@ Numbers energy_numbers(const RowSample& s) {
   return {E, E - s.initial_energy};
 }
 
+constexpr double turn = 2.0 * std::numbers::pi;
+
+// Longitude and latitude of the momentum in inertial axes, once for each pair of names.
+Numbers pole_numbers(const RowSample& s) {
+  const Vec3 k = inertial_momentum(inertial_state(s.system, s.t, s.state));
+  const double across = std::hypot(k.x, k.y);
+  const double angle = std::atan2(k.y, k.x);
+  const double nowhere = norm(k) > 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  const double longitude = nowhere + (angle < 0.0 ? angle + turn : angle);
+  const double latitude = nowhere + std::atan2(k.z, across);
+  return {longitude, latitude, longitude, latitude};
+}
+
+Numbers tumbler_numbers(const FreeRotation& motion) {
+  const double mode = motion.regime() == Regime::short_axis  ? 1.0
+                      : motion.regime() == Regime::long_axis ? -1.0
+                                                             : 0.0;
+  return {turn / motion.precession_rate_long(), motion.polhode_period(),
+          turn / motion.precession_rate_short(), psi_max(motion), mode};
+}
+Numbers tumbler_numbers(const RowSample& s) {
+  if (s.motion != nullptr) return tumbler_numbers(*s.motion);
+  return tumbler_numbers(FreeRotation::short_arc(s.system.body(), s.state, s.t));
+}
+
+// A body axis along inertial axes.
+Numbers axis_numbers(const RowSample& s, const Vec3& axis) {
+  const Quaternion q = normalized(inertial_state(s.system, s.t, s.state).q);
+  return numbers_of(rotate(of_body_axes(s, q), axis));
+}
+Numbers axis1_numbers(const RowSample& s) { return axis_numbers(s, {1.0, 0.0, 0.0}); }
+Numbers axis2_numbers(const RowSample& s) { return axis_numbers(s, {0.0, 1.0, 0.0}); }
+Numbers axis3_numbers(const RowSample& s) { return axis_numbers(s, {0.0, 0.0, 1.0}); }
+
+Numbers flight_numbers(const RowSample& s) {
+  const RollPitchYaw a = roll_pitch_yaw(of_body_axes(s, s.state.q));
+  return {a.roll, a.pitch, a.yaw};
+}
+
+Numbers time_numbers(const RowSample& s) { return {s.t}; }
+
 // The numbers of a motion that is not free are those of the free motion through the row.
 Numbers chart_numbers(const ChartKind& chart, const RowSample& s) {
   const Body& body = s.system.body();
@@ -81,6 +127,8 @@ struct OwnGroup {
   std::string_view name;
   std::array<ColumnSpec, widest_group> columns;  // an empty name ends them
   Numbers (*of_row)(const RowSample&);
+  bool is_constant = false;
+  bool is_date = false;
 };
 
 constexpr OwnGroup before_charts[] = {
@@ -127,10 +175,30 @@ constexpr OwnGroup behind_charts[] = {
      relative_axes_numbers},
     {"damper", {{{"s1", rate}, {"s2", rate}, {"s3", rate}}}, damper_numbers},
     {"energy", {{{"E", Dimension::energy}, {"dE", Dimension::energy}}}, energy_numbers},
+    {"pole",
+     {{{"pole_ra", angle, Shown::equatorial},
+       {"pole_dec", angle, Shown::equatorial},
+       {"pole_lon", angle, Shown::not_equatorial},
+       {"pole_lat", angle, Shown::not_equatorial}}},
+     pole_numbers,
+     true},
+    {"tumbler",
+     {{{"P_phi", Dimension::time},
+       {"P_psi", Dimension::time},
+       {"P_short", Dimension::time},
+       {"psi_max", angle},
+       {"mode"}}},
+     tumbler_numbers,
+     true},
+    {"axis1", {{{"axis1_x"}, {"axis1_y"}, {"axis1_z"}}}, axis1_numbers},
+    {"axis2", {{{"axis2_x"}, {"axis2_y"}, {"axis2_z"}}}, axis2_numbers},
+    {"axis3", {{{"axis3_x"}, {"axis3_y"}, {"axis3_z"}}}, axis3_numbers},
+    {"roll_pitch_yaw", {{{"roll", angle}, {"pitch", angle}, {"yaw", angle}}}, flight_numbers},
+    {"date", {{{"date", Dimension::time}}}, time_numbers, false, true},
 };
 
 GroupSpec group_of(const OwnGroup& own) {
-  GroupSpec group{own.name, {}, own.of_row, std::nullopt};
+  GroupSpec group{own.name, {}, own.of_row, std::nullopt, own.is_constant, own.is_date};
   for (const ColumnSpec& column : own.columns) {
     if (column.name.empty()) break;
     group.columns.push_back(column);
@@ -140,16 +208,17 @@ GroupSpec group_of(const OwnGroup& own) {
 }
 
 GroupSpec group_of(const ChartKind& chart) {
-  GroupSpec group{chart.name, {}, nullptr, chart};
+  GroupSpec group{chart.name, {}, nullptr, chart, chart.is_constant};
   const std::size_t own = chart.variables.size();
   for (std::size_t i = 0; i < own; ++i) {
     const std::size_t place = chart.column_order.empty() ? i : chart.column_order[i];
     const ChartVariable& variable = chart.variables[place];
-    group.columns.push_back({variable.column, variable.dimension, false, place});
+    group.columns.push_back({variable.column, variable.dimension, Shown::always, place});
   }
-  const bool is_branch = chart.from_motion != nullptr;  // constant along a free motion
+  // constant along a free motion
+  const Shown shown = chart.from_motion != nullptr ? Shown::on_branch : Shown::always;
   for (const std::string_view name : branch_columns(chart))
-    group.columns.push_back({name, Dimension::number, is_branch, group.columns.size()});
+    group.columns.push_back({name, Dimension::number, shown, group.columns.size()});
   return group;
 }
 

@@ -61,9 +61,25 @@ ColumnLocation location_of(std::string_view name, std::span<const ChartKind> cha
   std::shared_ptr<const ColumnTable> table = table_of(charts);
   for (std::size_t group = 0; group < table->groups().size(); ++group)
     for (const ColumnSpec& column : table->groups()[group].columns)
-      if (column.name == name) return {std::move(table), group, column};
+      if (column.name == name && !table->groups()[group].is_date)
+        return {std::move(table), group, column};
   throw DomainError("unknown column \"" + std::string(name) + "\"" +
                     did_you_mean(name, column_names(charts)));
+}
+
+bool is_shown(const ColumnSpec& column, Branch branch, const RowReference& reference) {
+  using enum detail::Shown;
+  switch (column.shown) {
+    case on_branch:
+      return branch == Branch::in_columns;
+    case equatorial:
+      return reference.is_equatorial;
+    case not_equatorial:
+      return !reference.is_equatorial;
+    case always:
+      break;
+  }
+  return true;
 }
 
 }  // namespace
@@ -80,7 +96,7 @@ std::vector<std::string_view> column_names(std::span<const ChartKind> charts) {
   const std::shared_ptr<const ColumnTable> table = table_of(charts);
   for (const GroupSpec& group : table->groups())
     for (const ColumnSpec& column : group.columns)
-      if (std::find(names.begin(), names.end(), column.name) == names.end())
+      if (!group.is_date && std::find(names.begin(), names.end(), column.name) == names.end())
         names.push_back(column.name);
   return names;
 }
@@ -120,18 +136,23 @@ std::string branch_note(std::string_view group, const FreeRotation& motion,
 }
 
 RowLayout::RowLayout(std::span<const std::string> groups, const Units& units, Branch branch,
-                     std::span<const ChartKind> charts)
+                     std::span<const ChartKind> charts, const RowReference& reference)
     : table_(table_of(charts)), units_(units) {
   groups_.push_back({"t", {{"t", units.label(Dimension::time)}}});
   std::vector<std::string_view> taken;
   for (const std::string& name : groups) {
     const std::size_t group = group_index(*table_, name, charts);
+    const bool is_date = table_->groups()[group].is_date;
+    if (is_date && reference.time_scale.empty())
+      throw DomainError("RowLayout: column group \"date\" needs an epoch");
     ColumnGroup shown{name, {}};
     for (const ColumnSpec& column : table_->groups()[group].columns) {
-      if (column.is_branch && branch == Branch::in_notes) continue;
+      if (!is_shown(column, branch, reference)) continue;
       if (std::find(taken.begin(), taken.end(), column.name) != taken.end()) continue;
       taken.push_back(column.name);
-      shown.columns.push_back({std::string(column.name), units.label(column.dimension)});
+      shown.columns.push_back({std::string(column.name),
+                               is_date ? reference.time_scale : units.label(column.dimension),
+                               is_date});
       cells_.push_back({group, column.place, column.dimension});
     }
     if (shown.columns.empty())
@@ -157,7 +178,8 @@ void RowLayout::write_row(const RowSample& sample, std::span<double> out) const 
 void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> times,
                            std::span<double> out) const {
   const System system(motion.body());
-  RowSample sample{system, energy(system, 0.0, motion.initial_state()), 0.0, {}, {}, &motion, {}};
+  const RotorState& start = motion.initial_state();
+  RowSample sample{system, energy(system, 0.0, start), motion.epoch(), start, {}, &motion, {}};
   std::vector<Numbers> constants(table_->groups().size());
   for (const Cell& cell : cells_)
     if (table_->is_constant(cell.group))

@@ -76,6 +76,9 @@ class Hdf5Series {
     hsize_t size[2] = {0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
     std::vector<double> numbers;
+    const Handle type(H5Dget_type(dataset), H5Tclose);
+    if (H5Tget_class(type.id()) == H5T_STRING)
+      throw DomainError(name_ + ": holds dates in this column; expected one of numbers, such as t");
     bool good = (rank == 1 || rank == 2) &&
                 H5Sget_simple_extent_dims(space.id(), size, nullptr) >= 0 && size[1] == width;
     if (good) {

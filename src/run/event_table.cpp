@@ -40,6 +40,7 @@ struct EventTable::Parts {
   Parts(const std::string& path, const Scenario& scenario, const std::optional<SinkPosition>& from)
       : groups(detail::event_groups(row_groups(scenario))),
         header(detail::csv_head(groups, provenance(scenario))),
+        dates(row_groups(scenario), run_facts(scenario)),
         file(csv_path(path),
              from ? std::optional(detail::PartState{from->bytes, header}) : std::nullopt),
         rows(from ? from->rows : 0) {}
@@ -53,12 +54,19 @@ struct EventTable::Parts {
     std::string text = event.name;
     append_number(text, event.row[0]);
     append_number(text, event.direction);
-    for (std::size_t i = 1; i < event.row.size(); ++i) append_number(text, event.row[i]);
+    for (std::size_t i = 1; i < event.row.size(); ++i) {
+      if (dates.is_date(i)) {
+        text += ',' + dates.text(event.row[i]);
+      } else {
+        append_number(text, event.row[i]);
+      }
+    }
     return text + "\n";
   }
 
   std::vector<ColumnGroup> groups;
   std::string header;
+  RowDates dates;
   detail::PartFile file;
   std::int64_t rows;
 };

@@ -19,6 +19,7 @@
 #include "polhode/run/detail/run_state.hpp"
 #include "run/detail/experiment_parts.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "text/civil_time.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -230,6 +231,7 @@ RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowW
   };
   const detail::RowsOfMotion<System, DampedRotorState> motion{problem, *rotation.time, write};
   auto [report, latest] = detail::integrated_run(motion, writer, control);
+  report.end = latest;
   if (latest && system.has_energy()) {
     const auto& [t, end] = *latest;
     report.energy_change = energy(at_damper_rate(system, end.damper_rate), t, end.rotor) - energy_0;
@@ -237,17 +239,23 @@ RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowW
   return report;
 }
 
-// Which angular velocity the written columns are.
-std::vector<std::string> rate_notes(const Scenario& scenario) {
-  constexpr std::pair<std::string_view, std::string_view> rates[] = {
+// Which angular velocity, pole and periods the written columns are.
+std::vector<std::string> column_notes(const Scenario& scenario) {
+  constexpr std::pair<std::string_view, std::string_view> groups[] = {
       {"omega", "w1, w2, w3: angular velocity relative to inertial axes, body components"},
       {"omega_inertial",
        "W1, W2, W3: angular velocity relative to inertial axes, inertial components"},
       {"omega_rel",
        "w1_rel, w2_rel, w3_rel: angular velocity relative to the reference frame, body "
-       "components"}};
+       "components"},
+      {"pole", "pole: direction of the angular momentum in the inertial axes"},
+      {"tumbler",
+       "P_phi, P_psi, P_short, psi_max, mode: mean period of precession of the long axis, period "
+       "of the polhode, mean period of precession of the short axis, of the free rotation through "
+       "the row; mode 1: SAM, -1: LAM"},
+      {"date", "date: ISO 8601, in the time scale of the epoch"}};
   std::vector<std::string> notes;
-  for (const auto& [group, note] : rates)
+  for (const auto& [group, note] : groups)
     if (std::ranges::find(scenario.output.columns, group) != scenario.output.columns.end())
       notes.emplace_back(note);
   return notes;
@@ -264,7 +272,9 @@ void detail::add_facts(const Rotation& rotation, RunFacts& facts) {
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {
   return RowLayout(scenario.output.columns, scenario.units(),
                    has_constants(rotation) ? Branch::in_notes : Branch::in_columns,
-                   charts_of(scenario));
+                   charts_of(scenario),
+                   {.is_equatorial = rotation.axes == "equator-J2000",
+                    .time_scale = std::string(detail::scale_of_epoch(rotation.epoch))});
 }
 
 std::string detail::propagation_text(const Rotation& rotation, const Units& units) {
@@ -283,7 +293,7 @@ std::vector<std::string> detail::notes_of(const Rotation& rotation, const Scenar
   if (!rotation.frame.is_inertial())
     notes.push_back("attitudes and elements refer to the moving frame: " + rotation.frame_text +
                     "; q_inertial and axes to inertial axes");
-  for (std::string& note : rate_notes(scenario)) notes.push_back(std::move(note));
+  for (std::string& note : column_notes(scenario)) notes.push_back(std::move(note));
   const Quaternion& q = rotation.body.q_FB();
   if (!(q == Quaternion{}))
     notes.push_back(

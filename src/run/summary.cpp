@@ -10,6 +10,7 @@
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/text/epoch.hpp"
 #include "run/detail/experiment_parts.hpp"
+#include "run/detail/spin_lines.hpp"
 #include "run/detail/summary_lines.hpp"
 #include "run/detail/table_error.hpp"
 #include "text/json.hpp"
@@ -168,6 +169,7 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
     lines.number("psi_max", "psi_max", psi_max(motion), Dimension::angle);
   lines.number("momentum", "angular momentum G", motion.momentum(), Dimension::momentum);
   lines.number("energy", "kinetic energy T", motion.energy(), Dimension::energy);
+  add_spin(lines, rotation, motion);
   lines.number("modulus", "elliptic parameter m", motion.modulus().m(), Dimension::number);
   lines.number("complement", "its complement 1 - m", motion.modulus().m1(), Dimension::number);
   add_sensitivity(lines, rotation, scenario.units(), motion);
@@ -180,6 +182,7 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
     lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
                   {q.w, q.x, q.y, q.z}, Dimension::number);
   add_motion(lines, rotation, scenario.units(), scenario.document.kinds->charts());
+  add_doubts(lines, rotation, scenario);
   return lines.take();
 }
 
@@ -189,6 +192,7 @@ std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Sc
   const bool is_exact = !propagation_method(rotation);
   if (!is_exact || has_events(rotation))
     add_report(lines, report, is_exact ? "" : "perturbations", events);
+  if (report.end) add_change(lines, rotation, scenario.units(), *report.end);
   return lines.take();
 }
 

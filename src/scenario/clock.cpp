@@ -5,6 +5,7 @@
 #include "polhode/text/epoch.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/date_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -25,6 +26,16 @@ Clock clock_of(const Values& values, const Units& units, std::string_view path,
     return converted(own, TimeScale::TT, dut1);
   });
   return {epoch, dut1, second};
+}
+
+double time_of_date(const Values& values, const Units& units, const std::string& date) {
+  if (!has(values, "state.epoch"))
+    throw DomainError("a date needs epoch in [state], the date of t = 0");
+  const std::string& epoch = word(values, "state.epoch");
+  const double second = units.to_core(1.0, "s", Dimension::time);
+  std::optional<double> dut1;
+  if (has(values, "state.dut1")) dut1 = number(values, "state.dut1") / second;
+  return second * seconds_between(epoch_date(epoch), epoch_date(with_scale(date, epoch)), dut1);
 }
 
 }  // namespace detail

@@ -66,6 +66,11 @@ std::string column_of(const MapContext& at, const System& system) {
   if (needs_energy(column) && !system.has_energy())
     refuse(values, "map.column", name,
            "expected another column, since a perturbation has no energy");
+  const bool equator = word(values, "state.axes") == "equator-J2000";
+  if (column.starts_with("pole_") && equator != (column == "pole_ra" || column == "pole_dec"))
+    refuse(values, "map.column", name,
+           std::string("expected ") + (equator ? "pole_ra or pole_dec" : "pole_lon or pole_lat") +
+               ", by state.axes");
   return column;
 }
 

@@ -65,11 +65,30 @@ Vec3 pole_of(const Values& values, const std::string& name) {
   return equatorial ? ecliptic_from_equator(p) : equator_from_ecliptic(p);
 }
 
+// P_phi of the long axis, which may be given by that of the short one.
+double precession_period_of(const Values& values, const std::string& name) {
+  const std::string path = "state.tumbler.";
+  require_range(values, path + "rotation_period", name);
+  if (has(values, path + "precession_period")) {
+    require_range(values, path + "precession_period", name);
+    return number(values, path + "precession_period");
+  }
+  const std::string own = path + "short_axis_period";
+  require_range(values, own, name);
+  return built(values, own, name, [&] {
+    const double given = number(values, own), rotation = number(values, path + "rotation_period");
+    if (!(given < rotation))
+      throw DomainError(
+          "expected a period shorter than rotation_period: the short axis goes round "
+          "faster than the long one, by a turn in that time");
+    return long_axis_period(given, rotation);
+  });
+}
+
 TumblerState tumbler_of(const Values& values, const std::string& name) {
-  for (const char* period : {"state.tumbler.precession_period", "state.tumbler.rotation_period"})
-    require_range(values, period, name);
+  const double precession = precession_period_of(values, name);
   const bool short_axis = word(values, "state.tumbler.mode") == "SAM";
-  return {.precession_period = number(values, "state.tumbler.precession_period"),
+  return {.precession_period = precession,
           .rotation_period = number(values, "state.tumbler.rotation_period"),
           .pole = pole_of(values, name),
           .mode = short_axis ? Regime::short_axis : Regime::long_axis,
@@ -139,8 +158,11 @@ ChartState chart_state_of(const Values& values, const ChartKind& chart, const Bo
   const std::string path = "state." + std::string(chart.name) + ".";
   ChartState state{chart, {}};
   std::size_t place = 0;
-  for (const ChartVariable& variable : chart.variables)
-    state.numbers[place++] = number(values, path + std::string(variable.name));
+  for (const ChartVariable& variable : chart.variables) {
+    const bool given = has(values, path + std::string(variable.name));
+    state.numbers[place++] =
+        number(values, path + std::string(given ? variable.name : variable.otherwise));
+  }
   for (const ChartOption& option : chart.options)
     state.numbers[place++] = option_of(values, path + std::string(option.name), option);
   state.numbers = completed(chart, state.numbers, {&body});

@@ -92,8 +92,11 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   return {std::move(document), made->experiment, std::move(output), std::move(map)};
 }
 
-Scenario read_scenario(const std::string& path, const Kinds& kinds) {
-  return scenario_from_text(file_text(path), path == "-" ? "<stdin>" : path, kinds);
+Scenario read_scenario(const std::string& path, const Kinds& kinds,
+                       std::span<const ScenarioChange> changes) {
+  const std::string text = file_text(path);
+  return scenario_from_text(changes.empty() ? text : changed_text(text, changes),
+                            path == "-" ? "<stdin>" : path, kinds);
 }
 
 }  // namespace v0

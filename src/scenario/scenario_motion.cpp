@@ -10,6 +10,7 @@
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/civil_time.hpp"
 #include "text/word_list.hpp"
 
 namespace polhode {
@@ -29,6 +30,32 @@ void check_step(const Rotation& rotation, const Values& values, const std::strin
   if (farthest > most_steps * *step)
     refuse(values, has(values, "method.step") ? "method.step" : "method.kind", name,
            "expected a step of which 1e15 at most make the run");
+}
+
+// A date needs one of t = 0, in a scale that runs evenly.
+void check_dates(const Rotation& rotation, const OutputPlan& output, const Values& values,
+                 const std::string& name) {
+  if (std::find(output.columns.begin(), output.columns.end(), "date") == output.columns.end())
+    return;
+  if (rotation.epoch.empty())
+    refuse(values, "output.columns", name, "expected epoch in [state] for date");
+  if (scale_of_epoch(rotation.epoch) == "UT1")
+    refuse(values, "output.columns", name,
+           "expected no date with an epoch in UT1, which does not run evenly");
+}
+
+// The columns of the pole are called after the axes.
+void check_pole(const Rotation& rotation, const Values& values, const std::string& name) {
+  const bool equator = rotation.axes == "equator-J2000";
+  for (std::size_t i = 0; i < rotation.events.size(); ++i) {
+    const std::string& column = rotation.events[i].column;
+    const bool of_equator = column == "pole_ra" || column == "pole_dec";
+    const bool of_others = column == "pole_lon" || column == "pole_lat";
+    if ((of_equator && !equator) || (of_others && equator))
+      refuse(values, "event[" + std::to_string(i) + "].column", name,
+             std::string("expected ") + (equator ? "pole_ra or pole_dec" : "pole_lon or pole_lat") +
+                 " with axes = \"" + rotation.axes + "\"");
+  }
 }
 
 // The word is known, but to another kind of file.
@@ -109,6 +136,12 @@ std::optional<Method> method_of(const KindContext& at) {
   });
 }
 
+// Forward steps from a start that the file has put behind stop.
+void require_way(const Values& values, double start, double stop, const std::string& name) {
+  if (is_explicit(values, "time.start") && start > stop && number(values, "time.step") > 0.0)
+    refuse(values, "time.start", name, "expected a time before stop, since step is positive");
+}
+
 std::optional<SaveAt> times_of(const Values& values, const std::string& name, bool any_sign) {
   if (!has(values, "time")) return std::nullopt;
   const double start = number(values, "time.start");
@@ -120,6 +153,7 @@ std::optional<SaveAt> times_of(const Values& values, const std::string& name, bo
     return SaveAt::times(value_at(values, "time.at").numbers);
   }
   const double stop = number(values, "time.stop");
+  if (!any_sign && has(values, "time.step")) require_way(values, start, stop, name);
   if (has(values, "time.step"))
     return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
       const double step = number(values, "time.step");
@@ -188,6 +222,8 @@ void check_motion(const Rotation& rotation, const OutputPlan& output, const Valu
   check_step(rotation, values, name);
   check_damper(rotation, output, values, name);
   check_columns(output, values, name);
+  check_dates(rotation, output, values, name);
+  check_pole(rotation, values, name);
   if (rotation.method && method_traits(*rotation.method).needs_flows)
     for (const AnyPerturbation& term : rotation.terms)
       if (!term.supports_flow())

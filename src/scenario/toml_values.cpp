@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The only source that knows toml++: a TOML document against the table of keys.
+// A TOML document against the table of keys. Other sources that know toml++: changes/.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,10 +9,13 @@
 #include "polhode/error.hpp"
 #include "polhode/scenario/document.hpp"
 #include "polhode/text/epoch.hpp"
+#include "scenario/detail/clock.hpp"
+#include "scenario/detail/other_names.hpp"
 #include "scenario/detail/toml_nodes.hpp"
 #include "scenario/diagnostics.hpp"
 #include "scenario/value_reader.hpp"
 #include "scenario/values.hpp"
+#include "text/date_text.hpp"
 #include "text/nearest.hpp"
 #include "text/printable.hpp"
 #include "text/word_list.hpp"
@@ -117,11 +120,13 @@ std::optional<double> Reader::number(const Key& key, const toml::node& node) {
   if (const toml::table* table = node.as_table())
     return with_unit(key, node, own_unit(*table) ? real(table->get("value")) : std::nullopt,
                      own_unit(*table).value_or(""));
-  if (!node.is_string() || key.dimension == Dimension::number) {
+  const std::optional<std::string> date = key.takes_date ? date_text(node) : std::nullopt;
+  if (!date && (!node.is_string() || key.dimension == Dimension::number)) {
     wrong(node);
     return std::nullopt;
   }
   try {
+    if (date) return in_range(key, node, time_of_date(values_, units_, *date));
     const Quantity quantity = quantity_from_text(*node.value<std::string_view>());
     return with_unit(key, node, quantity.value, quantity.unit);
   } catch (const DomainError& error) {
@@ -165,7 +170,7 @@ bool Reader::read_word(const Key& key, const toml::node& node, Value& value) {
   const auto word = node.value<std::string_view>();
   if (!node.is_string() || !word) return wrong(node);
   if (std::find(allowed.begin(), allowed.end(), *word) == allowed.end()) {
-    const std::string_view near = nearest(*word, allowed);
+    const std::string_view near = meant_word(*word, allowed);
     return wrong(node, near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?");
   }
   if (std::find(value.words.begin(), value.words.end(), *word) != value.words.end())
@@ -235,8 +240,9 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
 }
 
 bool Reader::read_text(const Key& key, const toml::node& node, Value& value) {
-  if (!node.is_string()) return wrong(node);
-  value.words.push_back(*node.value<std::string>());
+  const std::optional<std::string> text = text_in(node, key.type == KeyType::epoch);
+  if (!text) return wrong(node);
+  value.words.push_back(*text);
   if (key.type == KeyType::name && !is_name(value.words[0])) return wrong(node);
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::any_of(value.words[0].begin(), value.words[0].end(), control))
@@ -410,8 +416,7 @@ void Reader::read_table(const toml::table& table, std::string_view pattern,
   check_alternatives(table, pattern, path, !meant.empty());
 }
 
-// Units come first: every number below needs them. Each is tried alone, so that each error points
-// at its own line.
+// Units come first: every number needs them. Each is tried alone: an error points at its own line.
 void Reader::read_units(const toml::table& file) {
   if (const toml::node* node = file.get("units"); node != nullptr && !node->is_table()) return;
   const toml::table none;

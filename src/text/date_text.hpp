@@ -2,6 +2,7 @@
 // Dates in files, as text and as instants.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "polhode/text/epoch.hpp"
@@ -9,6 +10,13 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// Whether a text begins as a date does: "2013-", or "JD ".
+bool is_dated(std::string_view text);
+// "2013-01-05T00:00:00Z" with its scale as a word: "2013-01-05T00:00:00 UTC". Others as they are.
+std::string with_scale(std::string_view text);
+// The same with the scale of an epoch where it has none.
+std::string with_scale(std::string_view text, std::string_view epoch);
 
 // Each throws DomainError with what is wrong.
 // Requires a date with its scale.

@@ -107,7 +107,33 @@ double taken(std::string_view& text, double otherwise) {
   return value;
 }
 
+// The last word, where it has only letters: "UTC".
+std::string_view scale_word(std::string_view text) {
+  const std::size_t space = text.rfind(' ');
+  if (space == std::string_view::npos) return {};
+  const std::string_view word = text.substr(space + 1);
+  const bool letter = !word.empty() && (word[0] < '0' || word[0] > '9');
+  return letter ? word : std::string_view();
+}
+
 }  // namespace
+
+bool is_dated(std::string_view text) {
+  if (text.starts_with("JD ")) return true;
+  std::string_view rest = text;
+  return take_number(rest, 4) && rest.starts_with('-');
+}
+
+std::string with_scale(std::string_view text) {
+  if (!is_dated(text) || !text.ends_with('Z')) return std::string(text);
+  return std::string(text.substr(0, text.size() - 1)) + " UTC";
+}
+
+std::string with_scale(std::string_view text, std::string_view epoch) {
+  std::string whole = with_scale(text);
+  if (scale_word(whole).empty()) whole += " " + std::string(scale_word(epoch));
+  return whole;
+}
 
 void require_epoch(std::string_view text) {
   const std::size_t space = text.rfind(' ');

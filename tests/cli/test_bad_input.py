@@ -199,7 +199,8 @@ def test_wrong_arguments(run, arguments):
 @pytest.mark.parametrize("arguments, message", [
     (["--versio"], 'polhode: got option "--versio"; expected one of --help, --version'),
     (["rum", "x"], 'polhode: got command "rum"; expected one of run, map, info, '),
-    (["run", "x", "--otu", "y"], 'polhode run: got option "--otu"; expected one of --help, --out'),
+    (["run", "x", "--otu", "y"],
+     'polhode run: got option "--otu"; expected one of --help, --set, --out'),
     (["run", "x", "y"], 'polhode run: got "y"; expected nothing after FILE'),
     (["convert", "--form", "rotor"],
      'polhode convert: got option "--form"; expected one of --help, --from, --to, --moments'),

@@ -58,6 +58,19 @@ def test_killed_at_random_moments(polhode, tmp_path):
     assert kills >= 2 and any("continues at" in text for text in said), said
 
 
+def test_changes_and_dates_go_on_with_the_run(polhode, run, long, tmp_path):
+    outputs = ["--out", tmp_path / "a.csv", "--out", tmp_path / "a.h5"]
+    changes = ["--set", "output.columns=[\"date\", \"tumbler\", \"q\"]",
+               "--set", "state.epoch=2013-01-05 UTC"]
+    code, _, err = stopped(polhode, ["run", long, *changes, *outputs], tmp_path / "a.csv.part")
+    assert code == 130 and "'state.epoch=2013-01-05 UTC'" in err.splitlines()[-1]
+    refused = run("run", long, *outputs, "--resume")
+    assert refused.returncode == 2 and "--restart" in refused.stderr  # another scenario
+    short = ["run", long, *changes, "--set", "time.stop=40", *outputs]
+    assert run(*short, "--restart").returncode == 0
+    assert run(*short, "--resume").stdout.startswith(f"{long.name}: nothing to do")
+
+
 @pytest.mark.parametrize("by, status", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
     path = tmp_path / "a.csv"
@@ -72,7 +85,9 @@ def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
 def test_stopped_often_it_leaves_the_straight_run(polhode, run, scenario, tmp_path, method):
     """The scenario's rows start late, so that the first stop may be on the way to them."""
     state = DAMPED.split("[[")[0] if method.startswith("free") else DAMPED
-    body = scenario(state=state, time="start = 40\nstop = 5000\nstep = 0.2")
+    body = scenario(state="[state]\nepoch = \"2016-12-31 UTC\"\n" + state,
+                    time="start = 40\nstop = 5000\nstep = 0.2",
+                    columns='"q", "date", "omega", "tumbler"')
     text = body.read_text().replace("[output]", METHODS[method] + "[output]")
     body.write_text(text)
 

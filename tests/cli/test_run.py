@@ -27,7 +27,10 @@ GROUPS = {
     "euler_osc": ["phi_osc", "theta_osc", "psi_osc", "Phi_osc", "Theta_osc", "Psi_osc"],
     "axes": ["I_f", "h_f", "I_m", "h_m", "I_r", "h_r"],
     "axes_rel": ["I_f_rel", "h_f_rel", "I_m_rel", "h_m_rel", "I_r_rel", "h_r_rel"],
-    "energy": ["E", "dE"],
+    "energy": ["E", "dE"], "pole": ["pole_lon", "pole_lat"],
+    "tumbler": ["P_phi", "P_psi", "P_short", "psi_max", "mode"],
+    **{f"axis{i}": [f"axis{i}_x", f"axis{i}_y", f"axis{i}_z"] for i in (1, 2, 3)},
+    "roll_pitch_yaw": ["roll", "pitch", "yaw"],
 }
 
 

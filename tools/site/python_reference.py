@@ -76,7 +76,7 @@ The exact motion without torque ([guide](../../guide/free-rotation.md),
 """, {
         "The motion": "FreeRotation free_rotation Regime regime_name Modulus",
         "What belongs to a motion":
-            "SadovFrequencies sadov_frequencies psi_max least_period_ratio "
+            "SadovFrequencies sadov_frequencies psi_max least_period_ratio long_axis_period "
             "rounding_sensitivity free_events GeneratingFunction generating_function",
         "Golden cases": "GoldenCase golden_cases write_golden",
     }),

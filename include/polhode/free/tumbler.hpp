@@ -55,6 +55,18 @@ RotorState to_rotor(const Body& body, const TumblerState& s);
 // The description at time t. DomainError where there is none: steady rotation, separatrix, rest.
 TumblerState to_tumbler(const FreeRotation& motion, double t);
 
+// P_phi of the long axis where that of the short one is known: 1/P_phi = 1/P_short - 1/P_psi, in
+// both modes. DomainError unless 0 < P_short < P_psi.
+double long_axis_period(double short_axis_period, double rotation_period);
+
+// Between which angles the long and the short axis of the body swing about the momentum, rad; a
+// whole polhode. NaN where there is none: steady rotation, separatrix, rest.
+struct TumblingAngles {
+  double long_least, long_most;
+  double short_least, short_most;
+};
+TumblingAngles tumbling_angles(const FreeRotation& motion);
+
 // Largest |psi| of a motion in short-axis mode; NaN in other regimes.
 double psi_max(const FreeRotation& motion);
 

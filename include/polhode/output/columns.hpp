@@ -5,18 +5,21 @@
 //             and omega_inertial are the inertial angular velocity I^-1 g + v(terms), omega_rel the
 //             one relative to S; convective is v, the frame's part included; damper is
 //             the rate of a Kane damper's sphere relative to the body; *_osc are the elements
-//             of g_osc = I w_SB [SA (104)-(107), (124)]; dE is E - E(0).
+//             of g_osc = I w_SB [SA (104)-(107), (124)]; dE is E - E(0); roll, pitch and yaw as
+//             polhode/rotor/roll_pitch_yaw.hpp says; mode is 1 in short-axis, -1 in long-axis mode,
+//             else 0.
 // Units       each column in the units of the scenario (polhode/text/units.hpp); names and units in
 //             groups().
 // Domain      one symbol, one number: a column that two groups share (h, G, H of andoyer and
-//             serret) is in the first of them only. With a full tensor q, g and the body components
-//             of vectors refer to its axes, everything else to principal axes. sadov and serret are
-//             the elements of the free motion through the state of the row.
+//             serret) is in the first of them only. With a full tensor q, g, axis1 to axis3, roll,
+//             pitch, yaw and the body components of vectors refer to its axes, everything else to
+//             principal axes. sadov, serret and tumbler are of the free motion through the state of
+//             the row. date is a text: its number in a row is t, and files show the date.
 //             Other numbers of a chart have another name in its column: sigma_0_pi.
 // Accuracy    that of the motion and of the charts.
 // Errors      DomainError for an unknown or repeated group; energy of a system that has none.
-// Cost        one evaluation of the motion per row, and one conversion per chart; sadov and serret
-//             of a motion that is not free prepare a FreeRotation per row.
+// Cost        one evaluation of the motion per row, and one conversion per chart; sadov,
+//             serret and tumbler of a motion that is not free prepare a FreeRotation per row.
 #pragma once
 
 #include <cstddef>
@@ -44,6 +47,7 @@ class ColumnTable;
 struct Column {
   std::string name;
   std::string unit;
+  bool is_date = false;  // the number is t, the unit a time scale: files show the date
 };
 struct ColumnGroup {
   std::string name;
@@ -57,8 +61,8 @@ inline std::size_t row_width(std::span<const ColumnGroup> groups) {
   return width;
 }
 
-// The names that [output] columns may list, and those of all their columns: those of the charts
-// stand between g and q_inertial.
+// The names that [output] columns may list, and those of all their columns but for date, which is
+// no number: those of the charts stand between g and q_inertial.
 std::vector<std::string_view> column_group_names(
     std::span<const ChartKind> charts = default_charts());
 std::vector<std::string_view> column_names(std::span<const ChartKind> charts = default_charts());
@@ -90,10 +94,19 @@ enum class Branch { in_notes, in_columns };
 std::string branch_note(std::string_view group, const FreeRotation& motion,
                         std::span<const ChartKind> charts = default_charts());
 
+// What columns are called after: whether the inertial axes are those of an equator, where the pole
+// is pole_ra, pole_dec instead of pole_lon, pole_lat; and the scale of the epoch, without which
+// there is no date.
+struct RowReference {
+  bool is_equatorial = false;
+  std::string time_scale = {};
+};
+
 class RowLayout {
  public:
   RowLayout(std::span<const std::string> groups, const Units& units,
-            Branch branch = Branch::in_notes, std::span<const ChartKind> charts = default_charts());
+            Branch branch = Branch::in_notes, std::span<const ChartKind> charts = default_charts(),
+            const RowReference& reference = {});
 
   // "t" first, then as asked for, without columns that an earlier group has.
   const std::vector<ColumnGroup>& groups() const { return groups_; }

@@ -14,11 +14,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "polhode/output/output_plan.hpp"
+#include "polhode/scenario/changes.hpp"
 #include "polhode/scenario/document.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
@@ -46,8 +48,10 @@ struct Scenario {
 // `path` stands for the file in messages, its last part in outputs.
 Scenario scenario_from_text(std::string_view text, const std::string& path,
                             const Kinds& kinds = default_kinds());
-// "-" is standard input. DomainError when there is no such file, or it is a folder.
-Scenario read_scenario(const std::string& path, const Kinds& kinds = default_kinds());
+// "-" is standard input. DomainError when there is no such file, or it is a folder. With changes
+// the text of the scenario is the changed one.
+Scenario read_scenario(const std::string& path, const Kinds& kinds = default_kinds(),
+                       std::span<const ScenarioChange> changes = {});
 
 // The times of its rows, whether it has events, and what moves it, of any kind.
 const std::optional<SaveAt>& row_times(const Scenario& scenario);

@@ -36,10 +36,18 @@ struct ChartVariable {
   std::string_view example;  // as TOML
   // In rows, where another chart has a number of this name that is not the same.
   std::string_view column;
+  // What [state.CHART] may leave out: "0", or the name of a variable that has the same number then.
+  std::string_view otherwise;
 
   consteval ChartVariable(std::string_view own, Dimension of, std::string_view sentence,
-                          std::string_view toml, std::string_view in_rows = {})
-      : name(own), dimension(of), help(sentence), example(toml), column(in_rows) {
+                          std::string_view toml, std::string_view in_rows = {},
+                          std::string_view left_out = {})
+      : name(own),
+        dimension(of),
+        help(sentence),
+        example(toml),
+        column(in_rows),
+        otherwise(left_out) {
     if (own.empty()) throw "a number of a chart needs a name";
     if (!sentence.ends_with('.')) throw "a number of a chart needs a sentence that says what it is";
     if (toml.empty()) throw "a number of a chart needs an example";

@@ -63,6 +63,7 @@ struct Key {
   bool in_template = false;         // stands in what `polhode init` writes, though it is optional
 
   Range range = Range::any;  // of numbers
+  bool takes_date = false;   // of times: "2013-02-04" too, counted from state.epoch
 
   bool operator==(const Key&) const = default;
 };

@@ -33,6 +33,19 @@ SadovState checked(const SadovState& s) {
   require_sign("SadovState: lobe", s.lobe);
   return s;
 }
+// Observers' words too.
+Regime mode_of(nb::handle value, const char* name) {
+  if (nb::isinstance<nb::str>(value)) {
+    const auto word = nb::cast<std::string>(value);
+    if (word == "SAM") return Regime::short_axis;
+    if (word == "LAM") return Regime::long_axis;
+  }
+  return choice<Regime>(value, name);
+}
+int mode_named(nb::handle word, const char* field) {
+  return static_cast<int>(mode_of(word, field));
+}
+
 TumblerState checked(const TumblerState& s) {
   require_finite("TumblerState", {s.precession_period, s.rotation_period, s.pole.x, s.pole.y,
                                   s.pole.z, s.phi0, s.psi0});
@@ -92,17 +105,17 @@ constexpr Chart<TumblerState, 8> tumbler_chart{
     R"(A tumbling asteroid as observers describe it (Kaasalainen 2001, long-axis convention).
 
 precession_period P_phi, of the long axis, and rotation_period P_psi (time), pole (..., 3):
-direction of the momentum in inertial axes; mode Regime.short_axis (SAM) or Regime.long_axis (LAM);
-phi0, psi0 (rad) at the epoch; branch: sign of cos theta; sense: -1 for a SAM about the far side of
-the short axis.)",
+direction of the momentum in inertial axes; mode Regime.short_axis or "SAM", Regime.long_axis or
+"LAM"; phi0, psi0 (rad) at the epoch; branch: sign of cos theta; sense: -1 for a SAM about the far
+side of the short axis.)",
     {{{"precession_period", "P_phi, of the long axis about the momentum, in the unit of time.",
        offsetof(TumblerState, precession_period)},
       {"rotation_period", "P_psi, about the long axis, in the unit of time.",
        offsetof(TumblerState, rotation_period)},
       {"pole", "Direction of the momentum in inertial axes; (..., 3).",
        offsetof(TumblerState, pole), Kind::vector},
-      enum_field<Regime>("mode", "Regime.short_axis (SAM) or Regime.long_axis (LAM).",
-                         offsetof(TumblerState, mode), "Regime"),
+      {"mode", "Regime.short_axis or \"SAM\", Regime.long_axis or \"LAM\".",
+       offsetof(TumblerState, mode), Kind::integer, member_of<Regime>, "Regime", 0, mode_named},
       {"phi0", "Precession angle at the epoch, rad.", offsetof(TumblerState, phi0)},
       {"psi0", "Rotation angle at the epoch, rad.", offsetof(TumblerState, psi0)},
       sign_field("branch", "Sign of cos theta: 1 or -1.", offsetof(TumblerState, branch)),
@@ -371,9 +384,13 @@ void bind_properties(nb::module_& m) {
       "How far (rad) the attitude at t moves when one component of the moments or of the momentum\n"
       "changes by its last digit: the largest of all. NaN for a time that is not finite.");
   m.def(
+      "long_axis_period", &long_axis_period, "short_axis_period"_a, "rotation_period"_a,
+      "P_phi of the long axis where that of the short one is known: 1/P_phi = 1/P_short - 1/P_psi "
+      "in both modes, in the unit of the periods. ValueError unless 0 < P_short < P_psi.");
+  m.def(
       "least_period_ratio",
       [](const Body& body, OneOf<Regime> mode) {
-        return least_period_ratio(body, choice<Regime>(mode, "mode"));
+        return least_period_ratio(body, mode_of(mode, "mode"));
       },
       "body"_a, "mode"_a, "The least P_psi / P_phi that the body has in a mode.");
   m.def(

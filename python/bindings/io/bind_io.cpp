@@ -5,9 +5,12 @@
 #include "interface/arrays.hpp"
 #include "io/io_parts.hpp"
 #include "motion/dynamics_values.hpp"
+#include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/output/row_dates.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/scenario/changes.hpp"
 #include "polhode/text/separated.hpp"
 
 namespace polhode::python {
@@ -91,6 +94,31 @@ nb::list groups_of(const Scenario& scenario) {
   return groups;
 }
 
+std::string changed_by(const std::string& text, const std::string& key, const std::string& value) {
+  try {
+    return changed_text(text, std::vector<ScenarioChange>{{key, value}});
+  } catch (const ChangeError& error) {
+    throw DomainError(std::string("replace: ") + error.what());
+  }
+}
+
+// The columns whose numbers are times, shown as dates.
+nb::list date_columns_of(const Scenario& scenario) {
+  nb::list names;
+  for (const ColumnGroup& group : row_groups(scenario))
+    for (const Column& column : group.columns)
+      if (column.is_date) names.append(column.name);
+  return names;
+}
+
+// The dates of times of rows.
+nb::list dates_of(const Scenario& scenario, const std::vector<double>& times) {
+  const RowDates dates(row_groups(scenario), run_facts(scenario));
+  nb::list texts;
+  for (const double t : times) texts.append(dates.text(t));
+  return texts;
+}
+
 nb::list citations_of(const Scenario& scenario) {
   nb::list list;
   for (const Citation& c : citations(scenario))
@@ -142,7 +170,10 @@ void bind_io(nb::module_& m) {
       .def_prop_ro("free_rotation", [](const Scenario& s) { return free_rotation(s); })
       .def_prop_ro("method", [](const Scenario& s) { return object_of(propagation_method(s)); })
       .def_prop_ro("propagation", propagation_text)
+      .def_prop_ro("path", [](const Scenario& s) { return s.document.path; })
       .def_prop_ro("groups", groups_of)
+      .def_prop_ro("date_columns", date_columns_of)
+      .def("dates", dates_of)
       .def_prop_ro("citations", citations_of)
       .def_prop_ro("summary", [](const Scenario& s) { return lines_of(summary(s)); });
   bind_objects(c);
@@ -155,6 +186,7 @@ void bind_io(nb::module_& m) {
     return nb::make_tuple(s.start(), s.stop(), step);
   });
   m.def("_shown_number", &shown_number);
+  m.def("_changed_text", changed_by);
   m.def("_column_names", [] { return names_list(column_names()); });
   m.def("_state_charts", state_charts_list);
   m.def("_method_table", method_table);

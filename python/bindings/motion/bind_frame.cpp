@@ -5,6 +5,7 @@
 #include "charts/states.hpp"
 #include "interface/dual_number.hpp"
 #include "motion/frame_value.hpp"
+#include "polhode/frame/local_vertical.hpp"
 
 namespace polhode::python {
 
@@ -112,6 +113,26 @@ PythonFrame orbit_plane_pq(AngleOfTime p, AngleOfTime q) {
                                std::move(functions)));
 }
 
+using OrbitWithElements = Typed<"KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit">;
+
+Frame vertical_frame(nb::handle orbit) {
+  if (nb::isinstance<KeplerOrbit>(orbit))
+    return local_vertical_frame(nb::cast<const KeplerOrbit&>(orbit));
+  if (nb::isinstance<PrecessingKeplerOrbit>(orbit))
+    return local_vertical_frame(nb::cast<const PrecessingKeplerOrbit&>(orbit));
+  if (nb::isinstance<TurnedKeplerOrbit>(orbit))
+    return local_vertical_frame(nb::cast<const TurnedKeplerOrbit&>(orbit));
+  throw nb::type_error(("Frame.local_vertical: orbit: got " +
+                        nb::cast<std::string>(nb::repr(orbit)) +
+                        "; expected a KeplerOrbit, PrecessingKeplerOrbit or TurnedKeplerOrbit")
+                           .c_str());
+}
+
+PythonFrame local_vertical(OrbitWithElements orbit) {
+  return PythonFrame(vertical_frame(orbit),
+                     recipe_of("local_vertical", {"orbit"}, nb::make_tuple(orbit)));
+}
+
 PythonFrame from_attitude(
     Typed<"typing.Callable[[Dual], collections.abc.Sequence[Dual | float]]"> q_IS) {
   const auto function = std::make_shared<PythonFunction>(q_IS, "Frame.from_attitude: q_IS");
@@ -146,6 +167,11 @@ Omega, i : node and inclination (rad): floats, or functions of time, written wit
                   "The same plane without a node, regular at i = 0: p = sin(i) sin(Omega), q = "
                   "sin(i) cos(Omega), i <= 90 degrees; x is the direction that the shortest turn "
                   "brings from the inertial x axis. NaN where p^2 + q^2 > 1.")
+      .def_static(
+          "local_vertical", local_vertical, "orbit"_a,
+          "The local vertical, local horizontal (LVLH) of an orbit with elements: z to the "
+          "centre, y against the normal of the orbit, x towards the motion. Roll, pitch and "
+          "yaw of a satellite are its angles in it.")
       .def_static("from_attitude", from_attitude, "q_IS"_a,
                   "Any attitude: a function of time that returns the quaternion (w, x, y, z), S to "
                   "inertial, of any length, made of the Dual that it is called with.");
@@ -161,8 +187,8 @@ void bind_frame(nb::module_& m) {
       m, "Frame",
       R"(The reference frame S in which a rotation is described: kinematics only.
 
-Made by Frame.inertial, .precessing, .orbit_plane, .orbit_plane_pq, .from_attitude. A System adds
-what a moving frame does to the equations of motion, -mu . g. [SA section 4, (118)])",
+Made by Frame.inertial, .precessing, .orbit_plane, .orbit_plane_pq, .local_vertical, .from_attitude.
+A System adds what a moving frame does to the equations of motion, -mu . g. [SA section 4, (118)])",
       nb::type_slots(recipe_slots<PythonFrame>()));
   def_makers(c);
   def_recipe<PythonFrame>(c, otherwise);
@@ -171,7 +197,7 @@ what a moving frame does to the equations of motion, -mu . g. [SA section 4, (11
        "Whether it does not turn.")
       .def_prop_ro("kind", kind_of,
                    "\"inertial\", \"precessing\", \"orbit_plane\", \"orbit_plane_pq\", "
-                   "\"from_attitude\"; \"moving\" where a scenario made it.")
+                   "\"local_vertical\", \"from_attitude\"; \"moving\" where a scenario made it.")
       .def_prop_ro(
           "arguments", [](const PythonFrame& f) { return f.recipe.by_name(); },
           "What it was made from, by name.")

@@ -30,10 +30,13 @@ namespace detail {
 
 using Numbers = ChartNumbers;
 
+// In which rows a column stands.
+enum class Shown { always, on_branch, equatorial, not_equatorial };
+
 struct ColumnSpec {
   std::string_view name;
   Dimension dimension = Dimension::number;
-  bool is_branch = false;
+  Shown shown = Shown::always;
   std::size_t place = 0;  // among the numbers of the group
 };
 struct GroupSpec {
@@ -41,6 +44,8 @@ struct GroupSpec {
   std::vector<ColumnSpec> columns;
   Numbers (*of_row)(const RowSample&);  // null of a chart
   std::optional<ChartKind> chart;
+  bool is_constant = false;  // along a motion that is free in inertial axes
+  bool is_date = false;
 };
 Numbers numbers_of(const GroupSpec& group, const RowSample& row);
 
@@ -49,9 +54,7 @@ class ColumnTable {
  public:
   explicit ColumnTable(std::span<const ChartKind> charts);
   std::span<const GroupSpec> groups() const { return groups_; }
-  bool is_constant(std::size_t group) const {
-    return groups_[group].chart && groups_[group].chart->is_constant;
-  }
+  bool is_constant(std::size_t group) const { return groups_[group].is_constant; }
 
  private:
   std::vector<GroupSpec> groups_;

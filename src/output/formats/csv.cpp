@@ -18,6 +18,19 @@ namespace {
 
 constexpr CommentStyle comments{"# "};
 
+// With dates among the numbers.
+void append_dated_row(std::string& out, std::span<const double> row, const RowDates& dates) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (dates.is_date(i)) {
+      out += dates.text(row[i]);
+    } else {
+      char digits[longest_number];
+      out.append(digits, write_number(digits, row[i]));
+    }
+    out += i + 1 < row.size() ? ',' : '\n';
+  }
+}
+
 void append_row(std::string& out, std::span<const double> row) {
   const std::size_t before = out.size();
   out.resize(before + row.size() * static_cast<std::size_t>(longest_number));
@@ -32,25 +45,43 @@ void append_row(std::string& out, std::span<const double> row) {
 
 std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGroup>& groups,
                             std::int64_t count) {
-  std::size_t width = 0;
-  for (const ColumnGroup& group : groups) width += group.columns.size();
+  std::vector<bool> is_date;
+  for (const ColumnGroup& group : groups)
+    for (const Column& column : group.columns) is_date.push_back(column.is_date);
+  const std::size_t width = is_date.size();
   std::ifstream file(path, std::ios::binary);
   std::string line;
   while (std::getline(file, line) && line.starts_with('#')) {
   }
   std::vector<double> rows;
-  for (std::int64_t row = 0; row < count && std::getline(file, line); ++row)
+  for (std::int64_t row = 0; row < count && std::getline(file, line); ++row) {
+    const std::size_t first = rows.size();
     for (const std::string_view field : separated(line, ',')) {
       double number = std::numeric_limits<double>::quiet_NaN();
       std::from_chars(field.data(), field.data() + field.size(), number);
-      rows.push_back(number);
+      const std::size_t column = rows.size() - first;
+      rows.push_back(column < width && is_date[column] ? rows[first] : number);  // t
     }
+  }
   if (rows.size() == width * static_cast<std::size_t>(count)) return rows;
   throw DomainError(printable(path, path.size()) + ": expected " + std::to_string(count) +
                     " rows of " + std::to_string(width) + " numbers");
 }
 
 }  // namespace
+
+void append_csv_row(std::string& text, std::span<const double> row, const RowDates& dates) {
+  if (dates.any()) return append_dated_row(text, row, dates);
+  append_row(text, row);
+}
+
+RowDates dates_of(const SinkRequest& request) {
+  try {
+    return RowDates(request.groups, request.provenance.run);
+  } catch (const DomainError& error) {
+    throw DomainError(printable(request.path, request.path.size()) + ": " + error.what());
+  }
+}
 
 std::string csv_head(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
   std::string out;
@@ -68,8 +99,11 @@ std::string csv_head(const std::vector<ColumnGroup>& groups, const Provenance& p
 OutputFormat csv_format() {
   OutputFormat format("csv", ".csv", "Comma-separated values: a line for each row.",
                       [](const SinkRequest& request) {
+                        const RowDates dates = dates_of(request);
                         return text_sink(request, csv_head(request.groups, request.provenance),
-                                         append_row);
+                                         [dates](std::string& text, std::span<const double> row) {
+                                           append_csv_row(text, row, dates);
+                                         });
                       });
   format.label = "CSV";
   format.number_bytes = {2, 18};  // a digit and a comma; some 17 digits

@@ -19,10 +19,21 @@ namespace detail {
 namespace {
 
 constexpr hsize_t rows_per_chunk = 1024;
+constexpr std::size_t date_length = 26;  // 2029-04-13T21:46:00.500000
+
+// Dates are texts of one length, filled up with zeros.
+Handle date_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), date_length);
+  H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+  return type;
+}
+
 class Hdf5Sink : public Sink {
  public:
   Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-           const Provenance& provenance, const std::optional<SinkPosition>& from);
+           const Provenance& provenance, const std::optional<SinkPosition>& from,
+           const RowDates& dates);
   ~Hdf5Sink() override;
   void push(std::span<const double> rows) override;
   std::optional<SinkPosition> position() override;
@@ -39,9 +50,10 @@ class Hdf5Sink : public Sink {
   Handle checked(hid_t id, herr_t (*close)(hid_t)) const;
   Handle opened_file(bool exists);
   Handle opened_dataset(const ColumnGroup& group) const;
-  Handle created_dataset(const ColumnGroup& group) const;
+  Handle created_dataset(const ColumnGroup& group, bool is_date) const;
   void attach(hid_t object, const char* name, const std::vector<std::string>& texts, bool scalar);
   void append(const Group& group, std::span<const double> rows, std::size_t count);
+  std::string date_texts() const;
   void describe(const std::vector<ColumnGroup>& groups, const Provenance& provenance);
   void require_same_scenario(const Provenance& provenance) const;
   // The state that HDF5 has flushed becomes the file.
@@ -55,6 +67,7 @@ class Hdf5Sink : public Sink {
   std::size_t width_ = 0;
   hsize_t written_ = 0;
   std::vector<double> columns_;
+  RowDates dates_;
 };
 
 void Hdf5Sink::require(bool good) const {
@@ -93,8 +106,8 @@ Handle Hdf5Sink::opened_dataset(const ColumnGroup& group) const {
   return dataset;
 }
 
-Handle Hdf5Sink::created_dataset(const ColumnGroup& group) const {
-  const bool flat = group.columns.size() == 1 && group.name == "t";
+Handle Hdf5Sink::created_dataset(const ColumnGroup& group, bool is_date) const {
+  const bool flat = is_date || (group.columns.size() == 1 && group.name == "t");
   const int rank = flat ? 1 : 2;
   const hsize_t columns = group.columns.size();
   const hsize_t now[] = {0, columns}, most[] = {H5S_UNLIMITED, columns};
@@ -103,8 +116,9 @@ Handle Hdf5Sink::created_dataset(const ColumnGroup& group) const {
   const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   require(H5Pset_chunk(creation.id(), rank, chunk) >= 0 &&
           H5Pset_obj_track_times(creation.id(), false) >= 0);
-  return checked(H5Dcreate2(file_.id(), group.name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
-                            creation.id(), H5P_DEFAULT),
+  const Handle text = date_type();
+  return checked(H5Dcreate2(file_.id(), group.name.c_str(), is_date ? text.id() : H5T_IEEE_F64LE,
+                            space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
                  H5Dclose);
 }
 
@@ -124,18 +138,21 @@ void Hdf5Sink::attach(hid_t object, const char* name, const std::vector<std::str
 }
 
 Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
-                   const Provenance& provenance, const std::optional<SinkPosition>& from)
+                   const Provenance& provenance, const std::optional<SinkPosition>& from,
+                   const RowDates& dates)
     : path_(path),
       part_(part_path(path)),
       bytes_(from ? JournaledFile(part_, {from->bytes, from->rows}) : JournaledFile(part_)),
       file_(opened_file(from.has_value())),
-      written_(from ? static_cast<hsize_t>(from->rows) : 0) {
+      written_(from ? static_cast<hsize_t>(from->rows) : 0),
+      dates_(dates) {
   const QuietScope quiet;
   if (from) require_same_scenario(provenance);
   for (const ColumnGroup& group : groups) {
     if (group.columns.empty()) continue;
     groups_.push_back(
-        {from ? opened_dataset(group) : created_dataset(group), width_, group.columns.size()});
+        {from ? opened_dataset(group) : created_dataset(group, group.columns.front().is_date),
+         width_, group.columns.size()});
     width_ += group.columns.size();
   }
   if (from) return;
@@ -211,8 +228,21 @@ void Hdf5Sink::append(const Group& group, std::span<const double> rows, std::siz
   const int rank = H5Sget_simple_extent_ndims(space.id());
   require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, block, nullptr) >= 0);
   const Handle memory = checked(H5Screate_simple(rank, block, nullptr), H5Sclose);
-  require(H5Dwrite(group.dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT,
-                   columns_.data()) >= 0);
+  const bool is_date = dates_.is_date(group.first);
+  const std::string texts = is_date ? date_texts() : std::string();
+  const Handle type = is_date ? date_type() : Handle(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose);
+  require(H5Dwrite(group.dataset.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT,
+                   is_date ? static_cast<const void*>(texts.data()) : columns_.data()) >= 0);
+}
+
+// Of the times in columns_.
+std::string Hdf5Sink::date_texts() const {
+  std::string texts;
+  for (const double t : columns_) {
+    texts += dates_.text(t);
+    texts.resize((texts.size() + date_length - 1) / date_length * date_length);
+  }
+  return texts;
 }
 
 void Hdf5Sink::push(std::span<const double> rows) {
@@ -315,6 +345,11 @@ std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGro
   for (const ColumnGroup& group : groups) {
     const std::size_t columns = group.columns.size();
     if (columns == 0) continue;
+    if (group.columns.front().is_date) {  // t, which is there already
+      for (std::size_t row = 0; row < n; ++row) rows[row * width + first] = rows[row * width];
+      ++first;
+      continue;
+    }
     const std::vector<double> own =
         file.id() < 0 ? std::vector<double>() : first_rows(file.id(), group.name, columns, n);
     if (own.size() != n * columns)
@@ -331,11 +366,11 @@ std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGro
 }  // namespace
 
 OutputFormat hdf5_format() {
-  OutputFormat format("hdf5", ".h5", "HDF5: a dataset for each group of columns.",
-                      [](const SinkRequest& request) {
-                        return std::make_unique<Hdf5Sink>(request.path, request.groups,
-                                                          request.provenance, request.from);
-                      });
+  OutputFormat format(
+      "hdf5", ".h5", "HDF5: a dataset for each group of columns.", [](const SinkRequest& request) {
+        return std::make_unique<Hdf5Sink>(request.path, request.groups, request.provenance,
+                                          request.from, dates_of(request));
+      });
   format.label = "HDF5";
   format.needs.file = true;
   format.number_bytes = {8, 8};

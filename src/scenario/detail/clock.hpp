@@ -23,6 +23,9 @@ struct Clock {
 // Refuses at the place of `path` where the file has no epoch.
 Clock clock_of(const Values& values, const Units& units, std::string_view path,
                const std::string& name);
+// The core time of a date as text, in the scale of the epoch where it has none. DomainError where
+// there is no epoch, and for what is no date.
+double time_of_date(const Values& values, const Units& units, const std::string& date);
 
 }  // namespace detail
 }  // namespace v0

@@ -11,6 +11,7 @@ namespace detail {
 
 FrameKind precessing_kind();
 FrameKind orbit_plane_kind();
+FrameKind local_vertical_kind();
 
 }  // namespace detail
 }  // namespace v0

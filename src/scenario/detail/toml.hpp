@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 // toml++ 3.3 made safe: on noise it meets its own assertions, and answers that it does not have.
-// For toml_values.cpp alone.
+// For toml_values.cpp and changes/ alone.
 #pragma once
 
-namespace {
+#include <cstdint>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
 struct TomlAssertion {};
 [[noreturn]] inline void toml_assertion_failed() { throw TomlAssertion(); }
-}  // namespace
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
 
 // Without its assertions it would go on undefined.
 #undef NDEBUG
-#define TOML_ASSERT(truth) ((truth) ? static_cast<void>(0) : toml_assertion_failed())
+#define TOML_ASSERT(truth) \
+  ((truth) ? static_cast<void>(0) : ::polhode::detail::toml_assertion_failed())
 #define TOML_MAX_NESTED_VALUES 16
 #define TOML_HEADER_ONLY 1
 // It asks of every character beyond ASCII whether it is a blank, and for most has no answer but

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/toml.hpp"
 #include "scenario/diagnostics.hpp"
+#include "text/date_text.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 
@@ -78,6 +80,24 @@ inline std::string shown(const toml::node& node) {
     default:
       return "a date without quotes";
   }
+}
+
+// A date in quotes, or without them as TOML has it: "2013-01-05T00:00:00Z".
+inline std::optional<std::string> date_text(const toml::node& node) {
+  std::ostringstream out;
+  if (const auto* const text = node.as_string()) {
+    if (is_dated(text->get())) return text->get();
+    return std::nullopt;
+  }
+  if (const auto* const date = node.as_date()) out << date->get();
+  if (const auto* const time = node.as_date_time()) out << time->get();
+  return out.str().empty() ? std::optional<std::string>() : out.str();
+}
+
+// A text; of a date with the scale that a Z says, and without quotes too.
+inline std::optional<std::string> text_in(const toml::node& node, bool is_date) {
+  const std::optional<std::string> date = is_date ? date_text(node) : std::nullopt;
+  return date ? with_scale(*date) : node.value<std::string>();
 }
 
 // The keys of `sets` that the table has, each once.

@@ -253,7 +253,7 @@ Kinds default_kinds() {
       our_perturbations(),
       {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind(),
        detail::elements_kind(), detail::series_kind(), detail::shipped_kind()},
-      {detail::precessing_kind(), detail::orbit_plane_kind()},
+      {detail::precessing_kind(), detail::orbit_plane_kind(), detail::local_vertical_kind()},
       {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
       {detail::nutation_kind()},
       default_output_formats()});

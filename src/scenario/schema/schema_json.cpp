@@ -105,9 +105,23 @@ void write_quantities(JsonWriter& json, const Key& key, const auto& array) {
   json.key("additionalProperties").value(false).end_object().end_array();
 }
 
+// A time or a date; of a date without quotes editors of JSON know nothing.
+void write_dated(JsonWriter& json, const Key& key, Dimension dimension) {
+  if (!key.takes_date || dimension != key.dimension)
+    return write_quantity(json, dimension, key.range);
+  json.key("anyOf").begin_array();
+  write_reference(json, dimension, key.range);
+  json.begin_object().key("type").value("string");
+  json.key("pattern").value("^(JD |[0-9]{4}-)").end_object().end_array();
+}
+
 void write_numbers(JsonWriter& json, const Key& key) {
   write_quantities(json, key, [&](Dimension dimension) {
-    write_array(json, key.length, [&] { write_reference(json, dimension, key.range); });
+    write_array(json, key.length, [&] {
+      json.begin_object();
+      write_dated(json, key, dimension);
+      json.end_object();
+    });
   });
 }
 
@@ -129,7 +143,7 @@ void write_value(JsonWriter& json, const Key& key) {
       json.key("type").value("integer");
       break;
     case KeyType::number:
-      write_quantity(json, key.dimension, key.range);
+      write_dated(json, key, key.dimension);
       break;
     case KeyType::numbers:
       write_numbers(json, key);

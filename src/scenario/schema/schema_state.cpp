@@ -43,10 +43,18 @@ constexpr Key keys[] = {
      .help = "How observers describe a tumbling body (Kaasalainen 2001, Pravec et al. 2014)."},
     {.path = "state.tumbler.precession_period",
      .type = number,
-     .presence = required,
+     .presence = alternative,
      .dimension = Dimension::time,
      .example = "30.56",
      .help = "P_phi: mean period of the long axis about the angular momentum.",
+     .range = Range::positive},
+    {.path = "state.tumbler.short_axis_period",
+     .type = number,
+     .presence = alternative,
+     .dimension = Dimension::time,
+     .example = "27.38",
+     .help = "Instead of P_phi: mean period of the short axis about the angular momentum, of which "
+             "some papers publish P_phi (docs/guide/tumblers.md).",
      .range = Range::positive},
     {.path = "state.tumbler.rotation_period",
      .type = number,
@@ -178,6 +186,7 @@ constexpr Key keys[] = {
 
 constexpr std::string_view written_out = "tumbler|attitude-rate";
 constexpr Alternatives alternatives[] = {
+    {"state.tumbler", "precession_period|short_axis_period"},
     {"state.tumbler.pole", "longitude+latitude|ra+dec"},
     {"state.attitude-rate", "quaternion|euler"},
     {"state.attitude-rate", "omega_body|omega_inertial|omega_relative|momentum_body"},
@@ -186,6 +195,11 @@ constexpr Alternatives alternatives[] = {
 bool are_integers(std::string_view words) {
   int number = 0;
   return std::from_chars(words.data(), words.data() + words.size(), number).ec == std::errc();
+}
+
+bool are_numbers(std::string_view word) {
+  double number = 0.0;
+  return std::from_chars(word.data(), word.data() + word.size(), number).ec == std::errc();
 }
 
 std::string in_quotes(std::string_view word) { return '"' + std::string(word) + '"'; }
@@ -210,10 +224,12 @@ void StateKeys::add(const ChartKind& chart) {
   for (const ChartVariable& variable : chart.variables)
     keys_.push_back({.path = words_.emplace_back(table + "." + std::string(variable.name)),
                      .type = number,
-                     .presence = required,
+                     .presence = variable.otherwise.empty() ? required : optional,
                      .dimension = variable.dimension,
+                     .fallback = are_numbers(variable.otherwise) ? variable.otherwise : "",
                      .example = variable.example,
-                     .help = variable.help});
+                     .help = variable.help,
+                     .in_template = !variable.otherwise.empty()});
   for (const ChartOption& option : chart.options) {
     const bool whole = are_integers(option.words);
     const bool is_word = !whole && !option.fallback.empty();

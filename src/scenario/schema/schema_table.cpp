@@ -122,13 +122,15 @@ constexpr Key keys_of_time[] = {
      .dimension = Dimension::time,
      .fallback = "0",
      .example = "0",
-     .help = "First row, counted from the epoch."},
+     .help = "First row, counted from the epoch.",
+     .takes_date = true},
     {.path = "time.stop",
      .type = number,
      .presence = alternative,
      .dimension = Dimension::time,
      .example = "720",
-     .help = "No row lies beyond it."},
+     .help = "No row lies beyond it.",
+     .takes_date = true},
     {.path = "time.step",
      .type = number,
      .presence = alternative,
@@ -146,7 +148,8 @@ constexpr Key keys_of_time[] = {
      .presence = alternative,
      .dimension = Dimension::time,
      .example = "[0.0, 1.0, 10.0]",
-     .help = "Exactly these times, in this order; leave start out."},
+     .help = "Exactly these times, in this order; leave start out.",
+     .takes_date = true},
 };
 
 constexpr Alternatives of_body[] = {{"body", "moments|tensor|shape+density"}};

@@ -55,6 +55,7 @@ std::string value_in_words(const Key& key) {
 std::string value_cell(const Key& key) {
   std::string cell = value_in_words(key);
   const bool quoted = key.type == KeyType::choice || key.type == KeyType::choices;
+  if (key.takes_date) cell += key.type == KeyType::numbers ? " or date" : ", or a date";
   if (key.range == Range::positive) cell += ", positive";
   if (key.range == Range::not_negative) cell += ", not negative";
   bool first = true;

@@ -10,13 +10,17 @@ namespace {
 
 constexpr ChartVariable variables[] = {
     {"l", Dimension::angle,
-     "From the node of the body equator on the invariable plane to body axis 1.", "70"},
+     "From the node of the body equator on the invariable plane to body axis 1.", "70", "", "0"},
     {"g", Dimension::angle,
-     "From the node of the invariable plane to the node of the body equator.", "20"},
-    {"h", Dimension::angle, "From inertial axis 1 to the node of the invariable plane.", "40"},
+     "From the node of the invariable plane to the node of the body equator.", "20", "", "0"},
+    {"h", Dimension::angle, "From inertial axis 1 to the node of the invariable plane.", "40", "",
+     "0"},
     {"L", Dimension::momentum, "Angular momentum along body axis 3; |L| <= G.", "0.8"},
     {"G", Dimension::momentum, "Length of the angular momentum; not negative.", "1.0"},
-    {"H", Dimension::momentum, "Angular momentum along inertial axis 3; |H| <= G.", "0.5"},
+    {"H", Dimension::momentum,
+     "Angular momentum along inertial axis 3; |H| <= G. Left out it is G: a momentum along that "
+     "axis.",
+     "0.5", "", "G"},
 };
 
 RotorState from_andoyer(const ChartNumbers& x, const ChartPlace&) {

@@ -126,12 +126,15 @@ TEST(RowLayout, NoTwoColumnsShareAName) {
   std::vector<std::string> all;
   for (const std::string_view group : column_group_names()) all.emplace_back(group);
   std::vector<std::string> names;
-  const RowLayout layout(all, Units(), Branch::in_columns);
-  for (const ColumnGroup& group : layout.groups())
-    for (const Column& column : group.columns) names.push_back(column.name);
+  for (const bool equatorial : {true, false}) {
+    const RowLayout layout(all, Units(), Branch::in_columns, default_charts(), {equatorial, "TT"});
+    for (const ColumnGroup& group : layout.groups())
+      for (const Column& column : group.columns)
+        if (equatorial || column.name.starts_with("pole_")) names.push_back(column.name);
+  }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
-  EXPECT_EQ(names.size(), column_names().size() + 1);  // t
+  EXPECT_EQ(names.size(), column_names().size() + 2);  // t, date
   EXPECT_EQ(column_dimension("I_g"), Dimension::momentum);
   EXPECT_EQ(column_dimension("I_m"), Dimension::angle);
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The frame of the local vertical of an orbit (LVLH): what roll, pitch and yaw of a satellite refer
+// to.
+//
+// Equations   axis 3 points to the centre, axis 2 against the normal of the orbit, axis 1 = 2 x 3
+//             towards the motion: LVLH_ROTATING of the SANA registry that CCSDS 502.0-B-3 names.
+//             q_IS = Rz(node) Rx(i) Rz(u) (1, -1, -1, 1) / 2, u the argument of latitude.
+// Units       those of the orbit.
+// Domain      any ellipse or hyperbola. Of an orbit that precesses the plane is that of its
+//             elements at the time, not that of position and velocity. Other authors call axes
+//             LVLH whose first points away from the centre.
+// Accuracy    that of the position: budget local_vertical_axes. q_IS does not change its sign from
+//             one turn to the next; mu is its derivative by dual numbers.
+// Errors      none.
+// Cost        two positions of the orbit.
+#pragma once
+
+#include "polhode/frame/frame.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+Frame local_vertical_frame(const KeplerOrbit& orbit);
+Frame local_vertical_frame(const PrecessingKeplerOrbit& orbit);
+Frame local_vertical_frame(const TurnedKeplerOrbit& orbit);
+
+}  // namespace v0
+}  // namespace polhode
