@@ -38,4 +38,26 @@ inline constexpr double documents_rounding = 1e-9;
 // Peak memory with twenty times the events, over that before.
 inline constexpr double run_memory = 1.2;
 
+// --- columns of observers (tests/cli/test_columns.py) ---
+// Angles, directions and periods against formulas by hand: relative, and of unit vectors.
+inline constexpr double observer_columns = 1e-13;
+// TDB - TT by its two largest annual terms; s.
+inline constexpr double tdb_by_one_term = 1e-4;
+// Least and largest angle of 8001 rows of a polhode; deg.
+inline constexpr double sampled_extreme_deg = 1e-4;
+// Of periods of Pravec et al. (2014), the last digit; h.
+inline constexpr double published_hours = 0.005;
+// Times of events as dates: the microsecond, and what a double keeps of hours; s.
+inline constexpr double event_date = 1e-5;
+// Periods and poles as summaries print them: relative, deg.
+inline constexpr double printed_period = 1e-6;
+inline constexpr double printed_pole = 1e-4;
+
+// --- local vertical (tests/cli/test_observers.py) ---
+// Axes against those from position and velocity by hand; deg/s too.
+inline constexpr double local_vertical = 1e-12;
+// Libration of 1e-4 rad against the linear formula: relative.
+inline constexpr double small_libration = 1e-7;
+// 3-2-1 angles, deg.
+inline constexpr double roll_pitch_yaw_deg = 1e-12;
 }  // namespace polhode::budget

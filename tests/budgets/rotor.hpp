@@ -42,4 +42,6 @@ inline constexpr double jacobian_zero = 1e-30;
 // Within 2^-40 of a pole of the chart; the entries that grow or stay.
 inline constexpr double pole_jacobian_eps = 4.0;
 
+// Roll, pitch and yaw, rad, and their matrix (tests/unit/rotor/roll_pitch_yaw.cpp).
+inline constexpr double roll_pitch_yaw = 5e-15;
 }  // namespace polhode::budget

@@ -46,17 +46,13 @@ KeyPath path_of(std::string_view key) {
   };
   for (std::size_t i = 0; i < key.size(); ++i) {
     const char c = key[i];
-    const bool closed = i > 0 && key[i - 1] == ']';
-    if (c == '.' && closed) continue;
-    if (c == '.' || c == '[') {
-      take();
-    } else if (c != ']') {
+    if (c != '.' && c != '[' && c != ']') {
       part += c;
-    } else if (i + 1 == key.size()) {
-      break;
-    } else {
-      take();
+      continue;
     }
+    const bool behind_index = c == '.' && i > 0 && key[i - 1] == ']';
+    const bool at_end = c == ']' && i + 1 == key.size();
+    if (!behind_index && !at_end) take();
   }
   take();
   return path;
