@@ -193,6 +193,8 @@ def test_dates_of_datetimes():
         polhode.Date(naive)
     with pytest.raises(ValueError, match="has a time zone and hence is UTC; expected no scale"):
         polhode.Date(utc, "TDB")
+    with pytest.raises(ValueError, match="no time zone"):
+        polhode.planetary_position("moon", "earth", naive)
     with pytest.raises(TypeError, match=r"Date: instant: got datetime.date\(2029, 4, 13\); exp"):
         polhode.Date(utc.date())
 
