@@ -7,7 +7,12 @@ Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matpl
 from polhode import _core, elliptic
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
-from polhode._signatures import ClassSignature, sign_methods, with_signature
+from polhode._signatures import (
+    ClassSignature,
+    explain_constructor,
+    sign_methods,
+    with_signature,
+)
 from polhode._summary import Summary
 from polhode.argument_fit import ArgumentFit, argument_fit
 from polhode.harmonics import HarmonicFit, harmonic_fit
@@ -41,7 +46,9 @@ for _name in __all__:
         if type(_thing).__name__ == "nb_type" or issubclass(_thing, Exception):
             _thing.__signature__ = ClassSignature(_thing, vars(_core))
             sign_methods(_thing, vars(_core))
+            if type(_thing).__name__ == "nb_type":
+                explain_constructor(_thing, vars(_core))
     elif hasattr(_thing, "__nb_signature__"):
         globals()[_name] = with_signature(_thing, vars(_core))
         globals()[_name].__module__ = __name__
-del _name, _thing, ClassSignature, sign_methods, with_signature
+del _name, _thing, ClassSignature, explain_constructor, sign_methods, with_signature

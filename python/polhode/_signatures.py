@@ -12,9 +12,10 @@ import functools
 import inspect
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NoReturn
 
 from polhode import _core
+from polhode._mistakes import sentence, shown
 
 _KINDS = inspect.Parameter
 
@@ -74,12 +75,23 @@ def _parsed(text: str, defaults: Any, names: dict[str, Any]) -> inspect.Signatur
     )
 
 
+# Of the overload that explains mistakes: nobody is to see it.
+_LAST_RESORT = "_last_resort"
+
+
+def _overloads(callable_: Any, names: dict[str, Any]) -> list[inspect.Signature]:
+    return [
+        _parsed(text, defaults, names)
+        for text, _, defaults in callable_.__nb_signature__
+        if _LAST_RESORT not in text
+    ]
+
+
 def _signature(callable_: Any, names: dict[str, Any]) -> inspect.Signature:
     """Of its only overload; of several, arguments of any kind, which its text lists."""
-    overloads = callable_.__nb_signature__
+    overloads = _overloads(callable_, names)
     if len(overloads) == 1:
-        text, _, defaults = overloads[0]
-        return _parsed(text, defaults, names)
+        return overloads[0]
     return inspect.Signature(
         [_KINDS("args", _KINDS.VAR_POSITIONAL), _KINDS("kwargs", _KINDS.VAR_KEYWORD)]
     )
@@ -104,15 +116,52 @@ class ClassSignature:
         return made.replace(parameters=rest, return_annotation=inspect.Signature.empty)
 
 
-def with_signature(function: Any, names: dict[str, Any]) -> Callable[..., Any]:
-    """The function, as one of Python's."""
+def _is_of_no_overload(error: TypeError, name: str) -> bool:
+    return str(error).startswith(f"{name}(): incompatible function arguments.")
+
+
+def _refuse(
+    subject: str, callable_: Any, names: dict[str, Any], args: tuple, kwargs: dict[str, Any]
+) -> NoReturn:
+    raise TypeError(sentence(subject, _overloads(callable_, names), args, kwargs, names))
+
+
+def explain_constructor(owner: Any, names: dict[str, Any]) -> None:
+    """A call of the class that no constructor takes says what is wrong with it."""
+    if not hasattr(owner.__init__, "__nb_signature__"):
+        return
+
+    def refuse(args: tuple, kwargs: dict[str, Any]) -> NoReturn:
+        _refuse(owner.__name__, owner.__init__, names, args, kwargs)
+
+    owner._refuse = staticmethod(refuse)
+    _core._explain_constructor(owner)
+
+
+def with_signature(function: Any, names: dict[str, Any], owner: str = "") -> Callable[..., Any]:
+    """The function, or static method of a class, as one of Python's."""
 
     def call(*args: Any, **kwargs: Any) -> Any:
-        return function(*args, **kwargs)
+        try:
+            return function(*args, **kwargs)
+        except TypeError as error:
+            if not _is_of_no_overload(error, function.__name__):
+                raise
+        _refuse(owner + function.__name__, function, names, args, kwargs)
 
     wrapper: Any = functools.update_wrapper(call, function, updated=())
     wrapper.__signature__ = _signature(function, names)
     return call
+
+
+def _explainer(owner: type, method: Any, names: dict[str, Any]) -> Callable[..., NoReturn]:
+    def explain(self: Any, args: tuple, kwargs: dict[str, Any]) -> NoReturn:
+        subject = f"{owner.__name__}.{method.__name__}"
+        if not isinstance(self, owner):
+            raise TypeError(f"{subject}: self: got {shown(self)}; expected a {owner.__name__}")
+        _refuse(subject, method, names, tuple(args), kwargs)
+
+    return explain
 
 
 def sign_methods(owner: type, names: dict[str, Any]) -> None:
@@ -122,6 +171,7 @@ def sign_methods(owner: type, names: dict[str, Any]) -> None:
             continue
         if type(method).__name__ == "nb_method":
             make = functools.partial(_signature, method, names)
-            setattr(owner, name, _core._signed_method(method, make))
+            explain = _explainer(owner, method, names)
+            setattr(owner, name, _core._signed_method(method, make, explain))
         elif type(method).__name__ == "nb_func":
-            setattr(owner, name, staticmethod(with_signature(method, names)))
+            setattr(owner, name, staticmethod(with_signature(method, names, f"{owner.__name__}.")))

@@ -218,14 +218,15 @@ def test_rotations_without_scipy_name_it(monkeypatch):
     (lambda: polhode.RotorState([1, 0, 0], [1, 2, 3]), ValueError,
      r"q: got shape \(3,\); expected \(..., 4\)"),
     (lambda: polhode.RotorState([1, 0, 0, 0], [1, 2, np.nan]), ValueError, "g: got nan"),
-    (lambda: polhode.RotorState([0, 0, 0, 0], [1, 2, 3]), ValueError, "must not be zero"),
+    (lambda: polhode.RotorState([0, 0, 0, 0], [1, 2, 3]), ValueError,
+     r"q: got \(0, 0, 0, 0\); expected an attitude, which is not zero"),
     (lambda: polhode.RotorState([1, 0, 0, 0], 3), ValueError, r"expected \(..., 3\)"),
     (lambda: polhode.AndoyerState([0, 1], 0, 0, [0.1, 3], 1, 0), polhode.DomainError,
      r"L = 3 must be within \+-G, G = 1 \(at index \(1,\)\)"),
     (lambda: polhode.AndoyerState("x", 0, 0, 0, 1, 0), TypeError, "l: got a str"),
     (lambda: polhode.AndoyerState(1j, 0, 0, 0, 1, 0), TypeError, "complex"),
     (lambda: polhode.AndoyerState(np.array(["a"]), 0, 0, 0, 1, 0), TypeError, "expected real"),
-    (lambda: polhode.AndoyerState(None, 0, 0, 0, 1, 0), TypeError, "NoneType"),
+    (lambda: polhode.AndoyerState(None, 0, 0, 0, 1, 0), TypeError, "l: got None; expected numbers"),
     (lambda: polhode.AndoyerState(np.datetime64("2029-04-13"), 0, 0, 0, 1, 0), TypeError,
      "expected real numbers"),
     (lambda: polhode.AndoyerState(np.timedelta64(1, "s"), 0, 0, 0, 1, 0), TypeError,
@@ -272,3 +273,12 @@ def test_results_are_not_checked_nan_in_nan_out():
     assert np.isnan(lost.q[1]).all()
     assert np.isnan(polhode.to_andoyer(lost).G[1])
     assert np.isfinite(polhode.to_andoyer(lost).G[0])
+
+
+def test_a_body_prints_what_makes_it():
+    body = polhode.Body(1.0, 1.7, 2.1)
+    assert repr(body) == "Body(1.0, 1.7, 2.1)"
+    turned = polhode.Body.with_axes([1.0, 1.7, 2.1], [0.6, 0.0, 0.8, 0.0])
+    assert repr(turned) == "Body.with_axes((1.0, 1.7, 2.1), (0.6, 0.0, 0.8, 0.0))"
+    for one in (body, turned):
+        assert eval(repr(one), {"Body": polhode.Body}) == one

@@ -131,13 +131,13 @@ def test_methods_are_values():
         (lambda: Adaptive(0.0), ValueError, "tolerance 0 must be from 1e-15 to 0.01"),
         (lambda: Adaptive(1e-20), ValueError, "tolerance 1e-20 must be"),
         (lambda: Adaptive(np.nan), ValueError, "tolerance nan must be"),
-        (lambda: Adaptive("1e-9"), TypeError, "tolerance: float"),
+        (lambda: Adaptive("1e-9"), TypeError, "tolerance: got '1e-9', a str; expected a number"),
         (lambda: Adaptive(precision="single"), ValueError, "got 'single'; expected one of"),
         (lambda: Adaptive(precision=1.5), TypeError, "precision: got 1.5"),
         (lambda: Adaptive(largest_step=0.0), ValueError, "largest_step 0 must be positive"),
         (lambda: Splitting(-0.1), ValueError, "step -0.1 must be positive"),
         (lambda: Splitting(np.inf), ValueError, "step inf must be finite"),
-        (lambda: Splitting(), TypeError, "step: float"),
+        (lambda: Splitting(), TypeError, "Splitting: got no step; expected step (a number)"),
         (lambda: VariationOfConstants(1.0), ValueError, "tolerance 1 must be"),
         (lambda: Event("a", 3), TypeError, 'Event "a": function 3 must be callable'),
         (lambda: Event("a", len, "up"), ValueError, "crossing: got 'up'"),
@@ -153,7 +153,7 @@ def test_methods_are_values():
             ValueError,
             "initial: got shape (1,)",
         ),
-        (lambda: Problem(moon(), START, 0, "1"), TypeError, "stop: float"),
+        (lambda: Problem(moon(), START, 0, "1"), TypeError, "stop: got '1', a str; expected a"),
         (lambda: Problem(moon(), START, 0, np.nan), ValueError, "start 0 and stop nan must be"),
         (lambda: Problem(moon(), START, -np.inf, 1), ValueError, "start -inf and stop 1 must be"),
         (lambda: Problem(moon(), START, 0, 1, "adaptive"), TypeError, "method: got str"),
@@ -303,7 +303,7 @@ def test_what_a_torque_raises_passes_through_unchanged():
 
 @pytest.mark.parametrize(
     ("value", "words"),
-    [(None, 'event "x": got NoneType'), ("1", 'event "x": got'), ([1.0], 'event "x": got shape')],
+    [(None, 'event "x": got a NoneType'), ("1", 'event "x": got'), ([1.0], 'event "x": got shape')],
 )
 def test_an_event_that_gives_no_number_says_so(value, words):
     events = [Event("x", lambda t, s: value)]

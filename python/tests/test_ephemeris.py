@@ -2,11 +2,14 @@
 """Dates, tables of positions and planets from Python; the Earth under Sun and Moon."""
 
 import copy
+import datetime
 import math
 import pickle
 
+import astropy.time
 import budgets
 import numpy as np
+import pandas as pd
 import polhode
 import pytest
 from closeness import assert_allclose
@@ -156,3 +159,93 @@ def test_the_precession_is_that_of_the_averaged_torque(earth):
     of_psi = nutation(earth, False)[:, 0]
     assert_allclose(of_psi[9], np.degrees(rate) * 3600, rtol=budgets.averaged_precession)
 
+
+
+UTC = datetime.timezone.utc
+
+
+class Time:
+    """As astropy has it, as far as a Date looks."""
+
+    def __init__(self, jd1, jd2, scale, shape=()):
+        self.jd1, self.jd2, self.scale, self.shape = jd1, jd2, scale, shape
+
+    def __repr__(self):
+        return "<Time>"
+
+
+def test_dates_of_datetimes():
+    """A time zone makes it UTC; without one the scale must be said."""
+    there = polhode.calendar_date("UTC", 2029, 4, 13, 21, 46, 1.25)
+    utc = datetime.datetime(2029, 4, 13, 21, 46, 1, 250000, UTC)
+    west = utc.astimezone(datetime.timezone(datetime.timedelta(hours=-5)))
+    assert polhode.Date(utc) == polhode.Date(west) == polhode.Date(west, "UTC") == there
+    naive = utc.replace(tzinfo=None)
+    for scale in ("UTC", "TAI", "TT", "TDB", polhode.TimeScale.UT1):
+        assert polhode.Date(naive, scale) == polhode.calendar_date(
+            scale, 2029, 4, 13, 21, 46, 1.25)
+    stamp = pd.Timestamp("2029-04-13T21:46:01.000000250", tz="UTC")
+    assert_allclose(polhode.seconds_between(polhode.Date(stamp), there), 0.24999975,
+                    atol=budgets.date_second)
+    assert np.array_equal(polhode.planetary_position("moon", "earth", utc),
+                          polhode.planetary_position("moon", "earth", there))
+    with pytest.raises(ValueError, match="has no time zone; expected tzinfo=.*utc, or a scale"):
+        polhode.Date(naive)
+    with pytest.raises(ValueError, match="has a time zone and hence is UTC; expected no scale"):
+        polhode.Date(utc, "TDB")
+    with pytest.raises(ValueError, match="no time zone"):
+        polhode.planetary_position("moon", "earth", naive)
+    with pytest.raises(TypeError, match=r"Date: instant: got datetime.date\(2029, 4, 13\); exp"):
+        polhode.Date(utc.date())
+
+
+@pytest.mark.parametrize(("text", "calendar"), [
+    ("2029-04-13T21:46:59.999999999", (2029, 4, 13, 21, 46, 59.999999999)),
+    ("1929-02-28T23:59:59.5", (1929, 2, 28, 23, 59, 59.5)),
+    ("-4000-03-01T00:00:01", (-4000, 3, 1, 0, 0, 1.0)),
+    ("2029-04-13", (2029, 4, 13, 0, 0, 0.0)),
+    ("2029-04", (2029, 4, 1, 0, 0, 0.0)),
+    ("2029", (2029, 1, 1, 0, 0, 0.0)),
+])
+def test_dates_of_datetime64(text, calendar):
+    """NumPy's instants have no scale."""
+    instant = np.datetime64(text)
+    for scale in ("TT", "TDB"):
+        assert polhode.Date(instant, scale) == polhode.calendar_date(scale, *calendar)
+    with pytest.raises(ValueError, match=r"has no scale; expected one: Date\(instant, \"UTC\"\)"):
+        polhode.Date(instant)
+
+
+def test_datetime64_that_is_no_date():
+    with pytest.raises(ValueError, match="NaT.*; expected a date"):
+        polhode.Date(np.datetime64("NaT"), "TT")
+    with pytest.raises(ValueError, match="expected a year from -4799 to 9999"):
+        polhode.Date(np.datetime64("20000-01-01"), "TT")
+    with pytest.raises(TypeError, match="Date: instant: got array"):
+        polhode.Date(np.array(["2029-04-13"], "datetime64[s]"), "TT")
+
+
+def test_dates_of_the_time_of_astropy():
+    """Of whatever has jd1, jd2 and scale; astropy's own has the Julian dates of ERFA, too."""
+    assert polhode.Date(Time(2462240.0, 0.25, "tdb")) == polhode.Date("TDB", 2462240.0, 0.25)
+    assert polhode.Date(Time(2462240.0, 0.25, "utc"), "UTC") == polhode.Date(
+        "UTC", 2462240.0, 0.25)
+    leap = astropy.time.Time("2016-12-31T23:59:60.5", scale="utc")
+    assert_allclose(polhode.seconds_between(
+        polhode.Date(leap), polhode.Date("2016-12-31T23:59:60.5 UTC")), 0.0,
+        atol=budgets.date_second)
+    assert np.array_equal(polhode.j2000_from_teme(leap), polhode.j2000_from_teme(
+        polhode.Date(leap)))
+    for time, said in (
+        (Time(2462240.0, 0.0, "tcb"), "<Time> in the scale tcb; expected utc, tai, tt, tdb or ut1"),
+        (Time([2462240.0], [0.0], "tdb", (1,)), "<Time>, an array; expected one instant"),
+        (Time(math.nan, 0.0, "tdb"), "<Time>; expected a date"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            polhode.Date(time)
+    with pytest.raises(ValueError, match="<Time>, whose scale is TDB; expected no other scale"):
+        polhode.Date(Time(2462240.0, 0.0, "tdb"), "UTC")
+
+
+def test_a_text_may_have_its_scale_beside_it():
+    assert polhode.Date("2029-04-13T21:46", "TDB") == polhode.Date("2029-04-13T21:46:00 TDB")

@@ -66,6 +66,11 @@ def test_properties_are_those_of_the_motion():
                     rtol=budgets.chart_rounding)
     assert polhode.FreeRotation(BODY, LONG).circulates_long_axis
     assert repr(motion).startswith("<FreeRotation: short_axis, G=2.17")
+    assert repr(motion).endswith(f", polhode_period={motion.polhode_period}, precession_period="
+                                 f"{2 * np.pi / motion.precession_rate_long}>")
+    rest = polhode.FreeRotation(BODY, polhode.RotorState([1, 0, 0, 0], [0, 0, 0]))
+    assert repr(rest) == ("<FreeRotation: rest, G=0.0, T=0.0, polhode_period=inf, "
+                          "precession_period=inf>")
     assert repr(motion.modulus).startswith("Modulus(m=0.")
 
 

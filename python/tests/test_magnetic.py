@@ -141,7 +141,7 @@ omega_body = [0.01, 0.02, 0.03]
 [orbit.earth]
 gm = 398600.4418
 semi_major_axis = 7144.0
-inclination = 98.0
+inclination = "98 deg"
 node_rate = "1 deg/d"
 [[perturbation]]
 kind = "eddy-currents"

@@ -227,7 +227,7 @@ OTHER = Series(Symbols(["x"]), "x")
     (lambda: Series.of_csv(SYMBOLS, "a,b\n1,2\n"), ValueError, "coefficient,function"),
     (lambda: Symbols(["cos"]), ValueError, "cos"),
     (lambda: Symbols(["x", "x"]), ValueError, "x"),
-    (lambda: Symbols("abc"), TypeError, "incompatible"),
+    (lambda: Symbols("abc"), TypeError, "Symbols: variables: got 'abc', a str; expected a seq"),
     (lambda: series("G")**0.5, TypeError, "unsupported operand"),
     (lambda: series("G") * True, TypeError, "got a bool"),
     (lambda: series("G") * "2", TypeError, "sequence by non-int"),
@@ -235,7 +235,7 @@ OTHER = Series(Symbols(["x"]), "x")
     (lambda: np.ones(2) * series("G"), TypeError, "unsupported operand"),
     (lambda: series("G") * (3 * astropy.units.m), TypeError, "a Quantity in m"),
     (lambda: (3 * astropy.units.m) * series("G"), TypeError, "a Quantity in m"),
-    (lambda: Truncation({"k": 0.5}, 1), TypeError, "incompatible"),
+    (lambda: Truncation({"k": 0.5}, 1), TypeError, "Truncation: got {'k': 0.5}"),
 ])
 def test_what_is_wrong_is_named(wrong, kind, message):
     with pytest.raises(kind, match=message):

@@ -58,9 +58,9 @@ def test_methods_are_called_pickled_and_shown_as_before():
     assert at.__name__ == "at" and "exact state" in at.__doc__
     assert motion.at.__doc__ == at.__doc__
     assert pickle.loads(pickle.dumps(motion.at))(2.0) == motion.at(2.0)
-    with pytest.raises(TypeError, match="incompatible function arguments"):
+    with pytest.raises(TypeError, match=r"FreeRotation.at: got no t; expected t \(numbers\)"):
         motion.at()
-    with pytest.raises(TypeError, match="incompatible function arguments"):
+    with pytest.raises(TypeError, match="FreeRotation.at: self: got 3, an int; expected a FreeRot"):
         at(3, 2.0)
 
 
@@ -94,7 +94,7 @@ def test_functions_are_pickled_and_copied_by_name():
 
 
 def test_what_a_function_raises_passes_through():
-    with pytest.raises(TypeError, match="incompatible function arguments"):
+    with pytest.raises(TypeError, match="integrate: problem: got 3, an int; expected a Problem"):
         polhode.integrate(3, 4, 5, 6)
 
 

@@ -100,7 +100,7 @@ def test_at_is_between_the_samples_what_it_is_at_them():
         ([1.0, -0.1], ValueError, "t = -0.1 must be from 0 to 10"),
         (np.full(100, np.nan), ValueError, "t = nan must be from 0 to 10"),
         ("now", TypeError, "t: got a str; expected real numbers"),
-        (None, TypeError, "NoneType"),
+        (None, TypeError, "t: got None; expected numbers"),
     ],
 )
 def test_at_says_what_it_cannot_do(t, error, words):
@@ -300,7 +300,7 @@ def test_times_to_save_at():
         (lambda: SaveAt.steps(0.0, 1.0, -0.1), ValueError, "a step of -0.1 does not lead"),
         (lambda: SaveAt.steps(0.0, np.nan, 0.1), ValueError, "stop nan must be finite"),
         (lambda: SaveAt.count(0.0, 1.0, 0), ValueError, "a count of 0"),
-        (lambda: SaveAt.count(0.0, 1.0, 2.5), TypeError, "rows: int"),
+        (lambda: SaveAt.count(0.0, 1.0, 2.5), TypeError, "rows: got 2.5, a float; expected an int"),
         (lambda: SaveAt.times([np.inf]), ValueError, "time inf must be finite"),
         (lambda: SaveAt.times([[1.0]]), ValueError, "times: got shape (1, 1)"),
         (lambda: SaveAt.times("1"), TypeError, "times: got a str"),

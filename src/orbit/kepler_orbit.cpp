@@ -69,6 +69,9 @@ void require_valid(const KeplerElements& k, const char* function) {
                detail::tuple_text({k.inclination, k.node, k.argument, k.mean_anomaly, k.epoch}) +
                " must be finite");
   }
+  if (std::abs(k.inclination) > 2.0 * std::numbers::pi)  // degrees?
+    fail(function, "inclination " + detail::number_text(k.inclination) +
+                       " must be an angle in rad, at most a turn");
   const PlanarKepler::Shape shape = detail::kepler_shape(k);
   if (!positive(shape.mean_motion.hi) || !std::isfinite(shape.pericentre_time.hi))
     fail(function, "gm " + detail::number_text(k.gm) + " and pericentre " +

@@ -24,10 +24,12 @@ accuracy and the cost of each stand; accessors without arguments are properties.
   `Rotation` is taken wherever a quaternion is expected. A class of states holds one state or an
   array of any shape; its fields are floats for one state, else read-only arrays that share its
   memory. Arguments broadcast as in NumPy. `s[key]` indexes the leading axes.
+- **Numbers.** Any real type in, `float32` too: it is widened to `float64`, which all results are.
 - **Units.** Any consistent ones; angles are radians. Units in text belong to
   [scenarios](scenarios-and-results.md).
 - **Errors.** `ValueError` (also as `polhode.DomainError`) for a value outside the domain, with
-  the value, what was expected and its index; `TypeError` for a wrong type. Functions of states
+  the value, what was expected and its index; `TypeError` for a wrong type, with the argument, its
+  value and what was expected. Functions of states
   check nothing: NaN in, NaN out.
 - **Threads.** Whatever takes long releases the GIL.
 - **Copies.** Everything is immutable. Bodies, states, motions, orbits, frames, terms, systems,
@@ -74,7 +76,7 @@ sets](../../guide/charts.md) and [singularities](../../guide/singularities.md).
 The exact motion without torque ([guide](../../guide/free-rotation.md),
 [regimes](../../theory/regimes.md)).
 """, {
-        "The motion": "FreeRotation free_rotation Regime regime_name Modulus",
+        "The motion": "FreeRotation free_rotation propagate Regime regime_name Modulus",
         "What belongs to a motion":
             "SadovFrequencies sadov_frequencies psi_max least_period_ratio long_axis_period "
             "rounding_sensitivity free_events GeneratingFunction generating_function",

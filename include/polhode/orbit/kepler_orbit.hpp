@@ -4,9 +4,9 @@
 // Equations   x = Rz(node) Rx(inclination) Rz(argument) (x, y, 0) of PlanarKepler; n = sqrt(gm /
 //             a^3).
 // Units       any consistent set: gm in length^3 / time^2.
-// Domain      gm > 0, pericentre > 0, 0 <= e < 1 or e > 1, as near to 1 as double holds. From a
-//             position and a velocity: angular momentum not 0. Circular orbits have their
-//             pericentre where they are given; orbits in the xy plane have their node along x.
+// Domain      gm > 0, pericentre > 0, 0 <= e < 1 or e > 1, as near to 1 as double holds; |i| up to
+//             a turn. From a position and a velocity: angular momentum not 0. Circular orbits have
+//             their pericentre where they are given; orbits in the xy plane their node along x.
 // Accuracy    budget kepler_*: a few roundings of |position| plus what a rounding of t does, after
 //             any number of orbits and at pericentre of an orbit next to a parabola.
 // Errors      DomainError for elements out of the domain; for e = 1 it says what to use.

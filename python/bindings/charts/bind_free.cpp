@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Free rotation, and the charts that are read from it.
+#include "charts/propagate.hpp"
 #include "charts/states.hpp"
 #include "interface/value.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -178,9 +179,11 @@ void def_motion(nb::class_<FreeRotation>& c) {
 void def_motion_value(nb::class_<FreeRotation>& c) {
   c.def("__repr__",
         [](const FreeRotation& f) {
+          const double turn = 2.0 * pi<double>();
           return "<FreeRotation: " + nb::cast<std::string>(nb::cast(f.regime()).attr("name")) +
                  ", G=" + number_text(f.momentum()) + ", T=" + number_text(f.energy()) +
-                 ", polhode_period=" + number_text(f.polhode_period()) + ">";
+                 ", polhode_period=" + number_text(f.polhode_period()) +
+                 ", precession_period=" + number_text(turn / f.precession_rate_long()) + ">";
         })
       .def("__copy__", [](const FreeRotation& f) { return f; })
       .def(
@@ -416,6 +419,7 @@ void bind_free(nb::module_& m) {
       .value("short_axis", SadovRegion::short_axis, "circulation about the axis of greatest moment")
       .value("long_axis", SadovRegion::long_axis, "circulation about the axis of least moment");
   bind_motion(m);
+  bind_propagate(m);
   bind_flow_charts(m);
   bind_flow_jacobians(m);
   bind_properties(m);

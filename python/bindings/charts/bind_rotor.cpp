@@ -15,6 +15,9 @@ namespace {
 
 RotorState checked(const RotorState& s) {
   require_finite("RotorState: g", {s.g.x, s.g.y, s.g.z});
+  require_finite("RotorState: q", {s.q.w, s.q.x, s.q.y, s.q.z});
+  if (s.q == Quaternion{0.0, 0.0, 0.0, 0.0})
+    throw DomainError("RotorState: q: got (0, 0, 0, 0); expected an attitude, which is not zero");
   return {unit_quaternion(s.q.w, s.q.x, s.q.y, s.q.z), s.g};
 }
 EulerAngles checked(const EulerAngles& e) {
@@ -133,7 +136,11 @@ ValueError unless G >= 0 and Q^2 + P^2 <= 4 G for both pairs.)",
 std::string repr_of(const Body& body) {
   const Vec3& I = body.moments();
   const nb::object moments = nb::make_tuple(I.x, I.y, I.z);
-  return "Body" + nb::cast<std::string>(nb::repr(moments));
+  const auto text = nb::cast<std::string>(nb::repr(moments));
+  const Quaternion& q = body.q_FB();
+  if (q == Quaternion{1.0, 0.0, 0.0, 0.0}) return "Body" + text;
+  return "Body.with_axes(" + text + ", " +
+         nb::cast<std::string>(nb::repr(nb::make_tuple(q.w, q.x, q.y, q.z))) + ")";
 }
 
 void bind_body(nb::module_& m) {

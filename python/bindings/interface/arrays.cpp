@@ -80,8 +80,11 @@ FloatArray real_array(nb::handle value, const char* name) {
   }
   // an object array may hold numbers: Python integers beyond 64 bits
   const nb::object dtype = array.attr("dtype");
-  if (!is_real_kind(nb::cast<std::string>(dtype.attr("kind"))))
-    refuse_not_real(text_with(dtype, value), name);
+  const auto kind = nb::cast<std::string>(dtype.attr("kind"));
+  const bool is_list = PyList_Check(value.ptr()) || PyTuple_Check(value.ptr());
+  if (kind == "O" && !is_list && !nb::hasattr(value, "dtype"))  // an iterator, a timedelta
+    refuse_not_real("a " + class_name(value), name);
+  if (!is_real_kind(kind)) refuse_not_real(text_with(dtype, value), name);
   // not ascontiguousarray: it makes one dimension of none
   return numpy("asarray")(array, "dtype"_a = "float64", "order"_a = "C");
 }

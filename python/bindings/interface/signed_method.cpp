@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "interface/mistakes.hpp"
+
 namespace polhode::python {
 
 namespace {
@@ -13,13 +15,35 @@ struct SignedMethod {
   PyObject_HEAD vectorcallfunc call;
   PyObject* method;
   PyObject* make_signature;  // null once it was asked
-  PyObject* signature;       // null until then
+  PyObject* explain;
+  PyObject* signature;  // null until then
 };
 
 SignedMethod* of(PyObject* self) { return reinterpret_cast<SignedMethod*>(self); }
 
+// In place of the error that is set, the one that explain(self, args, kwargs) raises, if it does.
+void raise_explained(const SignedMethod* s, PyObject* const* arguments, std::size_t count,
+                     PyObject* names) {
+  const std::size_t n = static_cast<std::size_t>(PyVectorcall_NARGS(count));
+  if (n == 0) return;
+  PyErr_Clear();
+  try {
+    nb::list args;
+    for (std::size_t i = 1; i < n; ++i) args.append(nb::handle(arguments[i]));
+    nb::dict kwargs;
+    const std::size_t named = names == nullptr ? 0 : nb::len(names);
+    for (std::size_t i = 0; i < named; ++i)
+      kwargs[nb::handle(names)[i]] = nb::handle(arguments[n + i]);
+    nb::handle(s->explain)(nb::handle(arguments[0]), args, kwargs);
+  } catch (nb::python_error& e) {
+    e.restore();
+  }
+}
+
 PyObject* call(PyObject* self, PyObject* const* arguments, std::size_t count, PyObject* names) {
-  return PyObject_Vectorcall(of(self)->method, arguments, count, names);
+  PyObject* const result = PyObject_Vectorcall(of(self)->method, arguments, count, names);
+  if (result == nullptr && is_of_no_overload()) raise_explained(of(self), arguments, count, names);
+  return result;
 }
 
 // Of the class it is itself; of an object, a bound method. Calls do not come here.
@@ -53,12 +77,14 @@ int traverse(PyObject* self, visitproc visit, void* arg) {
   Py_VISIT(Py_TYPE(self));
   Py_VISIT(of(self)->method);
   Py_VISIT(of(self)->make_signature);
+  Py_VISIT(of(self)->explain);
   Py_VISIT(of(self)->signature);
   return 0;
 }
 int clear(PyObject* self) {
   Py_CLEAR(of(self)->method);
   Py_CLEAR(of(self)->make_signature);
+  Py_CLEAR(of(self)->explain);
   Py_CLEAR(of(self)->signature);
   return 0;
 }
@@ -95,13 +121,14 @@ nb::object made_type() {
 
 }  // namespace
 
-nb::object signed_method(nb::handle method, nb::handle make_signature) {
+nb::object signed_method(nb::handle method, nb::handle make_signature, nb::handle explain) {
   static PyObject* const type = made_type().release().ptr();
   SignedMethod* const made = PyObject_GC_New(SignedMethod, reinterpret_cast<PyTypeObject*>(type));
   if (made == nullptr) throw nb::python_error();
   made->call = call;
   made->method = method.inc_ref().ptr();
   made->make_signature = make_signature.inc_ref().ptr();
+  made->explain = explain.inc_ref().ptr();
   made->signature = nullptr;
   PyObject_GC_Track(made);
   return nb::steal(reinterpret_cast<PyObject*>(made));

@@ -8,7 +8,8 @@
 namespace polhode::python {
 
 // Calls `method`, as which it also answers for its name and text; its __signature__ is what
-// make_signature() returns, asked for once.
-nb::object signed_method(nb::handle method, nb::handle make_signature);
+// make_signature() returns, asked for once. Of arguments that it does not take,
+// explain(self, args, kwargs) raises what is said.
+nb::object signed_method(nb::handle method, nb::handle make_signature, nb::handle explain);
 
 }  // namespace polhode::python

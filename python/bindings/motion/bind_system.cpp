@@ -33,6 +33,11 @@ std::vector<AnyPerturbation> terms_of(const nb::tuple& terms) {
 // One term is as good as a sequence of one.
 nb::tuple tuple_of(nb::handle terms) {
   if (nb::isinstance<PythonTerm>(terms)) return nb::make_tuple(terms);
+  if (!nb::hasattr(terms, "__iter__"))
+    throw nb::type_error(("System: terms: got " + nb::cast<std::string>(nb::repr(terms)) +
+                          "; expected a term or a sequence of them: of a function of time and "
+                          "state, TorqueTerm or HamiltonianTerm makes one")
+                             .c_str());
   return nb::tuple(terms);
 }
 

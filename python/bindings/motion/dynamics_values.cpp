@@ -252,6 +252,11 @@ continues : whether another run has ended at `start`: an event there is that run
 }  // namespace
 
 nb::tuple events_of(nb::handle events, const char* what) {
+  if (!nb::hasattr(events, "__iter__"))
+    throw nb::type_error((std::string(what) + ": events: got " +
+                          nb::cast<std::string>(nb::repr(events)) +
+                          "; expected a sequence of Event")
+                             .c_str());
   nb::tuple all(events);
   for (const nb::handle event : all)
     if (!nb::isinstance<PythonEvent>(event))

@@ -8,7 +8,7 @@
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"
 #include "polhode/error.hpp"
-#include "polhode/text/epoch.hpp"
+#include "terms/date_of_instant.hpp"
 #include "terms/orbit_value.hpp"
 
 namespace polhode::python {
@@ -26,13 +26,19 @@ void make_date(Date* self, const OneOf<TimeScale>& scale, double day, double fra
   new (self) Date{choice<TimeScale>(scale, "scale"), day, fraction};
 }
 
-void make_date_of_text(Date* self, const std::string& text) {
-  try {
-    new (self) Date(epoch_date(text));
-  } catch (const DomainError& error) {
-    throw DomainError("Date: got \"" + text + "\"; " + error.what());
+// A datetime with a time zone or a Time of astropy, where a Date is expected.
+class WholeInstant : public nb::object {
+  NB_OBJECT_DEFAULT(WholeInstant, nb::object, "datetime.datetime", is_one)
+  static bool is_one(PyObject* value) { return is_whole_instant(value); }
+};
+
+// The scale of an instant: no number, which is the day of a Julian date.
+class ScaleOfInstant : public nb::object {
+  NB_OBJECT_DEFAULT(ScaleOfInstant, nb::object, "TimeScale | str", is_one)
+  static bool is_one(PyObject* value) {
+    return PyUnicode_Check(value) || nb::isinstance<TimeScale>(value);
   }
-}
+};
 
 void bind_dates(nb::module_& m) {
   nb::enum_<TimeScale>(m, "TimeScale", "A time scale of astronomy.")
@@ -48,10 +54,21 @@ Parameters
 scale : TimeScale, or its name: UTC, TAI, TT, TDB, UT1.
 day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of ERFA, in which a
     day with a leap second is stretched.
-text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
-    "JD 2456297.5 TDB". Functions that take a Date take such a text too. ValueError for others.)");
+instant : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
+    "JD 2456297.5 TDB"; a datetime.datetime, which is UTC if it has a time zone; a numpy.datetime64;
+    a Time of astropy, in its own scale. What has no scale needs one: Date(instant, "TDB").
+
+Functions that take a Date take such an instant too, if it has a scale. ValueError for others.)");
   c.def("__init__", make_date, "scale"_a, "day"_a, "fraction"_a = 0.0)
-      .def("__init__", make_date_of_text, "text"_a)
+      .def(
+          "__init__",
+          [](Date* self,
+             const Typed<"str | datetime.datetime | numpy.datetime64 | typing.Any">& instant,
+             const std::optional<ScaleOfInstant>& scale) {
+            new (self)
+                Date(date_of_instant(instant, scale ? nb::object(*scale) : nb::object(nb::none())));
+          },
+          "instant"_a, "scale"_a = nb::none())
       .def_ro("scale", &Date::scale, "Its time scale.")
       .def_ro("day", &Date::day, "The first part, days.")
       .def_ro("fraction", &Date::fraction, "The second part, days.")
@@ -77,6 +94,7 @@ text : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:
       });
   def_value(c, [](const Date& d) { return arguments_of(d); });
   nb::implicitly_convertible<nb::str, Date>();
+  nb::implicitly_convertible<WholeInstant, Date>();
 }
 
 void bind_time(nb::module_& m) {

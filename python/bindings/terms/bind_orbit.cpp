@@ -326,6 +326,13 @@ AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
   if (nb::isinstance<TurnedKeplerOrbit>(orbit)) return nb::cast<const TurnedKeplerOrbit&>(orbit);
   if (nb::isinstance<TableOrbit>(orbit)) return nb::cast<const TableOrbit&>(orbit);
   if (nb::isinstance<HistoryOrbit>(orbit)) return nb::cast<const HistoryOrbit&>(orbit);
+  if (PyCallable_Check(orbit.ptr()) == 0) {
+    const bool elements = nb::isinstance<KeplerElements>(orbit);
+    throw nb::type_error((label + ": got a " + class_name(orbit) + "; expected an orbit, " +
+                          (elements ? "KeplerOrbit(elements)" : "such as KeplerOrbit") +
+                          ", or a function of time")
+                             .c_str());
+  }
   functions.push_back(std::make_shared<PythonFunction>(orbit, label));
   return FunctionOrbit(functions.back());
 }
