@@ -87,7 +87,7 @@ format: ## Format every C++ file; list the public headers in polhode.hpp
 	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs clang-format-16 -i
 
 docs: build ## Build the documentation as a site: build/site/index.html (no network)
-	NO_MKDOCS_2_WARNING=1 $(PYTHON) -m mkdocs build --strict
+	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html -d build/doctrees docs build/site
 
 docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper map)
 	tools/reference_docs.py

@@ -23,7 +23,8 @@ OF_IO = re.compile("polhode/(text|tables|output|scenario|run)/")
 RELATIVE = budgets.documents
 SECONDS = 300
 
-FENCE = re.compile(r"^(`{3,}|~{3,})\s*([\w+-]*)\s*$")
+# A language, or a directive of the site with its arguments: ```{toctree}
+FENCE = re.compile(r"^(`{3,}|~{3,})\s*([\w+-]*|\{[\w:-]+\}.*)\s*$")
 DIRECTIVE = re.compile(r"^<!--\s*(file|skip|exit):\s*(.*?)\s*-->$")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
@@ -229,7 +230,7 @@ def test_a_wrong_number_is_seen():
 
 def test_python_blocks_share_their_names_and_keep_their_errors(tmp_path, build):
     page = Page(tmp_path, build, build / "polhode")
-    text = "```python\nx = 2\n```\n\n=== \"Tab\"\n\n    ```python\n    print(x + 1)\n    ```\n\n"
+    text = "```python\nx = 2\n```\n\n- Item\n\n    ```python\n    print(x + 1)\n    ```\n\n"
     text += "    ```text\n    3\n    ```\n\n<!-- exit: 1 -->\n```python\n1 / 0\n```\n"
     text += "```text\n...\nZeroDivisionError: division by zero\n```\n"
     try:

@@ -7,6 +7,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import nbformat
 import numpy as np
 import pytest
 import tomllib
@@ -127,9 +128,21 @@ def test_cells_of_a_script():
     page = tutorials.page("it", SCRIPT)
     assert page.startswith("# Title\n") and 'href="it.py"' in page
     assert "```python\ny = 2\n```" in page and "```text\n0.5\n   indented\n```" in page
-    assert "![A picture of it.](../figures/a.png)" in page
+    assert "```{figure} ../figures/a.png\n:alt: A picture of it.\n" in page
     drawing = tutorials.page("it", SCRIPT + "# Figure b.png: Lines.\n")
-    assert drawing.index("b.png") < drawing.index('??? quote "How it is drawn"\n\n    ```python\n')
+    assert drawing.index("b.png") < drawing.index(":::{dropdown} How it is drawn\n```python\n")
+
+
+def test_a_notebook_has_the_cells_of_the_script(script):
+    text = script.read_text(encoding="utf-8")
+    notebook = nbformat.reads(tutorials.notebook(text, "https://example.org/p"), as_version=4)
+    nbformat.validate(notebook)
+    code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
+    found = [cell for cell in tutorials.cells(text) if isinstance(cell, tutorials.Code)]
+    assert code == [cell.source.rstrip("\n") for cell in found] and code
+    links = [link for cell in notebook.cells for link in re.findall(r"\]\(([^)]*)\)", cell.source)
+             if cell.cell_type == "markdown"]  # fmt: skip
+    assert links and all(link.startswith("https://") for link in links)
 
 
 def test_a_number_that_nothing_printed_is_seen():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of the pages on real bodies into docs/figures: runs docs/examples/*.py there.
+"""Draws the pictures of the pages on real bodies into docs/figures: runs docs/examples/figures.
 
     tools/figures/examples.py [NAME...]
 
@@ -19,7 +19,7 @@ def main():
               ROOT / "build/release/python"]  # fmt: skip
     path = os.pathsep.join(str(pathlib.Path(place).resolve()) for place in places)
     environment = dict(os.environ, MPLBACKEND="agg", PYTHONPATH=path)
-    for script in sorted((ROOT / "docs/examples").glob("*.py")):
+    for script in sorted((ROOT / "docs/examples/figures").glob("*.py")):
         if not sys.argv[1:] or script.stem in sys.argv[1:]:
             subprocess.run([sys.executable, script], cwd=ROOT / "docs/figures", check=True,
                            env=environment)

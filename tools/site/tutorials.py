@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tutorials: scripts of docs/tutorials in percent format, as pages.
+"""Tutorials: scripts of docs/tutorials in percent format, as pages and as notebooks.
 
 `# %% [markdown]` begins text, `# %%` code. At the end of a code cell stand, as comments, the
 pictures that it writes and the lines that it prints:
@@ -11,22 +11,28 @@ pictures that it writes and the lines that it prints:
 tests/docs/test_tutorials.py runs every cell and compares both, so that a page shows nothing else
 than what its script did. Pictures are those of docs/figures (make figures)."""
 
+import json
 import pathlib
+import posixpath
 import re
 import sys
-import textwrap
 from dataclasses import dataclass, field
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "figures"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools/figures"))
 from gallery import FIGURES, shown_width  # noqa: E402
 
 MARKER = re.compile(r"# %%(?P<markdown> \[markdown\])?$")
 FIGURE = re.compile(r"# Figure (?P<file>\S+\.png): (?P<caption>.*)$")
 PRINTS = "# Prints:"
+LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)(#[^)]*)?\)")
 DOWNLOAD = """\
-<p class="download" markdown="0"><a href="{name}.py" download>{name}.py</a> is this page as a
-script: with <code>polhode[figures]</code> it prints and draws what is below.</p>
+<p class="download"><a href="{name}.py" download>{name}.py</a> and
+<a href="{name}.ipynb" download>{name}.ipynb</a> are this page as a script and as a notebook: with
+<code>polhode[figures]</code> they print and draw what is below.</p>
 """
+# Of a notebook; it has no outputs: what it prints and draws is on the page.
+KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 
 @dataclass
@@ -99,11 +105,10 @@ def code_text(cell: Code) -> str:
     if cell.printed:
         parts.append(f"```text\n{cell.printed}```\n")
     for file, caption in cell.figures.items():
-        width = f'{{ width="{shown_width(FIGURES / file)}" }}'
-        parts.append(f'<figure markdown="span">\n![{plain(caption)}](../figures/{file}){width}\n'
-                     f'<figcaption markdown="span">{caption}</figcaption>\n</figure>\n')
+        parts.append(f"```{{figure}} ../figures/{file}\n:alt: {plain(caption)}\n"
+                     f":width: {shown_width(FIGURES / file)}px\n\n{caption}\n```\n")
     if only_draws:
-        parts += ['??? quote "How it is drawn"\n', textwrap.indent(code, "    ")]
+        parts.append(f":::{{dropdown}} How it is drawn\n{code}:::\n")
     return "\n".join(parts)
 
 
@@ -120,16 +125,24 @@ def page(name: str, text: str) -> str:
     return "\n".join(parts)
 
 
-def scripts(root: pathlib.Path) -> list[pathlib.Path]:
+def notebook(text: str, folder: str) -> str:
+    """The script as a notebook; its links lead to the files of a folder of the repository."""
+    def absolute(match):
+        path = posixpath.normpath(f"docs/tutorials/{match[1]}")
+        return f"]({folder}/{path}{match[2] or ''})"
+
+    found = []
+    for number, cell in enumerate(cells(text), 1):
+        if isinstance(cell, Text):
+            kind, source = {"cell_type": "markdown"}, LINK.sub(absolute, cell.text)
+        else:
+            kind = {"cell_type": "code", "execution_count": None, "outputs": []}
+            source = cell.source
+        lines = source.rstrip("\n").splitlines(keepends=True)
+        found.append({**kind, "id": f"cell-{number}", "metadata": {}, "source": lines})
+    whole = {"cells": found, "metadata": {"kernelspec": KERNEL}, "nbformat": 4, "nbformat_minor": 5}
+    return json.dumps(whole, indent=1) + "\n"
+
+
+def scripts(root: pathlib.Path = ROOT) -> list[pathlib.Path]:
     return sorted((root / "docs/tutorials").glob("*.py"))
-
-
-def address(name: str) -> str:
-    """Where the site shows docs/tutorials/NAME.py."""
-    return name.removeprefix("docs/").removesuffix(".py") + ".md"
-
-
-def pages(root: pathlib.Path) -> dict[str, str]:
-    """Page in tutorials -> its Markdown."""
-    return {f"{path.stem}.md": page(path.stem, path.read_text(encoding="utf-8"))
-            for path in scripts(root)}
