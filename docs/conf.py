@@ -64,6 +64,7 @@ toc_object_entries_show_parents = "hide"
 
 bibtex_bibfiles = ["references.bib"]
 bibtex_default_style = "polhode"
+bibtex_cite_id = "{key}"
 
 # What the types of the Python reference link to, without network.
 intersphinx_mapping = inventories.mapping()

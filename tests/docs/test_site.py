@@ -158,7 +158,7 @@ def test_every_example_is_shown(pages, site):
     for path in (ROOT / "examples").iterdir():
         if path.suffix in (".toml", ".cpp", ".py"):
             anchors = pages[site / "examples/files.html"].anchors
-            assert path.name.replace(".", "-") in anchors, path.name
+            assert re.sub("[._]", "-", path.name) in anchors, path.name
 
 
 LINKS = """\
@@ -236,6 +236,7 @@ class Thing : public std::vector<int> {
  public:
   // Makes one.
   explicit Thing(double x) : x_{x}, y_(x) { check("}"); }
+
   void check(const char*);
   double x() const { return x_; }  // metres
   double y() const { return y_; }
@@ -264,7 +265,7 @@ std::vector<T> made(const std::vector<T>& v) {
 inline void Thing::check(const char*) {}
 using Things = std::vector<Thing>;
 inline constexpr double table[] = {1.0, 2.0};
-extern template class std::vector<Thing>;
+extern template std::vector<char> made(const std::vector<char>&);
 }  // namespace v0
 }  // namespace polhode
 """
