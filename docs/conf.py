@@ -49,7 +49,6 @@ highlight_language = "text"
 
 myst_enable_extensions = ["colon_fence", "deflist", "dollarmath", "html_image"]
 myst_heading_anchors = 4
-myst_dmath_allow_digits = False
 myst_update_mathjax = False
 
 autodoc_member_order = "bysource"

@@ -189,7 +189,8 @@ def text_of(cursors: Iterable[Cursor], inside: bool = False) -> str:
                 continue
             last = found[-1] if found else None
             near = last and cursor.extent.start.line <= last.line + 1
-            if near and last.open and last.directive == new.directive and not new.comment:
+            same = near and last.directive == new.directive and new.comment in ("", last.comment)
+            if same and last.open:
                 last.signatures += new.signatures
                 last.line, last.open = new.line, new.open
             else:
