@@ -196,6 +196,7 @@ OF_CALL = {
         "satellite_mass": 0.0123,
         "ellipticity": 0.003,
         "triaxiality": 0.0,
+        "spin_rate": 7e-5,
         "order": 1,
         "least": 1e-9,
     },
@@ -208,6 +209,7 @@ OF_CALL = {
     "Series.displaced": {"name": "G", "d": 2},
     "CompiledSeries.at": {"points": [1.0, 0.1, 0.5]},
     "Series.transform_size": {"keep": KEEP},
+    "TransformSize.__init__": {"terms": [1.0], "bytes": [2.0]},
     "LieTransform.__init__": {
         "angles": ["g"],
         "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G"),

@@ -142,10 +142,10 @@ def test_what_does_not_fit_is_said(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["gallery.py", "dot"])
     assert gallery.main() == 0 and gallery.errors() == []
     page = (scripts / "index.md").read_text(encoding="utf-8")
-    assert "### A dot\n" in page and "\nIn the middle.\n" in page and '\nprint("| 1 |")\n' in page
+    assert "[![A dot](../figures/dot.png)](dot.py)" in page and "\ndot\n" in page
     assert "\n| 1 |\n" in (scripts / "other.md").read_text(encoding="utf-8")
     assert (scripts / "other.md").read_text(encoding="utf-8").endswith(f"{gallery.END}\nb\n")
-    (scripts / "dot.py").write_text(script.replace("middle", "centre"), encoding="utf-8")
+    (scripts / "dot.py").write_text(script.replace("A dot", "A spot"), encoding="utf-8")
     monkeypatch.setattr(sys, "argv", ["gallery.py", "--check"])
     capsys.readouterr()
     assert gallery.main() == 1 and "does not fit the scripts" in capsys.readouterr().out

@@ -95,8 +95,8 @@ MISTAKES = {
         lambda: polhode.AndoyerState([0, 1], [0, 1, 2], 0, 0, 1, 0),
         "l of shape (2,) and g of shape (3,) do not broadcast"),
     "an unknown word": (
-        lambda: polhode.TumblerState(27.4, 30.6, [0, 0, 1], "SAM", 0, 0),
-        "mode: got 'SAM'; expected one of rest steady short_axis long_axis separatrix"),
+        lambda: polhode.TumblerState(27.4, 30.6, [0, 0, 1], "fast", 0, 0),
+        "mode: got 'fast'; expected one of rest steady short_axis long_axis separatrix"),
     "a pole in longitude and latitude": (
         lambda: polhode.TumblerState(27.4, 30.6, [250, -75], "short_axis", 0, 0),
         "pole: got shape (2,); expected (..., 3)"),

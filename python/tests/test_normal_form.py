@@ -97,7 +97,8 @@ def test_it_is_a_value():
      r"moments \(2, 1.5, 3\) must rise, A <= B < C"),
     (lambda: TriaxialNormalForm(polhode.Body(1, 2, 2), 2), ValueError, "must rise"),
     (lambda: FORM.energy([1, 2], [1, 2, 3]), ValueError, "broadcast"),
-    (lambda: FORM.mean(1.0), TypeError, "incompatible"),
+    (lambda: FORM.mean(1.0), TypeError,
+     "osculating: got 1.0, a float; expected an AndoyerState"),
 ])
 def test_what_is_wrong_is_named(wrong, kind, message):
     with pytest.raises(kind, match=message):
