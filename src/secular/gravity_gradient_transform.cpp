@@ -74,9 +74,11 @@ double curvature(const TermKey& key, const Local& h0) {
   const char* const action[2] = {"I_l", "I_g"};
   double sum = 0.0;
   for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      for (const auto& one : derivative(derivative(h0, action[i]), action[j]).terms())
+    for (int j = 0; j < 2; ++j) {
+      const Local second = derivative(derivative(h0, action[i]), action[j]);
+      for (const auto& one : second.terms())
         sum += multiplier(names, key, i) * multiplier(names, key, j) * one.c.constant();
+    }
   return sum;
 }
 
@@ -111,9 +113,8 @@ void require_small(const LieTransform<ActionTaylor>& transform, const GravityGra
   constexpr double share = 0.3;
   const auto require = [&](const char* name, double distance, const char* where) {
     double moved = 0.0;
-    const Local short_period = transform.short_period(name);
-    for (const auto& term : part_of_order(short_period, gradient_orders(1), 1).terms())
-      moved += size_of(term) / s.at.I_g;
+    const Local first = part_of_order(transform.short_period(name), gradient_orders(1), 1);
+    for (const auto& term : first.terms()) moved += size_of(term) / s.at.I_g;
     if (moved < share * distance) return;
     refuse_theory("the torque moves " + std::string(name) + " / I_g by " + number_text(moved) +
                   ", and it is " + number_text(distance) + " from " + where);

@@ -40,9 +40,11 @@ TEST(Fourier, GivesBackTheSeriesThatItSamples) {
   });
   ASSERT_EQ(found.series.size(), 3U);
   const polhode::Series<double>* const given[] = {&first, &second, &third};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const Term<double>& left : (found.series[i] - *given[i]).terms())
+  for (std::size_t i = 0; i < 3; ++i) {
+    const polhode::Series<double> difference = found.series[i] - *given[i];
+    for (const Term<double>& left : difference.terms())
       EXPECT_LT(std::abs(left.c), polhode::budget::fourier_series);
+  }
   // One place on either side of the harmonics is free.
   EXPECT_LT(found.at_border, polhode::budget::fourier_series);
 }
