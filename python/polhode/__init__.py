@@ -15,6 +15,7 @@ from polhode._signatures import (
 )
 from polhode._summary import Summary
 from polhode.argument_fit import ArgumentFit, argument_fit
+from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
 from polhode.maps import MapResults
@@ -24,6 +25,7 @@ from polhode.scenarios import Citation, Scenario, load
 __all__ = [
     "ArgumentFit",
     "Citation",
+    "FreeWobble",
     "HarmonicFit",
     "MapResults",
     "Results",
@@ -34,6 +36,7 @@ __all__ = [
     "harmonic_fit",
     "load",
     "to_scipy",
+    "without_free_wobble",
     *(name for name in dir(_core) if not name.startswith("_")),
 ]
 

@@ -163,6 +163,7 @@ EPOCH = "2000-06-28T00:00:00 UTC"
 
 
 ARGUMENTS = {"at_epoch": [0.0], "rates": [2.0], "multiples": [[1.0]]}
+SPINNING = polhode.RotorState([1.0, 0.0, 0.0, 0.0], [0.0, 0.1, 3.0])
 
 
 def no_figures(tmp_path):
@@ -183,6 +184,11 @@ def no_figures(tmp_path):
         ),
         "ArgumentFit.at": (polhode.argument_fit(TIMES, TIMES, **ARGUMENTS).at, {"t": TIMES}, {}),
         "HarmonicFit.at": (polhode.harmonic_fit(TIMES, TIMES, [3.0]).at, {"t": TIMES}, {}),
+        "without_free_wobble": (
+            polhode.without_free_wobble,
+            {"start": 0.0, "periods": 6, "damper_rate": [0.0, 0.0, 0.0]},
+            {"system": polhode.System(public_calls.BODY), "initial": SPINNING},
+        ),
         "to_scipy": (polhode.to_scipy, {"attitude": [1.0, 0.0, 0.0, 0.0]}, {}),
         "Satellite.states": (SATELLITE.states, {"times": [0.0, 60.0]}, {"epoch": EPOCH}),
         "Satellite.orbit": (SATELLITE.orbit, first_last, {"epoch": EPOCH}),

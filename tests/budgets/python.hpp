@@ -27,6 +27,17 @@ inline constexpr double argument_period = 3e-5;
 // Where coefficients change with time, over the largest number in the series.
 inline constexpr double argument_changes = 1e-12;
 
+// --- starts without free wobble (python/tests/test_free_wobble.py) ---
+// Euler's period and the polhode of the free motion, relative.
+inline constexpr double wobble_period = 1e-9;
+// A forced path found from two starts; the part of a wobble that is left.
+inline constexpr double wobble_forced = 1e-9;
+inline constexpr double wobble_left = 1e-4;
+// The forced rates of the Earth against their series in kappa, relative; the period, which the
+// pull of Moon and Sun changes a little.
+inline constexpr double wobble_earth = 1e-3;
+inline constexpr double wobble_chandler = 1e-3;
+
 // --- real bodies (python/tests/test_real_bodies.py) ---
 // Published numbers, relative.
 inline constexpr double published_mercury = 1e-3;
