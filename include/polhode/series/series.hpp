@@ -42,7 +42,9 @@ class Series {
       : symbols_(std::move(symbols)), terms_(detail::canonical(symbols_, std::move(terms))) {}
 
   const Symbols& symbols() const { return symbols_; }
-  std::span<const Term<T>> terms() const { return terms_; }
+  std::span<const Term<T>> terms() const& { return terms_; }
+  // Of a temporary by value, so that `for (auto& term : product(a, b).terms())` reads what lives.
+  std::vector<Term<T>> terms() && { return std::move(terms_); }
   std::size_t size() const { return terms_.size(); }
   bool is_zero() const { return terms_.empty(); }
 
