@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One state of a free rotation: FreeRotation::at next to the textbook form (Jacobi functions and an
-// incomplete integral of the third kind per state) with Boost.Math and with GSL; then preparation
-// and the transition matrix. Short-axis mode, times up to 1e4 rad of rotation. `error` is the
-// largest angle (rad) from the textbook form at 50 digits, over 64 times; `k` is the modulus.
+// One state of a free rotation: FreeRotation::at, and many in one call, next to the textbook form
+// (Jacobi functions and an incomplete integral of the third kind per state) with Boost.Math and
+// with GSL; then preparation and the transition matrix. Short-axis mode, times up to 1e4 rad of
+// rotation. `error` is the largest angle (rad) from the textbook form at 50 digits, over 64 times;
+// `k` is the modulus.
 #include "polhode/free/free_rotation.hpp"
 
 #include <benchmark/benchmark.h>
@@ -15,6 +16,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "worst.hpp"
@@ -181,7 +183,34 @@ void textbook(benchmark::State& state) {
   const Textbook<F> f(moments, momentum(state.range(0)));
   measure(state, [&](double t) { return f.attitude(t); });
 }
+// Many times in one call; `range(1)` is the set of instructions.
+void polhode_states_at(benchmark::State& state) {
+  const auto set = static_cast<InstructionSet>(state.range(1));
+  if (!supports(set)) return state.SkipWithError("this processor has no such instructions");
+  const FreeRotation f(Body(moments.x, moments.y, moments.z), {{}, momentum(state.range(0))});
+  const std::vector<double> t = times(4096);
+  std::vector<RotorState> states(t.size());
+  for (auto _ : state) {
+    states_at(f.kernel(), t, states, set);
+    benchmark::DoNotOptimize(states.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(t.size()));
+  state.SetLabel(std::string(instruction_set_name(set)));
+  state.counters["k"] = modulus(state.range(0));
+  const auto at = [&](double x) {
+    const std::vector<double> same(16, x);
+    std::vector<RotorState> found(same.size());
+    states_at(f.kernel(), same, found, set);
+    return found.back().q;
+  };
+  state.counters["error"] = worst_error(at, state.range(0));
+  state.counters["ns_per_state"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(t.size()) * 1e-9,
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
 BENCHMARK(polhode_at)->DenseRange(0, 3);
+BENCHMARK(polhode_states_at)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2}});
 BENCHMARK(textbook<BoostFunctions<double, bm::policies::policy<>>>)->DenseRange(0, 3);
 BENCHMARK(textbook<BoostFunctions<double, DoubleOnly>>)->DenseRange(0, 3);
 BENCHMARK(textbook<GslFunctions>)->DenseRange(0, 3);

@@ -4,24 +4,39 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "polhode/math/instruction_set.hpp"
 #include "polhode/run/summary.hpp"
 
 namespace polhode::cli {
+namespace {
+
+std::string instruction_sets() {
+  std::string text = "instruction sets:";
+  for (const InstructionSet set : supported_instruction_sets())
+    text += " " + std::string(instruction_set_name(set));
+  return text + "\nused for many states at a time: " +
+         std::string(instruction_set_name(widest_instruction_set())) + "\n";
+}
+
+}  // namespace
 
 void add_info(CLI::App& app, const Kinds& kinds) {
   struct Options {
     std::string scenario;
     std::vector<std::string> set;
     bool json = false;
+    bool cpu = false;
   };
   CLI::App* command = app.add_subcommand("info", "Say what the body of a scenario does");
   const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
-      ->required();
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input");
   add_set_option(*command, options->set);
   command->add_flag("--json", options->json, "For programs: every digit");
+  command->add_flag("--cpu", options->cpu, "What of this processor is used, instead of a scenario");
   command->footer("Example:\n  " + full_name(*command) + " examples/toutatis.toml");
   command->callback([options, kinds] {
+    if (options->cpu) return print(instruction_sets());
+    if (options->scenario.empty()) throw CLI::RequiredError("FILE");
     const Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
     const auto lines = summary(scenario);
     print(options->json ? summary_json(lines) : summary_table(lines));

@@ -210,3 +210,16 @@ def moved(state, name, change):
     values = {field: getattr(state, field) for field in names
               if field not in ("shape", "ndim", "size")}
     return type(state)(**{**values, name: values[name] + change})
+
+
+def test_many_states_have_the_bits_of_one_at_a_time():
+    times = np.concatenate([np.linspace(-50, 1e6, 1001), [np.nan, np.inf, 1e300]])
+    for state in (SHORT, polhode.RotorState([1, 0, 0, 0], [0, 0, 1.5])):
+        motion = polhode.FreeRotation(BODY, state)
+        many = motion.at(times.reshape(4, 251))
+        for k in (0, 1, 500, 1000, 1001, 1002, 1003):
+            one = motion.at(float(times[k]))
+            np.testing.assert_array_equal(many.q[k // 251, k % 251], one.q)
+            np.testing.assert_array_equal(many.g[k // 251, k % 251], one.g)
+        backwards = motion.at(times[::-1])
+        np.testing.assert_array_equal(backwards.q[::-1], many.q.reshape(-1, 4))

@@ -37,8 +37,10 @@ ALLOWED = [
     ("include/polhode/orbit/x.hpp", "namespace detail {\n\nclass X;\n\n}  // namespace detail"),
     ("include/polhode/orbit/detail/x.hpp",
      "namespace detail {\n\nint x();\n\n}  // namespace detail"),
+    ("include/polhode/math/detail/registers.hpp", "#include <immintrin.h>"),
 ]
 REFUSED = [
+    ("src/free/x.cpp", "#include <immintrin.h>", "is not for this file"),
     ("src/text/x.cpp", '#include "tables/x.hpp"', "text may not include tables"),
     ("include/polhode/output/x.hpp", '#include "polhode/scenario/scenario.hpp"',
      "output may not include scenario"),

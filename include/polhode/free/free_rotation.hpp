@@ -22,9 +22,12 @@
 //             nanoseconds.
 #pragma once
 
+#include <span>
+
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/free/detail/primed_arc_declared.hpp"
 #include "polhode/free/free_kernel.hpp"
+#include "polhode/free/states_at.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
@@ -50,6 +53,11 @@ class FreeRotation {
 
   // The state at time t; q is normalised.
   RotorState at(double t) const noexcept { return evaluate(kernel_, t); }
+  // The states at many times, bit for bit the same and several times as fast: states[i] that at
+  // times[i]. DomainError unless there are as many. More in states_at.hpp.
+  void at(std::span<const double> times, std::span<RotorState> states) const {
+    states_at(kernel_, times, states);
+  }
 
   // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q
   // exp(dtheta_B / 2). On the separatrix and for spin about b2 it grows like exp(n t); NaN once n t

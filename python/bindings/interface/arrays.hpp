@@ -118,14 +118,14 @@ void put(double* out, const Mat3& m);
 void put(double* out, const Matrix6& m);
 inline void put(double* out, double number) { *out = number; }
 
-// f(k) for every k, without the GIL where it is worth it, with a look at signals every few
-// milliseconds whatever f costs: so that Ctrl-C ends a conversion of any length.
+// f(begin, end) for parts of 0 .. size, without the GIL where it is worth it, with a look at
+// signals every few milliseconds whatever f costs: so that Ctrl-C ends a conversion of any length.
 template <class F>
-void for_each(std::size_t size, F f) {
+void for_each_part(std::size_t size, F f) {
   using Clock = std::chrono::steady_clock;
   constexpr std::size_t few = 32;
   if (size <= few) {
-    for (std::size_t k = 0; k < size; ++k) f(k);
+    f(std::size_t{0}, size);
     return;
   }
   std::size_t chunk = 512;
@@ -134,12 +134,20 @@ void for_each(std::size_t size, F f) {
     const Clock::time_point start = Clock::now();
     {
       WithoutGil released;
-      for (std::size_t k = begin; k < end; ++k) f(k);
+      f(begin, end);
     }
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     if (Clock::now() - start < std::chrono::milliseconds(5)) chunk *= 2;
     begin = end;
   }
+}
+
+// f(k) for every k.
+template <class F>
+void for_each(std::size_t size, F f) {
+  for_each_part(size, [&f](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) f(k);
+  });
 }
 
 }  // namespace polhode::python

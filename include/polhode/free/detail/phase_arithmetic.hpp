@@ -165,9 +165,13 @@ template <Number T>
 }
 
 template <class Arithmetic, Number T>
-[[gnu::always_inline]] inline SinCos<T> sincos_of_turn(const TwoTerms<T>& turn) {
+[[gnu::always_inline]] inline TwoTerms<T> whole_turns_off(const TwoTerms<T>& turn) {
   const T inverse_two_pi(0.15915494309189535);
-  return Arithmetic::sincos(reduced<Arithmetic>(turn, whole_turn<T>(), inverse_two_pi).rest);
+  return reduced<Arithmetic>(turn, whole_turn<T>(), inverse_two_pi).rest;
+}
+template <class Arithmetic, Number T>
+[[gnu::always_inline]] inline SinCos<T> sincos_of_turn(const TwoTerms<T>& turn) {
+  return Arithmetic::sincos(whole_turns_off<Arithmetic>(turn));
 }
 
 }  // namespace detail

@@ -41,19 +41,32 @@ template <class Arithmetic, Number T>
           select(series.hyperbolic, v.turn, T(0.0))};
 }
 
-// The state whose series has the value p when the invariable frame has turned.
-template <class Arithmetic, Number T>
-[[gnu::always_inline]] inline BasicRotorState<T> turned_state(const BasicFreeKernel<T>& k,
-                                                              const BasicQuaternion<T>& p,
-                                                              const TwoTerms<T>& turn) {
+// The state whose series has the value p when the invariable frame has turned by twice the angle of
+// c.
+template <Number T>
+[[gnu::always_inline]] inline BasicRotorState<T> turned_by(const BasicFreeKernel<T>& k,
+                                                           const BasicQuaternion<T>& p,
+                                                           const SinCos<T>& c,
+                                                           const T& inverse_n2) {
   using std::sqrt;
-  const T inverse_n2 = T(1.0) / (p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
-  const SinCos<T> c = sincos_of_turn<Arithmetic>(turn);
   const T f = sqrt(inverse_n2);
   const BasicQuaternion<T> spun{f * (c.cos * p.w - c.sin * p.z), f * (c.cos * p.x - c.sin * p.y),
                                 f * (c.cos * p.y + c.sin * p.x), f * (c.cos * p.z + c.sin * p.w)};
   const BasicVec3<T> m = momentum_direction(p, inverse_n2);
   return {k.left * (spun * k.right), k.to_body.applied(k.G * m)};
+}
+
+template <Number T>
+[[gnu::always_inline]] inline T inverse_norm2(const BasicQuaternion<T>& p) {
+  return T(1.0) / (p.w * p.w + p.x * p.x + p.y * p.y + p.z * p.z);
+}
+
+template <class Arithmetic, Number T>
+[[gnu::always_inline]] inline BasicRotorState<T> turned_state(const BasicFreeKernel<T>& k,
+                                                              const BasicQuaternion<T>& p,
+                                                              const TwoTerms<T>& turn) {
+  const T inverse_n2 = inverse_norm2(p);
+  return turned_by(k, p, sincos_of_turn<Arithmetic>(turn), inverse_n2);
 }
 
 // Attitude and momentum of an arc that is not steady.

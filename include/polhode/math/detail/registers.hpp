@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The registers of a set of instructions, and what the operators of the compiler's vectors lack.
+// The only header that names instructions.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "polhode/math/instruction_set.hpp"
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+inline constexpr std::int64_t sign_bit = INT64_MIN;
+
+// Those of a set are there in sources that are compiled for it.
+template <InstructionSet isa>
+struct Registers;
+
+// Registers of any processor: 16 bytes.
+template <>
+struct Registers<InstructionSet::baseline> {
+  using Doubles = double __attribute__((vector_size(16)));
+  using Bits = std::int64_t __attribute__((vector_size(16)));
+
+  [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) {
+#if defined(__SSE2__)
+    return _mm_sqrt_pd(x);
+#else
+    return Doubles{std::sqrt(x[0]), std::sqrt(x[1])};
+#endif
+  }
+  // The nearest integer is what the sum with 2^52 rounds to; larger numbers are integers.
+  [[gnu::always_inline]] static Doubles rint(const Doubles& x) {
+    const Bits bits = std::bit_cast<Bits>(x);
+    const Doubles size = std::bit_cast<Doubles>(bits & ~sign_bit);
+    const Doubles integer = (size + 0x1p52) - 0x1p52;
+    return size < 0x1p52 ? std::bit_cast<Doubles>(std::bit_cast<Bits>(integer) | (bits & sign_bit))
+                         : x;
+  }
+  [[gnu::always_inline]] static Doubles floor(const Doubles& x) {
+    const Doubles r = rint(x);
+    return r > x ? r - 1.0 : r;
+  }
+  [[gnu::always_inline]] static bool any(const Bits& mask) { return (mask[0] | mask[1]) != 0; }
+};
+
+#if defined(__AVX2__) && defined(__FMA__)
+template <>
+struct Registers<InstructionSet::avx2> {
+  using Doubles = double __attribute__((vector_size(32)));
+  using Bits = std::int64_t __attribute__((vector_size(32)));
+
+  [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) { return _mm256_sqrt_pd(x); }
+  [[gnu::always_inline]] static Doubles rint(const Doubles& x) {
+    return _mm256_round_pd(x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC);
+  }
+  [[gnu::always_inline]] static Doubles floor(const Doubles& x) { return _mm256_floor_pd(x); }
+  [[gnu::always_inline]] static Doubles fma(const Doubles& x, const Doubles& y, const Doubles& z) {
+    return _mm256_fmadd_pd(x, y, z);
+  }
+  [[gnu::always_inline]] static bool any(const Bits& mask) {
+    const auto m = std::bit_cast<__m256i>(mask);
+    return _mm256_testz_si256(m, m) == 0;
+  }
+};
+
+#endif
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+// Forms with a mask, of ones: GCC 12 warns of an uninitialized variable in the others.
+template <>
+struct Registers<InstructionSet::avx512> {
+  using Doubles = double __attribute__((vector_size(64)));
+  using Bits = std::int64_t __attribute__((vector_size(64)));
+
+  [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) {
+    return _mm512_maskz_sqrt_pd(0xff, x);
+  }
+  [[gnu::always_inline]] static Doubles rint(const Doubles& x) {
+    return _mm512_maskz_roundscale_pd(0xff, x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC);
+  }
+  [[gnu::always_inline]] static Doubles floor(const Doubles& x) {
+    return _mm512_maskz_roundscale_pd(0xff, x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+  }
+  [[gnu::always_inline]] static Doubles fma(const Doubles& x, const Doubles& y, const Doubles& z) {
+    return _mm512_fmadd_pd(x, y, z);
+  }
+  [[gnu::always_inline]] static bool any(const Bits& mask) {
+    const auto m = std::bit_cast<__m512i>(mask);
+    return _mm512_test_epi64_mask(m, m) != 0;
+  }
+};
+#endif
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Pack: as many doubles as a register holds, one lane each, that a kernel computes with at a time.
+//
+// Equations   every operation lane by lane.
+// Units       none.
+// Domain      what a Number offers (polhode/math/number.hpp), and what the kernels of free rotation
+//             ask for besides. A source that uses Pack<isa> is compiled for that set; baseline, for
+//             any processor. The set in the type keeps its code apart from that of other sources
+//             (docs/design/0031-packs.md).
+// Accuracy    the bits of a double alone, in each lane and by each set.
+// Errors      none; NaN in, NaN out, in the same lane.
+// Cost        one to four instructions for all lanes; exp that of a call for each.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "polhode/math/detail/registers.hpp"
+#include "polhode/math/number.hpp"
+#include "polhode/math/real.hpp"
+#include "polhode/math/trigonometry.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// One truth value a lane: all bits or none.
+template <InstructionSet isa>
+struct PackMask {
+  using Bits = typename detail::Registers<isa>::Bits;
+  Bits lanes;
+
+  PackMask() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): to all lanes
+  [[gnu::always_inline]] PackMask(bool b) : lanes(Bits{} - std::int64_t{b}) {}
+  [[gnu::always_inline]] explicit PackMask(const Bits& bits) : lanes(bits) {}
+
+  [[gnu::always_inline]] friend PackMask operator!(const PackMask& a) { return PackMask(~a.lanes); }
+  [[gnu::always_inline]] friend PackMask operator&&(const PackMask& a, const PackMask& b) {
+    return PackMask(a.lanes & b.lanes);
+  }
+  [[gnu::always_inline]] friend PackMask operator||(const PackMask& a, const PackMask& b) {
+    return PackMask(a.lanes | b.lanes);
+  }
+  [[gnu::always_inline]] friend PackMask operator!=(const PackMask& a, const PackMask& b) {
+    return PackMask(a.lanes ^ b.lanes);
+  }
+  [[gnu::always_inline]] friend PackMask operator==(const PackMask& a, const PackMask& b) {
+    return PackMask(~(a.lanes ^ b.lanes));
+  }
+  [[gnu::always_inline]] friend bool any(const PackMask& a) {
+    return detail::Registers<isa>::any(a.lanes);
+  }
+  [[gnu::always_inline]] friend bool all(const PackMask& a) { return !any(!a); }
+};
+
+template <InstructionSet isa>
+struct Pack {
+  using Registers = detail::Registers<isa>;
+  using Doubles = typename Registers::Doubles;
+  using Bits = typename Registers::Bits;
+  using Mask = PackMask<isa>;
+  static constexpr std::size_t width = sizeof(Doubles) / sizeof(double);
+
+  Doubles lanes;
+
+  Pack() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): to all lanes; x - 0, so that -0 keeps its sign
+  [[gnu::always_inline]] Pack(double x) : lanes(x - Doubles{}) {}
+  [[gnu::always_inline]] explicit Pack(const Doubles& x) : lanes(x) {}
+
+  // So many numbers one after the other, wherever they lie.
+  [[gnu::always_inline]] static Pack loaded(const double* from) {
+    Pack x;
+    std::memcpy(&x.lanes, from, sizeof x.lanes);
+    return x;
+  }
+  [[gnu::always_inline]] void store(double* to) const { std::memcpy(to, &lanes, sizeof lanes); }
+
+  [[gnu::always_inline]] friend Pack operator-(const Pack& a) { return Pack(-a.lanes); }
+  [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) {
+    return Pack(a.lanes + b.lanes);
+  }
+  [[gnu::always_inline]] friend Pack operator-(const Pack& a, const Pack& b) {
+    return Pack(a.lanes - b.lanes);
+  }
+  [[gnu::always_inline]] friend Pack operator*(const Pack& a, const Pack& b) {
+    return Pack(a.lanes * b.lanes);
+  }
+  [[gnu::always_inline]] friend Pack operator/(const Pack& a, const Pack& b) {
+    return Pack(a.lanes / b.lanes);
+  }
+  [[gnu::always_inline]] friend Mask operator==(const Pack& a, const Pack& b) {
+    return Mask(a.lanes == b.lanes);
+  }
+  [[gnu::always_inline]] friend Mask operator!=(const Pack& a, const Pack& b) {
+    return Mask(a.lanes != b.lanes);
+  }
+  [[gnu::always_inline]] friend Mask operator<(const Pack& a, const Pack& b) {
+    return Mask(a.lanes < b.lanes);
+  }
+  [[gnu::always_inline]] friend Mask operator>(const Pack& a, const Pack& b) {
+    return Mask(a.lanes > b.lanes);
+  }
+  [[gnu::always_inline]] friend Mask operator<=(const Pack& a, const Pack& b) {
+    return Mask(a.lanes <= b.lanes);
+  }
+  [[gnu::always_inline]] friend Mask operator>=(const Pack& a, const Pack& b) {
+    return Mask(a.lanes >= b.lanes);
+  }
+
+  [[gnu::always_inline]] friend Pack select(const Mask& mask, const Pack& a, const Pack& b) {
+    return Pack(mask.lanes ? a.lanes : b.lanes);
+  }
+  [[gnu::always_inline]] friend Pack abs(const Pack& x) {
+    return Pack(std::bit_cast<Doubles>(x.bits() & ~detail::sign_bit));
+  }
+  [[gnu::always_inline]] friend Pack sqrt(const Pack& x) { return Pack(Registers::sqrt(x.lanes)); }
+  [[gnu::always_inline]] friend Pack rint(const Pack& x) { return Pack(Registers::rint(x.lanes)); }
+  [[gnu::always_inline]] friend Pack floor(const Pack& x) {
+    return Pack(Registers::floor(x.lanes));
+  }
+  // One rounding. Sets that have no such instruction have no fma.
+  [[gnu::always_inline]] friend Pack fma(const Pack& x, const Pack& y, const Pack& z)
+    requires(isa != InstructionSet::baseline)
+  {
+    return Pack(Registers::fma(x.lanes, y.lanes, z.lanes));
+  }
+  // The sine and cosine of an angle k quarter turns on, as those of double in
+  // free/detail/reduced_sincos.hpp: the low bits of `shifted` are those of k.
+  [[gnu::always_inline]] friend SinCos<Pack> quarters_turned(const Pack& sine, const Pack& cosine,
+                                                             const Pack& shifted,
+                                                             const Pack& /*k*/) {
+    const Bits quarter = shifted.bits();
+    const Bits swapped = (sine.bits() ^ cosine.bits()) & -(quarter & 1);
+    return {Pack(std::bit_cast<Doubles>(sine.bits() ^ swapped ^ ((quarter & 2) << 62))),
+            Pack(std::bit_cast<Doubles>(cosine.bits() ^ swapped ^ (((quarter + 1) & 2) << 62)))};
+  }
+  friend Pack exp(const Pack& x) {
+    Pack r;
+    for (std::size_t i = 0; i < width; ++i) r.lanes[i] = std::exp(x.lanes[i]);
+    return r;
+  }
+
+ private:
+  [[gnu::always_inline]] Bits bits() const { return std::bit_cast<Bits>(lanes); }
+};
+
+template <InstructionSet isa>
+struct LaneTraits<Pack<isa>> {
+  using Scalar = double;
+  static constexpr std::size_t count = Pack<isa>::width;
+  static double get(const Pack<isa>& x, std::size_t lane) { return x.lanes[lane]; }
+  static void set(Pack<isa>& x, std::size_t lane, double value) { x.lanes[lane] = value; }
+  static void set_mask(PackMask<isa>& mask, std::size_t lane, bool value) {
+    mask.lanes[lane] = -std::int64_t{value};
+  }
+};
+
+template <InstructionSet isa>
+struct RealTraits<Pack<isa>> {
+  static Pack<isa> pi() { return Pack<isa>(polhode::pi<double>()); }
+  static constexpr double epsilon() { return RealTraits<double>::epsilon(); }
+};
+
+}  // namespace v0
+}  // namespace polhode

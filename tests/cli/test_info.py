@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+"""What `polhode info` says without a scenario."""
+
+
+def test_it_says_what_it_uses_of_the_processor(run):
+    lines = run("info", "--cpu").stdout.splitlines()
+    sets = lines[0].removeprefix("instruction sets: ").split()
+    assert sets[0] == "baseline" and set(sets) <= {"baseline", "AVX2", "AVX-512"}
+    assert lines[1] == f"used for many states at a time: {sets[-1]}"
+    assert len(lines) == 2
+
+
+def test_a_scenario_is_missed_where_nothing_else_is_asked_for(run):
+    result = run("info", check=False)
+    assert result.returncode != 0
+    assert "FILE" in result.stderr
