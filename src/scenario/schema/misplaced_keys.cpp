@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/misplaced_keys.hpp"
+#include "scenario/detail/misplaced_keys.hpp"
 
 #include <algorithm>
 
