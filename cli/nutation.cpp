@@ -44,6 +44,11 @@ NutationRequest completed_request(const NutationCommand& of) {
   } catch (const DomainError& error) {
     throw DomainError("nutation: --epoch: got \"" + of.epoch + "\"; " + error.what());
   }
+  try {
+    completed(request.of);
+  } catch (const DomainError& error) {
+    throw DomainError(std::string("nutation: ") + error.what());
+  }
   return request;
 }
 

@@ -58,9 +58,12 @@ void add_begin_options(CLI::App& command, BeginOptions& options, const std::stri
 BeginWords begin_words() { return {"--resume", "--restart"}; }
 
 void require_different(const std::string& command, const std::vector<std::string>& paths) {
-  for (auto path = paths.begin(); path != paths.end(); ++path)
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    if (path->empty())
+      throw DomainError(command + ": got an empty path; expected a file to write, or -");
     if (std::find(paths.begin(), path, *path) != path)
       throw DomainError(command + ": " + *path + " is named twice");
+  }
 }
 
 std::string how_to_continue(const std::string& program, const std::vector<std::string>& command,

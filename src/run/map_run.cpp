@@ -12,6 +12,7 @@
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
+#include "run/detail/own_files.hpp"
 #include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 
@@ -29,6 +30,7 @@ struct Stopped {};
 
 detail::KeptSetup setup_of(const ScenarioMap& map, const std::vector<std::string>& paths,
                            const MapOptions& options) {
+  detail::require_own_files(map.scenario().document, paths);
   std::vector<std::string> columns;
   for (const ColumnGroup& group : map.groups())
     for (const Column& column : group.columns) columns.push_back(column.name);

@@ -10,6 +10,7 @@
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/disk_space.hpp"
 #include "run/detail/kept_outputs.hpp"
+#include "run/detail/own_files.hpp"
 #include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 
@@ -33,6 +34,9 @@ std::vector<detail::PlannedOutput> planned(const RunFiles& files,
 
 detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files,
                            const std::vector<ColumnGroup>& groups, const RunOptions& options) {
+  std::vector<std::string> paths = files.outputs;
+  if (!files.events.empty()) paths.push_back(files.events);
+  detail::require_own_files(scenario.document, paths);
   return {{"run", "runs the scenario anew"},
           detail::identity_of(scenario, {files.outputs, files.events, scenario.output.columns}),
           planned(files, groups),

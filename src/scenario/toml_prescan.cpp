@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What must not reach toml++ 3.3, found by the outline of TOML: strings, comments and the rest.
+#include <utility>
+
 #include "scenario/value_reader.hpp"
 #include "text/printable.hpp"
 
@@ -9,6 +11,13 @@ namespace detail {
 namespace {
 
 constexpr int most_dots = 250;
+
+// What word processors and web pages write.
+constexpr std::pair<std::string_view, std::string_view> lookalikes[] = {
+    {"\xe2\x80\x9c", "plain quotes: \""}, {"\xe2\x80\x9d", "plain quotes: \""},
+    {"\xe2\x80\x9e", "plain quotes: \""}, {"\xe2\x80\x98", "plain quotes: '"},
+    {"\xe2\x80\x99", "plain quotes: '"},  {"\xe2\x88\x92", "a plain minus: -"},
+    {"\xe2\x80\x93", "a plain minus: -"}, {"\xc2\xa0", "a plain blank"}};
 
 enum class Place { outside, comment, basic, literal, long_basic, long_literal };
 
@@ -42,12 +51,23 @@ class Outline {
       return "not TOML: got the control character " + printable({&c, 1});
     if (place_ != Place::outside) return {};
     // toml++ asks of such a character whether it is a blank, and does not know
-    if (byte >= 0x80) return "not TOML: got a character beyond ASCII outside of quotes";
+    if (byte >= 0x80) return beyond_ascii();
     // toml++ destroys a.b.c... by recursion: a million dots would overflow the stack
     if (std::string_view(",=[]{}\n").find(c) != std::string_view::npos) dots_ = 0;
     if (c == '.' && ++dots_ > most_dots)
       return "got a key of more than 250 dots; expected a scenario";
     return {};
+  }
+
+  std::string beyond_ascii() const {
+    const std::string_view rest = text_.substr(at_);
+    if (at_ == 0 && (rest.starts_with("\xff\xfe") || rest.starts_with("\xfe\xff")))
+      return "not TOML: got UTF-16; expected a file in UTF-8";
+    for (const auto& [theirs, ours] : lookalikes)
+      if (rest.starts_with(theirs))
+        return "not TOML: got a typographic character outside of quotes; expected " +
+               std::string(ours);
+    return "not TOML: got a character beyond ASCII outside of quotes";
   }
 
   void step() {
@@ -120,6 +140,20 @@ class Outline {
 }  // namespace
 
 std::optional<Refusal> refusal(std::string_view text) { return Outline(text).refusal(); }
+
+std::string hint_for(std::string_view complaint) {
+  constexpr std::pair<std::string_view, std::string_view> hints[] = {
+      {"could not determine value type", "text stands in quotes"},
+      {"expected a comment or whitespace, saw ','", "decimals have a point, arrays brackets"},
+      {"expected decimal digit, saw '.'", "a number has a digit before its point"},
+      {"expected decimal digit, saw '\\n'", "a number has a digit after its point"},
+      {"could not be interpreted as a value", "numbers reach up to 1e308"},
+      {"saw '{'", "this looks like JSON"},
+      {"expected '=', saw ':'", "a key and its value have = between them"}};
+  for (const auto& [theirs, ours] : hints)
+    if (complaint.find(theirs) != std::string_view::npos) return "; " + std::string(ours);
+  return {};
+}
 
 }  // namespace detail
 }  // namespace v0

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "polhode/error.hpp"
 #include "polhode/scenario/document.hpp"
 #include "polhode/text/epoch.hpp"
 #include "scenario/detail/clock.hpp"
+#include "scenario/detail/misplaced_keys.hpp"
 #include "scenario/detail/other_names.hpp"
 #include "scenario/detail/toml_nodes.hpp"
 #include "scenario/diagnostics.hpp"
@@ -37,14 +39,17 @@ class Reader {
   void read_alone(const Key& key, const toml::node& node);
 
  private:
+  std::string expected(const Key& key) const {
+    const bool is_table = key.type == KeyType::table && !key.path.ends_with("[]");
+    return is_table ? table_in_words(schema_, key) : expectation(key, units_);
+  }
   void read_units(const toml::table& file);
   void read_table(const toml::table& table, std::string_view pattern, const std::string& path);
   void read_named(const toml::table& table, const Key& key, const std::string& path);
   std::string_view kind_of(const std::string& path) const;
   bool is_foreign(const Key& key, const toml::table& table, const std::string& path);
-  std::vector<std::string_view> unknown_keys(const toml::table& table,
-                                             const std::vector<const Key*>& known,
-                                             const std::string& path);
+  Unknown unknown_keys(const toml::table& table, std::string_view pattern,
+                       const std::vector<const Key*>& known, const std::string& path);
   void check_alternatives(const toml::table& table, std::string_view pattern,
                           const std::string& path, bool misspelt);
   void read_key(const Key& key, const toml::node& node, const std::string& path, Position where,
@@ -84,7 +89,7 @@ std::string joined(const std::string& path, std::string_view name) {
 // One message: got VALUE; expected ...; reason.
 bool Reader::wrong(const toml::node& node, const std::string& reason) {
   diagnostics_.add(position(node.source()), path_,
-                   "got " + shown(node) + "; expected " + expectation(*key_, units_) +
+                   "got " + shown(node) + "; expected " + expected(*key_) +
                        (reason.empty() ? "" : "; " + reason));
   return false;
 }
@@ -283,7 +288,7 @@ void Reader::read_key(const Key& key, const toml::node& node, const std::string&
   const bool array = key.path.ends_with("[]");
   const bool fits = array ? node.is_array_of_tables() : node.is_table();
   if (!fits) {
-    wrong(node);
+    wrong(node, !array && node.is_array_of_tables() ? "it stands in one pair of brackets" : "");
     return;
   }
   values_.insert_or_assign(path, std::move(value));
@@ -298,29 +303,23 @@ void Reader::read_fallback(const Key& key, const std::string& path, Position whe
   read_key(key, *parsed.get("x"), path, where, false);
 }
 
-// Reports keys that the table does not know; returns the known ones that were meant.
-std::vector<std::string_view> Reader::unknown_keys(const toml::table& table,
-                                                   const std::vector<const Key*>& known,
-                                                   const std::string& path) {
-  std::vector<std::string_view> names, own, meant;
-  const std::string_view kind = kind_in(table, known);
-  for (const Key* key : known) {
-    names.push_back(key_name(key->path));
-    if (belongs(*key, kind)) own.push_back(names.back());
-  }
-  if (std::find(names.begin(), names.end(), "*") != names.end()) return meant;
+// Reports keys that the table does not know.
+Unknown Reader::unknown_keys(const toml::table& table, std::string_view pattern,
+                             const std::vector<const Key*>& known, const std::string& path) {
+  Unknown unknown;
+  const KnownTable own = known_table(pattern, kind_in(table, known), known);
+  if (own.knows("*")) return unknown;
+  std::vector<StrayKey> strays;
   for (const auto& [name, node] : table) {
-    if (std::find(names.begin(), names.end(), name.str()) != names.end()) continue;
-    if (diagnostics_.full()) break;
-    const std::string_view near = nearest(name.str(), kind.empty() ? names : own);
-    if (!near.empty()) meant.push_back(near);
-    diagnostics_.add(position(name.source()), joined(path, printable(name.str())),
-                     "unknown key; " +
-                         (near.empty() ? "" : "did you mean " + std::string(near) + "? ") +
-                         (kind.empty() ? "" : "with kind \"" + std::string(kind) + "\" ") +
-                         "expected " + one_of(own));
+    if (own.knows(name.str())) continue;
+    if (strays.size() > most_diagnostics) break;
+    const bool is_section = node.is_table() && !node.as_table()->is_inline();
+    strays.push_back(stray_key(schema_, own, {name.str(), position(name.source()), is_section}));
+    unknown.meant.push_back(leads_to(own, strays.back()));
   }
-  return meant;
+  unknown.any = !strays.empty();
+  report(std::move(strays), own, path, diagnostics_);
+  return unknown;
 }
 
 // `misspelt`: some key of the table is unknown, so a missing one may be that.
@@ -392,7 +391,8 @@ bool Reader::is_foreign(const Key& key, const toml::table& table, const std::str
 void Reader::read_table(const toml::table& table, std::string_view pattern,
                         const std::string& path) {
   const std::vector<const Key*> known = keys_of(schema_, pattern);
-  const std::vector<std::string_view> meant = unknown_keys(table, known, path);
+  const Unknown unknown = unknown_keys(table, pattern, known, path);
+  const std::vector<std::string_view>& meant = unknown.meant;
   for (const Key* key : known) {
     if (diagnostics_.full()) return;
     const std::string_view name = key_name(key->path);
@@ -409,11 +409,10 @@ void Reader::read_table(const toml::table& table, std::string_view pattern,
       read_fallback(*key, at, position(table.source()));
     } else if (is_required(*key, kind_of(path)) &&
                std::find(meant.begin(), meant.end(), name) == meant.end()) {
-      diagnostics_.add(position(table.source()), at,
-                       "got nothing; expected " + expectation(*key, units_));
+      diagnostics_.add(position(table.source()), at, "got nothing; expected " + expected(*key));
     }
   }
-  check_alternatives(table, pattern, path, !meant.empty());
+  check_alternatives(table, pattern, path, unknown.any);
 }
 
 // Units come first: every number needs them. Each is tried alone: an error points at its own line.
@@ -468,7 +467,8 @@ ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& d
     return Reader(schema, diagnostics).read(file);
   } catch (const toml::parse_error& error) {
     diagnostics.add(position(error.source()), "file",
-                    "not TOML: " + printable(error.description(), longest_name));
+                    "not TOML: " + printable(error.description(), longest_name) +
+                        hint_for(error.description()));
   } catch (const TomlAssertion&) {
     diagnostics.add({}, "file", "not TOML");
   }

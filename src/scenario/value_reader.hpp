@@ -20,6 +20,9 @@ struct Refusal {
 };
 // Why a text must not reach the TOML parser: what it would crash on, or answer undefined.
 std::optional<Refusal> refusal(std::string_view text);
+// What to do about a complaint of the TOML parser: "; text stands in quotes". "" where we know no
+// more than it does.
+std::string hint_for(std::string_view complaint);
 
 struct MadeExperiment;
 

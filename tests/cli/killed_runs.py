@@ -40,17 +40,35 @@ def straight_run(polhode, scenario, folder):
     return time.monotonic() - begun
 
 
+def changed(path):
+    """When, in nanoseconds; never, of a file that has just been renamed."""
+    try:
+        return path.stat().st_mtime_ns
+    except FileNotFoundError:
+        return 0
+
+
+def wait_for_writing(process, folder, begun):
+    """Until the process has written a file of the folder, or has ended."""
+    while process.poll() is None and all(changed(path) < begun for path in folder.iterdir()):
+        time.sleep(0.001)
+
+
 def killed_run(polhode, scenario, folder, kills, seed, seconds):
-    """Kills the run at `kills` random moments, each at most `seconds` after its start, continuing
-    it after each; then lets it end. What each start said on standard error, and how many of them
-    were really killed, not complete before."""
+    """Kills the run at `kills` random moments, each at most `seconds` after its start, or, every
+    second time, after it has begun to write: the command of a wheel starts an interpreter first,
+    which takes long on a busy machine. Continues it after each; then lets it end. What each start
+    said on standard error, and how many of them were really killed, not complete before."""
     draw = random.Random(seed)
     said, killed = [], 0
     for number in range(kills + 1):
+        begun = time.time_ns()
         process = subprocess.Popen(
             command(polhode, scenario, folder, "--resume", "--checkpoint", "0"),
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         if number < kills:
+            if number % 2 == 1:
+                wait_for_writing(process, folder, begun)
             try:
                 process.wait(draw.uniform(0.0, seconds))
             except subprocess.TimeoutExpired:

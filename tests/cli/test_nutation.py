@@ -170,8 +170,10 @@ def test_info_says_what_the_theory_finds(out, tmp_path):
         ('"earth"', '"pluto"', 'expected "earth", "venus" or "mars"'),
         ('planet = "earth"', 'planet = "mars"\nsatellite_mass = 0.1', "mars has no satellite"),
         ('planet = "earth"', 'planet = "earth"\nepoch = "noon"', "n.toml:6:9: nutation.epoch"),
-        ('planet = "earth"', 'planet = "earth"\nellipticity = 0.9', "ellipticity 0.9 must be in"),
-        ('planet = "earth"', 'planet = "earth"\nobliquity = "0.01 deg"', "obliquity (rad) 0.00017"),
+        ('planet = "earth"', 'planet = "earth"\nellipticity = 0.9',
+         "n.toml:6:15: nutation.ellipticity: got 0.9; PlanetNutation: ellipticity 0.9 must be in"),
+        ('planet = "earth"', 'planet = "earth"\nobliquity = "0.01 deg"',
+         "n.toml:6:13: nutation.obliquity: got \"0.01 deg\"; PlanetNutation: obliq"),
         ("[time]", '[output]\ncolumns = ["obliquity"]\n[time]', "expected none"),
     ],
 )
@@ -183,5 +185,7 @@ def test_scenarios_that_are_refused(error, tmp_path, old, new, message):
 
 def test_init_writes_one_that_runs(out, tmp_path):
     (tmp_path / "own.toml").write_text(out("init", "nutation"))
+    text = (tmp_path / "own.toml").read_text()  # terms of 5 days to 18 years, of mas to arcseconds
+    assert '\ntime = "d"\nangle = "arcsec"\n' in re.sub("#.*\n", "", text)
     out("run", tmp_path / "own.toml", "--out", tmp_path / "own.csv")
     assert len(rows_of((tmp_path / "own.csv").read_text())[1]) > 1

@@ -49,6 +49,8 @@ struct ExperimentKind {
   std::vector<Key> keys;  // of the table [gyrostat]; paths are their own names
   std::function<OwnExperiment(const ExperimentContext&)> made;
   std::vector<Citation> citations = {};
+  // Of its template; empty: that of the first example that has one, and degrees.
+  std::string_view time_unit = {}, angle_unit = {};
 };
 
 // A kind whose arguments are a plain struct A, filled by its keys.

@@ -37,6 +37,7 @@ struct KindText {
   bool on_surface = false;  // acts on the facets of [[surface]]
   bool over_ages = false;   // elements over ages, without positions
   bool is_dated = false;    // positions of a date: they need state.epoch, and axes of the sky
+  std::string_view time_unit = {}, angle_unit = {};  // of the template of an experiment
 };
 
 struct Schema {

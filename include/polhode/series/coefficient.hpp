@@ -74,9 +74,9 @@ struct CoefficientText<double> {
   static double from_text(std::string_view text) {
     double x = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-    if (error != std::errc{} || end != text.data() + text.size())
+    if (error != std::errc{} || end != text.data() + text.size() || !(x - x == 0.0))
       throw DomainError("coefficient: '" + std::string(text.substr(0, 40)) +
-                        "' is no number of type double");
+                        "' is no finite number of type double");
     return x;
   }
 };

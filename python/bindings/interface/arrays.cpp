@@ -175,10 +175,13 @@ Shape broadcast(const Shape& a, const Shape& b, const char* name_a, const char* 
 
 Shape broadcast(std::span<Numbers> all) {
   Shape shape;
-  const char* first = "";
-  for (const Numbers& n : all) {
-    shape = broadcast(shape, n.shape(), first, n.name());
-    first = n.name();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Numbers& n = all[i];
+    if (n.shape().empty() || n.shape() == shape) continue;
+    // each with each: the message names the two that disagree, with the shapes that they have
+    for (const Numbers& other : all.first(i))
+      broadcast(other.shape(), n.shape(), other.name(), n.name());
+    shape = broadcast(shape, n.shape(), "", n.name());
   }
   for (Numbers& n : all) n.broadcast(shape);
   return shape;

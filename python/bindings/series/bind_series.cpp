@@ -72,7 +72,10 @@ Series<T> series_of_terms(const Symbols& symbols, const std::vector<PythonTerm>&
         term.function == "sin" ? Trigonometric::sine : Trigonometric::cosine;
     const TermKey key = packed(symbols, pairs_of(term.powers), pairs_of(term.multiples), function);
     const auto coefficient = [](const auto& c) {
-      if constexpr (std::is_constructible_v<T, decltype(c)>)
+      using C = std::decay_t<decltype(c)>;
+      if constexpr (std::is_same_v<C, double> && std::is_same_v<T, double>)
+        return finite(c);
+      else if constexpr (std::is_constructible_v<T, C>)
         return static_cast<T>(c);
       else
         return T();  // a double among rationals: series_of_terms<double> is called then

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "series/series_value.hpp"
 
+#include <cmath>
+
+#include "polhode/error.hpp"
+
 namespace polhode::python {
 
 bool read_rational(nb::handle value, Rational& out) noexcept {
@@ -32,10 +36,20 @@ Series<double> PythonSeries::doubles() const {
   return std::visit([](const auto& a) { return to_doubles(a); }, s);
 }
 
+double finite(double coefficient) {
+  if (!std::isfinite(coefficient))
+    throw DomainError(std::string("Series: the coefficient ") +
+                      (std::isnan(coefficient) ? "nan"
+                       : coefficient > 0.0     ? "inf"
+                                               : "-inf") +
+                      "; expected a finite number");
+  return coefficient;
+}
+
 PythonSeries series_of(const Symbols& symbols, const Operand& x) {
   if (const auto* series = std::get_if<PythonSeries>(&x)) return *series;
   if (const auto* exact = std::get_if<Rational>(&x)) return {constant(symbols, *exact)};
-  return {constant(symbols, std::get<double>(x))};
+  return {constant(symbols, finite(std::get<double>(x)))};
 }
 
 template <>

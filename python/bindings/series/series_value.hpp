@@ -125,6 +125,8 @@ using Counts = std::map<std::string, int>;
 inline Multiples pairs_of(const Counts& counts) { return {counts.begin(), counts.end()}; }
 
 using Operands = std::map<std::string, Operand>;
+// A number that somebody gave as a coefficient: DomainError unless it is finite.
+double finite(double coefficient);
 PythonSeries series_of(const Symbols& symbols, const Operand& x);
 
 // As coefficients of type T; of doubles no rationals are made: DomainError.

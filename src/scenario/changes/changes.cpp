@@ -263,7 +263,15 @@ class Edit {
       if (array != nullptr && *index < array->size()) continue;
       const std::string count = array == nullptr ? "none" : std::to_string(array->size());
       refuse(change_.key, "got index " + std::to_string(*index) + " of " + count +
-                              (count == "1" ? " element" : " elements"));
+                              (count == "1" ? " element" : " elements") + ", counted from 0");
+    }
+    for (std::size_t depth = 1; depth < path_.size(); ++depth) {
+      const KeyPath above(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(depth));
+      if (std::holds_alternative<std::size_t>(path_[depth]) &&
+          detail::node_at(*file_, above) == nullptr)
+        refuse(change_.key, "the file has no " + dotted(above) +
+                                "; expected a key that it has, or " +
+                                "one that its tables may have");
     }
     refuse(change_.key, "has no place in the file");
   }
@@ -281,8 +289,8 @@ class Edit {
 ScenarioChange change_of(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    throw ChangeError("got " + detail::printable(text, shown) +
-                      "; expected KEY=VALUE, such as state.tumbler.mode=LAM");
+    throw ChangeError("got \"" + detail::printable(text, shown) +
+                      "\"; expected KEY=VALUE, such as state.tumbler.mode=LAM");
   const auto trimmed = [](std::string_view part) {
     const std::size_t begin = std::min(part.find_first_not_of(" \t"), part.size());
     part.remove_prefix(begin);

@@ -59,7 +59,7 @@ class TablesOfKinds {
 // The rows of a table of its own, [NAME], and its word among the kinds at the top of the file.
 class OwnTable {
  public:
-  OwnTable(std::string_view name, std::string_view help, std::span<const Key> keys);
+  OwnTable(const KindText& kind, std::span<const Key> keys);
   OwnTable(const OwnTable&) = delete;
   OwnTable& operator=(const OwnTable&) = delete;
 

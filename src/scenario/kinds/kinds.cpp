@@ -202,7 +202,12 @@ struct Lists {
 // [NAME] of kinds of experiments from outside.
 std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds) {
   std::deque<detail::OwnTable> all;
-  for (const ExperimentKind& kind : kinds) all.emplace_back(kind.name, kind.help, kind.keys);
+  for (const ExperimentKind& kind : kinds) {
+    KindText text{{}, kind.name, kind.help};
+    text.time_unit = kind.time_unit;
+    text.angle_unit = kind.angle_unit;
+    all.emplace_back(text, kind.keys);
+  }
   return all;
 }
 

@@ -50,13 +50,14 @@ TablesOfKinds::TablesOfKinds(const Key& table, std::span<const KindOfTable> kind
   alternatives_.insert(alternatives_.begin(), {table.path, words_.emplace_back(std::move(all))});
 }
 
-OwnTable::OwnTable(std::string_view name, std::string_view help, std::span<const Key> keys) {
-  keys_ = {{.path = name, .presence = Presence::required, .help = help}};
+OwnTable::OwnTable(const KindText& kind, std::span<const Key> keys) {
+  const std::string_view name = kind.kind;
+  keys_ = {{.path = name, .presence = Presence::required, .help = kind.text}};
   for (const Key& key : keys) {
     keys_.push_back(key);
     keys_.back().path = words_.emplace_back(std::string(name) + "." + std::string(key.path));
   }
-  texts_ = {{{}, name, help}};
+  texts_ = {kind};
 }
 
 void KindRows::add(const Key& key, std::string_view table, std::string_view kind) {

@@ -239,6 +239,9 @@ std::string_view time_in(std::string_view unit) {
 // The unit of time of an experiment: that of the first of its examples that has one.
 std::string time_unit(const Schema& schema, std::string_view experiment) {
   if (experiment == obliquity) return "kyr";
+  if (const KindText* const text = text_of(schema, {}, experiment);
+      text != nullptr && !text->time_unit.empty())
+    return std::string(text->time_unit);
   for (const Key* key : keys_of(schema, experiment)) {
     if (key->dimension == Dimension::number || key->type == KeyType::unit) continue;
     const std::string unit = unit_of(schema, *key);
@@ -319,6 +322,10 @@ std::string value_in(const Schema& schema, const Key& key, const TemplateSubject
       if (one.path == key.path) return std::string(one.value);
   if (key.path == "units.time" && !is_rotation(subject))
     return in_quotes(time_unit(schema, subject.experiment));
+  if (key.path == "units.angle" && !is_rotation(subject))
+    if (const KindText* const text = text_of(schema, {}, subject.experiment);
+        text != nullptr && !text->angle_unit.empty())
+      return in_quotes(std::string(text->angle_unit));
   if (key.path == "units.time" && physical) return "\"s\"";
   if (key.path == "units.moment" && physical) return "\"kg m2\"";
   if (key.path == "state.axes" && is_dated(schema, subject)) return "\"equator-J2000\"";

@@ -134,7 +134,8 @@ TEST(ScenarioChanges, KnowDottedKeysAndTablesWithinArrays) {
 }
 
 TEST(ScenarioChanges, WhatHasNoPlaceIsRefusedByName) {
-  EXPECT_EQ(refusal_of("event.2.value", "1"), "event.2.value: got index 2 of 2 elements");
+  EXPECT_EQ(refusal_of("event.2.value", "1"),
+            "event.2.value: got index 2 of 2 elements, counted from 0");
   EXPECT_EQ(refusal_of("time.stop", "[1, 2"),
             "time.stop: got [1, 2; expected a value as TOML has it, such as 5, \"27.38 h\" or "
             "[1, 2]");

@@ -251,8 +251,11 @@ TEST(Schema, AKindBringsItsOwnTablesAndSharesOthers) {
                     time = "[time]\nat = [1]\n", kind = "kind = \"spin\"\n";
   EXPECT_EQ(error(body + time), "");
   EXPECT_EQ(error(kind + "here = 1\n" + spin + time), "");
-  EXPECT_EQ(error(time), "f:1:1: body: got nothing; expected a table");
-  EXPECT_EQ(error(kind + "there = 1\n" + time), "f:1:1: spin: got nothing; expected a table");
+  EXPECT_EQ(error(time),
+            "f:1:1: body: got nothing; expected a table [body] with one of moments, tensor, shape "
+            "with density");
+  EXPECT_EQ(error(kind + "there = 1\n" + time),
+            "f:1:1: spin: got nothing; expected a table [spin]");
   EXPECT_THAT(error(kind + "here = 1\n" + spin + body),
               HasSubstr("body: a key of kind \"rotation\"; expected with kind = \"spin\" only"));
   EXPECT_THAT(error(body + spin), HasSubstr("spin: a key of kind \"spin\"; expected with"));

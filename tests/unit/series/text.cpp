@@ -88,6 +88,10 @@ TEST(SeriesText, Refuses) {
   EXPECT_THAT(refused("1/0"), HasSubstr("a divisor of one term"));
   EXPECT_THAT(refused("cos(2*l"), HasSubstr("expected ')'"));
   EXPECT_THAT(refused("cos l"), HasSubstr("expected '('"));
+  EXPECT_THAT(refused("cos(g/2)"), HasSubstr("column 6: '/'; expected whole multiples of angles"));
+  EXPECT_THAT(refused("cos(g*2)"), HasSubstr("column 6: '*'; expected the number before"));
+  EXPECT_THAT(refused("cos(0.5*g)"), HasSubstr("'0.5'; expected an integer: angles stand with"));
+  EXPECT_THAT(refused("G**2"), HasSubstr("column 3: '*'; expected a factor: a power is written"));
   EXPECT_THAT(refused("e^99999"), HasSubstr("exponent"));
   EXPECT_THAT(refused("(e + G)^1001"), HasSubstr("powers of sums and waves up to 1000"));
   EXPECT_THAT(refused("cos(l)^1001"), HasSubstr("powers of sums and waves up to 1000"));
@@ -98,7 +102,7 @@ TEST(SeriesText, Refuses) {
     return message_of([&] { return series_from_text<double>(few(), text); });
   };
   EXPECT_THAT(of_doubles("(e + G + cos(l) + sin(g))^1000"), HasSubstr("fewer products"));
-  EXPECT_THAT(of_doubles("1e999"), HasSubstr("'1e999' is no number of type double"));
+  EXPECT_THAT(of_doubles("1e999"), HasSubstr("'1e999' is no finite number of type double"));
 }
 
 TEST(SeriesText, RefusesTables) {

@@ -59,6 +59,7 @@ class Expression {
     Series<T> all = factor();
     for (;;) {
       if (lexer_.takes("*")) {
+        if (lexer_.word() == "*") lexer_.refuse("a factor: a power is written with ^, as in G^2");
         all = times(all, factor());
       } else if (lexer_.takes("/")) {
         all = times(all, inverted(factor()));
@@ -110,6 +111,9 @@ class Expression {
       multiples.push_back(multiple(negative));
       negative = lexer_.word() == "-";
     } while (lexer_.takes("+") || lexer_.takes("-"));
+    if (lexer_.word() == "/")
+      lexer_.refuse("whole multiples of angles: for cos(g/2) make half of g an angle of its own");
+    if (lexer_.word() == "*") lexer_.refuse("the number before the angle, as in 2*g");
     lexer_.expect(")");
     return Series<T>(symbols_, {{packed(symbols_, {}, multiples, function), T(1)}});
   }
@@ -117,13 +121,19 @@ class Expression {
   std::pair<std::string, int> multiple(bool negative) {
     int n = 1;
     if (lexer_.is_number()) {
-      n = lexer_.integer();
+      n = whole();
       lexer_.expect("*");
     }
     const std::string name(lexer_.word());
     if (!symbols_.has_angle(name)) lexer_.refuse("an angle of: " + symbols_.names());
     lexer_.advance();
     return {name, negative ? -n : n};
+  }
+
+  int whole() {
+    if (lexer_.word().find_first_of(".eE") != std::string_view::npos)
+      lexer_.refuse("an integer: angles stand with whole multiples");
+    return lexer_.integer();
   }
 
   Series<T> times(const Series<T>& a, const Series<T>& b) {

@@ -70,16 +70,27 @@ double second_of(const ExperimentContext& at) {
   return at.units().to_core(1.0, "s", Dimension::time);
 }
 
+// Number by number, so that one out of its range is refused at its key.
 PlanetNutation request_of(const Arguments& a, const ExperimentContext& at) {
   PlanetNutation of;
   of.planet = separated(nutation_planets, '|').at(static_cast<std::size_t>(a.planet));
-  of.T = at.built("epoch", [&] { return julian_centuries(epoch_date(a.epoch)); });
-  of.ellipticity = a.ellipticity;
-  of.triaxiality = a.triaxiality;
-  if (a.spin_rate) of.spin_rate = *a.spin_rate * second_of(at);
-  of.obliquity = a.obliquity;
-  of.satellite_mass = a.satellite_mass;
-  of.least = a.least;
+  const auto take = [&](std::string_view key, auto PlanetNutation::*member, const auto& value) {
+    at.built(key, [&] {
+      of.*member = value();
+      return completed(of);
+    });
+  };
+  const auto spin_rate = [&]() -> std::optional<double> {
+    if (!a.spin_rate) return {};
+    return *a.spin_rate * second_of(at);
+  };
+  take("epoch", &PlanetNutation::T, [&] { return julian_centuries(epoch_date(a.epoch)); });
+  take("ellipticity", &PlanetNutation::ellipticity, [&] { return a.ellipticity; });
+  take("triaxiality", &PlanetNutation::triaxiality, [&] { return a.triaxiality; });
+  take("spin_rate", &PlanetNutation::spin_rate, spin_rate);
+  take("obliquity", &PlanetNutation::obliquity, [&] { return a.obliquity; });
+  take("satellite_mass", &PlanetNutation::satellite_mass, [&] { return a.satellite_mass; });
+  take("least", &PlanetNutation::least, [&] { return a.least; });
   return of;
 }
 
@@ -150,10 +161,13 @@ OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
 }  // namespace
 
 ExperimentKind nutation_kind() {
-  return experiment_kind<Arguments>(
+  ExperimentKind kind = experiment_kind<Arguments>(
       "nutation",
       "Nutation of a rigid planet: how its axes of momentum, figure and rotation swing.", keys,
       made, nutation_citations());
+  kind.time_unit = "d";  // terms of 5 days to 18 years
+  kind.angle_unit = "arcsec";
+  return kind;
 }
 
 }  // namespace detail

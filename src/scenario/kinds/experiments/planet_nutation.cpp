@@ -26,11 +26,11 @@ constexpr double day = 86400.0;
 constexpr double century = 36525.0 * day;
 constexpr double au = 149597870.7;  // km, IAU 2012
 
-[[noreturn]] void refuse(const std::string& why) { throw DomainError("nutation: " + why); }
+[[noreturn]] void refuse(const std::string& why) { throw DomainError("PlanetNutation: " + why); }
 
 void require(const PlanetNutation& of) {
   if (!(std::abs(of.T) <= 10.0))
-    refuse("T " + number_text(of.T) + " must be within 10 centuries of J2000");
+    refuse("T " + number_text(of.T) + " must be within 10 centuries of J2000: years 1000 to 3000");
   const auto within = [](const std::optional<double>& value, const char* name, double least,
                          double largest) {
     if (value && !(*value >= least && *value <= largest))

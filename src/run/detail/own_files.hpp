@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Outputs that would take the place of what a run reads, or of each other.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "polhode/scenario/document.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Throws DomainError where one of these paths is a file that the scenario reads, under whatever
+// name, or where two of them are the same file.
+void require_own_files(const Document& document, std::span<const std::string> paths);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

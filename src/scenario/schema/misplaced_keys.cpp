@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/detail/misplaced_keys.hpp"
+
+#include <algorithm>
+
+#include "text/nearest.hpp"
+#include "text/printable.hpp"
+#include "text/word_list.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t most_places = 3;
+constexpr std::size_t longest_name = 200;
+
+// "[state.tumbler]", "[[perturbation]]", "[orbit.NAME]".
+std::string header(std::string_view path) {
+  std::string name(path);
+  const bool repeated = name.ends_with("[]");
+  if (repeated) name.resize(name.size() - 2);
+  if (name.ends_with(".*")) name.replace(name.size() - 1, 1, "NAME");
+  return repeated ? "[[" + name + "]]" : "[" + name + "]";
+}
+
+bool is_below(std::string_view path, std::string_view table) {
+  return table.empty() || (path.starts_with(table) && path.substr(table.size()).starts_with("."));
+}
+
+// The first name of a path below a table.
+std::string_view first_name(std::string_view path, std::string_view table) {
+  std::string_view rest = path.substr(table.empty() ? 0 : table.size() + 1);
+  rest = rest.substr(0, rest.find('.'));
+  if (rest.ends_with("[]")) rest.remove_suffix(2);
+  return rest;
+}
+
+std::string place(const StrayKey& stray) {
+  std::string text;
+  for (const Key* key : stray.at)
+    text +=
+        (text.empty() ? "" : " or ") + header(stray.is_section ? key->path : key_table(key->path));
+  return text;
+}
+
+// "unknown key; it belongs in [state.tumbler], as do rotation_period, pole".
+std::string belongs_in(const StrayKey& stray, const std::vector<std::string_view>& others) {
+  if (stray.is_section) return "unknown table; did you mean " + place(stray) + "?";
+  std::string text = "unknown key; it belongs in " + place(stray);
+  for (std::size_t i = 0; i < others.size(); ++i)
+    text += (i > 0               ? ", "
+             : others.size() > 1 ? ", as do "
+                                 : ", as does ") +
+            printable(others[i], longest_name);
+  return text;
+}
+
+std::string unknown(const StrayKey& stray, const KnownTable& table) {
+  return "unknown key; " +
+         (stray.near.empty() ? "" : "did you mean " + std::string(stray.near) + "? ") +
+         (table.kind.empty() ? "" : "with kind \"" + std::string(table.kind) + "\" ") +
+         "expected " + one_of(table.keys);
+}
+
+}  // namespace
+
+bool KnownTable::knows(std::string_view name) const {
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+KnownTable known_table(std::string_view pattern, std::string_view kind,
+                       const std::vector<const Key*>& known) {
+  KnownTable table{pattern, {}, kind};
+  for (const Key* key : known) {
+    table.all.push_back(key_name(key->path));
+    if (belongs(*key, kind)) table.keys.push_back(table.all.back());
+  }
+  return table;
+}
+
+StrayKey stray_key(const Schema& schema, const KnownTable& table, StrayKey stray) {
+  const std::string_view name = stray.name;
+  stray.near = nearest(name, table.kind.empty() ? table.all : table.keys);
+  if (!stray.near.empty()) return stray;
+  std::vector<const Key*> below, elsewhere;
+  for (const Key& key : schema.keys) {
+    if (key_name(key.path) != name || key_table(key.path) == table.pattern) continue;
+    if (stray.is_section && key.type != KeyType::table) continue;
+    std::vector<const Key*>& found = is_below(key.path, table.pattern) ? below : elsewhere;
+    const auto same = [&](const Key* other) { return other->path == key.path; };
+    if (std::none_of(found.begin(), found.end(), same)) found.push_back(&key);
+  }
+  // a table that this kind of file does not have
+  std::erase_if(below, [&](const Key* key) {
+    const std::string_view first = first_name(key->path, table.pattern);
+    return std::find(table.keys.begin(), table.keys.end(), first) == table.keys.end();
+  });
+  stray.at = below.empty() && !table.pattern.empty() ? elsewhere : below;
+  if (stray.at.size() > most_places) stray.at.clear();
+  return stray;
+}
+
+std::string_view leads_to(const KnownTable& table, const StrayKey& stray) {
+  if (!stray.near.empty()) return stray.near;
+  if (stray.at.empty() || !is_below(stray.at[0]->path, table.pattern)) return {};
+  return first_name(stray.at[0]->path, table.pattern);
+}
+
+void report(std::vector<StrayKey> strays, const KnownTable& table, const std::string& path,
+            Diagnostics& diagnostics) {
+  std::sort(strays.begin(), strays.end(),
+            [](const StrayKey& a, const StrayKey& b) { return a.where < b.where; });
+  std::vector<std::string> told;
+  for (const StrayKey& stray : strays) {
+    if (diagnostics.full()) return;
+    const std::string name = printable(stray.name, longest_name);
+    const std::string at = path.empty() ? name : path + "." + name;
+    if (stray.at.empty()) {
+      diagnostics.add(stray.where, at, unknown(stray, table));
+      continue;
+    }
+    const std::string home = place(stray);
+    if (std::find(told.begin(), told.end(), home) != told.end()) continue;
+    told.push_back(home);
+    std::vector<std::string_view> others;
+    for (const StrayKey& other : strays)
+      if (&other != &stray && !other.at.empty() && place(other) == home)
+        others.push_back(other.name);
+    diagnostics.add(stray.where, at, belongs_in(stray, others));
+  }
+}
+
+std::string table_in_words(const Schema& schema, const Key& key) {
+  std::string text = "a table " + header(key.path);
+  for (const Alternatives& row : schema.alternatives)
+    if (row.table == key.path && row.kinds.empty())
+      return text + " with one of " + sets_in_words(row.sets);
+  return text;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
