@@ -33,6 +33,7 @@ SECTIONS = {
     ],
     "A body that turns": [
         "polhode_herpolhode", "attitude_of_body", "attitude_animation", "overview",
+        "long_run",
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
     "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],
