@@ -15,17 +15,23 @@ void add_cite(CLI::App& app, const Kinds& kinds) {
   struct Options {
     std::string scenario;
     std::vector<std::string> set;
+    bool bibtex = false;
   };
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   add_set_option(*command, options->set);
+  command->add_flag("--bibtex", options->bibtex, "Print entries for BibTeX");
   command->footer("Example:\n  " + full_name(*command) + " examples/apophis.toml");
   command->callback([options, kinds] {
     std::string text;
     for (const Citation& citation :
-         citations(changed_scenario(options->scenario, options->set, kinds)))
-      text += fmt::format("[{}] {}\n    For {}.\n", citation.key, citation.text, citation.reason);
+         citations(changed_scenario(options->scenario, options->set, kinds))) {
+      if (options->bibtex)
+        text += fmt::format("% For {}.\n{}\n", citation.reason, bibtex(citation));
+      else
+        text += fmt::format("[{}] {}\n    For {}.\n", citation.key, citation.text, citation.reason);
+    }
     print(text);
   });
 }

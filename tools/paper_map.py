@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes docs/theory/paper_map.md: equation of the paper -> code that cites it -> test of it.
+"""Writes docs/theory/paper_map.md: equation of the paper -> code that cites it, in C++ and Python,
+and its tests.
 
 The page is made of the tags [SA (84)], [SA (2)-(31)], [SA "kinetic"], [SA section 3.2] in the
-comments of include/, src/ and tests/paper/. With --check nothing is written: exit status 1 if the
+comments of include/, src/ and tests/paper/ and in the docstrings of python/polhode. A public header
+is a link to its page; Python names are those of the reference that a header declares, or whose
+function has the tag. With --check nothing is written: exit status 1 if the
 page is not what the sources say, if a tag names no equation of the paper, or if
 docs/theory/errata.md and the tests of the suite PaperErrata do not name each other.
 """
@@ -131,9 +134,50 @@ def symbol(lines, i):
     return f"{outer}::{inner}" if inner else outer
 
 
+def python_names():
+    """Every name of the Python reference -> its full name: those of blocks {names} MODULE."""
+    found = {}
+    for path in sorted((ROOT / "docs/reference/python").glob("*.md")):
+        blocks = re.findall(r"^```\{names\} (\S+)\n(.*?)^```", path.read_text(encoding="utf-8"),
+                            re.M | re.S)
+        for module, names in blocks:
+            found.update((name, f"{module}.{name}") for name in names.split())
+    return found
+
+
+def declared_in(text, what):
+    """What of a header has the tag: a class or function, or all that the header declares."""
+    if what:
+        return {what.partition("::")[0].removeprefix("Basic")}
+    found = re.findall(r"^(?:class|struct) (\w+)|^[\w:<>, *&\[\]]* (\w+)\(", text, re.M)
+    return {kind.removeprefix("Basic") or function for kind, function in found}
+
+
+def function_of(text, at):
+    """The function or class at column 0 of a Python file that holds an offset."""
+    before = re.findall(r"^(?:def|class) (\w+)", text[:at], re.M)
+    return before[-1] if before else None
+
+
+def python_citations(known, names):
+    """{label: names of Python functions whose docstrings or comments cite it}."""
+    found = {}
+    for path in sorted((ROOT / "python/polhode").rglob("*.py")):
+        text = path.read_text(encoding="utf-8")
+        for match in TAG.finditer(text):
+            name = function_of(text, match.start())
+            for label in labels_of(match[1], known):
+                if label in known and name in names:
+                    found.setdefault(label, set()).add(names[name])
+    return found
+
+
 def citations(known):
-    """{label: (set of code places, set of tests)} and a list of tags that name nothing."""
-    found, unknown = {}, []
+    """{label: (code places, tests, Python names), each a set} and a list of tags that name
+    nothing."""
+    found, unknown, names = {}, [], python_names()
+    for label, cited in python_citations(known, names).items():
+        found[label] = (set(), set(), cited)
     files = [p for d in ("include", "src", "tests/paper")
              for p in sorted((ROOT / d).rglob("*.[hc]pp"))]
     for path in files:
@@ -146,20 +190,33 @@ def citations(known):
                     unknown.append(f"{name}: [SA {match[1]}] names no equation of the paper: "
                                    f"{label}")
                     continue
-                code, tests = found.setdefault(label, (set(), set()))
+                code, tests, python = found.setdefault(label, (set(), set(), set()))
                 if name.startswith("tests/"):
                     if what and "." in what:
                         tests.add(what)
                 else:
-                    short = re.sub(r"^(include/polhode|src)/", "", name)
-                    code.add(f"`{what}` ({short})" if what else short)
+                    code.add((name, what or ""))
+                    declared = declared_in(text, what) if name.startswith("include/") else {what}
+                    python.update(names[word] for word in declared if word in names)
     return found, unknown
 
 
+def place_text(name, what):
+    """A file, or a symbol with its file; a public header is a link to its page."""
+    short = re.sub(r"^(include/polhode|src)/", "", name)
+    if name.startswith("include/") and "/detail/" not in name:
+        short = f"[{short}](../../{name})"
+    return f"`{what}` ({short})" if what else short
+
+
 def cells(places):
-    code, tests = places
-    files = {place.partition("(")[2].rstrip(")") for place in code if place.startswith("`")}
-    return (", ".join(sorted(code - files)), ", ".join(f"`{t}`" for t in sorted(tests)))
+    code, tests, python = places
+    symbols = {name for name, what in code if what}
+    shown = sorted(place for place in code if place[1] or place[0] not in symbols)
+    shown.sort(key=lambda place: (not place[1], place[1], place[0]))
+    return (", ".join(place_text(*place) for place in shown),
+            ", ".join(f"[`{name.removeprefix('polhode.')}`](#{name})" for name in sorted(python)),
+            ", ".join(f"`{t}`" for t in sorted(tests)))
 
 
 def table(labels, found):
@@ -171,11 +228,11 @@ def table(labels, found):
             runs[-1][1].append(label)
         else:
             runs.append([rank, [label], cells(found[label])])
-    for _, names, (code, tests) in runs:
+    for _, names, (code, python, tests) in runs:
         shown = [f"({name})" if split_number(name) else name for name in names]
         if len(names) > 2 and all(map(split_number, names)):
             shown = [f"{shown[0]} to {shown[-1]}"]
-        yield f"| {', '.join(shown)} | {code} | {tests} |"
+        yield f"| {', '.join(shown)} | {code} | {python} | {tests} |"
 
 
 def page(known, found):
@@ -186,9 +243,13 @@ def page(known, found):
         "",
         "SA is Gurfil, Elipe, Tangren and Efroimsky, *The Serret-Andoyer formalism in rigid-body",
         "dynamics: I*. Numbers are those of its source; a word stands for an equation that has",
-        "none. A file without a symbol cites the equation for all that it declares. Tests are in",
-        "`tests/paper`; those named `PaperErrata` show a misprint, listed in the",
-        "[errata](errata.md).",
+        "none. A file without a symbol cites the equation for all that it declares; Python names",
+        "are those of what cites it. Tests are in `tests/paper`; those named `PaperErrata` show a",
+        "misprint, listed in the [errata](errata.md).",
+        "",
+        "The equations come with no numerical results to compare with: a test evaluates both sides",
+        "with 50 digits at random states, or differentiates one. Published numbers that polhode",
+        "reproduces are those of [real bodies](../examples/index.md), each with its source.",
     ]
     for section, title, _ in PAPER:
         rows = sorted((rank, label) for label, (of, rank) in known.items()
@@ -197,7 +258,7 @@ def page(known, found):
             continue
         part = "Appendix" if section[0] == "A" else "Section"
         lines += ["", f"## {part} {section}: {title}", ""]
-        lines += ["| equation | code | tests |", "|---|---|---|"]
+        lines += ["| equation | code | Python | tests |", "|---|---|---|---|"]
         lines += table(rows, found)
     return "\n".join(lines) + "\n"
 

@@ -7,6 +7,7 @@ Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matpl
 from polhode import _core, elliptic
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
+from polhode._notebook import show_tables
 from polhode._signatures import (
     ClassSignature,
     explain_constructor,
@@ -54,4 +55,5 @@ for _name in __all__:
     elif hasattr(_thing, "__nb_signature__"):
         globals()[_name] = with_signature(_thing, vars(_core))
         globals()[_name].__module__ = __name__
-del _name, _thing, ClassSignature, explain_constructor, sign_methods, with_signature
+show_tables()
+del _name, _thing, ClassSignature, explain_constructor, show_tables, sign_methods, with_signature

@@ -3,24 +3,14 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Iterable
 from typing import Union
 
 from polhode._core import _shown_number
+from polhode._notebook import html_rows
 
 Value = Union[float, "tuple[float, ...]", str]
 Line = tuple[str, str, list[float], str, str]
-
-
-def html_table(cells: Iterable[tuple[str, str]]) -> str:
-    """Two columns, names and texts, for notebooks."""
-    rows = "".join(
-        f"<tr><th style='text-align:left'>{html.escape(name)}</th>"
-        f"<td style='text-align:left'>{html.escape(text)}</td></tr>"
-        for name, text in cells
-    )
-    return f"<table>{rows}</table>"
 
 
 class Summary(dict[str, Value]):
@@ -62,7 +52,7 @@ class Summary(dict[str, Value]):
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        return html_table(self._cells())
+        return html_rows("", self._cells())
 
     def __reduce__(self) -> tuple[object, ...]:
         return _summary_from, (dict(self), self.units, self.labels)

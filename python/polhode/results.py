@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from polhode import _core, _tables
-from polhode._summary import Summary, html_table
+from polhode._notebook import html_rows
+from polhode._summary import Summary
 
 if TYPE_CHECKING:
     import numpy
@@ -238,7 +239,8 @@ class Results(Mapping[str, "Array"]):
 
     def _repr_html_(self) -> str:
         title, rows, end = (html.escape(text) for text in self._head())
-        return f"<p><b>{title}</b><br>{rows}<br>{end}</p>{html_table(self._group_texts())}"
+        table = html_rows("", self._group_texts())
+        return f"<p><b>{title}</b><br>{rows}<br>{end}</p>{table}"
 
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (

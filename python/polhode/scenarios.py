@@ -39,11 +39,13 @@ _LARGEST_FILE = 16 << 20
 
 
 class Citation(NamedTuple):
-    """A paper that a scenario rests on."""
+    """A paper that a scenario rests on: its key, how it is cited, what is taken from it, and its
+    entry for BibTeX."""
 
     key: str
     text: str
     reason: str
+    bibtex: str
 
 
 def load(path: Path) -> Scenario:

@@ -15,7 +15,7 @@ from closeness import assert_allclose
 from differences import slope
 from matplotlib.text import Annotation
 from polhode import Regime, figures
-from polhode.figures import arrows, polhode_curves, polhodes
+from polhode.figures import arrows, excerpts, polhode_curves, polhodes
 from polhode.figures.momentum_sphere import DEFAULT_VIEW
 from polhode.figures.view import Ellipsoid, View, parts, sphere
 
@@ -42,6 +42,40 @@ def motion(g, body=BODIES["sorted"]):
 
 def curves(body, G=1.0):
     return [*polhodes.family(body, G), *polhodes.separatrix(body, G)]
+
+
+def circuits(body, turns, drift):
+    """Momenta that go round the axis of the least moment, from 0.2 to 0.2 + drift away from it."""
+    u = np.linspace(0.0, 1.0, 400 * turns)
+    away, angle = 0.2 + drift * u, 2 * np.pi * turns * u
+    ring = np.stack([np.cos(angle), np.sin(angle)]) * np.sin(away)
+    return np.stack([np.cos(away), *ring], axis=-1)
+
+
+def test_a_motion_over_many_polhodes_is_shown_in_parts():
+    body = BODIES["sorted"]
+    g = circuits(body, 300, 1.0)
+    ax = figures.momentum_sphere(body, trace=g)
+    near = [line for line in ax.lines if line.get_gid() == "trace-near"]
+    assert len(near) == excerpts.PARTS and near[0].get_linewidth() < 1.0
+    parts = excerpts.excerpts(body, g)
+    assert_allclose([parts[0][0], parts[-1][-1]], [g[0], g[-1]])
+    lengths = [np.sum(np.linalg.norm(np.diff(part, axis=0), axis=-1)) for part in parts]
+    assert_allclose(lengths, 2 * np.pi, rtol=budgets.figure_bin)
+    axis = np.linspace(0.2, 1.2, excerpts.PARTS)
+    # of even steps along the path, the middle of the run is farther out than its half
+    seen = np.arccos([part[0, 0] for part in parts])
+    assert np.all(np.diff(seen) > 0.0) and np.all(seen[1:-1] > axis[1:-1])
+
+
+@pytest.mark.parametrize("turns, drift", [(300, 0.0), (8, 1.0)])
+def test_a_motion_on_one_polhode_or_of_few_circuits_is_whole(turns, drift):
+    body = polhode.Body(3.0, 5.0, 5.0)
+    g = circuits(body, turns, drift)
+    (whole,) = excerpts.excerpts(body, g)
+    assert whole is g
+    ax = figures.momentum_sphere(body, trace=g)
+    assert len([line for line in ax.lines if line.get_gid() == "trace-near"]) == 1
 
 
 @every_body

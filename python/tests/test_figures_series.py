@@ -112,8 +112,9 @@ def test_a_data_frame_brings_its_units():
     assert ax.get_ylabel() == r"$\omega_1$ (deg/d)" and ax.get_xlabel() == "$t$ (d)"
 
 
-@pytest.mark.parametrize(("unit", "turn"), [("rad", 2 * np.pi), ("deg", 360.0), ("rev", 1.0),
-                                            ("arcmin", 21600.0)])
+@pytest.mark.parametrize(
+    ("unit", "turn"), [("rad", 2 * np.pi), ("deg", 360.0), ("rev", 1.0), ("arcmin", 21600.0)]
+)
 def test_angles_are_cut_in_every_unit(unit, turn):
     wrapped = (0.1 * T % 1.0 - 0.5) * turn
     (line,) = figures.time_series({"t": T, "l": wrapped}, "l", units={"l": unit}).get_lines()
@@ -179,6 +180,95 @@ def test_what_is_not_wrapped_stays_whole():
         assert unbroken(grows, values, turn)[1] is values
     ax = figures.time_series({"t": T, "theta": 0.3 + 0.1 * np.sin(T)}, "theta")
     assert ax.get_ylim()[1] < 0.5  # its own range, no multiples of pi
+
+
+def panel_of(t, values, unit=""):
+    return figures.time_series({"t": t, "x": values}, "x", units={"x": unit})
+
+
+def outlines(ax):
+    """The parts of the bands of a panel: times and values of their vertices."""
+    return [path.vertices for c in ax.collections for path in c.get_paths()]
+
+
+def test_a_dense_curve_is_a_band_between_its_envelopes():
+    """Of (1 + t) cos: the envelopes and the mean are known."""
+    t = np.linspace(0.0, 1.0, 40001)
+    ax = panel_of(t, 5.0 * t + (1.0 + t) * np.cos(2 * np.pi * 900 * t))
+    (outline,) = outlines(ax)
+    for time, low, high in ((0.0, -1.0, 1.0), (0.5, 1.0, 4.0), (1.0, 3.0, 7.0)):
+        near = outline[np.abs(outline[:, 0] - time) < 0.006, 1]
+        assert_allclose([near.min(), near.max()], [low, high], atol=budgets.figure_bin * 8.0)
+    (mean,) = ax.get_lines()
+    time, value = mean.get_xydata()[1:-1].T
+    assert_allclose(value, 5.0 * time, atol=budgets.figure_mean * 4.0)
+
+
+@pytest.mark.parametrize("swings, is_band", [(20, False), (60, False), (400, True)])
+def test_the_picture_decides_what_is_dense(swings, is_band):
+    t = np.linspace(0.0, 1.0, 40001)
+    ax = panel_of(t, np.cos(2 * np.pi * swings * t))
+    assert len(outlines(ax)) == is_band
+    assert len(ax.get_lines()[0].get_xdata()) == (t.size if not is_band else outlines_bins(ax))
+    wide = plt.figure(figsize=(80, 2)).add_subplot()
+    figures.time_series({"t": t, "x": np.cos(2 * np.pi * swings * t)}, "x", ax=wide)
+    assert not wide.collections
+
+
+def outlines_bins(ax):
+    """How many bins the outline of one band has: its corners, both sides."""
+    return (len(outlines(ax)[0]) - 3) // 2
+
+
+def test_what_is_not_dense_stays_a_line():
+    t = np.linspace(0.0, 1.0, 40001)
+    rng = np.random.default_rng(3)
+    for values in (3.0 + 1e-15 * rng.normal(size=t.size), t * 0.0, t * np.nan, np.exp(9.0 * t)):
+        ax = panel_of(t, values)
+        assert not ax.collections and len(ax.get_lines()[0].get_xdata()) == t.size
+
+
+def test_a_dense_curve_with_gaps_has_a_band_where_it_has_values():
+    t = np.linspace(0.0, 1.0, 40001)
+    ax = panel_of(t, np.where((t > 0.4) & (t < 0.6), np.nan, np.cos(2 * np.pi * 900 * t)))
+    first, second = outlines(ax)
+    assert first[:, 0].max() < 0.42 and second[:, 0].min() > 0.58
+
+
+def test_a_run_back_in_time_has_its_band():
+    t = np.linspace(0.0, -1.0, 40001)
+    (outline,) = outlines(panel_of(t, np.cos(2 * np.pi * 900 * t)))
+    assert_allclose([outline[:, 0].min(), outline[:, 0].max()], [-1.0, 0.0])
+
+
+def test_bands_of_wrapped_angles_reach_over_the_edge():
+    """A libration of 40 degrees about 170: below the upper edge, and above the lower one."""
+    t = np.linspace(0.0, 1.0, 40001)
+    angle = 170.0 + 40.0 * np.cos(2 * np.pi * 900 * t)
+    ax = panel_of(t, (angle + 180.0) % 360.0 - 180.0, "deg")
+    ranges = sorted((o[:, 1].min(), o[:, 1].max()) for o in outlines(ax))
+    assert_allclose(ranges, [(-180.0, -150.0), (130.0, 180.0)], atol=budgets.figure_mean * 80.0)
+    mean = ax.get_lines()[0].get_ydata()
+    assert_allclose(mean[np.isfinite(mean)], 170.0, atol=budgets.figure_mean * 80.0)
+
+
+@pytest.mark.parametrize("turns", [900.3, 39000.7, 123456.7])
+def test_an_angle_that_goes_round_says_so(turns):
+    t = np.linspace(0.0, 1.0, 40001)
+    ax = panel_of(t, (360.0 * turns * t + 180.0) % 360.0 - 180.0, "deg")
+    assert not ax.get_lines()
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["$x$ goes round"]
+    slow = panel_of(t, (360.0 * 40.3 * t + 180.0) % 360.0 - 180.0, "deg")
+    assert len(slow.get_lines()) == 1 and not slow.collections
+
+
+def test_bands_take_the_next_look():
+    t = np.linspace(0.0, 1.0, 40001)
+    fast = np.cos(2 * np.pi * 900 * t)
+    ax = panel_of(t, fast)
+    figures.time_series({"t": t, "x": 2.0 * fast}, "x", ax=ax)
+    figures.time_series({"t": t, "x": t}, "x", ax=ax)
+    assert len({line.get_color() for line in ax.get_lines()}) == 3
 
 
 def test_names_are_set_as_in_print():

@@ -72,6 +72,8 @@ def test_summary_and_citations_are_those_of_the_command_line(path):
             assert scenario.summary.units.get(key, "1") == value["unit"]
     cited = "".join(f"[{c.key}] {c.text}\n    For {c.reason}.\n" for c in scenario.citations)
     assert cited == command_line("cite", path)
+    entries = "".join(f"% For {c.reason}.\n{c.bibtex}\n" for c in scenario.citations)
+    assert entries == command_line("cite", path, "--bibtex")
     assert pickle.loads(pickle.dumps(scenario.summary)).labels == scenario.summary.labels
     assert "<table>" in scenario._repr_html_()
 

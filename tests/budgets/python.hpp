@@ -66,6 +66,11 @@ inline constexpr double gallery_run = 1e-8;
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.
 inline constexpr double figure_sampled = 2e-5;
+// Means of the bands of a long run against the mean of all its rows, over the width of the band:
+// what a bin with a part of a swing at its end leaves.
+inline constexpr double figure_mean = 0.01;
+// Envelopes at the middle of a bin, over the range of the run: they grow within the bin.
+inline constexpr double figure_bin = 0.02;
 // Products of lengths in pixels, small compared with where they are.
 inline constexpr double numpy_pixels = 4e-13;
 

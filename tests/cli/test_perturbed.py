@@ -3,12 +3,14 @@
 
 import json
 import math
+import re
 
 import budgets
 import h5py
 import numpy
 import pytest
 from closeness import assert_allclose
+from pybtex.database import parse_file, parse_string
 
 SPHERE = "schema = 1\n[body]\nmoments = [2, 2, 2]\n"
 BODY = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n"
@@ -283,16 +285,44 @@ def keys_cited(run, path):
     return {line[1:].split("]")[0] for line in lines if line.startswith("[")}
 
 
+def plain(text):
+    """LaTeX as the sources write it: Sim{\\'o} as Simo, f{\\"u}r as fuer."""
+    for letter in "uoa":
+        text = text.replace('{\\"' + letter + "}", letter + "e")
+    text = re.sub(r"\\[^\w\s]", "", text.replace("{", "").replace("}", ""))
+    return text.replace("--", "-").replace("\\c ", "").replace("\\i", "i")
+
+
+def papers_of_everything(run, write, root):
+    """What every example and every method cites: as people read it, and for BibTeX."""
+    scenarios = [write(BODY + STATE + ORBIT + GRAVITY + method) for method in METHODS.values()]
+    scenarios += (root / "examples").glob("*.toml")
+    printed = "".join(run("cite", path).stdout for path in scenarios)
+    entries = "".join(run("cite", path, "--bibtex").stdout for path in scenarios)
+    return dict(re.findall(r"^\[(\w+)\] (.*)$", printed, re.M)), entries
+
+
 def test_papers_are_in_the_bibliography(run, write, root):
-    known = (root / "docs/references.bib").read_text(encoding="utf-8")
-    cited = set()
-    for method in METHODS.values():
-        cited |= keys_cited(run, write(BODY + STATE + ORBIT + GRAVITY + method))
-    for example in (root / "examples").glob("*.toml"):
-        cited |= keys_cited(run, example)
-    assert {"mignard1979", "moisson2001", "cincotta2000", "praly2012"} - cited == {"mignard1979"}
-    for key in cited:
-        assert "{" + key + "," in known, key
+    """A program that knows BibTeX reads the entries: they are those of the documentation, and say
+    the same as the text: authors, year, volume, first page."""
+    cited, printed = papers_of_everything(run, write, root)
+    assert {"mignard1979", "moisson2001", "cincotta2000", "praly2012"} - {*cited} == {"mignard1979"}
+    once = {}
+    for entry in re.findall(r"^@\w+\{\w+,\n(?:.*\n)*?\}\n", printed, re.M):
+        once[entry] = None
+    read = parse_string("".join(once), "bibtex").entries
+    known = parse_file(root / "docs/references.bib").entries
+    assert {*read} == {*cited}
+    for key, text in cited.items():
+        entry = read[key]
+        fields = {name: value for name, value in known[key].fields.items() if name != "nodoi"}
+        assert (entry.type, dict(entry.fields)) == (known[key].type, fields), key
+        assert entry.persons == known[key].persons, key
+        names = [plain(" ".join(p.last_names)) for p in entry.persons.get("author", [])]
+        said = [name for name in names[:1] if not name.startswith("ERFA")]
+        numbers = [entry.fields.get(name, "") for name in ("year", "volume", "pages")]
+        for word in (*said, *(number.partition("--")[0] for number in numbers)):
+            assert word in text, (key, word)
 
 
 def test_papers_follow_where_positions_come_from(run, write, root):

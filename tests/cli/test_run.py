@@ -5,6 +5,7 @@ import contextlib
 import json
 import os
 import pty
+import re
 import struct
 import subprocess
 
@@ -240,6 +241,14 @@ def test_cite_follows_the_scenario(run, scenario):
     plain = run("cite", scenario()).stdout
     assert "gurfil2007" in plain and "sadov1970" not in plain
     assert "sadov1970" in run("cite", scenario(columns='"sadov"')).stdout
+
+
+def test_cite_prints_entries_for_bibtex(run, scenario):
+    text = run("cite", scenario(columns='"sadov"'), "--bibtex").stdout
+    assert text.startswith("% For the equations and the notation.\n@article{gurfil2007,\n")
+    keys = re.findall(r"^\[(\w+)\]", run("cite", scenario(columns='"sadov"')).stdout, re.M)
+    assert re.findall(r"^@\w+\{(\w+),$", text, re.M) == keys
+    assert "nodoi" not in text
 
 
 def test_numbers_are_the_shortest_that_read_back(run, scenario):

@@ -23,6 +23,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools/figures"))
+import diagrams  # noqa: E402
+
 SCRIPTS = ROOT / "docs/gallery"
 FIGURES = ROOT / "docs/figures"
 PAGE = SCRIPTS / "index.md"
@@ -33,6 +36,7 @@ SECTIONS = {
     ],
     "A body that turns": [
         "polhode_herpolhode", "attitude_of_body", "attitude_animation", "overview",
+        "long_run",
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
     "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],
@@ -155,6 +159,7 @@ def draw_others() -> None:
         command = [sys.executable, str(ROOT / "tools/figures" / tool), *arguments]
         subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": path})
 
+    run("diagrams.py")
     run("work_precision.py")
     run("yorp.py")
     run("tutorials.py")
@@ -179,6 +184,8 @@ def errors() -> list[str]:
         return found
     pictures = [*map(picture, listed), *(FIGURES / f"{name}.png" for name in OTHERS)]
     found += [f"{p.relative_to(ROOT)} is missing: make figures" for p in pictures if not p.exists()]
+    found += [f"{p.relative_to(ROOT)} is stale: tools/figures/diagrams.py"
+              for p in diagrams.stale()]  # fmt: skip
     if not PAGE.exists() or PAGE.read_text(encoding="utf-8") != page():
         found.append("docs/gallery/index.md does not fit the scripts: make figures")
     return found

@@ -122,7 +122,8 @@ nb::list dates_of(const Scenario& scenario, const std::vector<double>& times) {
 nb::list citations_of(const Scenario& scenario) {
   nb::list list;
   for (const Citation& c : citations(scenario))
-    list.append(nb::make_tuple(std::string(c.key), std::string(c.text), std::string(c.reason)));
+    list.append(
+        nb::make_tuple(std::string(c.key), std::string(c.text), std::string(c.reason), bibtex(c)));
   return list;
 }
 

@@ -15,6 +15,7 @@ from polhode import Body, Regime, RotorState
 from polhode._core import _numbers
 from polhode.figures import arrows, polhodes, style
 from polhode.figures.arguments import require_positive
+from polhode.figures.excerpts import excerpts
 from polhode.figures.labels import HALO
 from polhode.figures.view import Ellipsoid, View, parts, sphere
 
@@ -27,6 +28,7 @@ DEFAULT_VIEW = View(26.0, 34.0)
 FORESHORTENED = 0.2
 """Cosine of the view to the surface below which no arrow head is put."""
 TRACE = style.Look(style.GREEN, "-", 2.4)
+THIN_TRACE = style.Look(style.GREEN, "-", 0.9)
 POINTS = style.Look(style.GREEN, "None", 1.0, ".")
 RING = style.Look(style.GREEN, "None", 1.0, "o")
 COARSE, SMALL = 0.3, 0.05
@@ -159,13 +161,16 @@ def as_marked(line: Line2D, look: style.Look) -> Line2D:
     return line
 
 
-def draw_trace(ax: Axes, view: View, ball: Ellipsoid, g: NDArray[np.float64]) -> Line2D:
+def draw_trace(ax: Axes, view: View, ball: Ellipsoid, body: Body, g: NDArray[np.float64]) -> Line2D:
     """The momenta (n, 3) of a run; the handle for the legend."""
-    look = trace_look(g)
-    drawn = g[:1] if look is RING else g
-    for line in curve(ax, view, ball, drawn, look, zorder=3.0, gid="trace"):
-        as_marked(line, look)
-    return as_marked(Line2D([], [], **look.line, label="this motion"), look)
+    look, said = trace_look(g), "this motion"
+    drawn = [g[:1]] if look is RING else excerpts(body, g) if look is TRACE else [g]
+    if len(drawn) > 1:
+        look, said = THIN_TRACE, "parts of this motion"
+    for part in drawn:
+        for line in curve(ax, view, ball, part, look, zorder=3.0, gid="trace"):
+            as_marked(line, look)
+    return as_marked(Line2D([], [], **look.line, label=said), look)
 
 
 @style.styled
@@ -187,7 +192,8 @@ def momentum_sphere(
     pale.
 
     body: whose polhodes; G: radius of the sphere. trace (n, 3): momentum of a run, or its states,
-    drawn thick on its sphere, or as points where its rows are far apart. short_axis, long_axis: how
+    drawn thick on its sphere, as points where its rows are far apart, and, where it would paint the
+    sphere, by some of its circuits. short_axis, long_axis: how
     many curves about each end. Returns the Axes. ValueError unless G is positive, and for a trace
     of another shape."""
     require_positive("momentum_sphere", "G", G)
@@ -206,6 +212,6 @@ def momentum_sphere(
             flow_arrow(ax, view, ball, drawn.points, rate, look.color, size)
     mark_steady(ax, view, ball, body, G)
     body_axes(ax, view, (G, G, G), 1.32, (r"$\mathbf{b}_1$", r"$\mathbf{b}_2$", r"$\mathbf{b}_3$"))
-    extra = [] if run is None else [draw_trace(ax, view, ball, run)]
+    extra = [] if run is None else [draw_trace(ax, view, ball, body, run)]
     legend(ax, [drawn.regime for drawn in curves], extra)
     return ax

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from polhode import Body, angular_velocity, to_euler
 from polhode._core import _number
 from polhode.figures import style
+from polhode.figures.bands import drawn_as_band, legends
 from polhode.figures.columns import radians_in
 from polhode.figures.momentum_sphere import DEFAULT_VIEW, momentum_sphere
 from polhode.figures.run_data import RunData, run_data
@@ -21,8 +23,6 @@ from polhode.figures.view import View
 
 COARSE = np.pi / 3.0
 """Turn (rad) from row to row above which rows are not joined by lines."""
-MANY_TURNS, SHOWN_TURNS = 60.0, 20.0
-"""A run of more turns than this is shown for so many turns."""
 
 
 def rates_with_unit(data: RunData) -> tuple[NDArray[np.float64], str]:
@@ -44,20 +44,20 @@ def is_coarse(data: RunData) -> bool:
     return len(q) > 1 and bool(2.0 * np.arccos(np.clip(np.median(cosines), 0.0, 1.0)) > COARSE)
 
 
+def shown_rows(data: RunData, span: float | None) -> RunData:
+    """The rows of the first `span` of the run; all where it is None."""
+    if span is None:
+        return data
+    end = min(data.t[0] + _number(span, "span"), data.t[-1])
+    # one row more, so that lines reach the edge
+    last = min(int(np.searchsorted(data.t, end, side="right")) + 1, len(data.t))
+    omega = None if data.omega is None else data.omega[:last]
+    return replace(data, t=data.t[:last], states=data.states[:last], omega=omega)
+
+
 def shown_end(data: RunData, span: float | None) -> float:
-    """Where the axes of time end: after `span`, or else with the run, or after SHOWN_TURNS turns
-    of the faster one of phi and psi where the whole run has more than MANY_TURNS."""
-    t = data.t
-    if span is not None:
-        return min(t[0] + _number(span, "span"), t[-1])
-    if len(t) < 2 or is_coarse(data):
-        return float(t[-1])
-    euler = to_euler(data.states)
-    turned = np.stack([np.unwrap(euler.phi), np.unwrap(euler.psi)])
-    turns = np.cumsum(np.abs(np.diff(turned, axis=-1)), axis=-1).max(axis=0) / (2.0 * np.pi)
-    if turns[-1] <= MANY_TURNS:
-        return float(t[-1])
-    return float(t[1:][np.searchsorted(turns, SHOWN_TURNS)])
+    """Where the axes of time end: after `span`, or else with the run."""
+    return float(data.t[-1] if span is None else min(data.t[0] + _number(span, "span"), data.t[-1]))
 
 
 def time_label(data: RunData, end: float) -> str:
@@ -80,6 +80,9 @@ def draw_angles(ax: Axes, data: RunData) -> None:
     euler = to_euler(data.states)
     for k, (name, symbol) in enumerate((("phi", r"\phi"), ("theta", r"\theta"), ("psi", r"\psi"))):
         degrees = np.degrees(getattr(euler, name))
+        turn = None if name == "theta" else 360.0
+        if drawn_as_band(ax, data.t, degrees, style.series(k), turn, f"${symbol}$", name):
+            continue
         line = (data.t, degrees) if is_coarse(data) else unbroken(data.t, degrees, 360.0)
         ax.plot(*line, **look_of(data, k), label=f"${symbol}$", gid=name)
     ax.set_ylabel("Euler angles (deg)")
@@ -91,9 +94,9 @@ def draw_rates(ax: Axes, data: RunData) -> None:
     """The angular velocity along the body axes. [SA (24)]"""
     omega, unit = rates_with_unit(data)
     for k in range(3):
-        ax.plot(
-            data.t, omega[:, k], **look_of(data, k), label=rf"$\omega_{k + 1}$", gid=f"w{k + 1}"
-        )
+        label, gid = rf"$\omega_{k + 1}$", f"w{k + 1}"
+        if not drawn_as_band(ax, data.t, omega[:, k], style.series(k), None, label, gid):
+            ax.plot(data.t, omega[:, k], **look_of(data, k), label=label, gid=gid)
     ax.set_ylabel("Angular velocity" + (f" ({unit})" if unit else ""))
 
 
@@ -115,8 +118,13 @@ def overview(
     Right: the 3-1-3 angles phi, theta, psi [SA (1)] in degrees and the angular velocity along the
     body axes: the columns w1, w2, w3 of the run, else I^-1 g [SA (24)].
 
-    span: how much time the right panels show from the start; None shows the whole run or, of a long
-    one, the first turns, and the label says so. Rows too far apart for lines are drawn as points.
+    A curve that would fill its panel, up and down more often than 1.5 times in four points of the
+    paper, is shown by a band from its least to its largest value in each bin of time, with a line
+    of the mean; of an angle that turns so fast the legend says that it goes round. Rows too far
+    apart for lines are drawn as points.
+
+    span: how much time the right panels show from the start, single turns of a long run, say; the
+    label says so. None: the whole run.
 
     ax: three Axes, or None for a new figure, two columns wide. Returns an array of the three
     Axes."""
@@ -143,12 +151,12 @@ def overview(
     momentum_sphere(
         data.body, G, trace=G * direction, short_axis=4, long_axis=3, view=view, ax=sphere
     )
-    draw_angles(angles, data)
-    draw_rates(rates, data)
-    end = shown_end(data, span)
+    shown, end = shown_rows(data, span), shown_end(data, span)
+    draw_angles(angles, shown)
+    draw_rates(rates, shown)
     for panel in (angles, rates):
         panel.set_xlim(data.t[0], end if end > data.t[0] else None)
-        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.2)
+    legends((angles, rates), handlelength=2.2)
     rates.set_xlabel(time_label(data, end))
     if data.title:
         sphere.set_title(data.title)

@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from polhode.figures.bands import drawn_as_band, legends
 from polhode.figures.columns import Table, angle_axis, axis_label, symbol, table, turn_in
 from polhode.figures.style import DOUBLE_COLUMN, panels, series, styled
 
@@ -45,6 +46,11 @@ def time_series(
     -------
     The Axes, or an array of them where `columns` is a list.
 
+    A curve that would fill its panel, up and down more often than 1.5 times in four points of the
+    paper, is shown by a band from its least to its largest value in each bin of time, with a line
+    of the mean; of an angle that turns so fast the legend says that it goes round.
+    For single swings draw a part of the run.
+
     Wrapped angles go to the edge of their range and on from the other edge, without a vertical
     line. ValueError for a column that is not there, and for units that differ within a panel."""
     rows = [[columns]] if isinstance(columns, str) else [_names(entry) for entry in columns]
@@ -55,6 +61,7 @@ def time_series(
     axes = panels(ax, len(rows), 1, (DOUBLE_COLUMN, height), sharex=True).ravel()
     for axis, names in zip(axes, rows):
         _draw(axis, run, names, label)
+    legends(axes, borderaxespad=0.2)
     axes[-1].set_xlabel(axis_label(["t"], run.units["t"]))
     if ax is None:
         axes[0].get_figure().align_ylabels()
@@ -71,17 +78,32 @@ def _draw(axis: Axes, run: Table, names: list[str], label: str | None) -> None:
         listed = ", ".join(f"{name} ({run.units[name]})" for name in names)
         raise ValueError(f"time_series: {listed} share a panel; expected one unit")
     for name in names:
-        look = series(len(axis.get_lines()))
-        said = [text for text in (symbol(name) if len(names) > 1 else None, label) if text]
-        t, values = unbroken(run.t, run.columns[name], run.turn(name))
-        axis.plot(t, values, label=", ".join(said) or None, **look.line)
+        look = series(curves_of(axis))
+        parts = [text for text in (symbol(name) if len(names) > 1 else None, label) if text]
+        said, values = ", ".join(parts), run.columns[name]
+        turn = turn_if_wrapped(values, run.turn(name))
+        if not drawn_as_band(axis, run.t, values, look, turn, said or symbol(name), name):
+            line = unbroken(run.t, values, turn)
+            axis.plot(*line, label=said or None, gid=name, **look.line)
     unit = units.pop()
     axis.set_ylabel(axis_label(names, unit))
     axis.margins(x=0)
     if turn_in(unit) is not None:
         angle_axis(axis.yaxis, unit)
-    if axis.get_legend_handles_labels()[1]:
-        axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
+
+
+def curves_of(axis: Axes) -> int:
+    """How many curves there are: lines, and bands that have none."""
+    bands = [c.get_gid() for c in axis.collections if c.get_gid()]
+    return len(axis.get_lines()) + sum(not gid.endswith("-band") for gid in bands)
+
+
+def turn_if_wrapped(values: NDArray[np.float64], turn: float | None) -> float | None:
+    """The turn of an angle that stays within one; None for what is no angle, or is not wrapped."""
+    finite = values[np.isfinite(values)]
+    if turn is None or finite.size == 0 or np.ptp(finite) > turn * (1 + 1e-9):
+        return None
+    return turn
 
 
 def unbroken(
@@ -91,9 +113,10 @@ def unbroken(
 
     An angle that is not wrapped (it leaves the range of one turn) and a column that is no angle
     (turn None) are returned as they are."""
-    finite = values[np.isfinite(values)]
-    if turn is None or finite.size == 0 or np.ptp(finite) > turn * (1 + 1e-9):
+    turn = turn_if_wrapped(values, turn)
+    if turn is None:
         return t, values
+    finite = values[np.isfinite(values)]
     low = -turn / 2 if finite.min() < 0 else 0.0
     with np.errstate(invalid="ignore"):
         step = np.diff(values)
