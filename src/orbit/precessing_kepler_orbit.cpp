@@ -16,8 +16,8 @@ namespace {
 const KeplerElements& checked(const KeplerElements& elements, const SecularRates& rates) {
   constexpr const char* name = "PrecessingKeplerOrbit";
   require_valid(elements, name);
-  for (const double rate : {rates.node, rates.argument, rates.mean_anomaly, rates.inclination,
-                            rates.eccentricity}) {
+  for (const double rate :
+       {rates.node, rates.argument, rates.mean_anomaly, rates.inclination, rates.eccentricity}) {
     if (!std::isfinite(rate))
       throw DomainError(std::string(name) +
                         ": rates of node, argument, mean anomaly, inclination, eccentricity " +

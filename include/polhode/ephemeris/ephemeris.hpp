@@ -9,10 +9,10 @@
 //             ICRS, to 0.03 arcsec those of equator and equinox of J2000. The years 1000 to 3000.
 // Accuracy    planetary_error. As the sources of ERFA say, in their best years: Earth 11 km at most
 //             (1900 to 2100); Moon 6 km and 2.9 arcsec rms, 32 km and 18 arcsec at most (1950 to
-//             2100); planets 7 (Mercury, Venus), 26 (Mars), 78 to 87 (Jupiter to Uranus), 11 arcsec
-//             (Neptune) at most (1800 to 2100). Against DE406 (JPL's integration) from 1000 to 3000:
+//             2100); planets 7 (Mercury, Venus), 26 (Mars), 78 to 87 (Jupiter to Uranus) and 11
+//             arcsec (Neptune) at most (1800 to 2100). Against DE406 from 1000 to 3000, at most:
 //             Earth 0.8, Moon 24, Mercury 7, Venus 8, Mars 40, Jupiter 78, Saturn 130, Uranus 111,
-//             Neptune 45 arcsec at most. Budget ephemeris_far_*.
+//             Neptune 45 arcsec. Budget ephemeris_far_*.
 // Errors      DomainError for dates outside, a body seen from itself, a span that is not finite.
 // Cost        a position takes 10 us (Moon from the Earth, planets from the Sun) to 45 us (what
 //             needs the Earth from the Sun); to tabulate a year, once for a run, 40 to 50 ms

@@ -3,23 +3,23 @@
 //
 // Equations   node, argument, mean anomaly, inclination and eccentricity are those of the elements
 //             at their epoch plus rate (t - epoch); the mean anomaly also has n = sqrt(gm / a^3),
-//             and a stays. The velocity is the derivative of the position: the rates of all five
-//             are in it, so that it differs from that of the ellipse of the time. j2_rates: the secular rates
-//             of first order of an oblate body, with p = a (1 - e^2) and k = (3/2) n J2 (R / p)^2:
-//             node -k cos i, argument k (2 - (5/2) sin^2 i), mean anomaly k sqrt(1 - e^2) (1 -
-//             (3/2) sin^2 i). mean_elements: the axis a of the mean ellipse has the energy of the
-//             state, 1/a = 1/a_s + J2 R^2 ((1 - 3 z^2 / r^2) / r^3 - (1 - (3/2) sin^2 i) / (a^3 (1
-//             - e^2)^(3/2))), a_s and r at the epoch, the last part the mean of the one before.
-// Units       any consistent set; rates in rad per time.
+//             and a stays. Velocities are derivatives of positions, with the rates of all five.
+//             j2_rates: the secular rates of first order of an oblate body, with p = a (1 - e^2)
+//             and k = (3/2) n J2 (R / p)^2: node -k cos i, argument k (2 - (5/2) sin^2 i), mean
+//             anomaly k sqrt(1 - e^2) (1 - (3/2) sin^2 i). mean_elements: the axis a of the mean
+//             ellipse has the energy of the state, 1/a = 1/a_s + J2 R^2 ((1 - 3 z^2 / r^2) / r^3 -
+//             (1 - (3/2) sin^2 i) / (a^3 (1 - e^2)^(3/2))), a_s and r at the epoch, the last part
+//             the mean of the one before.
+// Units       any consistent set; rates in rad per time, of the eccentricity per time.
 // Domain      that of KeplerOrbit; n plus the rate of the mean anomaly must be positive; of a
-//             hyperbola the eccentricity stays. NaN where it has left [0, 1). J2 of any sign, ellipses only, inclination against the equator of the body. mean_elements moves
-//             the axis alone, whose error would grow along the orbit; the other elements keep their
+//             hyperbola the eccentricity stays; NaN where it has left [0, 1). J2 of any sign,
+//             ellipses only, inclination against the equator of the body. mean_elements moves the
+//             axis alone, whose error would grow along the orbit; the other elements keep their
 //             short-period terms, and the orbit has none (docs/guide/orbits.md).
-// Accuracy    budget kepler_*: all angles are formed and reduced in double-double. Rates and
-//             mean axis are of first order in J2: budget j2_*.
-// Errors      DomainError for elements out of the domain or rates that are not finite, a rate of
-//             the eccentricity of a hyperbola, for a J2 too
-//             large for a mean ellipse.
+// Accuracy    budget kepler_*: all angles are formed and reduced in double-double. Rates and mean
+//             axis are of first order in J2: budget j2_*.
+// Errors      DomainError for elements out of the domain, rates that are not finite, a hyperbola
+//             whose eccentricity changes, a J2 too large for a mean ellipse.
 // Cost        some 50 ns for e <= 0.5, 240 ns above or where it changes (benchmarks/orbit.cpp).
 #pragma once
 

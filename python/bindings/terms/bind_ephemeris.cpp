@@ -55,8 +55,9 @@ scale : TimeScale, or its name: UTC, TAI, TT, TDB, UT1.
 day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of ERFA, in which a
     day with a leap second is stretched.
 instant : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
-    "2013-01-05T18:30:00Z", "JD 2456297.5 TDB"; a datetime.datetime, which is UTC if it has a time zone; a numpy.datetime64;
-    a Time of astropy, in its own scale. What has no scale needs one: Date(instant, "TDB").
+    "2013-01-05T18:30:00Z", "JD 2456297.5 TDB"; a datetime.datetime, which is UTC if it has a time
+    zone; a numpy.datetime64; a Time of astropy, in its own scale. What has no scale needs one:
+    Date(instant, "TDB").
 
 Functions that take a Date take such an instant too, if it has a scale. ValueError for others.)");
   c.def("__init__", make_date, "scale"_a, "day"_a, "fraction"_a = 0.0)
