@@ -42,6 +42,7 @@
 #include "polhode/frame/frame.hpp"
 #include "polhode/frame/frame_motion.hpp"
 #include "polhode/frame/local_vertical.hpp"
+#include "polhode/frame/orbit_plane.hpp"
 #include "polhode/free/cayley_klein.hpp"
 #include "polhode/free/evaluate.hpp"
 #include "polhode/free/free_kernel.hpp"

@@ -125,12 +125,12 @@ class _Writer:
         }
 
     def frame(self, frame: Any) -> dict[str, Any]:
-        if frame.is_inertial or frame.kind == "local_vertical":  # its orbit has a table: tables_of
-            return {}
+        if frame.is_inertial or frame.kind in ("local_vertical", "plane_of"):
+            return {}  # its orbit has a table: tables_of
         if frame.kind != "precessing":
             raise ValueError(
                 f"build: frame {frame!r} has no place in a scenario; expected Frame.inertial(), "
-                "Frame.precessing or Frame.local_vertical"
+                "Frame.precessing, Frame.plane_of or Frame.local_vertical"
             )
         given = frame.arguments
         return {"frame": {"precessing": {

@@ -32,6 +32,10 @@ def tables_of(
     if system.frame.kind == "local_vertical":
         orbit = tables.name_of(system.frame.arguments["orbit"])
         data["frame"] = {"local-vertical": {"orbit": orbit}}
+    if system.frame.kind == "plane_of":
+        given = system.frame.arguments
+        plane = {"orbit": tables.name_of(given["orbit"]), "axis_1": given["axis_1"]}
+        data["frame"] = {"orbit-plane": plane}
     if tables.orbits:
         data["orbit"] = {name: tables.orbit(orbit) for name, orbit in tables.orbits.items()}
     if tables.surface is not None:
@@ -268,6 +272,8 @@ class _Tables:
             data["node_rate"] = self._rate(orbit.rates.node)
             data["pericentre_rate"] = self._rate(orbit.rates.argument)
             data["mean_anomaly_rate"] = self._rate(orbit.rates.mean_anomaly)
+            data["inclination_rate"] = self._rate(orbit.rates.inclination)
+            data["eccentricity_rate"] = orbit.rates.eccentricity
         return data
 
 

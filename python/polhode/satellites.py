@@ -3,7 +3,10 @@
 
 SGP4 (the package `sgp4`: pip install 'polhode[satellites]') propagates them; what comes out are
 tables of positions and velocities along equator and equinox of J2000, as orbits or as files that a
-scenario reads.
+scenario reads. As a command:
+
+    python -m polhode.satellites iss.tle --from 2026-05-01T00:00:00Z --to 2026-05-02T00:00:00Z \\
+        --out iss.csv
 """
 
 from __future__ import annotations
@@ -14,6 +17,8 @@ import io
 import math
 import os
 import pathlib
+import re
+import sys
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -34,11 +39,24 @@ from polhode._core import (
     seconds_between,
 )
 
-__all__ = ["Satellite", "satellite_from_omm", "satellite_from_tle"]
+__all__ = [
+    "Satellite",
+    "satellite_from_omm",
+    "satellite_from_tle",
+    "satellites_from_file",
+    "satellites_from_text",
+]
 
-_SPACING = 60.0  # s: order 10 leaves micrometres in a low orbit
+# s. The spacing is the longest of these that leaves so many rows in a turn at the rate of the
+# perigee: order 12 then leaves less than a millimetre.
+_SPACINGS = (10.0, 15.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0)
+_ROWS_A_TURN = 80
 _LEAST_ROWS = 12
+_LONGEST_NAME = 24  # characters, in a line above elements
 _FAR = 30 * 86400.0  # s from the epoch of elements: kilometres, and soon hundreds of them
+# Central differences of order 8, of rows at -4 to 4 steps, each a sixth of a spacing
+_SLOPE = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
+_SLOPE_STEPS = 6
 
 
 @dataclass(frozen=True)
@@ -83,15 +101,32 @@ class Satellite:
             x[k], v[k] = turn @ position, turn @ velocity
         return x, v
 
+    @property
+    def spacing(self) -> float:
+        """Seconds between the rows of a table of it, if nothing else is asked for."""
+        e = float(self.elements.ecco)
+        rate = float(self.elements.no_kozai) / 60 * math.sqrt(1 + e) / (1 - e) ** 1.5
+        most = 2 * math.pi / rate / _ROWS_A_TURN
+        return max((one for one in _SPACINGS if one <= most), default=_SPACINGS[0])
+
+    def _age(self, epoch: Date | str, first: float, last: float) -> float:
+        """The most seconds between its elements and `first` to `last`, s after `epoch`."""
+        begin = seconds_between(self.epoch, _date(epoch))
+        return max(abs(begin + _number(first, "first")), abs(begin + _number(last, "last")))
+
     def orbit(
-        self, epoch: Date | str, first: float, last: float, spacing: float = _SPACING
+        self, epoch: Date | str, first: float, last: float, spacing: float | None = None
     ) -> TableOrbit:
         """A TableOrbit (km) from `first` to `last`, s after `epoch`, with a row every `spacing`.
 
-        Through positions alone: the velocities of SGP4 are not their derivatives to 1 m/s.
+        spacing : s; left out, 60 in a low orbit and up to 900 in a high one.
+
+        Its velocities are the derivatives of the positions, by differences. Those that SGP4 gives
+        are not, to 1 m/s.
         """
-        t = _times(first, last, spacing)
-        return TableOrbit(t, self.states(epoch, t)[0])
+        t = _times(first, last, self.spacing if spacing is None else spacing)
+        x, v = self._rows(_date(epoch), t)
+        return TableOrbit(t, x, v)
 
     def write(
         self,
@@ -99,30 +134,52 @@ class Satellite:
         epoch: Date | str,
         first: float,
         last: float,
-        spacing: float = _SPACING,
-    ) -> None:
+        spacing: float | None = None,
+    ) -> int:
         """Writes a table that a scenario reads as kind "table" (.gz where the name ends so).
 
-        Its columns are t (s after `epoch`, which is to be `state.epoch`), x, y, z (km) in axes
-        "equator-J2000"; its first line says so, and a scenario of another epoch, other axes or
-        other units refuses it.
+        Its columns are t (s after `epoch`, which is to be `state.epoch`), x, y, z (km) and vx, vy,
+        vz (km/s, as those of `orbit`) along axes "equator-J2000"; lines at its top say so, and a
+        scenario of another epoch, other axes or other units refuses it. Returns how many rows.
         """
         epoch = _date(epoch)
-        t = _times(first, last, spacing)
-        header = f"{self.name}, SGP4; t in s after {_text(epoch)}; km; equator-J2000\nt,x,y,z"
-        rows = np.column_stack([t, self.states(epoch, t)[0]])
+        t = _times(first, last, self.spacing if spacing is None else spacing)
+        x, v = self._rows(epoch, t)
+        rows = np.column_stack([t, x, v])
         final = os.fsdecode(path)
         part = final + ".part"
         opened = gzip.open if final.endswith(".gz") else open
         with opened(part, "wt", encoding="utf-8") as file:
-            np.savetxt(file, rows, "%.17g", ",", header=header)
+            np.savetxt(file, rows, "%.17g", ",", header=self._header(epoch), comments="")
         os.replace(part, final)
+        return len(rows)
+
+    def _header(self, epoch: Date) -> str:
+        # "; " separates what a reader of the table looks at
+        name = self.name.encode("ascii", "replace").decode().replace(";", ",")
+        columns = ["t", "x", "y", "z", "vx", "vy", "vz"]
+        units = ["s", *["km"] * 3, *["km/s"] * 3]
+        pairs = ", ".join(f"{name} [{unit}]" for name, unit in zip(columns, units, strict=True))
+        return "\n".join([
+            f"# satellite {name}, by SGP4 from elements of {_text(self.epoch)}",
+            f"# t counts from {_text(epoch)}; seconds are those of TT; axes: equator-J2000",
+            f"# units: {pairs}",
+            ",".join(columns),
+        ])  # fmt: skip
+
+    def _rows(
+        self, epoch: Date, t: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Positions, and their derivatives."""
+        step = self.spacing / _SLOPE_STEPS
+        around = t[:, None] + step * np.arange(-4, 5)
+        x = self.states(epoch, around.ravel())[0].reshape(len(t), 9, 3)
+        return x[:, 4], np.einsum("k,nkc->nc", _SLOPE, x) / step
 
     def _warn_of_age(self, epoch: Date, t: NDArray[np.float64]) -> None:
         if not len(t):
             return
-        begin = seconds_between(self.epoch, epoch)
-        far = max(abs(begin + t.min()), abs(begin + t.max()))
+        far = self._age(epoch, float(t.min()), float(t.max()))
         if far > _FAR:
             warnings.warn(
                 f"{self.name}: {far / 86400:.0f} d from its elements, of {_text(self.epoch)}",
@@ -140,10 +197,60 @@ def satellite_from_tle(line1: str, line2: str, name: str | None = None) -> Satel
     lines = [line1.rstrip(), line2.rstrip()]
     for number, line in enumerate(lines, 1):
         _check_line(number, line)
+        _check_fields(number, line)
     if lines[0][2:7] != lines[1][2:7]:
         raise ValueError(f"line 2: of satellite {lines[1][2:7]}; line 1 is of {lines[0][2:7]}")
     from_lines = _sgp4().Satrec.twoline2rv(*lines)
     return _satellite(from_lines, name or lines[0][2:7].strip())
+
+
+def satellites_from_file(path: str | PathLike[str]) -> list[Satellite]:
+    """The satellites of a file: two-line elements, each below a line with its name or not, or an
+    OMM (.csv with one message, .xml).
+
+    ValueError, with the line of the file, for what is no elements.
+    """
+    file = os.fsdecode(path)
+    text = pathlib.Path(file).read_text(encoding="utf-8")
+    if text.lstrip().startswith("<") or "MEAN_MOTION" in text.partition("\n")[0]:
+        return [satellite_from_omm(text)]
+    return satellites_from_text(text, file)
+
+
+def satellites_from_text(text: str, source: str = "text") -> list[Satellite]:
+    """The same from the two-line elements of a text; `source` stands for it in messages."""
+    found, name, line1, number1 = [], None, None, 0
+    for number, line in enumerate(text.splitlines(), 1):
+        line = line.rstrip()
+        if not line or line.startswith("#"):
+            continue
+        place = f"{source}:{number}: "
+        is_element = line[:2] in ("1 ", "2 ") and len(line) > _LONGEST_NAME
+        if line1 is not None:
+            if not (is_element and line[0] == "2"):
+                raise ValueError(f'{place}expected line 2 of the elements of line {number1}, which '
+                                 f'begins with "2 "; got "{_printable(line)}"')  # fmt: skip
+            try:
+                found.append(satellite_from_tle(line1, line, name))
+            except ValueError as wrong:
+                at = f"{source}:{number1}: " if str(wrong).startswith("line 1") else place
+                raise ValueError(at + str(wrong)) from None
+            name, line1 = None, None
+        elif is_element and line[0] == "1":
+            line1, number1 = line, number
+        elif is_element:
+            raise ValueError(f"{place}line 2 of elements has no line 1 above it")
+        elif name is not None:
+            raise ValueError(f'{place}expected line 1 of the elements of "{_printable(name)}", '
+                             f'69 characters that begin with "1 "; got '
+                             f'"{_printable(line)}"')  # fmt: skip
+        else:
+            name = line.removeprefix("0 ").strip()
+    if line1 is not None:
+        raise ValueError(f"{source}:{number1}: line 1 of elements has no line 2 below it")
+    if not found:
+        raise ValueError(f"{source}: holds no two-line elements")
+    return found
 
 
 def satellite_from_omm(message: str | PathLike[str] | Mapping[str, Any]) -> Satellite:
@@ -185,6 +292,34 @@ def _check_line(number: int, line: str) -> None:
     if line[68] != str(digits % 10):
         raise ValueError(f"line {number}: its checksum is {line[68]}; its characters give "
                          f"{digits % 10}")  # fmt: skip
+
+
+# What stands in a line, by columns from 0.
+_FIELDS = {
+    1: {"year of the epoch": (18, 20), "day of the epoch": (20, 32)},
+    2: {"inclination": (8, 16), "node": (17, 25), "eccentricity": (26, 33), "perigee": (34, 42),
+        "mean anomaly": (43, 51), "mean motion": (52, 63)},
+}  # fmt: skip
+
+
+def _check_fields(number: int, line: str) -> None:
+    """SGP4 itself reads a letter as the end of a number, and goes on."""
+    for name, (begin, end) in _FIELDS[number].items():
+        field = line[begin:end].strip()
+        if not re.fullmatch(r"[0-9]+" if name == "eccentricity" else r"[0-9]*\.?[0-9]*", field) or (
+            not any(c.isdigit() for c in field)
+        ):
+            raise ValueError(f'line {number}: its {name} "{line[begin:end]}", in columns '
+                             f"{begin + 1} to {end}, is not a number")  # fmt: skip
+    if number == 1 and not re.fullmatch(r"[ +-][0-9 ]{5}[ +-][0-9]", line[53:61]):
+        raise ValueError(f'line 1: its drag term "{line[53:61]}", in columns 54 to 61, is not a '
+                         "number")  # fmt: skip
+    if number == 2 and not float(line[52:63]) > 0:
+        raise ValueError("line 2: its mean motion is 0; expected revolutions per day")
+
+
+def _printable(text: str) -> str:
+    return text[:80].encode("ascii", "replace").decode()
 
 
 def _omm_fields(source: str | PathLike[str]) -> dict[str, str]:
@@ -236,3 +371,9 @@ def _times(first: float, last: float, spacing: float) -> NDArray[np.float64]:
         raise ValueError("expected first < last and a positive spacing")
     count = max(math.ceil((last - first) / spacing) + 1, _LEAST_ROWS)
     return np.linspace(first, last, count)
+
+
+if __name__ == "__main__":
+    from polhode._satellites_command import main
+
+    sys.exit(main())

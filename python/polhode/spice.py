@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -19,7 +20,10 @@ __all__ = ["Kernels", "ephemeris_time", "write_ck", "write_ck_rows"]
 _TICKS = 1_000_000  # of the clock, per second
 _COUNTS = 4_294_967_296  # s until the clock ends: 136 years
 _REFERENCES = {"equator-J2000": "J2000", "ecliptic-J2000": "ECLIPJ2000"}
-_SCALES = {"TT": "TDT", "TAI": "TAI"}
+_SCALES = ("TT", "TAI")
+_TT_TAI = 32.184  # s
+# DELTET of naif0012.tls: K, EB, M
+_K, _EB, _M0, _M1 = 1.657e-3, 1.671e-2, 6.239996, 1.99096871e-7
 
 
 class Kernels(NamedTuple):
@@ -52,8 +56,9 @@ def write_ck(
     frame : the name of the body axes.
     reference : the SPICE frame of the state's axes; left out, J2000 or ECLIPJ2000.
 
-    An epoch in UTC, TAI or TT needs a leap-second kernel that the caller has furnished; one in TDB
-    needs none. ValueError for what is missing; what else SPICE refuses is its own error.
+    Leap seconds are those of ERFA's list; where the caller has furnished a leap-second kernel, its
+    own. A UserWarning for a UTC epoch beyond the list. ValueError for what is missing; what else
+    SPICE refuses is its own error.
     """
     scenario = results.scenario
     if scenario.axes not in _REFERENCES and reference is None:
@@ -77,9 +82,15 @@ def write_ck(
 
 
 def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
-    """Seconds past J2000 (TDB), as SPICE counts time, of `seconds` after an epoch of a scenario."""
-    import spiceypy
+    """Seconds past J2000 (TDB), as SPICE counts time, of `seconds` after an epoch of a scenario.
 
+    epoch : such as "2026-05-01T00:00:00 UTC", in UTC, TAI, TT or TDB.
+    seconds : of any shape; of the scale of the epoch, UTC counts those of TT.
+
+    With a leap-second kernel that the caller has furnished (spiceypy.furnsh) the answer is that of
+    SPICE; without one leap seconds are those of ERFA, and TDB - TT is the formula that SPICE's
+    kernels have. A UserWarning for a UTC epoch whose leap seconds ERFA's list does not know yet.
+    """
     date, _, scale = epoch.rpartition(" ")
     after = polhode._core._numbers(seconds, "seconds")
     if scale == "TDB":
@@ -87,19 +98,49 @@ def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
     if scale == "UTC":
         if date.startswith("JD "):
             raise ValueError(f"got the epoch {epoch!r}; expected a calendar date for UTC")
-        try:
-            start = spiceypy.unitim(spiceypy.str2et(date), "ET", "TDT")
-        except spiceypy.utils.exceptions.SpiceNOLEAPSECONDS:
-            raise ValueError(
-                f"the epoch {epoch!r} needs leap seconds: furnish a kernel first, "
-                "spiceypy.furnsh('naif0012.tls'), or give the epoch in TDB"
-            ) from None
+        start = _utc_in_tt(epoch, date)
         scale = "TT"
     elif scale in _SCALES:
         start = _past_J2000(date)
     else:
         raise ValueError(f"got the epoch {epoch!r}; expected one in UTC, TAI, TT or TDB")
-    return np.array([spiceypy.unitim(x, _SCALES[scale], "ET") for x in start + after.ravel()])
+    tt = start + after + (_TT_TAI if scale == "TAI" else 0.0)
+    if not _has_leap_seconds():
+        return tt + _tdb_tt(tt)
+    import spiceypy
+
+    return np.array([spiceypy.unitim(x, "TDT", "ET") for x in tt.ravel()]).reshape(tt.shape)
+
+
+def _has_leap_seconds() -> bool:
+    """Whether the caller has furnished a leap-second kernel."""
+    import spiceypy
+
+    return bool(spiceypy.expool("DELTET/DELTA_AT"))
+
+
+def _utc_in_tt(epoch: str, date: str) -> float:
+    """Seconds of TT past J2000 (12:00 TT) of a date in UTC."""
+    if _has_leap_seconds():
+        import spiceypy
+
+        return float(spiceypy.unitim(spiceypy.str2et(date), "ET", "TDT"))
+    utc = polhode.Date(epoch)
+    if utc.is_dubious:
+        warnings.warn(
+            f"the epoch {epoch!r} is beyond the leap seconds that are known here; a leap-second "
+            "kernel that you furnish is taken instead",
+            UserWarning,
+            stacklevel=4,
+        )
+    return polhode.seconds_between(polhode.Date("TT", 2451545.0), utc)
+
+
+def _tdb_tt(tt: Any) -> Any:
+    """TDB - TT in s, as the kernels naif00XX.tls have it: K sin(M + EB sin M), of the time past
+    J2000 in TDB; that of TT will do for it, to 1e-11 s."""
+    anomaly = _M0 + _M1 * tt
+    return _K * np.sin(anomaly + _EB * np.sin(anomaly))
 
 
 def write_ck_rows(

@@ -104,8 +104,8 @@ def test_planets_are_where_their_tables_put_them():
         truth = polhode.planetary_position("moon", "earth", polhode.date_after(epoch, t))
         assert_allclose(orbit.position(t), truth, atol=budgets.ephemeris_orbit * 4e5)
     assert_allclose(polhode.planetary_gm("earth"), 398600.4, rtol=budgets.ephemeris_gm)
-    with pytest.raises(ValueError, match="1900 to 2100"):
-        polhode.planetary_position("moon", "sun", polhode.calendar_date("TT", 1800, 1, 1))
+    with pytest.raises(ValueError, match="1000 to 3000"):
+        polhode.planetary_position("moon", "sun", polhode.calendar_date("TT", 800, 1, 1))
     with pytest.raises(ValueError, match="must not both be mars"):
         polhode.planetary_position("mars", "mars", epoch)
 

@@ -209,6 +209,86 @@ def test_the_local_vertical_is_that_of_position_and_velocity():
         Frame.local_vertical(3)
 
 
+EPOCH = polhode.Date("2026-05-01 TT")
+MOON = polhode.planetary_orbit("moon", "earth", EPOCH, -1e5, 40 * 86400.0)
+
+
+@pytest.mark.parametrize("frame", [
+    Frame.plane_of(MOON), Frame.plane_of(MOON, "shortest-turn"), Frame.local_vertical(MOON)],
+    ids=lambda frame: frame.kind)  # fmt: skip
+def test_frames_of_an_ephemeris(frame):
+    for t in (0.0, 1e6, 40 * 86400.0):
+        r, v = MOON.position(t), MOON.velocity(t)
+        normal = np.cross(r, v) / np.linalg.norm(np.cross(r, v))
+        axes = attitude_matrix(frame.at(t).q_IS)
+        vertical = frame.kind == "local_vertical"
+        assert_allclose(axes[1] if vertical else axes[2], -normal if vertical else normal,
+                        atol=budgets.numpy_formula)
+        # the angular velocity, from the turn between two times
+        h = 100.0
+        turn = np.array([attitude_matrix(frame.at(t + d).q_IS) for d in (-h, -2 * h)] if t else
+                        [attitude_matrix(frame.at(t + d).q_IS) for d in (h, 2 * h)])
+        sign = -1.0 if t else 1.0
+        slope = sign * (-3 * axes + 4 * turn[0] - turn[1]) / (2 * h)  # of rows that are the axes
+        w = axes.T @ frame.at(t).mu_S
+        assert_allclose(slope, np.cross(w, axes), atol=budgets.frame_slope)
+    assert np.isnan(frame.at(41 * 86400.0).q_IS).all()
+    assert pickle.loads(pickle.dumps(frame)).at(7.0).q_IS.tolist() == frame.at(7.0).q_IS.tolist()
+
+
+@pytest.mark.parametrize("frame", [Frame.plane_of(MOON), Frame.plane_of(MOON, "shortest-turn"),
+                                   Frame.local_vertical(MOON)], ids=lambda frame: frame.kind)
+def test_what_is_inertial_does_not_depend_on_the_frame(frame):
+    """The same motion, in inertial axes and in the frame of date: attitude and inertial angular
+    velocity, which the canonical formulas give, are the same, and the relative rate is not."""
+    body, term = polhode.Body(1.0, 2.0, 2.5), polhode.GravityGradient(398600.4418, MOON)
+    moving, still = polhode.System(body, frame, [term]), polhode.System(body, terms=[term])
+    start = polhode.rotor_state(body, [0.5, 0.5, -0.5, 0.5], [1e-6, 2e-6, 3e-5])
+    q_IS = frame.at(0.0).q_IS
+    own = polhode.RotorState(product(q_IS * [1, -1, -1, -1], start.q), start.g)
+    times = np.linspace(0, 20 * 86400.0, 5)
+    runs = [polhode.integrate(polhode.Problem(system, state, 0.0, times[-1]), times)
+            for system, state in ((still, start), (moving, own))]
+    for t, one, other in zip(times, runs[0].states, runs[1].states, strict=True):
+        there = product(frame.at(t).q_IS, other.q)
+        assert_allclose(there * np.sign(there @ one.q), one.q, atol=budgets.frame_of_date)
+        w = polhode.angular_velocity(moving, t, other)
+        assert_allclose(w.inertial, polhode.angular_velocity(still, t, one).inertial,
+                        atol=budgets.frame_of_date * 3e-5)
+        assert np.linalg.norm(w.inertial - w.relative) > 1e-10
+
+
+def product(p, q):
+    w = p[0] * q[0] - p[1:] @ q[1:]
+    return np.array([w, *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))])
+
+
+def test_a_plane_that_has_no_rate_is_refused():
+    line = polhode.TableOrbit([0.0, 1.0, 2.0], [[1, 0, 0], [0, 1, 0], [-1, 0, 0]], order=2)
+    for made in (Frame.plane_of, Frame.local_vertical):
+        with pytest.raises(ValueError, match="table of order 2; expected 4 or more"):
+            made(line)
+    with pytest.raises(ValueError, match='axis_1: got "x"; expected "node" or "shortest-turn"'):
+        Frame.plane_of(MOON, "x")
+    with pytest.raises(TypeError, match="Frame.plane_of: orbit: got 3; expected a KeplerOrbit"):
+        Frame.plane_of(3)
+
+
+def test_a_scenario_is_built_in_the_plane_of_an_orbit():
+    orbit = polhode.PrecessingKeplerOrbit(
+        polhode.KeplerElements(398600.4418, 7000.0, 0.1, inclination=0.5),
+        polhode.SecularRates(1e-6, 2e-6, 0.0, 3e-7, -1e-9),
+    )
+    system = polhode.System(polhode.Body(100.0, 110.0, 20.0), Frame.plane_of(orbit))
+    start = polhode.rotor_state(system.body, [1, 0, 0, 0], [0, -1e-3, 0])
+    scenario = polhode.Scenario.build(system, start, time=(0.0, 100.0, 50.0),
+                                      orbits={"earth": orbit})
+    assert scenario.to_dict()["frame"] == {"orbit-plane": {"orbit": "earth", "axis_1": "node"}}
+    assert scenario.orbits["earth"] == orbit
+    assert_allclose(scenario.frame.at(33.0).mu_S, system.frame.at(33.0).mu_S,
+                    rtol=budgets.numpy_formula)
+
+
 def test_a_scenario_is_built_in_the_local_vertical():
     orbit = polhode.KeplerOrbit(polhode.KeplerElements(398600.4418, 7000.0, 0.1))
     system = polhode.System(polhode.Body(100.0, 110.0, 20.0), Frame.local_vertical(orbit),

@@ -174,8 +174,33 @@ def test_precessing_velocity_is_the_slope_of_position():
     assert_allclose(orbit.velocity(2.0), slope(orbit.position, 2.0), rtol=SLOPES)
 
 
+def test_tilt_and_eccentricity_change():
+    """The ellipse of each instant: its own elements, the axis kept."""
+    rates = SecularRates(0.01, 0.02, 0.03, inclination=0.04, eccentricity=0.005)
+    orbit = PrecessingKeplerOrbit(ELLIPSE, rates)
+    e, n = ELLIPSE, polhode.mean_motion(ELLIPSE)
+    for t in (0.0, 3.0, 21.5):
+        age, now = t - e.epoch, e.eccentricity + 0.005 * (t - e.epoch)
+        there = KeplerElements(
+            e.gm, polhode.pericentre_distance(polhode.semi_major_axis(e), now), now,
+            e.inclination + 0.04 * age, e.node + 0.01 * age, e.argument + 0.02 * age,
+            e.mean_anomaly + (n + 0.03) * age, t,
+        )  # fmt: skip
+        assert_allclose(orbit.position(t), KeplerOrbit(there).position(t), rtol=ROUNDED)
+        assert_allclose(orbit.velocity(t), slope(orbit.position, t), atol=SLOPES)
+        # the rates are in the velocity, and so it is not that of the ellipse
+        assert np.linalg.norm(orbit.velocity(t) - KeplerOrbit(there).velocity(t)) > 1e-3
+    assert orbit.last_time == e.epoch + (1 - e.eccentricity) / 0.005
+    assert np.isnan(orbit.position(orbit.last_time + 1)).all()
+    assert orbit.first_time == e.epoch - e.eccentricity / 0.005
+    with pytest.raises(polhode.DomainError, match="of the eccentricity 0.1 must be 0 for a hyper"):
+        PrecessingKeplerOrbit(FLYBY, SecularRates(eccentricity=0.1))
+
+
 @pytest.mark.parametrize("orbit", [KeplerOrbit(ELLIPSE),
-                                   PrecessingKeplerOrbit(ELLIPSE, SecularRates(0.01, 0.02, 0.03))])
+                                   PrecessingKeplerOrbit(ELLIPSE, SecularRates(0.01, 0.02, 0.03)),
+                                   PrecessingKeplerOrbit(ELLIPSE, SecularRates(
+                                       inclination=0.1, eccentricity=-0.01))])
 def test_a_dual_time_carries_the_velocity(orbit):
     moved = orbit.position(Dual(2.5, [1.0]))
     assert [x.value for x in moved] == orbit.position(2.5).tolist()
@@ -206,7 +231,8 @@ def test_elements_of_no_orbit(change, message):
 
 
 VALUES = [ELLIPSE, SecularRates(0.1, 0.2, 0.3), KeplerOrbit(ELLIPSE),
-          PrecessingKeplerOrbit(ELLIPSE, SecularRates(0.1))]
+          PrecessingKeplerOrbit(ELLIPSE, SecularRates(0.1)), SecularRates(inclination=0.1),
+          PrecessingKeplerOrbit(ELLIPSE, SecularRates(eccentricity=0.1))]
 
 
 @pytest.mark.parametrize("value", VALUES, ids=lambda v: type(v).__name__)

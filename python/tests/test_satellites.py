@@ -11,7 +11,7 @@ import polhode
 import pytest
 import sgp4
 from closeness import assert_allclose
-from polhode import satellites
+from polhode import _satellites_command, satellites
 
 VANGUARD = (
     "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
@@ -88,7 +88,8 @@ def test_a_scenario_reads_the_table(tmp_path):
     orbit = satellite.orbit(epoch, 0, 7200)
     satellite.write(tmp_path / "vanguard.csv.gz", "2000-06-28T00:00:00 UTC", 0, 7200)
     head = gzip.decompress((tmp_path / "vanguard.csv.gz").read_bytes()).decode()
-    assert "t in s after 2000-06-28T00:00:00.000 UTC" in head.splitlines()[0]
+    assert "t counts from 2000-06-28T00:00:00.000 UTC; " in head.splitlines()[1]
+    assert "t [s], x [km], y [km], z [km], vx [km/s]" in head.splitlines()[2]
     assert [file.name for file in tmp_path.iterdir()] == ["vanguard.csv.gz"]
     scenario = polhode.Scenario.from_text(
         f"""
@@ -105,7 +106,7 @@ def test_a_scenario_reads_the_table(tmp_path):
         omega_body = [0, 0.001, 0.01]
         [orbit.earth]
         kind = "table"
-        file = "{tmp_path / 'vanguard.csv.gz'}"
+        file = "{tmp_path / "vanguard.csv.gz"}"
         gm = 398600.4418
         [[perturbation]]
         kind = "gravity-gradient"
@@ -129,10 +130,10 @@ def test_a_scenario_reads_the_table(tmp_path):
     ("2000-06-28T00:00:00 UTC", "equator-J2000", None),
     ("2000-06-28T00:00:32 TAI", "equator-J2000", None),  # TAI - UTC was 32 s
     ("2000-06-29T00:00:00 UTC", "equator-J2000",
-     "a.csv:1: t counts from 2000-06-28T00:00:00.000 UTC, -86400 s after epoch = "),
+     "a.csv:2: t counts from 2000-06-28T00:00:00.000 UTC, -86400 s after epoch = "),
     ("2000-06-28T00:00:00 TAI", "equator-J2000", "UTC, 32"),
     ("2000-06-28T00:00:00 UTC", "ecliptic-J2000",
-     'a.csv:1: its axes are equator-J2000; expected axes = "equator-J2000"'),
+     'a.csv:2: its axes are equator-J2000; expected axes = "equator-J2000"'),
     ("2000-06-28T00:00:00 UTC", "inertial", 'in [state], not "inertial"'),
 ])  # fmt: skip
 def test_a_table_of_another_epoch_or_other_axes_is_refused(tmp_path, epoch, axes, what):
@@ -159,7 +160,7 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
     for second, time in cases.items():
         epoch = polhode.calendar_date("UTC", 2000, 6, 28, 0, 0, second)
         satellite.write(tmp_path / "a.csv", epoch, 0, 600)
-        assert f"after 2000-06-28T{time} UTC" in (tmp_path / "a.csv").read_text()
+        assert f"from 2000-06-28T{time} UTC" in (tmp_path / "a.csv").read_text()
 
 
 @pytest.mark.parametrize(
@@ -169,6 +170,21 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
         (VANGUARD[0], VANGUARD[1][:-1] + "0", "line 2: its checksum is 0; its characters give 7"),
         (VANGUARD[0][:-1], VANGUARD[1], "line 1: has 68 characters; expected 69"),
         (VANGUARD[1], VANGUARD[0], 'line 1: begins with "2 "'),
+        (
+            VANGUARD[0],
+            VANGUARD[1].replace("34.2682", "34.26x2")[:-1] + "9",
+            'line 2: its inclination " 34.26x2", in columns 9 to 16, is not a number',
+        ),
+        (
+            VANGUARD[0].replace("28098-4", "28o98-4")[:-1] + "3",
+            VANGUARD[1],
+            'line 1: its drag term " 28o98-4"',
+        ),
+        (
+            VANGUARD[0],
+            VANGUARD[1].replace("10.82419157", "00.00000000")[:-1] + "9",
+            "line 2: its mean motion is 0",
+        ),
     ],
 )
 def test_lines_that_are_wrong_say_where(line1, line2, what):
@@ -198,3 +214,116 @@ def test_a_satellite_that_has_decayed_says_so():
                                                "ECCENTRICITY": "0.0005"})  # fmt: skip
     with pytest.warns(UserWarning), pytest.raises(ValueError, match="SGP4 has no position"):
         satellite.states(satellite.epoch, [86400.0 * 100])
+
+
+FROM_TO = ["--from", "2000-06-28T00:00:00Z", "--to", "2000-06-28 02:00:00 UTC"]
+LINES = "\n".join(VANGUARD) + "\n"
+
+
+@pytest.fixture
+def command(tmp_path, monkeypatch, capsys):
+    """command(elements, *words) -> its exit status, what it prints, what it complains of."""
+    monkeypatch.chdir(tmp_path)
+
+    def go(elements, *words):
+        pathlib.Path("a.tle").write_text(elements)
+        status = _satellites_command.main(["a.tle", *(words or FROM_TO), "--out", "a.csv"])
+        said = capsys.readouterr()
+        return status, said.out, said.err
+
+    return go
+
+
+def test_the_command_writes_the_positions_of_sgp4_and_their_slopes(command):
+    status, out, err = command("VANGUARD 1\n" + LINES)
+    assert (status, err) == (0, "")
+    assert out == (
+        "a.csv: VANGUARD 1, 121 rows, 60 s apart, up to 0.3 days from its elements\n"
+        'for a scenario with epoch = "2000-06-28T00:00:00.000 UTC" in [state]\n'
+    )
+    rows = np.loadtxt("a.csv", delimiter=",", skiprows=4)
+    satellite = satellites.satellite_from_tle(*VANGUARD)
+    epoch = polhode.Date("2000-06-28T00:00:00Z")
+    x, v = satellite.states(epoch, rows[:, 0])
+    assert_allclose(rows[:, 1:4], x, atol=budgets.sgp4_km)
+    assert_allclose(rows[:, 4:], v, atol=budgets.sgp4_slope)
+    # the slope itself: a plain difference of positions nearby
+    later, before = (satellite.states(epoch, rows[:, 0] + h)[0] for h in (0.5, -0.5))
+    assert_allclose(rows[:, 4:], later - before, atol=budgets.sgp4_plain_difference)
+
+
+def test_a_table_is_right_between_its_rows_in_orbits_of_every_kind():
+    verified = pathlib.Path(sgp4.__file__).parent / "SGP4-VER.TLE"
+    lines = [line[:69] for line in verified.read_text().splitlines() if line[:2] in ("1 ", "2 ")]
+    spacings = {"06251": 60.0, "11801": 30.0, "14128": 900.0, "21897": 30.0, "28626": 900.0}
+    for one, other in zip(lines[::2], lines[1::2], strict=True):
+        if one[2:7] not in spacings:
+            continue
+        satellite = satellites.satellite_from_tle(one, other)
+        assert satellite.spacing == spacings[one[2:7]]
+        orbit = satellite.orbit(satellite.epoch, 0, 86400)
+        t = np.linspace(0, 86400, 1001)
+        x, _ = satellite.states(satellite.epoch, t)
+        assert_allclose(orbit.position(t), x, atol=budgets.sgp4_between_rows)
+
+
+def test_the_command_takes_the_elements_that_are_nearest(command):
+    older = (VANGUARD[0].replace("00179.", "00169.")[:-1] + "2", VANGUARD[1])
+    text = "0 VANGUARD 1\n" + "\n".join(older) + "\n\n# newer\n0 VANGUARD 1\n" + LINES
+    status, out, _ = command(text)
+    assert status == 0
+    assert "0.3 days" in out
+    assert [one.name for one in satellites.satellites_from_file("a.tle")] == ["VANGUARD 1"] * 2
+    assert command(text, *FROM_TO, "--epoch", "2000-06-27 UTC", "--step", "2 min")[0] == 0
+    assert np.loadtxt("a.csv", delimiter=",", skiprows=4)[:2, 0].tolist() == [86400, 86520]
+
+
+OTHER = LINES.replace("00005U", "00006U").replace("4753", "4754").replace(
+    "2 00005", "2 00006").replace("413667", "413668")  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "words", "what"), [
+    (LINES.replace("4753", "4754"), [], "a.tle:1: line 1: its checksum is 4; its characters give "),
+    ("A\n" + LINES.replace("413667", "413660"), [], "a.tle:3: line 2: its checksum is 0; "),
+    (LINES.splitlines()[0], [], "a.tle:1: line 1 of elements has no line 2 below it"),
+    (LINES.splitlines()[1], [], "a.tle:1: line 2 of elements has no line 1 above it"),
+    (LINES.splitlines()[0] + "\nA\n", [], 'a.tle:2: expected line 2 of the elements of line 1, '
+     'which begins with "2 "; got "A"'),
+    ("A\nB\n", [], 'a.tle:2: expected line 1 of the elements of "A"'),
+    ("", [], "a.tle: holds no two-line elements"),
+    (LINES + OTHER, [], "a.tle: holds several satellites; expected --satellite with one of 00005"),
+    (LINES, [*FROM_TO, "--satellite", "ISS"], "a.tle: no satellite is ISS; there are 00005"),
+    (LINES, ["--from", "2001-06-28Z", "--to", "2001-06-29Z"], "a.tle: the elements of 00005 are of "
+     "2000-06-27T18:50:19.734 UTC, 366 days from the interval"),
+    (LINES, ["--from", "2000-06-28", "--to", "2000-06-29Z"], "--from: Date: got "),
+    (LINES, ["--from", "2000-06-28Z", "--to", "2000-06-31Z"], "--to: Date: got "),
+    (LINES, ["--from", "2000-06-29Z", "--to", "2000-06-28Z"], "--to 2000-06-28Z must be later"),
+    (LINES, [*FROM_TO, "--step", "-1"], '--step: got "-1"; expected a time'),
+    (LINES, [*FROM_TO, "--step", "1 km"], '--step: got "1 km"; expected a time'),
+    (LINES, [*FROM_TO, "--step", "1e-9"], "7.2e+12 rows; expected at most 5000000"),
+])  # fmt: skip
+def test_the_command_says_in_one_line_what_is_wrong(command, text, words, what):
+    status, out, err = command(text, *words)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert err.startswith("python -m polhode.satellites: " + what), err
+    assert not pathlib.Path("a.csv").exists()
+
+
+def test_old_elements_are_taken_where_that_is_asked_for(command):
+    far = ["--from", "2001-06-28Z", "--to", "2001-06-29Z", "--any-age"]
+    assert command(LINES, *far)[0] == 0
+
+
+@pytest.mark.parametrize(("file", "keys"), [
+    ("a.tle", 'kind = "table"\nfile = "a.tle"'), ("a.tle", 'kind = "tle"'),
+    ("a.tle", 'kind = "table"\ntle = "a.tle"'), ("a.tle", 'line1 = "1 00005U"'),
+    ("a.oem", 'kind = "table"\nfile = "a.oem"'),
+])  # fmt: skip
+def test_a_scenario_says_how_elements_become_an_orbit(tmp_path, file, keys):
+    (tmp_path / file).write_text("VANGUARD 1\n" + LINES)
+    text = (
+        "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
+        "quaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 1]\n[orbit.earth]\n" + keys
+    )
+    with pytest.raises(ValueError, match="python -m polhode.satellites TLE --from DATE --to DATE"):
+        polhode.Scenario.from_text(text, str(tmp_path / "a.toml"))

@@ -2,6 +2,8 @@
 """polhode.spice.write_ck: what SPICE reads back, and through it an independent account of the
 direction of the rotation and of the axes of the angular velocity."""
 
+import warnings
+
 import budgets
 import numpy as np
 import polhode
@@ -90,11 +92,42 @@ def test_time_scales_are_those_of_spice(tmp_path):
     assert list(tdb) == [0.0, 60.0]
 
 
-def test_an_epoch_in_utc_needs_leap_seconds(tmp_path):
-    scenario = polhode.Scenario.from_text(TEXT.replace("TDB\"", "UTC\""))
-    with pytest.raises(ValueError, match="needs leap seconds: furnish a kernel"):
+EPOCHS = ["2029-04-13T21:46:00 UTC", "2016-12-31T23:59:60 UTC", "2016-12-31T23:59:59 UTC",
+          "2029-04-13T21:47:09.184 TT", "2029-04-13T21:46:37 TAI"]  # fmt: skip
+
+
+def test_leap_seconds_need_no_kernel(tmp_path):
+    """The numbers are those of SPICE with a kernel."""
+    seconds = np.array([[0.0, 60.0], [1e6, 1e8]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # 2029: more leap seconds may come
+        without = [polhode.spice.ephemeris_time(epoch, seconds) for epoch in EPOCHS]
+    lsk = tmp_path / "lsk.tls"
+    lsk.write_text(LSK, encoding="ascii")
+    spiceypy.furnsh(str(lsk))
+    for epoch, et in zip(EPOCHS, without, strict=True):
+        assert et.shape == (2, 2)
+        assert_allclose(et, polhode.spice.ephemeris_time(epoch, seconds),
+                        atol=budgets.spice_time_s)
+
+
+def test_a_kernel_wins(tmp_path):
+    before = polhode.spice.ephemeris_time("2018-01-01 UTC", 0.0)
+    lsk = tmp_path / "lsk.tls"
+    lsk.write_text(LSK.replace("37, @2017", "40, @2017"), encoding="ascii")
+    spiceypy.furnsh(str(lsk))
+    after = polhode.spice.ephemeris_time("2018-01-01 UTC", 0.0)
+    assert_allclose(after - before, 3.0, atol=budgets.spice_time_s)
+
+
+def test_a_utc_epoch_whose_leap_seconds_are_not_known_yet_warns(tmp_path):
+    scenario = polhode.Scenario.from_text(TEXT.replace("TDB\"", "UTC\"").replace("2029-", "2049-"))
+    with pytest.warns(UserWarning, match="beyond the leap seconds that are known here"):
         polhode.spice.write_ck(scenario.run(), tmp_path / "a.bc")
-    assert not list(tmp_path.iterdir())
+    with pytest.raises(ValueError, match="calendar date for UTC"):
+        polhode.spice.ephemeris_time("JD 2451545.0 UTC", 0.0)
+    with pytest.raises(ValueError, match="in UTC, TAI, TT or TDB"):
+        polhode.spice.ephemeris_time("2026-05-01 UT1", 0.0)
 
 
 def test_a_file_of_that_name_stays_until_the_new_one_is_complete(results, tmp_path):

@@ -135,7 +135,8 @@ class PericentreView {
   // Pericentre, along the motion there, normal.
   Quaternion orbit_axes(double t) const {
     const double age = t - elements_.epoch;
-    return rotation_z(elements_.node + rates_.node * age) * rotation_x(elements_.inclination) *
+    return rotation_z(elements_.node + rates_.node * age) *
+           rotation_x(elements_.inclination + rates_.inclination * age) *
            rotation_z(elements_.argument + rates_.argument * age);
   }
 

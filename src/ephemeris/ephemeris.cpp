@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "math/number_text.hpp"
@@ -25,18 +26,24 @@ struct Entry {
   int of_plan94;     // its number of the planet
   double gm;         // km^3/s^2, DE440
   double first_day;  // spacing that is tried first, in days
+  // arcsec: at most in the years from `first_year` to 2100, and in all
+  double best_error;
+  double far_error;
+  int first_year;
 };
-// Park et al. (2021), table 2
-constexpr std::array<Entry, 10> entries = {{{"sun", 0, 132712440041.279419, 8.0},
-                                            {"mercury", 1, 22031.868551, 2.0},
-                                            {"venus", 2, 324858.592000, 4.0},
-                                            {"earth", 0, 398600.435507, 8.0},
-                                            {"moon", 0, 4902.800118, 1.0},
-                                            {"mars", 4, 42828.375816, 8.0},
-                                            {"jupiter", 5, 126712764.100000, 16.0},
-                                            {"saturn", 6, 37940584.841800, 16.0},
-                                            {"uranus", 7, 5794556.400000, 16.0},
-                                            {"neptune", 8, 6836527.100580, 16.0}}};
+// Park et al. (2021), table 2; errors as ERFA states them, and in all years as they are against
+// DE406 (docs/guide/orbits.md).
+constexpr std::array<Entry, 10> entries = {
+    {{"sun", 0, 132712440041.279419, 8.0, 0.0, 0.0, 1000},
+     {"mercury", 1, 22031.868551, 2.0, 7.1, 7.1, 1800},
+     {"venus", 2, 324858.592000, 4.0, 7.1, 7.8, 1800},
+     {"earth", 0, 398600.435507, 8.0, 0.02, 0.02, 1900},
+     {"moon", 0, 4902.800118, 1.0, 18.3, 25.0, 1950},
+     {"mars", 4, 42828.375816, 8.0, 26.5, 41.0, 1800},
+     {"jupiter", 5, 126712764.100000, 16.0, 78.3, 79.0, 1800},
+     {"saturn", 6, 37940584.841800, 16.0, 88.2, 131.0, 1800},
+     {"uranus", 7, 5794556.400000, 16.0, 86.5, 112.0, 1800},
+     {"neptune", 8, 6836527.100580, 16.0, 11.5, 46.0, 1800}}};
 
 const Entry& entry(Planetary body) { return entries[static_cast<std::size_t>(body)]; }
 
@@ -44,10 +51,14 @@ const Entry& entry(Planetary body) { return entries[static_cast<std::size_t>(bod
   throw DomainError(std::string(function) + ": " + what);
 }
 
-[[noreturn]] void fail_dates(Planetary body, const char* years, const Date& tdb) {
-  fail("planetary_position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
-                                 " must be in the years " + years + " for the " +
-                                 std::string(entry(body).name));
+// From J2000.
+double centuries(const Date& tdb) { return ((tdb.day - 2451545.0) + tdb.fraction) / 36525.0; }
+
+// What plan94 is meant for; the Moon and the Earth as far as they were compared with something.
+void require_years(const Date& tdb) {
+  if (!(std::fabs(centuries(tdb)) <= 10.0))
+    fail("planetary_position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
+                                   " must be in the years 1000 to 3000");
 }
 
 using Posvel = std::array<std::array<double, 3>, 2>;
@@ -57,12 +68,11 @@ Vec3 km(const Posvel& pv) { return {au_km * pv[0][0], au_km * pv[0][1], au_km * 
 
 Vec3 earth_from_sun(const Date& tdb) {
   Posvel heliocentric{}, barycentric{};
-  if (eraEpv00(tdb.day, tdb.fraction, rows(heliocentric), rows(barycentric)) != 0)
-    fail_dates(Planetary::earth, "1900 to 2100", tdb);
+  eraEpv00(tdb.day, tdb.fraction, rows(heliocentric), rows(barycentric));  // 1: not 1900 to 2100
   return km(heliocentric);
 }
 
-// Its dates are those of the Earth, which the caller sees to. TT and TDB are the same here: 2 ms
+// TT and TDB are the same here: 2 ms
 // are 2 m.
 Vec3 moon_from_earth(const Date& tdb) {
   Posvel pv{};
@@ -76,8 +86,8 @@ Vec3 from_sun(Planetary body, const Date& tdb) {
   if (body == Planetary::moon) return earth_from_sun(tdb) + moon_from_earth(tdb);
   Posvel pv{};
   const int status = eraPlan94(tdb.day, tdb.fraction, entry(body).of_plan94, rows(pv));
-  if (status == 1) fail_dates(body, "1000 to 3000", tdb);
-  if (status != 0) fail("planetary_position", "no position of " + std::string(entry(body).name));
+  if (status != 0 && status != 1)
+    fail("planetary_position", "no position of " + std::string(entry(body).name));
   return km(pv);
 }
 
@@ -85,14 +95,9 @@ bool is_moon_and_earth(Planetary a, Planetary b) {
   return a == Planetary::moon && b == Planetary::earth;
 }
 
-void require_years(const Date& tdb) {
-  const double centuries = ((tdb.day - 2451545.0) + tdb.fraction) / 36525.0;
-  if (!(std::fabs(centuries) <= 1.0)) fail_dates(Planetary::moon, "1900 to 2100", tdb);
-}
-
 Vec3 position_at(Planetary target, Planetary centre, const Date& tdb) {
+  require_years(tdb);
   if (is_moon_and_earth(target, centre) || is_moon_and_earth(centre, target)) {
-    require_years(tdb);
     const Vec3 x = moon_from_earth(tdb);
     return target == Planetary::moon ? x : -x;
   }
@@ -157,6 +162,37 @@ std::optional<Planetary> planetary(std::string_view name) {
 }
 
 double planetary_gm(Planetary body) { return entry(body).gm; }
+
+PlanetaryYears best_years(Planetary target, Planetary centre) {
+  return {std::max(entry(target).first_year, entry(centre).first_year), 2100};
+}
+
+namespace {
+
+// Seen from the Sun, of the Moon from the Earth.
+double own_error(Planetary body, double T) {
+  constexpr double growth = 0.009;  // of the Earth's, arcsec a century squared
+  const double year = 2000.0 + 100.0 * T;
+  const Entry& of = entry(body);
+  if (year >= of.first_year && year <= 2100.0) return of.best_error;
+  return body == Planetary::earth ? of.far_error + growth * T * T : of.far_error;
+}
+
+}  // namespace
+
+double planetary_error(Planetary target, Planetary centre, const Date& date) {
+  const double T = centuries(converted(date, TimeScale::TDB));
+  if (!(std::fabs(T) <= 10.0)) return std::numeric_limits<double>::quiet_NaN();
+  // the Moon's place on its own orbit is 400 times smaller from the Sun
+  const bool near = is_moon_and_earth(target, centre) || is_moon_and_earth(centre, target);
+  if (near) return own_error(Planetary::moon, T);
+  const auto error = [&](Planetary body) {
+    constexpr double moon_share = 1.0 / 389.0;
+    if (body != Planetary::moon) return own_error(body, T);
+    return own_error(Planetary::earth, T) + moon_share * own_error(Planetary::moon, T);
+  };
+  return error(target) + error(centre);
+}
 
 Vec3 planetary_position(Planetary target, Planetary centre, const Date& date) {
   if (target == centre)

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <type_traits>
+#include <vector>
+
+#include "frame/detail/orbit_normal.hpp"
+#include "frame/detail/whole_turns.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -28,7 +32,7 @@ class LocalVertical {
     using std::atan2;
     const T elapsed = t - T(elements_.epoch);
     const T node = T(elements_.node) + T(rates_.node) * elapsed;
-    const T i(elements_.inclination);
+    const T i = T(elements_.inclination) + T(rates_.inclination) * elapsed;
     const auto [sin_node, cos_node] = sincos(node);
     const auto [sin_i, cos_i] = sincos(i);
     const BasicVec3<T> x = orbit_.position(t);
@@ -54,7 +58,58 @@ class LocalVertical {
   double mean_rate_, mean_start_;
 };
 
+// Of a table. From axes of a plane, which the shortest turn from axis 3 gives, or from -axis 3
+// where the orbit is retrograde, so that it stays far from half a turn.
+class VerticalOfTable {
+ public:
+  explicit VerticalOfTable(const TableOrbit& orbit) : orbit_(orbit) {
+    const std::vector<double>& times = orbit.table().times;
+    Vec3 sum{};
+    for (const double t : times) {
+      const Vec3 n = detail::normal_of(orbit.position(t), orbit.velocity(t));
+      if (std::isfinite(n.z)) sum = sum + n;
+    }
+    retrograde_ = sum.z < 0.0;
+    turns_ = detail::WholeTurns::along(times, [this](double t) { return in_plane(t).angle; });
+  }
+
+  template <class T>
+  BasicQuaternion<T> operator()(const T& t) const {
+    const InPlane<T> at = in_plane(t);
+    const T half(turns_.odd(to_double(t), to_double(at.angle)) ? -0.5 : 0.5);
+    const BasicQuaternion<T> axes{half, -half, -half, half};
+    return at.plane * rotation_z(at.angle) * axes;
+  }
+
+ private:
+  template <class T>
+  struct InPlane {
+    BasicQuaternion<T> plane;
+    T angle;  // of the position, from axis 1 of the plane
+  };
+  template <class T>
+  InPlane<T> in_plane(const T& t) const {
+    using std::atan2;
+    const BasicVec3<T> x = orbit_.position(t);
+    BasicVec3<T> n = detail::normal_of(x, orbit_.velocity(t));
+    // half a turn about axis 1 first: (x, y, z) to (x, -y, -z)
+    if (retrograde_) n = {n.x, -n.y, -n.z};
+    BasicQuaternion<T> plane = detail::shortest_turn_to(n);
+    if (retrograde_) plane = BasicQuaternion<T>{T(0.0), T(1.0), T(0.0), T(0.0)} * plane;
+    const BasicVec3<T> own = rotate(conj(plane), x);
+    return {plane, atan2(own.y, own.x)};
+  }
+
+  TableOrbit orbit_;
+  bool retrograde_ = false;
+  detail::WholeTurns turns_;
+};
+
 }  // namespace
+
+Frame local_vertical_frame(const TableOrbit& orbit) {
+  return Frame::from_attitude(VerticalOfTable(orbit));
+}
 
 Frame local_vertical_frame(const KeplerOrbit& orbit) {
   return Frame::from_attitude(LocalVertical<KeplerOrbit>(orbit, orbit.elements(), {}));

@@ -2,6 +2,7 @@
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "math/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
@@ -15,11 +16,19 @@ namespace {
 const KeplerElements& checked(const KeplerElements& elements, const SecularRates& rates) {
   constexpr const char* name = "PrecessingKeplerOrbit";
   require_valid(elements, name);
-  if (!std::isfinite(rates.node) || !std::isfinite(rates.argument) ||
-      !std::isfinite(rates.mean_anomaly))
-    throw DomainError(std::string(name) + ": rates of node, argument, mean anomaly " +
-                      detail::tuple_text({rates.node, rates.argument, rates.mean_anomaly}) +
-                      " must be finite");
+  for (const double rate :
+       {rates.node, rates.argument, rates.mean_anomaly, rates.inclination, rates.eccentricity}) {
+    if (!std::isfinite(rate))
+      throw DomainError(std::string(name) +
+                        ": rates of node, argument, mean anomaly, inclination, eccentricity " +
+                        detail::tuple_text({rates.node, rates.argument, rates.mean_anomaly,
+                                            rates.inclination, rates.eccentricity}) +
+                        " must be finite");
+  }
+  if (rates.eccentricity != 0.0 && elements.eccentricity > 1.0)
+    throw DomainError(std::string(name) + ": rate of the eccentricity " +
+                      detail::number_text(rates.eccentricity) +
+                      " must be 0 for a hyperbola: only of an ellipse it may change");
   if (!(detail::kepler_shape(elements).mean_motion.hi + rates.mean_anomaly > 0.0))
     throw DomainError(std::string(name) + ": rate of the mean anomaly " +
                       detail::number_text(rates.mean_anomaly) +
@@ -85,14 +94,76 @@ PrecessingKeplerOrbit::PrecessingKeplerOrbit(const KeplerElements& elements,
       plane_(shape(elements, rates)),
       node_(elements.node, rates.node, elements.epoch),
       argument_(elements.argument, rates.argument, elements.epoch),
-      inclination_(sincos(DoubleDouble(elements.inclination))) {}
+      inclination_(sincos(DoubleDouble(elements.inclination))) {
+  if (rates.inclination != 0.0)
+    tilt_ = UniformAngle(elements.inclination, rates.inclination, elements.epoch);
+}
+
+double PrecessingKeplerOrbit::eccentricity(double t) const {
+  return rates_.eccentricity == 0.0 ? elements_.eccentricity : wide_eccentricity(t).e.hi;
+}
+
+// The eccentricity is e + rate (t - epoch), linear.
+double PrecessingKeplerOrbit::first_time() const {
+  const double e = elements_.eccentricity, rate = rates_.eccentricity;
+  if (rate == 0.0) return -std::numeric_limits<double>::infinity();
+  return elements_.epoch + ((rate > 0.0 ? 0.0 : 1.0) - e) / rate;
+}
+
+double PrecessingKeplerOrbit::last_time() const {
+  const double e = elements_.eccentricity, rate = rates_.eccentricity;
+  if (rate == 0.0) return std::numeric_limits<double>::infinity();
+  return elements_.epoch + ((rate > 0.0 ? 1.0 : 0.0) - e) / rate;
+}
 
 PrecessingKeplerOrbit::Axes<double> PrecessingKeplerOrbit::axes(double t) const {
-  return {node_.at(t), argument_.at(t), {inclination_.sin.hi, inclination_.cos.hi}};
+  const SinCos<double> fixed{inclination_.sin.hi, inclination_.cos.hi};
+  return {node_.at(t), argument_.at(t), tilt_ ? tilt_->at(t) : fixed};
 }
 
 PrecessingKeplerOrbit::Axes<DoubleDouble> PrecessingKeplerOrbit::axes(const DoubleDouble& t) const {
-  return {node_.at(t), argument_.at(t), inclination_};
+  return {node_.at(t), argument_.at(t), tilt_ ? tilt_->at(t) : inclination_};
+}
+
+namespace {
+
+// On an ellipse of fixed axis a whose eccentricity has the rate `change`: dE/dt = (n + e' sin E) /
+// (1 - e cos E) from Kepler's equation.
+template <Real T>
+BasicPlanarMotion<T> on_changing_ellipse(const T& M, const BasicEccentricity<T>& e, const T& a,
+                                         const T& n, const T& change) {
+  using std::sqrt;
+  const BasicKeplerAnomaly<T> at = eccentric_anomaly(M, e);
+  const T one(1.0), axes = sqrt(e.complement * (one + e.e));
+  const T rate = (n + change * at.sine) / (e.complement + e.e * at.versine);
+  return {{a * (e.complement - at.versine), a * axes * at.sine},
+          {-(a * (change + at.sine * rate)),
+           a * (axes * (one - at.versine) * rate - e.e * change * at.sine / axes)}};
+}
+
+}  // namespace
+
+BasicEccentricity<DoubleDouble> PrecessingKeplerOrbit::wide_eccentricity(
+    const DoubleDouble& t) const {
+  const DoubleDouble e =
+      elements_.eccentricity + DoubleDouble(rates_.eccentricity) * (t - elements_.epoch);
+  return {e, DoubleDouble(1.0) - e};
+}
+
+BasicPlanarMotion<DoubleDouble> PrecessingKeplerOrbit::planar(const DoubleDouble& t) const {
+  if (rates_.eccentricity == 0.0) return plane_.motion(t);
+  return on_changing_ellipse<DoubleDouble>(plane_.mean_anomaly(t), wide_eccentricity(t),
+                                           plane_.semi_axis(), plane_.shape().mean_motion,
+                                           rates_.eccentricity);
+}
+
+BasicPlanarMotion<double> PrecessingKeplerOrbit::planar(double t, double rest) const {
+  if (rates_.eccentricity == 0.0) return plane_.motion(t);
+  const DoubleDouble whole = DoubleDouble::sum(t, rest);
+  const BasicEccentricity<DoubleDouble> e = wide_eccentricity(whole);
+  return on_changing_ellipse<double>(plane_.mean_anomaly(whole).hi, {e.e.hi, e.complement.hi},
+                                     plane_.semi_axis().hi, plane_.shape().mean_motion.hi,
+                                     rates_.eccentricity);
 }
 
 template <Real T>
@@ -106,26 +177,33 @@ BasicVec3<T> PrecessingKeplerOrbit::placed(const Axes<T>& a, const BasicPlanarPo
 template <Real T>
 PrecessingKeplerOrbit::BasicMotion<T> PrecessingKeplerOrbit::moved(
     const Axes<T>& a, const BasicPlanarMotion<T>& m) const {
-  // The argument turns the plane in itself, the node turns it about the third axis.
+  // The argument turns the plane in itself, the inclination turns it about the node, the node turns
+  // it about the third axis.
   const T turn(rates_.argument);
   const BasicVec3<T> x = placed(a, m.position);
-  const BasicVec3<T> v =
+  BasicVec3<T> v =
       placed<T>(a, {m.velocity.x - turn * m.position.y, m.velocity.y + turn * m.position.x});
+  if (tilt_) {
+    const BasicVec3<T> node{a.node.cos, a.node.sin, T(0.0)};
+    v = v + T(rates_.inclination) * cross(node, x);
+  }
   return {x, {v.x - T(rates_.node) * x.y, v.y + T(rates_.node) * x.x, v.z}};
 }
 
 Vec3 PrecessingKeplerOrbit::position(double t, double rest) const {
-  return placed(axes(t), plane_.position(t, rest));
+  const bool still = rates_.eccentricity == 0.0;
+  return placed(axes(t), still ? plane_.position(t, rest) : planar(t, rest).position);
 }
 BasicVec3<DoubleDouble> PrecessingKeplerOrbit::position(const DoubleDouble& t) const {
-  return placed(axes(t), plane_.position(t));
+  const bool still = rates_.eccentricity == 0.0;
+  return placed(axes(t), still ? plane_.position(t) : planar(t).position);
 }
 PrecessingKeplerOrbit::BasicMotion<double> PrecessingKeplerOrbit::motion(double t) const {
-  return moved(axes(t), plane_.motion(t));
+  return moved(axes(t), planar(t, 0.0));
 }
 PrecessingKeplerOrbit::BasicMotion<DoubleDouble> PrecessingKeplerOrbit::motion(
     const DoubleDouble& t) const {
-  return moved(axes(t), plane_.motion(t));
+  return moved(axes(t), planar(t));
 }
 Vec3 PrecessingKeplerOrbit::velocity(double t) const { return motion(t).velocity; }
 BasicVec3<DoubleDouble> PrecessingKeplerOrbit::velocity(const DoubleDouble& t) const {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/detail/clock.hpp"
 
+#include <cmath>
+#include <string>
+
 #include "polhode/error.hpp"
 #include "polhode/text/epoch.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/date_text.hpp"
+#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -36,6 +40,30 @@ double time_of_date(const Values& values, const Units& units, const std::string&
   std::optional<double> dut1;
   if (has(values, "state.dut1")) dut1 = number(values, "state.dut1") / second;
   return second * seconds_between(epoch_date(epoch), epoch_date(with_scale(date, epoch)), dut1);
+}
+
+namespace {
+
+std::string two_digits(int x) { return (x < 10 ? "0" : "") + std::to_string(x); }
+
+}  // namespace
+
+std::string time_and_date(const Values& values, const Units& units, double t) {
+  std::string text = "t = " + number_text(units.from_core(t, Dimension::time)) +
+                     (units.time() == "1" ? "" : " " + units.time());
+  if (!has(values, "state.epoch") || !std::isfinite(t)) return text;
+  try {
+    const Date epoch = epoch_date(word(values, "state.epoch"));
+    const TimeScale scale = epoch.scale == TimeScale::UT1 ? TimeScale::TT : epoch.scale;
+    const Clock clock = clock_of(values, units, "state.epoch", "");
+    const CalendarTime at =
+        calendar_time(converted(date_after(clock.epoch, t / clock.second), scale));
+    text += ", " + std::to_string(at.year) + "-" + two_digits(at.month) + "-" + two_digits(at.day) +
+            "T" + two_digits(at.hour) + ":" + two_digits(at.minute) + " " +
+            std::string(name(scale));
+  } catch (const DomainError&) {  // a year without a calendar
+  }
+  return text;
 }
 
 }  // namespace detail

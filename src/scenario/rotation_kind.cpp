@@ -244,10 +244,11 @@ class RotationBuilder {
     const std::vector<std::string> paths = orbit_paths(at_.values);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const OrbitKind* const kind = at_.kinds.orbit(word(at_.values, paths[i] + ".kind"));
-      if (kind != nullptr && kind->history)
+      if (kind != nullptr && !kind->made)
         refuse(at_.values, paths[i] + ".kind", at_.name,
-               "expected a kind with positions, such as \"kepler\" or \"table\": elements over "
-               "ages are for kind = \"obliquity\"");
+               "expected a kind with positions, such as \"kepler\" or \"elements\": shipped orbits "
+               "are "
+               "for kind = \"obliquity\"");
       const bool kept =
           keeps({paths[i] + ".", "state.dut1"}) && (!base_->orbits[i].time || keeps({"time."}));
       made.orbits.push_back(kept ? base_->orbits[i] : OrbitUses{});

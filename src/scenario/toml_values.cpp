@@ -174,10 +174,8 @@ bool Reader::read_word(const Key& key, const toml::node& node, Value& value) {
   const std::vector<std::string_view> allowed = separated(key.allowed, '|');
   const auto word = node.value<std::string_view>();
   if (!node.is_string() || !word) return wrong(node);
-  if (std::find(allowed.begin(), allowed.end(), *word) == allowed.end()) {
-    const std::string_view near = meant_word(*word, allowed);
-    return wrong(node, near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?");
-  }
+  if (std::find(allowed.begin(), allowed.end(), *word) == allowed.end())
+    return wrong(node, meaning_of(*word, allowed));
   if (std::find(value.words.begin(), value.words.end(), *word) != value.words.end())
     return wrong(node, "it is there twice");
   value.words.emplace_back(*word);

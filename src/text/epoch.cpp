@@ -188,7 +188,9 @@ Date julian_date(std::string_view text, TimeScale scale, double zero) {
 
 }  // namespace detail
 
-Date epoch_date(std::string_view text) {
+Date epoch_date(std::string_view given) {
+  const std::string whole = detail::with_scale(given);
+  std::string_view text = whole;
   detail::require_epoch(text);
   const std::size_t space = text.rfind(' ');
   const TimeScale scale = *time_scale(text.substr(space + 1));

@@ -56,6 +56,7 @@ inline constexpr double printed_pole = 1e-4;
 // --- local vertical (tests/cli/test_observers.py) ---
 // Axes against those from position and velocity by hand; deg/s too.
 inline constexpr double local_vertical = 1e-12;
+inline constexpr double elements_run = 1e-9;  // rows 1e-10 of the distance between
 // Libration of 1e-4 rad against the linear formula: relative.
 inline constexpr double small_libration = 1e-7;
 // 3-2-1 angles, deg.

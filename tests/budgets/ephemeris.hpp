@@ -27,9 +27,16 @@ inline constexpr double published_precession = 1e-3;
 inline constexpr double published_nutation = 2e-3;
 // The averaged torque to first order leaves out evection and variation of the Moon.
 inline constexpr double averaged_precession = 5e-3;
+inline constexpr double ephemeris_near_arcsec = 10.0;  // of the theory of the planets, 9 and 1
+inline constexpr double ephemeris_far_arcsec = 12.0;
+inline constexpr double ephemeris_far_earth_km = 300.0;  // along the line of sight: 247 and 42
+inline constexpr double ephemeris_far_moon_km = 45.0;
 inline constexpr double sgp4_km = 2e-8;  // its verification run prints 1e-8
 inline constexpr double sgp4_km_s = 2e-9;
-inline constexpr double sgp4_slope = 2e-3;  // km/s
+inline constexpr double sgp4_slope = 2e-3;             // km/s
+inline constexpr double sgp4_plain_difference = 5e-7;  // km/s, of a second
+inline constexpr double sgp4_between_rows = 1e-5;      // km; where SGP4 has kinks they are larger
+inline constexpr double spice_time_s = 5e-7;  // doubles of 1e9 s, and TT for TDB in its own formula
 inline constexpr double teme_km = 1.2e-3;
 inline constexpr double tle_epoch = 1e-3;  // s, its last digit
 inline constexpr double omm_km = 1e-2;

@@ -15,4 +15,13 @@ inline constexpr double frame_wide = 2e-31;
 // Axes against those from position and velocity by hand; rates relative to mu.
 inline constexpr double local_vertical_axes = 5e-14;
 inline constexpr double local_vertical_differences = 1e-6;
+
+// --- orbit plane (tests/unit/frame/orbit_plane.cpp) ---
+
+inline constexpr double orbit_plane_axes = 5e-14;
+inline constexpr double orbit_plane_differences = 2e-11;  // rad/s
+inline constexpr double orbit_plane_table = 1e-11;
+inline constexpr double frame_slope = 1e-13;             // rad/s, of the Moon over 200 s
+inline constexpr double frame_of_date = 1e-8;            // of a table's second derivatives
+inline constexpr double orbit_plane_table_rate = 1e-12;  // rad/s
 }  // namespace polhode::budget

@@ -9,6 +9,7 @@ import os
 import re
 import shlex
 import subprocess
+import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -154,7 +155,8 @@ def command(block, scratch, build, polhode):
 
 def environment_of(build):
     path = os.environ.get("PYTHONPATH")
-    return dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", COLUMNS="100", MPLBACKEND="agg",
+    ours = f"{build}:{Path(sys.executable).parent}"  # `python` is the one of the tests
+    return dict(os.environ, PATH=f"{ours}:{os.environ['PATH']}", COLUMNS="100", MPLBACKEND="agg",
                 PYTHONPATH=f"{build / 'python'}" + (f":{path}" if path else ""))
 
 

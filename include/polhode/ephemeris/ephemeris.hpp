@@ -6,12 +6,13 @@
 //             (1994) (eraPlan94); from Mars on they are the barycentres of planet and moons.
 // Units       km and s.
 // Domain      any body seen from any other, geometric: light time is not applied. Axes of the
-//             ICRS, to 0.03 arcsec those of equator and equinox of J2000. The Earth and all that is
-//             seen from or with it 1900 to 2100; planets seen from the Sun or each other 1000 to
-//             3000.
-// Accuracy    as the sources of ERFA say: Earth 11 km at most; Moon 6 km and 2.9 arcsec rms, 32 km
-//             and 18 arcsec at most (1950 to 2100); planets 7 (Mercury, Venus), 26 (Mars), 78 to 87
-//             (Jupiter to Uranus), 11 arcsec (Neptune) at most (1800 to 2100).
+//             ICRS, to 0.03 arcsec those of equator and equinox of J2000. The years 1000 to 3000.
+// Accuracy    planetary_error. As the sources of ERFA say, in their best years: Earth 11 km at most
+//             (1900 to 2100); Moon 6 km and 2.9 arcsec rms, 32 km and 18 arcsec at most (1950 to
+//             2100); planets 7 (Mercury, Venus), 26 (Mars), 78 to 87 (Jupiter to Uranus) and 11
+//             arcsec (Neptune) at most (1800 to 2100). Against DE406 from 1000 to 3000, at most:
+//             Earth 0.8, Moon 24, Mercury 7, Venus 8, Mars 40, Jupiter 78, Saturn 130, Uranus 111,
+//             Neptune 45 arcsec. Budget ephemeris_far_*.
 // Errors      DomainError for dates outside, a body seen from itself, a span that is not finite.
 // Cost        a position takes 10 us (Moon from the Earth, planets from the Sun) to 45 us (what
 //             needs the Earth from the Sun); to tabulate a year, once for a run, 40 to 50 ms
@@ -35,6 +36,17 @@ std::optional<Planetary> planetary(std::string_view name);
 
 // Gravitational parameter in km^3/s^2, DE440 (Park et al. 2021); from Mars on of the system.
 double planetary_gm(Planetary body);
+
+// How far such a position may be off across the line of sight, arcsec: as its authors state in
+// the best years of a theory, as measured against DE406 in others. Seen from a distance as large as
+// that from the Sun (of the Moon, from the Earth); from nearer by it grows. NaN outside all years.
+double planetary_error(Planetary target, Planetary centre, const Date& date);
+// The years that all theories of the two were compared for.
+struct PlanetaryYears {
+  int first;
+  int last;
+};
+PlanetaryYears best_years(Planetary target, Planetary centre);
 
 // Position of `target` from `centre`, km.
 Vec3 planetary_position(Planetary target, Planetary centre, const Date& date);

@@ -52,6 +52,8 @@ class PlanarKepler {
   // a > 0 also for a hyperbola.
   const DoubleDouble& semi_axis() const { return a_; }
 
+  // Of ellipses in [-pi, pi].
+  DoubleDouble mean_anomaly(const DoubleDouble& t) const;
   // At t + rest: what a double cannot hold of a time counts after thousands of turns.
   BasicPlanarPoint<double> position(double t, double rest = 0.0) const;
   BasicPlanarPoint<DoubleDouble> position(const DoubleDouble& t) const;
@@ -69,7 +71,6 @@ class PlanarKepler {
   // position(), by table; where it does not serve, by Kepler's equation
   inline BasicPlanarPoint<double> point(double t, double rest) const;
   BasicPlanarPoint<double> solved_point(double t, double rest) const;
-  DoubleDouble mean_anomaly(const DoubleDouble& t) const;
   BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
 
   Shape shape_;

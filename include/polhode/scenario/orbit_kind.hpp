@@ -74,7 +74,7 @@ struct OrbitKind {
   std::vector<Key> keys;                 // paths are their own names
   std::string_view sets = {};            // exactly one of "times|file" is there; empty: none such
   std::vector<Citation> citations = {};  // what it rests on
-  // One of them. Without name and kind, which are those of the file.
+  // One of them, or both. Without name and kind, which are those of the file.
   std::function<ScenarioOrbit(const OrbitContext&)> made = {};
   std::function<ScenarioHistory(const OrbitContext&)> history = {};
   bool is_dated = false;  // needs state.epoch, and axes of the sky

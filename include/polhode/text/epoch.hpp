@@ -5,7 +5,7 @@
 // Units       days.
 // Domain      "2013-01-05 UTC", "2013-01-05T18:30:00.25 TT", "JD 2456297.5 TDB": a day of the
 //             calendar, with or without time, or a Julian date, then the scale: UTC, TAI, TT, TDB,
-//             UT1. 23:59:60 where UTC had a leap second.
+//             UT1; "2013-01-05T18:30:00Z" is UTC. 23:59:60 where UTC had a leap second.
 // Accuracy    that of Date.
 // Errors      DomainError, saying what of the text is wrong.
 // Cost        a microsecond.

@@ -6,6 +6,7 @@
 #include "interface/dual_number.hpp"
 #include "motion/frame_value.hpp"
 #include "polhode/frame/local_vertical.hpp"
+#include "polhode/frame/orbit_plane.hpp"
 
 namespace polhode::python {
 
@@ -113,24 +114,47 @@ PythonFrame orbit_plane_pq(AngleOfTime p, AngleOfTime q) {
                                std::move(functions)));
 }
 
-using OrbitWithElements = Typed<"KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit">;
+using OrbitOfFrame = Typed<"KeplerOrbit | PrecessingKeplerOrbit | TurnedKeplerOrbit | TableOrbit">;
 
-Frame vertical_frame(nb::handle orbit) {
-  if (nb::isinstance<KeplerOrbit>(orbit))
-    return local_vertical_frame(nb::cast<const KeplerOrbit&>(orbit));
+// What `made` makes of the orbit that it is.
+template <class Made>
+Frame frame_along(nb::handle orbit, const char* function, const Made& made) {
+  if (nb::isinstance<KeplerOrbit>(orbit)) return made(nb::cast<const KeplerOrbit&>(orbit));
   if (nb::isinstance<PrecessingKeplerOrbit>(orbit))
-    return local_vertical_frame(nb::cast<const PrecessingKeplerOrbit&>(orbit));
+    return made(nb::cast<const PrecessingKeplerOrbit&>(orbit));
   if (nb::isinstance<TurnedKeplerOrbit>(orbit))
-    return local_vertical_frame(nb::cast<const TurnedKeplerOrbit&>(orbit));
-  throw nb::type_error(("Frame.local_vertical: orbit: got " +
-                        nb::cast<std::string>(nb::repr(orbit)) +
-                        "; expected a KeplerOrbit, PrecessingKeplerOrbit or TurnedKeplerOrbit")
-                           .c_str());
+    return made(nb::cast<const TurnedKeplerOrbit&>(orbit));
+  if (nb::isinstance<TableOrbit>(orbit)) {
+    const auto& table = nb::cast<const TableOrbit&>(orbit);
+    if (table.order() < 4)
+      throw nb::value_error((std::string(function) + ": orbit: got a table of order " +
+                             std::to_string(table.order()) +
+                             "; expected 4 or more, for a path with a curvature")
+                                .c_str());
+    return made(table);
+  }
+  throw nb::type_error(
+      (std::string(function) + ": orbit: got " + nb::cast<std::string>(nb::repr(orbit)) +
+       "; expected a KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit or TableOrbit")
+          .c_str());
 }
 
-PythonFrame local_vertical(OrbitWithElements orbit) {
-  return PythonFrame(vertical_frame(orbit),
+PythonFrame local_vertical(OrbitOfFrame orbit) {
+  return PythonFrame(frame_along(orbit, "Frame.local_vertical",
+                                 [](const auto& o) { return local_vertical_frame(o); }),
                      recipe_of("local_vertical", {"orbit"}, nb::make_tuple(orbit)));
+}
+
+PythonFrame plane_of(OrbitOfFrame orbit, const std::string& axis_1) {
+  const bool node = axis_1 == "node";
+  if (!node && axis_1 != "shortest-turn")
+    throw nb::value_error(
+        ("Frame.plane_of: axis_1: got \"" + axis_1 + "\"; expected \"node\" or \"shortest-turn\"")
+            .c_str());
+  const PlaneOrigin origin = node ? PlaneOrigin::node : PlaneOrigin::shortest_turn;
+  return PythonFrame(frame_along(orbit, "Frame.plane_of",
+                                 [&](const auto& o) { return orbit_plane_frame(o, origin); }),
+                     recipe_of("plane_of", {"orbit", "axis_1"}, nb::make_tuple(orbit, axis_1)));
 }
 
 PythonFrame from_attitude(
@@ -169,9 +193,19 @@ Omega, i : node and inclination (rad): floats, or functions of time, written wit
                   "brings from the inertial x axis. NaN where p^2 + q^2 > 1.")
       .def_static(
           "local_vertical", local_vertical, "orbit"_a,
-          "The local vertical, local horizontal (LVLH) of an orbit with elements: z to the "
-          "centre, y against the normal of the orbit, x towards the motion. Roll, pitch and "
-          "yaw of a satellite are its angles in it.")
+          "The local vertical, local horizontal (LVLH) of an orbit: z to the centre, y against the "
+          "normal of the orbit, x towards the motion. Roll, pitch and yaw of a satellite are its "
+          "angles in it. Of a table the plane is that of position and velocity, NaN outside.")
+      .def_static(
+          "plane_of", plane_of, "orbit"_a, "axis_1"_a = "node",
+          R"(The plane of an orbit at each time: z along the normal, x along the ascending node.
+
+orbit : KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit: the plane of their elements at the
+    time; a TableOrbit of order 4 or more: that of position and velocity, NaN outside.
+axis_1 : "node", or "shortest-turn": x is where the shortest turn to the plane brings inertial x,
+    for planes next to that of inertial axes 1 and 2, whose node runs.
+
+mu_S is the derivative of the attitude. ValueError for other words and tables of straight lines.)")
       .def_static("from_attitude", from_attitude, "q_IS"_a,
                   "Any attitude: a function of time that returns the quaternion (w, x, y, z), S to "
                   "inertial, of any length, made of the Dual that it is called with.");
@@ -187,7 +221,8 @@ void bind_frame(nb::module_& m) {
       m, "Frame",
       R"(The reference frame S in which a rotation is described: kinematics only.
 
-Made by Frame.inertial, .precessing, .orbit_plane, .orbit_plane_pq, .local_vertical, .from_attitude.
+Made by Frame.inertial, .precessing, .orbit_plane, .orbit_plane_pq, .plane_of, .local_vertical,
+.from_attitude.
 A System adds what a moving frame does to the equations of motion, -mu . g. [SA section 4, (118)])",
       nb::type_slots(recipe_slots<PythonFrame>()));
   def_makers(c);
@@ -197,7 +232,8 @@ A System adds what a moving frame does to the equations of motion, -mu . g. [SA 
        "Whether it does not turn.")
       .def_prop_ro("kind", kind_of,
                    "\"inertial\", \"precessing\", \"orbit_plane\", \"orbit_plane_pq\", "
-                   "\"local_vertical\", \"from_attitude\"; \"moving\" where a scenario made it.")
+                   "\"local_vertical\", \"plane_of\", \"from_attitude\"; \"moving\" where a "
+                   "scenario made it.")
       .def_prop_ro(
           "arguments", [](const PythonFrame& f) { return f.recipe.by_name(); },
           "What it was made from, by name.")

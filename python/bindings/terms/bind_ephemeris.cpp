@@ -55,8 +55,9 @@ scale : TimeScale, or its name: UTC, TAI, TT, TDB, UT1.
 day, fraction : days; their sum is the Julian date. Of UTC it is the quasi-JD of ERFA, in which a
     day with a leap second is stretched.
 instant : instead of these, a date as the `epoch` of a scenario: "2013-01-05T18:30:00 UTC",
-    "JD 2456297.5 TDB"; a datetime.datetime, which is UTC if it has a time zone; a numpy.datetime64;
-    a Time of astropy, in its own scale. What has no scale needs one: Date(instant, "TDB").
+    "2013-01-05T18:30:00Z", "JD 2456297.5 TDB"; a datetime.datetime, which is UTC if it has a time
+    zone; a numpy.datetime64; a Time of astropy, in its own scale. What has no scale needs one:
+    Date(instant, "TDB").
 
 Functions that take a Date take such an instant too, if it has a scale. ValueError for others.)");
   c.def("__init__", make_date, "scale"_a, "day"_a, "fraction"_a = 0.0)
@@ -147,7 +148,17 @@ void bind_planets(nb::module_& m) {
       },
       "target"_a, "centre"_a, "date"_a,
       "(3,), km, along equator and equinox of J2000 (ICRS), without light time; by ERFA. "
-      "ValueError for dates out of its theories.");
+      "ValueError for dates outside 1000 to 3000; planetary_error says how good it is.");
+  m.def(
+      "planetary_error",
+      [](OneOf<Planetary> target, OneOf<Planetary> centre, const Date& date) {
+        return planetary_error(body_of(target, "target"), body_of(centre, "centre"), date);
+      },
+      "target"_a, "centre"_a, "date"_a,
+      "How far such a position may be off across the line of sight, arcsec, seen from as far as "
+      "the "
+      "Sun is (of the Moon, as the Earth is): at most, in the best years of the theories, an "
+      "estimate in others (docs/guide/orbits.md). NaN outside 1000 to 3000.");
   m.def(
       "planetary_orbit",
       [](OneOf<Planetary> target, OneOf<Planetary> centre, const Date& epoch, double first,

@@ -52,12 +52,14 @@ void bind_rates(nb::module_& m) {
   using R = SecularRates;
   bind_value<R>(
       m, "SecularRates",
-      "Uniform rates (rad per time) of node, argument of the pericentre and mean "
-      "anomaly; the last in addition to the mean motion.",
+      "Uniform rates of node, argument of the pericentre, mean anomaly (in addition to the mean "
+      "motion) and inclination, rad per time, and of the eccentricity, per time.",
       field("node", &R::node, "Of the node, rad per time.", 0.0),
       field("argument", &R::argument, "Of the argument of the pericentre, rad per time.", 0.0),
       field("mean_anomaly", &R::mean_anomaly,
-            "Of the mean anomaly in addition to the mean motion, rad per time.", 0.0));
+            "Of the mean anomaly in addition to the mean motion, rad per time.", 0.0),
+      field("inclination", &R::inclination, "Of the inclination, rad per time.", 0.0),
+      field("eccentricity", &R::eccentricity, "Of the eccentricity, per time.", 0.0));
   m.def("j2_rates", &j2_rates, "elements"_a, "J2"_a, "equatorial_radius"_a,
         "SecularRates of first order about an oblate body: its J2, its equatorial radius in the "
         "unit of length of the elements, whose inclination is against its equator. ValueError for "
@@ -184,12 +186,18 @@ void bind_precessing(nb::module_& m) {
   using O = PrecessingKeplerOrbit;
   auto c = bind_made_value<O>(
       m, "PrecessingKeplerOrbit",
-      R"(A Kepler orbit whose node, pericentre and mean anomaly advance uniformly.
+      R"(A Kepler orbit whose elements, all but the axis, change uniformly.
 
-elements: KeplerElements at their epoch; rates: SecularRates, as j2_rates gives them.)",
+elements: KeplerElements at their epoch; rates: SecularRates, as j2_rates gives them. The velocity
+is the derivative of the position, with the rates of all elements in it. NaN where the eccentricity
+has left [0, 1): before first_time and from last_time on. ValueError for rates that are not finite,
+a mean anomaly that does not rise, an eccentricity of a hyperbola that changes.)",
       [](const auto&... parts) { return O(parts...); },
       field("elements", &O::elements, "At their epoch."),
-      field("rates", &O::rates, "Of node, pericentre and mean anomaly."));
+      field("rates", &O::rates, "Of node, pericentre, mean anomaly, inclination, eccentricity."));
+  c.def_prop_ro("first_time", &O::first_time,
+                "From when on the eccentricity is in [0, 1); -inf where it stays.")
+      .def_prop_ro("last_time", &O::last_time, "Until when; inf where it stays.");
   def_motion(c);
 }
 

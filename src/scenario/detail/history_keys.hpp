@@ -49,6 +49,27 @@ class DeclaredColumns {
 // What turns components along axes of this name to ecliptic-J2000.
 Quaternion ecliptic_from(std::string_view axes);
 
+// What a rotation needs besides elements: size and place on the orbit.
+constexpr Key history_axis_key = {
+    .path = "semi_major_axis",
+    .type = KeyType::number,
+    .dimension = Dimension::length,
+    .example = "\"1.5237 au\"",
+    .help = "Of a rotation's orbit, with gm: it stays, and gives the mean motion."};
+constexpr Key history_longitude_key = {
+    .path = "mean_longitude",
+    .type = KeyType::number,
+    .dimension = Dimension::angle,
+    .fallback = "0",
+    .example = "0",
+    .help =
+        "Of a rotation's orbit at t = 0: node plus argument plus mean anomaly, along "
+        "ecliptic-J2000 or the inertial axes of the elements."};
+// The positions over the run, refused at `key`, with the keys gm, semi_major_axis, mean_longitude
+// and axes.
+ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
+                           const ScenarioHistory& history);
+
 OrbitKind elements_kind();
 OrbitKind series_kind();
 OrbitKind shipped_kind();

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -26,6 +28,32 @@ inline std::string_view meant_word(std::string_view word,
     if (theirs == word && std::find(allowed.begin(), allowed.end(), ours) != allowed.end())
       return ours;
   return nearest(word, allowed);
+}
+
+// What makes an orbit of two-line elements.
+constexpr std::string_view satellites_command =
+    "python -m polhode.satellites TLE --from DATE --to DATE --out orbit.csv makes a table, for "
+    "kind = \"table\" with file = \"orbit.csv\"";
+
+inline bool is_of_satellites(std::string_view word) {
+  constexpr std::string_view theirs[] = {"tle", "TLE",   "sgp4",  "SGP4",   "omm",
+                                         "OMM", "line1", "line2", "line_1", "line_2"};
+  return std::find(std::begin(theirs), std::end(theirs), word) != std::end(theirs);
+}
+
+// What to say of a word that is none of those allowed.
+inline std::string meaning_of(std::string_view word, const std::vector<std::string_view>& allowed) {
+  const bool orbits = std::find(allowed.begin(), allowed.end(), "ephemeris") != allowed.end();
+  if (orbits && is_of_satellites(word)) return std::string(satellites_command);
+  const std::string_view near = meant_word(word, allowed);
+  return near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?";
+}
+
+// The same of a key of the table `path`, behind the keys that there are.
+inline std::string meaning_of_key(std::string_view path, std::string_view name) {
+  return path.starts_with("orbit.") && is_of_satellites(name)
+             ? "; " + std::string(satellites_command)
+             : "";
 }
 
 }  // namespace detail

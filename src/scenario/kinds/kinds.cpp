@@ -114,7 +114,7 @@ const Kind* named(const std::vector<Kind>& kinds, std::string_view name) {
 
 bool is_made(const auto& kind) { return static_cast<bool>(kind.made); }
 bool is_made(const OrbitKind& kind) {
-  return static_cast<bool>(kind.made) != static_cast<bool>(kind.history);
+  return static_cast<bool>(kind.made) || static_cast<bool>(kind.history);
 }
 
 // With one more, if it is sound.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scenario/detail/other_names.hpp"
 #include "text/nearest.hpp"
 #include "text/printable.hpp"
 #include "text/word_list.hpp"
@@ -56,11 +57,11 @@ std::string belongs_in(const StrayKey& stray, const std::vector<std::string_view
   return text;
 }
 
-std::string unknown(const StrayKey& stray, const KnownTable& table) {
+std::string unknown(const StrayKey& stray, const KnownTable& table, const std::string& path) {
   return "unknown key; " +
          (stray.near.empty() ? "" : "did you mean " + std::string(stray.near) + "? ") +
          (table.kind.empty() ? "" : "with kind \"" + std::string(table.kind) + "\" ") +
-         "expected " + one_of(table.keys);
+         "expected " + one_of(table.keys) + meaning_of_key(path, stray.name);
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ void report(std::vector<StrayKey> strays, const KnownTable& table, const std::st
     const std::string name = printable(stray.name, longest_name);
     const std::string at = path.empty() ? name : path + "." + name;
     if (stray.at.empty()) {
-      diagnostics.add(stray.where, at, unknown(stray, table));
+      diagnostics.add(stray.where, at, unknown(stray, table, path));
       continue;
     }
     const std::string home = place(stray);

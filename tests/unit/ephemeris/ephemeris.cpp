@@ -3,6 +3,7 @@
 // precision formulas of other origin, and their tables.
 #include "polhode/ephemeris/ephemeris.hpp"
 
+#include <erfa.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,6 +22,7 @@ using polhode::test::larger;
 using polhode::test::Worst;
 
 constexpr double au = 149597870.7;
+constexpr double arcsec = std::numbers::pi / 648000.0;
 constexpr double degree = std::numbers::pi / 180.0;
 
 Date tdb(double mjd) { return {TimeScale::TDB, 2400000.5, mjd}; }
@@ -113,14 +115,100 @@ TEST(Ephemeris, TablesHoldPositionsBetweenRows) {
   }
 }
 
+Date in_year(double year) { return tdb(51544.5 + 365.25 * (year - 2000.0)); }
+
+// The theory of the planets has the barycentre of Earth and Moon; of other origin than that of the
+// Earth, it is no worse in far years.
+TEST(Ephemeris, TheEarthIsWhereTheTheoryOfThePlanetsPutsIt) {
+  constexpr double share = 1.0 / (1.0 + 81.300569);
+  Worst far, near;
+  for (int k = 0; k < 3000; ++k) {
+    const Date at = in_year(1000.5 + 1999.0 * k / 2999.0);
+    double pv[2][3];
+    ASSERT_LE(eraPlan94(at.day, at.fraction, 3, pv), 1);
+    const Vec3 barycentre{au * pv[0][0], au * pv[0][1], au * pv[0][2]};
+    const Vec3 there = barycentre - share * planetary_position(moon, earth, at);
+    const Vec3 here = planetary_position(earth, sun, at);
+    const double apart = norm(cross(here, there)) / dot(here, here) / arcsec;
+    const double year = 1000.5 + 1999.0 * k / 2999.0;
+    (year > 1900.0 && year < 2100.0 ? near : far).add(apart);
+  }
+  EXPECT_LE(near.value(), budget::ephemeris_near_arcsec);
+  EXPECT_LE(far.value(), budget::ephemeris_far_arcsec);
+}
+
+// JD in TDB, Earth from Sun and Moon from Earth in km: JPL DE406, by jplephem 2.24.
+struct Integrated {
+  double day;
+  Vec3 earth_there;
+  Vec3 moon_there;
+};
+const Integrated de406[] = {{2086545.25,
+                             {148714123.133, -20342947.592, -8857764.089},
+                             {18453.3334, 326641.6731, 174595.1694}},
+                            {2196545.75,
+                             {96361131.069, 102971702.908, 44849216.073},
+                             {-279202.0519, 223734.0060, 96902.0523}},
+                            {2305445.00,
+                             {-33135507.071, 131416962.399, 57115904.865},
+                             {88334.6949, 322673.1251, 168737.5398}},
+                            {2378496.50,
+                             {-33662013.991, 131343329.088, 57013854.710},
+                             {387373.7993, -44706.4555, -46572.1039}},
+                            {2451545.00,
+                             {-26499034.227, 132757417.666, 57556717.448},
+                             {-291608.3885, -266716.8292, -76102.4813}},
+                            {2524593.50,
+                             {-19287170.020, 133839660.336, 57956132.729},
+                             {-26013.1372, 381261.7252, 132108.8671}},
+                            {2597641.50,
+                             {-10736263.303, 134710962.157, 58260657.810},
+                             {304740.8027, -247230.2446, -95039.0469}},
+                            {2707545.25,
+                             {84436108.042, 111602637.733, 48159690.421},
+                             {-363014.3401, 69737.3463, -4409.7176}},
+                            {2816545.75,
+                             {-129585682.332, -69687698.273, -29986484.135},
+                             {364080.5351, -52920.8487, 5241.2851}}};
+
+TEST(Ephemeris, TheEarthAndTheMoonAreWhereAnIntegrationPutsThem) {
+  for (const Integrated& one : de406) {
+    const Date at{TimeScale::TDB, one.day, 0.0};
+    const Vec3 e = planetary_position(earth, sun, at), m = planetary_position(moon, earth, at);
+    const auto apart = [](const Vec3& a, const Vec3& b) {
+      return norm(cross(a, b)) / dot(b, b) / arcsec;
+    };
+    EXPECT_LE(apart(e, one.earth_there), planetary_error(earth, sun, at)) << one.day;
+    EXPECT_LE(apart(m, one.moon_there), planetary_error(moon, earth, at)) << one.day;
+    EXPECT_LE(std::abs(norm(e) - norm(one.earth_there)), budget::ephemeris_far_earth_km) << one.day;
+    EXPECT_LE(std::abs(norm(m) - norm(one.moon_there)), budget::ephemeris_far_moon_km) << one.day;
+  }
+}
+
+TEST(Ephemeris, ErrorsAreThoseOfTheTheories) {
+  EXPECT_EQ(best_years(earth, sun).first, 1900);
+  EXPECT_EQ(best_years(moon, earth).first, 1950);
+  EXPECT_EQ(best_years(mars, sun).first, 1800);
+  EXPECT_LT(planetary_error(earth, sun, in_year(2000.0)), 0.1);
+  EXPECT_GT(planetary_error(earth, sun, in_year(1000.5)), 0.8);
+  EXPECT_GT(planetary_error(moon, earth, in_year(1000.5)),
+            planetary_error(moon, earth, in_year(2000.0)));
+  EXPECT_GT(planetary_error(jupiter, earth, in_year(1500.0)),
+            planetary_error(jupiter, sun, in_year(1500.0)));
+  EXPECT_LT(planetary_error(moon, sun, in_year(2000.0)), 0.1);
+  EXPECT_TRUE(std::isnan(planetary_error(mars, sun, in_year(900.0))));
+}
+
 TEST(Ephemeris, DatesOutsideAreRefused) {
-  EXPECT_THROW(planetary_position(earth, sun, tdb(-100000.0)), DomainError);
-  EXPECT_THROW(planetary_position(moon, earth, tdb(100000.0)), DomainError);
+  EXPECT_NO_THROW(planetary_position(earth, sun, in_year(1001.0)));
+  EXPECT_NO_THROW(planetary_position(moon, earth, in_year(2999.0)));
+  EXPECT_THROW(planetary_position(earth, sun, in_year(999.0)), DomainError);
+  EXPECT_THROW(planetary_position(moon, earth, in_year(3001.0)), DomainError);
   EXPECT_THROW(planetary_position(mars, sun, tdb(500000.0)), DomainError);
   EXPECT_NO_THROW(planetary_position(mars, sun, tdb(-100000.0)));
   EXPECT_THROW(planetary_position(mars, mars, tdb(50000.0)), DomainError);
   EXPECT_THROW(planetary_table(moon, earth, tdb(50000.0), 1.0, 0.0), DomainError);
-  EXPECT_THROW(planetary_table(moon, earth, tdb(88000.0), 0.0, 1e9), DomainError);
+  EXPECT_THROW(planetary_table(moon, earth, in_year(2999.0), 0.0, 1e9), DomainError);
 }
 
 TEST(Ephemeris, BodiesHaveNames) {

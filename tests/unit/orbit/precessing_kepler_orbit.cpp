@@ -24,7 +24,10 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 // The conic of each instant.
 WideVec3 reference(const KeplerElements& k, const SecularRates& r, const Wide& t) {
   const Wide elapsed = t - Wide(k.epoch);
-  WideConic conic(k.gm, k.pericentre, k.eccentricity, k.inclination,
+  // the axis stays
+  const Wide e = Wide(k.eccentricity) + r.eccentricity * elapsed;
+  const Wide q = Wide(k.pericentre) / (1 - Wide(k.eccentricity)) * (1 - e);
+  WideConic conic(k.gm, q, e, Wide(k.inclination) + r.inclination * elapsed,
                   Wide(k.node) + r.node * elapsed, Wide(k.argument) + r.argument * elapsed, 0, 0);
   const Wide M = Wide(k.mean_anomaly) + (conic.n + r.mean_anomaly) * elapsed;
   return conic.position(M / conic.n);
@@ -53,6 +56,62 @@ Drawn drawn(std::uint64_t index, double longest) {
                          draw.uniform(-2.0, 2.0)};
   const SecularRates r{0.1 * draw.normal(), 0.1 * draw.normal(), 0.1 * draw.normal()};
   return {k, r, k.epoch + draw.sign() * draw.power_of_ten(-1.0, longest)};
+}
+
+// With a tilt and an eccentricity that change: the latter to another ellipse within |t - epoch|.
+Drawn tilting(std::uint64_t index, double longest) {
+  Drawn d = drawn(index, longest);
+  oracle::Draw draw(422, index);
+  const double end = draw.uniform(0.0, 0.9);
+  d.rates.inclination = 0.1 * draw.normal();
+  d.rates.eccentricity = (end - d.elements.eccentricity) / (d.t - d.elements.epoch);
+  return d;
+}
+
+TEST(PrecessingKeplerOrbit, TiltAndEccentricityChange) {
+  Worst position, velocity;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    const Drawn d = tilting(i, i % 2 == 0 ? 9.0 : 3.0);
+    const PrecessingKeplerOrbit orbit(d.elements, d.rates);
+    const Vec3 x = orbit.position(d.t), v = orbit.velocity(d.t);
+    position.add(distance(x, reference(d.elements, d.rates, d.t)) / (eps * norm(x)));
+    const Wide h = 1e-14;
+    const auto at = [&](const Wide& shift) {
+      return reference(d.elements, d.rates, Wide(d.t) + shift);
+    };
+    const WideVec3 want =
+        Wide(1 / (12 * h)) * (Wide(8) * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h)));
+    if (i % 2 == 1) velocity.add(distance(v, want) / (eps * norm(v)));
+    const auto dual = orbit.position(Dual<double, 1>::variable(d.t, 0));
+    EXPECT_EQ((Vec3{dual.x.derivative[0], dual.y.derivative[0], dual.z.derivative[0]}), v);
+    EXPECT_EQ(dual.x.value, x.x);
+    const BasicVec3<DoubleDouble> wide = orbit.position(DoubleDouble(d.t));
+    EXPECT_LE(norm(Vec3{wide.x.hi, wide.y.hi, wide.z.hi} - x),
+              budget::kepler_position_eps * eps * norm(x));
+  }
+  EXPECT_LE(position.value(), budget::kepler_position_eps);
+  EXPECT_LE(velocity.value(), budget::kepler_velocity_eps);
+}
+
+// Outside, there is no orbit.
+TEST(PrecessingKeplerOrbit, TheEccentricityStaysThatOfAnEllipse) {
+  const KeplerElements k{1.0, 0.75, 0.25, 0.5, 1.0, 2.0, 0.3, 10.0};
+  SecularRates growing, falling;
+  growing.eccentricity = 0.125;
+  falling.eccentricity = -0.125;
+  const PrecessingKeplerOrbit up(k, growing), down(k, falling), still(k, {});
+  EXPECT_EQ(up.first_time(), 8.0);
+  EXPECT_EQ(up.last_time(), 16.0);
+  EXPECT_EQ(down.first_time(), 4.0);
+  EXPECT_EQ(down.last_time(), 12.0);
+  EXPECT_EQ(still.last_time(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(up.eccentricity(12.0), 0.5);
+  EXPECT_TRUE(std::isfinite(up.position(8.0).x));
+  EXPECT_TRUE(std::isfinite(up.position(15.9).x));
+  for (const double t : {7.9, 16.0, 17.0}) {
+    EXPECT_TRUE(std::isnan(up.position(t).x)) << t;
+    EXPECT_TRUE(std::isnan(up.velocity(t).x)) << t;
+  }
 }
 
 TEST(PrecessingKeplerOrbit, PositionForAnyTime) {
@@ -145,6 +204,9 @@ TEST(PrecessingKeplerOrbit, RefusesWhatIsNoOrbit) {
   EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(parabola, {}); }));
   EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(good, {nan, 0.0, 0.0}); }));
   EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(good, {0.0, 0.0, -2.0}); }));
+  EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(good, {0.0, 0.0, 0.0, nan}); }));
+  EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(good, {0.0, 0.0, 0.0, 0.0, nan}); }));
+  EXPECT_TRUE(refused([&] { PrecessingKeplerOrbit(hyperbola, {0.0, 0.0, 0.0, 0.0, 0.1}); }));
   EXPECT_TRUE(refused([&] { (void)j2_rates(hyperbola, 1e-3, 1.0); }));
   EXPECT_TRUE(refused([&] { (void)j2_rates(good, nan, 1.0); }));
   EXPECT_TRUE(refused([&] { (void)j2_rates(good, 1e-3, 0.0); }));

@@ -398,8 +398,8 @@ TEST_F(ScenarioOrbits, EphemeridesThatCannotBeSayWhy) {
               HasSubstr("expected another body than the target"));
   EXPECT_THAT(error_of("kind = \"ephemeris\"\ntarget = \"pluto\"\ncentre = \"sun\"\n", ten_days),
               HasSubstr("orbit.moon.target: got \"pluto\""));
-  EXPECT_THAT(error_of(moon, "[time]\nstop = \"100 yr\"\ncount = 2\n"),
-              HasSubstr("must be in the years 1900 to 2100"));
+  EXPECT_THAT(error_of(moon, "[time]\nstop = \"1000 yr\"\ncount = 2\n"),
+              HasSubstr("must be in the years 1000 to 3000"));
   units_ = "";
   EXPECT_THAT(error_of(moon, ten_days), HasSubstr("expected a unit of length"));
   state_ = "epoch = \"2013-01-05 UT1\"\naxes = \"equator-J2000\"\n";

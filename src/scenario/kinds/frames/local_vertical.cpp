@@ -18,24 +18,16 @@ struct Arguments {
 };
 
 constexpr std::array keys = {
-    name_key<&Arguments::orbit>("orbit", "The name of a table [orbit.NAME] with elements.")
+    name_key<&Arguments::orbit>("orbit", "The name of a table [orbit.NAME].")
         .required()
         .example("\"earth\""),
 };
 
 MadeFrame made(const Arguments&, const FrameContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  if (std::holds_alternative<TableOrbit>(orbit.motion))
-    at.refuse("orbit", "expected an orbit with elements");
-  return std::visit(
-      [&](const auto& motion) -> MadeFrame {
-        if constexpr (requires { local_vertical_frame(motion); }) {
-          return {local_vertical_frame(motion), "local vertical of orbit " + orbit.name};
-        } else {
-          at.refuse("orbit", "expected an orbit with elements");
-        }
-      },
-      orbit.motion);
+  require_curved(orbit, at);
+  return {std::visit([](const auto& motion) { return local_vertical_frame(motion); }, orbit.motion),
+          "local vertical of orbit " + orbit.name};
 }
 
 }  // namespace

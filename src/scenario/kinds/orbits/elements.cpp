@@ -6,6 +6,7 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/history_keys.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
@@ -16,6 +17,9 @@ namespace detail {
 namespace {
 
 constexpr Key keys[] = {
+    orbit_gm_key,
+    history_axis_key,
+    history_longitude_key,
     {.path = "file",
      .type = KeyType::text,
      .presence = Presence::required,
@@ -197,10 +201,14 @@ ScenarioHistory elements_orbit(const OrbitContext& at) {
 }  // namespace
 
 OrbitKind elements_kind() {
-  return {.name = "elements",
-          .help = "Elements over ages, from a table: for kind obliquity.",
-          .keys = {std::begin(keys), std::end(keys)},
-          .history = elements_orbit};
+  return {
+      .name = "elements",
+      .help =
+          "Elements over ages, from a table: for kind obliquity, and with gm and semi_major_axis "
+          "for rotations.",
+      .keys = {std::begin(keys), std::end(keys)},
+      .made = [](const OrbitContext& at) { return positions_of(at, "file", elements_orbit(at)); },
+      .history = elements_orbit};
 }
 
 }  // namespace detail

@@ -12,6 +12,7 @@
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -28,7 +29,8 @@ constexpr Key keys[] = {
      .presence = Presence::required,
      .allowed = bodies,
      .example = "\"moon\"",
-     .help = "The body whose positions these are. It needs `state.epoch`, `state.axes` of J2000, a "
+     .help = "The body whose positions these are, from 1000 to 3000. It needs `state.epoch`, "
+             "`state.axes` of J2000, a "
              "unit of length, and [time]."},
     {.path = "centre",
      .type = KeyType::choice,
@@ -60,6 +62,25 @@ std::vector<std::string> sources_of(Planetary target, Planetary centre) {
     if (body != Planetary::sun && body != Planetary::earth && body != Planetary::moon)
       sources.push_back("planet");
   return sources;
+}
+
+// Where the run leaves the years for which the theories were compared: "; outside 1900 to 2100: to
+// 12 arcsec".
+std::string note_of_years(Planetary target, Planetary centre, const Clock& clock,
+                          const TimeSpan& span) {
+  const PlanetaryYears best = best_years(target, centre);
+  const auto january = [](int year) { return calendar_date(TimeScale::TT, {.year = year}); };
+  bool outside = false;
+  double worst = 0.0;
+  for (const double t : {span.first, span.last}) {
+    const Date date = date_after(clock.epoch, t / clock.second);
+    outside = outside || seconds_between(january(best.first), date) < 0.0 ||
+              seconds_between(date, january(best.last + 1)) < 0.0;
+    worst = std::max(worst, planetary_error(target, centre, date));
+  }
+  if (!outside) return {};
+  return "; outside " + std::to_string(best.first) + " to " + std::to_string(best.last) +
+         ", off by up to some " + number_text(std::ceil(worst)) + " arcsec";
 }
 
 ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
@@ -94,7 +115,8 @@ ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
           TableOrbit(std::move(rows), table.order),
           own ? own : at.units().to_core(planetary_gm(target), "km3/s2", Dimension::gm),
           std::move(sources),
-          "ephemeris, " + word(values, target_key) + " from " + word(values, centre_key)};
+          "ephemeris, " + word(values, target_key) + " from " + word(values, centre_key) +
+              note_of_years(target, centre, clock, *span)};
 }
 
 }  // namespace

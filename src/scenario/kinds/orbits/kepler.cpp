@@ -6,6 +6,7 @@
 #include <string>
 
 #include "polhode/scenario/schema.hpp"
+#include "scenario/detail/clock.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
@@ -84,6 +85,19 @@ constexpr Key keys[] = {
      .fallback = "0",
      .example = "0",
      .help = "What is added to the mean motion that gm gives."},
+    {.path = "inclination_rate",
+     .type = KeyType::number,
+     .dimension = Dimension::rate,
+     .fallback = "0",
+     .example = "\"0.5 arcsec/yr\"",
+     .help = "Rate of the inclination."},
+    {.path = "eccentricity_rate",
+     .type = KeyType::number,
+     .dimension = Dimension::growth,
+     .fallback = "0",
+     .example = "\"-4e-5 1/cy\"",
+     .help = "Rate of the eccentricity of an ellipse, whose axis stays; it must be in [0, 1) all "
+             "along the run."},
     orbit_axes_key,
 };
 
@@ -118,15 +132,40 @@ KeplerElements elements_of(const Values& values, const std::string& path, const 
           .epoch = number(values, key("epoch"))};
 }
 
+// All along the run.
+void require_ellipse(const OrbitContext& at, const PrecessingKeplerOrbit& orbit) {
+  const std::optional<TimeSpan> span = at.run_span();
+  if (!span) return;
+  const bool early =
+      !(orbit.eccentricity(span->first) >= 0.0 && orbit.eccentricity(span->first) < 1.0);
+  const bool late =
+      !(orbit.eccentricity(span->last) >= 0.0 && orbit.eccentricity(span->last) < 1.0);
+  if (!early && !late) return;
+  const double when = early ? orbit.first_time() : orbit.last_time();
+  const bool round = (orbit.rates().eccentricity > 0.0) == early;
+  refuse(at.values(), at.key_path("eccentricity_rate"), at.file(),
+         std::string("the eccentricity ") + (round ? "reaches 0" : "reaches 1") + " at " +
+             time_and_date(at.values(), at.units(), when) +
+             "; expected 0 to below 1 all along the run, " +
+             time_and_date(at.values(), at.units(), span->first) + " to " +
+             time_and_date(at.values(), at.units(), span->last));
+}
+
 ScenarioOrbit kepler_orbit(const OrbitContext& at) {
   const Values& values = at.values();
   const std::string &path = at.path(), &name = at.file();
   const KeplerElements elements = elements_of(values, path, name);
   const SecularRates rates{.node = number(values, path + ".node_rate"),
                            .argument = number(values, path + ".pericentre_rate"),
-                           .mean_anomaly = number(values, path + ".mean_anomaly_rate")};
+                           .mean_anomaly = number(values, path + ".mean_anomaly_rate"),
+                           .inclination = number(values, path + ".inclination_rate"),
+                           .eccentricity = number(values, path + ".eccentricity_rate")};
+  if (rates.eccentricity != 0.0 && elements.eccentricity > 1.0)
+    refuse(values, path + ".eccentricity_rate", name,
+           "expected 0 for a hyperbola: only of an ellipse it may change");
   const PrecessingKeplerOrbit moving =
       built(values, path, name, [&] { return PrecessingKeplerOrbit(elements, rates); });
+  if (rates.eccentricity != 0.0) require_ellipse(at, moving);
   return precessing_orbit(at, moving);
 }
 

@@ -5,6 +5,7 @@
 
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/history_keys.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -12,6 +13,9 @@ namespace detail {
 namespace {
 
 constexpr Key keys[] = {
+    orbit_gm_key,
+    history_axis_key,
+    history_longitude_key,
     {.path = "ellipse_file",
      .type = KeyType::text,
      .presence = Presence::required,
@@ -81,14 +85,19 @@ ScenarioHistory series_orbit(const OrbitContext& at) {
 }  // namespace
 
 OrbitKind series_kind() {
-  return {.name = "series",
-          .help = "Elements over ages, from a series: for kind obliquity.",
-          .keys = {std::begin(keys), std::end(keys)},
-          .citations = {{"laskar1988",
-                         "Laskar, J. (1988). Secular evolution of the solar system over 10 million "
-                         "years. Astronomy and Astrophysics 198, 341-362.",
-                         "orbits as a series"}},
-          .history = series_orbit};
+  return {
+      .name = "series",
+      .help =
+          "Elements over ages, from a series: for kind obliquity, and with gm and semi_major_axis "
+          "for rotations.",
+      .keys = {std::begin(keys), std::end(keys)},
+      .citations = {{"laskar1988",
+                     "Laskar, J. (1988). Secular evolution of the solar system over 10 million "
+                     "years. Astronomy and Astrophysics 198, 341-362.",
+                     "orbits as a series"}},
+      .made =
+          [](const OrbitContext& at) { return positions_of(at, "ellipse_file", series_orbit(at)); },
+      .history = series_orbit};
 }
 
 }  // namespace detail

@@ -10,10 +10,12 @@
 #include "polhode/tables/number_table.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
+#include "scenario/detail/other_names.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/detail/table_check.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
+#include "tables/two_line_elements.hpp"
 #include "text/date_text.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
@@ -260,6 +262,8 @@ ScenarioOrbit file_orbit(const OrbitContext& at, int order) {
   for (const char* own : {"vx", "vy", "vz"})
     if (has(at.values(), at.key_path(own)))
       refuse(at.values(), at.key_path(own), at.file(), "expected keys times, x, y and z as well");
+  if (has_two_line_elements(path))
+    throw DomainError("it holds two-line elements, no table: " + std::string(satellites_command));
   if (path.ends_with(".oem")) return oem_orbit(at, path, order);
   const std::vector<std::string> columns = columns_of(at, path);
   const NumberTable file = read_number_table(path, columns, time_reader(at));

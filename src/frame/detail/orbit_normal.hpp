@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The normal of an orbit as a function of time, on any number type that frames are called with.
+#pragma once
+
+#include <cmath>
+
+#include "polhode/math/quaternion.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Of position and velocity.
+template <class T>
+BasicVec3<T> normal_of(const BasicVec3<T>& x, const BasicVec3<T>& v) {
+  const BasicVec3<T> h = cross(x, v);
+  return (T(1.0) / norm(h)) * h;
+}
+
+// The shortest turn from axis 3 to a unit vector other than -axis 3.
+template <class T>
+BasicQuaternion<T> shortest_turn_to(const BasicVec3<T>& n) {
+  using std::sqrt;
+  const T one(1.0), half(0.5);
+  const T c = sqrt(half * (one + n.z));
+  return {c, -(half * n.y / c), half * n.x / c, T(0.0)};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
