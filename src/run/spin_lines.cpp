@@ -144,6 +144,12 @@ void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario
     lines.text("quaternion_note", "of the quaternion",
                "a turn of nearly 180 deg about axis 3, or one that has its scalar last: it is "
                "[w, x, y, z] here");
+  const std::vector<std::string>& columns = scenario.output.columns;
+  if (rotation.frame.is_inertial() &&
+      std::find(columns.begin(), columns.end(), "roll_pitch_yaw") != columns.end())
+    lines.text("roll_pitch_yaw_note", "of roll, pitch and yaw",
+               "they count from the inertial axes; [frame.local-vertical] makes them those of an "
+               "orbit");
   for (const ScenarioOrbit& orbit : rotation.orbits) add_low_orbit(lines, orbit, scenario.units());
 }
 

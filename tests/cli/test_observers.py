@@ -415,3 +415,5 @@ def test_a_quaternion_that_looks_scalar_last_gets_a_note(info):
     assert "scalar last" in info(body + "quaternion = [0.05, 0, 0, -0.99]\n")["quaternion_note"]
     assert "quaternion_note" not in info(body + "quaternion = [1, 0, 0, 0]\n")
     assert "quaternion_note" not in info(body + "quaternion = [0.5, 0.5, 0.5, 0.5]\n")
+    angles = body + "quaternion = [1, 0, 0, 0]\n[output]\ncolumns = [\"roll_pitch_yaw\"]\n"
+    assert "[frame.local-vertical]" in info(angles)["roll_pitch_yaw_note"]

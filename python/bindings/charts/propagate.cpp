@@ -2,7 +2,9 @@
 // Free rotation of many bodies in one call: bodies, states and times that broadcast.
 #include "charts/propagate.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -130,6 +132,9 @@ Grid grid_of(const Shape& motions, const Shape& whole) {
   return grid;
 }
 
+// Of one motion at a time: between two looks at signals.
+constexpr std::size_t most_times = 512;
+
 Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::handle t0,
                   bool short_arc) {
   const Bodies of = bodies_of(bodies);
@@ -153,12 +158,21 @@ Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::han
     }
   };
   return Rotors::filled(whole, [&](RotorState* out) {
-    const std::size_t n = grid.times.size();
+    const std::size_t n = grid.times.size(), parts = (n + most_times - 1) / most_times;
     std::optional<FreeRotation> motion;
-    for_each(size_of(whole), [&](std::size_t k) {  // all times of one motion, then the next
-      if (k % n == 0) motion.emplace(prepared(k / n));
-      const std::size_t at = grid.motions[k / n] + grid.times[k % n];
-      out[at] = motion->at(times[at]);
+    std::vector<double> asked(std::min(n, most_times));
+    std::vector<RotorState> found(asked.size());
+    // all times of one motion, then the next
+    for_each(grid.motions.size() * parts, [&](std::size_t k) {
+      const std::size_t part = k % parts, first = part * most_times;
+      const std::size_t count = std::min(most_times, n - first);
+      if (part == 0) motion.emplace(prepared(k / parts));
+      const auto place = [&](std::size_t i) {
+        return grid.motions[k / parts] + grid.times[first + i];
+      };
+      for (std::size_t i = 0; i < count; ++i) asked[i] = times[place(i)];
+      motion->at(std::span(asked).first(count), std::span(found).first(count));
+      for (std::size_t i = 0; i < count; ++i) out[place(i)] = found[i];
     });
   });
 }

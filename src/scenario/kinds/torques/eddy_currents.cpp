@@ -22,7 +22,7 @@ constexpr std::array own_keys = {
         "Magnetic tensor M of the torque (M (omega x B - dB/dt)) x B in body axes: its diagonal, "
         "or three rows.")
         .required()
-        .example("{ value = [1e4, 1e4, 1e4], unit = \"S m4\" }"),
+        .example("{ value = [500, 500, 500], unit = \"S m4\" }"),
     flag_key<&Arguments::field_rate>(
         "field_rate", "Whether dB/dt along the orbit counts; false: currents by omega x B alone.")
         .otherwise("true"),
