@@ -44,6 +44,7 @@ Maker boost_double_maker();
 Maker geographic_maker();
 Maker van_zon_maker();
 Maker polhode_maker();
+Maker polhode_lanes_maker();
 Maker polhode_short_arc_maker();
 
 // The quaternion (0, of a row) relative to the attitude at t = 0, from the textbook form at 50

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // polhode's free rotation through its public interface.
+#include <algorithm>
+#include <array>
+
 #include "contenders.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/sadov.hpp"
@@ -44,6 +47,33 @@ class Polhode : public Motion {
   FreeRotation motion_;
 };
 
+// Where FreeRotation takes many times at once.
+template <class F>
+concept Lanes =
+    requires(const F& f, std::span<const double> t, std::span<RotorState> s) { f.at(t, s); };
+
+template <class F>
+class InLanes : public Motion {
+ public:
+  explicit InLanes(const Start& s) : start_(s), motion_(body_of(s), state_of(s)) {}
+  void rows(std::span<const double> t, double* out) const override {
+    std::array<RotorState, 256> states;
+    for (std::size_t done = 0; done < t.size(); done += states.size()) {
+      const auto some = t.subspan(done, std::min<std::size_t>(states.size(), t.size() - done));
+      const std::span<RotorState> found = std::span(states).first(some.size());
+      if constexpr (Lanes<F>) motion_.at(some, found);
+      for (const RotorState& s : found) {
+        write_row(start_, s, out);
+        out += 7;
+      }
+    }
+  }
+
+ private:
+  Start start_;
+  F motion_;
+};
+
 template <bool short_arc>
 std::unique_ptr<Motion> make(const Start& s) {
   return std::make_unique<Polhode<short_arc>>(s);
@@ -66,6 +96,15 @@ double action(const Start& s) {
 }  // namespace
 
 Maker polhode_maker() { return {"polhode FreeRotation", make<false>, fresh<false>, action<false>}; }
+Maker polhode_lanes_maker() {
+  const char* const who = "polhode FreeRotation, many times at once";
+  if constexpr (!Lanes<FreeRotation>) return {who, nullptr, nullptr};
+  return {who,
+          [](const Start& s) -> std::unique_ptr<Motion> {
+            return std::make_unique<InLanes<FreeRotation>>(s);
+          },
+          fresh<false>};
+}
 Maker polhode_short_arc_maker() {
   return {"polhode short_arc", make<true>, fresh<true>, action<true>};
 }

@@ -13,11 +13,13 @@ import sys
 
 import machine
 import native
+import obliquity
 import perturbed
-from records import faults, record, write
+from records import faults, matched, record, write
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = ROOT / "build/release/benchmarks/peers"
+DEFAULTS = ("polhode Adaptive, 1e-15", "polhode Collocation, default")
 
 
 class Report:
@@ -45,21 +47,31 @@ class Report:
         curve, compilation, spread = perturbed.measured(self.options, self.miss)
         self.curves["W1"] = {"points": curve, "compilation": compilation, "variants": spread}
         for goal, case, points in [("G9", "W1", curve), *self._spread(spread)]:
-            ours = [p for p in points if p["who"].startswith("polhode")]
-            best = self._ours(ours)
-            self.records += [
-                record(goal, f"{case}, tolerance {p['setting']}", best, p, "s",
-                       command=self._again(), revision=self.revision)
-                for p in points if p not in ours]
-
-    @staticmethod
-    def _ours(points):
-        """The default of runs at its least tolerance; Collocation where there is one."""
-        for who, setting in (("polhode Collocation", "default"), ("polhode Adaptive", "1e-15")):
+            ours = [{**p, "who": f"{p['who']}, {p['setting']}"} for p in points
+                    if p["who"].startswith("polhode")]
             for p in points:
-                if (p["who"], p["setting"]) == (who, setting):
-                    return p
-        raise LookupError("polhode's own measurement is not there")
+                if not p["who"].startswith("polhode"):
+                    self._beside(goal, f"{case}, tolerance {p['setting']}", ours, p)
+
+    def obliquity(self):
+        points = obliquity.measured(self.options, self.miss)
+        if not points:
+            return
+        self.curves["The spin axis over 20 Myr"] = {
+            "points": points, "compilation": {}, "unit": "CPU time (s) for a Myr"}
+        ours = [{**p, "who": f"{p['who']}, {p['setting']}"} for p in points
+                if p["who"].startswith("polhode")]
+        for p in points:
+            if not p["who"].startswith("polhode"):
+                self._beside("G11", f"tolerance {p['setting']}", ours, p)
+
+    def _beside(self, goal, case, ours, theirs):
+        """Records of what polhode uses unless told otherwise, at its tightest, and of its match."""
+        match = ours[matched([(p["seconds"], p["error"]) for p in ours], theirs["error"])]
+        default = [p for p in ours if p["who"] in DEFAULTS][-1:]
+        for mine in [match, *(p for p in default if p is not match)]:
+            self.records.append(record(goal, case, mine, theirs, "s", command=self._again(),
+                                       revision=self.revision))
 
     @staticmethod
     def _spread(spread):
@@ -69,6 +81,7 @@ class Report:
         merged = []
         for same in zip(*spread, strict=True):
             merged.append({**same[0], "error": statistics.median(p["error"] for p in same),
+                           "seconds": statistics.median(p["seconds"] for p in same),
                            "repetitions": [s for p in same for s in p["repetitions"]]})
         return [("G10", f"{len(spread)} variants of W1, median error", merged)]
 
@@ -92,8 +105,8 @@ def main():
     parser.add_argument("--repetitions", type=int, default=5)
     parser.add_argument("--variants", type=int, default=8, help="of W1 (the issue's goal: 32)")
     parser.add_argument("--quick", action="store_true", help="W1 at the tightest settings alone")
-    parser.add_argument("--only", default="native,perturbed",
-                        help="parts, with commas: native, perturbed")
+    parser.add_argument("--only", default="native,perturbed,obliquity",
+                        help="parts, with commas")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/bench")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
@@ -105,6 +118,8 @@ def main():
         report.program("peers_output", str(options.folder))
     if "perturbed" in parts:
         report.perturbed()
+    if "obliquity" in parts:
+        report.obliquity()
     found = report.save()
     print("\n".join(found), end="\n" if found else "", file=sys.stderr)
     return 1 if found else 0
