@@ -112,7 +112,7 @@ bench-peers: build ## polhode beside its peers, time and error: build/bench/peer
 	cmake --preset release
 	cmake --build build/release --target peers
 	$(PACKAGE) build/bench/venv/bin/python benchmarks/peers/run.py --seed "$(SEED)" \
-	  --repetitions $(REPETITIONS) --variants $(VARIANTS) $(if $(YEAR),--year)
+	  --repetitions $(REPETITIONS) --variants $(VARIANTS)
 
 fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
 	cmake --build build/fuzz

@@ -8,7 +8,7 @@ import platform
 import subprocess
 
 PACKAGES = ("libboost-dev", "libgsl-dev", "libgeographiclib-dev", "libhdf5-dev")
-PYTHON = ("numpy", "scipy", "heyoka", "rebound", "pyerfa", "mujoco")
+PYTHON = ("numpy", "scipy", "heyoka", "rebound")
 
 
 def _said(*command):

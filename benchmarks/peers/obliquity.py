@@ -98,7 +98,6 @@ def measured(options, missing):
             contenders.append(scipy_contender())
     except ImportError:
         missing("SciPy")
-    missing("snvec (no registry has it)")
     last = exact(heyoka)
     return [{"who": t.who, "setting": t.setting, "seconds": t.median, "repetitions": t.seconds,
              "error": float(np.linalg.norm(np.asarray(t.ends[0], dtype=np.longdouble) - last))}

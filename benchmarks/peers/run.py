@@ -14,6 +14,7 @@ import sys
 import machine
 import native
 import obliquity
+import orbits
 import perturbed
 from records import faults, matched, record, write
 
@@ -22,11 +23,17 @@ PROGRAMS = ROOT / "build/release/benchmarks/peers"
 DEFAULTS = ("polhode Adaptive, 1e-15", "polhode Collocation, default")
 
 
+# What the issue of peers names and no driver of ours measures, and why.
+NOT_MEASURED = (
+    "Orekit's TorqueFree on Hipparchus (no driver)", "snvec, VPLanet, GRIT, FRB (in no registry)",
+    "MuJoCo and pyerfa (no workload of theirs is among the goals)")
+
+
 class Report:
     def __init__(self, options):
         self.options = options
         self.revision = machine.revision(ROOT)
-        self.records, self.missing, self.curves = [], [], {}
+        self.records, self.missing, self.curves = [], [*NOT_MEASURED], {}
 
     def miss(self, who):
         if who not in self.missing:
@@ -52,6 +59,15 @@ class Report:
             for p in points:
                 if not p["who"].startswith("polhode"):
                     self._beside(goal, f"{case}, tolerance {p['setting']}", ours, p)
+
+    def orbits(self):
+        for name, points in orbits.measured(self.options, self.miss).items():
+            self.curves[name] = {"points": points, "compilation": {}}
+            ours = [{**p, "who": f"{p['who']}, {p['setting']}"} for p in points
+                    if p["who"].startswith("polhode")]
+            for p in points:
+                if not p["who"].startswith("polhode"):
+                    self._beside("G9", f"{name}, tolerance {p['setting']}", ours, p)
 
     def obliquity(self):
         points = obliquity.measured(self.options, self.miss)
@@ -105,7 +121,7 @@ def main():
     parser.add_argument("--repetitions", type=int, default=5)
     parser.add_argument("--variants", type=int, default=8, help="of W1 (the issue's goal: 32)")
     parser.add_argument("--quick", action="store_true", help="W1 at the tightest settings alone")
-    parser.add_argument("--only", default="native,perturbed,obliquity",
+    parser.add_argument("--only", default="native,perturbed,orbits,obliquity",
                         help="parts, with commas")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/bench")
     options = parser.parse_args()
@@ -118,6 +134,8 @@ def main():
         report.program("peers_output", str(options.folder))
     if "perturbed" in parts:
         report.perturbed()
+    if "orbits" in parts:
+        report.orbits()
     if "obliquity" in parts:
         report.obliquity()
     found = report.save()
