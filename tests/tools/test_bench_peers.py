@@ -92,5 +92,5 @@ def test_the_page_says_where_polhode_is_slower(peers, entries):
     assert "- G5: van Zon (5 times)." in text
     assert "| **0.2** |" in text
     assert "| G1, k = 0.5 | Boost |" in text
-    assert "Not there: snvec." in text
+    assert "Not measured: snvec." in text
     assert "heyoka" not in text  # not installed
