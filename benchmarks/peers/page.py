@@ -96,6 +96,8 @@ def figure(curves, path):
     matplotlib.use("agg")
     from matplotlib import pyplot
     names = [n for n in curves if curves[n].get("points")]
+    if not names:
+        return
     rows = (len(names) + 1) // 2
     picture, axes = pyplot.subplots(rows, 2, figsize=(11, 4.4 * rows + 0.8), squeeze=False,
                                     layout="constrained")
