@@ -20,10 +20,14 @@ REV         := HEAD
 WHEEL_PYTHONS :=
 
 # Mutation testing: what is drawn. PAGE=docs/accuracy/tests.md writes the figures into that page.
+# The peers' bodies are drawn by SEED as well.
 SEED    := 1
 MUTANTS := 400
+# Benchmarks beside peers: repetitions of each measurement, variants of W1 (32: more than an hour).
+REPETITIONS := 5
+VARIANTS    := 8
 
-.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-sweeps check bits tidy format docs docs-tables figures bench fuzz mutate wheel clean
+.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -96,9 +100,19 @@ docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper
 figures: build ## Redraw every figure of docs/ and the gallery's page
 	$(PYTHON) tools/figures/gallery.py
 
-bench: build ## Run the benchmarks: time and error, next to Boost and GSL
+bench: build ## Run the benchmarks: time and error, next to Boost and GSL; build/bench/own/*.json
 	cmake --build build/release
-	@for b in build/release/benchmarks/bench_*; do echo "$$b"; $$b || exit 1; done
+	@mkdir -p build/bench/own
+	@for b in build/release/benchmarks/bench_*; do echo "$$b"; \
+	  $$b --benchmark_out="build/bench/own/$${b##*/}.json" --benchmark_out_format=json || exit 1; done
+
+bench-peers: build ## polhode beside its peers, time and error: build/bench/peers.json; SEED=1 draws the bodies
+	tools/install-deps --peers
+	benchmarks/peers/environment
+	cmake --preset release
+	cmake --build build/release --target peers
+	$(PACKAGE) build/bench/venv/bin/python benchmarks/peers/run.py --seed "$(SEED)" \
+	  --repetitions $(REPETITIONS) --variants $(VARIANTS)
 
 fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
 	cmake --build build/fuzz

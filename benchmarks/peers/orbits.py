@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: MIT
+"""Two other bodies and orbits beside heyoka, 300 orbits each, with the same equations.
+
+degree 3: an orbit of e = 0.3, the gravity gradient and the moments of mass of degree 3.
+dipole: an orbit of e = 0.05, the gravity gradient and a magnetic moment in the field of a dipole
+that is tilted against the primary's axis, itself tilted against the orbit, and turns with it.
+"""
+
+import dataclasses
+import itertools
+from collections.abc import Callable
+
+import equations
+import numpy as np
+from timing import Contender, interleaved
+
+STOP = 1884.9555921538758
+MOMENTS = (0.7, 1.0, 1.2)
+RATES = (3.0, 6.0, 12.5)
+# xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz: a body of unit size without symmetry.
+THIRD = (0.0021, -0.0013, 0.0008, 0.0017, 0.0005, -0.0011, 0.0009, 0.0014, -0.0006, 0.0019)
+STRENGTH, RATE, TILT, MOMENT = (0.2, 0.0, 1.0), 3.7, 0.4, (0.03, -0.05, 0.04)
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def third_degree(number):
+    """-n x grad p3 / r^4 with grad p3 = (15 m n n - 3 t) / 2 but for what is along n."""
+    full = np.empty((3, 3, 3), dtype=object)
+    places = itertools.combinations_with_replacement(range(3), 3)
+    for value, place in zip(THIRD, places, strict=True):
+        for same in set(itertools.permutations(place)):
+            full[same] = number(value)
+
+    def torque(heyoka, q, x, y):
+        r2 = x * x + y * y
+        n = [c * r2 ** number(-0.5) for c in equations.body_axes(q, (x, y, 0.0 * x))]
+        gradient = [sum(full[i, j, k] * n[j] * n[k] for j in range(3) for k in range(3))
+                    * number(7.5) - number(1.5) * sum(full[i, j, j] for j in range(3))
+                    for i in range(3)]
+        return [-c / (r2 * r2) for c in cross(n, gradient)]
+    return torque
+
+
+def dipole(number):
+    """m x B, B = (3 (K.n) n - K) / r^3."""
+    sine, cosine = np.sin(number(TILT)), np.cos(number(TILT))
+
+    def torque(heyoka, q, x, y):
+        angle = number(RATE) * heyoka.time
+        east, north = heyoka.cos(angle), heyoka.sin(angle)
+        k1, k3 = number(STRENGTH[0]), number(STRENGTH[2])
+        # Axis 1 is `angle` from the node of the equator, which is the y axis of the orbit.
+        K = (k3 * sine - k1 * cosine * north, k1 * east, k3 * cosine + k1 * sine * north)
+        r2 = x * x + y * y
+        along = 3.0 * (K[0] * x + K[1] * y) / r2
+        shrink = r2 ** number(-1.5)
+        B = ((along * x - K[0]) * shrink, (along * y - K[1]) * shrink, -K[2] * shrink)
+        return cross([number(m) for m in MOMENT], equations.body_axes(q, B))
+    return torque
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    name: str
+    eccentricity: float
+    torque: Callable  # of a number type: the torque beside the gravity gradient
+    terms: Callable  # of polhode and an orbit
+
+
+CASES = (
+    Case("e = 0.3, gravity to degree 3", 0.3, third_degree,
+         lambda ph, orbit: [ph.GravityGradient(1.0, orbit), ph.HigherGravity(
+             1.0, orbit, ph.MassMoments(THIRD, np.zeros(15)), "attractor")]),
+    Case("tilted dipole", 0.05, dipole,
+         lambda ph, orbit: [ph.GravityGradient(1.0, orbit), ph.ResidualDipole(
+             MOMENT, ph.DipoleField(STRENGTH, (float(np.sin(TILT)), 0.0, float(np.cos(TILT))),
+                                    RATE), orbit)]),
+)
+
+
+def rates(heyoka, case, number=float):
+    pairs = equations.gravity_gradient(heyoka, MOMENTS, number)
+    names = [v for v, _ in pairs]
+    more = case.torque(number)(heyoka, names[:4], names[7], names[8])
+    for k, (u, moment) in enumerate(zip(more, MOMENTS, strict=True)):
+        pairs[4 + k] = (names[4 + k], pairs[4 + k][1] + u / number(moment))
+    return pairs
+
+
+def exact(heyoka, case):
+    """Final attitudes in 80 bits, from the rates and from polhode's rounded momentum."""
+    wide = np.longdouble
+    taylor = heyoka.taylor_adaptive(
+        rates(heyoka, case, wide), equations.start(RATES, case.eccentricity, wide),
+        tol=wide(1e-19), fp_type=wide)
+    ends = {}
+    rounded = [wide(i * w) / wide(i) for i, w in zip(MOMENTS, RATES, strict=True)]
+    for who, start in (("peers", RATES), ("polhode", rounded)):
+        taylor.time = wide(0)
+        taylor.state[:] = equations.start(start, case.eccentricity, wide)
+        taylor.propagate_until(wide(STOP))
+        ends[who] = taylor.state[:4].copy()
+    return ends
+
+
+def polhode_contenders(case):
+    import polhode as ph
+    orbit = ph.KeplerOrbit(ph.KeplerElements(
+        gm=1.0, pericentre=1.0 - case.eccentricity, eccentricity=case.eccentricity))
+    system = ph.System(ph.Body(*MOMENTS), terms=case.terms(ph, orbit))
+    start = ph.RotorState([1, 0, 0, 0], [i * w for i, w in zip(MOMENTS, RATES, strict=True)])
+
+    def run(method):
+        def once():
+            end = ph.integrate(ph.Problem(system, start, 0.0, STOP, method), [STOP], dense=False)
+            return 1, np.array(end.q[-1])
+        return once
+    methods = [("Adaptive", f"{t:g}", ph.Adaptive(t)) for t in (1e-11, 1e-13, 1e-15)]
+    methods += [("VariationOfConstants", f"{t:g}", ph.VariationOfConstants(t))
+                for t in (1e-11, 1e-13)]
+    if hasattr(ph, "Collocation"):
+        methods += [("Collocation", "default", ph.Collocation())]
+    return [Contender(f"polhode {who}", setting, run(method)) for who, setting, method in methods]
+
+
+def heyoka_contenders(heyoka, case):
+    start = np.array(equations.start(RATES, case.eccentricity))
+
+    def run(tolerance):
+        taylor = heyoka.taylor_adaptive(rates(heyoka, case), start.copy(), tol=tolerance)
+
+        def once():
+            taylor.time = 0.0
+            taylor.state[:] = start
+            taylor.propagate_until(STOP)
+            return 1, taylor.state[:4].copy()
+        return once
+    return [Contender("heyoka", f"{t:g}", run(t)) for t in (1e-11, 1e-13, 2.2e-16)]
+
+
+def measured(options, missing):
+    """Points of each case."""
+    try:
+        import heyoka
+    except ImportError:
+        missing("heyoka")
+        return {}
+    found = {}
+    for case in CASES:
+        ends = exact(heyoka, case)
+        contenders = polhode_contenders(case) + heyoka_contenders(heyoka, case)
+        found[case.name] = [
+            {"who": t.who, "setting": t.setting, "seconds": t.median, "repetitions": t.seconds,
+             "error": equations.angle(t.ends[0], ends["polhode" if t.who.startswith("polhode")
+                                                      else "peers"])}
+            for t in interleaved(contenders, options.repetitions)]
+    return found

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// polhode's free rotation through its public interface.
+#include <algorithm>
+#include <array>
+
+#include "contenders.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/free/sadov.hpp"
+
+namespace peers {
+namespace {
+
+using namespace polhode;
+
+RotorState state_of(const Start& s) { return {{}, {s.g[0], s.g[1], s.g[2]}}; }
+Body body_of(const Start& s) { return {s.I[0], s.I[1], s.I[2]}; }
+
+void write_row(const Start& start, const RotorState& s, double* out) {
+  out[0] = s.q.w;
+  out[1] = s.q.x;
+  out[2] = s.q.y;
+  out[3] = s.q.z;
+  out[4] = s.g.x / start.I[0];
+  out[5] = s.g.y / start.I[1];
+  out[6] = s.g.z / start.I[2];
+}
+
+template <bool short_arc>
+FreeRotation prepared(const Start& s) {
+  if constexpr (short_arc) return FreeRotation::short_arc(body_of(s), state_of(s));
+  return FreeRotation(body_of(s), state_of(s));
+}
+
+template <bool short_arc>
+class Polhode : public Motion {
+ public:
+  explicit Polhode(const Start& s) : start_(s), motion_(prepared<short_arc>(s)) {}
+  void rows(std::span<const double> t, double* out) const override {
+    for (const double x : t) {
+      write_row(start_, motion_.at(x), out);
+      out += 7;
+    }
+  }
+
+ private:
+  Start start_;
+  FreeRotation motion_;
+};
+
+// Where FreeRotation takes many times at once.
+template <class F>
+concept Lanes =
+    requires(const F& f, std::span<const double> t, std::span<RotorState> s) { f.at(t, s); };
+
+template <class F>
+class InLanes : public Motion {
+ public:
+  explicit InLanes(const Start& s) : start_(s), motion_(body_of(s), state_of(s)) {}
+  void rows(std::span<const double> t, double* out) const override {
+    std::array<RotorState, 256> states;
+    for (std::size_t done = 0; done < t.size(); done += states.size()) {
+      const auto some = t.subspan(done, std::min<std::size_t>(states.size(), t.size() - done));
+      const std::span<RotorState> found = std::span(states).first(some.size());
+      if constexpr (Lanes<F>) motion_.at(some, found);
+      for (const RotorState& s : found) {
+        write_row(start_, s, out);
+        out += 7;
+      }
+    }
+  }
+
+ private:
+  Start start_;
+  F motion_;
+};
+
+template <bool short_arc>
+std::unique_ptr<Motion> make(const Start& s) {
+  return std::make_unique<Polhode<short_arc>>(s);
+}
+
+template <bool short_arc>
+double fresh(std::span<const Start> starts, double t) {
+  double sum = 0.0;
+  for (const Start& s : starts) sum += prepared<short_arc>(s).at(t).q.w;
+  return sum;
+}
+
+template <bool short_arc>
+double action(const Start& s) {
+  const SadovState found = to_sadov(prepared<short_arc>(s), 0.0);
+  asm volatile("" : : "m"(found));
+  return found.I_l / found.I_g;
+}
+
+}  // namespace
+
+Maker polhode_maker() { return {"polhode FreeRotation", make<false>, fresh<false>, action<false>}; }
+Maker polhode_lanes_maker() {
+  const char* const who = "polhode FreeRotation, many times at once";
+  if constexpr (!Lanes<FreeRotation>) return {who, nullptr, nullptr};
+  return {who,
+          [](const Start& s) -> std::unique_ptr<Motion> {
+            return std::make_unique<InLanes<FreeRotation>>(s);
+          },
+          fresh<false>};
+}
+Maker polhode_short_arc_maker() {
+  return {"polhode short_arc", make<true>, fresh<true>, action<true>};
+}
+
+}  // namespace peers
