@@ -132,7 +132,7 @@ def test_the_section_of_hyperion_has_curves_and_a_sea(run, root, tmp_path):
 @pytest.fixture
 def slow_map(scenario):
     """A map that is still running while a test looks at it, on any machine."""
-    path = scenario(time="stop = 500000\ncount = 2")
+    path = scenario(time="stop = 100000\ncount = 2")
     path.write_text(path.read_text() + MAP)
     return path
 
