@@ -3,13 +3,16 @@
 """clang-tidy on what differs from HEAD in library, command line and bindings (--all: on all)."""
 
 import concurrent.futures
+import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-BUILD = "build/release"
+BUILD = ROOT / "build/release"
+COMMANDS = BUILD / "tidy"
 
 
 def git(*arguments):
@@ -27,13 +30,29 @@ def sources(everything):
                    and n.endswith(".cpp") and (ROOT / n).exists()})
 
 
+def write_commands():
+    """The compile commands, with those of its sources in place of a joined one."""
+    apart = []
+    for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
+        file = pathlib.Path(entry["file"])
+        if file.parent == ROOT / "build/joined":
+            sources = re.findall(r'^#include "(.*\.cpp)"', file.read_text(encoding="utf-8"), re.M)
+            apart += [dict(entry, file=source, command=entry["command"].replace(str(file), source))
+                      for source in sources]
+        else:
+            apart.append(entry)
+    COMMANDS.mkdir(exist_ok=True)
+    (COMMANDS / "compile_commands.json").write_text(json.dumps(apart), encoding="utf-8")
+
+
 def tidy(name):
-    command = ["clang-tidy-16", "-p", BUILD, "--quiet", name]
+    command = ["clang-tidy-16", "-p", COMMANDS, "--quiet", name]
     run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
     return "" if run.returncode == 0 else run.stdout or run.stderr
 
 
 def main():
+    write_commands()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         reports = [report for report in pool.map(tidy, sources("--all" in sys.argv)) if report]
     print("".join(reports), end="")

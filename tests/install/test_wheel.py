@@ -46,9 +46,11 @@ def wheel(root, build, tmp_path_factory):
     is compiled twice by the same command."""
     folder = tmp_path_factory.mktemp("wheel")
     lend_objects(build, root / "build/wheel")
+    joined = "POLHODE_JOINED:BOOL=ON" in (build / "CMakeCache.txt").read_text(encoding="utf-8")
     done = subprocess.run(
         [sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir",
          folder, "--config-settings=cmake.define.POLHODE_WERROR=ON",
+         f"--config-settings=cmake.define.POLHODE_JOINED={'ON' if joined else 'OFF'}",
          f"--config-settings=build-dir={root}/build/wheel", root],
         env=dict(os.environ, CXX="c++"), text=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
