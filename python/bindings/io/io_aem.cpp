@@ -9,12 +9,12 @@
 namespace polhode::python {
 namespace {
 
-using SegmentSelf = nb::handle_t<AemSegment>;
+using AemSelf = nb::handle_t<AemSegment>;
 
 // A view onto the vectors of a segment; (0, ...) for none.
 template <class Item>
-FloatArray rows_of(SegmentSelf self, const std::vector<Item>& rows,
-                   std::initializer_list<std::size_t> inner) {
+FloatArray aem_rows(AemSelf self, const std::vector<Item>& rows,
+                    std::initializer_list<std::size_t> inner) {
   return view_of(reinterpret_cast<const double*>(rows.data()), rows.size(), sizeof(Item), inner,
                  self);
 }
@@ -37,20 +37,17 @@ omega is the angular velocity of frame_b relative to frame_a along the axes of f
       .def_ro("stop", &AemSegment::stop, "STOP_TIME.")
       .def_ro("epochs", &AemSegment::epochs, "The dates of the rows, as the file has them.")
       .def_prop_ro(
-          "t",
-          [](SegmentSelf self) { return rows_of(self, nb::cast<const AemSegment&>(self).t, {}); },
+          "t", [](AemSelf self) { return aem_rows(self, nb::cast<const AemSegment&>(self).t, {}); },
           "(N,): seconds from the first row of the file.")
       .def_prop_ro(
           "q",
-          [](SegmentSelf self) {
-            return rows_of(self, nb::cast<const AemSegment&>(self).q_AB, {4});
-          },
+          [](AemSelf self) { return aem_rows(self, nb::cast<const AemSegment&>(self).q_AB, {4}); },
           "(N, 4): frame_b to frame_a, scalar first.")
       .def_prop_ro(
-          "omega", [](SegmentSelf self) -> Typed<"numpy.typing.NDArray[numpy.float64] | None"> {
+          "omega", [](AemSelf self) -> Typed<"numpy.typing.NDArray[numpy.float64] | None"> {
             const AemSegment& segment = nb::cast<const AemSegment&>(self);
             if (segment.w_AB_B.empty()) return nb::none();
-            return rows_of(self, segment.w_AB_B, {3});
+            return aem_rows(self, segment.w_AB_B, {3});
           },
           "(N, 3): rad/s along frame_b; None where the file has none.")
       .def("__len__", [](const AemSegment& s) { return s.t.size(); })

@@ -166,7 +166,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   return result;
 }
 
-nb::object table_of(nb::handle_t<Map> self) {
+nb::object table_of_map(nb::handle_t<Map> self) {
   const Map& m = nb::cast<const Map&>(self);
   return view_of(m.rows.data(), m.rows.size() / m.width, m.width * sizeof(double), {m.width}, self);
 }
@@ -205,7 +205,7 @@ nb::list failures_of(const Map& m) {
 
 void bind_map(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<Map>(m, "_Map")
-      .def_prop_ro("table", table_of)
+      .def_prop_ro("table", table_of_map)
       .def_prop_ro("columns", column_list)
       .def_prop_ro("groups", group_names)
       .def_prop_ro("axes", [](const Map& of) { return of.axes; })

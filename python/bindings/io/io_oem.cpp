@@ -9,12 +9,12 @@
 namespace polhode::python {
 namespace {
 
-using SegmentSelf = nb::handle_t<OemSegment>;
+using OemSelf = nb::handle_t<OemSegment>;
 
 // A view onto the vectors of a segment.
 template <class Item>
-FloatArray rows_of(SegmentSelf self, const std::vector<Item>& rows,
-                   std::initializer_list<std::size_t> inner) {
+FloatArray oem_rows(OemSelf self, const std::vector<Item>& rows,
+                    std::initializer_list<std::size_t> inner) {
   return view_of(reinterpret_cast<const double*>(rows.data()), rows.size(), sizeof(Item), inner,
                  self);
 }
@@ -33,19 +33,18 @@ void bind_oem(nb::module_& m) {
       .def_ro("stop", &OemSegment::stop, "USEABLE_STOP_TIME, or else STOP_TIME.")
       .def_ro("epochs", &OemSegment::epochs, "The dates of the rows, as the file has them.")
       .def_prop_ro(
-          "t",
-          [](SegmentSelf self) { return rows_of(self, nb::cast<const OemSegment&>(self).t, {}); },
+          "t", [](OemSelf self) { return oem_rows(self, nb::cast<const OemSegment&>(self).t, {}); },
           "(N,): seconds from the first row of the file.")
       .def_prop_ro(
           "position",
-          [](SegmentSelf self) {
-            return rows_of(self, nb::cast<const OemSegment&>(self).position, {3});
+          [](OemSelf self) {
+            return oem_rows(self, nb::cast<const OemSegment&>(self).position, {3});
           },
           "(N, 3): km, from the centre to the object.")
       .def_prop_ro(
           "velocity",
-          [](SegmentSelf self) {
-            return rows_of(self, nb::cast<const OemSegment&>(self).velocity, {3});
+          [](OemSelf self) {
+            return oem_rows(self, nb::cast<const OemSegment&>(self).velocity, {3});
           },
           "(N, 3): km/s.")
       .def("__len__", [](const OemSegment& s) { return s.t.size(); })

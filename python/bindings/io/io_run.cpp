@@ -202,7 +202,7 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
       .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
       .def_prop_ro("complete", [](const Run& r) { return r.complete; });
-  m.def("_readable_paths", [] { return readable_paths(default_output_formats()); });
+  m.def("_readable_paths", [] { return python::readable_paths(default_output_formats()); });
   scenario
       .def("run", run_scenario, "outputs"_a, "events"_a.none(), "keep"_a, "resume"_a, "restart"_a,
            "progress"_a.none())

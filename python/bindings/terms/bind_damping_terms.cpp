@@ -95,7 +95,7 @@ std::vector<TorqueRow> rows_of(nb::handle times, nb::handle torques) {
   return rows;
 }
 
-void bind_table(nb::module_& m) {
+void bind_torque_table(nb::module_& m) {
   nb::enum_<TorqueTable::Between>(m, "Between", "What holds between two rows of a table.",
                                   nb::is_arithmetic())
       .value("step", TorqueTable::Between::step, "the row before")
@@ -134,7 +134,7 @@ pulse is stepped over. Splitting refuses it.)",
 void bind_damping_terms(nb::module_& m) {
   bind_material(m);
   bind_internal(m);
-  bind_table(m);
+  bind_torque_table(m);
 }
 
 }  // namespace polhode::python
