@@ -29,10 +29,13 @@ void add_info(CLI::App& app, const Kinds& kinds) {
   };
   CLI::App* command = app.add_subcommand("info", "Say what the body of a scenario does");
   const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input");
+  CLI::Option* const file =
+      command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input");
   add_set_option(*command, options->set);
-  command->add_flag("--json", options->json, "For programs: every digit");
-  command->add_flag("--cpu", options->cpu, "What of this processor is used, instead of a scenario");
+  CLI::Option* const json = command->add_flag("--json", options->json, "For programs: every digit");
+  command->add_flag("--cpu", options->cpu, "What of this processor is used, instead of a scenario")
+      ->excludes(file)
+      ->excludes(json);
   command->footer("Example:\n  " + full_name(*command) + " examples/toutatis.toml");
   command->callback([options, kinds] {
     if (options->cpu) return print(instruction_sets());

@@ -179,6 +179,16 @@ def test_a_span_of_a_long_run_shows_its_turns_and_says_so():
     assert figures.overview(long_run(20.0, 401))[2].get_xlabel() == "Time (h)"
 
 
+def test_a_span_of_a_run_back_in_time_counts_from_its_start():
+    t = np.linspace(0.0, -1000.0, 20001)
+    data = figures.RunData(t, MOTION.at(t), BODY, {"t": "h"})
+    _, angles, rates = figures.overview(data, span=30.0)
+    assert rates.get_xlim() == (0.0, -30.0)
+    assert rates.get_xlabel() == "Time (h): the first 30 of 1000"
+    assert rates.lines[0].get_xdata()[-1] <= -30.0
+    assert len(rates.lines[0].get_xdata()) > 500
+
+
 def test_rows_far_apart_are_points():
     sphere, angles, rates = figures.overview(long_run(1000.0, 101))
     for line in [*angles.lines, *rates.lines]:

@@ -252,6 +252,13 @@ def test_bands_of_wrapped_angles_reach_over_the_edge():
     assert_allclose(mean[np.isfinite(mean)], 170.0, atol=budgets.figure_mean * 80.0)
 
 
+def test_bands_of_angles_from_zero_to_a_turn_stay_there():
+    t = np.linspace(0.0, 1.0, 40001)
+    ax = panel_of(t, (20.0 * np.cos(2 * np.pi * 900 * t)) % 360.0, "deg")
+    ranges = sorted((o[:, 1].min(), o[:, 1].max()) for o in outlines(ax))
+    assert_allclose(ranges, [(0.0, 20.0), (340.0, 360.0)], atol=budgets.figure_mean * 80.0)
+
+
 @pytest.mark.parametrize("turns", [900.3, 39000.7, 123456.7])
 def test_an_angle_that_goes_round_says_so(turns):
     t = np.linspace(0.0, 1.0, 40001)

@@ -10,6 +10,11 @@ def test_it_says_what_it_uses_of_the_processor(run):
     assert len(lines) == 2
 
 
+def test_the_processor_is_not_asked_together_with_a_scenario(run):
+    result = run("info", "--cpu", "examples/apophis.toml", check=False)
+    assert result.returncode != 0 and "--cpu" in result.stderr
+
+
 def test_a_scenario_is_missed_where_nothing_else_is_asked_for(run):
     result = run("info", check=False)
     assert result.returncode != 0

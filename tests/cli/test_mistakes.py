@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""45 mistakes that users make in a scenario file or behind `polhode run`: each gives one line that
+"""48 mistakes that users make in a scenario file or behind `polhode run`: each gives one line that
 names the place or the option, the value and what is required, exit code 2, and nothing on the disk
 is written or lost. More, of the readers and of failed runs: test_bad_input.py; 30 in Python:
 python/tests/test_mistakes.py."""
@@ -55,6 +55,15 @@ IN_THE_FILE = {
     "a key above its table": (
         but("schema = 1", "schema = 1\nmoments = [1, 2, 2.5]"),
         "2:1: moments: unknown key; it belongs in [body]"),
+    "a key of the top in a table": (
+        but("[body]", "[body]\ntitle = \"Apophis\""),
+        "6:1: body.title: unknown key; it belongs at the top of the file, above all tables"),
+    "a table in a table": (
+        but("[body]", "[body]\nunits = { time = \"h\" }"),
+        "6:1: body.units: unknown key; it belongs in [units]"),
+    "a key of another kind of file": (
+        but("[body]", "[body]\nellipticity = 0.003"),
+        "6:1: body.ellipticity: unknown key; expected"),
     "two pairs of brackets": (
         but("[body]", "[[body]]"),
         "5:1: body: got [a table]; expected a table [body] with one of moments, tensor, shape with "
@@ -197,8 +206,8 @@ BEHIND_RUN = {
 }
 
 
-def test_there_are_45():
-    assert len(IN_THE_FILE) + len(BEHIND_RUN) == 45
+def test_there_are_48():
+    assert len(IN_THE_FILE) + len(BEHIND_RUN) == 48
 
 
 def refused(run, folder, scenario, arguments):

@@ -8,8 +8,8 @@
 //             many times are asked for.
 // Errors      DomainError for `states` that are not as many as the times, and for a set that this
 //             processor lacks.
-// Cost        docs/accuracy/free-rotation.md: some 6 ns a state with AVX-512, 15 ns with AVX2; no
-//             allocation. Below eight times that of evaluate.
+// Cost        docs/accuracy/benchmarks.md; no allocation. Fewer than eight times cost what evaluate
+//             does for each.
 #pragma once
 
 #include <span>

@@ -7,7 +7,7 @@ of time shows the range of its values, and a line their mean."""
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -105,6 +105,8 @@ class Band:
     high: Numbers
     mean: Numbers
     goes_round: bool = False
+    edge: float = 0.0
+    """Of a wrapped angle: where its range begins."""
 
 
 def band(t: Numbers, values: Numbers, count: int, turn: float | None = None) -> Band | None:
@@ -119,6 +121,14 @@ def band(t: Numbers, values: Numbers, count: int, turn: float | None = None) -> 
     bins = Bins.of(t, count)
     if turn is None:
         return of_swings(bins, values)
+    found = band_of_angle(bins, values, finite, count, turn)
+    begins = 0.0 if np.min(finite) >= 0.0 else -0.5 * turn
+    return None if found is None else replace(found, edge=begins)
+
+
+def band_of_angle(
+    bins: Bins, values: Numbers, finite: Numbers, count: int, turn: float
+) -> Band | None:
     along = np.full(values.size, np.nan)
     along[np.isfinite(values)] = np.unwrap(finite, period=turn)
     if np.nanquantile(np.abs(np.diff(along)), 0.9) > FAR_STEP * turn:
@@ -161,8 +171,7 @@ def wrapped(curve: Band, turn: float | None) -> tuple[Numbers, ...]:
     they reach into, with NaN between."""
     if turn is None or np.isnan(curve.low).all():
         return curve.t, curve.low, curve.high, curve.mean
-    least, largest = np.nanmin(curve.low), np.nanmax(curve.high)
-    edge = 0.0 if least >= 0.0 and largest <= turn else -0.5 * turn
+    least, largest, edge = np.nanmin(curve.low), np.nanmax(curve.high), curve.edge
     parts = []
     for k in range(int((least - edge) // turn), int((largest - edge) // turn) + 1):
         low, high, mean = (x - k * turn for x in (curve.low, curve.high, curve.mean))

@@ -48,25 +48,27 @@ def shown_rows(data: RunData, span: float | None) -> RunData:
     """The rows of the first `span` of the run; all where it is None."""
     if span is None:
         return data
-    end = min(data.t[0] + _number(span, "span"), data.t[-1])
+    elapsed = np.abs(data.t - data.t[0])  # a run may go back in time
     # one row more, so that lines reach the edge
-    last = min(int(np.searchsorted(data.t, end, side="right")) + 1, len(data.t))
+    last = min(int(np.searchsorted(elapsed, _number(span, "span"), side="right")) + 1, len(data.t))
     omega = None if data.omega is None else data.omega[:last]
     return replace(data, t=data.t[:last], states=data.states[:last], omega=omega)
 
 
 def shown_end(data: RunData, span: float | None) -> float:
     """Where the axes of time end: after `span`, or else with the run."""
-    return float(data.t[-1] if span is None else min(data.t[0] + _number(span, "span"), data.t[-1]))
+    whole = data.t[-1] - data.t[0]
+    shown = abs(whole) if span is None else min(_number(span, "span"), abs(whole))
+    return float(data.t[0] + np.copysign(shown, whole))
 
 
 def time_label(data: RunData, end: float) -> str:
     """Names the axis of time, and says so where it does not show the whole run."""
     unit = f" ({data.time_unit})" if data.time_unit else ""
-    if end >= data.t[-1]:
+    shown, whole = abs(end - data.t[0]), abs(data.t[-1] - data.t[0])
+    if shown >= whole:
         return f"Time{unit}"
-    first = float(f"{end - data.t[0]:.3g}")
-    return f"Time{unit}: the first {first:.6g} of {data.t[-1] - data.t[0]:.6g}"
+    return f"Time{unit}: the first {float(f'{shown:.3g}'):.6g} of {whole:.6g}"
 
 
 def look_of(data: RunData, k: int) -> dict[str, Any]:
@@ -120,8 +122,8 @@ def overview(
 
     A curve that would fill its panel, up and down more often than 1.5 times in four points of the
     paper, is shown by a band from its least to its largest value in each bin of time, with a line
-    of the mean; of an angle that turns so fast the legend says that it goes round. Rows too far
-    apart for lines are drawn as points.
+    of the mean; of an angle that turns so fast the legend says that it goes round. Other curves
+    whose rows are too far apart for lines are drawn as points.
 
     span: how much time the right panels show from the start, single turns of a long run, say; the
     label says so. None: the whole run.
@@ -155,7 +157,7 @@ def overview(
     draw_angles(angles, shown)
     draw_rates(rates, shown)
     for panel in (angles, rates):
-        panel.set_xlim(data.t[0], end if end > data.t[0] else None)
+        panel.set_xlim(data.t[0], end if end != data.t[0] else None)
     legends((angles, rates), handlelength=2.2)
     rates.set_xlabel(time_label(data, end))
     if data.title:

@@ -39,8 +39,9 @@ struct StrayKey {
   std::vector<const Key*> at = {};  // where keys of this name belong, in other tables
 };
 
-// Finds near and at.
-StrayKey stray_key(const Schema& schema, const KnownTable& table, StrayKey stray);
+// Finds near and at; `tables` are those that this kind of file may have at its top.
+StrayKey stray_key(const Schema& schema, const std::vector<std::string_view>& tables,
+                   const KnownTable& table, StrayKey stray);
 
 // The key of the table that leads to the place of a stray one, or that was meant; "" where none
 // is known.

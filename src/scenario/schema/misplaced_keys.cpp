@@ -37,18 +37,26 @@ std::string_view first_name(std::string_view path, std::string_view table) {
   return rest;
 }
 
+// Where a key of a table belongs; a table is at home under its own name.
+std::string home_of(const Key& key, bool is_section) {
+  const std::string_view table = key_table(key.path);
+  if (is_section || (table.empty() && key.type == KeyType::table)) return header(key.path);
+  return table.empty() ? "the top of the file, above all tables" : header(table);
+}
+
 std::string place(const StrayKey& stray) {
   std::string text;
   for (const Key* key : stray.at)
-    text +=
-        (text.empty() ? "" : " or ") + header(stray.is_section ? key->path : key_table(key->path));
+    text += (text.empty() ? "" : " or ") + home_of(*key, stray.is_section);
   return text;
 }
 
 // "unknown key; it belongs in [state.tumbler], as do rotation_period, pole".
 std::string belongs_in(const StrayKey& stray, const std::vector<std::string_view>& others) {
   if (stray.is_section) return "unknown table; did you mean " + place(stray) + "?";
-  std::string text = "unknown key; it belongs in " + place(stray);
+  const bool is_top = key_table(stray.at[0]->path).empty() && stray.at[0]->type != KeyType::table;
+  std::string text =
+      std::string("unknown key; it belongs ") + (is_top ? "at " : "in ") + place(stray);
   for (std::size_t i = 0; i < others.size(); ++i)
     text += (i > 0               ? ", "
              : others.size() > 1 ? ", as do "
@@ -80,7 +88,8 @@ KnownTable known_table(std::string_view pattern, std::string_view kind,
   return table;
 }
 
-StrayKey stray_key(const Schema& schema, const KnownTable& table, StrayKey stray) {
+StrayKey stray_key(const Schema& schema, const std::vector<std::string_view>& tables,
+                   const KnownTable& table, StrayKey stray) {
   const std::string_view name = stray.name;
   stray.near = nearest(name, table.kind.empty() ? table.all : table.keys);
   if (!stray.near.empty()) return stray;
@@ -92,11 +101,15 @@ StrayKey stray_key(const Schema& schema, const KnownTable& table, StrayKey stray
     const auto same = [&](const Key* other) { return other->path == key.path; };
     if (std::none_of(found.begin(), found.end(), same)) found.push_back(&key);
   }
-  // a table that this kind of file does not have
+  // tables that this kind of file, or this table, does not have
+  const auto lacks = [](const std::vector<std::string_view>& names, std::string_view one) {
+    return std::find(names.begin(), names.end(), one) == names.end();
+  };
   std::erase_if(below, [&](const Key* key) {
-    const std::string_view first = first_name(key->path, table.pattern);
-    return std::find(table.keys.begin(), table.keys.end(), first) == table.keys.end();
+    return lacks(table.keys, first_name(key->path, table.pattern));
   });
+  std::erase_if(elsewhere,
+                [&](const Key* key) { return lacks(tables, first_name(key->path, "")); });
   stray.at = below.empty() && !table.pattern.empty() ? elsewhere : below;
   if (stray.at.size() > most_places) stray.at.clear();
   return stray;
