@@ -76,3 +76,24 @@ def test_pericentres_are_tabulated_as_well(tmp_path, turns):
 def test_too_many_turns_are_refused(tmp_path, turns, what):
     with pytest.raises(ValueError, match=what):
         elements(tmp_path, 0.6, 5, 100, 50, 180, "", stop=turns * YEAR)
+
+
+def test_the_mean_longitude_is_along_the_axes_of_the_file(tmp_path):
+    at = (0.1, 40, 100, 50, -120)
+    t = np.linspace(0, 300, 31)
+    axes = "equator-J2000"
+    one = elements(tmp_path, *at, f'axes = "{axes}"\n', axes=axes)
+    assert largest_difference(one, kepler(tmp_path, *at, axes=axes), t) < budgets.elements_rows
+    # tilted by 30 degrees about the line of nodes
+    c, s = np.cos(np.pi / 12), np.sin(np.pi / 12)
+    one = elements(tmp_path, 0.1, 40, 0, 50, -120, f"attitude = [{c}, {s}, 0, 0]\n")
+    other = kepler(tmp_path, 0.1, 70, 0, 50, -120)
+    assert largest_difference(one, other, t) < budgets.elements_rows
+    # a quarter of a turn about axis 3
+    one = elements(tmp_path, *at, f"attitude = [{np.sqrt(0.5)}, 0, 0, {np.sqrt(0.5)}]\n")
+    other = kepler(tmp_path, 0.1, 40, 190, 50, -120)
+    assert largest_difference(one, other, t) < budgets.elements_rows
+    # a circle has no pericentre
+    one = elements(tmp_path, 0, 40, 100, 50, -120, f'axes = "{axes}"\n', axes=axes)
+    other = kepler(tmp_path, 0, 40, 100, 50, -120, axes=axes)
+    assert largest_difference(one, other, t) < budgets.elements_rows

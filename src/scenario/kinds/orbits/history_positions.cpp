@@ -86,6 +86,14 @@ void require_cover(const OrbitContext& at, std::string_view key, const OrbitHist
                      " (t = 0 is part of it)");
 }
 
+// Of the origin of longitudes in the plane of t = 0, where `from_file` turned the elements.
+double shift_of_origin(const OrbitHistory& elements, const Quaternion& from_file) {
+  const OrbitElements now = elements.at(0.0), in_file = turned(now, conj(from_file));
+  const Vec3 own = rotate(equinoctial_attitude(in_file), Vec3{1.0, 0.0, 0.0});
+  const Vec3 x = rotate(conj(equinoctial_attitude(now)), rotate(from_file, own));
+  return std::atan2(x.y, x.x);
+}
+
 // One row is no table.
 TimeSpan lengthened(TimeSpan span, const HistoryOrbit& orbit) {
   if (span.first != span.last) return span;
@@ -123,7 +131,7 @@ PositionTable dense_enough(const OrbitContext& at, std::string_view key, const H
 }  // namespace
 
 ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
-                           const ScenarioHistory& history) {
+                           const ScenarioHistory& history, const Quaternion& from_file) {
   for (const char* needed : {"gm", "semi_major_axis"})
     if (!at.has(needed))
       at.refuse(key, std::string("expected keys gm and semi_major_axis as well, since a rotation "
@@ -141,7 +149,7 @@ ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
   const double gm = *at.gm();
   const HistoryOrbit orbit = at.built("semi_major_axis", [&] {
     return HistoryOrbit(history.elements, gm, at.number("semi_major_axis"),
-                        at.number("mean_longitude"));
+                        at.number("mean_longitude") + shift_of_origin(history.elements, from_file));
   });
   PositionTable table = dense_enough(at, key, orbit, lengthened(*span, orbit));
   for (Vec3& x : table.positions) x = in_other_axes(x, axes, of_state);
