@@ -131,6 +131,14 @@ def test_far_years_have_their_error(said, year, note):
         assert (note or "") in text["orbit_sun"]
 
 
+def test_far_years_of_a_near_planet_have_the_error_of_its_nearest(said):
+    """Mars in a run of two years: at the opposition some 4 times what the Sun would see."""
+    head = HEAD.replace("2000-06-28T00:00:00 UTC", "2650-01-01 TT")
+    mars = EPHEMERIS.replace('"sun"\nc', '"mars"\nc')
+    text = said(head + mars + "[time]\nstop = 800\nstep = 100\n")["orbit_sun"]
+    assert 60 < float(text.rpartition("up to some ")[2].partition(" arcsec")[0]) < 180
+
+
 ELEMENTS = """[orbit.sun]
 kind = "elements"
 file = "e.csv"
