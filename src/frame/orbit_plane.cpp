@@ -121,6 +121,7 @@ Frame orbit_plane_frame(const TurnedKeplerOrbit& turned, PlaneOrigin origin) {
 }
 
 Frame orbit_plane_frame(const TableOrbit& orbit, PlaneOrigin origin) {
+  detail::require_curved(orbit);
   const PlaneOfTable plane(orbit);
   if (origin == PlaneOrigin::shortest_turn) return by_turn(plane);
   const auto node = [&](double t) { return node_of(plane.normal(t)); };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "polhode/error.hpp"
 #include "polhode/frame/local_vertical.hpp"
 #include "worst.hpp"
 
@@ -149,6 +150,14 @@ TEST(OrbitPlane, OfATurnedOrbitKeepsItsSign) {
           const TurnedKeplerOrbit orbit(PrecessingKeplerOrbit(tilted(inclination), moving), angle);
           expect_one_sign(orbit_plane_frame(orbit), step);
         }
+}
+
+TEST(OrbitPlane, StraightLinesHaveNoFrame) {
+  const PositionTable rows{{0.0, 1.0, 2.0}, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {}};
+  const TableOrbit lines(rows, 2);
+  for (const PlaneOrigin origin : origins)
+    EXPECT_THROW(orbit_plane_frame(lines, origin), DomainError);
+  EXPECT_THROW(local_vertical_frame(lines), DomainError);
 }
 
 // Orbits in inertial axes 1 and 2, either way round, and next to them, too.

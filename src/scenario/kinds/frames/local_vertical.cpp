@@ -25,9 +25,11 @@ constexpr std::array keys = {
 
 MadeFrame made(const Arguments&, const FrameContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  require_curved(orbit, at);
-  return {std::visit([](const auto& motion) { return local_vertical_frame(motion); }, orbit.motion),
-          "local vertical of orbit " + orbit.name};
+  return at.built("orbit", [&] {
+    return MadeFrame{
+        std::visit([&](const auto& motion) { return local_vertical_frame(motion); }, orbit.motion),
+        "local vertical of orbit " + orbit.name};
+  });
 }
 
 }  // namespace
