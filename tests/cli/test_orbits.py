@@ -74,6 +74,15 @@ def test_an_eccentricity_that_leaves_the_ellipse_is_refused_with_the_date(said, 
     assert what in text and text.count("\n") == 1 and "eccentricity_rate" in text
 
 
+def test_an_orbit_that_sinks_into_its_body_gets_a_note(said):
+    """6000 km at the end, 7200 km at the epoch; of 8000 km the axis."""
+    rate = 'eccentricity_rate = "0.03 1/d"\n'
+    note = said(HEAD + KEPLER + rate + TIME)["orbit_sun_note"]
+    assert "6000 km from the centre, is inside the Earth (6371 km)" in note
+    assert "orbit_sun_note" not in said(HEAD + KEPLER + rate + "[time]\nstop = 2\nstep = 1\n")
+    assert "orbit_sun_note" not in said(HEAD + KEPLER + TIME)
+
+
 def test_a_hyperbola_keeps_its_eccentricity(said):
     text = HEAD + KEPLER.replace("semi_major_axis", "pericentre").replace("= 0.1", "= 1.1") + TIME
     assert "expected 0 for a hyperbola" in said(text.replace(
