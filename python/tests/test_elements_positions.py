@@ -55,8 +55,8 @@ def elements(tmp_path, e, i, node, argument, M, more, axes="ecliptic-J2000", sto
 
 
 def largest_difference(one, other, t):
-    return max(np.linalg.norm(np.subtract(one.position(x), other.position(x))) /
-               np.linalg.norm(other.position(x)) for x in t)
+    there = other.position(t)
+    return np.max(np.linalg.norm(one.position(t) - there, axis=1) / np.linalg.norm(there, axis=1))
 
 
 # Whole turns from the apocentre: probes at even steps all miss the pericentres.
