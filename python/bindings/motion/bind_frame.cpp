@@ -199,7 +199,8 @@ orbit : KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit: the plane of thei
 axis_1 : "node", or "shortest-turn": x is where the shortest turn to the plane brings inertial x,
     for planes next to that of inertial axes 1 and 2, whose node runs.
 
-mu_S is the derivative of the attitude. ValueError for other words and tables of straight lines.)")
+Frame.orbit_plane makes it of node and inclination. mu_S is the derivative
+of the attitude. ValueError for other words and tables of straight lines.)")
       .def_static("from_attitude", from_attitude, "q_IS"_a,
                   "Any attitude: a function of time that returns the quaternion (w, x, y, z), S to "
                   "inertial, of any length, made of the Dual that it is called with.");

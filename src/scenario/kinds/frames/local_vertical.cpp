@@ -37,10 +37,9 @@ MadeFrame made(const Arguments&, const FrameContext& at) {
 FrameKind local_vertical_kind() {
   return frame_kind<Arguments>("local-vertical",
                                "The local vertical, local horizontal of an orbit (LVLH): axis 3 "
-                               "points to the centre, axis 2 "
-                               "against the normal of the orbit, axis 1 completes them, towards "
-                               "the motion. The columns roll, "
-                               "pitch and yaw are the angles about axes 1, 2 and 3.",
+                               "points to the centre, axis 2 against the normal of the orbit, axis "
+                               "1 completes them, towards the motion. The columns roll, pitch and "
+                               "yaw are the angles about axes 1, 2 and 3.",
                                keys, made);
 }
 
