@@ -34,7 +34,7 @@ inline constexpr double ephemeris_far_moon_km = 45.0;
 // Of Mars at its nearest, times that seen from the Sun: the Earth's own is 0.002 of it.
 inline constexpr double ephemeris_error_growth = 0.01;
 inline constexpr double ephemeris_error_margin = 1.1;  // what is said over what was measured
-inline constexpr double sgp4_km = 2e-8;  // its verification run prints 1e-8
+inline constexpr double sgp4_km = 2e-8;                // its verification run prints 1e-8
 inline constexpr double sgp4_km_s = 2e-9;
 inline constexpr double sgp4_slope = 2e-3;             // km/s
 inline constexpr double sgp4_plain_difference = 5e-7;  // km/s, of a second
