@@ -19,7 +19,7 @@ example:
       --out iss.csv
 """
 _OLD = 30.0  # days
-_MOST_ROWS = 5_000_000
+_MOST_ROWS = 200_000  # some 15 s, and 100 MB
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -114,7 +114,8 @@ def _chosen(
     """Of several elements of one satellite those that are nearest to the interval."""
     if asked.satellite is not None:
         wanted = asked.satellite.strip().upper()
-        named = [s for s in found if wanted in (s.name.upper(), _number(s))]
+        number = wanted.lstrip("0")
+        named = [s for s in found if wanted == s.name.upper() or number == _number(s)]
         if not named:
             raise ValueError(f"{asked.elements}: no satellite is {asked.satellite}; there are "
                              f"{_listed(found)}")  # fmt: skip
@@ -126,12 +127,18 @@ def _chosen(
 
 
 def _number(satellite: satellites.Satellite) -> str:
-    return str(satellite.elements.satnum)
+    return str(satellite.elements.satnum).lstrip("0")
 
 
 def _listed(found: list[satellites.Satellite]) -> str:
+    """Their names; of several of one name the numbers."""
     most = 8
-    names = list(dict.fromkeys(one.name for one in found))
+    numbers: dict[str, set[str]] = {}
+    for one in found:
+        numbers.setdefault(one.name, set()).add(_number(one))
+    names = list(dict.fromkeys(
+        one.name if len(numbers[one.name]) == 1 else f"{_number(one)} ({one.name})"
+        for one in found))  # fmt: skip
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 

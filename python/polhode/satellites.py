@@ -48,7 +48,7 @@ __all__ = [
 ]
 
 # s. The spacing is the longest of these that leaves so many rows in a turn at the rate of the
-# perigee: order 12 then leaves less than a millimetre.
+# perigee: order 12 then leaves less than a centimetre.
 _SPACINGS = (10.0, 15.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0)
 _ROWS_A_TURN = 80
 _LEAST_ROWS = 12

@@ -84,14 +84,18 @@ def write_ck(
 def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
     """Seconds past J2000 (TDB), as SPICE counts time, of `seconds` after an epoch of a scenario.
 
-    epoch : such as "2026-05-01T00:00:00 UTC", in UTC, TAI, TT or TDB.
+    epoch : such as "2026-05-01T00:00:00 UTC" or "2026-05-01T00:00:00Z", in UTC, TAI, TT or TDB.
     seconds : of any shape; of the scale of the epoch, UTC counts those of TT.
 
     With a leap-second kernel that the caller has furnished (spiceypy.furnsh) the answer is that of
     SPICE; without one leap seconds are those of ERFA, and TDB - TT is the formula that SPICE's
     kernels have. A UserWarning for a UTC epoch whose leap seconds ERFA's list does not know yet.
     """
+    if epoch.endswith("Z") and not epoch.startswith("JD "):
+        epoch = epoch[:-1] + " UTC"
     date, _, scale = epoch.rpartition(" ")
+    if scale in (*_SCALES, "UTC", "TDB"):
+        polhode.Date(epoch)  # refuses what is no date
     after = polhode._core._numbers(seconds, "seconds")
     if scale == "TDB":
         return _past_J2000(date) + after

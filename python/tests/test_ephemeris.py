@@ -49,6 +49,7 @@ def test_dates_are_texts_too():
         ("2013-02-30 UTC", "no such day in the calendar: day 30 must be from 1 to 28"),
         ("2013-13-01 UTC", "no such day in the calendar: month 13 must be from 1 to 12"),
         ("2013-01-05", "time scale is missing"),
+        ("JD 2456297.5Z", "is not a time scale"),
     ):
         with pytest.raises(ValueError, match=f'Date: got "{wrong}"; .*{what}'):
             polhode.Date(wrong)

@@ -300,13 +300,24 @@ OTHER = LINES.replace("00005U", "00006U").replace("4753", "4754").replace(
     (LINES, ["--from", "2000-06-29Z", "--to", "2000-06-28Z"], "--to 2000-06-28Z must be later"),
     (LINES, [*FROM_TO, "--step", "-1"], '--step: got "-1"; expected a time'),
     (LINES, [*FROM_TO, "--step", "1 km"], '--step: got "1 km"; expected a time'),
-    (LINES, [*FROM_TO, "--step", "1e-9"], "7.2e+12 rows; expected at most 5000000"),
+    (LINES, [*FROM_TO, "--step", "1e-9"], "7.2e+12 rows; expected at most 200000"),
+    (LINES, [*FROM_TO, "--step", "0.03"], "2.4e+05 rows; expected at most 200000"),
+    ("DEB\n" + LINES + "DEB\n" + OTHER, [], "a.tle: holds several satellites; expected --satellite "
+     "with one of 5 (DEB), 6 (DEB)"),
+    ("DEB\n" + LINES + "DEB\n" + OTHER, [*FROM_TO, "--satellite", "DEB"], "a.tle: holds several "
+     "satellites; expected --satellite with one of 5 (DEB), 6 (DEB)"),
 ])  # fmt: skip
 def test_the_command_says_in_one_line_what_is_wrong(command, text, words, what):
     status, out, err = command(text, *words)
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert err.startswith("python -m polhode.satellites: " + what), err
     assert not pathlib.Path("a.csv").exists()
+
+
+@pytest.mark.parametrize("number", ["6", "00006"])
+def test_a_number_tells_satellites_of_one_name_apart(command, number):
+    text = "DEB\n" + LINES + "DEB\n" + OTHER
+    assert command(text, *FROM_TO, "--satellite", number)[0] == 0
 
 
 def test_old_elements_are_taken_where_that_is_asked_for(command):

@@ -90,6 +90,8 @@ def test_time_scales_are_those_of_spice(tmp_path):
     assert_allclose(tt, utc, rtol=budgets.numpy_rounding)
     assert_allclose(tai, utc, rtol=budgets.numpy_rounding)
     assert list(tdb) == [0.0, 60.0]
+    z = polhode.spice.ephemeris_time("2029-04-13T21:46:00Z", [0.0, 60.0])
+    assert list(z) == list(utc)
 
 
 EPOCHS = ["2029-04-13T21:46:00 UTC", "2016-12-31T23:59:60 UTC", "2016-12-31T23:59:59 UTC",
@@ -126,6 +128,9 @@ def test_a_utc_epoch_whose_leap_seconds_are_not_known_yet_warns(tmp_path):
         polhode.spice.write_ck(scenario.run(), tmp_path / "a.bc")
     with pytest.raises(ValueError, match="calendar date for UTC"):
         polhode.spice.ephemeris_time("JD 2451545.0 UTC", 0.0)
+    for wrong in ("2026-02-30 TT", "JD x TDB", "2026-05-01", "JD 2461161.5Z"):
+        with pytest.raises(ValueError, match=f"got .*{wrong}"):
+            polhode.spice.ephemeris_time(wrong, 0.0)
     with pytest.raises(ValueError, match="in UTC, TAI, TT or TDB"):
         polhode.spice.ephemeris_time("2026-05-01 UT1", 0.0)
 

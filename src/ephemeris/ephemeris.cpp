@@ -51,6 +51,11 @@ const Entry& entry(Planetary body) { return entries[static_cast<std::size_t>(bod
   throw DomainError(std::string(function) + ": " + what);
 }
 
+void require_two(const char* function, Planetary target, Planetary centre) {
+  if (target == centre)
+    fail(function, "target and centre must not both be " + std::string(entry(target).name));
+}
+
 // From J2000.
 double centuries(const Date& tdb) { return ((tdb.day - 2451545.0) + tdb.fraction) / 36525.0; }
 
@@ -72,8 +77,7 @@ Vec3 earth_from_sun(const Date& tdb) {
   return km(heliocentric);
 }
 
-// TT and TDB are the same here: 2 ms
-// are 2 m.
+// TT and TDB are the same here: 2 ms are 2 m.
 Vec3 moon_from_earth(const Date& tdb) {
   Posvel pv{};
   eraMoon98(tdb.day, tdb.fraction, rows(pv));
@@ -181,23 +185,23 @@ double own_error(Planetary body, double T) {
 }  // namespace
 
 double planetary_error(Planetary target, Planetary centre, const Date& date) {
-  const double T = centuries(converted(date, TimeScale::TDB));
+  require_two("planetary_error", target, centre);
+  const Date tdb = converted(date, TimeScale::TDB);
+  const double T = centuries(tdb);
   if (!(std::fabs(T) <= 10.0)) return std::numeric_limits<double>::quiet_NaN();
-  // the Moon's place on its own orbit is 400 times smaller from the Sun
-  const bool near = is_moon_and_earth(target, centre) || is_moon_and_earth(centre, target);
-  if (near) return own_error(Planetary::moon, T);
-  const auto error = [&](Planetary body) {
-    constexpr double moon_share = 1.0 / 389.0;
-    if (body != Planetary::moon) return own_error(body, T);
-    return own_error(Planetary::earth, T) + moon_share * own_error(Planetary::moon, T);
+  if (is_moon_and_earth(target, centre) || is_moon_and_earth(centre, target))
+    return own_error(Planetary::moon, T);
+  // arcsec of a body's own distance make a length, whichever place it is seen from
+  const auto length = [&](Planetary body) {
+    if (body != Planetary::moon) return own_error(body, T) * norm(from_sun(body, tdb));
+    return own_error(Planetary::earth, T) * norm(earth_from_sun(tdb)) +
+           own_error(body, T) * norm(moon_from_earth(tdb));
   };
-  return error(target) + error(centre);
+  return (length(target) + length(centre)) / norm(position_at(target, centre, tdb));
 }
 
 Vec3 planetary_position(Planetary target, Planetary centre, const Date& date) {
-  if (target == centre)
-    fail("planetary_position",
-         "target and centre must not both be " + std::string(entry(target).name));
+  require_two("planetary_position", target, centre);
   return position_at(target, centre, converted(date, TimeScale::TDB));
 }
 

@@ -108,6 +108,7 @@ class VerticalOfTable {
 }  // namespace
 
 Frame local_vertical_frame(const TableOrbit& orbit) {
+  detail::require_curved(orbit);
   return Frame::from_attitude(VerticalOfTable(orbit));
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "frame/detail/orbit_normal.hpp"
+#include "frame/detail/turned_node.hpp"
 #include "frame/detail/whole_turns.hpp"
 
 namespace polhode {
@@ -62,11 +63,10 @@ T node_of(const BasicVec3<T>& n) {
 }
 
 // By the node of a normal: half its whole turns count, so that the quaternion keeps its sign.
-template <class Plane>
+template <class Plane, class Turns>
 class ByNode {
  public:
-  ByNode(Plane plane, detail::WholeTurns turns)
-      : plane_(std::move(plane)), turns_(std::move(turns)) {}
+  ByNode(Plane plane, Turns turns) : plane_(std::move(plane)), turns_(std::move(turns)) {}
 
   template <class T>
   BasicQuaternion<T> operator()(const T& t) const {
@@ -81,7 +81,7 @@ class ByNode {
 
  private:
   Plane plane_;
-  detail::WholeTurns turns_;
+  Turns turns_;
 };
 
 template <class Plane>
@@ -113,10 +113,15 @@ Frame orbit_plane_frame(const TurnedKeplerOrbit& turned, PlaneOrigin origin) {
   const PrecessingKeplerOrbit& orbit = turned.orbit();
   const PlaneOfElements plane(orbit.elements(), orbit.rates(), turned.angle());
   if (origin == PlaneOrigin::shortest_turn) return by_turn(plane);
-  return Frame::from_attitude(ByNode(plane, detail::WholeTurns()));
+  const KeplerElements& k = orbit.elements();
+  const detail::TurnedNode turns(
+      {k.epoch, k.node, orbit.rates().node, k.inclination, orbit.rates().inclination},
+      turned.angle());
+  return Frame::from_attitude(ByNode(plane, turns));
 }
 
 Frame orbit_plane_frame(const TableOrbit& orbit, PlaneOrigin origin) {
+  detail::require_curved(orbit);
   const PlaneOfTable plane(orbit);
   if (origin == PlaneOrigin::shortest_turn) return by_turn(plane);
   const auto node = [&](double t) { return node_of(plane.normal(t)); };

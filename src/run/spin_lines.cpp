@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -87,11 +88,24 @@ constexpr KnownBody known_bodies[] = {
 };
 constexpr double same_gm = 1e-3;  // relative
 
-void add_low_orbit(Lines& lines, const ScenarioOrbit& orbit, const Units& units) {
+// The least in a run, which begins at t = 0; the eccentricity changes evenly.
+double least_pericentre(const ScenarioOrbit& orbit, const std::optional<SaveAt>& rows) {
+  const KeplerElements& elements = *kepler_elements(orbit);
+  const auto* const moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
+  double least = elements.pericentre;
+  if (moving == nullptr || moving->rates().eccentricity == 0.0 || !rows) return least;
+  const double axis = elements.pericentre / (1.0 - elements.eccentricity);
+  for (const double t : {0.0, (*rows)[0], (*rows)[rows->size() - 1]})
+    least = std::min(least, axis * (1.0 - moving->eccentricity(t)));
+  return least;
+}
+
+void add_low_orbit(Lines& lines, const ScenarioOrbit& orbit, const std::optional<SaveAt>& rows,
+                   const Units& units) {
   const KeplerElements* const elements = kepler_elements(orbit);
   if (elements == nullptr || units.length() == "1") return;
   const Units of_bodies("s", "rad", "1", "km");
-  const double km = units.from_core(elements->pericentre, Dimension::length) *
+  const double km = units.from_core(least_pericentre(orbit, rows), Dimension::length) *
                     of_bodies.to_core(1.0, units.length(), Dimension::length);
   const double gm = units.from_core(elements->gm, Dimension::gm) *
                     of_bodies.to_core(1.0, units.label(Dimension::gm), Dimension::gm);
@@ -150,7 +164,8 @@ void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario
     lines.text("roll_pitch_yaw_note", "of roll, pitch and yaw",
                "they count from the inertial axes; [frame.local-vertical] makes them those of an "
                "orbit");
-  for (const ScenarioOrbit& orbit : rotation.orbits) add_low_orbit(lines, orbit, scenario.units());
+  for (const ScenarioOrbit& orbit : rotation.orbits)
+    add_low_orbit(lines, orbit, rotation.time, scenario.units());
 }
 
 }  // namespace detail

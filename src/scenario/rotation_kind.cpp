@@ -247,8 +247,7 @@ class RotationBuilder {
       if (kind != nullptr && !kind->made)
         refuse(at_.values, paths[i] + ".kind", at_.name,
                "expected a kind with positions, such as \"kepler\" or \"elements\": shipped orbits "
-               "are "
-               "for kind = \"obliquity\"");
+               "are for kind = \"obliquity\"");
       const bool kept =
           keeps({paths[i] + ".", "state.dut1"}) && (!base_->orbits[i].time || keeps({"time."}));
       made.orbits.push_back(kept ? base_->orbits[i] : OrbitUses{});

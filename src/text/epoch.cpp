@@ -125,7 +125,7 @@ bool is_dated(std::string_view text) {
 }
 
 std::string with_scale(std::string_view text) {
-  if (!is_dated(text) || !text.ends_with('Z')) return std::string(text);
+  if (!is_dated(text) || text.starts_with("JD ") || !text.ends_with('Z')) return std::string(text);
   return std::string(text.substr(0, text.size() - 1)) + " UTC";
 }
 

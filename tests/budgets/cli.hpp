@@ -57,6 +57,8 @@ inline constexpr double printed_pole = 1e-4;
 // Axes against those from position and velocity by hand; deg/s too.
 inline constexpr double local_vertical = 1e-12;
 inline constexpr double elements_run = 1e-9;  // rows 1e-10 of the distance between
+// Positions between rows, from the orbit of the same elements: relative, the tolerance of the rows.
+inline constexpr double elements_rows = 1.2e-10;
 // Libration of 1e-4 rad against the linear formula: relative.
 inline constexpr double small_libration = 1e-7;
 // 3-2-1 angles, deg.

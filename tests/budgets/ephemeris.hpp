@@ -31,7 +31,10 @@ inline constexpr double ephemeris_near_arcsec = 10.0;  // of the theory of the p
 inline constexpr double ephemeris_far_arcsec = 12.0;
 inline constexpr double ephemeris_far_earth_km = 300.0;  // along the line of sight: 247 and 42
 inline constexpr double ephemeris_far_moon_km = 45.0;
-inline constexpr double sgp4_km = 2e-8;  // its verification run prints 1e-8
+// Of Mars at its nearest, times that seen from the Sun: the Earth's own is 0.002 of it.
+inline constexpr double ephemeris_error_growth = 0.01;
+inline constexpr double ephemeris_error_margin = 1.1;  // what is said over what was measured
+inline constexpr double sgp4_km = 2e-8;                // its verification run prints 1e-8
 inline constexpr double sgp4_km_s = 2e-9;
 inline constexpr double sgp4_slope = 2e-3;             // km/s
 inline constexpr double sgp4_plain_difference = 5e-7;  // km/s, of a second

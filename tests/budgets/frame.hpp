@@ -21,7 +21,11 @@ inline constexpr double local_vertical_differences = 1e-6;
 inline constexpr double orbit_plane_axes = 5e-14;
 inline constexpr double orbit_plane_differences = 2e-11;  // rad/s
 inline constexpr double orbit_plane_table = 1e-11;
-inline constexpr double frame_slope = 1e-13;             // rad/s, of the Moon over 200 s
-inline constexpr double frame_of_date = 1e-8;            // of a table's second derivatives
 inline constexpr double orbit_plane_table_rate = 1e-12;  // rad/s
+
+// --- frames from Python (python/tests/test_frames.py) ---
+inline constexpr double frame_slope = 1e-13;  // rad/s, of the Moon over 200 s
+// One motion in two frames, of a table's second derivatives; rad/s of a rotation of 3e-5 rad/s.
+inline constexpr double frame_of_date = 1e-8;
+inline constexpr double frame_of_date_rate = 3e-13;
 }  // namespace polhode::budget

@@ -74,6 +74,15 @@ def test_an_eccentricity_that_leaves_the_ellipse_is_refused_with_the_date(said, 
     assert what in text and text.count("\n") == 1 and "eccentricity_rate" in text
 
 
+def test_an_orbit_that_sinks_into_its_body_gets_a_note(said):
+    """6000 km at the end, 7200 km at the epoch; of 8000 km the axis."""
+    rate = 'eccentricity_rate = "0.03 1/d"\n'
+    note = said(HEAD + KEPLER + rate + TIME)["orbit_sun_note"]
+    assert "6000 km from the centre, is inside the Earth (6371 km)" in note
+    assert "orbit_sun_note" not in said(HEAD + KEPLER + rate + "[time]\nstop = 2\nstep = 1\n")
+    assert "orbit_sun_note" not in said(HEAD + KEPLER + TIME)
+
+
 def test_a_hyperbola_keeps_its_eccentricity(said):
     text = HEAD + KEPLER.replace("semi_major_axis", "pericentre").replace("= 0.1", "= 1.1") + TIME
     assert "expected 0 for a hyperbola" in said(text.replace(
@@ -115,7 +124,7 @@ def test_a_frame_of_two_straight_lines_is_refused(said):
     table = ('[orbit.sun]\nkind = "table"\ntimes = [0, 5, 10]\nx = [1, 0, -1]\ny = [0, 1, 0]\n'
              "z = [0, 0, 0]\norder = 2\n")
     for frame in (PLANE, VERTICAL):
-        assert "expected a table of order 4 or more" in said(HEAD + table + frame + TIME)
+        assert "table of order 2; expected 4 or more" in said(HEAD + table + frame + TIME)
 
 
 @pytest.mark.parametrize(("year", "note"), [
@@ -129,6 +138,14 @@ def test_far_years_have_their_error(said, year, note):
     else:
         assert ("outside" in text["orbit_sun"]) == (note is not None)
         assert (note or "") in text["orbit_sun"]
+
+
+def test_far_years_of_a_near_planet_have_the_error_of_its_nearest(said):
+    """Mars in a run of two years: at the opposition some 4 times what the Sun would see."""
+    head = HEAD.replace("2000-06-28T00:00:00 UTC", "2650-01-01 TT")
+    mars = EPHEMERIS.replace('"sun"\nc', '"mars"\nc')
+    text = said(head + mars + "[time]\nstop = 800\nstep = 100\n")["orbit_sun"]
+    assert 60 < float(text.rpartition("up to some ")[2].partition(" arcsec")[0]) < 180
 
 
 ELEMENTS = """[orbit.sun]

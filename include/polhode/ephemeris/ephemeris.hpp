@@ -38,8 +38,9 @@ std::optional<Planetary> planetary(std::string_view name);
 double planetary_gm(Planetary body);
 
 // How far such a position may be off across the line of sight, arcsec: as its authors state in
-// the best years of a theory, as measured against DE406 in others. Seen from a distance as large as
-// that from the Sun (of the Moon, from the Earth); from nearer by it grows. NaN outside all years.
+// the best years of a theory, as measured against DE406 in others. Those are errors as seen from
+// the Sun (of the Moon, from the Earth); here at the distance of the date, from nearer by more
+// arcseconds. Errors along the radius, which are smaller, are left out. NaN outside all years.
 double planetary_error(Planetary target, Planetary centre, const Date& date);
 // The years that all theories of the two were compared for.
 struct PlanetaryYears {

@@ -13,8 +13,10 @@
 //             but 180 degrees, but keeps a small turn about the normal of its own.
 // Accuracy    that of the plane. mu is the derivative of q_IS by dual numbers: budget orbit_plane_*
 //             against differences. Of a table it takes the second derivative between rows.
-// Errors      none; NaN outside a table.
-// Cost        of a table some 2 us a time, of elements 0.2 us.
+// Errors      DomainError for a table of order 2, whose path has no curvature between rows; NaN
+//             outside a table.
+// Cost        of a table some 2 us a time, of elements 0.2 us. Making the frame of a table by its
+//             node walks all rows, 0.16 s for a million.
 #pragma once
 
 #include "polhode/frame/frame.hpp"

@@ -15,7 +15,10 @@
 //             hyperbola the eccentricity stays; NaN where it has left [0, 1). J2 of any sign,
 //             ellipses only, inclination against the equator of the body. mean_elements moves the
 //             axis alone, whose error would grow along the orbit; the other elements keep their
-//             short-period terms, and the orbit has none (docs/guide/orbits.md).
+//             short-period terms, and the orbit has none (docs/guide/orbits.md). time_scale is
+//             that of the pericentre at the epoch, which limits the steps of a run: where the
+//             eccentricity falls far from there, a run takes many times the steps it needs, and
+//             where it rises the limit is no help. Put the epoch where the run is.
 // Accuracy    budget kepler_*: all angles are formed and reduced in double-double. Rates and mean
 //             axis are of first order in J2: budget j2_*.
 // Errors      DomainError for elements out of the domain, rates that are not finite, a hyperbola

@@ -124,15 +124,7 @@ Frame frame_along(nb::handle orbit, const char* function, const Made& made) {
     return made(nb::cast<const PrecessingKeplerOrbit&>(orbit));
   if (nb::isinstance<TurnedKeplerOrbit>(orbit))
     return made(nb::cast<const TurnedKeplerOrbit&>(orbit));
-  if (nb::isinstance<TableOrbit>(orbit)) {
-    const auto& table = nb::cast<const TableOrbit&>(orbit);
-    if (table.order() < 4)
-      throw nb::value_error((std::string(function) + ": orbit: got a table of order " +
-                             std::to_string(table.order()) +
-                             "; expected 4 or more, for a path with a curvature")
-                                .c_str());
-    return made(table);
-  }
+  if (nb::isinstance<TableOrbit>(orbit)) return made(nb::cast<const TableOrbit&>(orbit));
   throw nb::type_error(
       (std::string(function) + ": orbit: got " + nb::cast<std::string>(nb::repr(orbit)) +
        "; expected a KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit or TableOrbit")
@@ -186,6 +178,8 @@ void def_makers(Class& c) {
 Omega, i : node and inclination (rad): floats, or functions of time, written with + - * / ** and
     NumPy's functions. They are called with a Dual, so that mu_S is their exact derivative.
 
+Frame.plane_of makes it of an orbit.
+
 >>> polhode.Frame.orbit_plane(lambda t: 0.3 - 1e-7 * t, 0.9))")
       .def_static("orbit_plane_pq", orbit_plane_pq, "p"_a, "q"_a,
                   "The same plane without a node, regular at i = 0: p = sin(i) sin(Omega), q = "
@@ -205,7 +199,8 @@ orbit : KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit: the plane of thei
 axis_1 : "node", or "shortest-turn": x is where the shortest turn to the plane brings inertial x,
     for planes next to that of inertial axes 1 and 2, whose node runs.
 
-mu_S is the derivative of the attitude. ValueError for other words and tables of straight lines.)")
+Frame.orbit_plane makes it of node and inclination. mu_S is the derivative
+of the attitude. ValueError for other words and tables of straight lines.)")
       .def_static("from_attitude", from_attitude, "q_IS"_a,
                   "Any attitude: a function of time that returns the quaternion (w, x, y, z), S to "
                   "inertial, of any length, made of the Dual that it is called with.");

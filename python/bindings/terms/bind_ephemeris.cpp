@@ -155,10 +155,10 @@ void bind_planets(nb::module_& m) {
         return planetary_error(body_of(target, "target"), body_of(centre, "centre"), date);
       },
       "target"_a, "centre"_a, "date"_a,
-      "How far such a position may be off across the line of sight, arcsec, seen from as far as "
-      "the "
-      "Sun is (of the Moon, as the Earth is): at most, in the best years of the theories, an "
-      "estimate in others (docs/guide/orbits.md). NaN outside 1000 to 3000.");
+      "How far such a position may be off across the line of sight, arcsec, at the distance of the "
+      "date: at most, in the best years of the theories, an estimate in others "
+      "(docs/guide/orbits.md). Errors along the radius from the Sun, which are smaller, are left "
+      "out. NaN outside 1000 to 3000; ValueError for a body seen from itself.");
   m.def(
       "planetary_orbit",
       [](OneOf<Planetary> target, OneOf<Planetary> centre, const Date& epoch, double first,

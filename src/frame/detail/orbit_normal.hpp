@@ -3,13 +3,23 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
+#include "polhode/error.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
+#include "polhode/orbit/table_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// The rate of a frame along a table takes the second derivative of its path.
+inline void require_curved(const TableOrbit& orbit) {
+  if (orbit.order() < 4)
+    throw DomainError("a frame along a table of order " + std::to_string(orbit.order()) +
+                      "; expected 4 or more, for a path with a curvature");
+}
 
 // Of position and velocity.
 template <class T>

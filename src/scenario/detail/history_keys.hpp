@@ -63,12 +63,12 @@ constexpr Key history_longitude_key = {
     .fallback = "0",
     .example = "0",
     .help =
-        "Of a rotation's orbit at t = 0: node plus argument plus mean anomaly, along "
-        "ecliptic-J2000 or the inertial axes of the elements."};
+        "Of a rotation's orbit at t = 0: node plus argument plus mean anomaly, along the axes of "
+        "the elements as they are in the file."};
 // The positions over the run, refused at `key`, with the keys gm, semi_major_axis, mean_longitude
-// and axes.
+// and axes. `from_file` turned the elements from the axes in which the longitude counts.
 ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
-                           const ScenarioHistory& history);
+                           const ScenarioHistory& history, const Quaternion& from_file = {});
 
 OrbitKind elements_kind();
 OrbitKind series_kind();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "polhode/error.hpp"
 #include "polhode/frame/local_vertical.hpp"
 #include "worst.hpp"
 
@@ -117,19 +118,46 @@ TEST(OrbitPlane, OfATableIsThatOfPositionAndVelocity) {
   }
 }
 
-TEST(OrbitPlane, KeepsItsSignFromTurnToTurn) {
-  const TableOrbit table = tabulated(PrecessingKeplerOrbit(elements, rates));
-  const Frame frames[] = {orbit_plane_frame(table), local_vertical_frame(table)};
-  for (const Frame& frame : frames) {
-    Quaternion before = frame.at(0.0).q_IS;
-    double worst = 1.0;
-    for (int k = 1; k <= 10000; ++k) {
-      const Quaternion q = frame.at(10.0 * k).q_IS;
-      worst = smaller(worst, q.w * before.w + q.x * before.x + q.y * before.y + q.z * before.z);
-      before = q;
-    }
-    EXPECT_GT(worst, 0.9);
+void expect_one_sign(const Frame& frame, double step) {
+  Quaternion before = frame.at(0.0).q_IS;
+  double worst = 1.0;
+  for (int k = 1; k <= 10000; ++k) {
+    const Quaternion q = frame.at(step * k).q_IS;
+    worst = smaller(worst, q.w * before.w + q.x * before.x + q.y * before.y + q.z * before.z);
+    before = q;
   }
+  EXPECT_GT(worst, 0.5);  // next to the pole of the axes the node runs
+}
+
+TEST(OrbitPlane, KeepsItsSignFromTurnToTurn) {
+  const PrecessingKeplerOrbit orbit(elements, rates);
+  const TableOrbit table = tabulated(orbit);
+  expect_one_sign(orbit_plane_frame(table), 10.0);
+  expect_one_sign(local_vertical_frame(table), 10.0);
+}
+
+// Tilted by less and by more than the inclination, forwards and backwards, and where the
+// inclination passes the tilt.
+TEST(OrbitPlane, OfATurnedOrbitKeepsItsSign) {
+  for (const double inclination : {0.9, 0.2, 0.35, 2.0, 2.65, 3.0})
+    for (const double angle : {obliquity_J2000, -obliquity_J2000, 2.2})
+      for (const double rate : {0.0, 1e-6, -1e-5, 5e-5})
+        for (const double step : {10.0, -10.0}) {
+          SCOPED_TRACE(testing::Message() << inclination << " " << angle << " " << rate);
+          SecularRates moving = rates;
+          moving.node = 3e-4;
+          moving.inclination = rate;
+          const TurnedKeplerOrbit orbit(PrecessingKeplerOrbit(tilted(inclination), moving), angle);
+          expect_one_sign(orbit_plane_frame(orbit), step);
+        }
+}
+
+TEST(OrbitPlane, StraightLinesHaveNoFrame) {
+  const PositionTable rows{{0.0, 1.0, 2.0}, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {}};
+  const TableOrbit lines(rows, 2);
+  for (const PlaneOrigin origin : origins)
+    EXPECT_THROW(orbit_plane_frame(lines, origin), DomainError);
+  EXPECT_THROW(local_vertical_frame(lines), DomainError);
 }
 
 // Orbits in inertial axes 1 and 2, either way round, and next to them, too.

@@ -25,9 +25,11 @@ constexpr std::array keys = {
 
 MadeFrame made(const Arguments&, const FrameContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  require_curved(orbit, at);
-  return {std::visit([](const auto& motion) { return local_vertical_frame(motion); }, orbit.motion),
-          "local vertical of orbit " + orbit.name};
+  return at.built("orbit", [&] {
+    return MadeFrame{
+        std::visit([&](const auto& motion) { return local_vertical_frame(motion); }, orbit.motion),
+        "local vertical of orbit " + orbit.name};
+  });
 }
 
 }  // namespace
@@ -35,10 +37,9 @@ MadeFrame made(const Arguments&, const FrameContext& at) {
 FrameKind local_vertical_kind() {
   return frame_kind<Arguments>("local-vertical",
                                "The local vertical, local horizontal of an orbit (LVLH): axis 3 "
-                               "points to the centre, axis 2 "
-                               "against the normal of the orbit, axis 1 completes them, towards "
-                               "the motion. The columns roll, "
-                               "pitch and yaw are the angles about axes 1, 2 and 3.",
+                               "points to the centre, axis 2 against the normal of the orbit, axis "
+                               "1 completes them, towards the motion. The columns roll, pitch and "
+                               "yaw are the angles about axes 1, 2 and 3.",
                                keys, made);
 }
 

@@ -32,10 +32,12 @@ constexpr std::array keys = {
 
 MadeFrame made(const Arguments& a, const FrameContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  require_curved(orbit, at);
-  return {std::visit([&](const auto& motion) { return orbit_plane_frame(motion, a.axis_1); },
-                     orbit.motion),
-          "plane of orbit " + orbit.name};
+  return at.built("orbit", [&] {
+    return MadeFrame{
+        std::visit([&](const auto& motion) { return orbit_plane_frame(motion, a.axis_1); },
+                   orbit.motion),
+        "plane of orbit " + orbit.name};
+  });
 }
 
 }  // namespace

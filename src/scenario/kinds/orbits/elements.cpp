@@ -159,18 +159,22 @@ void require_cadence(const DeclaredColumns& columns, const std::vector<double>& 
                       "table without gaps");
 }
 
-Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
-  const bool angles = are_elements(at, columns);
-  const double sign = at.choice("time_direction") == 1 ? -1.0 : 1.0;
+// From the axes of the file, where they are not those of the experiment.
+std::optional<Quaternion> axes_of_file(const OrbitContext& at) {
   std::optional<Quaternion> to_axes;
   if (at.word("axes") == "equator-J2000" || at.word("axes") == "invariable-plane")
     to_axes = ecliptic_from(at.word("axes"));
-  if (at.has("attitude")) {
-    const std::vector<double>& n = at.numbers("attitude");
-    const Quaternion own =
-        at.built("attitude", [&] { return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3)); });
-    to_axes = to_axes ? *to_axes * own : own;
-  }
+  if (!at.has("attitude")) return to_axes;
+  const std::vector<double>& n = at.numbers("attitude");
+  const Quaternion own =
+      at.built("attitude", [&] { return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3)); });
+  return to_axes ? *to_axes * own : own;
+}
+
+Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
+  const bool angles = are_elements(at, columns);
+  const double sign = at.choice("time_direction") == 1 ? -1.0 : 1.0;
+  const std::optional<Quaternion> to_axes = axes_of_file(at);
   Rows rows;
   for (std::size_t row = 0; row < columns.rows(); ++row) {
     rows.times.push_back(sign * columns.of(time)[row]);
@@ -207,7 +211,12 @@ OrbitKind elements_kind() {
           "Elements over ages, from a table: for kind obliquity, and with gm and semi_major_axis "
           "for rotations.",
       .keys = {std::begin(keys), std::end(keys)},
-      .made = [](const OrbitContext& at) { return positions_of(at, "file", elements_orbit(at)); },
+      .made =
+          [](const OrbitContext& at) {
+            const ScenarioHistory history = elements_orbit(at);
+            return positions_of(at, "file", history,
+                                axes_of_file(at).value_or(Quaternion{1.0, 0.0, 0.0, 0.0}));
+          },
       .history = elements_orbit};
 }
 

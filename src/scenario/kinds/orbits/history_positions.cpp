@@ -32,18 +32,49 @@ PositionTable tabulated(const HistoryOrbit& orbit, const TimeSpan& span, double 
   return table;
 }
 
-// In the middle between rows, all along.
-double misfit(const TableOrbit& table, const HistoryOrbit& orbit) {
-  constexpr std::size_t probes = 60;
-  const std::vector<double>& t = table.table().times;
-  double worst = 0.0;
-  for (std::size_t i = 0; i < probes; ++i) {
-    const std::size_t k = i * (t.size() - 2) / (probes - 1);
-    const double middle = 0.5 * (t[k] + t[k + 1]);
-    const Vec3 truth = orbit.position(middle);
-    worst = std::max(worst, norm(table.position(middle) - truth) / norm(truth));
+// Where it is largest in the span.
+struct LargestEccentricity {
+  double time;
+  double value;
+};
+LargestEccentricity largest_eccentricity(const OrbitHistory& elements, const TimeSpan& span) {
+  constexpr int looks = 4000;
+  LargestEccentricity largest{span.first, -1.0};
+  for (int i = 0; i <= looks; ++i) {
+    const double t = i == looks ? span.last : span.first + i * ((span.last - span.first) / looks);
+    const double e = eccentricity(elements.at(t));
+    if (e > largest.value) largest = {t, e};
   }
+  return largest;
+}
+
+// In the middle between rows, all along one turn: the first, the last, and that of the largest
+// eccentricity. The error is that of the pericentres, which probes at even steps may all miss.
+double misfit(const TableOrbit& table, const HistoryOrbit& orbit, double largest_at) {
+  const std::vector<double>& t = table.table().times;
+  const std::size_t intervals = t.size() - 1;
+  const double turns = (t.back() - t.front()) * orbit.mean_motion() / (2.0 * std::numbers::pi);
+  const auto of_turn = std::min(
+      intervals, static_cast<std::size_t>(std::ceil(static_cast<double>(intervals) / turns)));
+  const auto row =
+      static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), largest_at) - t.begin());
+  const std::size_t last = intervals - of_turn;
+  const std::size_t middle = std::min(row - std::min(row, of_turn / 2), last);
+  double worst = 0.0;
+  for (const std::size_t first : {std::size_t{0}, middle, last})
+    for (std::size_t k = first; k < first + of_turn; ++k) {
+      const double between = 0.5 * (t[k] + t[k + 1]);
+      const Vec3 truth = orbit.position(between);
+      worst = std::max(worst, norm(table.position(between) - truth) / norm(truth));
+    }
   return worst;
+}
+
+// To two digits, for messages.
+double rounded(double x) {
+  if (!(x > 0.0) || !std::isfinite(x)) return x;
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return std::round(x / unit) * unit;
 }
 
 void require_cover(const OrbitContext& at, std::string_view key, const OrbitHistory& history,
@@ -55,10 +86,52 @@ void require_cover(const OrbitContext& at, std::string_view key, const OrbitHist
                      " (t = 0 is part of it)");
 }
 
+// Of the origin of longitudes in the plane of t = 0, where `from_file` turned the elements.
+double shift_of_origin(const OrbitHistory& elements, const Quaternion& from_file) {
+  const OrbitElements now = elements.at(0.0), in_file = turned(now, conj(from_file));
+  const Vec3 own = rotate(equinoctial_attitude(in_file), Vec3{1.0, 0.0, 0.0});
+  const Vec3 x = rotate(conj(equinoctial_attitude(now)), rotate(from_file, own));
+  return std::atan2(x.y, x.x);
+}
+
+// One row is no table.
+TimeSpan lengthened(TimeSpan span, const HistoryOrbit& orbit) {
+  if (span.first != span.last) return span;
+  const double width = 0.1 / orbit.mean_motion();
+  if (span.last + width <= orbit.elements().last_time())
+    span.last += width;
+  else
+    span.first -= width;
+  return span;
+}
+
+// As few rows as the tolerance takes.
+PositionTable dense_enough(const OrbitContext& at, std::string_view key, const HistoryOrbit& orbit,
+                           const TimeSpan& span) {
+  const double turns = (span.last - span.first) * orbit.mean_motion() / (2.0 * std::numbers::pi);
+  const LargestEccentricity largest = largest_eccentricity(orbit.elements(), span);
+  const std::string what = number_text(std::round(turns)) + " turns in the run";
+  double rows = std::max(std::ceil(40.0 * turns), 24.0);
+  if (!(rows <= most_rows))
+    at.refuse(key, what + " are too many to tabulate, with " + number_text(rows) +
+                       " rows; expected at most " + number_text(most_rows));
+  for (;; rows = std::min(2.0 * rows, most_rows)) {
+    PositionTable table = tabulated(orbit, span, rows);
+    const double off = misfit(TableOrbit(table, order), orbit, largest.time);
+    if (off <= tolerance) return table;
+    if (!(rows < most_rows))
+      at.refuse(key,
+                what + ", with an eccentricity of up to " + number_text(rounded(largest.value)) +
+                    ", are too many to tabulate: " + number_text(most_rows) + " rows are off by " +
+                    number_text(rounded(off)) + " of the distance between them; expected at most " +
+                    number_text(tolerance));
+  }
+}
+
 }  // namespace
 
 ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
-                           const ScenarioHistory& history) {
+                           const ScenarioHistory& history, const Quaternion& from_file) {
   for (const char* needed : {"gm", "semi_major_axis"})
     if (!at.has(needed))
       at.refuse(key, std::string("expected keys gm and semi_major_axis as well, since a rotation "
@@ -69,37 +142,19 @@ ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
   if ((axes == "inertial") != (of_state == "inertial"))
     at.refuse("axes",
               "expected axes that have a known place in those of the state, which are " + of_state);
-  std::optional<TimeSpan> span = at.run_span();
+  const std::optional<TimeSpan> span = at.run_span();
   if (!span)
     at.refuse(key, "expected a table [time], since the positions are tabulated over the run");
   require_cover(at, key, history.elements, *span);
   const double gm = *at.gm();
   const HistoryOrbit orbit = at.built("semi_major_axis", [&] {
     return HistoryOrbit(history.elements, gm, at.number("semi_major_axis"),
-                        at.number("mean_longitude"));
+                        at.number("mean_longitude") + shift_of_origin(history.elements, from_file));
   });
-  if (span->first == span->last) {  // one row
-    const double width = 0.1 / orbit.mean_motion();
-    if (span->last + width <= history.elements.last_time())
-      span->last += width;
-    else
-      span->first -= width;
-  }
-  const double turns = (span->last - span->first) * orbit.mean_motion() / (2.0 * std::numbers::pi);
-  double rows = std::max(40.0 * turns, 24.0);
-  for (;; rows *= 2.0) {
-    rows = std::ceil(rows);
-    if (!(rows <= most_rows))
-      at.refuse(key, number_text(std::round(turns)) +
-                         " turns in the run are too many to tabulate, with " + number_text(rows) +
-                         " rows; expected at most " + number_text(most_rows));
-    PositionTable table = tabulated(orbit, *span, rows);
-    const TableOrbit own(table, order);
-    if (!(misfit(own, orbit) <= tolerance) && 2.0 * rows <= most_rows) continue;
-    for (Vec3& x : table.positions) x = in_other_axes(x, axes, of_state);
-    const double overhang = overhang_of(at, table.times, false);
-    return {{}, TableOrbit(std::move(table), order, overhang), gm, {}, history.text};
-  }
+  PositionTable table = dense_enough(at, key, orbit, lengthened(*span, orbit));
+  for (Vec3& x : table.positions) x = in_other_axes(x, axes, of_state);
+  const double overhang = overhang_of(at, table.times, false);
+  return {{}, TableOrbit(std::move(table), order, overhang), gm, {}, history.text};
 }
 
 }  // namespace detail
