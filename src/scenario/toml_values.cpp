@@ -75,7 +75,7 @@ class Reader {
   Diagnostics& diagnostics_;
   Values values_;
   Units units_;
-  std::vector<std::string_view> tables_;  // that this kind of file may have
+  std::vector<std::string_view> top_;  // the tables that this kind of file may have
   // What read_leaf is reading: messages name it.
   const Key* key_ = nullptr;
   std::string path_;
@@ -307,15 +307,14 @@ Unknown Reader::unknown_keys(const toml::table& table, std::string_view pattern,
                              const std::vector<const Key*>& known, const std::string& path) {
   Unknown unknown;
   const KnownTable own = known_table(pattern, kind_in(table, known), known);
-  if (pattern.empty()) tables_ = own.keys;
+  if (pattern.empty()) top_ = own.keys;
   if (own.knows("*")) return unknown;
   std::vector<StrayKey> strays;
   for (const auto& [name, node] : table) {
     if (own.knows(name.str())) continue;
     if (strays.size() > most_diagnostics) break;
-    const bool is_section = node.is_table() && !node.as_table()->is_inline();
-    strays.push_back(
-        stray_key(schema_, tables_, own, {name.str(), position(name.source()), is_section}));
+    const bool section = node.is_table() && !node.as_table()->is_inline();
+    strays.push_back(stray_key(schema_, top_, own, {name.str(), position(name.source()), section}));
     unknown.meant.push_back(leads_to(own, strays.back()));
   }
   unknown.any = !strays.empty();
