@@ -17,9 +17,9 @@ namespace {
 
 using detail::KeyPath;
 using detail::KeyStep;
-using detail::TableHeader;
 using detail::TextLines;
 using detail::TextSpan;
+using detail::TomlHeader;
 
 constexpr std::size_t shown = 100;  // characters of a value
 
@@ -156,7 +156,7 @@ class Edit {
 
   // Headers of tables below the path with all that follows them up to the next one.
   bool take_out_headers() {
-    const std::vector<TableHeader> headers = detail::table_headers(*file_, text_, *lines_);
+    const std::vector<TomlHeader> headers = detail::toml_headers(*file_, text_, *lines_);
     std::string text;
     std::size_t from = 0;
     for (std::size_t i = 0; i < headers.size(); ++i) {
@@ -223,7 +223,7 @@ class Edit {
 
   // Behind the last value that stands before all headers.
   std::size_t end_of_top() const {
-    const std::vector<TableHeader> headers = detail::table_headers(*file_, text_, *lines_);
+    const std::vector<TomlHeader> headers = detail::toml_headers(*file_, text_, *lines_);
     const std::size_t first = headers.empty() ? text_.size() : headers.front().begin;
     std::size_t end = 0;
     add_ends(*file_, first, end);

@@ -14,7 +14,7 @@ namespace {
 // Tables made by dots or by the header of one inside them begin where that does: the longest path
 // of a place is that of its header.
 void add_headers(const toml::node& node, const KeyPath& path, std::string_view text,
-                 const TextLines& lines, std::vector<TableHeader>& headers) {
+                 const TextLines& lines, std::vector<TomlHeader>& headers) {
   const auto add = [&](const toml::node& inner, KeyStep step) {
     if (!inner.is_table() && !inner.is_array()) return;
     KeyPath longer = path;
@@ -81,9 +81,9 @@ const toml::node* node_at(const toml::table& file, const KeyPath& path) {
   return node;
 }
 
-std::vector<TableHeader> table_headers(const toml::table& file, std::string_view text,
-                                       const TextLines& lines) {
-  std::vector<TableHeader> headers;
+std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view text,
+                                     const TextLines& lines) {
+  std::vector<TomlHeader> headers;
   add_headers(file, {}, text, lines, headers);
   std::stable_sort(headers.begin(), headers.end(), [](const auto& a, const auto& b) {
     return a.begin != b.begin ? a.begin < b.begin : a.path.size() > b.path.size();

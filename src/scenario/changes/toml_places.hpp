@@ -47,12 +47,12 @@ class TextLines {
 const toml::node* node_at(const toml::table& file, const KeyPath& path);
 
 // The headers [a.b] of tables, in the order of the text; with the path of each.
-struct TableHeader {
+struct TomlHeader {
   std::size_t begin;  // byte of its first bracket
   KeyPath path;
 };
-std::vector<TableHeader> table_headers(const toml::table& file, std::string_view text,
-                                       const TextLines& lines);
+std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view text,
+                                     const TextLines& lines);
 
 // What can be parsed, or nothing.
 std::optional<toml::table> parsed_toml(std::string_view text);
