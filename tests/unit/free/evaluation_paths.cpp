@@ -2,10 +2,6 @@
 // A state has the same bits whether or not the processor has FMA.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
-#include <cstdint>
-
 #include "free/detail/evaluated_without_fma.hpp"
 #include "unit/free/support.hpp"
 
@@ -19,15 +15,6 @@ bool two_paths_exist() {
 #else
   return false;
 #endif
-}
-
-// The bits, with one pattern for every NaN: its sign and payload mean nothing.
-std::array<std::uint64_t, 7> bits(const RotorState& s) {
-  std::array<std::uint64_t, 7> b{};
-  std::size_t i = 0;
-  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
-    b[i++] = std::bit_cast<std::uint64_t>(std::isnan(x) ? not_a_number : x);
-  return b;
 }
 
 void expect_same_bits(const FreeRotation& m, double t, const std::string& what) {

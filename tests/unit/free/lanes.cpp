@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -52,15 +50,6 @@ struct Arc {
 };
 
 Arc arc_of(const FreeCase& c) { return {c.moments, c.start, c.t0, c.t, description(c)}; }
-
-// The bits, with one pattern for every NaN: its sign and payload mean nothing.
-std::array<std::uint64_t, 7> bits(const RotorState& s) {
-  std::array<std::uint64_t, 7> b{};
-  std::size_t i = 0;
-  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
-    b[i++] = std::bit_cast<std::uint64_t>(std::isnan(x) ? not_a_number : x);
-  return b;
-}
 
 template <std::size_t N>
 BasicFreeKernel<Pack<N>> prepared(const Arc* arcs) {

@@ -5,10 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,15 +16,6 @@ namespace {
 
 using namespace free_test;
 using polhode::InstructionSet;
-
-// The bits, with one pattern for every NaN: its sign and payload mean nothing.
-std::array<std::uint64_t, 7> bits(const RotorState& s) {
-  std::array<std::uint64_t, 7> b{};
-  std::size_t i = 0;
-  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
-    b[i++] = std::bit_cast<std::uint64_t>(std::isnan(x) ? not_a_number : x);
-  return b;
-}
 
 void expect_scalar_bits(const FreeRotation& m, const std::vector<double>& times,
                         const std::string& what) {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -31,6 +34,15 @@ inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double pi = 3.141592653589793;
+
+// The bits, with one pattern for every NaN: its sign and payload mean nothing.
+inline std::array<std::uint64_t, 7> bits(const RotorState& s) {
+  std::array<std::uint64_t, 7> b{};
+  std::size_t i = 0;
+  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
+    b[i++] = std::bit_cast<std::uint64_t>(std::isnan(x) ? not_a_number : x);
+  return b;
+}
 
 struct NamedMotion {
   const char* name;
