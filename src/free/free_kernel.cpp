@@ -4,6 +4,7 @@
 
 #include "free/detail/evaluated_without_fma.hpp"
 #include "polhode/free/evaluate.hpp"
+#include "polhode/math/instruction_set.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -14,7 +15,7 @@ __attribute__((target("avx2,fma"))) RotorState evaluated_with_fma(const FreeKern
   return detail::state_at<detail::FmaArithmetic>(k, t);
 }
 bool processor_has_fma() {
-  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  static const bool has = supports(InstructionSet::avx2);
   return has;
 }
 #endif

@@ -9,13 +9,7 @@ namespace {
 
 using namespace free_test;
 
-bool two_paths_exist() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
-}
+bool two_paths_exist() { return polhode::supports(polhode::InstructionSet::avx2); }
 
 void expect_same_bits(const FreeRotation& m, double t, const std::string& what) {
   EXPECT_EQ(bits(m.at(t)), bits(polhode::detail::evaluated_without_fma(m.kernel(), t)))
