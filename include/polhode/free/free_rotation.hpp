@@ -22,12 +22,14 @@
 //             nanoseconds.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/free/detail/primed_arc_declared.hpp"
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/free/states_at.hpp"
+#include "polhode/free/states_on_grid.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
@@ -57,6 +59,11 @@ class FreeRotation {
   // times[i]. DomainError unless there are as many. More in states_at.hpp.
   void at(std::span<const double> times, std::span<RotorState> states) const {
     states_at(kernel_, times, states);
+  }
+  // The states at evenly spaced times, again several times as fast: states[i] is state first + i of
+  // the grid. Not the bits of at(t): states_on_grid.hpp.
+  void at(const TimeGrid& grid, std::span<RotorState> states, std::uint64_t first = 0) const {
+    states_on_grid(kernel_, grid, first, states);
   }
 
   // d(dtheta_B, dg_B)(t) / d(dtheta_B, dg_B)(t0): attitude changes in body axes, q -> q

@@ -62,6 +62,7 @@ struct Pack {
   using Doubles = typename Registers::Doubles;
   using Bits = typename Registers::Bits;
   using Mask = PackMask<isa>;
+  static constexpr InstructionSet set = isa;
   static constexpr std::size_t width = sizeof(Doubles) / sizeof(double);
 
   Doubles lanes;

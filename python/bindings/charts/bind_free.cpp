@@ -142,6 +142,22 @@ bool is_short_arc(const FreeRotation& f) {
   return !same_rates(f, FreeRotation(f.body(), f.initial_state(), f.epoch()));
 }
 
+Rotors states_of_grid(const FreeRotation& f, double start, double step, std::int64_t count,
+                      std::int64_t first) {
+  for (const auto& [name, value] : {std::pair("count", count), std::pair("first", first)})
+    if (value < 0)
+      throw nb::value_error((std::string("at_grid: got ") + name + " = " + std::to_string(value) +
+                             "; expected 0 or more")
+                                .c_str());
+  const auto n = static_cast<std::size_t>(count);
+  return Rotors::filled({n}, [&](RotorState* states) {
+    for_each_part(n, [&](std::size_t begin, std::size_t end) {
+      f.at(TimeGrid{start, step}, {states + begin, end - begin},
+           static_cast<std::uint64_t>(first) + begin);
+    });
+  });
+}
+
 void def_motion(nb::class_<FreeRotation>& c) {
   c.def(
        "__init__",
@@ -170,6 +186,19 @@ void def_motion(nb::class_<FreeRotation>& c) {
           "t"_a,
           "The exact state at time t: t of any shape, a RotorState of that shape. NaN in, NaN out. "
           "Many times in one call are several times as fast as one by one, with the same bits.")
+      .def("at_grid", states_of_grid, "start"_a, "step"_a, "count"_a, nb::kw_only(), "first"_a = 0,
+           R"(The states first, first + 1, ..., first + count - 1 of an even grid of times.
+
+Parameters
+----------
+start, step : state i of the grid is at the time start + i step, without rounding.
+count : how many, an int.
+first : the index to begin with, an int; the grid ends at 2**53.
+
+A RotorState of shape (count,), three times as fast as at() of as many times. The bits of a state
+depend on the grid and its index alone, not on first and count; they are not those of at(), from
+which they differ by rounding. NaN where a time is not finite. ValueError for a negative count or
+first. Without the GIL.)")
       .def(
           "state_transition",
           [](const FreeRotation& f, ArrayLike t) {

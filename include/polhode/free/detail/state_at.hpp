@@ -92,11 +92,12 @@ template <class Arithmetic, Number T>
           k.g0};
 }
 
+// The state so long after the epoch, in the kernel's units; NaN where t is not finite.
 template <class Arithmetic, Number T>
-[[gnu::always_inline]] inline BasicRotorState<T> state_at(const BasicFreeKernel<T>& k, const T& t) {
+[[gnu::always_inline]] inline BasicRotorState<T> state_after(const BasicFreeKernel<T>& k,
+                                                             const TwoTerms<T>& elapsed,
+                                                             const T& t) {
   const T zero(0.0);
-  const TwoTerms<T> since = Arithmetic::sum(t, T(-k.epoch));
-  const TwoTerms<T> elapsed{k.time_scale * since.hi, k.time_scale * since.lo};
   const TwoTerms<T> turn =
       bounded(phase_at<Arithmetic>(k.half_precession, elapsed, TwoTerms<T>{zero, zero}), t);
   if (all(k.steady)) return steady_state<Arithmetic>(k, turn);
@@ -104,6 +105,13 @@ template <class Arithmetic, Number T>
   if (!any(k.steady)) return series_state<Arithmetic>(k, elapsed, turn, t);
   return select(k.steady, steady_state<Arithmetic>(k, turn),
                 series_state<Arithmetic>(k, elapsed, turn, t));
+}
+
+template <class Arithmetic, Number T>
+[[gnu::always_inline]] inline BasicRotorState<T> state_at(const BasicFreeKernel<T>& k, const T& t) {
+  const TwoTerms<T> since = Arithmetic::sum(t, T(-k.epoch));
+  return state_after<Arithmetic>(k, TwoTerms<T>{k.time_scale * since.hi, k.time_scale * since.lo},
+                                 t);
 }
 
 }  // namespace detail

@@ -22,6 +22,25 @@ namespace detail {
 
 inline constexpr std::int64_t sign_bit = INT64_MIN;
 
+// Eight numbers past the caches into a line of memory (`to` a multiple of 64 bytes), where the
+// processor has such stores; order_streams() before anybody else reads them.
+[[gnu::always_inline]] inline void stream_line(const double* from, double* to) {
+#if defined(__AVX512F__)
+  _mm512_stream_pd(to, _mm512_loadu_pd(from));
+#elif defined(__AVX__)
+  for (int i = 0; i < 8; i += 4) _mm256_stream_pd(to + i, _mm256_loadu_pd(from + i));
+#elif defined(__SSE2__)
+  for (int i = 0; i < 8; i += 2) _mm_stream_pd(to + i, _mm_loadu_pd(from + i));
+#else
+  for (int i = 0; i < 8; ++i) to[i] = from[i];
+#endif
+}
+[[gnu::always_inline]] inline void order_streams() {
+#if defined(__SSE2__)
+  _mm_sfence();
+#endif
+}
+
 // Those of a set are there in sources that are compiled for it.
 template <InstructionSet isa>
 struct Registers;
