@@ -17,4 +17,8 @@ inline constexpr double wide_range = 4e-16;
 // --- angles beyond the 32-digit reduction (tests/unit/math) ---
 inline constexpr double large_angle = 2e-16;
 
+// --- functions of packs (tests/unit/math/pack_functions.cpp), in units in the last place ---
+inline constexpr double pack_sincos_ulp = 0.9;
+inline constexpr double pack_atan2_ulp = 0.6;
+
 }  // namespace polhode::budget

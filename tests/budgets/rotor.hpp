@@ -13,6 +13,8 @@ inline constexpr double body_axes = 1e-14;
 inline constexpr double float_matrix = 2e-7;
 // A few roundings: conversions at points where they are well conditioned.
 inline constexpr double chart_rounding = 3e-15;
+// Charts in lanes against one state at a time, in eps: angles, and what goes with |q| and |g|.
+inline constexpr double lane_charts_eps = 4.0;
 // Andoyer round trip of the hub where sin I, sin J > 0.09, relative.
 inline constexpr double andoyer_generic = 5e-14;
 // What L, G, H cannot hold: attitude and momentum within min(eps x this / J, andoyer_pole).

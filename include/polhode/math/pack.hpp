@@ -118,6 +118,11 @@ struct Pack {
   [[gnu::always_inline]] friend Pack abs(const Pack& x) {
     return Pack(std::bit_cast<Doubles>(x.bits() & ~detail::sign_bit));
   }
+  [[gnu::always_inline]] friend Mask signbit(const Pack& x) { return Mask(x.bits() < 0); }
+  // -x where the mask holds.
+  [[gnu::always_inline]] friend Pack negated(const Mask& mask, const Pack& x) {
+    return Pack(std::bit_cast<Doubles>(x.bits() ^ (mask.lanes & detail::sign_bit)));
+  }
   [[gnu::always_inline]] friend Pack sqrt(const Pack& x) { return Pack(Registers::sqrt(x.lanes)); }
   [[gnu::always_inline]] friend Pack rint(const Pack& x) { return Pack(Registers::rint(x.lanes)); }
   [[gnu::always_inline]] friend Pack floor(const Pack& x) {

@@ -53,24 +53,13 @@ BasicRotorState<T> to_rotor(const BasicAndoyerState<T>& s) {
   const Phasor<T> l = detail::phasor(T(T(0.5) * s.l));
   const Phasor<T> g = detail::phasor(T(T(0.5) * s.g));
   const Phasor<T> h = detail::phasor(T(T(0.5) * s.h));
-  const Phasor<T> a = (h * l) * (T(I.re * J.re) * g - T(I.im * J.im) * conj(g));
-  const Phasor<T> b = (h * conj(l)) * (T(I.re * J.im) * g + T(I.im * J.re) * conj(g));
-  const T transverse = T(2.0) * (s.G * J.re) * J.im;  // G sin J
-  const Phasor<T> twice_l = l * l;
-  const T L = detail::clamped(s.L, s.G);
-  return {detail::quaternion(detail::PhasorPair<T>{a, b}),
-          {transverse * twice_l.im, transverse * twice_l.re, L}};
+  return detail::rotor_of_phasors(J, I, l, g, h, s.L, s.G);
 }
 
 template <Number T = double>
 BasicAndoyerState<T> to_andoyer(const BasicRotorState<T>& s) {
-  const detail::InvariablePlane<T> p = detail::invariable_plane(s.q, s.g);
-  return {detail::argument(p.node_l),
-          detail::argument(detail::andoyer_node(p)),
-          detail::argument(p.node_h),
-          s.g.z,
-          p.G,
-          detail::axial_momentum(p.G, p.k_I.z, p.node_h)};
+  const detail::AndoyerPhasors<T> p = detail::andoyer_phasors(s);
+  return {detail::argument(p.l), detail::argument(p.g), detail::argument(p.h), p.L, p.G, p.H};
 }
 
 extern template RotorState to_rotor(const AndoyerState&);

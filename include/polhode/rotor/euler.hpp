@@ -69,41 +69,22 @@ EulerState euler_state(double phi, double theta, double psi, double Phi, double 
 
 template <Number T>
 BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
-  using detail::Phasor;
-  using std::abs;
-  const Phasor<T> theta = detail::phasor(T(T(0.5) * e.theta));
-  const Phasor<T> phi = detail::phasor(T(T(0.5) * e.phi));
-  const Phasor<T> psi = detail::phasor(T(T(0.5) * e.psi));
-  const T c = theta.re, s = theta.im;
-  // not Phi - Psi ctheta: its product rounds, these differences do not where they cancel
-  const auto by_difference = [&] {
-    return T(detail::quotient(T(e.Phi - e.Psi), T(T(2.0) * s * c)) + e.Psi * (s / c));
-  };
-  const auto by_sum = [&] {
-    return T(detail::quotient(T(e.Phi + e.Psi), T(T(2.0) * s * c)) - e.Psi * (c / s));
-  };
-  const T across = where(T(abs(s)) < T(abs(c)), by_difference, by_sum);
-  return {detail::quaternion(detail::PhasorPair<T>{c * (phi * psi), s * (phi * conj(psi))}),
-          detail::node_to_body(across, e.Theta, e.Psi, psi * psi)};
+  using detail::phasor;
+  return detail::rotor_of_euler(
+      detail::EulerPhasors<T>{phasor(T(T(0.5) * e.phi)), phasor(T(T(0.5) * e.theta)),
+                              phasor(T(T(0.5) * e.psi)), e.Phi, e.Theta, e.Psi});
 }
 
 template <Number T = double>
 BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
   using std::atan2;
-  const detail::EulerFrame<T> f = detail::euler_frame(state.q, state.g);
-  const BasicVec3<T>& g = state.g;
-  const T along = g.x * f.psi.re - g.y * f.psi.im;
-  const T across = g.x * f.psi.im + g.y * f.psi.re;
-  // not A stheta + Psi ctheta: near the poles Phi -+ Psi is what to_rotor needs
-  const T tilt = T(2.0) * f.s * f.c * across;
-  const T Phi = select(f.s < f.c, T(g.z + (tilt - T(2.0) * f.s * f.s * g.z)),
-                       T((tilt + T(2.0) * f.c * f.c * g.z) - g.z));
-  return {detail::argument(f.phi),
-          T(2.0) * T(atan2(f.s, f.c)),
-          detail::argument(f.psi),
-          Phi,
-          along,
-          g.z};
+  const detail::EulerPhasors<T> p = detail::euler_phasors(state);
+  return {detail::argument(p.phi),
+          T(2.0) * T(atan2(p.half_theta.im, p.half_theta.re)),
+          detail::argument(p.psi),
+          p.Phi,
+          p.Theta,
+          p.Psi};
 }
 
 template <Number T>

@@ -7,6 +7,7 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/many_states.hpp"
 #include "polhode/rotor/poincare.hpp"
 
 namespace polhode::python {
@@ -279,6 +280,18 @@ void bind_attitudes_with_rates(nb::module_& m) {
       "The same with the angular velocity in inertial components. [SA (8)]");
 }
 
+// Of arrays in the lanes of the processor, and one state in the same way: with the same bits.
+template <class S>
+void def_to_rotor_together(nb::module_& m) {
+  m.def(
+      "to_rotor",
+      [](const Batch<S>& states) {
+        return mapped_together<RotorState>(
+            states, [](std::span<const S> from, std::span<RotorState> to) { to_rotor(from, to); });
+      },
+      "state"_a, "The hub state of a canonical set; same shape.");
+}
+
 template <class S>
 void def_to_rotor(nb::module_& m) {
   m.def(
@@ -288,8 +301,8 @@ void def_to_rotor(nb::module_& m) {
 }
 
 void bind_conversions(nb::module_& m) {
-  def_to_rotor<EulerState>(m);
-  def_to_rotor<AndoyerState>(m);
+  def_to_rotor_together<EulerState>(m);
+  def_to_rotor_together<AndoyerState>(m);
   def_to_rotor<PoincareState>(m);
   m.def(
       "to_rotor",
@@ -300,7 +313,9 @@ void bind_conversions(nb::module_& m) {
   m.def(
       "to_euler",
       [](const Rotors& states) {
-        return mapped(states, [](const RotorState& s) { return to_euler(s); });
+        return mapped_together<EulerState>(
+            states,
+            [](std::span<const RotorState> from, std::span<EulerState> to) { to_euler(from, to); });
       },
       "state"_a, "Euler angles and momenta of hub states; same shape. [SA (25)-(27)]");
   m.def(
@@ -312,7 +327,10 @@ void bind_conversions(nb::module_& m) {
   m.def(
       "to_andoyer",
       [](const Rotors& states) {
-        return mapped(states, [](const RotorState& s) { return to_andoyer(s); });
+        return mapped_together<AndoyerState>(
+            states, [](std::span<const RotorState> from, std::span<AndoyerState> to) {
+              to_andoyer(from, to);
+            });
       },
       "state"_a, "Andoyer variables of hub states; same shape. [SA section 3.2]");
   m.def(

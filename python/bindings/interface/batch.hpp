@@ -4,9 +4,12 @@
 // conversion is a loop and a field is a strided NumPy view. Immutable; shares its memory.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -62,6 +65,25 @@ auto mapped(const Batch<S>& states, F f) {
   using To = std::decay_t<decltype(f(states[0]))>;
   return Batch<To>::filled(states.shape(), [&](To* out) {
     for_each(states.size(), [&](std::size_t k) { out[k] = f(states[k]); });
+  });
+}
+
+// f(states, results) of many states at a time, which lie side by side: a batch of the same shape.
+template <class To, class S, class F>
+Batch<To> mapped_together(const Batch<S>& states, F f) {
+  return Batch<To>::filled(states.shape(), [&](To* out) {
+    for_each_part(states.size(), [&](std::size_t begin, std::size_t end) {
+      if (states.stride() == sizeof(S)) {
+        f(std::span(&states[begin], end - begin), std::span(out + begin, end - begin));
+        return;
+      }
+      std::array<S, 256> some;
+      for (std::size_t done = begin; done < end; done += some.size()) {
+        const std::size_t count = std::min(some.size(), end - done);
+        for (std::size_t k = 0; k < count; ++k) some[k] = states[done + k];
+        f(std::span<const S>(some).first(count), std::span(out + done, count));
+      }
+    });
   });
 }
 

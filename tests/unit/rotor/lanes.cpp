@@ -6,10 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "oracle/random_draw.hpp"
@@ -17,36 +14,17 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"
+#include "unit/rotor/support.hpp"
 
 namespace {
 
 using namespace polhode;
+using rotor_test::bits;
 constexpr std::size_t lanes = 6;
 using Pack = test::Lanes<double, lanes>;
 using PackState = BasicRotorState<Pack>;
 
 const Body body(2.0, 3.0, 4.5);
-
-// Half angles, the sizes of momenta and their directions: ordinary, exactly at a pole, next to one.
-std::vector<RotorState> states() {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<RotorState> all;
-  oracle::Draw draw(81, 0);
-  const auto part = [&] {
-    const double kind = draw.uniform(0.0, 1.0);
-    if (kind < 0.5) return draw.normal();
-    return kind < 0.7 ? 0.0 : draw.sign() * draw.power_of_ten(-170.0, -3.0);
-  };
-  for (int i = 0; i < 3000; ++i) {
-    const double size = draw.chance(0.3) ? draw.power_of_ten(-290.0, 290.0) : 1.0;
-    RotorState s{{part(), part(), part(), part()}, {size * part(), size * part(), size * part()}};
-    if (draw.chance(0.1)) s.g = {};
-    if (draw.chance(0.01)) s.g.y = nan;
-    if (draw.chance(0.5)) s.q = normalized(s.q);
-    all.push_back(s);
-  }
-  return all;
-}
 
 template <class Numbers>
 Pack pack_of(const Numbers& number) {
@@ -91,10 +69,6 @@ std::vector<T> numbers(const BasicEulerAngles<T>& s) {
   return {s.phi, s.theta, s.psi};
 }
 
-std::uint64_t bits(double x) {
-  return std::bit_cast<std::uint64_t>(std::isnan(x) ? std::numeric_limits<double>::quiet_NaN() : x);
-}
-
 template <class Lane, class Scalar>
 void expect_bits(const Lane& pack, const Scalar& scalar, std::size_t lane, const char* chart) {
   const auto got = numbers(pack);
@@ -108,7 +82,7 @@ void expect_bits(const Lane& pack, const Scalar& scalar, std::size_t lane, const
 // From the state to the chart and back, each number compared.
 template <class ToChart, class ToRotor>
 void expect_chart(const ToChart& to_chart, const ToRotor& to_state, const char* chart) {
-  const std::vector<RotorState> all = states();
+  const std::vector<RotorState> all = rotor_test::hard_states();
   for (std::size_t i = 0; i + lanes <= all.size(); i += lanes) {
     const auto there = to_chart(pack_of(&all[i]));
     const auto back = to_state(there);
@@ -144,7 +118,7 @@ TEST(ChartLanes, Poincare) {
 }
 
 TEST(ChartLanes, AnglesOfAnAttitude) {
-  const std::vector<RotorState> all = states();
+  const std::vector<RotorState> all = rotor_test::hard_states();
   for (std::size_t i = 0; i + lanes <= all.size(); i += lanes) {
     const auto angles = euler_angles(pack_of(&all[i]).q);
     for (std::size_t j = 0; j < lanes; ++j)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "polhode/rotor/detail/polar_factor.hpp"
+#include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -50,6 +51,32 @@ Phasor<T> andoyer_node(const InvariablePlane<T>& p) {
   const BasicVec3<T>& k = p.k_I;
   return {h.re * j.x + h.im * j.y,
           k.z * (h.re * j.y - h.im * j.x) + (k.x * h.im - k.y * h.re) * j.z};
+}
+
+// The three angles of Andoyer's variables before atan2, and what goes with them.
+template <Number T>
+struct AndoyerPhasors {
+  Phasor<T> l, g, h;
+  T L, G, H;
+};
+
+template <Number T>
+[[gnu::always_inline]] inline AndoyerPhasors<T> andoyer_phasors(const BasicRotorState<T>& s) {
+  const InvariablePlane<T> p = invariable_plane(s.q, s.g);
+  return {p.node_l, andoyer_node(p), p.node_h, s.g.z, p.G, axial_momentum(p.G, p.k_I.z, p.node_h)};
+}
+
+// The state of the cosines and sines of half of all five angles.
+template <Number T>
+[[gnu::always_inline]] inline BasicRotorState<T> rotor_of_phasors(
+    const Phasor<T>& J, const Phasor<T>& I, const Phasor<T>& l, const Phasor<T>& g,
+    const Phasor<T>& h, const T& L, const T& G) {
+  const Phasor<T> a = (h * l) * (T(I.re * J.re) * g - T(I.im * J.im) * conj(g));
+  const Phasor<T> b = (h * conj(l)) * (T(I.re * J.im) * g + T(I.im * J.re) * conj(g));
+  const T transverse = T(2.0) * (G * J.re) * J.im;  // G sin J
+  const Phasor<T> twice_l = l * l;
+  return {quaternion(PhasorPair<T>{a, b}),
+          {transverse * twice_l.im, transverse * twice_l.re, clamped(L, G)}};
 }
 
 }  // namespace detail

@@ -2,7 +2,10 @@
 // What the 3-1-3 angles and their momenta are read from and put together with.
 #pragma once
 
+#include <cmath>
+
 #include "polhode/rotor/detail/polar_factor.hpp"
+#include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -60,6 +63,43 @@ BasicVec3<T> node_to_body(const T& across, const T& along, const T& axial, const
 template <Number T>
 T quotient(const T& n, const T& d) {
   return select(n == T(0.0), T(0.0), T(n / d));
+}
+
+// The three angles before atan2, theta by its half, and the momenta.
+template <Number T>
+struct EulerPhasors {
+  Phasor<T> phi, half_theta, psi;
+  T Phi, Theta, Psi;
+};
+
+template <Number T>
+[[gnu::always_inline]] inline EulerPhasors<T> euler_phasors(const BasicRotorState<T>& state) {
+  const EulerFrame<T> f = euler_frame(state.q, state.g);
+  const BasicVec3<T>& g = state.g;
+  const T along = g.x * f.psi.re - g.y * f.psi.im;
+  const T across = g.x * f.psi.im + g.y * f.psi.re;
+  // not A stheta + Psi ctheta: near the poles Phi -+ Psi is what to_rotor needs
+  const T tilt = T(2.0) * f.s * f.c * across;
+  const T Phi = select(f.s < f.c, T(g.z + (tilt - T(2.0) * f.s * f.s * g.z)),
+                       T((tilt + T(2.0) * f.c * f.c * g.z) - g.z));
+  return {f.phi, {f.c, f.s}, f.psi, Phi, along, g.z};
+}
+
+// The state of the cosines and sines of half of all three angles, and the momenta.
+template <Number T>
+[[gnu::always_inline]] inline BasicRotorState<T> rotor_of_euler(const EulerPhasors<T>& e) {
+  using std::abs;
+  const T c = e.half_theta.re, s = e.half_theta.im;
+  // not Phi - Psi ctheta: its product rounds, these differences do not where they cancel
+  const auto by_difference = [&] {
+    return T(quotient(T(e.Phi - e.Psi), T(T(2.0) * s * c)) + e.Psi * (s / c));
+  };
+  const auto by_sum = [&] {
+    return T(quotient(T(e.Phi + e.Psi), T(T(2.0) * s * c)) - e.Psi * (c / s));
+  };
+  const T across = where(T(abs(s)) < T(abs(c)), by_difference, by_sum);
+  return {quaternion(PhasorPair<T>{c * (e.phi * e.psi), s * (e.phi * conj(e.psi))}),
+          node_to_body(across, e.Theta, e.Psi, e.psi * e.psi)};
 }
 
 }  // namespace detail

@@ -56,7 +56,12 @@ template <Number T>
 Phasor<T> phasor(const T& angle) {
   using std::cos;
   using std::sin;
-  return {cos(angle), sin(angle)};
+  if constexpr (!Real<T> && requires { sincos(angle); }) {
+    const auto both = sincos(angle);
+    return {both.cos, both.sin};
+  } else {
+    return {cos(angle), sin(angle)};
+  }
 }
 
 // Whether squares and their inverse square root are far from overflow and underflow.

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Conversions between charts and the hub, as many states at a time as a register holds; compiled
+// once for each set of instructions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#include "polhode/math/pack_functions.hpp"
+#include "polhode/math/pack_rows.hpp"
+#include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/rotor_state.hpp"
+#include "rotor/detail/chart_lanes_declared.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// A state of doubles as a row of numbers, and of packs as their columns.
+template <class State>
+struct Rows;
+template <>
+struct Rows<RotorState> {
+  static constexpr std::size_t numbers = 7;
+  template <class T>
+  [[gnu::always_inline]] static BasicRotorState<T> of(const std::array<T, 7>& c) {
+    return {{c[0], c[1], c[2], c[3]}, {c[4], c[5], c[6]}};
+  }
+  template <class T>
+  [[gnu::always_inline]] static std::array<T, 7> columns(const BasicRotorState<T>& s) {
+    return {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z};
+  }
+};
+template <>
+struct Rows<AndoyerState> {
+  static constexpr std::size_t numbers = 6;
+  template <class T>
+  [[gnu::always_inline]] static BasicAndoyerState<T> of(const std::array<T, 6>& c) {
+    return {c[0], c[1], c[2], c[3], c[4], c[5]};
+  }
+  template <class T>
+  [[gnu::always_inline]] static std::array<T, 6> columns(const BasicAndoyerState<T>& s) {
+    return {s.l, s.g, s.h, s.L, s.G, s.H};
+  }
+};
+template <>
+struct Rows<EulerState> {
+  static constexpr std::size_t numbers = 6;
+  template <class T>
+  [[gnu::always_inline]] static BasicEulerState<T> of(const std::array<T, 6>& c) {
+    return {c[0], c[1], c[2], c[3], c[4], c[5]};
+  }
+  template <class T>
+  [[gnu::always_inline]] static std::array<T, 6> columns(const BasicEulerState<T>& s) {
+    return {s.phi, s.theta, s.psi, s.Phi, s.Theta, s.Psi};
+  }
+};
+
+// Stage by stage for a block of packs: within a stage their chains of operations overlap, where
+// those of whole conversions are longer than the processor looks ahead.
+inline constexpr std::size_t packs_of_block = 16;
+
+template <InstructionSet isa, class To, class From>
+class ChartBlock;
+
+// From the hub: what angles are the arguments of, then the angles.
+template <InstructionSet isa, class To>
+class ChartBlock<isa, To, RotorState> {
+ public:
+  using T = Pack<isa>;
+  static constexpr std::size_t in = 7 * T::width, out = 6 * T::width;
+
+  [[gnu::flatten]] void convert(const double* from, double* to, std::size_t packs) {
+    for (std::size_t n = 0; n < packs; ++n)
+      put(n, phasors(Rows<RotorState>::of(loaded_rows<7, isa>(from + in * n))));
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t n = 0; n < packs; ++n) re_[j][n] = argument(Phasor<T>{re_[j][n], im_[j][n]});
+    for (std::size_t n = 0; n < packs; ++n) {
+      const T second = std::is_same_v<To, EulerState> ? re_[1][n] + re_[1][n] : re_[1][n];
+      store_rows<6, isa>(
+          {re_[0][n], second, re_[2][n], momenta_[0][n], momenta_[1][n], momenta_[2][n]},
+          to + out * n);
+    }
+  }
+
+ private:
+  [[gnu::always_inline]] static auto phasors(const BasicRotorState<T>& s) {
+    if constexpr (std::is_same_v<To, AndoyerState>)
+      return andoyer_phasors(s);
+    else
+      return euler_phasors(s);
+  }
+  [[gnu::always_inline]] void put(std::size_t n, const AndoyerPhasors<T>& p) {
+    put(n, {p.l, p.g, p.h}, {p.L, p.G, p.H});
+  }
+  [[gnu::always_inline]] void put(std::size_t n, const EulerPhasors<T>& p) {
+    put(n, {p.phi, p.half_theta, p.psi}, {p.Phi, p.Theta, p.Psi});
+  }
+  [[gnu::always_inline]] void put(std::size_t n, const std::array<Phasor<T>, 3>& angles,
+                                  const std::array<T, 3>& momenta) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      re_[j][n] = angles[j].re;
+      im_[j][n] = angles[j].im;
+      momenta_[j][n] = momenta[j];
+    }
+  }
+
+  T re_[3][packs_of_block], im_[3][packs_of_block], momenta_[3][packs_of_block];
+};
+
+// To the hub: sines and cosines of the half angles, then the state.
+template <InstructionSet isa, class From>
+class ChartBlock<isa, RotorState, From> {
+ public:
+  using T = Pack<isa>;
+  static constexpr std::size_t in = 6 * T::width, out = 7 * T::width;
+
+  [[gnu::flatten]] void convert(const double* from, double* to, std::size_t packs) {
+    for (std::size_t n = 0; n < packs; ++n) {
+      const std::array<T, 6> c = loaded_rows<6, isa>(from + in * n);
+      for (std::size_t j = 0; j < 3; ++j) {
+        angle_[j][n] = T(0.5) * c[j];
+        momenta_[j][n] = c[3 + j];
+      }
+    }
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t n = 0; n < packs; ++n) half_[j][n] = phasor(angle_[j][n]);
+    if constexpr (std::is_same_v<From, AndoyerState>)
+      for (std::size_t n = 0; n < packs; ++n) set_polar_angles(n);
+    for (std::size_t n = 0; n < packs; ++n)
+      store_rows<7, isa>(Rows<RotorState>::columns(state(n)), to + out * n);
+  }
+
+ private:
+  // half_polar_angle of J and I, with one quotient for the two.
+  [[gnu::always_inline]] void set_polar_angles(std::size_t n) {
+    const T L = momenta_[0][n], G = momenta_[1][n], H = momenta_[2][n];
+    const auto usual = T(0x1p-1000) < G && G < T(0x1p1000);
+    const T half = T(0.5) / G;
+    const auto fast = [&](const T& any) {
+      const T p = clamped(any, G);
+      return Phasor<T>{sqrt(T((G + p) * half)), sqrt(T((G - p) * half))};
+    };
+    J_[n] = where(
+        usual, [&] { return fast(L); }, [&] { return half_polar_angle(L, G); });
+    I_[n] = where(
+        usual, [&] { return fast(H); }, [&] { return half_polar_angle(H, G); });
+  }
+  [[gnu::always_inline]] BasicRotorState<T> state(std::size_t n) const {
+    if constexpr (std::is_same_v<From, AndoyerState>)
+      return rotor_of_phasors(J_[n], I_[n], half_[0][n], half_[1][n], half_[2][n], momenta_[0][n],
+                              momenta_[1][n]);
+    else
+      return rotor_of_euler(EulerPhasors<T>{half_[0][n], half_[1][n], half_[2][n], momenta_[0][n],
+                                            momenta_[1][n], momenta_[2][n]});
+  }
+
+  T angle_[3][packs_of_block], momenta_[3][packs_of_block];
+  Phasor<T> half_[3][packs_of_block], J_[packs_of_block], I_[packs_of_block];
+};
+
+template <InstructionSet isa, class To, class From>
+void converted_in_lanes(const From* states, std::size_t count, To* results) {
+  constexpr std::size_t width = Pack<isa>::width;
+  constexpr std::size_t in = Rows<From>::numbers, out = Rows<To>::numbers;
+  static_assert(sizeof(From) == in * sizeof(double) && sizeof(To) == out * sizeof(double));
+  const auto* from = reinterpret_cast<const double*>(states);
+  auto* to = reinterpret_cast<double*>(results);
+  ChartBlock<isa, To, From> block;
+  std::size_t i = 0;
+  while (count - i >= width) {
+    const std::size_t packs = std::min((count - i) / width, packs_of_block);
+    block.convert(from + in * i, to + out * i, packs);
+    i += packs * width;
+  }
+  if (i == count) return;
+  // the last ones next to copies of the first of them
+  double rows[in * width], found[out * width];
+  for (std::size_t j = 0; j < width; ++j)
+    std::memcpy(rows + in * j, states + (i + j < count ? i + j : i), sizeof(From));
+  block.convert(rows, found, 1);
+  std::memcpy(results + i, found, (count - i) * sizeof(To));
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
