@@ -29,7 +29,10 @@
 //             microseconds.
 #pragma once
 
+#include <span>
+
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/math/instruction_set.hpp"
 #include "polhode/math/matrix6.hpp"
 
 namespace polhode {
@@ -59,6 +62,16 @@ struct SadovFrequencies {
 };
 
 SadovState to_sadov(const FreeRotation& motion, double t);
+// Those of states of a body in the lanes of the processor, far from the separatrix (k'^2 > 1e-6)
+// and from what else degenerates; of the others, one by one, those of the motion through each. The
+// bits of a result depend on its state alone, and differ from those of the motion by rounding.
+// DomainError as FreeRotation, with the state's index, for as many results as there are states, and
+// for a set that this processor lacks.
+void to_sadov(const Body& body, std::span<const RotorState> states, std::span<SadovState> results,
+              InstructionSet set = widest_instruction_set());
+// The same of one state.
+SadovState to_sadov(const Body& body, const RotorState& state);
+
 SadovFrequencies sadov_frequencies(const FreeRotation& motion);
 
 RotorState to_rotor(const Body& body, const SadovState& s);

@@ -65,6 +65,10 @@ struct Pack {
   static constexpr InstructionSet set = isa;
   static constexpr std::size_t width = sizeof(Doubles) / sizeof(double);
 
+  struct Scaled {
+    Pack part, exponent;
+  };
+
   Doubles lanes;
 
   Pack() = default;
@@ -143,6 +147,19 @@ struct Pack {
     const Bits swapped = (sine.bits() ^ cosine.bits()) & -(quarter & 1);
     return {Pack(std::bit_cast<Doubles>(sine.bits() ^ swapped ^ ((quarter & 2) << 62))),
             Pack(std::bit_cast<Doubles>(cosine.bits() ^ swapped ^ (((quarter + 1) & 2) << 62)))};
+  }
+  // A normal positive number over 2^k, between 1/sqrt 2 and sqrt 2, and k.
+  [[gnu::always_inline]] friend Scaled halves_off(const Pack& x) {
+    // the exponent of x times sqrt 2, but for the few next to the ends
+    const Bits biased = x.bits() + 0x00095f619980c433;
+    const Bits k = (biased >> 52) - 1023;
+    const Bits part = x.bits() - (k << 52);
+    const Doubles magic = std::bit_cast<Doubles>(k + 0x4338000000000000);
+    return {Pack(std::bit_cast<Doubles>(part)), Pack(magic - 0x1.8p52)};
+  }
+  // 2^k of an integer k in [-1022, 1023]: the low bits of `shifted`, k + 1.5 2^52, are those of k.
+  [[gnu::always_inline]] friend Pack power_of_two(const Pack& shifted) {
+    return Pack(std::bit_cast<Doubles>((shifted.bits() + 1023) << 52));
   }
   friend Pack exp(const Pack& x) {
     Pack r;

@@ -16,22 +16,13 @@
 #include <concepts>
 #include <type_traits>
 
+#include "polhode/math/detail/near_angle.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
 #include "polhode/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-// A product with what its rounding leaves over, the same by either way.
-template <InstructionSet isa>
-[[gnu::always_inline]] inline TwoTerms<Pack<isa>> exact_product(const Pack<isa>& a,
-                                                                const Pack<isa>& b) {
-  if constexpr (isa == InstructionSet::baseline)
-    return two_prod(a, b);
-  else
-    return two_prod_fma(a, b);
-}
 
 template <InstructionSet isa>
 [[gnu::always_inline]] inline SinCos<Pack<isa>> sincos(const Pack<isa>& x) {
@@ -72,38 +63,6 @@ template <InstructionSet isa>
   return sincos(x).cos;
 }
 
-// The angle of n / d in [0, 1] counted from that of 0, 1/2 or 1, whichever is nearest: its tangent
-// u + more, and the angle counted from, as two parts.
-namespace detail {
-
-template <class T>
-struct NearAngle {
-  T u, more;
-  T from_hi, from_lo;
-};
-
-template <InstructionSet isa>
-[[gnu::always_inline]] inline NearAngle<Pack<isa>> near_angle(const Pack<isa>& n,
-                                                              const Pack<isa>& d) {
-  using T = Pack<isa>;
-  const T zero(0.0);
-  const auto low = n<T(0.25) * d, high = n> T(0.71875) * d;
-  const T c = select(low, zero, select(high, T(1.0), T(0.5)));
-  // (n/d - c) / (1 + c n/d); the difference is exact
-  const T difference = n - c * d;
-  const TwoTerms<T> sum = quick_two_sum(d, T(c * n));
-  const T inverse = T(1.0) / sum.hi;
-  const T u = difference * inverse;
-  const TwoTerms<T> p = exact_product(u, sum.hi);
-  const T left_over = ((difference - p.hi) - p.lo) - u * sum.lo;
-  // angles to 45 bits, of which sums are exact, and the rest
-  return {u, left_over * inverse,
-          select(low, zero, select(high, T(0x1.921fb54442d00p-1), T(0x1.dac670561bc00p-2))),
-          select(low, zero, select(high, T(0x1.8469898cc5170p-49), T(-0x1.612ea406ee84dp-47)))};
-}
-
-}  // namespace detail
-
 template <InstructionSet isa>
 [[gnu::always_inline]] inline Pack<isa> atan2(const Pack<isa>& y, const Pack<isa>& x) {
   using T = Pack<isa>;
@@ -111,14 +70,7 @@ template <InstructionSet isa>
   const auto steep = ax < ay, left = signbit(x);
   const T d = select(steep, ay, ax), n = select(steep, ax, ay);
   const detail::NearAngle<T> a = detail::near_angle(n, d);
-  const T z = a.u * a.u;
-  // minimax for |u| <= 1/4, to 1.2e-19; in pairs, for a short chain of operations
-  const T z2 = z * z, z4 = z2 * z2;
-  const T sum = z * (((T(-0.33333333333333326) + z * T(0.199999999999936561)) +
-                      z2 * (T(-0.142857142840788332) + z * T(0.111111109175474641))) +
-                     z4 * (((T(-0.0909089656709043991) + z * T(0.0769182725982938987)) +
-                            z2 * (T(-0.0665540620312428445) + z * T(0.0572302031553740577))) +
-                           z4 * T(-0.0399066613478556839)));
+  const T sum = detail::atan_sum(T(a.u * a.u));
   // pi/2 -+ a where |y| is the larger, else a or pi - a
   const auto falls = steep != left;
   const T base_hi =
@@ -133,6 +85,45 @@ template <InstructionSet isa>
   const auto odd = !(d < T(0x1p500) && d > T(0x1p-500) && (n == zero || n > T(0x1p-200) * d));
   if (!any(odd)) return usual;
   return select(odd, each_lane([](double b, double c) { return std::atan2(b, c); }, y, x), usual);
+}
+
+// The angle of a tangent within +-1/4.
+template <InstructionSet isa>
+[[gnu::always_inline]] inline Pack<isa> small_atan(const Pack<isa>& t) {
+  return t + t * detail::atan_sum(Pack<isa>(t * t));
+}
+
+// e^x for -700 <= x <= 0, to a unit in the last place or two; of less, that of -700.
+template <InstructionSet isa>
+[[gnu::always_inline]] inline Pack<isa> exp_of_negative(const Pack<isa>& given) {
+  using T = Pack<isa>;
+  const T x = select(given < T(-700.0), T(-700.0), given);
+  const T integer_bits(0x1.8p52);
+  const T shifted = x * T(1.4426950408889634) + integer_bits;
+  const T k = shifted - integer_bits;
+  // ln 2 in two parts, the first of 33 bits
+  const T r = (x - k * T(0x1.62e42fefp-1)) - k * T(0x1.473de6af278edp-34);
+  const T r2 = r * r, r4 = r2 * r2;
+  const T sum =
+      (T(0.5) + r * T(1.0 / 6)) + r2 * (T(1.0 / 24) + r * T(1.0 / 120)) +
+      r4 * ((T(1.0 / 720) + r * T(1.0 / 5040)) + r2 * (T(1.0 / 40320) + r * T(1.0 / 362880)) +
+            r4 * ((T(1.0 / 3628800) + r * T(1.0 / 39916800)) +
+                  r2 * (T(1.0 / 479001600.0) + r * T(1.0 / 6227020800.0))));
+  return (T(1.0) + (r + r2 * sum)) * power_of_two(shifted);
+}
+
+// ln x of a normal number, with an error of some eps max(1, |ln x|).
+template <InstructionSet isa>
+[[gnu::always_inline]] inline Pack<isa> log_of(const Pack<isa>& x) {
+  using T = Pack<isa>;
+  const auto m = halves_off(x);  // in [1/sqrt 2, sqrt 2)
+  const T s = (m.part - T(1.0)) / (m.part + T(1.0));
+  const T z = s * s, z2 = z * z, z4 = z2 * z2;
+  // 2 artanh s, |s| < 0.1716
+  const T sum = ((T(1.0 / 3) + z * T(1.0 / 5)) + z2 * (T(1.0 / 7) + z * T(1.0 / 9))) +
+                z4 * ((T(1.0 / 11) + z * T(1.0 / 13)) + z2 * (T(1.0 / 15) + z * T(1.0 / 17)));
+  const T twice = s + s;
+  return m.exponent * T(0.6931471805599453) + (twice + twice * (z * sum));
 }
 
 }  // namespace v0

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What Sadov's variables of many states need of the body; by mode: short axis, long axis.
+#pragma once
+
+#include <cstddef>
+
+#include "polhode/free/sadov.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/instruction_set.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct SadovConstants {
+  std::size_t axis[3];  // sorted axes <- body axes
+  double sign[3];
+  DoubleDouble plus, minus;         // I1 I3 (G^2 - 2 T I2) = plus g3^2 - minus g1^2
+  double d1[2], d3[2];              // D1 = d1[0] g2^2 + d1[1] g3^2, D3 = d3[0] g1^2 + d3[1] g2^2
+  double k2_per_DC[2];              // k^2 DA / DC
+  double kp2_per_D2[2];             // k'^2 DA / (I1 I3 |D2|)
+  double A_over_C[2];               // (a1/a3)^2 DA / DC
+  double kap2[2], root_of_kap2[2];  // kappa^2, sqrt(1 + kappa^2)
+  double cosine[2], sine[2];        // of the amplitude, per momentum along primed axes 1 and 2
+  double to_axes[2][4];             // body axes <- primed axes with positive signs
+  double usual[2];                  // 1 where the mode is not next to one that degenerates
+};
+
+// Of at most 64 states; usual[i] says whether result i is right.
+template <InstructionSet isa>
+void sadov_in_lanes(const SadovConstants& constants, const RotorState* states, std::size_t count,
+                    SadovState* results, bool* usual);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// Sadov's variables of many states of a body, as many at a time as a register holds; compiled once
+// for each set of instructions.
+//
+// One loop of the arithmetic-geometric mean, Bulirsch's, gives the action and, by Gauss's
+// transformation of the amplitude, x = pi u / (2K) itself, the nome, and the shift of the theta
+// function whose argument is what the mean frame needs: no K, no K', no F.
+// docs/design/0033-grids-and-charts-in-lanes.md.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include "free/detail/sadov_constants.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/math/pack_functions.hpp"
+#include "polhode/math/pack_rows.hpp"
+#include "polhode/rotor/detail/andoyer_angles.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Stage by stage for a block of packs: each step of the loop for all of them, so that their long
+// chains of roots and quotients overlap.
+template <InstructionSet isa>
+class SadovBlock {
+ public:
+  using T = Pack<isa>;
+  using Mask = PackMask<isa>;
+  using P = Phasor<T>;
+  static constexpr std::size_t most = 64 / T::width;  // packs
+
+  explicit SadovBlock(const SadovConstants& c) : c_(c) {}
+
+  // Results, and whether each is right: not next to what degenerates.
+  [[gnu::flatten]] void convert(const double* rows, std::size_t count, SadovState* results,
+                                bool* usual) {
+    const std::size_t whole = count / T::width, packs = (count + T::width - 1) / T::width;
+    for (std::size_t i = 0; i < whole; ++i) begin(i, loaded_rows<7, isa>(rows + 7 * T::width * i));
+    if (whole < packs) begin(whole, loaded_rows<7, isa>(padded(rows, whole * T::width, count)));
+    for (std::size_t i = 0; i < packs; ++i) first_angle(i);
+    step_of_mean<0>(packs);
+    for (std::size_t i = 0; i < packs; ++i) large_angle(i, T(0.25));
+    step_of_mean<1>(packs);
+    for (std::size_t i = 0; i < packs; ++i) large_angle(i, T(0.125));
+    step_of_mean<2>(packs);
+    for (std::size_t i = 0; i < packs; ++i) small_angle(i, T(0.0625));
+    step_of_mean<3>(packs);
+    for (std::size_t i = 0; i < packs; ++i) small_angle(i, T(0.03125));
+    step_of_mean<4>(packs);
+    for (std::size_t i = 0; i < packs; ++i) small_angle(i, T(0.015625));
+    step_of_mean<5>(packs);
+    for (std::size_t i = 0; i < packs; ++i) small_angle(i, T(0.0078125));
+    step_of_mean<6>(packs);
+    for (std::size_t i = 0; i < packs; ++i) theta(i);
+    for (std::size_t i = 0; i < packs; ++i)
+      finish(i, std::min(T::width, count - T::width * i), results + T::width * i,
+             usual + T::width * i);
+  }
+
+ private:
+  // The last ones next to copies of the first of them.
+  [[gnu::always_inline]] const double* padded(const double* rows, std::size_t first,
+                                              std::size_t count) {
+    for (std::size_t j = 0; j < T::width; ++j)
+      std::memcpy(padded_ + 7 * j, rows + 7 * (first + j < count ? first + j : first),
+                  7 * sizeof(double));
+    return padded_;
+  }
+
+  struct Curve {
+    Mask long_axis, negative1, negative3, by_deficit, small, usual;
+    BasicVec3<T> m;  // momentum along primed axes; m.x, m.z >= 0
+    T k2, kp2, kap2, r2;
+  };
+  // Bulirsch's variables, and what goes along.
+  struct Means {
+    T kc, mean, product, p, inverse_p, a, b;
+    T c_n;  // 2^n c_n, c_n^2 = a_n^2 - b_n^2
+    T e;    // e^(-2 psi_n), psi the imaginary amplitude
+    T inverse_mean;
+    P phi;
+    T x;
+    T nome, shift;  // logarithms, from n = 4 and 6 on
+  };
+
+  static Mask select_mask(const Mask& which, const Mask& a, const Mask& b) {
+    return (which && a) || (!which && b);
+  }
+  [[gnu::always_inline]] T of_mode(const Mask& long_axis, const double (&x)[2]) const {
+    return select(long_axis, T(x[1]), T(x[0]));
+  }
+
+  // G^2 - 2 T I2, with its digits however much cancels.
+  [[gnu::always_inline]] T separatrix_distance(const T& g1, const T& g3) const {
+    const auto term = [](const T& g, const DoubleDouble& factor) {
+      const TwoTerms<T> square = exact_product(g, g);
+      const TwoTerms<T> p = exact_product(square.hi, T(factor.hi));
+      return TwoTerms<T>{p.hi, p.lo + (square.hi * T(factor.lo) + square.lo * T(factor.hi))};
+    };
+    const TwoTerms<T> plus = term(g3, c_.plus), minus = term(g1, c_.minus);
+    const TwoTerms<T> d = two_sum(plus.hi, T(-minus.hi));
+    return d.hi + (d.lo + (plus.lo - minus.lo));
+  }
+
+  [[gnu::always_inline]] void begin(std::size_t i, const std::array<T, 7>& row) {
+    const T one(1.0), zero(0.0);
+    plane_[i] = invariable_plane(BasicQuaternion<T>{row[0], row[1], row[2], row[3]},
+                                 BasicVec3<T>{row[4], row[5], row[6]});
+    const T x = T(c_.sign[0]) * row[4 + c_.axis[0]], y = T(c_.sign[1]) * row[4 + c_.axis[1]],
+            z = T(c_.sign[2]) * row[4 + c_.axis[2]];
+    Curve k;
+    const T g1 = x * x, g2 = y * y, g3 = z * z;
+    const T D1 = g2 * T(c_.d1[0]) + g3 * T(c_.d1[1]);
+    const T D3 = g1 * T(c_.d3[0]) + g2 * T(c_.d3[1]);
+    const T D2 = separatrix_distance(x, z);
+    k.long_axis = D2 < zero;
+    const T DA = select(k.long_axis, D3, D1), DC = select(k.long_axis, D1, D3);
+    const T inverse = one / DA;
+    k.k2 = of_mode(k.long_axis, c_.k2_per_DC) * DC * inverse;
+    k.kp2 = of_mode(k.long_axis, c_.kp2_per_D2) * abs(D2) * inverse;
+    k.r2 = of_mode(k.long_axis, c_.A_over_C) * DC * inverse;
+    k.kap2 = of_mode(k.long_axis, c_.kap2);
+    k.by_deficit = k.long_axis || k.r2 < one;
+    const T x1 = select(k.long_axis, z, x), z1 = select(k.long_axis, x, z);
+    k.negative1 = x1 < zero;
+    k.negative3 = z1 < zero;
+    k.m = {abs(x1), negated(k.long_axis != (k.negative1 != k.negative3), y), abs(z1)};
+    k.small = k.k2 < T(0.01);
+    k.usual = k.kp2 > T(least_complement) && k.r2 > T(1e-24) && k.r2 < T(1e12) && DC > zero &&
+              of_mode(k.long_axis, c_.usual) > zero;
+    curve_[i] = k;
+    begin_means(i, k);
+  }
+
+  [[gnu::always_inline]] void begin_means(std::size_t i, const Curve& k) {
+    const T one(1.0), zero(0.0);
+    Means& s = means_[i];
+    s.kc = s.product = sqrt(k.kp2);
+    s.mean = one;
+    s.p = sqrt(select(k.by_deficit, T(one + k.r2), T(one + k.kap2)));
+    s.inverse_p = one / s.p;
+    s.a = one;
+    s.b = select(k.by_deficit, zero, k.kp2) * s.inverse_p;
+    // psi of the larger of kappa and a1/a3: its partner, of the other, makes ln(1/q) up
+    const T v = select(k.kap2 < k.r2, k.r2, k.kap2), root = one + sqrt(T(one + v));
+    s.e = v / (root * root);
+    const T c = k.m.x * of_mode(k.long_axis, c_.cosine), d = k.m.y * of_mode(k.long_axis, c_.sine);
+    const T size = one / sqrt(T(c * c + d * d));
+    s.phi = {c * size, d * size};
+  }
+
+  // One step of the mean: that of c_n / a_n and of the imaginary amplitude, whose own step is
+  // e -> e (r + e) / (1 + r e).
+  template <int n>
+  [[gnu::always_inline]] void step_of_mean(std::size_t packs) {
+    const T two(2.0);
+    for (std::size_t i = 0; i < packs; ++i) {
+      Means& s = means_[i];
+      const T part = s.product * s.inverse_p;
+      const T next_a = s.a + s.b * s.inverse_p;
+      s.b = two * (s.a * part + s.b);
+      s.a = next_a;
+      s.p = part + s.p;
+      s.mean = s.kc + s.mean;
+      if (n < 6) s.kc = two * sqrt(s.product);
+      s.product = s.kc * s.mean;
+      // one quotient for the three that are needed
+      const T square = n == 0 ? curve_[i].k2 : T(s.c_n * s.c_n), mean2 = s.mean * s.mean;
+      const T under = mean2 + square * s.e, all = T(1.0) / (s.p * s.mean * under);
+      s.inverse_p = all * (s.mean * under);
+      s.inverse_mean = all * (s.p * under);
+      s.e = s.e * (square + s.e * mean2) * (all * (s.p * s.mean));
+      s.c_n = square * s.inverse_mean;
+      if (n == 2) s.nome = log_of(T(T(0.25) * s.c_n * s.inverse_mean)) * T(0.25);
+      if (n == 4)
+        s.nome = select(curve_[i].small, s.nome,
+                        T(log_of(nome_root(T(s.c_n * s.inverse_mean))) * T(0.0625)));
+      if (n == 3) s.shift = s.e;
+      if (n == 6)
+        s.shift = log_of(select(curve_[i].small, s.shift, s.e)) *
+                  select(curve_[i].small, T(0.0625), T(0.0078125));
+    }
+  }
+  // sqrt(q_n) of a small modulus.
+  [[gnu::always_inline]] static T nome_root(const T& modulus) {
+    const T m = modulus * modulus;
+    return T(0.25) * modulus * (T(1.0) + m * (T(0.25) + m * T(17.0 / 128)));
+  }
+  // The amplitude phi goes to phi + arctan(b/a tan phi), and x is the limit of phi / 2^n: the first
+  // step by the bisector of the two angles, then phi goes to twice itself less an angle e,
+  // tan e = (a - b) sin cos / (a cos^2 + b sin^2).
+  [[gnu::always_inline]] void first_angle(std::size_t i) {
+    Means& s = means_[i];
+    const T across = s.kc * s.phi.im;
+    const T unit = T(1.0) / sqrt(T(s.phi.re * s.phi.re + across * across));
+    const P to{s.phi.re * unit, across * unit};
+    s.x = atan2(T(s.phi.im + to.im), T(s.phi.re + to.re));
+    s.phi = s.phi * to;
+  }
+  struct Turn {
+    T over, under;
+  };
+  [[gnu::always_inline]] static Turn turn(const Means& s) {
+    return {(s.mean - s.kc) * s.phi.im * s.phi.re,
+            s.mean * s.phi.re * s.phi.re + s.kc * s.phi.im * s.phi.im};
+  }
+  [[gnu::always_inline]] void large_angle(std::size_t i, const T& part) {
+    Means& s = means_[i];
+    const Turn t = turn(s);
+    s.x = s.x - part * atan2(t.over, t.under);
+    const P next = s.phi * P{s.mean * s.phi.re, s.kc * s.phi.im};
+    // to a length near 1, however far b/a is from 1
+    s.phi = T(T(1.0) / (abs(next.re) + abs(next.im))) * next;
+  }
+  [[gnu::always_inline]] void small_angle(std::size_t i, const T& part) {
+    Means& s = means_[i];
+    const Turn t = turn(s);
+    s.x = s.x - part * small_atan(T(t.over / t.under));
+    s.phi = s.phi * P{s.phi.re, s.kc * s.inverse_mean * s.phi.im};
+  }
+
+  // theta4(x - ia) of nome q^2, up to a positive factor: what turns the mean frame.
+  [[gnu::always_inline]] void theta(std::size_t i) {
+    const T one(1.0), two(2.0);
+    const Means& s = means_[i];
+    const Curve& k = curve_[i];
+    // ln w is that of the shift, or of its partner, which make up ln q
+    const T log_w = select(k.kap2 < k.r2, T(s.nome - s.shift), s.shift);
+    const T q = exp_of_negative(s.nome), w = exp_of_negative(log_w);
+    const T q2 = q * q, q4 = q2 * q2, w2 = w * w;
+    const SinCos<T> at = sincos(s.x);
+    const P first{one - two * at.sin * at.sin, two * at.sin * at.cos};
+    const T twice = two * first.re;
+    T low = q2 / w, step = q4 * low, power = w2;  // q^(2 j^2) / w^j, q^(4 j + 2) / w, w^(2 j)
+    P z = first, before{one, T(0.0)}, sum{one, T(0.0)};
+#pragma GCC unroll 6
+    for (int j = 1; j <= 6; ++j) {
+      const P term{low * (one + power) * z.re, low * (one - power) * z.im};
+      sum = j % 2 == 1 ? sum - term : sum + term;
+      const P next = twice * z - before;
+      before = z;
+      z = next;
+      low = low * step;
+      step = step * q4;
+      power = power * w2;
+    }
+    theta_[i] = sum;
+  }
+
+  // e^(i mean angle) but for that of theta, not of length one.
+  [[gnu::always_inline]] P frame_phasor(const Curve& k, const InvariablePlane<T>& plane) const {
+    const auto constant = [&](std::size_t j) {
+      return select(k.long_axis, T(c_.to_axes[1][j]), T(c_.to_axes[0][j]));
+    };
+    const BasicQuaternion<T> q =
+        plane.q * BasicQuaternion<T>{constant(0), constant(1), constant(2), constant(3)};
+    const PhasorPair<T> s = signed_axes(k, phasor_pair(q));
+    const T inverse = T(1.0) / plane.G;
+    const T m1 = inverse * k.m.x, m2 = inverse * k.m.y, above = T(1.0) + inverse * k.m.z;
+    const P along = above * s.a + s.b * P{m2, m1};
+    const P across = above * s.b - s.a * P{m2, -m1};
+    return along * conj(across);
+  }
+  // Times the inverse of the half turn that makes m.x and m.z positive.
+  [[gnu::always_inline]] static PhasorPair<T> signed_axes(const Curve& k, const PhasorPair<T>& s) {
+    const P a{s.a.im, -s.a.re}, b{s.b.im, -s.b.re};  // times -i
+    const Mask both = k.negative1 && k.negative3;
+    const auto chosen = [&](const P& none, const P& x, const P& y, const P& z) {
+      return select(both, y, select(k.negative1, z, select(k.negative3, x, none)));
+    };
+    return {chosen(s.a, s.b, b, a), chosen(s.b, {-s.a.re, -s.a.im}, a, {-b.re, -b.im})};
+  }
+
+  [[gnu::always_inline]] static T wrapped(const T& angle) {
+    const T turn(6.283185307179586), pi(3.141592653589793);
+    const T r = angle - select(angle > pi, turn, T(0.0));
+    return r + select(r <= -pi, turn, T(0.0));
+  }
+
+  [[gnu::always_inline]] T action(const Curve& k, const Means& s) const {
+    const T one(1.0);
+    const T cel = (s.b + s.a * s.mean) / (s.mean * (s.mean + s.p));
+    return of_mode(k.long_axis, c_.root_of_kap2) / sqrt(T(one + k.r2)) * cel *
+           select(k.by_deficit, k.r2, one);
+  }
+
+  [[gnu::always_inline]] void finish(std::size_t i, std::size_t count, SadovState* results,
+                                     bool* usual) const {
+    const T zero(0.0), half_pi(1.5707963267948966), pi(3.141592653589793);
+    const Curve& k = curve_[i];
+    const InvariablePlane<T>& plane = plane_[i];
+    const T x = means_[i].x, G = plane.G, size = G * action(k, means_[i]);
+    const T mean_angle = argument(frame_phasor(k, plane) * conj(theta_[i] * theta_[i]));
+    const T I_h = axial_momentum(G, plane.k_I.z, plane.node_h);
+    const T phi_h = argument(plane.node_h);
+    const T I_l =
+        select(k.long_axis, size, negated(k.negative3, select(k.by_deficit, T(G - size), size)));
+    const T from_start = select(k.negative1, T(x + pi), x);
+    const T phi_l = wrapped(negated(!(k.long_axis || k.negative3), from_start));
+    const Mask minus = select_mask(k.long_axis, !k.negative1, k.negative3);
+    const T phi_g =
+        wrapped(wrapped(mean_angle - negated(minus, half_pi) + select(k.long_axis, zero, x)));
+    const T tilt = plane.node_h.re * plane.node_h.re + plane.node_h.im * plane.node_h.im;
+    const Mask right =
+        k.usual && G > T(0x1p-100) && G < T(0x1p100) && tilt > T(least_tilt * least_tilt);
+    for (std::size_t j = 0; j < count; ++j) {
+      const bool is_long = k.long_axis.lanes[j] != 0;
+      results[j] = {phi_l.lanes[j],
+                    phi_g.lanes[j],
+                    phi_h.lanes[j],
+                    I_l.lanes[j],
+                    G.lanes[j],
+                    I_h.lanes[j],
+                    is_long ? SadovRegion::long_axis : SadovRegion::short_axis,
+                    is_long && k.negative3.lanes[j] != 0 ? -1 : 1};
+      usual[j] = right.lanes[j] != 0;
+    }
+  }
+
+  static constexpr double least_complement = 1e-6, least_tilt = 1e-6;
+
+  const SadovConstants& c_;
+  InvariablePlane<T> plane_[most];
+  Curve curve_[most];
+  Means means_[most];
+  P theta_[most];
+  double padded_[7 * T::width];
+};
+
+// At most 64 states; usual[i] says whether result i is right.
+template <InstructionSet isa>
+void sadov_in_lanes(const SadovConstants& constants, const RotorState* states, std::size_t count,
+                    SadovState* results, bool* usual) {
+  SadovBlock<isa> block(constants);
+  block.convert(reinterpret_cast<const double*>(states), count, results, usual);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Sadov's variables in the lanes of InstructionSet::avx512.
+#if defined(__x86_64__)
+
+#include "free/detail/sadov_lanes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template void sadov_in_lanes<InstructionSet::avx512>(const SadovConstants&, const RotorState*,
+                                                     std::size_t, SadovState*, bool*);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Sadov's variables of many states of a body.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "free/detail/sadov_constants.hpp"
+#include "free/detail/sorted_state.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/sadov.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using DD = DoubleDouble;
+using detail::SadovConstants;
+
+// Of moments with differences that have the rounding of their result alone.
+struct Moments {
+  Vec3 I;
+  double I21, I31, I32;
+};
+
+void set_mode(SadovConstants& c, bool is_long, const Moments& m, const detail::AxisOrder& sorted) {
+  const Quaternion right = detail::quaternion_of<double>(
+      detail::composed(sorted, detail::primed_axes(is_long, 1.0, 1.0)));
+  const double axes[] = {right.w, -right.x, -right.y, -right.z};
+  std::copy(axes, axes + 4, c.to_axes[is_long]);
+  const double A = is_long ? m.I.z : m.I.x, B = m.I.y, C = is_long ? m.I.x : m.I.z;
+  const double CB = is_long ? m.I21 : m.I32, BA = is_long ? m.I32 : m.I21;
+  const double kap2 = C * BA / (A * CB);
+  // where kappa leaves the theta function's shift in range, and the mode exists
+  const bool usual = CB > 0.0 && kap2 > 1e-3 && kap2 < 1e6;
+  c.usual[is_long] = usual ? 1.0 : 0.0;
+  if (!usual) return;
+  c.k2_per_DC[is_long] = BA / CB;
+  c.kp2_per_D2[is_long] = m.I31 / (CB * (A * C));
+  c.A_over_C[is_long] = A / C;
+  c.kap2[is_long] = kap2;
+  c.root_of_kap2[is_long] = std::sqrt(1.0 + kap2);
+  c.cosine[is_long] = std::sqrt(m.I31 / A);
+  c.sine[is_long] = std::sqrt(CB / B);
+}
+
+SadovConstants constants_of(const Body& body) {
+  SadovConstants c{};
+  const detail::AxisOrder sorted = detail::ascending_order(body.moments());
+  for (std::size_t i = 0; i < 3; ++i) {
+    c.axis[i] = static_cast<std::size_t>(sorted.axis[i]);
+    c.sign[i] = sorted.sign[i];
+  }
+  // scaled, which changes nothing that the variables are made of
+  const Vec3 I = detail::scaled(detail::permuted(sorted, body.moments()),
+                                detail::exponent_of_largest(body.moments()));
+  if (!(I.x > 0x1p-100)) return c;
+  const DD I21 = DD::sum(I.y, -I.x), I32 = DD::sum(I.z, -I.y);
+  const Moments m{I, I21.hi, I.z - I.x, I32.hi};
+  c.plus = I32 * I.x;
+  c.minus = I21 * I.z;
+  c.d1[0] = m.I21 / I.y;
+  c.d1[1] = m.I31 / I.z;
+  c.d3[0] = m.I31 / I.x;
+  c.d3[1] = m.I32 / I.y;
+  set_mode(c, false, m, sorted);
+  set_mode(c, true, m, sorted);
+  return c;
+}
+
+constexpr std::size_t block = 64;
+
+// Of wide registers a single one takes longer.
+void in_lanes(InstructionSet set, const SadovConstants& c, const RotorState* states,
+              std::size_t count, SadovState* results, bool* usual) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512 && count > 4)
+    return detail::sadov_in_lanes<InstructionSet::avx512>(c, states, count, results, usual);
+  if (set != InstructionSet::baseline)
+    return detail::sadov_in_lanes<InstructionSet::avx2>(c, states, count, results, usual);
+#endif
+  detail::sadov_in_lanes<InstructionSet::baseline>(c, states, count, results, usual);
+}
+
+SadovState alone(const Body& body, const RotorState& state, std::size_t index) {
+  try {
+    return to_sadov(FreeRotation(body, state), 0.0);
+  } catch (const DomainError& e) {
+    throw DomainError(std::string(e.what()) + " (state " + std::to_string(index) + ")");
+  }
+}
+
+}  // namespace
+
+void to_sadov(const Body& body, std::span<const RotorState> states, std::span<SadovState> results,
+              InstructionSet set) {
+  if (results.size() != states.size())
+    throw DomainError("to_sadov: got room for " + std::to_string(results.size()) + " results of " +
+                      std::to_string(states.size()) + " states; expected as many");
+  if (!supports(set))
+    throw DomainError("to_sadov: got " + std::string(instruction_set_name(set)) +
+                      "; expected instructions that this processor has");
+  const SadovConstants constants = constants_of(body);
+  std::array<bool, block> usual;
+  for (std::size_t first = 0; first < states.size(); first += block) {
+    const std::size_t count = std::min(block, states.size() - first);
+    in_lanes(set, constants, states.data() + first, count, results.data() + first, usual.data());
+    for (std::size_t i = first; i < first + count; ++i)
+      if (!usual[i - first]) results[i] = alone(body, states[i], i);
+  }
+}
+
+SadovState to_sadov(const Body& body, const RotorState& state) {
+  SadovState result{};
+  to_sadov(body, std::span(&state, 1), std::span(&result, 1));
+  return result;
+}
+
+}  // namespace v0
+}  // namespace polhode
