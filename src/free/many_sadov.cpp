@@ -83,12 +83,8 @@ void in_lanes(InstructionSet set, const SadovConstants& c, const RotorState* sta
   detail::sadov_in_lanes<InstructionSet::baseline>(c, states, count, results, usual);
 }
 
-SadovState alone(const Body& body, const RotorState& state, std::size_t index) {
-  try {
-    return to_sadov(FreeRotation(body, state), 0.0);
-  } catch (const DomainError& e) {
-    throw DomainError(std::string(e.what()) + " (state " + std::to_string(index) + ")");
-  }
+SadovState alone(const Body& body, const RotorState& state) {
+  return to_sadov(FreeRotation(body, state), 0.0);
 }
 
 }  // namespace
@@ -106,15 +102,22 @@ void to_sadov(const Body& body, std::span<const RotorState> states, std::span<Sa
   for (std::size_t first = 0; first < states.size(); first += block) {
     const std::size_t count = std::min(block, states.size() - first);
     in_lanes(set, constants, states.data() + first, count, results.data() + first, usual.data());
-    for (std::size_t i = first; i < first + count; ++i)
-      if (!usual[i - first]) results[i] = alone(body, states[i], i);
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (usual[i - first]) continue;
+      try {
+        results[i] = alone(body, states[i]);
+      } catch (const DomainError& e) {
+        throw DomainError(std::string(e.what()) + " (state " + std::to_string(i) + ")");
+      }
+    }
   }
 }
 
 SadovState to_sadov(const Body& body, const RotorState& state) {
   SadovState result{};
-  to_sadov(body, std::span(&state, 1), std::span(&result, 1));
-  return result;
+  bool usual = false;
+  in_lanes(widest_instruction_set(), constants_of(body), &state, 1, &result, &usual);
+  return usual ? result : alone(body, state);
 }
 
 }  // namespace v0

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <string>
+#include <type_traits>
 
 #include "free/detail/assembly.hpp"
 #include "free/detail/mean_phase.hpp"
@@ -31,6 +33,41 @@ SadovState spherical_state(const Body& body, const RotorState& s) {
   return {detail::wrapped(a.l - half_pi), a.g, a.h, a.L, a.G, a.H, SadovRegion::short_axis, 1};
 }
 
+template <class T>
+T in(const DD& x) {
+  if constexpr (std::same_as<T, double>)
+    return x.hi;
+  else
+    return x;
+}
+
+// v of the member with this action deficit, by Newton's steps in DoubleDouble from a root in
+// double: a tenth of the evaluations that bisection takes. Next to the ends, where the action
+// hardly depends on v, and where the steps do not settle, by bisection.
+DD family_root_of_deficit(const DD& kap2, const DD& target) {
+  const DD highest = detail::family_end(kap2);
+  const auto excess = [&](const auto& v) {
+    using T = std::remove_cvref_t<decltype(v)>;
+    const T k = in<T>(kap2);
+    using std::log;
+    return T(log(T(detail::action_deficit(k, detail::family_member(k, v)) / in<T>(target))));
+  };
+  const double seed = detail::family_root(excess, detail::family_start<double>(), highest.hi);
+  if (std::abs(seed) < 50.0) {
+    DD v = seed;
+    for (int i = 0; i < 6; ++i) {  // 2 in practice
+      const detail::FamilyMember<DD> f = detail::family_member(kap2, v);
+      if (!(f.kp2 > DD(1e-10))) break;
+      const DD deficit = detail::action_deficit(kap2, f);
+      const DD slope = detail::action_deficit_slope(kap2, f) * f.r2 * f.kp2 / deficit;
+      const DD step = log(deficit / target) / slope;
+      v -= step;
+      if (std::abs(step.hi) < 1e-17) return v;  // the next would be its square
+    }
+  }
+  return detail::family_root(excess, detail::family_start<DD>(), highest);
+}
+
 // The polhode with this action: a root in DoubleDouble, then one Newton step in T, which carries
 // the derivatives when T is dual.
 template <Real T>
@@ -39,11 +76,7 @@ detail::FamilyMember<T> member_with_deficit(const BasicVec3<DD>& sorted, bool lo
   const DD kap2 = detail::kappa_squared(detail::primed_moments(sorted, long_axis));
   const DD target = detail::value_of(deficit);
   if (!(target > DD(0.0))) return {deficit, T(1.0)};
-  const DD highest = detail::family_end(kap2);
-  const auto excess = [&](const DD& v) {
-    return log(detail::action_deficit(kap2, detail::family_member(kap2, v)) / target);
-  };
-  const DD v = detail::family_root(excess, detail::family_start<DD>(), highest);
+  const DD v = family_root_of_deficit(kap2, target);
   const detail::FamilyMember<DD> f = detail::family_member(kap2, v);
   const DD slope = detail::action_deficit_slope(kap2, f);
   const T step = (deficit - T(target)) / T(slope);

@@ -48,6 +48,10 @@ inline constexpr double free_carried_eps = 4.0;
 inline constexpr double free_short_arc_eps = 8.0;
 // The two forms of the Cayley-Klein series against each other and against sn, cn, dn.
 inline constexpr double cayley_klein_eps = 8.0;
+// Sadov's variables in lanes against those of the motion, over G and sin I; and the state again,
+// over 1 - k^2 and sin I too.
+inline constexpr double lane_sadov = 8e-15;
+inline constexpr double lane_sadov_round_trip = 4e-14;
 // Identities of the family of polhodes in double-double; slopes by dual numbers.
 inline constexpr double family_eps = 32.0;
 inline constexpr double family_derivative_eps = 64.0;
