@@ -209,8 +209,35 @@ void polhode_states_at(benchmark::State& state) {
       static_cast<double>(state.iterations()) * static_cast<double>(t.size()) * 1e-9,
       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
+// An even grid in cache; `range(1)` is the set of instructions.
+void polhode_states_on_grid(benchmark::State& state) {
+  const auto set = static_cast<InstructionSet>(state.range(1));
+  if (!supports(set)) return state.SkipWithError("this processor has no such instructions");
+  const FreeRotation f(Body(moments.x, moments.y, moments.z), {{}, momentum(state.range(0))});
+  std::vector<RotorState> states(4096);
+  const TimeGrid grid{0.0, 0x1.3p+1};  // up to 1e4
+  for (auto _ : state) {
+    states_on_grid(f.kernel(), grid, 0, states, set);
+    benchmark::DoNotOptimize(states.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetLabel(std::string(instruction_set_name(set)));
+  state.counters["k"] = modulus(state.range(0));
+  const Textbook<BoostFunctions<Wide, bm::policies::policy<>>> exact(moments,
+                                                                     momentum(state.range(0)));
+  const BasicQuaternion<Wide> start = exact.attitude(Wide(0));
+  Worst worst;
+  for (std::size_t i = 0; i < states.size(); i += 61)
+    worst.add(angle(states[0].q, states[i].q,
+                    conj(start) * exact.attitude(Wide(static_cast<double>(i) * grid.step))));
+  state.counters["error"] = worst.value();
+  state.counters["ns_per_state"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(states.size()) * 1e-9,
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
 BENCHMARK(polhode_at)->DenseRange(0, 3);
 BENCHMARK(polhode_states_at)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2}});
+BENCHMARK(polhode_states_on_grid)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2}});
 BENCHMARK(textbook<BoostFunctions<double, bm::policies::policy<>>>)->DenseRange(0, 3);
 BENCHMARK(textbook<BoostFunctions<double, DoubleOnly>>)->DenseRange(0, 3);
 BENCHMARK(textbook<GslFunctions>)->DenseRange(0, 3);

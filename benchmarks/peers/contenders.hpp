@@ -46,6 +46,10 @@ Maker van_zon_maker();
 Maker polhode_maker();
 Maker polhode_lanes_maker();
 Maker polhode_short_arc_maker();
+Maker polhode_grid_maker();   // of even times alone
+Maker polhode_sadov_maker();  // of nothing else
+// Sadov's action over G, of many states of a body at a time.
+void polhode_actions(std::span<const Start> of_one_body, double* actions);
 
 // The quaternion (0, of a row) relative to the attitude at t = 0, from the textbook form at 50
 // digits.

@@ -25,7 +25,8 @@ the separatrix. The error is the largest component of the quaternion between the
 that of the textbook form at 50 digits, over 64 times.""", ("G1", "G2", "G4")),
     ("A new body", """\
 Preparation (G5), a state of a new body each with random moments and momenta (G12), and
-Sadov's variables of the state of a new body (G6; error of the action, over G). A textbook
+Sadov's variables of the state of a new body, and of many states of one (G6; error of the action,
+over G). A textbook
 form prepares its complete integrals. The authors' own code of van Zon and Schofield prepared
 a body in 175 to 255 ns and a first state in 281 ns on such a machine; the restatement is not
 tuned for that.""", ("G5", "G12", "G6")),

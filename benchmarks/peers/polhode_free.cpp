@@ -2,6 +2,7 @@
 // polhode's free rotation through its public interface.
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "contenders.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -74,6 +75,20 @@ class InLanes : public Motion {
   F motion_;
 };
 
+// Even times alone, from the first on: rows hold the momentum in place of the angular velocity.
+class OnGrid : public Motion {
+ public:
+  explicit OnGrid(const Start& s) : motion_(body_of(s), state_of(s)) {}
+  void rows(std::span<const double> t, double* out) const override {
+    static_assert(sizeof(RotorState) == 7 * sizeof(double));
+    const double step = t.size() > 1 ? t[1] - t[0] : 0.0;
+    motion_.at(TimeGrid{t[0], step}, {reinterpret_cast<RotorState*>(out), t.size()});
+  }
+
+ private:
+  FreeRotation motion_;
+};
+
 template <bool short_arc>
 std::unique_ptr<Motion> make(const Start& s) {
   return std::make_unique<Polhode<short_arc>>(s);
@@ -93,7 +108,27 @@ double action(const Start& s) {
   return found.I_l / found.I_g;
 }
 
+double action_alone(const Start& s) {
+  const SadovState found = to_sadov(body_of(s), state_of(s));
+  asm volatile("" : : "m"(found));
+  return found.I_l / found.I_g;
+}
+
 }  // namespace
+
+Maker polhode_grid_maker() {
+  return {"polhode FreeRotation, even grid",
+          [](const Start& s) -> std::unique_ptr<Motion> { return std::make_unique<OnGrid>(s); },
+          nullptr};
+}
+Maker polhode_sadov_maker() { return {"polhode to_sadov", nullptr, nullptr, action_alone}; }
+void polhode_actions(std::span<const Start> of_one_body, double* actions) {
+  std::vector<RotorState> states;
+  for (const Start& s : of_one_body) states.push_back(state_of(s));
+  std::vector<SadovState> found(states.size());
+  to_sadov(body_of(of_one_body[0]), states, found);
+  for (std::size_t i = 0; i < found.size(); ++i) actions[i] = found[i].I_l / found[i].I_g;
+}
 
 Maker polhode_maker() { return {"polhode FreeRotation", make<false>, fresh<false>, action<false>}; }
 Maker polhode_lanes_maker() {

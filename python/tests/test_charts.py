@@ -282,3 +282,28 @@ def test_a_body_prints_what_makes_it():
     assert repr(turned) == "Body.with_axes((1.0, 1.7, 2.1), (0.6, 0.0, 0.8, 0.0))"
     for one in (body, turned):
         assert eval(repr(one), {"Body": polhode.Body}) == one
+
+
+def test_many_states_have_the_bits_of_one_at_a_time():
+    random = np.random.default_rng(4)
+    states = polhode.RotorState(random.normal(size=(5, 41, 4)), random.normal(size=(5, 41, 3)))
+    body = polhode.Body(1.0, 1.7, 2.1)
+    there = (polhode.to_andoyer, polhode.to_euler, lambda s: polhode.to_sadov(body, s))
+    back = (polhode.to_rotor, polhode.to_rotor, lambda s: polhode.to_rotor(body, s))
+    for to_chart, to_rotor in zip(there, back, strict=True):
+        chart = to_chart(states)
+        for key in ((0, 0), (3, 17), (4, 40)):
+            assert to_chart(states[key]) == chart[key]
+            assert to_rotor(chart[key]) == to_rotor(chart)[key]
+        # in another order, from memory that is not in a row
+        assert to_chart(states[::-2, ::3]) == chart[::-2, ::3]
+
+
+def test_a_state_that_is_none_is_named_by_its_index():
+    g = np.ones((3, 40, 3))
+    g[1, 7, 2] = np.nan
+    states = polhode.RotorState([1.0, 0.0, 0.0, 0.0], g)
+    with pytest.raises(ValueError, match=r"nan\) is not finite.*\(1, 7\)"):
+        polhode.to_sadov(polhode.Body(1.0, 1.7, 2.1), states)
+    with pytest.raises(ValueError, match="t0 = inf is not finite"):
+        polhode.to_sadov(polhode.Body(1.0, 1.7, 2.1), states[0, 0], np.inf)

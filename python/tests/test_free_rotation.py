@@ -223,3 +223,31 @@ def test_many_states_have_the_bits_of_one_at_a_time():
             np.testing.assert_array_equal(many.g[k // 251, k % 251], one.g)
         backwards = motion.at(times[::-1])
         np.testing.assert_array_equal(backwards.q[::-1], many.q.reshape(-1, 4))
+
+
+def test_an_even_grid_has_the_states_of_its_times():
+    for state in (SHORT, LONG, polhode.RotorState([1, 0, 0, 0], [0, 0, 1.5])):
+        motion = polhode.FreeRotation(BODY, state, 0.25)
+        grid = motion.at_grid(-3.0, 0.125, 1000)
+        times = -3.0 + 0.125 * np.arange(1000)
+        assert grid.shape == (1000,)
+        assert_allclose(grid.q, motion.at(times).q, 0, budgets.free_state)
+        assert_allclose(grid.g, motion.at(times).g, 0, budgets.free_state * motion.momentum)
+
+
+def test_a_grid_goes_on_with_the_same_bits_wherever_it_is_cut():
+    motion = polhode.FreeRotation(BODY, SHORT)
+    whole = motion.at_grid(0.5, 0.3, 5000)
+    for first, count in ((0, 1), (1, 700), (701, 64), (765, 4235), (4999, 1), (5000, 0)):
+        part = motion.at_grid(0.5, 0.3, count, first=first)
+        np.testing.assert_array_equal(part.q, whole[first:first + count].q)
+        np.testing.assert_array_equal(part.g, whole[first:first + count].g)
+
+
+@pytest.mark.parametrize("count, first, says", [
+    (-1, 0, "at_grid: got count = -1; expected 0 or more"),
+    (3, -2, "at_grid: got first = -2; expected 0 or more"),
+    (3, 2**53, "expected indices up to 2^53")])
+def test_a_grid_that_is_none_is_named(count, first, says):
+    with pytest.raises(ValueError, match=says.replace("^", r"\^")):
+        polhode.FreeRotation(BODY, SHORT).at_grid(0.0, 1.0, count, first=first)

@@ -68,15 +68,23 @@ BasicVec3<T> momentum_direction(const BasicQuaternion<T>& p, const T& inverse_no
           inverse_norm2 * (p.w * p.w + p.z * p.z - p.x * p.x - p.y * p.y)};
 }
 
+// The exponential of <cmath>, or that of the number's own namespace.
+struct NaturalExp {
+  template <Number T>
+  [[gnu::always_inline]] T operator()(const T& x) const {
+    using std::exp;
+    return exp(x);
+  }
+};
+
 // chi = chi_per_u u with |u| <= K, or any u on the separatrix; odd_half_periods flips theta1.
-template <Number T>
+template <class Exp = NaturalExp, Number T>
 [[gnu::always_inline]] inline BasicQuaternion<T> hyperbolic_sum(const CayleyKleinSeries<T>& s,
                                                                 const T& chi,
                                                                 const Mask<T>& odd_half_periods) {
   using std::abs;
-  using std::exp;
   const T zero(0.0), one(1.0);
-  const T e = exp(T(-2.0) * abs(chi));
+  const T e = Exp{}(T(T(-2.0) * abs(chi)));
   // <= 1 because e >= qt; on the separatrix e may be 0
   const T v = select(s.nome == zero, zero, T(s.nome / e));
   const T f = s.nome * e;

@@ -10,55 +10,16 @@
 #include <type_traits>
 
 #include "free/detail/grid_frame.hpp"
+#include "free/detail/grid_time.hpp"
 #include "free/detail/state_lanes.hpp"
 #include "polhode/free/states_on_grid.hpp"
 #include "polhode/math/line_stream.hpp"
+#include "polhode/math/pack_functions.hpp"
 #include "polhode/math/pack_rows.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// States 64 n, ..., 64 n + 63 of a grid share the angles that are reduced for the first of them.
-inline constexpr std::size_t tile = 64;
-
-template <InstructionSet isa>
-BasicQuaternion<Pack<isa>> in_all_lanes(const Quaternion& q) {
-  using T = Pack<isa>;
-  return {T(q.w), T(q.x), T(q.y), T(q.z)};
-}
-
-// Time of the grid's state i since the epoch, in the kernel's units. `i` may be anything below
-// 2^53.
-template <class Arithmetic, Number T>
-class ElapsedTime {
- public:
-  ElapsedTime(const BasicFreeKernel<T>& k, const TimeGrid& grid)
-      : step_(k.time_scale * T(grid.step)) {
-    const TwoTerms<T> since = Arithmetic::sum(T(grid.start), T(-k.epoch));
-    start_ = {k.time_scale * since.hi, k.time_scale * since.lo};
-  }
-  [[gnu::always_inline]] TwoTerms<T> since_start(const T& i) const {
-    return Arithmetic::product(step_, i);
-  }
-  [[gnu::always_inline]] TwoTerms<T> operator()(const T& i) const {
-    const TwoTerms<T> p = since_start(i), s = Arithmetic::sum(start_.hi, p.hi);
-    return quick_two_sum(s.hi, T(s.lo + (start_.lo + p.lo)));
-  }
-
- private:
-  T step_;
-  TwoTerms<T> start_;
-};
-
-// `first`, `first` + each, ... of a pack.
-template <InstructionSet isa>
-[[gnu::always_inline]] inline Pack<isa> indices_from(double first, double each) {
-  Pack<isa> i(first);
-  for (std::size_t j = 1; j < Pack<isa>::width; ++j)
-    i.lanes[j] = first + each * static_cast<double>(j);
-  return i;
-}
 
 // The numbers of a tile's states: attitude and momentum are sums of products of sines at the
 // tile's start and sines of what has passed since, both phases apart.
@@ -227,6 +188,18 @@ class TrigonometricGrid {
   alignas(64) double frame_[8][tiles];
 };
 
+// The exponential of lanes in place of a call for each.
+struct LaneExp {
+  template <InstructionSet isa>
+  [[gnu::always_inline]] Pack<isa> operator()(const Pack<isa>& x) const {
+    return exp_of_negative(x);
+  }
+};
+template <class Base>
+struct GridArithmetic : Base {
+  using Exp = LaneExp;
+};
+
 // Any form: each state's own phases.
 template <InstructionSet isa, class Arithmetic>
 class AnyGrid {
@@ -285,7 +258,7 @@ void grid_in_lanes(const FreeKernel& kernel, const GridFrame& frame, const TimeG
   using Arithmetic =
       std::conditional_t<isa == InstructionSet::baseline, DekkerArithmetic, FmaArithmetic>;
   if (kernel.steady || kernel.series.hyperbolic)
-    return write_grid(AnyGrid<isa, Arithmetic>(kernel, grid), first, count, states);
+    return write_grid(AnyGrid<isa, GridArithmetic<Arithmetic>>(kernel, grid), first, count, states);
   write_grid(TrigonometricGrid<isa, Arithmetic>(kernel, frame, grid), first, count, states);
 }
 

@@ -13,11 +13,11 @@
 #include <cstddef>
 #include <cstring>
 
-#include "free/detail/sadov_constants.hpp"
+#include "free/detail/sadov_curve.hpp"
+#include "free/detail/sadov_frame.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/pack_rows.hpp"
-#include "polhode/rotor/detail/andoyer_angles.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -30,7 +30,8 @@ class SadovBlock {
  public:
   using T = Pack<isa>;
   using Mask = PackMask<isa>;
-  using P = Phasor<T>;
+  using P = LanePhasor<T>;
+  using Curve = SadovCurve<T>;
   static constexpr std::size_t most = 64 / T::width;  // packs
 
   explicit SadovBlock(const SadovConstants& c) : c_(c) {}
@@ -71,11 +72,6 @@ class SadovBlock {
     return padded_;
   }
 
-  struct Curve {
-    Mask long_axis, negative1, negative3, by_deficit, small, usual;
-    BasicVec3<T> m;  // momentum along primed axes; m.x, m.z >= 0
-    T k2, kp2, kap2, r2;
-  };
   // Bulirsch's variables, and what goes along.
   struct Means {
     T kc, mean, product, p, inverse_p, a, b;
@@ -87,53 +83,12 @@ class SadovBlock {
     T nome, shift;  // logarithms, from n = 4 and 6 on
   };
 
-  static Mask select_mask(const Mask& which, const Mask& a, const Mask& b) {
-    return (which && a) || (!which && b);
-  }
-  [[gnu::always_inline]] T of_mode(const Mask& long_axis, const double (&x)[2]) const {
-    return select(long_axis, T(x[1]), T(x[0]));
-  }
-
-  // G^2 - 2 T I2, with its digits however much cancels.
-  [[gnu::always_inline]] T separatrix_distance(const T& g1, const T& g3) const {
-    const auto term = [](const T& g, const DoubleDouble& factor) {
-      const TwoTerms<T> square = exact_product(g, g);
-      const TwoTerms<T> p = exact_product(square.hi, T(factor.hi));
-      return TwoTerms<T>{p.hi, p.lo + (square.hi * T(factor.lo) + square.lo * T(factor.hi))};
-    };
-    const TwoTerms<T> plus = term(g3, c_.plus), minus = term(g1, c_.minus);
-    const TwoTerms<T> d = two_sum(plus.hi, T(-minus.hi));
-    return d.hi + (d.lo + (plus.lo - minus.lo));
-  }
-
   [[gnu::always_inline]] void begin(std::size_t i, const std::array<T, 7>& row) {
-    const T one(1.0), zero(0.0);
-    plane_[i] = invariable_plane(BasicQuaternion<T>{row[0], row[1], row[2], row[3]},
-                                 BasicVec3<T>{row[4], row[5], row[6]});
-    const T x = T(c_.sign[0]) * row[4 + c_.axis[0]], y = T(c_.sign[1]) * row[4 + c_.axis[1]],
-            z = T(c_.sign[2]) * row[4 + c_.axis[2]];
-    Curve k;
-    const T g1 = x * x, g2 = y * y, g3 = z * z;
-    const T D1 = g2 * T(c_.d1[0]) + g3 * T(c_.d1[1]);
-    const T D3 = g1 * T(c_.d3[0]) + g2 * T(c_.d3[1]);
-    const T D2 = separatrix_distance(x, z);
-    k.long_axis = D2 < zero;
-    const T DA = select(k.long_axis, D3, D1), DC = select(k.long_axis, D1, D3);
-    const T inverse = one / DA;
-    k.k2 = of_mode(k.long_axis, c_.k2_per_DC) * DC * inverse;
-    k.kp2 = of_mode(k.long_axis, c_.kp2_per_D2) * abs(D2) * inverse;
-    k.r2 = of_mode(k.long_axis, c_.A_over_C) * DC * inverse;
-    k.kap2 = of_mode(k.long_axis, c_.kap2);
-    k.by_deficit = k.long_axis || k.r2 < one;
-    const T x1 = select(k.long_axis, z, x), z1 = select(k.long_axis, x, z);
-    k.negative1 = x1 < zero;
-    k.negative3 = z1 < zero;
-    k.m = {abs(x1), negated(k.long_axis != (k.negative1 != k.negative3), y), abs(z1)};
-    k.small = k.k2 < T(0.01);
-    k.usual = k.kp2 > T(least_complement) && k.r2 > T(1e-24) && k.r2 < T(1e12) && DC > zero &&
-              of_mode(k.long_axis, c_.usual) > zero;
-    curve_[i] = k;
-    begin_means(i, k);
+    const BasicVec3<T> g{row[4], row[5], row[6]};
+    attitude_[i] = normalized(BasicQuaternion<T>{row[0], row[1], row[2], row[3]});
+    momentum_[i] = rotate(attitude_[i], g);
+    curve_[i] = sadov_curve(c_, g);
+    begin_means(i, curve_[i]);
   }
 
   [[gnu::always_inline]] void begin_means(std::size_t i, const Curve& k) {
@@ -148,7 +103,8 @@ class SadovBlock {
     // psi of the larger of kappa and a1/a3: its partner, of the other, makes ln(1/q) up
     const T v = select(k.kap2 < k.r2, k.r2, k.kap2), root = one + sqrt(T(one + v));
     s.e = v / (root * root);
-    const T c = k.m.x * of_mode(k.long_axis, c_.cosine), d = k.m.y * of_mode(k.long_axis, c_.sine);
+    const T c = k.m.x * of_mode<T>(k.long_axis, c_.cosine),
+            d = k.m.y * of_mode<T>(k.long_axis, c_.sine);
     const T size = one / sqrt(T(c * c + d * d));
     s.phi = {c * size, d * size};
   }
@@ -251,40 +207,10 @@ class SadovBlock {
     theta_[i] = sum;
   }
 
-  // e^(i mean angle) but for that of theta, not of length one.
-  [[gnu::always_inline]] P frame_phasor(const Curve& k, const InvariablePlane<T>& plane) const {
-    const auto constant = [&](std::size_t j) {
-      return select(k.long_axis, T(c_.to_axes[1][j]), T(c_.to_axes[0][j]));
-    };
-    const BasicQuaternion<T> q =
-        plane.q * BasicQuaternion<T>{constant(0), constant(1), constant(2), constant(3)};
-    const PhasorPair<T> s = signed_axes(k, phasor_pair(q));
-    const T inverse = T(1.0) / plane.G;
-    const T m1 = inverse * k.m.x, m2 = inverse * k.m.y, above = T(1.0) + inverse * k.m.z;
-    const P along = above * s.a + s.b * P{m2, m1};
-    const P across = above * s.b - s.a * P{m2, -m1};
-    return along * conj(across);
-  }
-  // Times the inverse of the half turn that makes m.x and m.z positive.
-  [[gnu::always_inline]] static PhasorPair<T> signed_axes(const Curve& k, const PhasorPair<T>& s) {
-    const P a{s.a.im, -s.a.re}, b{s.b.im, -s.b.re};  // times -i
-    const Mask both = k.negative1 && k.negative3;
-    const auto chosen = [&](const P& none, const P& x, const P& y, const P& z) {
-      return select(both, y, select(k.negative1, z, select(k.negative3, x, none)));
-    };
-    return {chosen(s.a, s.b, b, a), chosen(s.b, {-s.a.re, -s.a.im}, a, {-b.re, -b.im})};
-  }
-
-  [[gnu::always_inline]] static T wrapped(const T& angle) {
-    const T turn(6.283185307179586), pi(3.141592653589793);
-    const T r = angle - select(angle > pi, turn, T(0.0));
-    return r + select(r <= -pi, turn, T(0.0));
-  }
-
   [[gnu::always_inline]] T action(const Curve& k, const Means& s) const {
     const T one(1.0);
     const T cel = (s.b + s.a * s.mean) / (s.mean * (s.mean + s.p));
-    return of_mode(k.long_axis, c_.root_of_kap2) / sqrt(T(one + k.r2)) * cel *
+    return of_mode<T>(k.long_axis, c_.root_of_kap2) / sqrt(T(one + k.r2)) * cel *
            select(k.by_deficit, k.r2, one);
   }
 
@@ -292,21 +218,19 @@ class SadovBlock {
                                      bool* usual) const {
     const T zero(0.0), half_pi(1.5707963267948966), pi(3.141592653589793);
     const Curve& k = curve_[i];
-    const InvariablePlane<T>& plane = plane_[i];
-    const T x = means_[i].x, G = plane.G, size = G * action(k, means_[i]);
-    const T mean_angle = argument(frame_phasor(k, plane) * conj(theta_[i] * theta_[i]));
-    const T I_h = axial_momentum(G, plane.k_I.z, plane.node_h);
-    const T phi_h = argument(plane.node_h);
+    const BasicVec3<T>& M = momentum_[i];
+    const T x = means_[i].x, G = k.G, size = G * action(k, means_[i]);
+    const P frame = frame_phasor(c_, k, attitude_[i]) * conj(theta_[i] * theta_[i]);
+    const T node2 = M.x * M.x + M.y * M.y;
+    const T I_h = third_momentum(G, M.z, node2), phi_h = wrapped_angle(atan2(M.x, T(-M.y)));
     const T I_l =
         select(k.long_axis, size, negated(k.negative3, select(k.by_deficit, T(G - size), size)));
     const T from_start = select(k.negative1, T(x + pi), x);
-    const T phi_l = wrapped(negated(!(k.long_axis || k.negative3), from_start));
-    const Mask minus = select_mask(k.long_axis, !k.negative1, k.negative3);
-    const T phi_g =
-        wrapped(wrapped(mean_angle - negated(minus, half_pi) + select(k.long_axis, zero, x)));
-    const T tilt = plane.node_h.re * plane.node_h.re + plane.node_h.im * plane.node_h.im;
-    const Mask right =
-        k.usual && G > T(0x1p-100) && G < T(0x1p100) && tilt > T(least_tilt * least_tilt);
+    const T phi_l = wrapped_angle(negated(!(k.long_axis || k.negative3), from_start));
+    const Mask minus = (k.long_axis && !k.negative1) || (!k.long_axis && k.negative3);
+    const T phi_g = wrapped_angle(wrapped_angle(
+        atan2(frame.im, frame.re) - negated(minus, half_pi) + select(k.long_axis, zero, x)));
+    const Mask right = k.usual && node2 > T(least_tilt * least_tilt) * (G * G);
     for (std::size_t j = 0; j < count; ++j) {
       const bool is_long = k.long_axis.lanes[j] != 0;
       results[j] = {phi_l.lanes[j],
@@ -321,10 +245,11 @@ class SadovBlock {
     }
   }
 
-  static constexpr double least_complement = 1e-6, least_tilt = 1e-6;
+  static constexpr double least_tilt = 1e-6;
 
   const SadovConstants& c_;
-  InvariablePlane<T> plane_[most];
+  BasicQuaternion<T> attitude_[most];
+  BasicVec3<T> momentum_[most];  // along inertial axes
   Curve curve_[most];
   Means means_[most];
   P theta_[most];

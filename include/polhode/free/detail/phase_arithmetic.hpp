@@ -41,6 +41,7 @@ SinCos<Dual<T, N>> phase_sincos(const TwoTerms<Dual<T, N>>& phase) {
 
 // The two ways to an exact product; both give the same bits.
 struct DekkerArithmetic {
+  using Exp = NaturalExp;
   template <Number T>
   [[gnu::always_inline]] static TwoTerms<T> sum(const T& a, const T& b) {
     return two_sum(a, b);
@@ -67,6 +68,7 @@ struct FmaArithmetic : DekkerArithmetic {
 };
 // Of numbers that have the digits that a phase needs: the low part stays 0.
 struct WideArithmetic {
+  using Exp = NaturalExp;
   template <Number T>
   static TwoTerms<T> sum(const T& a, const T& b) {
     return {a + b, T(0.0)};

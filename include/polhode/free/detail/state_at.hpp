@@ -34,7 +34,7 @@ template <class Arithmetic, Number T>
                                                           const TwoTerms<T>& phase,
                                                           const Mask<T>& odd_half_periods) {
   const T chi = series.chi_per_u * phase.hi;
-  const SeriesValue<T> v{hyperbolic_sum(series, chi, odd_half_periods),
+  const SeriesValue<T> v{hyperbolic_sum<typename Arithmetic::Exp>(series, chi, odd_half_periods),
                          series.phase_per_u * phase.hi};
   if (all(series.hyperbolic)) return v;
   return {select(series.hyperbolic, v.p, trigonometric_value<Arithmetic>(series, phase)),

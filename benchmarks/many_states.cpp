@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Charts of many states in one call, by each set of instructions: ns a state, and the largest error
+// against the same formulas in double-double (Andoyer, Euler; in eps, angles modulo 2 pi) or
+// against the motion's own variables (Sadov; in eps, the action and phi_l). |g| = 1. `range(0)` is
+// the set.
+#include "polhode/rotor/many_states.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/free/sadov.hpp"
+#include "polhode/math/double_double.hpp"
+#include "worst.hpp"
+
+namespace {
+
+using namespace polhode;
+using Wide = DoubleDouble;
+using polhode::test::Worst;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+const Body body(1.0, 1.7, 2.1);
+
+const std::vector<RotorState>& states() {
+  static const std::vector<RotorState> sample = [] {
+    std::mt19937_64 engine(20250101);
+    std::normal_distribution<double> n;
+    std::vector<RotorState> s(4096);
+    for (RotorState& state : s) {
+      const Vec3 v{n(engine), n(engine), n(engine)};
+      const double size = norm(v);
+      state = {normalized(Quaternion{n(engine), n(engine), n(engine), n(engine)}),
+               {v.x / size, v.y / size, v.z / size}};
+    }
+    return s;
+  }();
+  return sample;
+}
+
+BasicRotorState<Wide> wide(const RotorState& s) {
+  return {{s.q.w, s.q.x, s.q.y, s.q.z}, {s.g.x, s.g.y, s.g.z}};
+}
+BasicAndoyerState<Wide> wide(const AndoyerState& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
+BasicEulerState<Wide> wide(const EulerState& e) {
+  return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
+}
+template <class T>
+std::array<T, 6> numbers(const BasicAndoyerState<T>& a) {
+  return {a.l, a.g, a.h, a.L, a.G, a.H};
+}
+template <class T>
+std::array<T, 6> numbers(const BasicEulerState<T>& e) {
+  return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
+}
+template <class T>
+std::array<T, 7> numbers(const BasicRotorState<T>& s) {
+  const BasicQuaternion<T> q = normalized(s.q);
+  return {q.w, q.x, q.y, q.z, s.g.x, s.g.y, s.g.z};
+}
+
+template <class A, class B>
+double error(const A& value, const B& exact) {
+  const auto v = numbers(value);
+  const auto e = numbers(exact);
+  Worst worst;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    worst.add(std::abs(std::remainder((Wide(v[i]) - e[i]).hi, 2.0 * pi<double>())));
+  return worst.value() / eps;
+}
+
+template <class To, class From, class Convert>
+std::vector<To> timed(benchmark::State& state, const std::vector<From>& from,
+                      const Convert& convert) {
+  const auto set = static_cast<InstructionSet>(state.range(0));
+  std::vector<To> to(from.size());
+  if (!supports(set)) {
+    state.SkipWithError("this processor has no such instructions");
+    return to;
+  }
+  for (auto _ : state) {
+    convert(std::span<const From>(from), std::span<To>(to), set);
+    benchmark::DoNotOptimize(to.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetLabel(std::string(instruction_set_name(set)));
+  state.counters["ns_per_state"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(from.size()) * 1e-9,
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  return to;
+}
+
+template <class To, class From, class Convert>
+void measure(benchmark::State& state, const std::vector<From>& from, const Convert& convert) {
+  const std::vector<To> to = timed<To>(state, from, convert);
+  Worst worst;
+  for (std::size_t i = 0; i < from.size(); i += 4) worst.add(error(to[i], convert(wide(from[i]))));
+  state.counters["max_error_eps"] = worst.value();
+}
+
+const auto andoyer = [](const auto&... s) { return to_andoyer(s...); };
+const auto euler = [](const auto&... s) { return to_euler(s...); };
+const auto hub = [](const auto&... s) { return to_rotor(s...); };
+
+template <class Convert>
+auto converted(Convert convert) {
+  std::vector<decltype(convert(RotorState{}))> result;
+  for (const RotorState& s : states()) result.push_back(convert(s));
+  return result;
+}
+
+void many_to_andoyer(benchmark::State& state) { measure<AndoyerState>(state, states(), andoyer); }
+void many_from_andoyer(benchmark::State& state) {
+  measure<RotorState>(state, converted(andoyer), hub);
+}
+void many_to_euler(benchmark::State& state) { measure<EulerState>(state, states(), euler); }
+void many_from_euler(benchmark::State& state) { measure<RotorState>(state, converted(euler), hub); }
+
+void many_to_sadov(benchmark::State& state) {
+  const auto convert = [](std::span<const RotorState> from, std::span<SadovState> to,
+                          InstructionSet set) { to_sadov(body, from, to, set); };
+  const std::vector<SadovState> to = timed<SadovState>(state, states(), convert);
+  Worst worst;
+  for (std::size_t i = 0; i < to.size(); i += 8) {
+    const SadovState s = to_sadov(FreeRotation(body, states()[i]), 0.0);
+    worst.add(std::abs(to[i].I_l - s.I_l) / eps);
+    worst.add(std::abs(std::remainder(to[i].phi_l - s.phi_l, 2.0 * pi<double>())) / eps);
+  }
+  state.counters["max_error_eps"] = worst.value();
+}
+void one_to_sadov(benchmark::State& state) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(to_sadov(body, states()[i]));
+    i = (i + 1) % states().size();
+  }
+}
+void one_from_sadov(benchmark::State& state) {
+  std::vector<SadovState> sadov(states().size());
+  to_sadov(body, states(), sadov);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(to_rotor(body, sadov[i]));
+    i = (i + 1) % sadov.size();
+  }
+}
+
+BENCHMARK(many_to_andoyer)->DenseRange(0, 2);
+BENCHMARK(many_from_andoyer)->DenseRange(0, 2);
+BENCHMARK(many_to_euler)->DenseRange(0, 2);
+BENCHMARK(many_from_euler)->DenseRange(0, 2);
+BENCHMARK(many_to_sadov)->DenseRange(0, 2);
+BENCHMARK(one_to_sadov);
+BENCHMARK(one_from_sadov);
+
+}  // namespace
