@@ -9,11 +9,14 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/free/sadov.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/many_states.hpp"
 #include "polhode/rotor/poincare.hpp"
 #include "worst.hpp"
 
@@ -70,8 +73,30 @@ void timed(benchmark::State& run, const From* in, F f) {
   run.counters["rows"] = count;
 }
 
+// f(from, to) of all of them together.
+template <class To, class From, class F>
+Room<To> together(const From* in, F f) {
+  Room<To> out = room<To>();
+  f(std::span(in, count), std::span(out.get(), count));
+  return out;
+}
+template <class To, class From, class F>
+void timed_together(benchmark::State& run, const From* in, F f) {
+  for (auto _ : run) benchmark::DoNotOptimize(together<To>(in, f).get());
+  run.counters["rows"] = count;
+}
+
 void at(benchmark::State& run) {
-  timed(run, times(), [](double t) { return motion().at(t); });
+  timed_together<RotorState>(run, times(), [](auto t, auto out) { motion().at(t, out); });
+}
+void at_grid(benchmark::State& run) {
+  timed_together<RotorState>(run, times(), [](auto, auto out) {
+    motion().at(TimeGrid{0.0, 0.01}, out);
+  });
+}
+void sadov(benchmark::State& run) {
+  timed_together<SadovState>(run, states(),
+                             [](auto s, auto out) { to_sadov(motion().body(), s, out); });
 }
 void kinetic(benchmark::State& run) {
   timed(run, states(), [](const RotorState& s) { return kinetic_energy(motion().body(), s); });
@@ -86,21 +111,35 @@ void chart(benchmark::State& run) {
   run.counters["error_eps"] = worst.value();
 }
 
-template <auto To>
-void hub(benchmark::State& run) {
-  const auto from = mapped(states(), To);
-  timed(run, from.get(), [](const auto& s) { return to_rotor(s); });
+template <class Chart, auto To>
+void chart_together(benchmark::State& run) {
+  timed_together<Chart>(run, states(), To);
+  const Room<Chart> found = together<Chart>(states(), To);
+  Worst worst;
+  for (std::size_t k = 0; k < count; k += 997) worst.add(distance(to_rotor(found[k]), states()[k]));
+  run.counters["error_eps"] = worst.value();
 }
 
-constexpr auto andoyer = [](const RotorState& s) { return to_andoyer(s); };
-constexpr auto euler = [](const RotorState& s) { return to_euler(s); };
+template <class Chart, auto To>
+void hub(benchmark::State& run) {
+  const Room<Chart> from = together<Chart>(states(), To);
+  timed_together<RotorState>(run, static_cast<const Chart*>(from.get()),
+                             [](auto s, auto out) { to_rotor(s, out); });
+}
+
+constexpr auto andoyer = [](auto... s) { return to_andoyer(s...); };
+constexpr auto euler = [](auto... s) { return to_euler(s...); };
 constexpr auto poincare = [](const RotorState& s) { return nearest_poincare(s); };
 
 BENCHMARK(at)->Name("FreeRotation.at")->Unit(benchmark::kMillisecond);
-BENCHMARK(chart<andoyer>)->Name("to_andoyer")->Unit(benchmark::kMillisecond);
-BENCHMARK(hub<andoyer>)->Name("to_rotor(AndoyerState)")->Unit(benchmark::kMillisecond);
-BENCHMARK(chart<euler>)->Name("to_euler")->Unit(benchmark::kMillisecond);
-BENCHMARK(hub<euler>)->Name("to_rotor(EulerState)")->Unit(benchmark::kMillisecond);
+BENCHMARK(chart_together<AndoyerState, andoyer>)->Name("to_andoyer")->Unit(benchmark::kMillisecond);
+BENCHMARK(hub<AndoyerState, andoyer>)
+    ->Name("to_rotor(AndoyerState)")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(chart_together<EulerState, euler>)->Name("to_euler")->Unit(benchmark::kMillisecond);
+BENCHMARK(hub<EulerState, euler>)->Name("to_rotor(EulerState)")->Unit(benchmark::kMillisecond);
+BENCHMARK(at_grid)->Name("FreeRotation.at_grid")->Unit(benchmark::kMillisecond);
+BENCHMARK(sadov)->Name("to_sadov")->Unit(benchmark::kMillisecond);
 BENCHMARK(chart<poincare>)->Name("nearest_poincare")->Unit(benchmark::kMillisecond);
 BENCHMARK(kinetic)->Name("kinetic_energy")->Unit(benchmark::kMillisecond);
 

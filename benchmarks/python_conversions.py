@@ -41,10 +41,12 @@ def million_calls() -> dict:
     andoyer, euler = polhode.to_andoyer(s), polhode.to_euler(s)
     return {
         "FreeRotation.at": lambda: motion.at(t),
+        "FreeRotation.at_grid": lambda: motion.at_grid(0.0, 0.01, ROWS),
         "to_andoyer": lambda: polhode.to_andoyer(s),
         "to_rotor(AndoyerState)": lambda: polhode.to_rotor(andoyer),
         "to_euler": lambda: polhode.to_euler(s),
         "to_rotor(EulerState)": lambda: polhode.to_rotor(euler),
+        "to_sadov": lambda: polhode.to_sadov(body, s),
         "nearest_poincare": lambda: polhode.nearest_poincare(s),
         "kinetic_energy": lambda: polhode.kinetic_energy(body, s),
     }

@@ -20,5 +20,9 @@ inline constexpr double large_angle = 2e-16;
 // --- functions of packs (tests/unit/math/pack_functions.cpp), in units in the last place ---
 inline constexpr double pack_sincos_ulp = 0.9;
 inline constexpr double pack_atan2_ulp = 0.6;
+inline constexpr double pack_exp_ulp = 1.5;
+inline constexpr double pack_small_atan_ulp = 1.0;
+// Of a logarithm, over the larger of itself and 1.
+inline constexpr double pack_log = 4e-16;
 
 }  // namespace polhode::budget

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Sines, cosines and angles of packs, with the same bits by every set of instructions.
+// Sines, cosines, angles and a few more functions of packs, with the same bits by every set of
+// instructions.
 //
 // Equations   sin, cos; atan2(y, x) = arg(x + i y).
 // Units       radians.
 // Domain      any numbers. Angles beyond 1e6, and pairs whose size or ratio is beyond 2^500 and
 //             2^200, go through the C library lane by lane. Signs of zeros as in <cmath>, but the
 //             sine of -0 is 0.
-// Accuracy    budgets pack_sincos_ulp and pack_atan2_ulp in tests/budgets.hpp: below one unit in
-//             the last place. Not the bits of <cmath>.
+// Accuracy    budgets pack_sincos_ulp, pack_atan2_ulp and others of packs in tests/budgets.hpp:
+//             sines, cosines and atan2 below one unit in the last place. Not the bits of <cmath>.
 // Errors      none; NaN in, NaN out, in the same lane; NaN for the sine of an infinity.
 // Cost        some 35 multiplications, and one division for atan2, for all lanes.
 #pragma once

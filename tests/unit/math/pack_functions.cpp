@@ -64,6 +64,27 @@ TEST(PackFunctions, AnglesAreRightToTheLastPlace) {
   EXPECT_LE(worst.value(), budget::pack_atan2_ulp);
 }
 
+TEST(PackFunctions, ExponentialsLogarithmsAndSmallAngles) {
+  Draw draw(604, 0);
+  Worst exponential, logarithm, small;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = i % 2 == 0 ? draw.uniform(-700.0, 0.0) : -draw.power_of_ten(-20.0, 1.0);
+    exponential.add(units(exp_of_negative(P(x)).lanes[0], exp(Wide(x))));
+    const double y = i % 2 == 0 ? draw.power_of_ten(-300.0, 300.0) : draw.uniform(0.5, 2.0);
+    const double size = std::abs(std::log(y));
+    logarithm.add(std::abs(static_cast<double>(Wide(log_of(P(y)).lanes[0] - log(Wide(y))))) /
+                  (size > 1.0 ? size : 1.0));
+    const double t = draw.uniform(-0.25, 0.25);
+    small.add(units(small_atan(P(t)).lanes[0], atan(Wide(t))));
+  }
+  EXPECT_LE(exponential.value(), budget::pack_exp_ulp);
+  EXPECT_LE(logarithm.value(), budget::pack_log);
+  EXPECT_LE(small.value(), budget::pack_small_atan_ulp);
+  EXPECT_EQ(exp_of_negative(P(0.0)).lanes[0], 1.0);
+  EXPECT_EQ(exp_of_negative(P(-1e300)).lanes[0], exp_of_negative(P(-700.0)).lanes[0]);
+  EXPECT_EQ(log_of(P(1.0)).lanes[0], 0.0);
+}
+
 TEST(PackFunctions, OddArgumentsAreThoseOfTheCLibrary) {
   std::vector<double> odd{0.0, 5e-324, 1e-310, 1e-200, 1e200, 1e308, infinite, not_a_number, 2.0};
   for (std::size_t i = 0, n = odd.size(); i < n; ++i) odd.push_back(-odd[i]);
