@@ -231,8 +231,9 @@ def test_an_even_grid_has_the_states_of_its_times():
         grid = motion.at_grid(-3.0, 0.125, 1000)
         times = -3.0 + 0.125 * np.arange(1000)
         assert grid.shape == (1000,)
-        assert_allclose(grid.q, motion.at(times).q, 0, budgets.free_state)
-        assert_allclose(grid.g, motion.at(times).g, 0, budgets.free_state * motion.momentum)
+        assert_allclose(grid.q, motion.at(times).q, rtol=0, atol=budgets.free_state)
+        assert_allclose(grid.g, motion.at(times).g, rtol=0,
+                        atol=budgets.free_state * motion.momentum)
 
 
 def test_a_grid_goes_on_with_the_same_bits_wherever_it_is_cut():

@@ -67,7 +67,7 @@ template <class T>
   const T above = k.G + k.m.z;
   const P along = above * s.a + s.b * P{k.m.y, k.m.x};
   const P across = above * s.b - s.a * P{k.m.y, -k.m.x};
-  return (T(1.0) / (k.G * k.G)) * (along * conj(across));
+  return along * conj(across);
 }
 
 // H, with the rounding of the result alone near +-G: there G - |H| comes from the node.

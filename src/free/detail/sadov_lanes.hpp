@@ -85,9 +85,12 @@ class SadovBlock {
 
   [[gnu::always_inline]] void begin(std::size_t i, const std::array<T, 7>& row) {
     const BasicVec3<T> g{row[4], row[5], row[6]};
-    attitude_[i] = normalized(BasicQuaternion<T>{row[0], row[1], row[2], row[3]});
+    const T square = row[0] * row[0] + row[1] * row[1] + row[2] * row[2] + row[3] * row[3];
+    const T n = T(1.0) / sqrt(square);
+    attitude_[i] = {n * row[0], n * row[1], n * row[2], n * row[3]};
     momentum_[i] = rotate(attitude_[i], g);
     curve_[i] = sadov_curve(c_, g);
+    curve_[i].usual = curve_[i].usual && square > T(0x1p-200) && square < T(0x1p200);
     begin_means(i, curve_[i]);
   }
 
