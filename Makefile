@@ -114,8 +114,8 @@ bench-peers: build ## polhode beside its peers, time and error: build/bench/peer
 	$(PACKAGE) build/bench/venv/bin/python benchmarks/peers/run.py --seed "$(SEED)" \
 	  --repetitions $(REPETITIONS) --variants $(VARIANTS)
 
-fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
-	cmake --build build/fuzz
+fuzz: build/fuzz-long/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
+	cmake --build build/fuzz-long
 	tools/fuzz --for $(FUZZ)
 
 mutate: build/release/build.ninja ## MUTANTS small changes of the formulas, drawn by SEED: which do the tests catch? (an hour)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Writes a source that includes others, so that the compiler reads their headers once.
 
+It names them relative to itself: a compiler cache then knows it in every checkout.
+
 tools/joined.py [--apart] OUT SOURCE...
 
 --apart keeps each source in a namespace of its own: two tests may both have an `eps`. Then all
@@ -9,6 +11,7 @@ headers come first, and what a source puts into `namespace polhode` sees what th
 """
 
 import argparse
+import os
 import pathlib
 import re
 
@@ -16,31 +19,33 @@ INCLUDE = re.compile(r'^#include ([<"])([^>"]+)[>"]', re.MULTILINE)
 OPENED = re.compile(r"^namespace ([\w:]+) \{", re.MULTILINE)
 
 
-def included(source, text):
+def included(source, place, text):
     for bracket, name in INCLUDE.findall(text):
         beside = source.parent / name
-        yield f"<{name}>" if bracket == "<" else f'"{beside if beside.exists() else name}"'
+        near = place.parent / name if beside.exists() else name
+        yield f"<{name}>" if bracket == "<" else f'"{near}"'
 
 
-def in_namespace(number, source, text):
+def in_namespace(number, place, text):
     paths = [name.split("::") for name in OPENED.findall(text)]
     opened = sorted({"::".join(path[:n + 1]) for path in paths for n in range(len(path))})
     own = f"joined_{number}"
     return [*(f"namespace {name} {{}}\nnamespace {own}::{name} {{ using namespace ::{name}; }}"
               for name in opened),
-            f'namespace {own} {{\n#include "{source}"\n}}']
+            f'namespace {own} {{\n#include "{place}"\n}}']
 
 
-def joined(sources, apart):
+def joined(out, sources, apart):
     lines = ["// Written by tools/joined.py."]
+    places = [pathlib.Path(os.path.relpath(source, out.parent)) for source in sources]
     if not apart:
-        return lines + [f'#include "{source}"' for source in sources]
+        return lines + [f'#include "{place}"' for place in places]
     texts = [source.read_text(encoding="utf-8") for source in sources]
-    headers = dict.fromkeys(header for source, text in zip(sources, texts)
-                            for header in included(source, text))
+    headers = dict.fromkeys(header for each in zip(sources, places, texts)
+                            for header in included(*each))
     lines += [f"#include {header}" for header in headers]
-    for number, (source, text) in enumerate(zip(sources, texts)):
-        lines += in_namespace(number, source, text)
+    for number, (place, text) in enumerate(zip(places, texts)):
+        lines += in_namespace(number, place, text)
     return lines
 
 
@@ -50,7 +55,7 @@ def main():
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("sources", type=pathlib.Path, nargs="+")
     options = parser.parse_args()
-    text = "\n".join(joined(options.sources, options.apart)) + "\n"
+    text = "\n".join(joined(options.out, options.sources, options.apart)) + "\n"
     if options.out.exists() and options.out.read_text(encoding="utf-8") == text:
         return  # another build tree has written it
     options.out.parent.mkdir(parents=True, exist_ok=True)

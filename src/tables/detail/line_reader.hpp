@@ -18,7 +18,7 @@ class LineReader {
   static constexpr std::size_t longest_line = std::size_t{1} << 20;
 
   explicit LineReader(const ByteSource& source)
-      : source_(source), buffer_(2 * longest_line, '\0') {}
+      : source_(source), buffer_(std::size_t{1} << 16, '\0') {}
 
   // The next line without its end, valid until the next call; nothing at the end of the stream or
   // when a line is too long.
@@ -59,6 +59,8 @@ class LineReader {
     std::memmove(buffer_.data(), buffer_.data() + first_, last_ - first_);
     last_ -= first_;
     first_ = 0;
+    if (last_ > buffer_.size() / 2 && buffer_.size() < 2 * longest_line)
+      buffer_.resize(2 * buffer_.size());  // up to 2 MiB, for lines that are so long
     const std::size_t count = source_({buffer_.data() + last_, buffer_.size() - last_});
     ended_ = count == 0;
     last_ += count;
