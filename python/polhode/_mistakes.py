@@ -4,7 +4,6 @@ with the argument, its value and what was expected, in place of nanobind's list 
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import operator
 import re
@@ -151,6 +150,8 @@ class _Attempt:
         if self.wrong:
             return
         if unknown := [name for name in kwargs if name not in known]:
+            import difflib  # only here, where it is needed: it takes 5 ms to import
+
             near = difflib.get_close_matches(unknown[0], known, 1)
             hint = near[0] if near else " or ".join(known) or "no arguments"
             self.complaint = f"got {unknown[0]}={shown(kwargs[unknown[0]])}; expected {hint}"

@@ -5,7 +5,6 @@ They say what is there and compute nothing that grows with the number of states.
 
 from __future__ import annotations
 
-import html
 import math
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -42,6 +41,8 @@ REGIMES = {
 
 def html_rows(title: str, rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> str:
     """A table: a title, names of columns, and rows of a name and texts."""
+    import html
+
     left = "style='text-align:left'"
 
     def cells(kind: str, texts: Sequence[str]) -> str:

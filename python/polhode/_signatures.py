@@ -97,6 +97,34 @@ def _signature(callable_: Any, names: dict[str, Any]) -> inspect.Signature:
     )
 
 
+class _LateSignature(inspect.Signature):
+    """Read from its text when somebody looks at it: all of them would take 12 ms of each import."""
+
+    __slots__ = ("_make",)
+
+    def __init__(self, make: Callable[[], inspect.Signature]) -> None:
+        self._make = make
+
+    def __getattr__(self, name: str) -> Any:  # of what the base class has not found yet
+        if name not in ("_parameters", "_return_annotation"):
+            raise AttributeError(name)
+        made = self._make()
+        self._parameters = made._parameters
+        self._return_annotation = made._return_annotation
+        return getattr(self, name)
+
+    def replace(self, **changes: Any) -> inspect.Signature:
+        return self._make().replace(**changes)
+
+    __replace__ = replace
+
+    def __reduce__(self) -> Any:
+        return self._make().__reduce__()
+
+    def __repr__(self) -> str:
+        return repr(self._make())
+
+
 class ClassSignature:
     """The __signature__ of a class, made when asked for. A subclass may have its own."""
 
@@ -150,7 +178,7 @@ def with_signature(function: Any, names: dict[str, Any], owner: str = "") -> Cal
         _refuse(owner + function.__name__, function, names, args, kwargs)
 
     wrapper: Any = functools.update_wrapper(call, function, updated=())
-    wrapper.__signature__ = _signature(function, names)
+    wrapper.__signature__ = _LateSignature(functools.partial(_signature, function, names))
     return call
 
 

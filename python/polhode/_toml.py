@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy
-import tomlkit
 
 from polhode import _core
 
@@ -24,6 +22,8 @@ def text_from(data: Mapping[str, Any]) -> str:
 
 def data_from(text: str) -> dict[str, Any]:
     """The nested dict behind a TOML text: plain Python values."""
+    import tomlkit  # 10 ms, for those alone who edit
+
     return tomlkit.parse(text).unwrap()
 
 
@@ -34,6 +34,8 @@ def value_text(value: Any, key: str) -> str:
 
 def with_columns(text: str, columns: Iterable[str]) -> str:
     """The same text, comments and all, with [output] columns set to these."""
+    import tomlkit
+
     document = tomlkit.parse(text)
     if "output" not in document:
         document.add("output", tomlkit.table())
@@ -80,6 +82,8 @@ def _name(key: Any, path: str) -> str:
 
 
 def _text(value: str) -> str:
+    import json
+
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 

@@ -9,13 +9,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.polynomial import Polynomial, legendre
-from numpy.typing import ArrayLike
 
 from polhode._core import _numbers
+from polhode._legendre import legendre_columns, powers_of_time
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     Array = NDArray[np.float64]
 
@@ -109,7 +108,7 @@ def argument_fit(
     angle = (epoch + n * times[:, None]) @ m.T
     waves = [np.cos(angle), np.sin(angle)]
     columns = np.hstack(
-        [legendre.legvander(x, degree), *waves, *(x[:, None] * w[:, growing] for w in waves)]
+        [legendre_columns(x, degree), *waves, *(x[:, None] * w[:, growing] for w in waves)]
     )
     _require_apart(columns, degree + 1, m, high - low)
     linear = np.linalg.lstsq(columns, series, rcond=None)[0]
@@ -183,12 +182,7 @@ def _in_time(
 ) -> list[Array]:
     """From powers of x to powers of t."""
     J, K = len(growing), linear.shape[1]
-    x = Polynomial([-middle / half, 1 / half])
-    power = np.zeros((degree + 1, K))
-    for k, coefficients in enumerate(linear[: degree + 1].T):
-        in_t = Polynomial(legendre.leg2poly(coefficients))(x).coef
-        power[: len(in_t), k] = in_t
-    parts = [power]
+    parts = [powers_of_time(linear[: degree + 1], middle, half)]
     changes = []
     rest = linear[degree + 1 + 2 * J :]
     of_growing = np.split(rest, 2)

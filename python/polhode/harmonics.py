@@ -9,13 +9,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.polynomial import Polynomial, legendre
-from numpy.typing import ArrayLike
 
 from polhode._core import _numbers
+from polhode._legendre import legendre_columns, powers_of_time
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     Array = NDArray[np.float64]
 
@@ -146,7 +145,7 @@ def _adjusted(adjust: bool | Sequence[bool], P: Array) -> NDArray[np.bool_]:
 
 def _columns(x: Array, rates: Array, degree: int) -> Array:
     angle = x[:, None] * rates
-    return np.hstack([legendre.legvander(x, degree), np.cos(angle), np.sin(angle)])
+    return np.hstack([legendre_columns(x, degree), np.cos(angle), np.sin(angle)])
 
 
 def _solved(columns: Array, series: Array, P: Array, span: float) -> Array:
@@ -225,11 +224,7 @@ def _in_time(linear: Array, rates: Array, middle: float, half: float, rms: Array
     """From polynomials and angles of x to powers and angles of t."""
     J = len(rates)
     degree = len(linear) - 2 * J - 1
-    x = Polynomial([-middle / half, 1 / half])
-    power = np.zeros((degree + 1, linear.shape[1]))
-    for k, coefficients in enumerate(linear[: degree + 1].T):
-        in_t = Polynomial(legendre.leg2poly(coefficients))(x).coef
-        power[: len(in_t), k] = in_t
+    power = powers_of_time(linear[: degree + 1], middle, half)
     a, b = linear[degree + 1 : degree + 1 + J], linear[degree + 1 + J :]
     turn = (rates * middle / half)[:, None]
     cosine, sine = a * np.cos(turn) - b * np.sin(turn), a * np.sin(turn) + b * np.cos(turn)

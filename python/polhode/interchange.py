@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from polhode._core import RotorState, _numbers
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
     from scipy.spatial.transform import Rotation
 
 

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
-import html
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -199,6 +197,8 @@ class Results(Mapping[str, "Array"]):
         known = [*_core._column_names(), *_core._column_group_names()]
         if name in known:
             return f"no column \"{name}\": [output] columns must name it; {has}"
+        import difflib
+
         near = difflib.get_close_matches(name, known, n=3)
         mean = f"did you mean {' or '.join(near)}? " if near else ""
         return f"no column \"{name}\"; {mean}[output] columns must name it; {has}"
@@ -238,6 +238,8 @@ class Results(Mapping[str, "Array"]):
         return "\n".join([f"<Results: {title}", f"  {rows}", *lines, f"  {end}>"])
 
     def _repr_html_(self) -> str:
+        import html
+
         title, rows, end = (html.escape(text) for text in self._head())
         table = html_rows("", self._group_texts())
         return f"<p><b>{title}</b><br>{rows}<br>{end}</p>{table}"

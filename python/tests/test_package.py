@@ -7,6 +7,7 @@ import pprint
 import subprocess
 import sys
 
+import budgets
 import polhode
 import pytest
 
@@ -22,6 +23,19 @@ def imported(statement):
 def test_importing_it_needs_numpy_and_nothing_optional():
     modules = imported("import polhode")
     assert not modules & {"matplotlib", "scipy", "pandas", "xarray", "h5py"}
+
+
+def test_importing_it_costs_few_modules_beside_numpys():
+    more = imported("import numpy, polhode") - imported("import numpy")
+    assert not [name for name in more if name.startswith(("numpy", "tomlkit"))]
+    assert len([name for name in more if not name.startswith("polhode")]) <= (
+        budgets.imported_modules)
+
+
+def test_what_is_not_imported_at_first_is_found_when_it_is_needed():
+    times, values = [0.0, 1, 2, 3, 4, 5, 6, 7], [0.0, 1, 0, -1, 0, 1, 0, -1]
+    statement = f"import polhode; polhode.harmonic_fit({times}, {values}, [4.0])"
+    assert "numpy.polynomial" in imported(statement)
 
 
 def test_every_public_name_has_a_docstring():
@@ -75,7 +89,6 @@ body = polhode.Body
 for name in [name for name in sys.modules if name.startswith("polhode")]:
     del sys.modules[name]
 import polhode
-import pytest
 assert polhode.Body is body
 print(polhode.Body(1, 1, 1))
 """

@@ -101,4 +101,8 @@ inline constexpr double oem_times = 1e-6;
 // Attitude after a revolution along a table of rows 60 s apart, against elements.
 inline constexpr double oem_run = 1e-8;
 
+// --- import (python/tests/test_package.py) ---
+// Modules beside NumPy's and polhode's own: dataclasses and what it needs.
+inline constexpr double imported_modules = 12;
+
 }  // namespace polhode::budget
