@@ -57,7 +57,7 @@ test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzz
 test-full: test-clang test-asan test-tsan fuzz test-sweeps ## All that there is, part by part (hours)
 
 test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang 16 compiles them
-	cmake --build --preset clang
+	cmake --build --preset clang --target all benchmarks
 	ctest --preset clang -j $(CORES) --progress
 
 test-asan: build/asan/build.ninja ## Part of test-full: C++ and Python tests under ASan and UBSan
@@ -101,7 +101,7 @@ figures: build ## Redraw every figure of docs/ and the gallery's page
 	$(PYTHON) tools/figures/gallery.py
 
 bench: build ## Run the benchmarks: time and error, next to Boost and GSL; build/bench/own/*.json
-	cmake --build build/release
+	cmake --build build/release --target benchmarks
 	@mkdir -p build/bench/own
 	@for b in build/release/benchmarks/bench_*; do echo "$$b"; \
 	  $$b --benchmark_out="build/bench/own/$${b##*/}.json" --benchmark_out_format=json || exit 1; done

@@ -44,6 +44,9 @@ def test_an_example_gives_the_files_of_the_command_line(path, tmp_path):
     there, here = tmp_path / "there", tmp_path / "here"
     there.mkdir()
     here.mkdir()
+    if path.stem == "envisat":
+        given, path = path, tmp_path / path.name
+        path.write_text(shortened(load(given)).text)
     table = command_line("run", path, "--out", there / "a.csv", "--out", there / "a.h5")
     scenario = load(path)
     results = scenario.run([here / "a.csv", str(here / "a.h5")])
