@@ -2,6 +2,7 @@
 #include "output/detail/journaled_file.hpp"
 
 #include <fcntl.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -139,16 +140,35 @@ bool JournaledFile::read(std::uint64_t offset, std::span<char> out) const {
   return true;
 }
 
+JournaledFile::Page* JournaledFile::waiting_page(std::uint64_t page, bool all) {
+  const auto found = waiting_.lower_bound(page);
+  if (found != waiting_.end() && found->first == page) return &found->second;
+  if (auto known = written_.extract(page)) return &waiting_.insert(found, std::move(known))->second;
+  auto i = found;
+  if (spare_.empty()) {
+    i = waiting_.emplace_hint(found, page, Page{});
+  } else {
+    spare_.back().key() = page;
+    i = waiting_.insert(found, std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  if (all) return &i->second;
+  if (static_cast<std::int64_t>(page * page_bytes) >= bytes_) {
+    i->second.fill('\0');
+  } else if (!read_at(descriptor_, i->second, page * page_bytes)) {
+    waiting_.erase(i);
+    return nullptr;
+  }
+  return &i->second;
+}
+
 bool JournaledFile::write(std::uint64_t offset, std::span<const char> bytes) {
   while (!bytes.empty()) {
     const std::uint64_t page = offset / page_bytes, from = offset % page_bytes;
     const std::size_t count = std::min<std::size_t>(bytes.size(), page_bytes - from);
-    const auto [i, is_new] = waiting_.try_emplace(page);
-    if (is_new && count < page_bytes && !read_at(descriptor_, i->second, page * page_bytes)) {
-      waiting_.erase(i);
-      return false;
-    }
-    std::memcpy(i->second.data() + from, bytes.data(), count);
+    Page* const waiting = waiting_page(page, count == page_bytes);
+    if (waiting == nullptr) return false;
+    std::memcpy(waiting->data() + from, bytes.data(), count);
     bytes = bytes.subspan(count);
     offset += count;
   }
@@ -159,6 +179,31 @@ bool JournaledFile::put_page(std::uint64_t page, const Page& bytes, std::int64_t
   const auto begin = static_cast<std::int64_t>(page * page_bytes);
   const auto count = std::clamp<std::int64_t>(length - begin, 0, std::int64_t{page_bytes});
   return written(descriptor_, {bytes.data(), static_cast<std::size_t>(count)}, page * page_bytes);
+}
+
+JournaledFile::Place JournaledFile::put_run(Place begin, Place end, std::int64_t length) const {
+  constexpr std::size_t most = 64;
+  std::array<iovec, most> parts;
+  std::size_t count = 0;
+  Place next = begin;
+  for (; next != end && count < most && next->first == begin->first + count &&
+         static_cast<std::int64_t>((next->first + 1) * page_bytes) <= length;
+       ++next)
+    parts[count++] = {const_cast<char*>(next->second.data()), page_bytes};  // NOLINT: it is read
+  if (count > 1 &&
+      ::pwritev(descriptor_, parts.data(), static_cast<int>(count),
+                offset_of(begin->first * page_bytes)) == static_cast<ssize_t>(count * page_bytes))
+    return next;
+  // one that is cut, one alone, or an error, which shows again
+  return put_page(begin->first, begin->second, length) ? std::next(begin) : begin;
+}
+
+bool JournaledFile::put_all(Place begin, Place end, std::int64_t length) const {
+  while (begin != end) {
+    const Place before = std::exchange(begin, put_run(begin, end, length));
+    if (begin == before) return false;
+  }
+  return true;
 }
 
 // Before a byte of the marked state is overwritten, it is in PATH-undo, on the disk.
@@ -198,23 +243,40 @@ void JournaledFile::keep_old_pages() {
 void JournaledFile::commit(std::int64_t bytes) {
   keep_old_pages();
   // What is new first: it needs space on the disk, and nothing refers to it yet.
-  const auto is_new = [&](std::uint64_t page) {
-    return static_cast<std::int64_t>(page * page_bytes) >= bytes_;
-  };
-  bool good = true;
-  for (auto i = waiting_.begin(); good && i != waiting_.end(); ++i)
-    if (is_new(i->first)) good = put_page(i->first, i->second, bytes);
-  good = good && (bytes <= bytes_ || ::ftruncate(descriptor_, bytes) == 0);
+  const auto first_new = std::as_const(waiting_).lower_bound(
+      (static_cast<std::uint64_t>(bytes_) + page_bytes - 1) / page_bytes);
+  bool good = put_all(first_new, waiting_.end(), bytes);
+  const bool reached =
+      !waiting_.empty() &&
+      static_cast<std::int64_t>((waiting_.rbegin()->first + 1) * page_bytes) >= bytes;
+  good = good && (bytes <= bytes_ || reached || ::ftruncate(descriptor_, bytes) == 0);
   if (!good) {
     const int error_number = errno;
     if (::ftruncate(descriptor_, bytes_) != 0) fail(errno);
     fail(error_number);
   }
-  for (const auto& [page, old] : waiting_)
-    if (!is_new(page) && !put_page(page, old, bytes)) fail(errno);
+  if (!put_all(waiting_.begin(), first_new, bytes)) fail(errno);
   if (bytes < bytes_ && ::ftruncate(descriptor_, bytes) != 0) fail(errno);
-  bytes_ = bytes;
-  waiting_.clear();
+  keep_pages(std::exchange(bytes_, bytes));
+}
+
+// Those that stood in the file before, and one that it ends in, are written again and again: they
+// are kept as they are. The others are room for new ones.
+void JournaledFile::keep_pages(std::int64_t old_bytes) {
+  constexpr std::size_t most = 64;
+  if (bytes_ < old_bytes || written_.size() > most) written_.clear();
+  while (!waiting_.empty()) {
+    auto page = waiting_.extract(waiting_.begin());
+    const auto begin = static_cast<std::int64_t>(page.key() * page_bytes);
+    const std::int64_t inside = bytes_ - begin;
+    if (inside > 0 && (begin < old_bytes || inside < std::int64_t{page_bytes})) {
+      if (inside < std::int64_t{page_bytes})
+        std::fill(page.mapped().begin() + inside, page.mapped().end(), '\0');
+      written_.insert(std::move(page));
+    } else if (spare_.size() < most) {
+      spare_.push_back(std::move(page));
+    }
+  }
 }
 
 void JournaledFile::sync() const {

@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace polhode {
 inline namespace v0 {
@@ -54,7 +55,16 @@ class JournaledFile {
   static bool can_roll_back(const std::string& path, const Savepoint& savepoint);
   void roll_back(const Savepoint& savepoint);
   void keep_old_pages();
+  using Pages = std::map<std::uint64_t, Page>;
+  // A page to write into, as it is in the file where not `all` of it will be written. Null when the
+  // file cannot be read.
+  Page* waiting_page(std::uint64_t page, bool all);
   bool put_page(std::uint64_t page, const Page& bytes, std::int64_t length) const;
+  using Place = Pages::const_iterator;
+  // Those that follow each other, in one call. Where they end: `begin` where it failed.
+  Place put_run(Place begin, Place end, std::int64_t length) const;
+  bool put_all(Place begin, Place end, std::int64_t length) const;
+  void keep_pages(std::int64_t old_bytes);
   [[noreturn]] void fail(int error_number) const;
 
   std::string path_;
@@ -63,7 +73,9 @@ class JournaledFile {
   std::int64_t bytes_ = 0;        // of the file
   Savepoint savepoint_{0, 0};     // 0 bytes: none
   std::set<std::uint64_t> kept_;  // pages in PATH-undo
-  std::map<std::uint64_t, Page> waiting_;
+  Pages waiting_;
+  Pages written_;  // some of the file's pages, as they are there
+  std::vector<Pages::node_type> spare_;
 };
 
 }  // namespace detail

@@ -217,10 +217,10 @@ void Hdf5Sink::kept() {
 }
 
 void Hdf5Sink::append(const Group& group, std::span<const double> rows, std::size_t count) {
-  columns_.clear();
+  columns_.resize(count * group.columns);
   for (std::size_t row = 0; row < count; ++row)
-    for (std::size_t i = 0; i < group.columns; ++i)
-      columns_.push_back(rows[row * width_ + group.first + i]);
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(row * width_ + group.first),
+                group.columns, columns_.begin() + static_cast<std::ptrdiff_t>(row * group.columns));
   const hsize_t total[] = {written_ + count, group.columns};
   const hsize_t start[] = {written_, 0}, block[] = {count, group.columns};
   require(H5Dset_extent(group.dataset.id(), total) >= 0);
