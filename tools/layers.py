@@ -56,7 +56,7 @@ THIRD_PARTY = {
     "ensemble": r"tbb/",
     "text": r"udunits2\.h",
     "tables": r"zlib\.h",
-    "output": r"hdf5\.h|(unistd|fcntl)\.h|sys/stat\.h",
+    "output": r"hdf5\.h|(unistd|fcntl)\.h|sys/(stat|uio)\.h",
     "scenario": r"toml\+\+/|fmt/",
     "run": r"fmt/|(unistd|fcntl)\.h|sys/stat\.h",
     "cli": r"CLI/|fmt/|(unistd|fcntl|signal)\.h|sys/",

@@ -301,7 +301,7 @@ def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
 def test_a_run_of_an_experiment_of_your_own_is_stopped_and_continued(colombo, tmp_path):
     program, scenario = colombo / "build/colombos-top", tmp_path / "long.toml"
     text = (colombo / "planet.toml").read_text()
-    scenario.write_text(text.replace("stop = 5000\n", "stop = 400000\n"))
+    scenario.write_text(text.replace("stop = 5000\n", "stop = 100000\n"))
     for extension in ("csv", "h5"):
         out, cut = tmp_path / f"whole.{extension}", tmp_path / f"cut.{extension}"
         sh(program, "run", scenario, "--out", out)
