@@ -166,7 +166,7 @@ def _method(method: Any) -> dict[str, Any]:
         kind, keys = _core._method_table(method)
     except TypeError:
         raise TypeError(
-            f"build: method: got {method!r}; expected Adaptive, Splitting, VariationOfConstants or "
+            f"build: method: got {method!r}; expected Adaptive, Collocation, Splitting, VariationOfConstants or "
             "None"
         ) from None
     given = {key: value for key in keys if (value := getattr(method, key)) != math.inf}
