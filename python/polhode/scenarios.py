@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from polhode import (
         Adaptive,
         Body,
+        Collocation,
         Frame,
         FreeRotation,
         KeplerOrbit,

@@ -68,20 +68,18 @@ class RotorStages {
   void guess_start() {
     step_.F = {};
     lanes_.place(scheme_, step_);
-    measure_momentum();
   }
   void guess(const GaussScheme& of, const Rows& coefficients, const StageMatrix& at_stages,
              const RotorLanes& lanes) {
     lanes.transform(of, at_stages, scheme_.stages, coefficients, step_.F);
     lanes_.place(scheme_, step_);
-    measure_momentum();
   }
 
   // The largest change of any stage, relative to |q| = 1 and to |g|.
   double sweep() {
     for (const std::unique_ptr<StageTerm>& term : terms_) term->add_to(step_.effects, step_.Y);
     const double change = lanes_.sweep(scheme_, constants_, step_);
-    if (!(change < 1.0)) measure_momentum();  // a body that was at rest
+    if (!(change < 1.0)) lanes_.measure(step_);  // a body that was at rest
     return change;
   }
 
@@ -108,13 +106,6 @@ class RotorStages {
     };
     return {{inverse(I.x), inverse(I.y), inverse(I.z)},
             {euler(I.z, I.y), euler(I.x, I.z), euler(I.y, I.x)}};
-  }
-  void measure_momentum() {
-    double momentum = 0.0;
-    for (std::size_t n = 4; n < 7; ++n)
-      for (std::size_t i = 0; i < scheme_.stages; ++i)
-        momentum = larger(momentum, std::abs(step_.Y.rows[n][i]));
-    step_.inverse_momentum = 1.0 / std::max(momentum, std::numeric_limits<double>::min());
   }
 
   std::shared_ptr<const Field> field_;

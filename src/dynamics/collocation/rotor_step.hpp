@@ -33,8 +33,9 @@ struct RotorStep {
 
 // Compiled for each set of instructions; every one with the same bits.
 struct RotorLanes {
-  // Y from F.
+  // Y from F, and how large its momentum is.
   void (*place)(const GaussScheme&, RotorStep&);
+  void (*measure)(RotorStep&);
   // F from Y and the effects there, and Y from F: first g, then q at the rates that belong to it.
   // The largest change of any stage, relative to |q| = 1 and to |g|.
   double (*sweep)(const GaussScheme&, const RotorConstants&, RotorStep&);

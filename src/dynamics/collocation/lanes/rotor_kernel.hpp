@@ -3,6 +3,8 @@
 // instructions.
 #pragma once
 
+#include <limits>
+
 #include "dynamics/collocation/rotor_step.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
@@ -97,6 +99,16 @@ struct RotorKernel {
   [[gnu::flatten]] static void place(const GaussScheme& scheme, RotorStep& s) {
     weigh<0, 7>(s);
     moved<0, 7>(scheme, s);
+    measure(s);
+  }
+  [[gnu::flatten]] static void measure(RotorStep& s) {
+    T most(std::numeric_limits<double>::min());
+    for (std::size_t i = 0; i < filled; i += T::width)
+      for (std::size_t n = 4; n < 7; ++n) {
+        const T g = abs(loaded(s.Y.rows[n], i));
+        most = select(g <= most, most, g);
+      }
+    s.inverse_momentum = 1.0 / largest(most);
   }
 
   // dg/dt = (1/I3 - 1/I2) g2 g3 + ... + g x v + u: not g x I^-1 g, where what is equal in I^-1
@@ -188,7 +200,7 @@ template <InstructionSet isa>
 RotorLanes rotor_kernels(std::size_t stages) {
   const auto of = []<std::size_t s>() {
     using K = RotorKernel<isa, s>;
-    return RotorLanes{&K::place, &K::sweep, &K::finish, &K::transform};
+    return RotorLanes{&K::place, &K::measure, &K::sweep, &K::finish, &K::transform};
   };
   switch (stages) {
     case 4:
