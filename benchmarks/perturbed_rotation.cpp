@@ -108,6 +108,8 @@ std::vector<Row> rows() {
   list.push_back({"Adaptive double-double/1e-19", Adaptive{1e-19, Precision::double_double}});
   for (const char* t : {"1e-10", "1e-11", "1e-12", "1e-13", "1e-14", "1e-15"})
     list.push_back({"VariationOfConstants/" + std::string(t), VariationOfConstants{std::stod(t)}});
+  for (const char* t : {"1e-8", "1e-9", "1e-10", "1e-11", "1e-12", "1e-13", "1e-14"})
+    list.push_back({"Collocation/" + std::string(t), Collocation{std::stod(t)}});
   const std::vector<std::pair<std::string, SplittingScheme>> schemes{
       {"order2", SplittingScheme::order2}, {"order4", SplittingScheme::order4},
       {"order6", SplittingScheme::order6}, {"order8", SplittingScheme::order8},

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The Jacobi integral E - n G_z of a triaxial body in the gravity gradient of a circular orbit,
-// over a million turns of the body (ten turns per orbit). `oscillation` is half of its range within
-// the first thousand turns, `drift` the change of its mean from the first hundredth of the run to
-// the last, both over |E|; `steps_per_turn` says how long a step is.
+// by splittings and by collocation, over a million turns of the body (ten turns per orbit).
+// `oscillation` is half of its range within the first thousand turns, `drift` the change of its
+// mean from the first hundredth of the run to the last, both over |E|; `steps_per_turn` says how
+// long a step is.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -34,7 +35,9 @@ struct Seen {
   double mean() const { return sum / count; }
 };
 
-void jacobi_integral(benchmark::State& run, SplittingScheme scheme, double steps_per_turn) {
+// `method` makes one of steps of a length.
+template <class MethodOfStep>
+void jacobi_integral(benchmark::State& run, MethodOfStep method_of, double steps_per_turn) {
   const double turns = static_cast<double>(run.range(0));
   const Body body(0.9, 1.0, 1.1);
   const System system(
@@ -45,12 +48,12 @@ void jacobi_integral(benchmark::State& run, SplittingScheme scheme, double steps
     return energy(system, t, s) - rotate(s.q, s.g).z;
   };
   const double turn = 2.0 * std::numbers::pi / norm(angular_velocity(body, start));
-  const Splitting method{turn / steps_per_turn, scheme};
+  const Method method = method_of(turn / steps_per_turn);
   const double J0 = jacobi(0.0, start), E = std::abs(energy(system, 0.0, start));
   for (auto _ : run) {
     Seen whole{J0}, first{J0}, last{J0};
     const auto stepper =
-        detail::make_stepper(Problem{system, start, 0.0, turns * turn, method, {}}, method);
+        detail::make_stepper(Problem{system, start, 0.0, turns * turn, method, {}});
     const double stop = turns * turn;
     for (int i = 0; stepper->time() != stop; ++i) {
       if (!stepper->advance(stop).empty()) break;
@@ -68,21 +71,22 @@ void jacobi_integral(benchmark::State& run, SplittingScheme scheme, double steps
   }
 }
 
-BENCHMARK_CAPTURE(jacobi_integral, order2, SplittingScheme::order2, 40.0)
-    ->Arg(1000000)
-    ->Iterations(1)
-    ->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(jacobi_integral, order4, SplittingScheme::order4, 10.0)
-    ->Arg(1000000)
-    ->Iterations(1)
-    ->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(jacobi_integral, ABA864, SplittingScheme::ABA864, 10.0)
-    ->Arg(1000000)
-    ->Iterations(1)
-    ->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(jacobi_integral, ABA1064, SplittingScheme::ABA1064, 20.0)
-    ->Arg(1000000)
-    ->Iterations(1)
-    ->Unit(benchmark::kSecond);
+template <SplittingScheme scheme>
+constexpr auto splitting = [](double step) -> Method {
+  return Splitting{step, scheme};
+};
+constexpr auto collocation = [](double step) -> Method { return Collocation{.step = step}; };
+
+#define MILLION_TURNS(name, method, steps_per_turn)                \
+  BENCHMARK_CAPTURE(jacobi_integral, name, method, steps_per_turn) \
+      ->Arg(1000000)                                               \
+      ->Iterations(1)                                              \
+      ->Unit(benchmark::kSecond)
+MILLION_TURNS(order2, splitting<SplittingScheme::order2>, 40.0);
+MILLION_TURNS(order4, splitting<SplittingScheme::order4>, 10.0);
+MILLION_TURNS(ABA864, splitting<SplittingScheme::ABA864>, 10.0);
+MILLION_TURNS(ABA1064, splitting<SplittingScheme::ABA1064>, 20.0);
+MILLION_TURNS(collocation, collocation, 5.0);
+#undef MILLION_TURNS
 
 }  // namespace

@@ -103,6 +103,7 @@
 #include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/shadow.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
+#include "polhode/perturb/stages.hpp"
 #include "polhode/perturb/tidal_torque.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"

@@ -166,10 +166,11 @@ def _method(method: Any) -> dict[str, Any]:
         kind, keys = _core._method_table(method)
     except TypeError:
         raise TypeError(
-            f"build: method: got {method!r}; expected Adaptive, Splitting, VariationOfConstants or "
-            "None"
+            f"build: method: got {method!r}; expected Adaptive, Collocation, Splitting, "
+            "VariationOfConstants or None"
         ) from None
-    given = {key: value for key in keys if (value := getattr(method, key)) != math.inf}
+    # what stands for "chosen" has no place in a file
+    given = {key: value for key in keys if (value := getattr(method, key)) not in (0.0, math.inf)}
     again = type(method)(**given)
     for name in (name for name in dir(method) if not name.startswith("_")):
         if getattr(again, name) != getattr(method, name):

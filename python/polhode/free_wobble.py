@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     Array = NDArray[np.float64]
-    Method = _core.Adaptive | _core.Splitting | _core.VariationOfConstants
+    Method = _core.Adaptive | _core.Collocation | _core.Splitting | _core.VariationOfConstants
 
 # Half a run tells the wobble from what stands still in the body: the window is 0 at three periods.
 _LEAST_PERIODS = 6

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from polhode import (
         Adaptive,
         Body,
+        Collocation,
         Frame,
         FreeRotation,
         KeplerOrbit,
@@ -109,7 +110,7 @@ class Scenario:
         system: System | Body,
         state: Any,
         time: SaveAt | tuple[float, float, float] | ArrayLike | None = None,
-        method: Adaptive | Splitting | VariationOfConstants | None = None,
+        method: Adaptive | Collocation | Splitting | VariationOfConstants | None = None,
         *,
         columns: str | Sequence[str] = ("q", "omega"),
         title: str = "",
@@ -376,8 +377,8 @@ class Scenario:
         return self._file.free_rotation
 
     @property
-    def method(self) -> Adaptive | Splitting | VariationOfConstants | None:
-        """Adaptive, Splitting or VariationOfConstants; None: exact free rotation."""
+    def method(self) -> Adaptive | Collocation | Splitting | VariationOfConstants | None:
+        """Adaptive, Collocation, Splitting or VariationOfConstants; None: exact free rotation."""
         return self._file.method
 
     @property

@@ -20,6 +20,7 @@ from interrupts import LATEST, seconds_from_signal
 from polhode import (
     Adaptive,
     Body,
+    Collocation,
     ConstantTorque,
     Crossing,
     Event,
@@ -44,7 +45,7 @@ from slowdown import SLOWDOWN
 
 BODY = Body(1.0, 2.0, 2.7)
 START = RotorState([0.5, 0.5, -0.5, 0.5], [0.8, 1.9, 0.3])
-METHODS = [Adaptive(), Splitting(0.1), VariationOfConstants()]
+METHODS = [Adaptive(), Splitting(0.1), VariationOfConstants(), Collocation()]
 EVERY_METHOD = pytest.mark.parametrize("method", METHODS, ids=lambda m: type(m).__name__)
 
 
@@ -557,3 +558,35 @@ def test_a_run_that_continues_another_has_no_event_at_its_start():
 
     assert events_of(0.0, 2.0, False) == events_of(2.0, 4.0, False) == [2.0]
     assert events_of(2.0, 4.0, True) == []
+
+
+def test_a_torque_of_arrays_is_called_once_a_sweep():
+    calls = []
+
+    def torques(t, s):
+        calls.append(np.shape(t))
+        return 0.1 * np.sin(t)[:, None] * s.g
+
+    def torque(t, s):
+        return 0.1 * np.sin(t) * s.g
+
+    ends = {}
+    for name, term in {
+        "one": TorqueTerm(torque), "many": TorqueTerm(torques, arrays=True),
+        "kick": TorqueTerm(lambda t, s: torques(t, s), arrays=True, kick=True),
+    }.items():
+        for method in (Adaptive(1e-10), Collocation(1e-10)):
+            problem = Problem(System(BODY, terms=[term]), START, 0.0, 3.0, method)
+            run = integrate(problem, [3.0], dense=False)
+            ends[name, type(method)] = run.states[-1]
+            if name == "many" and isinstance(method, Collocation):
+                assert (8,) in calls
+                assert run.statistics.evaluations == sum(n for (n,) in calls)
+            calls.clear()
+    for method in (Adaptive, Collocation):
+        assert ends["one", method] == ends["many", method] == ends["kick", method]
+    with pytest.raises(ValueError, match=r"arrays: got True; expected False"):
+        TorqueTerm(torques, arrays=True, switches=lambda t, s: s.g[2])
+    wrong = System(BODY, terms=[TorqueTerm(lambda t, s: s.g[:, :2], "jet", arrays=True)])
+    with pytest.raises((TypeError, ValueError), match=r"jet.*\(n, 3\) numbers"):
+        integrate(Problem(wrong, START, 0.0, 1.0, Collocation()))

@@ -115,7 +115,8 @@ MISTAKES = {
         "Problem: start 0 and stop nan must be finite"),
     "a word for a method": (
         lambda: polhode.Problem(SYSTEM, STATE, 0.0, 1.0, "adaptive"),
-        "Problem: method: got str; expected Adaptive, Splitting or VariationOfConstants"),
+        "Problem: method: got str; "
+        "expected Adaptive, Collocation, Splitting or VariationOfConstants"),
     "a number of events": (
         lambda: polhode.Problem(SYSTEM, STATE, 0.0, 1.0, events=3),
         "Problem: events: got 3; expected a sequence of Event"),

@@ -8,6 +8,7 @@ import pytest
 from polhode import (
     Adaptive,
     Body,
+    Collocation,
     ConstantTorque,
     Frame,
     FreeRotation,
@@ -142,6 +143,7 @@ def test_a_run_of_the_file_is_the_run_of_the_objects(units):
 @pytest.mark.parametrize("method", [
     None, Adaptive(1e-9, largest_step=0.5), Adaptive(1e-20, "double_double"), Splitting(0.1),
     Splitting(0.1, "order6"), VariationOfConstants(1e-9), VariationOfConstants(1e-9, 2.0),
+    Collocation(), Collocation(1e-9, 16, largest_step=0.5), Collocation(stages=4, step=0.1),
 ], ids=repr)
 def test_methods(method):
     system = System(BODY, terms=[ConstantTorque.in_body((0.1, 0.0, 0.0))])

@@ -63,6 +63,18 @@ struct Traits {
             .text = "variation of constants, tolerance " + detail::number_text(m.tolerance),
             .further = {m.largest_step}};
   }
+  MethodTraits operator()(const Collocation& m) const {
+    const std::string stages =
+        m.stages == Collocation{}.stages ? "" : ", " + std::to_string(m.stages) + " stages";
+    if (m.step > 0.0)
+      return {.kind = "collocation",
+              .text = "collocation" + stages + ", step " + detail::number_text(m.step),
+              .further = {static_cast<double>(m.stages)},
+              .step = m.step};
+    return {.kind = "collocation",
+            .text = "collocation" + stages + ", tolerance " + detail::number_text(m.tolerance),
+            .further = {static_cast<double>(m.stages), m.largest_step}};
+  }
   MethodTraits operator()(const OwnMethod& m) const { return m.traits; }
 };
 
@@ -80,6 +92,17 @@ struct Validity {
   void operator()(const VariationOfConstants& m) const {
     require_tolerance("VariationOfConstants", m.tolerance, 1e-15);
     require_positive("VariationOfConstants", "largest_step", m.largest_step);
+  }
+  void operator()(const Collocation& m) const {
+    require_tolerance("Collocation", m.tolerance, 1e-15);
+    if (m.stages != 4 && m.stages != 8 && m.stages != 16)
+      throw DomainError("Collocation: stages " + std::to_string(m.stages) + " must be 4, 8 or 16");
+    if (m.step != 0.0) require_positive("Collocation", "step", m.step);
+    if (!std::isfinite(m.step)) throw DomainError("Collocation: step inf must be finite");
+    require_positive("Collocation", "largest_step", m.largest_step);
+    if (m.step > 0.0 && std::isfinite(m.largest_step))
+      throw DomainError("Collocation: largest_step " + detail::number_text(m.largest_step) +
+                        " goes with steps under control; got step " + detail::number_text(m.step));
   }
   void operator()(const OwnMethod& m) const {
     if (m.maker == nullptr) throw DomainError("OwnMethod: got nothing that steps; use own_method");

@@ -14,6 +14,7 @@ namespace detail {
 using Stepper = BasicStepper<RotorState>;
 
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method);
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Collocation& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const VariationOfConstants& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const OwnMethod& method);

@@ -34,7 +34,7 @@ double wobble_factor(const Body& body) {
 
 }  // namespace
 
-InternalDamping::InternalDamping(const Vec3& k_B, bool grows) : k_(k_B), grows_(grows) {
+InternalDamping::InternalDamping(const Vec3& k_B, bool grows) : law_{k_B, grows} {
   for (const double x : {k_B.x, k_B.y, k_B.z})
     if (!(x >= 0.0) || !std::isfinite(x))
       throw DomainError("InternalDamping: coefficients " +

@@ -84,6 +84,22 @@ inline constexpr double transition_symplectic = 1e-13;
 // Of a splitting of order 8 with steps of 0.1 rad, and of the others, against Adaptive.
 inline constexpr double transition_method = 1e-11;
 
+// --- collocation (tests/unit/dynamics/collocation.cpp) ---
+// Ten turns without torques; ten orbits at 1e-13; over the tolerance; every body at 1e-12; there
+// and back; inside steps; after switches.
+inline constexpr double collocation_free = 1e-13;
+inline constexpr double collocation_ten_orbits = 1e-12;
+inline constexpr double collocation_per_tolerance = 100.0;
+inline constexpr double collocation_bodies = 1e-12;
+inline constexpr double collocation_back = 1e-12;
+inline constexpr double collocation_dense = 1e-12;
+inline constexpr double collocation_switches = 1e-11;
+// Times of events, and the slope of the error in orders.
+inline constexpr double collocation_event = 1e-11;
+inline constexpr double collocation_order = 0.5;
+// |q|^2, |g|^2 and the energy after 1e5 steps, relative.
+inline constexpr double collocation_invariant = 3e-14;
+
 // --- variation of constants (tests/unit/dynamics/variation.cpp) ---
 inline constexpr double collocation_tableau = 3e-16;
 inline constexpr double collocation_legendre = 2e-14;

@@ -5,11 +5,13 @@
 //             free rotation and the exact frame, composed with exact kicks or flows of the terms.
 //             VariationOfConstants: the constants of the free rotation are the unknowns [SA (98)-
 //             (103)], here the state at a reference epoch, which is regular everywhere.
+//             Collocation: Gauss-Legendre collocation of (q, g), solved by sweeps over its stages.
 // Units       steps in the unit of time of the system; tolerance is relative to |q| = 1 and to |g|.
 // Domain      tolerance from 1e-15 to 1e-2 (DoubleDouble: from 1e-30); a step that is positive.
 //             Splitting and VariationOfConstants: rates |g|/I from 1e-28 to 1e28 per unit of time;
-//             below that, for Splitting, a body is at rest until a torque moves it. Adaptive ends a
-//             step where a switching function of a term changes its sign, and at breakpoints;
+//             below that, for Splitting, a body is at rest until a torque moves it. Adaptive and
+//             Collocation end a step where a switching function of a term changes its sign, and at
+//             breakpoints;
 //             VariationOfConstants at breakpoints; Splitting at neither. A pulse of a torque that
 //             names neither may lie within one step of Adaptive, and is stepped over at loose
 //             tolerances; so is a dip of a switching function that is shorter than a quarter of a
@@ -65,6 +67,18 @@ struct VariationOfConstants {
   constexpr bool operator==(const VariationOfConstants&) const = default;
 };
 
+// Gauss-Legendre collocation of order 2 * stages, its stages computed together.
+struct Collocation {
+  double tolerance = 1e-12;  // of the local error of one step
+  int stages = 8;            // 4, 8 or 16
+  // 0: chosen by the tolerance. Else every step is so long, and the method symmetric and symplectic
+  // for terms with an energy; nothing checks the error it makes.
+  double step = 0.0;
+  double largest_step = std::numeric_limits<double>::infinity();  // as in Adaptive
+
+  constexpr bool operator==(const Collocation&) const = default;
+};
+
 // What a method is to those who need not know which one it is.
 struct MethodTraits {
   std::string kind;  // as in files: "variation-of-constants"
@@ -90,7 +104,7 @@ struct OwnMethod {
   bool operator==(const OwnMethod& other) const { return traits == other.traits; }
 };
 
-using Method = std::variant<Adaptive, Splitting, VariationOfConstants, OwnMethod>;
+using Method = std::variant<Adaptive, Splitting, VariationOfConstants, Collocation, OwnMethod>;
 
 MethodTraits method_traits(const Method& method);
 

@@ -74,6 +74,11 @@ class AnyPerturbation {
   // The time of a quarter of a turn of what it follows; infinite where it knows none.
   double time_scale() const { return term_->time_scale(); }
   AffineTorque affine_torque(const Setting& at) const { return term_->affine_torque(at); }
+  // For methods that ask for many states at a time (polhode/perturb/stages.hpp): by the
+  // instructions of a set that this processor has. The term and the body outlive it.
+  std::unique_ptr<StageTerm> on_stages(const Body& body, InstructionSet set) const {
+    return term_->on_stages(body, set);
+  }
 
  private:
   std::string name_;

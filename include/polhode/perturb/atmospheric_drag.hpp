@@ -40,6 +40,7 @@ struct Atmosphere {
 class AtmosphericDrag {
  public:
   static constexpr bool kick = true;
+  using Law = FacetStream::Law;
 
   // `path` is the body as seen from the centre of the atmosphere.
   AtmosphericDrag(const Surface& surface_B, const Atmosphere& air, DirectedPath path,
@@ -51,13 +52,20 @@ class AtmosphericDrag {
   double time_scale() const { return path_.time_scale(); }
   double exit_speed() const { return exit_speed_; }
 
+  Law law() const { return {&stream_}; }
+  template <Real T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    const Flow flow = flow_at(to_double(at.t), to_double(at.t_rest));
+    if (flow.speed == 0.0) return {{}, T(1.0), T(0.0)};  // NaN goes on
+    const BasicVec3<T> from{T(flow.from.x), T(flow.from.y), T(flow.from.z)};
+    return {reference_from_space(at, SpaceAxes::inertial, from), T(exit_speed_ / flow.speed),
+            T(flow.pressure)};
+  }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Flow flow = flow_at(to_double(at.t), to_double(at.t_rest));
-    if (flow.speed == 0.0) return {};  // NaN goes on
-    const BasicVec3<T> e =
-        body_from_inertial(at, BasicVec3<T>{T(flow.from.x), T(flow.from.y), T(flow.from.z)});
-    return {{}, T(flow.pressure) * stream_.torque(e, T(exit_speed_ / flow.speed), at.sides)};
+    const Law::OfTime<T> flow = of_time(at);
+    if (flow.pressure == T(0.0)) return {};
+    return law().effect(flow, pose_of(at));
   }
   // The facets that turn edge-on.
   std::vector<double> switches(const Setting& at) const;

@@ -32,22 +32,24 @@ inline namespace v0 {
 // A number with its derivatives by the six coordinates (dtheta_B, dg_B) of an initial state.
 using Tangent = Dual<double, 6>;
 
-template <Real T>
+template <Number T>
 struct BasicEffect {
   BasicVec3<T> v;  // body components of the rate that the term adds to I^-1 g
   BasicVec3<T> u;  // body components of the torque
 
-  constexpr bool operator==(const BasicEffect&) const = default;
+  constexpr bool operator==(const BasicEffect&) const
+    requires Real<T>
+  = default;
 };
 using Effect = BasicEffect<double>;
 
-template <Real T>
+template <Number T>
 constexpr BasicEffect<T> operator+(const BasicEffect<T>& a, const BasicEffect<T>& b) {
   return {a.v + b.v, a.u + b.u};
 }
 
 // Where a term is asked: the body, the time, its state in the reference frame S, and S itself.
-template <Real T>
+template <Number T>
 struct BasicSetting {
   const Body& body;
   T t;
@@ -61,6 +63,18 @@ struct BasicSetting {
   std::span<const double> sides = {};
 };
 using Setting = BasicSetting<double>;
+
+// What of a setting a term asks for once it knows what depends on the time: see Timewise.
+template <Number T>
+struct BasicPose {
+  const Body& body;
+  const BasicRotorState<T>& s;
+  std::span<const double> sides = {};
+};
+template <Number T>
+BasicPose<T> pose_of(const BasicSetting<T>& at) {
+  return {at.body, at.s, at.sides};
+}
 
 // A state with the six variables of its tangent: q exp(dtheta_B / 2), to first order, and g + dg.
 template <Real T>
@@ -82,17 +96,27 @@ enum class SpaceAxes { inertial, reference };
 
 // The body components of a vector given in inertial or in reference-frame axes. The lengths of the
 // quaternions do not matter.
-template <Real T>
+template <Number T>
 BasicVec3<T> body_from_reference(const BasicSetting<T>& at, const BasicVec3<T>& x_S) {
   return detail::turned_back(at.s.q, x_S);
 }
-template <Real T>
+template <Number T>
+BasicVec3<T> body_from_reference(const BasicPose<T>& at, const BasicVec3<T>& x_S) {
+  return detail::turned_back(at.s.q, x_S);
+}
+template <Number T>
 BasicVec3<T> body_from_inertial(const BasicSetting<T>& at, const BasicVec3<T>& x_I) {
   return body_from_reference(at, detail::turned_back(at.q_IS, x_I));
 }
-template <Real T>
+template <Number T>
 BasicVec3<T> body_from_space(const BasicSetting<T>& at, SpaceAxes axes, const BasicVec3<T>& x) {
   return axes == SpaceAxes::inertial ? body_from_inertial(at, x) : body_from_reference(at, x);
+}
+// Its components in reference-frame axes: body_from_reference takes them on.
+template <Number T>
+BasicVec3<T> reference_from_space(const BasicSetting<T>& at, SpaceAxes axes,
+                                  const BasicVec3<T>& x) {
+  return axes == SpaceAxes::inertial ? detail::turned_back(at.q_IS, x) : x;
 }
 
 template <class P, class T>
@@ -143,6 +167,18 @@ concept Switching = Perturbation<P> && requires(const P& term, const Setting& at
 template <class P>
 concept Timed = Perturbation<P> && requires(const P& term) {
   { term.time_scale() } -> std::convertible_to<double>;
+};
+
+// A term that keeps apart what depends on the time alone: a method that asks at the same times for
+// many states asks for that once (Collocation). term.of_time(at) is a Law::OfTime<T>, made of
+// nothing but T, and does not look at at.s; term.law() is the rest, and law.effect(of_time, pose)
+// what the term does. Law::adds_rate says whether v may be other than 0.
+template <class P>
+concept Timewise = Perturbation<P> && requires(const P& term, const Setting& at) {
+  { term.law() } -> std::convertible_to<const typename P::Law&>;
+  { term.of_time(at) } -> std::same_as<typename P::Law::template OfTime<double>>;
+  { term.law().effect(term.of_time(at), pose_of(at)) } -> std::same_as<Effect>;
+  { P::Law::adds_rate } -> std::convertible_to<bool>;
 };
 
 // The side that a value is on; zero counts as positive.

@@ -24,6 +24,7 @@
 #include <span>
 #include <vector>
 
+#include "polhode/perturb/effect.hpp"
 #include "polhode/shape/surface.hpp"
 
 namespace polhode {
@@ -40,6 +41,9 @@ StreamLaw molecule_law(const Finish& finish);
 
 class FacetStream {
  public:
+  // What the stream does to the facets, apart from where it comes from.
+  struct Law;
+
   FacetStream(const Surface& surface, StreamLaw (*law)(const Finish&));
 
   static constexpr std::size_t most_edges = 32;
@@ -52,7 +56,7 @@ class FacetStream {
   }
 
   // At p = 1.
-  template <Real T>
+  template <Number T>
   BasicVec3<T> torque(const BasicVec3<T>& e, const T& k = T(1.0),
                       std::span<const double> sides = {}) const {
     BasicVec3<T> shifted, turned;
@@ -87,17 +91,17 @@ class FacetStream {
     std::size_t edge = 0;
     double towards = 1.0;  // the edge's normal is n, or -n
   };
-  template <Real T>
+  template <Number T>
   static BasicVec3<T> converted(const Vec3& v) {
     return {T(v.x), T(v.y), T(v.z)};
   }
-  template <Real T>
+  template <Number T>
   static T lit(const Row& row, const BasicVec3<T>& e) {
     const T c = T(row.n.x) * e.x + T(row.n.y) * e.y + T(row.n.z) * e.z;
-    return c < T(0.0) ? T(0.0) : c;
+    return select(c < T(0.0), T(0.0), c);
   }
   // On the side given: 0, or n . e whatever its sign.
-  template <Real T>
+  template <Number T>
   static T lit_by(const Row& row, const BasicVec3<T>& e, std::span<const double> sides) {
     if (sides[row.edge] * row.towards < 0.0) return T(0.0);
     return T(row.n.x) * e.x + T(row.n.y) * e.y + T(row.n.z) * e.z;
@@ -107,6 +111,26 @@ class FacetStream {
   Surface surface_;
   std::vector<Row> rows_;
   std::vector<Vec3> edges_;
+};
+
+struct FacetStream::Law {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  const FacetStream* stream;
+  std::size_t first_side = 0;  // of those of the edges, in `sides`
+
+  template <Number T>
+  struct OfTime {
+    BasicVec3<T> from_S;  // unit vector that the stream comes from; none where nothing comes
+    T k;
+    T pressure;
+  };
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& flow, const BasicPose<T>& at) const {
+    const std::span<const double> lit = at.sides.empty() ? at.sides : at.sides.subspan(first_side);
+    return {{}, flow.pressure * stream->torque(body_from_reference(at, flow.from_S), flow.k, lit)};
+  }
 };
 
 }  // namespace v0

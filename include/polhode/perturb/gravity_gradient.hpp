@@ -25,24 +25,23 @@
 namespace polhode {
 inline namespace v0 {
 
-template <Orbit O>
-class GravityGradient {
- public:
-  static constexpr bool kick = true;
+// What a point mass does, apart from where it is.
+struct GravityGradientLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
 
-  GravityGradient(double gm, O orbit, SpaceAxes axes = SpaceAxes::inertial)
-      : gm_(gm), orbit_(std::move(orbit)), axes_(axes) {
-    detail::require_gravity(gm);
-  }
+  double gm;
 
-  double gm() const { return gm_; }
-  const O& orbit() const { return orbit_; }
-  double time_scale() const { return time_scale_of(orbit_); }
-  SpaceAxes axes() const { return axes_; }
+  template <Number T>
+  struct OfTime {
+    BasicVec3<T> x_S;
+    T r2;  // |x|^2
+    T r3;  // |x|^3
+  };
 
-  template <Real T>
-  BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Direction<T> d = direction(at);
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
+    const Direction<T> d = direction(where, at);
     const Vec3& I = at.body.moments();
     const BasicVec3<T>& n = d.along_B;
     // not n x (I n): what is equal in I would cancel
@@ -52,9 +51,56 @@ class GravityGradient {
                                                  (T(I.y) - T(I.x)) * (n.x * n.y)}};
   }
 
+  template <Number T>
+  struct Direction {
+    BasicVec3<T> along_B;  // of any length
+    T strength;            // gm / r^3 over the square of that length
+  };
+  template <Number T>
+  Direction<T> direction(const OfTime<T>& where, const BasicPose<T>& at) const {
+    const BasicQuaternion<T>& q = at.s.q;
+    const T q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    // one root and one division, next to the turn of x and not after it: an integrator waits for
+    // them
+    const T strength = T(gm) / (where.r3 * (where.r2 * (q2 * q2)));
+    return {detail::turned_back_longer(q, where.x_S), strength};
+  }
+};
+
+template <Orbit O>
+class GravityGradient {
+ public:
+  static constexpr bool kick = true;
+  using Law = GravityGradientLaw;
+
+  GravityGradient(double gm, O orbit, SpaceAxes axes = SpaceAxes::inertial)
+      : law_{gm}, orbit_(std::move(orbit)), axes_(axes) {
+    detail::require_gravity(gm);
+  }
+
+  double gm() const { return law_.gm; }
+  const Law& law() const { return law_; }
+  const O& orbit() const { return orbit_; }
+  double time_scale() const { return time_scale_of(orbit_); }
+  SpaceAxes axes() const { return axes_; }
+
+  template <Real T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    using std::sqrt;
+    BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
+    const T r2 = dot(x, x), r3 = r2 * sqrt(r2);
+    const bool is_turned = !(at.q_IS == BasicQuaternion<T>{});
+    if (axes_ == SpaceAxes::inertial && is_turned) x = detail::turned_back(at.q_IS, x);
+    return {x, r2, r3};
+  }
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    return law_.effect(of_time(at), pose_of(at));
+  }
+
   template <Real T>
   T energy(const BasicSetting<T>& at) const {
-    const Direction<T> d = direction(at);
+    const Law::Direction<T> d = law_.direction(of_time(at), pose_of(at));
     const Vec3& I = at.body.moments();
     const BasicVec3<T>& n = d.along_B;
     // 3 n.I n - tr I with |n| = 1, a sum of differences of moments
@@ -65,26 +111,7 @@ class GravityGradient {
   }
 
  private:
-  template <Real T>
-  struct Direction {
-    BasicVec3<T> along_B;  // of any length
-    T strength;            // gm / r^3 over the square of that length
-  };
-  template <Real T>
-  Direction<T> direction(const BasicSetting<T>& at) const {
-    using std::sqrt;
-    BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
-    const BasicQuaternion<T>& q = at.s.q;
-    const T r2 = dot(x, x), q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    // one root and one division, next to the turn of x and not after it: an integrator waits for
-    // them
-    const T strength = T(gm_) / ((r2 * sqrt(r2)) * (r2 * (q2 * q2)));
-    const bool is_turned = !(at.q_IS == BasicQuaternion<T>{});
-    if (axes_ == SpaceAxes::inertial && is_turned) x = detail::turned_back(at.q_IS, x);
-    return {detail::turned_back_longer(q, x), strength};
-  }
-
-  double gm_;
+  Law law_;
   O orbit_;
   SpaceAxes axes_;
 };

@@ -31,20 +31,63 @@ inline namespace v0 {
 // seen from the attracting mass.
 enum class OrbitOf { attractor, body };
 
+// What a point mass does, apart from where it is.
+struct HigherGravityLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  detail::HarmonicGradient<3> third;
+  detail::HarmonicGradient<4> fourth;
+
+  template <Number T>
+  struct OfTime {
+    BasicVec3<T> x_S;
+    T inverse;  // 1 / r, from the body to the point mass
+    T third;    // gm / r^4
+    T fourth;   // gm / r^5
+  };
+
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
+    const BasicVec3<T> n = direction(where, at);
+    const Slopes<T> p = slopes(n);
+    return {{}, cross(n, -where.third * p.third - where.fourth * p.fourth)};
+  }
+
+  template <Number T>
+  BasicVec3<T> direction(const OfTime<T>& where, const BasicPose<T>& at) const {
+    return where.inverse * body_from_reference(at, where.x_S);
+  }
+  template <Number T>
+  struct Slopes {
+    BasicVec3<T> third;
+    BasicVec3<T> fourth;
+  };
+  template <Number T>
+  Slopes<T> slopes(const BasicVec3<T>& n) const {
+    const BasicMoments<T, 2> squares{n.x * n.x, n.x * n.y, n.x * n.z,
+                                     n.y * n.y, n.y * n.z, n.z * n.z};
+    const BasicMoments<T, 3> cubes = detail::cubes_of(squares, n);
+    return {detail::gradient<3>(third, squares), detail::gradient<4>(fourth, cubes)};
+  }
+};
+
 template <Orbit O>
 class HigherGravity {
  public:
   static constexpr bool kick = true;
+  using Law = HigherGravityLaw;
 
   HigherGravity(double gm, O orbit, const MassMoments& moments_B, OrbitOf orbit_of,
                 SpaceAxes axes = SpaceAxes::inertial)
       : gm_(gm), orbit_(std::move(orbit)), moments_(moments_B), orbit_of_(orbit_of), axes_(axes) {
     detail::require_higher_gravity(gm, moments_B);
-    third_ = detail::potential_gradient(moments_B.third);
-    fourth_ = detail::potential_gradient(moments_B.fourth);
+    law_ = {detail::potential_gradient(moments_B.third),
+            detail::potential_gradient(moments_B.fourth)};
   }
 
   double gm() const { return gm_; }
+  const Law& law() const { return law_; }
   const O& orbit() const { return orbit_; }
   double time_scale() const { return time_scale_of(orbit_); }
   const MassMoments& moments() const { return moments_; }
@@ -52,56 +95,34 @@ class HigherGravity {
   SpaceAxes axes() const { return axes_; }
 
   template <Real T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    using std::sqrt;
+    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
+    const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
+    const T third = T(gm_) * (s2 * s2);
+    return {reference_from_space(at, axes_, x), orbit_of_ == OrbitOf::body ? -s : s, third,
+            third * s};
+  }
+  template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Direction<T> d = direction(at);
-    const Slopes<T> p = slopes(d.n);
-    return {{}, cross(d.n, -d.third * p.third - d.fourth * p.fourth)};
+    return law_.effect(of_time(at), pose_of(at));
   }
 
   template <Real T>
   T energy(const BasicSetting<T>& at) const {
-    const Direction<T> d = direction(at);
-    const Slopes<T> p = slopes(d.n);
-    return -d.third * dot(d.n, p.third) / T(3.0) - d.fourth * dot(d.n, p.fourth) / T(4.0);
+    const Law::OfTime<T> d = of_time(at);
+    const BasicVec3<T> n = law_.direction(d, pose_of(at));
+    const Law::Slopes<T> p = law_.slopes(n);
+    return -d.third * dot(n, p.third) / T(3.0) - d.fourth * dot(n, p.fourth) / T(4.0);
   }
 
  private:
-  template <Real T>
-  struct Direction {
-    BasicVec3<T> n;  // from the body, body axes
-    T third;         // gm / r^4
-    T fourth;        // gm / r^5
-  };
-  template <Real T>
-  Direction<T> direction(const BasicSetting<T>& at) const {
-    using std::sqrt;
-    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
-    const BasicVec3<T> x_B = body_from_space(at, axes_, x);
-    const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
-    const T third = T(gm_) * (s2 * s2);
-    return {(orbit_of_ == OrbitOf::body ? -s : s) * x_B, third, third * s};
-  }
-
-  template <Real T>
-  struct Slopes {
-    BasicVec3<T> third;
-    BasicVec3<T> fourth;
-  };
-  template <Real T>
-  Slopes<T> slopes(const BasicVec3<T>& n) const {
-    const BasicMoments<T, 2> squares{n.x * n.x, n.x * n.y, n.x * n.z,
-                                     n.y * n.y, n.y * n.z, n.z * n.z};
-    const BasicMoments<T, 3> cubes = detail::cubes_of(squares, n);
-    return {detail::gradient<3>(third_, squares), detail::gradient<4>(fourth_, cubes)};
-  }
-
   double gm_;
   O orbit_;
   MassMoments moments_;
   OrbitOf orbit_of_;
   SpaceAxes axes_;
-  detail::HarmonicGradient<3> third_;
-  detail::HarmonicGradient<4> fourth_;
+  Law law_;
 };
 
 }  // namespace v0

@@ -34,8 +34,34 @@ struct DampedMaterial {
       0.1;  // K3^2: about 0.1 for elongated bodies, 0.01 for nearly spherical ones
 };
 
+// v = k (g x w), k a number along each axis.
+struct InternalDampingLaw {
+  static constexpr bool adds_rate = true;
+  static constexpr bool in_library = true;
+
+  Vec3 k;
+  bool grows;  // k with |g|
+
+  template <Number T>
+  struct OfTime {};
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>&, const BasicPose<T>& at) const {
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& g = at.s.g;
+    // not g x w: what is equal in I would cancel
+    const T x = (T(I.y) - T(I.z)) / (T(I.y) * T(I.z)), y = (T(I.z) - T(I.x)) / (T(I.z) * T(I.x)),
+            z = (T(I.x) - T(I.y)) / (T(I.x) * T(I.y));
+    BasicVec3<T> v{T(k.x) * (x * (g.y * g.z)), T(k.y) * (y * (g.z * g.x)),
+                   T(k.z) * (z * (g.x * g.y))};
+    if (grows) v = norm(g) * v;
+    return {v, {}};
+  }
+};
+
 class InternalDamping {
  public:
+  using Law = InternalDampingLaw;
+
   // v = k (g x w).
   explicit InternalDamping(double k);
   // v_i = k_i (g x w)_i in principal axes; or with |g| k_i, where k grows with the momentum.
@@ -46,26 +72,22 @@ class InternalDamping {
   static InternalDamping of_wobble(const Body& body, double time, double momentum);
   static InternalDamping of_material(const Body& body, const DampedMaterial& material);
 
-  const Vec3& coefficients() const { return k_; }
+  const Vec3& coefficients() const { return law_.k; }
   // Whether k is to be multiplied by |g|.
-  bool grows_with_momentum() const { return grows_; }
+  bool grows_with_momentum() const { return law_.grows; }
 
+  const Law& law() const { return law_; }
+  template <Real T>
+  static Law::OfTime<T> of_time(const BasicSetting<T>&) {
+    return {};
+  }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T>& g = at.s.g;
-    // not g x w: what is equal in I would cancel
-    const T x = (T(I.y) - T(I.z)) / (T(I.y) * T(I.z)), y = (T(I.z) - T(I.x)) / (T(I.z) * T(I.x)),
-            z = (T(I.x) - T(I.y)) / (T(I.x) * T(I.y));
-    BasicVec3<T> v{T(k_.x) * (x * (g.y * g.z)), T(k_.y) * (y * (g.z * g.x)),
-                   T(k_.z) * (z * (g.x * g.y))};
-    if (grows_) v = norm(g) * v;
-    return {v, {}};
+    return law_.effect(of_time(at), pose_of(at));
   }
 
  private:
-  Vec3 k_;
-  bool grows_;
+  Law law_;
 };
 
 // mu Q / (rho K3^2 R^2 w^3).

@@ -19,8 +19,32 @@
 namespace polhode {
 inline namespace v0 {
 
+// u = -D I^-1 g, along the axes or as a full matrix.
+struct LinearDampingLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  Mat3 D;
+  bool diagonal;
+
+  template <Number T>
+  struct OfTime {};
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>&, const BasicPose<T>& at) const {
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    if (diagonal) return {{}, {T(-D(0, 0)) * w.x, T(-D(1, 1)) * w.y, T(-D(2, 2)) * w.z}};
+    const auto row = [&](int i) {
+      return -(T(D(i, 0)) * w.x + T(D(i, 1)) * w.y + T(D(i, 2)) * w.z);
+    };
+    return {{}, {row(0), row(1), row(2)}};
+  }
+};
+
 class LinearDamping {
  public:
+  using Law = LinearDampingLaw;
+
   // The same D about every axis: u = -d w.
   explicit LinearDamping(double d);
   // Diagonal in principal axes.
@@ -30,15 +54,14 @@ class LinearDamping {
 
   const Mat3& matrix() const { return D_; }
 
+  Law law() const { return {D_, !modes_}; }
+  template <Real T>
+  static Law::OfTime<T> of_time(const BasicSetting<T>&) {
+    return {};
+  }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
-    if (!modes_) return {{}, {T(-D_(0, 0)) * w.x, T(-D_(1, 1)) * w.y, T(-D_(2, 2)) * w.z}};
-    const auto row = [&](int i) {
-      return -(T(D_(i, 0)) * w.x + T(D_(i, 1)) * w.y + T(D_(i, 2)) * w.z);
-    };
-    return {{}, {row(0), row(1), row(2)}};
+    return law().effect(of_time(at), pose_of(at));
   }
   RotorState flow(const Setting& at, double h) const;
 

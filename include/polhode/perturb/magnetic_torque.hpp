@@ -24,101 +24,145 @@
 namespace polhode {
 inline namespace v0 {
 
+// What a field does to a dipole that the body has.
+struct ResidualDipoleLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  Vec3 m;
+
+  template <Number T>
+  struct OfTime {
+    BasicVec3<T> field;  // along the axes of the reference frame
+  };
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& B, const BasicPose<T>& at) const {
+    return {{}, cross(moment<T>(), body_from_reference(at, B.field))};
+  }
+  template <Number T>
+  BasicVec3<T> moment() const {
+    return {T(m.x), T(m.y), T(m.z)};
+  }
+};
+
 template <LocalField F>
 class ResidualDipole {
  public:
   static constexpr bool kick = true;
+  using Law = ResidualDipoleLaw;
 
-  ResidualDipole(const Vec3& m_B, F field) : m_(m_B), field_(std::move(field)) {
+  ResidualDipole(const Vec3& m_B, F field) : law_{m_B}, field_(std::move(field)) {
     detail::require_dipole(m_B);
   }
 
-  const Vec3& moment() const { return m_; }
+  const Vec3& moment() const { return law_.m; }
+  const Law& law() const { return law_; }
   const F& field() const { return field_; }
   double time_scale() const { return time_scale_of(field_); }
 
   template <Real T>
     requires LocalFieldOn<F, T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    return {reference_from_space(at, SpaceAxes::inertial, field_.field(at.t, at.t_rest))};
+  }
+  template <Real T>
+    requires LocalFieldOn<F, T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    return {{}, cross(moment_of<T>(), field_B(at))};
+    return law_.effect(of_time(at), pose_of(at));
   }
   template <Real T>
     requires LocalFieldOn<F, T>
   T energy(const BasicSetting<T>& at) const {
-    return -dot(moment_of<T>(), field_B(at));
+    return -dot(law_.moment<T>(), body_from_reference(at, of_time(at).field));
   }
 
  private:
-  template <Real T>
-  BasicVec3<T> moment_of() const {
-    return {T(m_.x), T(m_.y), T(m_.z)};
-  }
-  template <Real T>
-  BasicVec3<T> field_B(const BasicSetting<T>& at) const {
-    return body_from_inertial(at, field_.field(at.t, at.t_rest));
-  }
-
-  Vec3 m_;
+  Law law_;
   F field_;
 };
 
 // Whether eddy currents are those of a field that changes along the orbit.
 enum class FieldRate { along_orbit, left_out };
 
+// What a field does to a body that conducts: u = (M (w x B - dB/dt)) x B.
+struct EddyCurrentsLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  Mat3 M;
+
+  template <Number T>
+  struct OfTime {  // along the axes of the reference frame
+    BasicVec3<T> field;
+    BasicVec3<T> rate;
+  };
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& motion, const BasicPose<T>& at) const {
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    const OfTime<T> B = seen(motion, at);
+    return {{}, cross(times_tensor(cross(w, B.field) - B.rate), B.field)};
+  }
+  // In body axes.
+  template <Number T>
+  OfTime<T> seen(const OfTime<T>& motion, const BasicPose<T>& at) const {
+    return {body_from_reference(at, motion.field), body_from_reference(at, motion.rate)};
+  }
+  template <Number T>
+  BasicVec3<T> times_tensor(const BasicVec3<T>& x) const {
+    const auto row = [&](int i) { return T(M(i, 0)) * x.x + T(M(i, 1)) * x.y + T(M(i, 2)) * x.z; };
+    return {row(0), row(1), row(2)};
+  }
+};
+
 template <LocalField F>
 class EddyCurrents {
  public:
+  using Law = EddyCurrentsLaw;
+
   EddyCurrents(const Mat3& M_B, F field, FieldRate rate = FieldRate::along_orbit)
-      : M_(detail::checked_magnetic_tensor(M_B)), field_(std::move(field)), rate_(rate) {
+      : law_{detail::checked_magnetic_tensor(M_B)}, field_(std::move(field)), rate_(rate) {
     if (rate == FieldRate::along_orbit) detail::require_field_rate(field_.has_rate());
   }
 
-  const Mat3& tensor() const { return M_; }
+  const Mat3& tensor() const { return law_.M; }
+  const Law& law() const { return law_; }
   const F& field() const { return field_; }
   double time_scale() const { return time_scale_of(field_); }
   FieldRate rate() const { return rate_; }
 
   template <Real T>
     requires LocalFieldOn<F, T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    const auto in_S = [&](const BasicVec3<T>& x) {
+      return reference_from_space(at, SpaceAxes::inertial, x);
+    };
+    if (rate_ == FieldRate::left_out) return {in_S(field_.field(at.t, at.t_rest)), {}};
+    const BasicFieldMotion<T> B = field_.motion(at.t, at.t_rest);
+    return {in_S(B.field), in_S(B.rate)};
+  }
+  template <Real T>
+    requires LocalFieldOn<F, T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
-    const BasicFieldMotion<T> B = seen(at);
-    return {{}, cross(times_tensor(cross(w, B.field) - B.rate), B.field)};
+    return law_.effect(of_time(at), pose_of(at));
   }
 
   // A = [B] M [B]^T I^-1, c = [B] M dB/dt, [B] x = B x x
   AffineTorque affine_torque(const Setting& at) const {
     const Vec3& I = at.body.moments();
-    const BasicFieldMotion<double> B = seen(at);
+    const Law::OfTime<double> B = law_.seen(of_time(at), pose_of(at));
     Mat3 A;
     for (int j = 0; j < 3; ++j) {
       Vec3 w;
       w[j] = 1.0 / I[j];
-      const Vec3 column = cross(B.field, times_tensor(cross(w, B.field)));
+      const Vec3 column = cross(B.field, law_.times_tensor(cross(w, B.field)));
       for (int i = 0; i < 3; ++i) A(i, j) = column[i];
     }
-    return {cross(B.field, times_tensor(B.rate)), A};
+    return {cross(B.field, law_.times_tensor(B.rate)), A};
   }
 
  private:
-  // Field and rate in body axes.
-  template <Real T>
-  BasicFieldMotion<T> seen(const BasicSetting<T>& at) const {
-    if (rate_ == FieldRate::left_out)
-      return {body_from_inertial(at, field_.field(at.t, at.t_rest)), {}};
-    const BasicFieldMotion<T> B = field_.motion(at.t, at.t_rest);
-    return {body_from_inertial(at, B.field), body_from_inertial(at, B.rate)};
-  }
-  template <Real T>
-  BasicVec3<T> times_tensor(const BasicVec3<T>& x) const {
-    const auto row = [&](int i) {
-      return T(M_(i, 0)) * x.x + T(M_(i, 1)) * x.y + T(M_(i, 2)) * x.z;
-    };
-    return {row(0), row(1), row(2)};
-  }
-
-  Mat3 M_;
+  Law law_;
   F field_;
   FieldRate rate_;
 };

@@ -39,10 +39,48 @@ struct Oblateness {
   constexpr bool operator==(const Oblateness&) const = default;
 };
 
+// What an oblate primary does, apart from where it is.
+struct OblateGravityLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  template <Number T>
+  struct OfTime {
+    BasicVec3<T> x_S;
+    T inverse;  // 1 / r
+    BasicVec3<T> pole_S;
+    T inverse_pole;
+    T strength;  // gm J2 R^2 / r^5
+  };
+
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
+    const Directions<T> d = directions(where, at);
+    const Vec3& I = at.body.moments();
+    const T half(0.5), z = dot(d.n, d.k);
+    const BasicVec3<T> sum = T(3.0) * detail::turning(I, d.k, d.k) +
+                             (T(-30.0) * z) * detail::turning(I, d.k, d.n) +
+                             (T(7.5) * (T(7.0) * z * z - T(1.0))) * detail::turning(I, d.n, d.n);
+    return {{}, (-half * where.strength) * sum};
+  }
+
+  template <Number T>
+  struct Directions {
+    BasicVec3<T> n;  // of the orbit, body axes
+    BasicVec3<T> k;  // of the pole
+  };
+  template <Number T>
+  Directions<T> directions(const OfTime<T>& where, const BasicPose<T>& at) const {
+    return {where.inverse * body_from_reference(at, where.x_S),
+            where.inverse_pole * body_from_reference(at, where.pole_S)};
+  }
+};
+
 template <Orbit O>
 class OblateGravity {
  public:
   static constexpr bool kick = true;
+  using Law = OblateGravityLaw;
 
   OblateGravity(double gm, O orbit, const Oblateness& of, SpaceAxes axes = SpaceAxes::inertial)
       : gm_(gm),
@@ -52,25 +90,30 @@ class OblateGravity {
         strength_(detail::checked_strength(gm, of)) {}
 
   double gm() const { return gm_; }
+  static Law law() { return {}; }
   const O& orbit() const { return orbit_; }
   double time_scale() const { return time_scale_of(orbit_); }
   const Oblateness& oblateness() const { return of_; }
   SpaceAxes axes() const { return axes_; }
 
   template <Real T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    using std::sqrt;
+    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T> pole{T(of_.pole.x), T(of_.pole.y), T(of_.pole.z)};
+    const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
+    return {reference_from_space(at, axes_, x), s, reference_from_space(at, axes_, pole),
+            T(1.0) / norm(pole), T(strength_) * (s2 * s2 * s)};
+  }
+  template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const Directions<T> d = directions(at);
-    const Vec3& I = at.body.moments();
-    const T half(0.5), z = dot(d.n, d.k);
-    const BasicVec3<T> sum = T(3.0) * detail::turning(I, d.k, d.k) +
-                             (T(-30.0) * z) * detail::turning(I, d.k, d.n) +
-                             (T(7.5) * (T(7.0) * z * z - T(1.0))) * detail::turning(I, d.n, d.n);
-    return {{}, (-half * d.strength) * sum};
+    return law().effect(of_time(at), pose_of(at));
   }
 
   template <Real T>
   T energy(const BasicSetting<T>& at) const {
-    const Directions<T> d = directions(at);
+    const Law::OfTime<T> where = of_time(at);
+    const Law::Directions<T> d = law().directions(where, pose_of(at));
     const Vec3& I = at.body.moments();
     const T z = dot(d.n, d.k);
     // I less its mean: H' does not see it, and what is equal in I would cancel
@@ -81,26 +124,10 @@ class OblateGravity {
     };
     const T sum = T(3.0) * product(d.k, d.k) - T(30.0) * z * product(d.k, d.n) +
                   T(7.5) * (T(7.0) * z * z - T(1.0)) * product(d.n, d.n);
-    return -d.strength * sum / T(6.0);
+    return -where.strength * sum / T(6.0);
   }
 
  private:
-  template <Real T>
-  struct Directions {
-    BasicVec3<T> n;  // of the orbit, body axes
-    BasicVec3<T> k;  // of the pole
-    T strength;      // gm J2 R^2 / r^5
-  };
-  template <Real T>
-  Directions<T> directions(const BasicSetting<T>& at) const {
-    using std::sqrt;
-    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
-    const BasicVec3<T> pole{T(of_.pole.x), T(of_.pole.y), T(of_.pole.z)};
-    const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
-    return {s * body_from_space(at, axes_, x),
-            (T(1.0) / norm(pole)) * body_from_space(at, axes_, pole), T(strength_) * (s2 * s2 * s)};
-  }
-
   double gm_;
   O orbit_;
   Oblateness of_;

@@ -37,6 +37,7 @@ struct Sunlight {
 class SolarPressure {
  public:
   static constexpr bool kick = true;
+  using Law = FacetStream::Law;
 
   // The body orbits the Sun.
   SolarPressure(const Surface& surface_B, const Sunlight& light, DirectedPath path,
@@ -53,8 +54,9 @@ class SolarPressure {
   const std::optional<Shadow>& shadow() const { return shadow_; }
   SpaceAxes axes() const { return axes_; }
 
+  Law law() const { return {&stream_, borders()}; }
   template <Real T>
-  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
     const BasicVec3<T> from_centre = path_.position(at);
     BasicVec3<T> to_sun = -from_centre;
     T visible(1.0);
@@ -62,12 +64,16 @@ class SolarPressure {
       to_sun = sun_->position(at) - from_centre;
       if (shadow_) visible = shadow_->visible(to_sun, -from_centre, at.sides);
     }
-    if (visible == T(0.0)) return {};  // NaN goes on
+    if (visible == T(0.0)) return {{}, T(1.0), T(0.0)};  // NaN goes on
     const T r = norm(to_sun), ratio = T(light_.distance) / r;
-    const BasicVec3<T> e = body_from_space(at, axes_, (T(1.0) / r) * to_sun);
-    const std::span<const double> lit = at.sides.empty() ? at.sides : at.sides.subspan(borders());
-    return {{},
-            (visible * (T(light_.pressure) * (ratio * ratio))) * stream_.torque(e, T(1.0), lit)};
+    return {reference_from_space(at, axes_, (T(1.0) / r) * to_sun), T(1.0),
+            visible * (T(light_.pressure) * (ratio * ratio))};
+  }
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const Law::OfTime<T> light = of_time(at);
+    if (light.pressure == T(0.0)) return {};
+    return law().effect(light, pose_of(at));
   }
   // The borders of the shadow, then the facets that turn edge-on.
   std::vector<double> switches(const Setting& at) const;

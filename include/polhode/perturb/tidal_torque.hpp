@@ -37,17 +37,42 @@ struct TidalBody {
   constexpr bool operator==(const TidalBody&) const = default;
 };
 
+// What a tide does, apart from where the point mass is.
+struct TidalTorqueLaw {
+  static constexpr bool adds_rate = false;
+  static constexpr bool in_library = true;
+
+  double strength;
+
+  template <Number T>
+  struct OfTime {
+    BasicVec3<T> x_S;
+    BasicVec3<T> spin_S;  // x x dx/dt
+  };
+  template <Number T>
+  BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
+    const BasicVec3<T> r = body_from_reference(at, where.x_S);
+    const BasicVec3<T> spin = body_from_reference(at, where.spin_S);
+    const Vec3& I = at.body.moments();
+    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    const T r2 = dot(r, r), r4 = r2 * r2;
+    return {{}, (T(strength) / (r4 * r4)) * (dot(r, w) * r - r2 * w + spin)};
+  }
+};
+
 template <Orbit O>
   requires OrbitOn<O, Dual<double, 1>>
 class TidalTorque {
  public:
+  using Law = TidalTorqueLaw;
+
   // `mass` is that of the point mass, gm / G.
   TidalTorque(double gm, double mass, O orbit, const TidalBody& of)
       : gm_(gm),
         mass_(mass),
         orbit_(std::move(orbit)),
         of_(of),
-        strength_(detail::tidal_strength(gm, mass, of)) {
+        law_{detail::tidal_strength(gm, mass, of)} {
     if constexpr (std::same_as<O, AnyOrbit>) detail::require_velocity(orbit_);
   }
 
@@ -57,15 +82,16 @@ class TidalTorque {
   double time_scale() const { return time_scale_of(orbit_); }
   const TidalBody& tidal_body() const { return of_; }
 
+  const Law& law() const { return law_; }
+  template <Real T>
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    const detail::OrbitMotion<T> orbit = detail::motion_at(orbit_, at.t, at.t_rest);
+    return {reference_from_space(at, SpaceAxes::inertial, orbit.x),
+            reference_from_space(at, SpaceAxes::inertial, cross(orbit.x, orbit.v))};
+  }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
-    const detail::OrbitMotion<T> orbit = detail::motion_at(orbit_, at.t, at.t_rest);
-    const BasicVec3<T> r = body_from_inertial(at, orbit.x);
-    const BasicVec3<T> spin = body_from_inertial(at, cross(orbit.x, orbit.v));
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
-    const T r2 = dot(r, r), r4 = r2 * r2;
-    return {{}, (T(strength_) / (r4 * r4)) * (dot(r, w) * r - r2 * w + spin)};
+    return law_.effect(of_time(at), pose_of(at));
   }
 
  private:
@@ -73,7 +99,7 @@ class TidalTorque {
   double mass_;
   O orbit_;
   TidalBody of_;
-  double strength_;
+  Law law_;
 };
 
 }  // namespace v0

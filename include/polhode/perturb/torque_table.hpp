@@ -21,6 +21,7 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode {
@@ -35,6 +36,7 @@ struct TorqueRow {
 
 class TorqueTable {
  public:
+  using Law = GivenTorqueLaw;
   enum class Between { step, linear, cubic };
   // What holds before the first row and after the last: no torque, that row's, or an error.
   enum class Outside { zero, hold, refuse };
@@ -51,14 +53,19 @@ class TorqueTable {
   // Where the torque is not smooth, in increasing order.
   const std::vector<double>& breakpoints() const { return *breaks_; }
 
+  Law law() const { return {!rules_.axes}; }
   template <Real T>
-  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+  Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
     const Piece p = piece(to_double(at.t));
     const T s = (at.t - T(p.t0)) + at.t_rest;
     BasicVec3<T> u;
     for (int i = 0; i < 3; ++i)
       u[i] = T(p.c[0][i]) + s * (T(p.c[1][i]) + s * (T(p.c[2][i]) + s * T(p.c[3][i])));
-    return {{}, rules_.axes ? body_from_space(at, *rules_.axes, u) : u};
+    return {rules_.axes ? reference_from_space(at, *rules_.axes, u) : u};
+  }
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    return law().effect(of_time(at), pose_of(at));
   }
 
  private:

@@ -25,7 +25,7 @@ constexpr std::size_t moment_place(int b, int c) {
 // How many moments, or coefficients of a homogeneous polynomial, a degree has.
 constexpr std::size_t moment_count(int degree) { return moment_place(0, degree) + 1; }
 
-template <Real T, int degree>
+template <Number T, int degree>
 using BasicMoments = std::array<T, moment_count(degree)>;
 
 }  // namespace v0

@@ -95,6 +95,27 @@ For weak terms: steps may span many turns. [SA (98)-(103)])",
           .but_quiet());
 }
 
+void bind_collocation(nb::module_& m) {
+  bind_made_value<Collocation>(
+      m, "Collocation", R"(Gauss-Legendre collocation of (q, g), its stages computed together.
+
+Parameters
+----------
+tolerance : of the local error of a step, relative to |q| = 1 and to |g|; from 1e-15 to 1e-2.
+stages : 4, 8 or 16; the order is twice as large.
+step : 0: chosen by the tolerance. Else every step is so long, and nothing checks the error it
+    makes; the method is then symmetric, and symplectic for terms with an energy.
+largest_step : as in Adaptive; with steps under control.
+
+Implicit, solved by sweeps; a run fails where they do not converge. Most accurate for its time
+wherever the torques are smooth.)",
+      method_made<Collocation>,
+      field("tolerance", &Collocation::tolerance, "Of the local error of a step.", 1e-12),
+      field("stages", &Collocation::stages, "4, 8 or 16.", 8).but_quiet(),
+      field("step", &Collocation::step, "0: chosen.", 0.0).but_quiet(),
+      field("largest_step", &Collocation::largest_step, "No step is longer.", inf).but_quiet());
+}
+
 PythonEvent checked_event(const std::string& name, nb::handle function, nb::handle crossing,
                           bool stops, double period, double interval) {
   if (PyCallable_Check(function.ptr()) == 0)
@@ -183,7 +204,7 @@ void require_state(nb::handle initial) {
 
 void make_problem(PythonProblem* self, const Typed<"System">& system,
                   const Typed<"RotorState">& initial, double start, double stop,
-                  const Typed<"Adaptive | Splitting | VariationOfConstants">& method,
+                  const Typed<"Adaptive | Collocation | Splitting | VariationOfConstants">& method,
                   const Typed<"collections.abc.Iterable[Event]">& events,
                   const ArrayLike& damper_rate, bool continues) {
   system_of(system, "Problem: system");
@@ -216,7 +237,7 @@ Parameters
 system : System.
 initial : one RotorState at `start`, in the reference frame.
 start, stop : in the unit of time of the system; either may be the larger.
-method : Adaptive, Splitting or VariationOfConstants.
+method : Adaptive, Collocation, Splitting or VariationOfConstants.
 events : Events, in any number.
 damper_rate : (3,), rate of the sphere of the system's damper relative to the body, body axes, at
     `start`.
@@ -279,7 +300,7 @@ struct Methods {
             ...);
   }
 };
-using OurMethods = Methods<Adaptive, Splitting, VariationOfConstants>;
+using OurMethods = Methods<Adaptive, Collocation, Splitting, VariationOfConstants>;
 
 }  // namespace
 
@@ -287,7 +308,7 @@ Method method_of(nb::handle method, const char* whose) {
   std::optional<Method> found;
   if (OurMethods::set(found, method)) return *found;
   throw nb::type_error((std::string(whose) + ": method: got " + class_name(method) +
-                        "; expected Adaptive, Splitting or VariationOfConstants")
+                        "; expected Adaptive, Collocation, Splitting or VariationOfConstants")
                            .c_str());
 }
 
@@ -301,6 +322,7 @@ void bind_dynamics_values(nb::module_& m) {
   bind_adaptive(m);
   bind_splitting(m);
   bind_variation(m);
+  bind_collocation(m);
   bind_event(m);
   bind_problem(m);
 }

@@ -24,7 +24,7 @@ struct PythonProblem {
   Typed<"RotorState"> initial;
   double start;
   double stop;
-  Typed<"Adaptive | Splitting | VariationOfConstants"> method;
+  Typed<"Adaptive | Collocation | Splitting | VariationOfConstants"> method;
   Typed<"tuple[Event, ...]"> events;
   Vec3 damper_rate;
   bool continues;

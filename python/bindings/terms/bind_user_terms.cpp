@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Terms that Python writes.
+#include <algorithm>
 #include <limits>
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "charts/states.hpp"
 #include "interface/dual_number.hpp"
@@ -88,6 +91,73 @@ class PythonSwitchedTorque {
   SharedFunction function_;
 };
 
+// Python's torque(t, states) of many times and states at a time.
+class PythonArrayTorque {
+ public:
+  PythonArrayTorque(SharedFunction function, double time_scale)
+      : function_(std::move(function)), time_scale_(time_scale) {}
+
+  double time_scale() const { return time_scale_; }
+  Effect effect(const Setting& at) const {
+    Vec3 u;
+    torques(std::span(&at.t, 1), std::span(&at.s, 1), std::span(&u, 1));
+    return {{}, u};
+  }
+  std::unique_ptr<StageTerm> on_stages(const Body&) const {
+    return std::make_unique<Stages>(*this);
+  }
+
+ private:
+  // One call for all stages of a sweep.
+  class Stages final : public StageTerm {
+   public:
+    explicit Stages(const PythonArrayTorque& term) : term_(term) {}
+
+    void begin(const StageTimes& times, std::span<const double>) override {
+      times_.assign(times.t.begin(), times.t.begin() + times.count);
+      states_.resize(times.count);
+      torques_.resize(times.count);
+    }
+    void add_to(StageEffects& effects, const StageStates& states) override {
+      for (std::size_t i = 0; i < times_.size(); ++i) {
+        const auto x = [&](std::size_t n) { return states.rows[n][i]; };
+        states_[i] = {{x(0), x(1), x(2), x(3)}, {x(4), x(5), x(6)}};
+      }
+      term_.torques(times_, states_, torques_);
+      for (std::size_t i = 0; i < times_.size(); ++i)
+        for (int n = 0; n < 3; ++n) effects.u[static_cast<std::size_t>(n)][i] += torques_[i][n];
+    }
+    bool adds_rate() const override { return false; }
+
+   private:
+    const PythonArrayTorque& term_;
+    std::vector<double> times_;
+    std::vector<RotorState> states_;
+    std::vector<Vec3> torques_;
+  };
+
+  void torques(std::span<const double> t, std::span<const RotorState> s, std::span<Vec3> u) const {
+    const WithGil acquired;
+    const Shape shape{t.size()};
+    const nb::object returned = (*function_)(
+        array_of(t),
+        Rotors::filled(shape, [&](RotorState* out) { std::copy(s.begin(), s.end(), out); }));
+    try {
+      Numbers numbers(returned, "", {3});
+      numbers.broadcast(shape);
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] = {numbers.at(i)[0], numbers.at(i)[1], numbers.at(i)[2]};
+      return;
+    } catch (const nb::builtin_exception&) {
+    } catch (const DomainError&) {
+    }
+    function_->refuse(returned, "(n, 3) numbers, the torques along the body axes at n times");
+  }
+
+  SharedFunction function_;
+  double time_scale_;
+};
+
 // Python's switches(t, state): one number or several.
 class PythonSwitches {
  public:
@@ -134,6 +204,11 @@ struct KickOf {
   T energy(const BasicSetting<T>& at) const {
     return term.energy(at);
   }
+  std::unique_ptr<StageTerm> on_stages(const Body& body) const
+    requires requires(const Term& of, const Body& b) { of.on_stages(b); }
+  {
+    return term.on_stages(body);
+  }
   std::vector<double> switches(const Setting& at) const
     requires Switching<Term>
   {
@@ -153,7 +228,10 @@ AnyPerturbation user_term(const std::string& name, const std::string& label, Ter
 }
 
 AnyPerturbation torque_term(Making& at, nb::handle function, bool kick, nb::handle switches,
-                            std::optional<double> time_scale) {
+                            std::optional<double> time_scale, bool arrays) {
+  if (arrays && !switches.is_none())
+    throw nb::value_error(
+        (at.label + ": arrays: got True; expected False for a torque with switches").c_str());
   if (time_scale && !(*time_scale > 0.0))
     throw nb::value_error(
         (at.label + ": time_scale: got " + number_text(*time_scale) + "; expected a positive time")
@@ -161,6 +239,7 @@ AnyPerturbation torque_term(Making& at, nb::handle function, bool kick, nb::hand
   const double time = time_scale.value_or(std::numeric_limits<double>::infinity());
   const auto torque = std::make_shared<PythonFunction>(function, at.label);
   at.functions.push_back(torque);
+  if (arrays) return user_term(at.name, at.label, PythonArrayTorque(torque, time), kick);
   if (switches.is_none())
     return user_term(at.name, at.label, TorqueTerm(PythonTorque(torque), time), kick);
   const auto signs = std::make_shared<PythonFunction>(switches, at.label + ": switches");
@@ -201,7 +280,11 @@ TypeError or ValueError, naming the term, for what is not three numbers; NaN is 
                                       "the time in which the torque comes and goes: the "
                                       "default of Adaptive's largest_step.",
                                       nb::none())
-          .without_property());
+          .without_property(),
+      argument<bool>("arrays",
+                     "True says that it takes times (n,) and a RotorState of shape (n,), and "
+                     "returns (n, 3): Collocation then calls it once for all stages of a step.",
+                     false));
 }
 
 void bind_user_hamiltonian(nb::module_& m) {

@@ -84,6 +84,12 @@ class StepCurve final : public SwitchCurve {
   Values chord_, begin_, end_, bow_{};
 };
 
+// What the steps of a solver are to the search for edges.
+template <class Solver>
+struct CurveOf {
+  using Type = StepCurve<Solver>;
+};
+
 // A state on the way from one to the other, roughly.
 inline RotorState between(const RotorState& a, const RotorState& b) {
   const auto middle = [](double x, double y) { return x + 0.375 * (y - x); };
@@ -141,6 +147,9 @@ class SmoothStep {
   }
 
   std::string failure(StepOutcome outcome) const {
+    if constexpr (requires { solver_.refusal(outcome); }) {
+      if (std::string own = solver_.refusal(outcome); !own.empty()) return own;
+    }
     const auto& watched = field_.watched();
     typename std::decay_t<decltype(watched)>::Values y{};  // without what a deviation adds
     std::copy_n(solver_.state().y.begin(), std::min(y.size(), solver_.state().y.size()), y.begin());
@@ -161,7 +170,7 @@ class SmoothStep {
   }
 
   std::optional<Edge> edge_since(const Savepoint& savepoint) {
-    const StepCurve<Solver> curve(solver_, savepoint, switches_);
+    const typename CurveOf<Solver>::Type curve(solver_, savepoint, switches_);
     const std::optional<Edge> edge = first_edge(curve);
     if (!edge) switches_.see(curve.along(1.0));
     return edge;

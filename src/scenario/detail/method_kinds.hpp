@@ -10,6 +10,7 @@ inline namespace v0 {
 namespace detail {
 
 MethodKind adaptive_kind();
+MethodKind collocation_kind();
 MethodKind splitting_kind();
 MethodKind variation_of_constants_kind();
 

@@ -259,7 +259,8 @@ Kinds default_kinds() {
       {detail::kepler_kind(), detail::state_kind(), detail::table_kind(), detail::ephemeris_kind(),
        detail::elements_kind(), detail::series_kind(), detail::shipped_kind()},
       {detail::precessing_kind(), detail::orbit_plane_kind(), detail::local_vertical_kind()},
-      {detail::adaptive_kind(), detail::splitting_kind(), detail::variation_of_constants_kind()},
+      {detail::adaptive_kind(), detail::collocation_kind(), detail::splitting_kind(),
+       detail::variation_of_constants_kind()},
       {detail::nutation_kind()},
       default_output_formats()});
   return Kinds(ours);

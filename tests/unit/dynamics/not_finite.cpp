@@ -67,7 +67,8 @@ const std::vector<NamedMethod> methods{
     {"Adaptive", Adaptive{}},
     {"in double-double", Adaptive{1e-20, Precision::double_double}},
     {"Splitting", Splitting{.step = 0.125}},
-    {"VariationOfConstants", VariationOfConstants{}}};
+    {"VariationOfConstants", VariationOfConstants{}},
+    {"Collocation", Collocation{}}};
 
 // Gauss' nodes and the kicks of a splitting lie inside a step: its very end is not asked for.
 std::vector<double> times(const Method& method) {

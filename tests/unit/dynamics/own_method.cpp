@@ -145,10 +145,10 @@ TEST(OwnMethod, IsRefusedForOtherStates) {
   const SaveAt times = SaveAt::count(0.0, 1.0, 3);
   EXPECT_EQ(message_of([&] { state_transitions(problem, times); }),
             "state_transitions: method \"runge-kutta-4\" carries no derivatives: take Adaptive, "
-            "Splitting or VariationOfConstants");
+            "Collocation, Splitting or VariationOfConstants");
   EXPECT_EQ(message_of([&] { chaos_indicator(problem, times, {}); }),
             "chaos_indicator: method \"runge-kutta-4\" carries no deviations: take Adaptive, "
-            "Splitting or VariationOfConstants");
+            "Collocation, Splitting or VariationOfConstants");
   const System damped(test::w1_body, Frame::inertial(), {}, KaneDamper(0.1, 0.1));
   EXPECT_THAT(message_of([&] {
                 integrate(Problem{damped, test::w1_state, 0.0, 1.0, runge_kutta_4(0.1)});

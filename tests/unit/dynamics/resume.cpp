@@ -122,13 +122,14 @@ TEST(Resume, ATorqueThatSwitches) {
   const auto sides = [](double t, const RotorState& s) {
     return std::vector{std::sin(0.7 * t), s.g.z - 0.2};
   };
-  for (const double stop : {40.0, -40.0}) {
-    SCOPED_TRACE(stop);
-    Problem p = problem(Adaptive{}, stop);
-    p.system = System(p.system.body(), p.system.frame(),
-                      {AnyPerturbation("push", SwitchedTorqueTerm(push, sides))});
-    expect_the_straight_run(p, SaveAt::count(0.0, stop, 401), 3);
-  }
+  for (const Method& method : {Method(Adaptive{}), Method(Collocation{})})
+    for (const double stop : {40.0, -40.0}) {
+      SCOPED_TRACE(method_text(method));
+      Problem p = problem(method, stop);
+      p.system = System(p.system.body(), p.system.frame(),
+                        {AnyPerturbation("push", SwitchedTorqueTerm(push, sides))});
+      expect_the_straight_run(p, SaveAt::count(0.0, stop, 401), 3);
+    }
 }
 
 // What `checkpoint` throws stops the run there: nothing after it is lost to the resumed one.
@@ -158,6 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Adaptive{.tolerance = 1e-18, .precision = Precision::double_double},
                     Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
                     Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10},
+                    Collocation{.tolerance = 1e-10}, Collocation{.stages = 4, .step = 0.1},
                     polhode::test::runge_kutta_4(0.05)));
 
 TEST(Resume, WithADamper) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "polhode/perturb/affine_torque.hpp"
+#include "polhode/perturb/detail/stage_terms.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode {
@@ -31,6 +33,7 @@ class ErasedTerm {
   virtual std::vector<double> switches(const Setting& at) const = 0;
   virtual double time_scale() const = 0;
   virtual AffineTorque affine_torque(const Setting& at) const = 0;
+  virtual std::unique_ptr<StageTerm> on_stages(const Body& body, InstructionSet set) const = 0;
 };
 
 template <Perturbation P>
@@ -88,6 +91,15 @@ class HeldTerm final : public ErasedTerm {
       return {term_.effect(at).u, {}};
     } else {
       term_cannot(name_, "is not said to have a torque that is affine in the momentum");
+    }
+  }
+  std::unique_ptr<StageTerm> on_stages(const Body& body, InstructionSet set) const override {
+    if constexpr (OnStages<P>) {
+      return term_.on_stages(body);
+    } else if constexpr (Timewise<P>) {
+      return std::make_unique<TimewiseStages<P>>(term_, body, set);
+    } else {
+      return std::make_unique<SingleStages<P>>(term_, body);
     }
   }
 

@@ -21,13 +21,13 @@ HarmonicGradient<3> potential_gradient(const BasicMoments<double, 3>& m);
 HarmonicGradient<4> potential_gradient(const BasicMoments<double, 4>& m);
 
 // The ten products of three from the six products of two.
-template <Real T>
+template <Number T>
 BasicMoments<T, 3> cubes_of(const BasicMoments<T, 2>& s, const BasicVec3<T>& n) {
   return {s[0] * n.x, s[0] * n.y, s[0] * n.z, s[3] * n.x, s[4] * n.x,
           s[5] * n.x, s[3] * n.y, s[3] * n.z, s[5] * n.y, s[5] * n.z};
 }
 
-template <int degree, Real T>
+template <int degree, Number T>
 BasicVec3<T> gradient(const HarmonicGradient<degree>& p,
                       const BasicMoments<T, degree - 1>& monomials) {
   BasicVec3<T> sum;

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The stages of a term that keeps apart what depends on the time, and of any other.
+#pragma once
+
+#include <cstring>
+#include <memory>
+
+#include "polhode/perturb/detail/law_on_stages.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+inline Setting stage_setting(const Body& body, const StageTimes& times, std::size_t i,
+                             std::span<const double> sides) {
+  return {body, times.t[i], {}, times.q_IS[i], times.t_rest[i], sides};
+}
+
+// A term that answers for many stages by itself.
+template <class P>
+concept OnStages = requires(const P& term, const Body& body) {
+  { term.on_stages(body) } -> std::same_as<std::unique_ptr<StageTerm>>;
+};
+
+template <Timewise P>
+class TimewiseStages final : public StageTerm {
+ public:
+  using Law = typename P::Law;
+
+  // Both outlive it.
+  TimewiseStages(const P& term, const Body& body, InstructionSet set)
+      : term_(term), body_(body), effect_(law_in_lanes<Law>(set)) {}
+
+  void begin(const StageTimes& times, std::span<const double> sides) override {
+    sides_ = sides;
+    count_ = times.count;
+    for (std::size_t i = 0; i < filled_stages(count_); ++i) {
+      constexpr std::size_t numbers = numbers_of_time<Law>;
+      if constexpr (numbers > 0) {
+        if (i < count_) {
+          const auto of_time = term_.of_time(stage_setting(body_, times, i, sides));
+          double parts[numbers];
+          std::memcpy(parts, &of_time, sizeof parts);
+          for (std::size_t n = 0; n < numbers; ++n) of_time_[n][i] = parts[n];
+        } else {
+          for (std::size_t n = 0; n < numbers; ++n) of_time_[n][i] = of_time_[n][0];
+        }
+      }
+    }
+  }
+  void add_to(StageEffects& effects, const StageStates& states) override {
+    effect_({term_.law(), body_, sides_, count_, of_time_}, states, effects);
+  }
+  bool adds_rate() const override { return Law::adds_rate; }
+
+ private:
+  const P& term_;
+  const Body& body_;
+  LawOnStages<Law> effect_;
+  std::span<const double> sides_;
+  std::size_t count_ = 0;
+  RowsOfTime<Law> of_time_{};
+};
+
+// One stage after the other.
+template <Perturbation P>
+class SingleStages final : public StageTerm {
+ public:
+  SingleStages(const P& term, const Body& body) : term_(term), body_(body) {}
+
+  void begin(const StageTimes& times, std::span<const double> sides) override {
+    times_ = times;
+    sides_ = sides;
+  }
+  void add_to(StageEffects& effects, const StageStates& states) override {
+    for (std::size_t i = 0; i < times_.count; ++i) {
+      const auto state = [&](std::size_t n) { return states.rows[n][i]; };
+      Setting at = stage_setting(body_, times_, i, sides_);
+      at.s = {{state(0), state(1), state(2), state(3)}, {state(4), state(5), state(6)}};
+      const Effect e = term_.effect(at);
+      for (int n = 0; n < 3; ++n) {
+        effects.v[static_cast<std::size_t>(n)][i] += e.v[n];
+        effects.u[static_cast<std::size_t>(n)][i] += e.u[n];
+      }
+    }
+  }
+  bool adds_rate() const override { return true; }
+
+ private:
+  const P& term_;
+  const Body& body_;
+  StageTimes times_;
+  std::span<const double> sides_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

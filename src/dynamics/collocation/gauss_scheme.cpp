@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "dynamics/collocation/gauss_scheme.hpp"
+
+#include <memory>
+
+#include "math/gauss_legendre.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using DD = DoubleDouble;
+
+// Integrals of the Lagrange polynomials through Gauss' nodes by their expansion in Legendre
+// polynomials, of which the integral is (P_(k+1) - P_(k-1)) / (2k + 1).
+template <std::size_t s>
+std::unique_ptr<const GaussScheme> made() {
+  const GaussRule<DD, s> rule = gauss_legendre<DD, s>();
+  std::array<DD, s> x;
+  std::array<std::array<DD, s + 1>, s> P;
+  for (std::size_t i = 0; i < s; ++i) {
+    x[i] = -rule.x[i];  // rising
+    P[i] = legendre_polynomials<s>(x[i]);
+  }
+  auto g = std::make_unique<GaussScheme>();
+  g->stages = s;
+  for (std::size_t i = 0; i < s; ++i) {
+    g->c[i] = (0.5 * (1.0 + x[i])).hi;
+    g->b[i] = (0.5 * rule.w[i]).hi;
+    for (std::size_t m = 0; m < s; ++m)
+      g->coefficient[i][m] = ((static_cast<double>(m) + 0.5) * (rule.w[i] * P[i][m])).hi;
+  }
+  for (std::size_t i = 0; i < s; ++i) {
+    for (std::size_t j = 0; j < s; ++j) {
+      DD sum = 1.0 + x[i];
+      for (std::size_t k = 1; k < s; ++k) sum += P[j][k] * (P[i][k + 1] - P[i][k - 1]);
+      const double mu = (0.5 * sum).hi;
+      // the larger of a pair is rounded, so that the other is its difference from 1 exactly
+      if (i != j && mu >= 0.5) {
+        g->mu[j][i] = mu;
+        g->mu[i][j] = 1.0 - mu;
+      }
+    }
+    g->mu[i][i] = 0.5;
+  }
+  return g;
+}
+
+// P_0 to P_(n-1) at z.
+void legendre_row(StageMatrix& to, std::size_t n, std::size_t i, double z) {
+  double before = 1.0, P = z;
+  to[0][i] = 1.0;
+  for (std::size_t m = 1; m < n; ++m) {
+    to[m][i] = P;
+    const double k = static_cast<double>(m);
+    const double next = ((2.0 * k + 1.0) * z * P - k * before) / (k + 1.0);
+    before = P;
+    P = next;
+  }
+}
+
+}  // namespace
+
+const GaussScheme& gauss_scheme(std::size_t stages) {
+  static const std::unique_ptr<const GaussScheme> four = made<4>(), eight = made<8>(),
+                                                  sixteen = made<16>(), most = made<32>();
+  switch (stages) {
+    case 4:
+      return *four;
+    case 8:
+      return *eight;
+    case 16:
+      return *sixteen;
+    default:
+      return *most;
+  }
+}
+
+StepWeights step_weights(const GaussScheme& scheme, double h) {
+  StepWeights w;
+  for (std::size_t i = 0; i < scheme.stages; ++i) {
+    w.hb[i] = h * scheme.b[i];
+    w.length += w.hb[i];
+  }
+  return w;
+}
+
+StageMatrix continuation(const GaussScheme& scheme, double ratio) {
+  StageMatrix P{};
+  for (std::size_t i = 0; i < scheme.stages; ++i)
+    legendre_row(P, scheme.stages, i, 1.0 + 2.0 * ratio * scheme.c[i]);
+  return P;
+}
+
+StageMatrix refinement(const GaussScheme& scheme, const GaussScheme& fine) {
+  StageMatrix P{};
+  for (std::size_t i = 0; i < fine.stages; ++i)
+    legendre_row(P, scheme.stages, i, 2.0 * fine.c[i] - 1.0);
+  return P;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

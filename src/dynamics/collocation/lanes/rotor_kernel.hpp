@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// The sweeps of a rotor by collocation, the stages as lanes. Compiled once for each set of
+// instructions.
+#pragma once
+
+#include <limits>
+
+#include "dynamics/collocation/rotor_step.hpp"
+#include "polhode/math/error_free.hpp"
+#include "polhode/math/pack.hpp"
+#include "polhode/math/quaternion.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template <InstructionSet isa, std::size_t stages>
+struct RotorKernel {
+  using T = Pack<isa>;
+  static constexpr std::size_t filled = filled_stages(stages);
+
+  [[gnu::always_inline]] static T loaded(const StageRow& row, std::size_t i) {
+    return T::loaded(row.data() + i);
+  }
+  [[gnu::always_inline]] static void store(const T& x, StageRow& row, std::size_t i) {
+    x.store(row.data() + i);
+  }
+
+  // And nothing left of it for the next sweep.
+  [[gnu::always_inline]] static T taken(StageRow& row, std::size_t i) {
+    const T x = loaded(row, i);
+    store(T(0.0), row, i);
+    return x;
+  }
+
+  // Rows i, i + 1, ... of matrix * from, for numbers `first` to `last` of a state. In two sums, of
+  // half the length: a sweep waits for them.
+  template <std::size_t first, std::size_t last>
+  [[gnu::always_inline]] static void product(const StageMatrix& matrix,
+                                             const std::array<StageRow, 7>& from, std::size_t i,
+                                             T* sum) {
+    T odd[7];
+    for (std::size_t n = first; n < last; ++n) {
+      sum[n] = loaded(matrix[0], i) * T(from[n][0]);
+      odd[n] = loaded(matrix[1], i) * T(from[n][1]);
+    }
+    for (std::size_t j = 2; j < stages; j += 2) {
+      const T column = loaded(matrix[j], i), next = loaded(matrix[j + 1], i);
+      for (std::size_t n = first; n < last; ++n) {
+        sum[n] = sum[n] + column * T(from[n][j]);
+        odd[n] = odd[n] + next * T(from[n][j + 1]);
+      }
+    }
+    for (std::size_t n = first; n < last; ++n) sum[n] = sum[n] + odd[n];
+  }
+
+  template <std::size_t first, std::size_t last>
+  [[gnu::always_inline]] static void weigh(RotorStep& s) {
+    for (std::size_t i = 0; i < filled; i += T::width)
+      for (std::size_t n = first; n < last; ++n)
+        store(loaded(s.hb, i) * loaded(s.F[n], i), s.L[n], i);
+  }
+  // Y from L; the largest change.
+  template <std::size_t first, std::size_t last>
+  [[gnu::always_inline]] static T moved(const GaussScheme& scheme, RotorStep& s) {
+    T change(0.0);
+    for (std::size_t i = 0; i < filled; i += T::width) {
+      T sum[7];
+      product<first, last>(scheme.mu, s.L, i, sum);
+      for (std::size_t n = first; n < last; ++n) {
+        const T next = T(s.y[n]) + (sum[n] + T(s.carry[n]));
+        const T by = abs(next - loaded(s.Y.rows[n], i));
+        change = select(by <= change, change, by);  // NaN stays until the next number
+        store(next, s.Y.rows[n], i);
+      }
+    }
+    return change;
+  }
+  [[gnu::always_inline]] static T lost_by_product(const T& a, const T& b) {
+    if constexpr (isa == InstructionSet::baseline) {
+      return two_prod(a, b).lo;
+    } else {
+      return two_prod_fma(a, b).lo;
+    }
+  }
+  [[gnu::always_inline]] static double largest(const T& x) {
+    double r = x.lanes[0];
+    for (std::size_t i = 1; i < T::width; ++i) r = x.lanes[i] <= r ? r : x.lanes[i];
+    return r;
+  }
+
+  // A rate, and what it contributes to the step.
+  [[gnu::always_inline]] static void set_rate(RotorStep& s, std::size_t n, std::size_t i,
+                                              const T& f) {
+    store(f, s.F[n], i);
+    store(loaded(s.hb, i) * f, s.L[n], i);
+  }
+
+  [[gnu::flatten]] static void place(const GaussScheme& scheme, RotorStep& s) {
+    weigh<0, 7>(s);
+    moved<0, 7>(scheme, s);
+    measure(s);
+  }
+  [[gnu::flatten]] static void measure(RotorStep& s) {
+    T most(std::numeric_limits<double>::min());
+    for (std::size_t i = 0; i < filled; i += T::width)
+      for (std::size_t n = 4; n < 7; ++n) {
+        const T g = abs(loaded(s.Y.rows[n], i));
+        most = select(g <= most, most, g);
+      }
+    s.inverse_momentum = 1.0 / largest(most);
+  }
+
+  // dg/dt = (1/I3 - 1/I2) g2 g3 + ... + g x v + u: not g x I^-1 g, where what is equal in I^-1
+  // cancels and leaves a rounding that adds up over a run.
+  [[gnu::always_inline]] static void momentum_rates(const RotorConstants& body, RotorStep& s,
+                                                    std::size_t i) {
+    const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
+    const auto u = [&](std::size_t n) { return taken(s.effects.u[n], i); };
+    const BasicVec3<T> g{Y(4), Y(5), Y(6)};
+    BasicVec3<T> f{T(body.euler.x) * (g.y * g.z) + u(0), T(body.euler.y) * (g.z * g.x) + u(1),
+                   T(body.euler.z) * (g.x * g.y) + u(2)};
+    if (s.has_rate) {
+      const auto v = [&](std::size_t n) { return loaded(s.effects.v[n], i); };
+      f = f + cross(g, BasicVec3<T>{v(0), v(1), v(2)});
+    }
+    set_rate(s, 4, i, f.x);
+    set_rate(s, 5, i, f.y);
+    set_rate(s, 6, i, f.z);
+  }
+  // dq/dt = q (0, w) / 2, less the turn of the frame.
+  [[gnu::always_inline]] static void attitude_rates(const RotorConstants& body, RotorStep& s,
+                                                    std::size_t i) {
+    const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
+    const auto v = [&](std::size_t n) { return taken(s.effects.v[n], i); };
+    const auto half_rate = [&](std::size_t n) {
+      const DoubleDouble& c = body.inverse[n];
+      const T g = Y(4 + n), w = g * T(c.hi) + g * T(c.lo);
+      return T(0.5) * (s.has_rate ? w + v(n) : w);
+    };
+    const BasicQuaternion<T> q{Y(0), Y(1), Y(2), Y(3)};
+    const T zero(0.0);
+    BasicQuaternion<T> f = q * BasicQuaternion<T>{zero, half_rate(0), half_rate(1), half_rate(2)};
+    if (s.has_frame) {
+      const auto half_mu = [&](std::size_t n) { return T(0.5) * loaded(s.mu_S[n], i); };
+      const BasicQuaternion<T> lag =
+          BasicQuaternion<T>{zero, half_mu(0), half_mu(1), half_mu(2)} * q;
+      f = {f.w - lag.w, f.x - lag.x, f.y - lag.y, f.z - lag.z};
+    }
+    set_rate(s, 0, i, f.w);
+    set_rate(s, 1, i, f.x);
+    set_rate(s, 2, i, f.y);
+    set_rate(s, 3, i, f.z);
+  }
+
+  [[gnu::flatten]] static double sweep(const GaussScheme& scheme, const RotorConstants& body,
+                                       RotorStep& s) {
+    for (std::size_t i = 0; i < filled; i += T::width) momentum_rates(body, s, i);
+    const T dg = moved<4, 7>(scheme, s) * T(s.inverse_momentum);
+    for (std::size_t i = 0; i < filled; i += T::width) attitude_rates(body, s, i);
+    const T dq = moved<0, 4>(scheme, s);
+    return largest(select(dq <= dg, dg, dq));
+  }
+
+  // The sum of h b F with what each product and each sum loses: an increment that is rounded turns
+  // the end of a long run by the integral of its error.
+  [[gnu::flatten]] static void finish(const GaussScheme&, RotorStep& s) {
+    std::array<StageRow, 7> lost;
+    for (std::size_t n = 0; n < 7; ++n)
+      for (std::size_t i = 0; i < filled; i += T::width)
+        store(lost_by_product(loaded(s.hb, i), loaded(s.F[n], i)), lost[n], i);
+    double low[7];
+    for (std::size_t n = 0; n < 7; ++n) low[n] = s.carry[n];
+    for (std::size_t j = 0; j < stages; ++j) {
+      for (std::size_t n = 0; n < 7; ++n) {
+        const TwoTerms<double> sum = two_sum(s.y[n], s.L[n][j]);
+        s.y[n] = sum.hi;
+        low[n] += sum.lo + lost[n][j];
+      }
+    }
+    for (std::size_t n = 0; n < 7; ++n) {
+      const double y = s.y[n] + low[n];
+      s.carry[n] = (s.y[n] - y) + low[n];
+      s.y[n] = y;
+    }
+  }
+
+  [[gnu::flatten]] static void transform(const GaussScheme&, const StageMatrix& matrix,
+                                         std::size_t rows, const std::array<StageRow, 7>& from,
+                                         std::array<StageRow, 7>& to) {
+    for (std::size_t i = 0; i < filled_stages(rows); i += T::width) {
+      T sum[7];
+      product<0, 7>(matrix, from, i, sum);
+      for (std::size_t n = 0; n < 7; ++n) store(sum[n], to[n], i);
+    }
+  }
+};
+
+template <InstructionSet isa>
+RotorLanes rotor_kernels(std::size_t stages) {
+  const auto of = []<std::size_t s>() {
+    using K = RotorKernel<isa, s>;
+    return RotorLanes{&K::place, &K::measure, &K::sweep, &K::finish, &K::transform};
+  };
+  switch (stages) {
+    case 4:
+      return of.template operator()<4>();
+    case 8:
+      return of.template operator()<8>();
+    case 16:
+      return of.template operator()<16>();
+    default:
+      return of.template operator()<32>();
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The stages of a rotor: its equations of motion inside one step after the other.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "dynamics/adaptive/rotor_field.hpp"
+#include "dynamics/collocation/rotor_step.hpp"
+#include "math/larger.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class RotorStages {
+ public:
+  using Field = RotorField<double>;
+  using Values = Field::Values;
+  using State = CompensatedState<double, rotor_size<double>>;
+  // Of the rates in Legendre polynomials, or at the stages.
+  using Rows = std::array<StageRow, 7>;
+
+  RotorStages(std::shared_ptr<const Field> field, std::size_t stages, InstructionSet set)
+      : field_(std::move(field)),
+        scheme_(gauss_scheme(stages)),
+        lanes_(rotor_lanes(stages, set)),
+        constants_(constants(field_->system().body())) {
+    for (const AnyPerturbation& term : field_->system().terms()) {
+      terms_.push_back(term.on_stages(field_->system().body(), set));
+      step_.has_rate = step_.has_rate || terms_.back()->adds_rate();
+    }
+    step_.has_frame = !field_->system().frame().is_inertial();
+    times_.count = stages;
+  }
+
+  const GaussScheme& scheme() const { return scheme_; }
+
+  // For a step of h from `start` at t: what depends on the time alone is asked.
+  void begin(const DoubleDouble& t, const State& start, double h, const SwitchSides* sides) {
+    if (h != h_) {
+      const StepWeights weights = step_weights(scheme_, h);
+      step_.hb = weights.hb;
+      length_ = weights.length;
+      h_ = h;
+    }
+    std::copy_n(start.y.begin(), 7, step_.y.begin());
+    std::copy_n(start.carry.begin(), 7, step_.carry.begin());
+    for (std::size_t i = 0; i < scheme_.stages; ++i) {
+      const DoubleDouble at = DoubleDouble::sum(t.hi, t.lo + scheme_.c[i] * h);
+      times_.t[i] = at.hi;
+      times_.t_rest[i] = at.lo;
+      if (!step_.has_frame) continue;
+      const FrameMotion frame = field_->equations().frame_motion(at);
+      times_.q_IS[i] = frame.q_IS;
+      for (int n = 0; n < 3; ++n) step_.mu_S[static_cast<std::size_t>(n)][i] = frame.mu_S[n];
+    }
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      terms_[k]->begin(times_, sides == nullptr ? std::span<const double>() : sides->of(k));
+  }
+  // The step that begin was told of, to the last bit.
+  const DoubleDouble& length() const { return length_; }
+
+  // The first guess: at the start all along, or at rates that a polynomial gives.
+  void guess_start() {
+    step_.F = {};
+    lanes_.place(scheme_, step_);
+  }
+  void guess(const GaussScheme& of, const Rows& coefficients, const StageMatrix& at_stages,
+             const RotorLanes& lanes) {
+    lanes.transform(of, at_stages, scheme_.stages, coefficients, step_.F);
+    lanes_.place(scheme_, step_);
+  }
+
+  // The largest change of any stage, relative to |q| = 1 and to |g|.
+  double sweep() {
+    for (const std::unique_ptr<StageTerm>& term : terms_) term->add_to(step_.effects, step_.Y);
+    const double change = lanes_.sweep(scheme_, constants_, step_);
+    if (!(change < 1.0)) lanes_.measure(step_);  // a body that was at rest
+    return change;
+  }
+
+  void coefficients(Rows& to) const {
+    lanes_.transform(scheme_, scheme_.coefficient, scheme_.stages, step_.F, to);
+  }
+  // The state at the end, the padding of an array of Values included.
+  State finished() {
+    lanes_.finish(scheme_, step_);
+    State s{};
+    std::copy_n(step_.y.begin(), 7, s.y.begin());
+    std::copy_n(step_.carry.begin(), 7, s.carry.begin());
+    return s;
+  }
+
+  const RotorLanes& lanes() const { return lanes_; }
+
+ private:
+  static RotorConstants constants(const Body& body) {
+    const Vec3& I = body.moments();
+    const auto inverse = [](double x) { return DoubleDouble(1.0) / x; };
+    const auto euler = [](double a, double b) {  // 1/a - 1/b
+      return ((DoubleDouble(b) - DoubleDouble(a)) / (DoubleDouble(a) * b)).hi;
+    };
+    return {{inverse(I.x), inverse(I.y), inverse(I.z)},
+            {euler(I.z, I.y), euler(I.x, I.z), euler(I.y, I.x)}};
+  }
+
+  std::shared_ptr<const Field> field_;
+  const GaussScheme& scheme_;
+  RotorLanes lanes_;
+  RotorConstants constants_;
+  std::vector<std::unique_ptr<StageTerm>> terms_;
+  StageTimes times_;
+  RotorStep step_;
+  double h_ = 0.0;
+  DoubleDouble length_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The numbers of one step of a rotor by collocation, and what is done with them in lanes.
+#pragma once
+
+#include <array>
+
+#include "dynamics/collocation/gauss_scheme.hpp"
+#include "polhode/math/instruction_set.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What of the body the equations of motion ask for.
+struct RotorConstants {
+  std::array<DoubleDouble, 3> inverse;  // 1 / I
+  Vec3 euler;                           // 1/I3 - 1/I2, 1/I1 - 1/I3, 1/I2 - 1/I1
+};
+
+struct RotorStep {
+  std::array<double, 7> y{}, carry{};  // q_SB, g_B at the start, and what they lost to rounding
+  StageRow hb{};
+  double inverse_momentum = 0.0;  // 1 / |g|, roughly: the measure of a change
+  StageStates Y;
+  StageEffects effects;            // a sweep takes them, and leaves zeros
+  bool has_rate = false;           // any effect has a v
+  bool has_frame = false;          // it moves
+  std::array<StageRow, 3> mu_S{};  // its rate
+  std::array<StageRow, 7> F{};     // the rates of Y
+  std::array<StageRow, 7> L{};     // h b F
+};
+
+// Compiled for each set of instructions; every one with the same bits.
+struct RotorLanes {
+  // Y from F, and how large its momentum is.
+  void (*place)(const GaussScheme&, RotorStep&);
+  void (*measure)(RotorStep&);
+  // F from Y and the effects there, and Y from F: first g, then q at the rates that belong to it.
+  // The largest change of any stage, relative to |q| = 1 and to |g|.
+  double (*sweep)(const GaussScheme&, const RotorConstants&, RotorStep&);
+  // y and carry at the end of the step.
+  void (*finish)(const GaussScheme&, RotorStep&);
+  // to = matrix * from, from of scheme.stages numbers and to of so many rows.
+  void (*transform)(const GaussScheme&, const StageMatrix& matrix, std::size_t rows,
+                    const std::array<StageRow, 7>& from, std::array<StageRow, 7>& to);
+};
+RotorLanes rotor_lanes(std::size_t stages, InstructionSet set);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

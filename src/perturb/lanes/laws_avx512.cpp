@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The laws of terms in the lanes of InstructionSet::avx512.
+#if defined(__x86_64__)
+
+#include "perturb/lanes/library_laws.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+#define POLHODE_INSTANTIATE(LAW) POLHODE_LAW_IN_LANES(avx512, LAW)
+POLHODE_EACH_LAW(POLHODE_INSTANTIATE)
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The laws of terms in the lanes of InstructionSet::baseline.
+#include "perturb/lanes/library_laws.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+#define POLHODE_INSTANTIATE(LAW) POLHODE_LAW_IN_LANES(baseline, LAW)
+POLHODE_EACH_LAW(POLHODE_INSTANTIATE)
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "budgets.hpp"
+#include "dynamics/collocation/collocation_solver.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/perturb/user_terms.hpp"
+#include "splitting_support.hpp"
+
+namespace polhode {
+namespace {
+
+using splitting_test::distance;
+using splitting_test::end_of;
+using splitting_test::PointMassTorque;
+using testing::HasSubstr;
+
+constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;
+constexpr Adaptive reference{1e-19, Precision::double_double};
+
+System gravity(const Frame& frame = Frame::inertial()) {
+  const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.9, 0.1}));
+  return System(splitting_test::workload_body(), frame,
+                {AnyPerturbation("gravity gradient", GravityGradient(1.0, orbit))});
+}
+
+class Schemes : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Schemes, IntegratePolynomials) {
+  const detail::GaussScheme& g = detail::gauss_scheme(GetParam());
+  for (std::size_t power = 0; power < 2 * g.stages; ++power) {
+    const auto n = static_cast<double>(power);
+    double whole = 0.0;
+    for (std::size_t j = 0; j < g.stages; ++j) whole += g.b[j] * std::pow(g.c[j], n);
+    EXPECT_NEAR(whole, 1.0 / (n + 1.0), budget::collocation_tableau);
+    if (power >= g.stages) continue;
+    for (std::size_t i = 0; i < g.stages; ++i) {
+      double part = 0.0;
+      for (std::size_t j = 0; j < g.stages; ++j) part += g.mu[j][i] * g.b[j] * std::pow(g.c[j], n);
+      EXPECT_NEAR(part, std::pow(g.c[i], n + 1.0) / (n + 1.0), budget::collocation_tableau);
+    }
+  }
+}
+
+// To the last bit: else invariants drift.
+TEST_P(Schemes, AreSymplecticAndSymmetricInDoubles) {
+  const detail::GaussScheme& g = detail::gauss_scheme(GetParam());
+  for (std::size_t i = 0; i < g.stages; ++i) {
+    EXPECT_EQ(g.b[i], g.b[g.stages - 1 - i]);
+    for (std::size_t j = 0; j < g.stages; ++j) {
+      const DoubleDouble pair = DoubleDouble::sum(g.mu[j][i], g.mu[i][j]);
+      EXPECT_EQ(pair.hi, 1.0);
+      EXPECT_EQ(pair.lo, 0.0);
+    }
+  }
+  const detail::StepWeights w = detail::step_weights(g, 0.1);
+  EXPECT_NEAR((w.length - 0.1).hi, 0.0, budget::collocation_tableau * 0.1);
+}
+
+TEST_P(Schemes, GiveLegendreCoefficients) {
+  const detail::GaussScheme& g = detail::gauss_scheme(GetParam());
+  for (unsigned k = 0; k < g.stages; ++k)
+    for (std::size_t m = 0; m < g.stages; ++m) {
+      double coefficient = 0.0;
+      for (std::size_t j = 0; j < g.stages; ++j)
+        coefficient += g.coefficient[j][m] * std::legendre(k, 2.0 * g.c[j] - 1.0);
+      EXPECT_NEAR(coefficient, k == m ? 1.0 : 0.0, budget::collocation_legendre);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Gauss, Schemes, testing::Values(4, 8, 16, 32));
+
+TEST(Collocation, IsFreeRotationWhereThereIsNoTorque) {
+  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
+                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
+  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
+  for (const Vec3& I : moments) {
+    const Body body(I.x, I.y, I.z);
+    for (const Vec3& g : momenta) {
+      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
+      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
+      for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
+        const System system(body, frame);
+        const RotorState exact = reference_state(
+            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
+        EXPECT_LE(distance(end_of(system, s, 0.0, time, Collocation{}), exact),
+                  budget::collocation_free);
+      }
+    }
+  }
+}
+
+TEST(Collocation, AgreesWithDoubleDoubleAfterTenOrbits) {
+  const double stop = 20.0 * std::numbers::pi;
+  const RotorState s = splitting_test::workload_state();
+  for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
+    const RotorState exact = end_of(gravity(frame), s, 0.0, stop, reference);
+    for (const int stages : {4, 8, 16})
+      EXPECT_LE(distance(end_of(gravity(frame), s, 0.0, stop, Collocation{1e-13, stages}), exact),
+                budget::collocation_ten_orbits)
+          << stages;
+  }
+}
+
+TEST(Collocation, ErrsByLessForASmallerTolerance) {
+  const System system = gravity(splitting_test::precessing_frame());
+  const RotorState s = splitting_test::workload_state();
+  const RotorState exact = end_of(system, s, 0.0, turns_10, reference);
+  for (const int stages : {4, 8, 16})
+    for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
+      const RotorState end = end_of(system, s, 0.0, turns_10, Collocation{tolerance, stages});
+      EXPECT_LE(distance(end, exact), budget::collocation_per_tolerance * tolerance)
+          << stages << " " << tolerance;
+    }
+}
+
+TEST(Collocation, IsOfTwiceItsStages) {
+  const System system = gravity();
+  const RotorState s = splitting_test::workload_state();
+  const RotorState exact = end_of(system, s, 0.0, 8.0, reference);
+  const auto slope = [&](int stages, double h, double smaller) {
+    const auto error = [&](double step) {
+      return distance(end_of(system, s, 0.0, 8.0, Collocation{.stages = stages, .step = step}),
+                      exact);
+    };
+    return std::log(error(h) / error(smaller)) / std::log(h / smaller);
+  };
+  EXPECT_NEAR(slope(4, 0.2, 0.1), 8.0, budget::collocation_order);
+  EXPECT_NEAR(slope(8, 0.32, 0.2), 16.0, budget::collocation_order);
+}
+
+// Axisymmetric, a sphere, far from symmetric, and across the separatrix; terms that are no kicks,
+// and that no lanes know.
+TEST(Collocation, AgreesWithDoubleDoubleForEveryBody) {
+  const Frame frame = splitting_test::precessing_frame();
+  const struct {
+    Vec3 moments, g;
+  } cases[] = {{{1.0, 1.0, 1.5}, {1.0, 0.5, 2.0}},   {{1.5, 1.0, 1.0}, {1.0, 0.5, 2.0}},
+               {{1.0, 1.0, 1.0}, {1.0, 0.5, 2.0}},   {{1.0, 2.0, 2.9}, {1.0, 0.5, 2.0}},
+               {{1.0, 2.0, 2.9}, {1e-3, 2.0, 1e-3}}, {{1.0, 2.0, 2.9}, {0.0, 0.0, 2.0}},
+               {{1.0, 2.0, 2.9}, {0.0, 0.0, 0.0}}};
+  for (const auto& c : cases) {
+    const System system(Body(c.moments.x, c.moments.y, c.moments.z), frame,
+                        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.2}),
+                         AnyPerturbation("damping", splitting_test::Damping{0.01}),
+                         AnyPerturbation("turn", splitting_test::Spinner{0.3})});
+    const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), c.g};
+    const RotorState exact = end_of(system, s, 0.0, 15.0, reference);
+    EXPECT_LE(distance(end_of(system, s, 0.0, 15.0, Collocation{}), exact),
+              budget::collocation_bodies);
+  }
+}
+
+TEST(Collocation, RunsBackToWhereItStarted) {
+  const System system = gravity(splitting_test::precessing_frame());
+  const RotorState s = splitting_test::workload_state();
+  for (const Collocation& method : {Collocation{}, Collocation{.step = 0.12}}) {
+    const RotorState there = end_of(system, s, 0.0, turns_10, method);
+    EXPECT_LE(distance(end_of(system, there, turns_10, 0.0, method), s), budget::collocation_back);
+  }
+}
+
+// The lanes of every set of instructions give the same bits.
+TEST(Collocation, DoesNotDependOnTheProcessor) {
+  const auto field = std::make_shared<const detail::RotorField<double>>(
+      gravity(splitting_test::precessing_frame()));
+  const auto end = [&](std::size_t stages, InstructionSet set) {
+    detail::CollocationSolver solver(
+        field, stages, set, 0.0,
+        detail::RotorField<double>::start(splitting_test::workload_state()), {{1e-12}, false});
+    while (solver.time().hi < 20.0) EXPECT_EQ(solver.advance(20.0), StepOutcome::made);
+    solver.refined();
+    return std::pair(solver.state().y, solver.state().carry);
+  };
+  for (const std::size_t stages : {4U, 8U, 16U})
+    for (const InstructionSet set : supported_instruction_sets())
+      EXPECT_EQ(end(stages, set), end(stages, InstructionSet::baseline))
+          << stages << " " << instruction_set_name(set);
+}
+
+// |q| is never brought back to 1, and |g| of a sphere nowhere told: both walk by rounding alone.
+TEST(Collocation, KeepsQuadraticInvariants) {
+  const auto field =
+      std::make_shared<const detail::RotorField<double>>(System(Body(0.9, 1.0, 1.1)));
+  const RotorState s = splitting_test::workload_state();
+  detail::CollocationSolver solver(field, 8, widest_instruction_set(), 0.0,
+                                   detail::RotorField<double>::start(s), {{1e-12, 0.15}, true});
+  const double stop = 15000.0;
+  while (solver.time().hi < stop) ASSERT_EQ(solver.advance(stop), StepOutcome::made);
+  const auto sum = [&](std::size_t i) {
+    return DoubleDouble::sum(solver.state().y[i], solver.state().carry[i]);
+  };
+  DoubleDouble q2, g2, energy;
+  const Vec3& I = field->system().body().moments();
+  for (std::size_t i = 0; i < 4; ++i) q2 += sum(i) * sum(i);
+  for (std::size_t i = 4; i < 7; ++i) {
+    g2 += sum(i) * sum(i);
+    energy += sum(i) * sum(i) / I[static_cast<int>(i) - 4];
+  }
+  const double G2 = dot(s.g, s.g),
+               E = s.g.x * s.g.x / I.x + s.g.y * s.g.y / I.y + s.g.z * s.g.z / I.z;
+  EXPECT_NEAR((q2 - 1.0).hi, 0.0, budget::collocation_invariant);
+  EXPECT_NEAR((g2 - G2).hi / G2, 0.0, budget::collocation_invariant);
+  EXPECT_NEAR((energy - E).hi / E, 0.0, budget::collocation_invariant);
+}
+
+// Inside a step as accurate as at its ends, by the polynomial that a trajectory keeps.
+TEST(Collocation, IsAccurateInsideItsSteps) {
+  const System system = gravity(splitting_test::precessing_frame());
+  const RotorState s = splitting_test::workload_state();
+  const Trajectory run = integrate({system, s, 0.0, 6.0, Collocation{}});
+  for (int k = 0; k <= 60; ++k) {
+    const double t = 0.1 * k;
+    const RotorState exact = k == 0 ? s : end_of(system, s, 0.0, t, reference);
+    EXPECT_LE(distance(run.at(t), exact), budget::collocation_dense) << t;
+  }
+}
+
+TEST(Collocation, FindsEvents) {
+  const auto height = [](double, const RotorState& x) { return x.g.z - 8.0; };
+  const auto events = [&](const Method& method) {
+    Problem p{gravity(), splitting_test::workload_state(), 0.0, 20.0, method, {}};
+    p.events.push_back({"height", height, Crossing::both, false, 0.0});
+    return integrate(p, {SaveAt::times({20.0})}).events();
+  };
+  const auto found = events(Collocation{}), exact = events(Adaptive{1e-14});
+  ASSERT_EQ(found.size(), exact.size());
+  ASSERT_GT(found.size(), 4U);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i].t, exact[i].t, budget::collocation_event);
+}
+
+// A torque whose side the attitude decides, and one that jumps with time.
+TEST(Collocation, EndsItsStepsWhereATorqueSwitches) {
+  const auto push = [](const double&, const RotorState&, std::span<const double> sides) {
+    return Vec3{0.05 * sides[0], 0.0, sides[1] > 0.0 ? 0.04 : 0.0};
+  };
+  const auto sides = [](double t, const RotorState& s) {
+    return std::vector{std::sin(0.7 * t), s.g.z - 0.2};
+  };
+  const System system(Body(1.0, 2.0, 2.7), splitting_test::precessing_frame(),
+                      {AnyPerturbation("push", SwitchedTorqueTerm(push, sides))});
+  const RotorState s{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}};
+  const RotorState exact = end_of(system, s, 0.0, 40.0, Adaptive{1e-14});
+  EXPECT_LE(distance(end_of(system, s, 0.0, 40.0, Collocation{}), exact),
+            budget::collocation_switches);
+}
+
+TEST(Collocation, RefusesAStepThatDoesNotConverge) {
+  const Trajectory run = integrate(
+      {gravity(), splitting_test::workload_state(), 0.0, 100.0, Collocation{.step = 20.0}},
+      {SaveAt::times({100.0})});
+  EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
+  EXPECT_THAT(run.outcome().advice, HasSubstr("do not converge: take a shorter step"));
+}
+
+TEST(Collocation, RefusesValuesOutOfRange) {
+  const auto refused = [](const Collocation& m) { EXPECT_THROW(require_valid(m), DomainError); };
+  refused({.tolerance = 1e-16});
+  refused({.stages = 5});
+  refused({.step = -1.0});
+  refused({.step = 0.1, .largest_step = 1.0});
+  refused({.largest_step = 0.0});
+}
+
+}  // namespace
+}  // namespace polhode
