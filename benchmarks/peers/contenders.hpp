@@ -45,6 +45,8 @@ Maker geographic_maker();
 Maker van_zon_maker();
 Maker polhode_maker();
 Maker polhode_lanes_maker();
+// Of new bodies alone.
+Maker polhode_bodies_maker();
 Maker polhode_short_arc_maker();
 Maker polhode_grid_maker();   // of even times alone
 Maker polhode_sadov_maker();  // of nothing else

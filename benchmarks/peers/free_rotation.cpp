@@ -186,7 +186,9 @@ void fresh_bodies(const std::vector<Maker>& makers, Draw& draw, int repetitions)
   for (Start& s : starts) s = draw.any();
   const double t = draw.uniform(100.0, 628.0);
   std::vector<Entry> list;
-  for (const Maker& m : makers) {
+  std::vector<Maker> with_many = makers;
+  with_many.push_back(polhode_bodies_maker());
+  for (const Maker& m : with_many) {
     polhode::test::Worst worst;
     for (std::size_t i = 0; i < checked; ++i)
       worst.add(error_of(Exact(starts[i]), *m.make(starts[i]), {&t, 1}));

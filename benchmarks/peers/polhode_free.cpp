@@ -6,6 +6,7 @@
 
 #include "contenders.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
 
 namespace peers {
@@ -101,6 +102,41 @@ double fresh(std::span<const Start> starts, double t) {
   return sum;
 }
 
+// A body as propagate takes it.
+class OfMany : public Motion {
+ public:
+  explicit OfMany(const Start& s) : start_(s), body_(body_of(s)), state_(state_of(s)) {}
+  void rows(std::span<const double> t, double* out) const override {
+    for (const double& x : t) {
+      RotorState found;
+      propagate({&body_, 1}, {&state_, 1}, {&x, 1}, 0.0, {&found, 1});
+      write_row(start_, found, out);
+      out += 7;
+    }
+  }
+
+ private:
+  Start start_;
+  Body body_;
+  RotorState state_;
+};
+
+double fresh_in_lanes(std::span<const Start> starts, double t) {
+  static std::vector<RotorState> states, found;
+  states.resize(starts.size());
+  found.resize(starts.size());
+  std::transform(starts.begin(), starts.end(), states.begin(), state_of);
+  constexpr double epoch = 0.0;
+  propagate({{starts[0].I.data(), sizeof(Start) / sizeof(double)},
+             {&states[0].q.w, sizeof(RotorState) / sizeof(double)},
+             {&t, 0},
+             {&epoch, 0}},
+            found);
+  double sum = 0.0;
+  for (const RotorState& s : found) sum += s.q.w;
+  return sum;
+}
+
 template <bool short_arc>
 double action(const Start& s) {
   const SadovState found = to_sadov(prepared<short_arc>(s), 0.0);
@@ -139,6 +175,11 @@ Maker polhode_lanes_maker() {
             return std::make_unique<InLanes<FreeRotation>>(s);
           },
           fresh<false>};
+}
+Maker polhode_bodies_maker() {
+  return {"polhode propagate, many bodies at once",
+          [](const Start& s) -> std::unique_ptr<Motion> { return std::make_unique<OfMany>(s); },
+          fresh_in_lanes};
 }
 Maker polhode_short_arc_maker() {
   return {"polhode short_arc", make<true>, fresh<true>, action<true>};

@@ -49,6 +49,7 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/generating_function.hpp"
 #include "polhode/free/prepare.hpp"
+#include "polhode/free/propagate.hpp"
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Many bodies in one call: what FreeRotation gives of each, to the last bit."""
+"""Many bodies in one call: what FreeRotation gives of each, and the same bits in any company."""
 
 import itertools
 import threading
 
+import budgets
 import numpy as np
 import polhode
 import pytest
+from closeness import assert_allclose
 from interrupts import LATEST, seconds_from_signal
 
 RANDOM = np.random.default_rng(16)
@@ -43,28 +45,36 @@ def assert_same_bits(states, expected):
     assert states.g.tobytes() == g.tobytes()
 
 
+def assert_close(states, expected):
+    q, g = expected
+    assert states.q.shape == q.shape
+    assert_allclose(states.q, q, atol=budgets.free_many)
+    size = np.linalg.norm(g, axis=-1, keepdims=True)
+    size[size == 0.0] = 1.0
+    assert_allclose(states.g / size, g / size, atol=budgets.free_many)
+
+
 SHAPES = [(), (1,), (3,), (2, 1), (2, 3)]
 
 
 @pytest.mark.parametrize(("of_bodies", "of_states"), list(itertools.product(SHAPES, SHAPES)))
-def test_all_bits_are_those_of_free_rotation(of_bodies, of_states):
+def test_states_are_those_of_free_rotation(of_bodies, of_states):
     moments, states = moments_of(*of_bodies), states_of(*of_states)
     for of_times in ((), (3,), (4, 1, 1), (2, 3), (4, 2, 3), (0, 1, 1)):
         t = RANDOM.uniform(-50.0, 50.0, of_times)
         found = polhode.propagate(moments, states, t)
-        assert_same_bits(found, one_by_one(moments, states, t))
+        assert_close(found, one_by_one(moments, states, t))
 
 
 def test_epochs_and_short_arcs():
     moments, states, t0 = moments_of(3), states_of(3), np.array([0.5, -2.0, 7.0])
     t = np.linspace(0.0, 9.0, 5)[:, np.newaxis]
-    assert_same_bits(polhode.propagate(moments, states, t, t0),
-                     one_by_one(moments, states, t, t0))
+    assert_close(polhode.propagate(moments, states, t, t0), one_by_one(moments, states, t, t0))
     assert_same_bits(polhode.propagate(moments, states, t, t0, short_arc=True),
                      one_by_one(moments, states, t, t0, polhode.FreeRotation.short_arc))
     # the epochs alone may have axes
-    assert_same_bits(polhode.propagate(moments[0], states[0], 3.0, t0),
-                     one_by_one(moments[0], states[0], 3.0, t0))
+    assert_close(polhode.propagate(moments[0], states[0], 3.0, t0),
+                 one_by_one(moments[0], states[0], 3.0, t0))
 
 
 def test_bodies_are_bodies_or_their_moments():
@@ -80,7 +90,8 @@ def test_bodies_are_bodies_or_their_moments():
     body = polhode.Body(1.0, 1.7, 2.1)
     assert polhode.propagate(body, states, 2.0).shape == (2, 3)
     alone = polhode.propagate(body, states[0, 0], 2.0)
-    assert alone == polhode.FreeRotation(body, states[0, 0]).at(2.0)
+    whole = polhode.propagate(body, states, 2.0)
+    assert alone.q.tobytes() == whole[0, 0].q.tobytes()
     assert alone.shape == ()
 
 
@@ -92,8 +103,19 @@ def test_regimes_lie_side_by_side():
     states = polhode.RotorState([0.5, 0.5, -0.5, 0.5], g)
     t = np.array([0.0, 3.0, 1e6, np.nan, np.inf])[:, np.newaxis]
     found = polhode.propagate(moments, states, t)
-    assert_same_bits(found[:3], one_by_one(moments, states, t[:3]))
+    assert_close(found[:3], one_by_one(moments, states, t[:3]))
     assert np.isnan(found[3:].q).all()
+
+
+def test_bits_depend_on_nothing_beside_a_body():
+    moments, states, t = moments_of(37), states_of(37), RANDOM.uniform(-1e6, 1e6, 37)
+    together = polhode.propagate(moments, states, t)
+    order = RANDOM.permutation(37)
+    assert polhode.propagate(moments[order], states[order], t[order]) == together[order]
+    assert polhode.propagate(moments[::-1], states[::-1], t[::-1]) == together[::-1]
+    for k in range(37):
+        assert polhode.propagate(moments[k], states[k], t[k]) == together[k]
+        assert polhode.propagate(polhode.Body(*moments[k]), states[k], t[k]) == together[k]
 
 
 @pytest.mark.parametrize(("bodies", "states", "t", "error", "said"), [

@@ -16,6 +16,9 @@ inline constexpr double oracle_differences = 1e-45;
 // Rotation angle, rad, and |dg|/G, in every set: hard cases, the separatrix, 1e9 turns.
 inline constexpr double free_state = 2e-15;
 inline constexpr double free_state_median = 4e-16;
+// The same of bodies in lanes (tests/unit/free/propagate.cpp): in double but for the rates.
+inline constexpr double free_many = 4e-15;
+inline constexpr double free_many_median = 5e-16;
 // G^2 - 2 T I2, relative, however much cancels: a few roundings of double-double.
 inline constexpr double separatrix_distance = 0x1p-101;
 // A kernel in double-double: rad, and relative to |g|; and derivatives of one in dual numbers,

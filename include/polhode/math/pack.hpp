@@ -128,6 +128,14 @@ struct Pack {
     return Pack(std::bit_cast<Doubles>(x.bits() ^ (mask.lanes & detail::sign_bit)));
   }
   [[gnu::always_inline]] friend Pack sqrt(const Pack& x) { return Pack(Registers::sqrt(x.lanes)); }
+  // The power of two in [|x|/2, |x|], of a normal x, and its inverse.
+  [[gnu::always_inline]] friend Pack power_below(const Pack& x) {
+    return Pack(std::bit_cast<Doubles>(x.bits() & detail::exponent_bits));
+  }
+  [[gnu::always_inline]] friend Pack inverse_power_below(const Pack& x) {
+    return Pack(
+        std::bit_cast<Doubles>(detail::inverse_exponent - (x.bits() & detail::exponent_bits)));
+  }
   [[gnu::always_inline]] friend Pack rint(const Pack& x) { return Pack(Registers::rint(x.lanes)); }
   [[gnu::always_inline]] friend Pack floor(const Pack& x) {
     return Pack(Registers::floor(x.lanes));

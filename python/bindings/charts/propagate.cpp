@@ -6,11 +6,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "charts/states.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/free/propagate.hpp"
 
 namespace polhode::python {
 
@@ -65,9 +67,30 @@ bool is_body_within(nb::handle value) {
   return nb::isinstance<Body>(first);
 }
 
-Bodies bodies_of_moments(nb::handle value) {
-  const Numbers moments(value, "bodies", {3});
-  Bodies found{moments.shape(), {}};
+// What an array of objects holds, as lists.
+nb::object listed(nb::handle value) {
+  const bool has_objects = nb::hasattr(value, "tolist") && nb::hasattr(value, "dtype") &&
+                           value.attr("dtype").equal(nb::str("O"));
+  return has_objects ? nb::object(value.attr("tolist")()) : nb::borrow(value);
+}
+
+Numbers moments_of(nb::handle items) {
+  if (!nb::hasattr(items, "__len__") && !nb::hasattr(items, "__array__"))
+    throw nb::type_error(("bodies: got a " + class_name(items) +
+                          "; expected a Body, a sequence of them or moments (..., 3)")
+                             .c_str());
+  return Numbers(items, "bodies", {3});
+}
+
+Bodies bodies_of(nb::handle items) {
+  Bodies found;
+  if (is_body_within(items)) {
+    Walk walk(found);
+    walk(items);
+    return found;
+  }
+  const Numbers moments = moments_of(items);
+  found.shape = moments.shape();
   const std::size_t n = size_of(found.shape);
   found.all.reserve(n);
   for_each(n, [&](std::size_t k) {
@@ -79,23 +102,6 @@ Bodies bodies_of_moments(nb::handle value) {
       throw DomainError(e.what() + index_text(k, found.shape));
     }
   });
-  return found;
-}
-
-Bodies bodies_of(nb::handle value) {
-  const bool has_objects = nb::hasattr(value, "tolist") && nb::hasattr(value, "dtype") &&
-                           value.attr("dtype").equal(nb::str("O"));
-  const nb::object items = has_objects ? nb::object(value.attr("tolist")()) : nb::borrow(value);
-  if (!is_body_within(items)) {
-    if (!nb::hasattr(items, "__len__") && !nb::hasattr(items, "__array__"))
-      throw nb::type_error(("bodies: got a " + class_name(items) +
-                            "; expected a Body, a sequence of them or moments (..., 3)")
-                               .c_str());
-    return bodies_of_moments(items);
-  }
-  Bodies found;
-  Walk walk(found);
-  walk(items);
   return found;
 }
 
@@ -135,10 +141,8 @@ Grid grid_of(const Shape& motions, const Shape& whole) {
 // Of one motion at a time: between two looks at signals.
 constexpr std::size_t most_times = 512;
 
-Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::handle t0,
-                  bool short_arc) {
-  const Bodies of = bodies_of(bodies);
-  Numbers times(t, "t"), epochs(t0, "t0");
+Rotors propagated_as_short_arcs(const Bodies& of, const Rotors& states, Numbers times,
+                                Numbers epochs) {
   const Shape pairs = broadcast(of.shape, states.shape(), "bodies", "states");
   const Shape motions = broadcast(pairs, epochs.shape(), "bodies and states", "t0");
   const Shape whole = broadcast(motions, times.shape(), "bodies and states", "t");
@@ -150,8 +154,7 @@ Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::han
     const Body& body = of.all[body_at(k)];
     const RotorState& s = states[state_at(k)];
     try {
-      return short_arc ? FreeRotation::short_arc(body, s, epochs[k])
-                       : FreeRotation(body, s, epochs[k]);
+      return FreeRotation::short_arc(body, s, epochs[k]);
     } catch (const DomainError& e) {
       if (motions.empty()) throw;
       throw DomainError(e.what() + index_text(k, motions));
@@ -177,6 +180,79 @@ Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::han
   });
 }
 
+// Items of so many numbers in an array of a shape of its own, and where those of the result are.
+class Rows {
+ public:
+  Rows(const void* first, std::size_t stride, std::size_t width, const Shape& own,
+       const Shape& whole)
+      : first_(static_cast<const double*>(first)),
+        step_(stride / sizeof(double)),
+        width_(width),
+        lane_(own, whole),
+        one_(size_of(own) == 1),
+        direct_(one_ || own == whole) {}
+
+  // Those of positions begin .. end: where they lie, or copied.
+  NumberRows part(std::size_t begin, std::size_t end) {
+    if (one_) return {first_, 0};
+    if (direct_) return {first_ + begin * step_, step_};
+    copies_.resize((end - begin) * width_);
+    for (std::size_t k = begin; k < end; ++k)
+      std::copy_n(first_ + lane_(k) * step_, width_, &copies_[(k - begin) * width_]);
+    return {copies_.data(), width_};
+  }
+
+ private:
+  const double* first_;
+  std::size_t step_, width_;
+  Lane lane_;
+  bool one_, direct_;
+  std::vector<double> copies_;
+};
+
+Rows rows_of(Numbers& numbers, std::size_t width, const Shape& whole) {
+  const Shape own = numbers.shape();
+  numbers.broadcast(own);
+  return Rows(numbers.at(0), width * sizeof(double), width, own, whole);
+}
+
+Rotors propagated(Rows moments, Rows at_epochs, Rows times, Rows epochs, const Shape& whole) {
+  return Rotors::filled(whole, [&](RotorState* out) {
+    for_each_part(size_of(whole), [&](std::size_t begin, std::size_t end) {
+      const BodyRows rows{moments.part(begin, end), at_epochs.part(begin, end),
+                          times.part(begin, end), epochs.part(begin, end)};
+      const std::vector<FailedBody> failed = propagate(rows, {out + begin, end - begin});
+      if (failed.empty()) return;
+      const std::string at = whole.empty() ? "" : index_text(begin + failed[0].index, whole);
+      throw DomainError(failed[0].reason + at);
+    });
+  });
+}
+
+Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::handle t0,
+                  bool short_arc) {
+  Numbers times(t, "t"), epochs(t0, "t0");
+  std::optional<Bodies> objects;
+  std::optional<Numbers> moments;
+  const nb::object items = listed(bodies);
+  if (short_arc || is_body_within(items))
+    objects = bodies_of(items);
+  else
+    moments = moments_of(items);
+  const Shape& of_bodies = objects ? objects->shape : moments->shape();
+  const Shape pairs = broadcast(of_bodies, states.shape(), "bodies", "states");
+  const Shape motions = broadcast(pairs, epochs.shape(), "bodies and states", "t0");
+  const Shape whole = broadcast(motions, times.shape(), "bodies and states", "t");
+  if (short_arc)
+    return propagated_as_short_arcs(*objects, states, std::move(times), std::move(epochs));
+  if (size_of(whole) == 0) return Rotors::filled(whole, [](RotorState*) {});
+  const Rows of_states(states.first(), states.stride(), 7, states.shape(), whole);
+  Rows of_moments = moments ? rows_of(*moments, 3, whole)
+                            : Rows(&objects->all[0].moments().x, sizeof(Body), 3, of_bodies, whole);
+  return propagated(std::move(of_moments), of_states, rows_of(times, 1, whole),
+                    rows_of(epochs, 1, whole), whole);
+}
+
 }  // namespace
 
 void bind_propagate(nb::module_& m) {
@@ -193,10 +269,12 @@ Parameters
 bodies : a Body, a sequence of Body (nested: more axes), or moments (..., 3).
 states : RotorState, one or an array: at the times t0.
 t, t0 : times (...).
-short_arc : prepare in double precision throughout, as FreeRotation.short_arc: for a few turns.
+short_arc : one by one, to the last bit FreeRotation.short_arc: for a few turns.
 
-The shapes of bodies, states, t0 and t broadcast, and are that of the result. Each item is, to the
-last bit, FreeRotation(body, state, t0).at(t): a motion is prepared once for all of its times.
+The shapes of bodies, states, t0 and t broadcast, and are that of the result. Bodies are computed
+in the lanes of the processor, some fifty times as fast as FreeRotation(body, state, t0).at(t), of
+which an item may differ in its last digits: to 4e-15 rad of the exact attitude. It depends on its
+own body, state, t0 and t alone. One body at very many times is faster by FreeRotation.
 ValueError for what is no body or has a rate beyond double range, with its index. NaN for a time
 that is not finite. Without the GIL; Ctrl-C ends it.)");
 }

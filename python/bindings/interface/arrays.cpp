@@ -5,7 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 #include <utility>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace polhode::python {
 
@@ -261,6 +267,20 @@ void put(double* out, const Mat3& m) {
 void put(double* out, const Matrix6& m) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) *out++ = m(i, j);
+}
+
+std::shared_ptr<void> room_for(std::size_t bytes) {
+#ifdef __linux__
+  constexpr std::size_t page = std::size_t{1} << 21;
+  if (bytes >= 2 * page) {
+    const std::size_t whole = (bytes + page - 1) / page * page;
+    void* const first = std::aligned_alloc(page, whole);
+    if (first == nullptr) throw std::bad_alloc();
+    madvise(first, whole, MADV_HUGEPAGE);  // a wish: what it returns does not matter
+    return {first, [](void* p) { std::free(p); }};
+  }
+#endif
+  return {::operator new(bytes), [](void* p) { ::operator delete(p); }};
 }
 
 }  // namespace polhode::python

@@ -83,6 +83,10 @@ double number(nb::handle value, const char* name);
 // An object that keeps `memory` alive: the owner of arrays that look at it, and at nothing else.
 nb::object keeper(std::shared_ptr<const void> memory);
 
+// Room for results. The first touch of a page of 4 KiB costs as much as dozens of states, so large
+// results ask for pages of 2 MiB, as NumPy does for its arrays.
+std::shared_ptr<void> room_for(std::size_t bytes);
+
 // Room for the result of a function, then a NumPy array that owns it. With shape () and inner ()
 // a Python float.
 class Result {

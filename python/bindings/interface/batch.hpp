@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -33,8 +32,7 @@ class Batch {
   template <class Fill>
   static Batch filled(Shape shape, Fill fill) {
     const std::size_t n = size_of(shape);
-    const std::shared_ptr<void> room(::operator new(n * sizeof(S)),
-                                     [](void* p) { ::operator delete(p); });
+    const std::shared_ptr<void> room = room_for(n * sizeof(S));
     fill(static_cast<S*>(room.get()));
     return Batch(std::move(shape), room, room.get(), sizeof(S));
   }

@@ -21,6 +21,9 @@ inline namespace v0 {
 namespace detail {
 
 inline constexpr std::int64_t sign_bit = INT64_MIN;
+inline constexpr std::int64_t exponent_bits = 0x7ff0000000000000;
+// Less the exponent bits of a power of two: those of its inverse.
+inline constexpr std::int64_t inverse_exponent = 0x7fe0000000000000;
 
 // Eight numbers past the caches into a line of memory (`to` a multiple of 64 bytes), where the
 // processor has such stores; order_streams() before anybody else reads them.

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Many bodies in lanes: against Taylor integration with 76 digits, and the same bits whatever lies
+// beside a body, however many there are and whichever instructions compute.
+#include "polhode/free/propagate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "budgets.hpp"
+#include "oracle/free_accuracy.hpp"
+#include "oracle/free_edge_cases.hpp"
+#include "polhode/error.hpp"
+#include "unit/free/support.hpp"
+
+namespace {
+
+using namespace free_test;
+namespace budget = polhode::budget;
+using polhode::FailedBody;
+using polhode::InstructionSet;
+using polhode::propagate;
+
+// Rows of many bodies; moments need not be those of a body.
+struct Many {
+  std::vector<Vec3> moments;
+  std::vector<RotorState> states;
+  std::vector<double> times, epochs;
+
+  void add(const FreeCase& c) {
+    moments.push_back(c.moments);
+    states.push_back(c.start);
+    times.push_back(c.t);
+    epochs.push_back(c.t0);
+  }
+  std::size_t size() const { return times.size(); }
+  polhode::BodyRows rows(std::size_t first = 0) const {
+    return {
+        {&moments[first].x, 3}, {&states[first].q.w, 7}, {&times[first], 1}, {&epochs[first], 1}};
+  }
+  std::vector<RotorState> at(InstructionSet set = polhode::widest_instruction_set()) const {
+    std::vector<RotorState> results(size());
+    EXPECT_TRUE(propagate(rows(), results, set).empty());
+    return results;
+  }
+};
+
+FreeCase drawn(oracle::CaseMaker maker, std::uint64_t seed, std::size_t i) {
+  Draw draw(seed << 32U, i);
+  return maker(draw);
+}
+
+// Errors of a sample: every one within the budget, and their median.
+void expect_exact(const Many& many, const std::string& what) {
+  const std::vector<RotorState> found = many.at();
+  std::vector<double> errors;
+  polhode::test::Worst<> worst;
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    oracle::FreeBody body(many.moments[i], many.states[i].q, many.states[i].g);
+    const oracle::FreeError e = oracle::error_at(body, found[i], many.times[i], many.epochs[i]);
+    errors.push_back(larger(e.angle, e.momentum));
+    worst.add(errors.back(), what + " " + std::to_string(i));
+  }
+  std::nth_element(errors.begin(), errors.begin() + static_cast<long>(errors.size() / 2),
+                   errors.end());
+  EXPECT_LE(worst.value(), budget::free_many) << worst.where();
+  EXPECT_LE(errors[errors.size() / 2], budget::free_many_median) << what;
+  testing::Test::RecordProperty("worst", std::to_string(worst.value() * 1e16));
+}
+
+std::size_t sample(std::size_t few, std::size_t all) {
+  return std::getenv("POLHODE_TEST_FULL") != nullptr ? all : few;
+}
+
+struct Class {
+  const char* name;
+  oracle::CaseMaker maker;
+};
+const Class classes[] = {{"random", oracle::random_case},
+                         {"near an axis", oracle::near_axis_case},
+                         {"nearly equal moments", oracle::nearly_equal_case},
+                         {"near the separatrix", oracle::near_separatrix_case},
+                         {"on the separatrix", oracle::exact_separatrix_case},
+                         {"small angles", oracle::small_angle_case},
+                         {"needles, discs and units", oracle::extreme_case},
+                         {"about the middle axis", oracle::middle_spin_case}};
+
+TEST(Propagate, IsExactForEveryKindOfBody) {
+  std::uint64_t seed = 300;
+  for (const Class& c : classes) {
+    Many many;
+    ++seed;
+    for (std::size_t i = 0; i < sample(5, 1000); ++i) many.add(drawn(c.maker, seed, i));
+    expect_exact(many, c.name);
+  }
+}
+
+TEST(Propagate, IsExactWithinAHundredTurnsAndAfterABillion) {
+  std::uint64_t seed = 320;
+  for (const double turns : {-100.0, 37.5, 1e4, -1e9}) {
+    Many many;
+    ++seed;
+    for (std::size_t i = 0; i < sample(12, 2000); ++i) {
+      FreeCase c = drawn(i % 4 == 0 ? oracle::close_separatrix_case : oracle::random_case, seed, i);
+      set_time(c, turns);
+      many.add(c);
+    }
+    expect_exact(many, std::to_string(turns) + " turns");
+  }
+}
+
+// FreeRotation is compared with the oracle in tests/property: here thousands are with it.
+TEST(Propagate, AgreesWithFreeRotationForThousandsOfBodies) {
+  std::uint64_t seed = 360;
+  for (const Class& c : classes) {
+    Many many;
+    ++seed;
+    Draw draw(seed, 0);
+    for (std::size_t i = 0; i < 1000; ++i) {
+      FreeCase drawn_case = drawn(c.maker, seed, i);
+      if (i % 2 == 0) set_time(drawn_case, draw.sign() * draw.power_of_ten(-3, 9));
+      many.add(drawn_case);
+    }
+    const std::vector<RotorState> found = many.at();
+    polhode::test::Worst<> worst;
+    for (std::size_t i = 0; i < many.size(); ++i) {
+      const Vec3& I = many.moments[i];
+      const FreeRotation m(Body(I.x, I.y, I.z), many.states[i], many.epochs[i]);
+      const RotorState s = m.at(many.times[i]);
+      worst.add(larger(attitude_difference(found[i].q, s.q),
+                       norm(found[i].g - s.g) / norm(many.states[i].g)),
+                std::string(c.name) + " " + std::to_string(i));
+    }
+    EXPECT_LE(worst.value(), budget::free_many + budget::free_state) << worst.where();
+  }
+}
+
+// Of every kind and regime, in a mixed order.
+Many mixed_bodies(std::size_t count) {
+  Many many;
+  Draw draw(341, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    FreeCase c = drawn(classes[i * 7 % 8].maker, 340, i);
+    if (i % 5 == 0) set_time(c, draw.sign() * draw.power_of_ten(-3, 9));
+    many.add(c);
+  }
+  for (const NamedMotion& n : motions())
+    for (const double t : {0.0, 1.25, -1e6, 1e18}) many.add({n.moments, n.start(), 0.5, t});
+  return many;
+}
+
+TEST(Propagate, HasTheSameBitsByEverySet) {
+  const Many many = mixed_bodies(1500);
+  const std::vector<RotorState> baseline = many.at(InstructionSet::baseline);
+  for (const InstructionSet set : polhode::supported_instruction_sets()) {
+    const std::vector<RotorState> found = many.at(set);
+    for (std::size_t i = 0; i < many.size(); ++i)
+      ASSERT_EQ(bits(found[i]), bits(baseline[i])) << instruction_set_name(set) << ", " << i;
+  }
+}
+
+TEST(Propagate, HasTheSameBitsAloneAndInAnyCompany) {
+  const Many many = mixed_bodies(300);
+  const std::vector<RotorState> together = many.at();
+  for (std::size_t first = 0; first < many.size(); ++first)
+    for (const std::size_t count : {1U, 2U, 3U, 7U, 9U, 33U}) {
+      if (first + count > many.size() || (count > 1 && first % 11 != 0)) continue;
+      const RotorState unset{{7.0, 7.0, 7.0, 7.0}, {7.0, 7.0, 7.0}};
+      std::vector<RotorState> found(count + 1, unset);
+      propagate(many.rows(first), std::span(found).first(count));
+      for (std::size_t i = 0; i < count; ++i)
+        ASSERT_EQ(bits(found[i]), bits(together[first + i])) << count << " from " << first;
+      EXPECT_EQ(bits(found[count]), bits(unset));
+    }
+}
+
+TEST(Propagate, IsFreeRotationWhereLanesDoNotReach) {
+  for (const NamedMotion& n : motions()) {
+    if (n.regime != Regime::steady && n.regime != Regime::rest && n.regime != Regime::separatrix)
+      continue;
+    for (const double t : {0.0, -3.5, 1e12, infinite, not_a_number}) {
+      const Body body = n.body();
+      const RotorState start = n.start();
+      RotorState found;
+      EXPECT_TRUE(propagate({&body, 1}, {&start, 1}, {&t, 1}, 0.25, {&found, 1}).empty());
+      EXPECT_EQ(bits(found), bits(n.motion(0.25).at(t))) << n.name << ", t = " << t;
+    }
+  }
+}
+
+TEST(Propagate, TakesOneForAll) {
+  const Body body(1.0, 1.5, 2.2);
+  const RotorState start{{1.0, 0.2, 0.1, -0.4}, {0.5, 0.7, 1.6}};
+  const std::vector<double> times{0.5, 3.25, -7.0, 1e5};
+  std::vector<RotorState> results(times.size());
+  EXPECT_TRUE(propagate({&body, 1}, {&start, 1}, times, 0.0, results).empty());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    RotorState alone;
+    propagate({&body, 1}, {&start, 1}, {&times[i], 1}, 0.0, {&alone, 1});
+    EXPECT_EQ(bits(results[i]), bits(alone));
+  }
+  EXPECT_TRUE(propagate({}, {&start, 1}, {}, 0.0, {}).empty());
+}
+
+TEST(Propagate, WhatFailsFailsAlone) {
+  Many many;
+  for (std::size_t i = 0; i < 40; ++i) many.add(drawn(oracle::random_case, 350, i));
+  const std::vector<RotorState> sound = many.at();
+  many.states[3].g.y = not_a_number;
+  many.states[17].q = {0.0, 0.0, 0.0, 0.0};
+  many.moments[18] = {1.0, 2.0, 4.0};
+  many.moments[30] = {1.0, -2.0, 2.0};
+  many.times[31] = not_a_number;
+  many.epochs[39] = infinite;
+  for (const InstructionSet set : polhode::supported_instruction_sets()) {
+    std::vector<RotorState> found(many.size());
+    const std::vector<FailedBody> failed = propagate(many.rows(), found, set);
+    ASSERT_EQ(failed.size(), 5U);
+    const std::size_t indices[] = {3, 17, 18, 30, 39};
+    const char* const reasons[] = {"is not finite", "non-zero quaternion", "break I3 <= I1 + I2",
+                                   "must be positive", "is not finite"};
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_EQ(failed[k].index, indices[k]);
+      EXPECT_NE(failed[k].reason.find(reasons[k]), std::string::npos) << failed[k].reason;
+      EXPECT_TRUE(std::isnan(found[indices[k]].q.w) && std::isnan(found[indices[k]].g.z));
+    }
+    EXPECT_TRUE(std::isnan(found[31].q.w));
+    for (std::size_t i = 0; i < many.size(); ++i) {
+      if (i == 31 || std::find(indices, indices + 5, i) != indices + 5) continue;
+      EXPECT_EQ(bits(found[i]), bits(sound[i])) << i;
+    }
+  }
+}
+
+TEST(Propagate, RefusesWhatDoesNotFit) {
+  const std::vector<Body> bodies(3, Body(1.0, 1.5, 2.2));
+  const RotorState start{{1.0, 0.2, 0.1, -0.4}, {0.5, 0.7, 1.6}};
+  const double t = 1.0;
+  std::vector<RotorState> results(2);
+  try {
+    propagate(bodies, {&start, 1}, {&t, 1}, 0.0, results);
+    FAIL() << "was taken";
+  } catch (const polhode::DomainError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "propagate: got 3 bodies and room for 2 results; expected as many, or one for all");
+  }
+}
+
+}  // namespace
