@@ -100,11 +100,11 @@ class RotorStages {
  private:
   static RotorConstants constants(const Body& body) {
     const Vec3& I = body.moments();
-    const auto inverse = [](double x) { return DoubleDouble(1.0) / x; };
+    const auto half_inverse = [](double x) { return DoubleDouble(0.5) / x; };
     const auto euler = [](double a, double b) {  // 1/a - 1/b
       return ((DoubleDouble(b) - DoubleDouble(a)) / (DoubleDouble(a) * b)).hi;
     };
-    return {{inverse(I.x), inverse(I.y), inverse(I.z)},
+    return {{half_inverse(I.x), half_inverse(I.y), half_inverse(I.z)},
             {euler(I.z, I.y), euler(I.x, I.z), euler(I.y, I.x)}};
   }
 

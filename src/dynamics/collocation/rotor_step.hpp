@@ -14,8 +14,8 @@ namespace detail {
 
 // What of the body the equations of motion ask for.
 struct RotorConstants {
-  std::array<DoubleDouble, 3> inverse;  // 1 / I
-  Vec3 euler;                           // 1/I3 - 1/I2, 1/I1 - 1/I3, 1/I2 - 1/I1
+  std::array<DoubleDouble, 3> half_inverse;  // 1 / (2 I)
+  Vec3 euler;                                // 1/I3 - 1/I2, 1/I1 - 1/I3, 1/I2 - 1/I1
 };
 
 struct RotorStep {

@@ -307,8 +307,13 @@ TEST(ScenarioMotion, MethodsOutOfRangeSayTheRange) {
               StartsWith("f.toml:9:8: method.step: got 1e-300; expected a step of which 1e15"));
   EXPECT_THAT(error("kind = \"splitting\"\n"), HasSubstr("method.step: got nothing; expected"));
   EXPECT_THAT(error("kind = \"splitting\"\nstep = 1\ntolerance = 1e-9\n"),
-              StartsWith("f.toml:10:1: method.tolerance: a key of kind \"adaptive\" or "
-                         "\"variation-of-constants\"; expected with kind = \"splitting\" only"));
+              StartsWith("f.toml:10:1: method.tolerance: a key of kind \"adaptive\", "
+                         "\"collocation\" or \"variation-of-constants\"; expected with kind = "
+                         "\"splitting\" only"));
+  EXPECT_THAT(error("kind = \"collocation\"\nstages = 5\n"),
+              StartsWith("f.toml:9:10: method.stages: got 5; Collocation: stages must be 4, 8 or"));
+  EXPECT_THAT(error("kind = \"collocation\"\nstep = -1\n"),
+              StartsWith("f.toml:9:8: method.step: got -1; expected a positive time"));
   EXPECT_THAT(error("kind = \"adaptive\"\nlargest_step = 0\n"),
               StartsWith("f.toml:9:16: method.largest_step: got 0; expected a positive time"));
 }

@@ -167,7 +167,8 @@ TEST(Schema, TemplatesOfOrbitsFramesAndMethodsAreScenarios) {
     EXPECT_NE(scenario.rotation().frame_text, "inertial") << frame;
     EXPECT_TRUE(scenario.rotation().kinds.empty());
   }
-  EXPECT_THAT(words_of("method"), ElementsAre("adaptive", "splitting", "variation-of-constants"));
+  EXPECT_THAT(words_of("method"),
+              ElementsAre("adaptive", "collocation", "splitting", "variation-of-constants"));
   for (const std::string& method : words_of("method")) {
     const Scenario scenario = scenario_from_text(scenario_template(method), "template");
     EXPECT_EQ(method_traits(*scenario.rotation().method).kind, method);

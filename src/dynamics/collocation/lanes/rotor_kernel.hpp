@@ -134,17 +134,18 @@ struct RotorKernel {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
     const auto v = [&](std::size_t n) { return taken(s.effects.v[n], i); };
     const auto half_rate = [&](std::size_t n) {
-      const DoubleDouble& c = body.inverse[n];
+      const DoubleDouble& c = body.half_inverse[n];
       const T g = Y(4 + n), w = g * T(c.hi) + g * T(c.lo);
-      return T(0.5) * (s.has_rate ? w + v(n) : w);
+      return s.has_rate ? w + T(0.5) * v(n) : w;
     };
     const BasicQuaternion<T> q{Y(0), Y(1), Y(2), Y(3)};
-    const T zero(0.0);
-    BasicQuaternion<T> f = q * BasicQuaternion<T>{zero, half_rate(0), half_rate(1), half_rate(2)};
+    const BasicVec3<T> h{half_rate(0), half_rate(1), half_rate(2)};
+    BasicQuaternion<T> f{-(q.x * h.x) - q.y * h.y - q.z * h.z, q.w * h.x + q.y * h.z - q.z * h.y,
+                         q.w * h.y - q.x * h.z + q.z * h.x, q.w * h.z + q.x * h.y - q.y * h.x};
     if (s.has_frame) {
       const auto half_mu = [&](std::size_t n) { return T(0.5) * loaded(s.mu_S[n], i); };
       const BasicQuaternion<T> lag =
-          BasicQuaternion<T>{zero, half_mu(0), half_mu(1), half_mu(2)} * q;
+          BasicQuaternion<T>{T(0.0), half_mu(0), half_mu(1), half_mu(2)} * q;
       f = {f.w - lag.w, f.x - lag.x, f.y - lag.y, f.z - lag.z};
     }
     set_rate(s, 0, i, f.w);
