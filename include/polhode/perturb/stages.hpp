@@ -15,6 +15,7 @@
 #include <span>
 
 #include "polhode/math/quaternion.hpp"
+#include "polhode/perturb/detail/stage_row.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -27,7 +28,7 @@ constexpr std::size_t filled_stages(std::size_t count) {
 }
 
 // One number of every stage.
-struct alignas(64) StageRow : std::array<double, most_stages> {};
+struct StageRow : detail::AlignedRow<most_stages> {};
 
 // When they are, and how the reference frame stands then.
 struct StageTimes {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Where the numbers of many stages lie: at the beginning of a line of the cache.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template <std::size_t count>
+struct alignas(64) AlignedRow : std::array<double, count> {};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
