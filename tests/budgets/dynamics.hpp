@@ -94,6 +94,9 @@ inline constexpr double collocation_bodies = 1e-12;
 inline constexpr double collocation_back = 1e-12;
 inline constexpr double collocation_dense = 1e-12;
 inline constexpr double collocation_switches = 1e-11;
+// After 100 units of time with torques of 1e-6 that are fast or short, and with kinks.
+inline constexpr double collocation_weak = 1e-11;
+inline constexpr double collocation_kink = 1e-8;
 // Times of events, and the slope of the error in orders.
 inline constexpr double collocation_event = 1e-11;
 inline constexpr double collocation_order = 0.5;

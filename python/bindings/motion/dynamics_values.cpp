@@ -108,7 +108,7 @@ step : 0: chosen by the tolerance. Else every step is so long, and nothing check
 largest_step : as in Adaptive; with steps under control.
 
 Implicit, solved by sweeps; a run fails where they do not converge. Most accurate for its time
-wherever the torques are smooth.)",
+where torques are smooth; for kinks and jumps that no term names take Adaptive.)",
       method_made<Collocation>,
       field("tolerance", &Collocation::tolerance, "Of the local error of a step.", 1e-12),
       field("stages", &Collocation::stages, "4, 8 or 16.", 8).but_quiet(),

@@ -150,6 +150,8 @@ class PythonArrayTorque {
       return;
     } catch (const nb::builtin_exception&) {
     } catch (const DomainError&) {
+    } catch (const nb::python_error& error) {  // NumPy's, of shapes
+      if (!error.matches(PyExc_ValueError)) throw;
     }
     function_->refuse(returned, "(n, 3) numbers, the torques along the body axes at n times");
   }

@@ -13,35 +13,13 @@
 
 #include "dynamics/adaptive/breakpoints.hpp"
 #include "dynamics/collocation/step_polynomial.hpp"
+#include "dynamics/collocation/sweeps.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-struct CollocationControl {
-  StepControl step;
-  bool is_fixed = false;  // every step is step.first_step long but where something ends it
-};
-
-enum class SweepsEnd { converged, diverging, not_finite };
-
-// Until rounding alone changes the stages.
-inline SweepsEnd swept(RotorStages& stages, std::int64_t& sweeps) {
-  constexpr int most_sweeps = 60, least_sweeps = 3;
-  constexpr double largest_rounding = 256.0 * std::numeric_limits<double>::epsilon();
-  double before = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= most_sweeps; ++n) {
-    const double change = stages.sweep();
-    ++sweeps;
-    if (change == 0.0) return SweepsEnd::converged;
-    if (!std::isfinite(change)) return SweepsEnd::not_finite;
-    if (n >= least_sweeps && !(change < before)) break;
-    before = change;
-  }
-  return before <= largest_rounding ? SweepsEnd::converged : SweepsEnd::diverging;
-}
 
 class CollocationSolver {
  public:
@@ -66,7 +44,7 @@ class CollocationSolver {
     if (!(h_ > 0.0)) h_ = first_step(rest.hi);
     StepOutcome why = StepOutcome::too_small;
     for (bool repeated = false;; repeated = true) {
-      const double length = control_.is_fixed ? std::min(h_, std::abs(rest.hi))
+      const double length = control_.is_fixed ? whole_step(std::abs(rest.hi))
                                               : step_towards(std::abs(rest.hi), h_, control_.step);
       if (repeated && (control_.is_fixed || length < smallest_step(t_))) return why;
       trial_ = std::copysign(length, rest.hi);
@@ -87,7 +65,7 @@ class CollocationSolver {
         h_ = length * std::min(wanted(error), 0.9);
       } else {
         why = end == SweepsEnd::not_finite ? StepOutcome::not_finite : StepOutcome::too_small;
-        h_ = 0.5 * length;
+        if (!control_.is_fixed) h_ = 0.5 * length;
       }
       ++rejected_;
     }
@@ -140,13 +118,16 @@ class CollocationSolver {
     fine_->begin(step.t, step.start, step.h, rates_.sides.get());
     fine_->guess(stages_.scheme(), step.rates, in_fine_, stages_.lanes());
     std::int64_t sweeps = 0;
-    swept(*fine_, sweeps);  // what is left of its changes is small: the step has converged
+    const SweepsEnd end = swept(*fine_, enough(), sweeps);
     if (!is_counted_) evaluations_ += sweeps * static_cast<std::int64_t>(2 * stages());
     is_counted_ = true;
     refined_.t = step.t;
     refined_.start = step.start;
     refined_.h = step.h;
-    fine_->coefficients(refined_.rates);
+    if (end == SweepsEnd::converged)
+      fine_->coefficients(refined_.rates);
+    else
+      refined_.rates = step.rates;
     return refined_;
   }
 
@@ -169,14 +150,19 @@ class CollocationSolver {
   static constexpr double safety = 0.9;
   static constexpr std::int64_t slow_sweeps = 18;
 
+  double enough() const { return control_.is_fixed ? 0.0 : 0.01 * control_.step.tolerance; }
+
+  // Of fixed steps; no sliver is left for the end.
+  double whole_step(double rest) const { return h_ * (1.0 + 1e-9) < rest ? h_ : rest; }
+
   SweepsEnd solve(double h) {
     stages_.begin(t_, state_, h, rates_.sides.get());
     if (guessed(h)) {
-      const SweepsEnd end = swept(stages_, sweeps_);
+      const SweepsEnd end = swept(stages_, enough(), sweeps_);
       if (end == SweepsEnd::converged) return end;
     }
     stages_.guess_start();
-    return swept(stages_, sweeps_);
+    return swept(stages_, enough(), sweeps_);
   }
   // By the polynomial of the last step, if there is any; far beyond its step it says nothing.
   bool guessed(double h) {
@@ -203,21 +189,47 @@ class CollocationSolver {
     ++steps_;
   }
 
+  double estimate(const RotorStages::Rows& rates, const State& next) {
+    Values increment{};
+    for (std::size_t n = 0; n < 7; ++n) increment[n] = next.y[n] - state_.y[n];
+    const double whole = of_motion(rates, increment);
+    return stages_.drive(drive_) ? larger(whole, of_effects(increment)) : whole;
+  }
+  // The larger of coefficients m and m - 1: in an even or an odd function every other one is 0.
+  static double pair(const StageRow& row, std::size_t m) {
+    return larger(std::abs(row[m]), std::abs(row[m - 1]));
+  }
   // Gauss' quadrature of a polynomial errs by its coefficient of degree 2 s. Those of an analytic
   // rate fall like powers, from the first to that of degree s - 1 and on.
-  double estimate(const RotorStages::Rows& rates, const State& next) const {
-    Values last{}, largest{}, increment{};
+  double of_motion(const RotorStages::Rows& rates, const Values& increment) const {
+    Values last{}, largest{};
     const std::size_t s = stages_.scheme().stages;
     for (std::size_t n = 0; n < 7; ++n) {
-      increment[n] = next.y[n] - state_.y[n];
-      last[n] = trial_ * larger(std::abs(rates[n][s - 1]), std::abs(rates[n][s - 2]));
-      for (std::size_t m = 0; m < 3; ++m) largest[n] += std::abs(rates[n][m]);
-      largest[n] *= trial_;
+      last[n] = trial_ * pair(rates[n], s - 1);
+      largest[n] = trial_ * (std::abs(rates[n][0]) + std::abs(rates[n][1]) + std::abs(rates[n][2]));
     }
     const double most = rates_.field->error_size(largest, state_.y, increment);
-    const double decay = rates_.field->error_size(last, state_.y, increment) / most;
+    const double error = rates_.field->error_size(last, state_.y, increment);
     const double n = static_cast<double>(s);
-    return most == 0.0 ? 0.0 : most * std::pow(decay, 2.0 * n / (n - 1.0));
+    return most == 0.0 ? error : most * std::pow(error / most, 2.0 * n / (n - 1.0));
+  }
+  // The effects by themselves: next to the free rotation the last coefficients of a weak torque
+  // that no step resolves look like those of a motion that falls fast. From the middle degrees to
+  // the last, and twice as far again, short of degree 2 s: so a kink shows, whose coefficients
+  // hardly fall.
+  double of_effects(const Values& increment) const {
+    const std::size_t s = stages_.scheme().stages;
+    Values error{};
+    for (std::size_t n = 0; n < 6; ++n) {
+      const double last = pair(drive_[n], s - 1), middle = pair(drive_[n], s / 2 - 1);
+      const double fall = last < middle ? last / middle : 1.0;
+      const double size = trial_ * (last * (fall * fall));
+      if (n < 3)
+        error[4 + n] = size;
+      else
+        error[n - 2] = 0.5 * size;  // a turn
+    }
+    return rates_.field->error_size(error, state_.y, increment);
   }
   double wanted(double error) const {
     const double ratio = std::max(error / control_.step.tolerance, 1e-300);
@@ -260,7 +272,8 @@ class CollocationSolver {
   RotorStages stages_;
   std::unique_ptr<RotorStages> fine_;  // of twice as many stages
   StageMatrix in_fine_{};
-  StepPolynomial refined_;  // of the step made last; h = 0 until it is asked for
+  RotorStages::Rows drive_{};  // of the step tried last
+  StepPolynomial refined_;     // of the step made last; h = 0 until it is asked for
   bool is_counted_ =
       false;  // what it took, once: a run that goes on from a checkpoint refines again
   CollocationControl control_;

@@ -86,6 +86,12 @@ class RotorStages {
   void coefficients(Rows& to) const {
     lanes_.transform(scheme_, scheme_.coefficient, scheme_.stages, step_.F, to);
   }
+  // Of the effects of the terms, u and then v. Whether there are any.
+  bool drive(Rows& to) const {
+    if (terms_.empty()) return false;
+    lanes_.transform(scheme_, scheme_.coefficient, scheme_.stages, step_.drive, to);
+    return true;
+  }
   // The state at the end, the padding of an array of Values included.
   State finished() {
     lanes_.finish(scheme_, step_);

@@ -23,12 +23,13 @@ struct RotorStep {
   StageRow hb{};
   double inverse_momentum = 0.0;  // 1 / |g|, roughly: the measure of a change
   StageStates Y;
-  StageEffects effects;            // a sweep takes them, and leaves zeros
-  bool has_rate = false;           // any effect has a v
-  bool has_frame = false;          // it moves
-  std::array<StageRow, 3> mu_S{};  // its rate
-  std::array<StageRow, 7> F{};     // the rates of Y
-  std::array<StageRow, 7> L{};     // h b F
+  StageEffects effects;             // a sweep takes them, and leaves zeros
+  bool has_rate = false;            // any effect has a v
+  bool has_frame = false;           // it moves
+  std::array<StageRow, 3> mu_S{};   // its rate
+  std::array<StageRow, 7> drive{};  // the effects that F was made of: u, then v; the last is 0
+  std::array<StageRow, 7> F{};      // the rates of Y
+  std::array<StageRow, 7> L{};      // h b F
 };
 
 // Compiled for each set of instructions; every one with the same bits.

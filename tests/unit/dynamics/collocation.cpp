@@ -253,6 +253,57 @@ TEST(Collocation, EndsItsStepsWhereATorqueSwitches) {
             budget::collocation_switches);
 }
 
+// A torque that is weak and fast, a pulse, and a kink that nothing names: next to the free rotation
+// they hardly show, and no step may pass over what it does not resolve.
+TEST(Collocation, ResolvesWeakTorques) {
+  const auto error = [](const auto& torque, const Method& method) {
+    const System system(Body(1.0, 2.0, 2.7), Frame::inertial(),
+                        {AnyPerturbation("torque", TorqueTerm(torque))});
+    const RotorState s{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}};
+    const auto end = [&](const Method& by) {
+      return integrate({system, s, 0.0, 100.0, by}, {SaveAt::times({100.0})}).samples().back().s;
+    };
+    return distance(end(method), end(Adaptive{1e-14}));
+  };
+  const auto along_1 = [](const auto& f) {
+    return [f](double t, const RotorState&) { return Vec3{f(t), 0.0, 0.0}; };
+  };
+  const auto fast = along_1([](double t) { return 1e-6 * std::sin(40.0 * t); });
+  const auto pulse = along_1([](double t) {
+    const double x = (std::fmod(t, 7.0) - 3.0) / 0.2;
+    return 1e-6 * std::exp(-x * x);
+  });
+  const auto kink = along_1([](double t) { return 1e-6 * std::abs(std::sin(1.3 * t)); });
+  for (const int stages : {4, 8, 16}) {
+    const Collocation method{.stages = stages};
+    EXPECT_LE(error(fast, method), budget::collocation_weak) << stages;
+    EXPECT_LE(error(pulse, method), budget::collocation_weak) << stages;
+    EXPECT_LE(error(kink, method), budget::collocation_kink) << stages;
+  }
+}
+
+// Noise of a torque ends no sweep at rounding: a loose tolerance does not ask for that.
+TEST(Collocation, PassesOverNoiseBelowTheTolerance) {
+  std::uint64_t seed = 1;
+  const auto noisy = [&seed](double, const RotorState& s) {
+    seed = seed * 6364136223846793005U + 1442695040888963407U;
+    return 1e-10 * (static_cast<double>(seed >> 11) * 0x1p-53 - 0.5) * s.g;
+  };
+  const System system(Body(1.0, 2.0, 2.7), Frame::inertial(),
+                      {AnyPerturbation("noise", TorqueTerm(noisy))});
+  const Trajectory run =
+      integrate({system, {{1, 0, 0, 0}, {0.8, 1.9, 0.3}}, 0.0, 60.0, Collocation{1e-4}},
+                {SaveAt::times({60.0})});
+  EXPECT_EQ(run.outcome().status, Outcome::Status::completed);
+  EXPECT_LE(run.statistics().steps, 200);
+}
+
+TEST(Collocation, MakesNoSliverOfAFixedStep) {
+  const Trajectory run = integrate(
+      {gravity(), splitting_test::workload_state(), 0.0, 0.1 * 3.0, Collocation{.step = 0.1}});
+  EXPECT_EQ(run.statistics().steps, 3);
+}
+
 TEST(Collocation, RefusesAStepThatDoesNotConverge) {
   const Trajectory run = integrate(
       {gravity(), splitting_test::workload_state(), 0.0, 100.0, Collocation{.step = 20.0}},

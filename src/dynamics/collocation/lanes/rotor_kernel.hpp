@@ -26,9 +26,10 @@ struct RotorKernel {
     x.store(row.data() + i);
   }
 
-  // And nothing left of it for the next sweep.
-  [[gnu::always_inline]] static T taken(StageRow& row, std::size_t i) {
+  // An effect, kept in `to`: nothing is left of it for the next sweep.
+  [[gnu::always_inline]] static T taken(StageRow& row, StageRow& to, std::size_t i) {
     const T x = loaded(row, i);
+    store(x, to, i);
     store(T(0.0), row, i);
     return x;
   }
@@ -116,7 +117,7 @@ struct RotorKernel {
   [[gnu::always_inline]] static void momentum_rates(const RotorConstants& body, RotorStep& s,
                                                     std::size_t i) {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
-    const auto u = [&](std::size_t n) { return taken(s.effects.u[n], i); };
+    const auto u = [&](std::size_t n) { return taken(s.effects.u[n], s.drive[n], i); };
     const BasicVec3<T> g{Y(4), Y(5), Y(6)};
     BasicVec3<T> f{T(body.euler.x) * (g.y * g.z) + u(0), T(body.euler.y) * (g.z * g.x) + u(1),
                    T(body.euler.z) * (g.x * g.y) + u(2)};
@@ -132,7 +133,7 @@ struct RotorKernel {
   [[gnu::always_inline]] static void attitude_rates(const RotorConstants& body, RotorStep& s,
                                                     std::size_t i) {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
-    const auto v = [&](std::size_t n) { return taken(s.effects.v[n], i); };
+    const auto v = [&](std::size_t n) { return taken(s.effects.v[n], s.drive[3 + n], i); };
     const auto half_rate = [&](std::size_t n) {
       const DoubleDouble& c = body.half_inverse[n];
       const T g = Y(4 + n), w = g * T(c.hi) + g * T(c.lo);
