@@ -224,10 +224,7 @@ class CollocationSolver {
       const double last = pair(drive_[n], s - 1), middle = pair(drive_[n], s / 2 - 1);
       const double fall = last < middle ? last / middle : 1.0;
       const double size = trial_ * (last * (fall * fall));
-      if (n < 3)
-        error[4 + n] = size;
-      else
-        error[n - 2] = 0.5 * size;  // a turn
+      error[n < 3 ? 4 + n : n - 2] = n < 3 ? size : 0.5 * size;  // of g; of q, half a turn
     }
     return rates_.field->error_size(error, state_.y, increment);
   }
