@@ -15,8 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Series in the picture: name in the table, label, colour (Okabe and Ito), marker, line.
 SERIES = [
     ("Adaptive", "Adaptive", "#0072B2", "o", "-"),
-    ("Collocation", "Collocation", "#D55E00", "p", "-"),
-    ("VariationOfConstants", "VariationOfConstants", "#F0A070", "s", "-"),
+    ("VariationOfConstants", "VariationOfConstants", "#D55E00", "s", "-"),
     ("Splitting order4", "Splitting, order 4", "#999999", "v", "-"),
     ("Splitting ABA864", "Splitting, ABA864", "#009E73", "^", "-"),
     ("Splitting order8", "Splitting, order 8", "#000000", "D", "-"),
