@@ -177,7 +177,7 @@ OF_CALL = {
     "Outcome.__init__": {"status": "completed", "advice": ""},
     "Adaptive.__init__": {"tolerance": 1e-9},
     "VariationOfConstants.__init__": {"tolerance": 1e-9},
-    "Collocation.__init__": {"tolerance": 1e-9, "stages": 8},
+    "Collocation.__init__": {"tolerance": 1e-9, "stages": 8, "step": 0.0},
     "SolarPressure.__init__": {"shadow": "cone", "sun": ORBIT},
     "Frame.orbit_plane_pq": {"p": 0.1, "q": 0.2},
     "resume": {
