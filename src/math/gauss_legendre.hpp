@@ -48,5 +48,30 @@ GaussRule<T, N> gauss_legendre() {
   return rule;
 }
 
+// Nodes from -1 up, their weights, and Legendre's polynomials there.
+template <Real T, std::size_t N>
+struct GaussNodes {
+  std::array<T, N> x;
+  std::array<T, N> w;
+  std::array<std::array<T, N + 1>, N> P;
+
+  GaussNodes() {
+    const GaussRule<T, N> rule = gauss_legendre<T, N>();
+    w = rule.w;
+    for (std::size_t i = 0; i < N; ++i) {
+      x[i] = -rule.x[i];
+      P[i] = legendre_polynomials<N>(x[i]);
+    }
+  }
+
+  // The integral from -1 to x_i of the Lagrange polynomial of node j, times 2 / w_j: by its
+  // expansion in Legendre polynomials, of which the integral is (P_(k+1) - P_(k-1)) / (2k + 1).
+  T integral(std::size_t i, std::size_t j) const {
+    T sum = T(1.0) + x[i];
+    for (std::size_t k = 1; k < N; ++k) sum += P[j][k] * (P[i][k + 1] - P[i][k - 1]);
+    return sum;
+  }
+};
+
 }  // namespace v0
 }  // namespace polhode

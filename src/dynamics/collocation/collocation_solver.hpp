@@ -116,7 +116,7 @@ class CollocationSolver {
       in_fine_ = refinement(stages_.scheme(), fine_->scheme());
     }
     fine_->begin(step.t, step.start, step.h, rates_.sides.get());
-    fine_->guess(stages_.scheme(), step.rates, in_fine_, stages_.lanes());
+    fine_->guess(step.rates, in_fine_, stages_.lanes());
     std::int64_t sweeps = 0;
     const SweepsEnd end = swept(*fine_, enough(), sweeps);
     if (!is_counted_) evaluations_ += sweeps * static_cast<std::int64_t>(2 * stages());
@@ -173,7 +173,7 @@ class CollocationSolver {
       at_stages_ = continuation(scheme, ratio);
       ratio_ = ratio;
     }
-    stages_.guess(scheme, last().rates, at_stages_, stages_.lanes());
+    stages_.guess(last().rates, at_stages_, stages_.lanes());
     return true;
   }
 

@@ -12,30 +12,21 @@ namespace {
 
 using DD = DoubleDouble;
 
-// Integrals of the Lagrange polynomials through Gauss' nodes by their expansion in Legendre
-// polynomials, of which the integral is (P_(k+1) - P_(k-1)) / (2k + 1).
 template <std::size_t s>
 std::unique_ptr<const GaussScheme> made() {
-  const GaussRule<DD, s> rule = gauss_legendre<DD, s>();
-  std::array<DD, s> x;
-  std::array<std::array<DD, s + 1>, s> P;
-  for (std::size_t i = 0; i < s; ++i) {
-    x[i] = -rule.x[i];  // rising
-    P[i] = legendre_polynomials<s>(x[i]);
-  }
+  const GaussNodes<DD, s> nodes;
+  const auto& [x, w, P] = nodes;
   auto g = std::make_unique<GaussScheme>();
   g->stages = s;
   for (std::size_t i = 0; i < s; ++i) {
     g->c[i] = (0.5 * (1.0 + x[i])).hi;
-    g->b[i] = (0.5 * rule.w[i]).hi;
+    g->b[i] = (0.5 * w[i]).hi;
     for (std::size_t m = 0; m < s; ++m)
-      g->coefficient[i][m] = ((static_cast<double>(m) + 0.5) * (rule.w[i] * P[i][m])).hi;
+      g->coefficient[i][m] = ((static_cast<double>(m) + 0.5) * (w[i] * P[i][m])).hi;
   }
   for (std::size_t i = 0; i < s; ++i) {
     for (std::size_t j = 0; j < s; ++j) {
-      DD sum = 1.0 + x[i];
-      for (std::size_t k = 1; k < s; ++k) sum += P[j][k] * (P[i][k + 1] - P[i][k - 1]);
-      const double mu = (0.5 * sum).hi;
+      const double mu = (0.5 * nodes.integral(i, j)).hi;
       // the larger of a pair is rounded, so that the other is its difference from 1 exactly
       if (i != j && mu >= 0.5) {
         g->mu[j][i] = mu;

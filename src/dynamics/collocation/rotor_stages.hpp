@@ -69,9 +69,8 @@ class RotorStages {
     step_.F = {};
     lanes_.place(scheme_, step_);
   }
-  void guess(const GaussScheme& of, const Rows& coefficients, const StageMatrix& at_stages,
-             const RotorLanes& lanes) {
-    lanes.transform(of, at_stages, scheme_.stages, coefficients, step_.F);
+  void guess(const Rows& coefficients, const StageMatrix& at_stages, const RotorLanes& lanes) {
+    lanes.transform(at_stages, scheme_.stages, coefficients, step_.F);
     lanes_.place(scheme_, step_);
   }
 
@@ -84,17 +83,17 @@ class RotorStages {
   }
 
   void coefficients(Rows& to) const {
-    lanes_.transform(scheme_, scheme_.coefficient, scheme_.stages, step_.F, to);
+    lanes_.transform(scheme_.coefficient, scheme_.stages, step_.F, to);
   }
   // Of the effects of the terms, u and then v. Whether there are any.
   bool drive(Rows& to) const {
     if (terms_.empty()) return false;
-    lanes_.transform(scheme_, scheme_.coefficient, scheme_.stages, step_.drive, to);
+    lanes_.transform(scheme_.coefficient, scheme_.stages, step_.drive, to);
     return true;
   }
   // The state at the end, the padding of an array of Values included.
   State finished() {
-    lanes_.finish(scheme_, step_);
+    lanes_.finish(step_);
     State s{};
     std::copy_n(step_.y.begin(), 7, s.y.begin());
     std::copy_n(step_.carry.begin(), 7, s.carry.begin());

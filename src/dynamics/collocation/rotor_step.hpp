@@ -41,9 +41,9 @@ struct RotorLanes {
   // The largest change of any stage, relative to |q| = 1 and to |g|.
   double (*sweep)(const GaussScheme&, const RotorConstants&, RotorStep&);
   // y and carry at the end of the step.
-  void (*finish)(const GaussScheme&, RotorStep&);
-  // to = matrix * from, from of scheme.stages numbers and to of so many rows.
-  void (*transform)(const GaussScheme&, const StageMatrix& matrix, std::size_t rows,
+  void (*finish)(RotorStep&);
+  // to = matrix * from, from of `stages` numbers and to of so many rows.
+  void (*transform)(const StageMatrix& matrix, std::size_t rows,
                     const std::array<StageRow, 7>& from, std::array<StageRow, 7>& to);
 };
 RotorLanes rotor_lanes(std::size_t stages, InstructionSet set);

@@ -166,7 +166,7 @@ struct RotorKernel {
 
   // The sum of h b F with what each product and each sum loses: an increment that is rounded turns
   // the end of a long run by the integral of its error.
-  [[gnu::flatten]] static void finish(const GaussScheme&, RotorStep& s) {
+  [[gnu::flatten]] static void finish(RotorStep& s) {
     std::array<StageRow, 7> lost;
     for (std::size_t n = 0; n < 7; ++n)
       for (std::size_t i = 0; i < filled; i += T::width)
@@ -187,8 +187,8 @@ struct RotorKernel {
     }
   }
 
-  [[gnu::flatten]] static void transform(const GaussScheme&, const StageMatrix& matrix,
-                                         std::size_t rows, const std::array<StageRow, 7>& from,
+  [[gnu::flatten]] static void transform(const StageMatrix& matrix, std::size_t rows,
+                                         const std::array<StageRow, 7>& from,
                                          std::array<StageRow, 7>& to) {
     for (std::size_t i = 0; i < filled_stages(rows); i += T::width) {
       T sum[7];
