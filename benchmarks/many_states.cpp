@@ -7,72 +7,24 @@
 
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <cmath>
-#include <limits>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "chart_errors.hpp"
 #include "polhode/free/sadov.hpp"
-#include "polhode/math/double_double.hpp"
-#include "worst.hpp"
 
 namespace {
 
 using namespace polhode;
-using Wide = DoubleDouble;
-using polhode::test::Worst;
+using namespace polhode::chart_bench;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 const Body body(1.0, 1.7, 2.1);
 
 const std::vector<RotorState>& states() {
-  static const std::vector<RotorState> sample = [] {
-    std::mt19937_64 engine(20250101);
-    std::normal_distribution<double> n;
-    std::vector<RotorState> s(4096);
-    for (RotorState& state : s) {
-      const Vec3 v{n(engine), n(engine), n(engine)};
-      const double size = norm(v);
-      state = {normalized(Quaternion{n(engine), n(engine), n(engine), n(engine)}),
-               {v.x / size, v.y / size, v.z / size}};
-    }
-    return s;
-  }();
+  static const std::vector<RotorState> sample = drawn_states(4096);
   return sample;
-}
-
-BasicRotorState<Wide> wide(const RotorState& s) {
-  return {{s.q.w, s.q.x, s.q.y, s.q.z}, {s.g.x, s.g.y, s.g.z}};
-}
-BasicAndoyerState<Wide> wide(const AndoyerState& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
-BasicEulerState<Wide> wide(const EulerState& e) {
-  return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
-}
-template <class T>
-std::array<T, 6> numbers(const BasicAndoyerState<T>& a) {
-  return {a.l, a.g, a.h, a.L, a.G, a.H};
-}
-template <class T>
-std::array<T, 6> numbers(const BasicEulerState<T>& e) {
-  return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
-}
-template <class T>
-std::array<T, 7> numbers(const BasicRotorState<T>& s) {
-  const BasicQuaternion<T> q = normalized(s.q);
-  return {q.w, q.x, q.y, q.z, s.g.x, s.g.y, s.g.z};
-}
-
-template <class A, class B>
-double error(const A& value, const B& exact) {
-  const auto v = numbers(value);
-  const auto e = numbers(exact);
-  Worst worst;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    worst.add(std::abs(std::remainder((Wide(v[i]) - e[i]).hi, 2.0 * pi<double>())));
-  return worst.value() / eps;
 }
 
 template <class To, class From, class Convert>
