@@ -37,18 +37,30 @@ BasicSample<S> first_look(const BasicProblem<System, S>& given,
 }
 
 template <MotionState S>
-auto system_run(const BasicProblem<System, S>& problem, bool keep_dense, SampleQueue<S>& samples,
-                const Progress& progress) {
-  BasicProblem<System, S> p = checked(problem);
-  using Watch = EventWatch<decltype(motion_of(p))>;
-  std::unique_ptr<BasicStepper<S>> stepper = make_stepper(p);
-  return std::make_unique<Run<S, Watch>>(RunSpan<S>{.initial = {p.start, p.initial},
-                                                    .stop = p.stop,
-                                                    .method = method_text(p.method),
-                                                    .first_look = first_look(problem, p),
-                                                    .continues = p.continues},
-                                         Watch(motion_of(p), std::move(p.events)),
-                                         std::move(stepper), keep_dense, samples, progress);
+using SystemWatch = EventWatch<decltype(motion_of(std::declval<BasicProblem<System, S>>()))>;
+template <MotionState S>
+using SystemRun = Run<S, SystemWatch<S>>;
+
+// By a stepper of p, the problem checked.
+template <MotionState S>
+std::unique_ptr<SystemRun<S>> run_by(const BasicProblem<System, S>& problem,
+                                     const BasicProblem<System, S>& p,
+                                     std::unique_ptr<BasicStepper<S>> stepper, bool keep_dense,
+                                     SampleQueue<S>& samples, const Progress& progress) {
+  return std::make_unique<SystemRun<S>>(RunSpan<S>{.initial = {p.start, p.initial},
+                                                   .stop = p.stop,
+                                                   .method = method_text(p.method),
+                                                   .first_look = first_look(problem, p),
+                                                   .continues = p.continues},
+                                        SystemWatch<S>(motion_of(p), p.events),
+                                        std::move(stepper), keep_dense, samples, progress);
+}
+
+template <MotionState S>
+std::unique_ptr<SystemRun<S>> system_run(const BasicProblem<System, S>& problem, bool keep_dense,
+                                         SampleQueue<S>& samples, const Progress& progress) {
+  const BasicProblem<System, S> p = checked(problem);
+  return run_by(problem, p, make_stepper(p), keep_dense, samples, progress);
 }
 
 // What makes it.

@@ -24,6 +24,8 @@ struct GivenTorqueLaw {
 
   bool in_body;
 
+  constexpr bool operator==(const GivenTorqueLaw&) const = default;
+
   template <Number T>
   struct OfTime {
     BasicVec3<T> u;

@@ -67,13 +67,14 @@ using Setting = BasicSetting<double>;
 // What of a setting a term asks for once it knows what depends on the time: see Timewise.
 template <Number T>
 struct BasicPose {
-  const Body& body;
+  BasicVec3<T> moments;  // principal, of the body
   const BasicRotorState<T>& s;
   std::span<const double> sides = {};
 };
 template <Number T>
 BasicPose<T> pose_of(const BasicSetting<T>& at) {
-  return {at.body, at.s, at.sides};
+  const Vec3& I = at.body.moments();
+  return {{T(I.x), T(I.y), T(I.z)}, at.s, at.sides};
 }
 
 // A state with the six variables of its tangent: q exp(dtheta_B / 2), to first order, and g + dg.

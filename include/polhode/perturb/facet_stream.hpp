@@ -90,6 +90,8 @@ class FacetStream {
     double area, along_area;
     std::size_t edge = 0;
     double towards = 1.0;  // the edge's normal is n, or -n
+
+    bool operator==(const Row&) const = default;
   };
   template <Number T>
   static BasicVec3<T> converted(const Vec3& v) {
@@ -119,6 +121,11 @@ struct FacetStream::Law {
 
   const FacetStream* stream;
   std::size_t first_side = 0;  // of those of the edges, in `sides`
+
+  // The same facets, wherever they lie.
+  bool operator==(const Law& other) const {
+    return first_side == other.first_side && stream->rows_ == other.stream->rows_;
+  }
 
   template <Number T>
   struct OfTime {

@@ -32,6 +32,8 @@ struct GravityGradientLaw {
 
   double gm;
 
+  constexpr bool operator==(const GravityGradientLaw&) const = default;
+
   template <Number T>
   struct OfTime {
     BasicVec3<T> x_S;
@@ -42,13 +44,12 @@ struct GravityGradientLaw {
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
     const Direction<T> d = direction(where, at);
-    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& I = at.moments;
     const BasicVec3<T>& n = d.along_B;
     // not n x (I n): what is equal in I would cancel
     return {{},
-            (T(3.0) * d.strength) * BasicVec3<T>{(T(I.z) - T(I.y)) * (n.y * n.z),
-                                                 (T(I.x) - T(I.z)) * (n.z * n.x),
-                                                 (T(I.y) - T(I.x)) * (n.x * n.y)}};
+            (T(3.0) * d.strength) * BasicVec3<T>{(I.z - I.y) * (n.y * n.z), (I.x - I.z) * (n.z * n.x),
+                                                 (I.y - I.x) * (n.x * n.y)}};
   }
 
   template <Number T>

@@ -39,6 +39,8 @@ struct HigherGravityLaw {
   detail::HarmonicGradient<3> third;
   detail::HarmonicGradient<4> fourth;
 
+  bool operator==(const HigherGravityLaw&) const = default;
+
   template <Number T>
   struct OfTime {
     BasicVec3<T> x_S;

@@ -42,15 +42,17 @@ struct InternalDampingLaw {
   Vec3 k;
   bool grows;  // k with |g|
 
+  bool operator==(const InternalDampingLaw&) const = default;
+
   template <Number T>
   struct OfTime {};
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>&, const BasicPose<T>& at) const {
-    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& I = at.moments;
     const BasicVec3<T>& g = at.s.g;
     // not g x w: what is equal in I would cancel
-    const T x = (T(I.y) - T(I.z)) / (T(I.y) * T(I.z)), y = (T(I.z) - T(I.x)) / (T(I.z) * T(I.x)),
-            z = (T(I.x) - T(I.y)) / (T(I.x) * T(I.y));
+    const T x = (I.y - I.z) / (I.y * I.z), y = (I.z - I.x) / (I.z * I.x),
+            z = (I.x - I.y) / (I.x * I.y);
     BasicVec3<T> v{T(k.x) * (x * (g.y * g.z)), T(k.y) * (y * (g.z * g.x)),
                    T(k.z) * (z * (g.x * g.y))};
     if (grows) v = norm(g) * v;

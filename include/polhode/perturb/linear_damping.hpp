@@ -27,12 +27,14 @@ struct LinearDampingLaw {
   Mat3 D;
   bool diagonal;
 
+  bool operator==(const LinearDampingLaw&) const = default;
+
   template <Number T>
   struct OfTime {};
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>&, const BasicPose<T>& at) const {
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    const BasicVec3<T>& I = at.moments;
+    const BasicVec3<T> w{at.s.g.x / I.x, at.s.g.y / I.y, at.s.g.z / I.z};
     if (diagonal) return {{}, {T(-D(0, 0)) * w.x, T(-D(1, 1)) * w.y, T(-D(2, 2)) * w.z}};
     const auto row = [&](int i) {
       return -(T(D(i, 0)) * w.x + T(D(i, 1)) * w.y + T(D(i, 2)) * w.z);

@@ -31,6 +31,8 @@ struct ResidualDipoleLaw {
 
   Vec3 m;
 
+  bool operator==(const ResidualDipoleLaw&) const = default;
+
   template <Number T>
   struct OfTime {
     BasicVec3<T> field;  // along the axes of the reference frame
@@ -91,6 +93,8 @@ struct EddyCurrentsLaw {
 
   Mat3 M;
 
+  bool operator==(const EddyCurrentsLaw&) const = default;
+
   template <Number T>
   struct OfTime {  // along the axes of the reference frame
     BasicVec3<T> field;
@@ -98,8 +102,8 @@ struct EddyCurrentsLaw {
   };
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& motion, const BasicPose<T>& at) const {
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    const BasicVec3<T>& I = at.moments;
+    const BasicVec3<T> w{at.s.g.x / I.x, at.s.g.y / I.y, at.s.g.z / I.z};
     const OfTime<T> B = seen(motion, at);
     return {{}, cross(times_tensor(cross(w, B.field) - B.rate), B.field)};
   }

@@ -44,6 +44,8 @@ struct OblateGravityLaw {
   static constexpr bool adds_rate = false;
   static constexpr bool in_library = true;
 
+  constexpr bool operator==(const OblateGravityLaw&) const = default;
+
   template <Number T>
   struct OfTime {
     BasicVec3<T> x_S;
@@ -56,7 +58,7 @@ struct OblateGravityLaw {
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
     const Directions<T> d = directions(where, at);
-    const Vec3& I = at.body.moments();
+    const BasicVec3<T>& I = at.moments;
     const T half(0.5), z = dot(d.n, d.k);
     const BasicVec3<T> sum = T(3.0) * detail::turning(I, d.k, d.k) +
                              (T(-30.0) * z) * detail::turning(I, d.k, d.n) +

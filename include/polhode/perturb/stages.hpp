@@ -27,6 +27,10 @@ constexpr std::size_t filled_stages(std::size_t count) {
   return (count + stage_lanes - 1) / stage_lanes * stage_lanes;
 }
 
+namespace detail {
+class StageLaw;
+}  // namespace detail
+
 // One number of every stage.
 struct StageRow : detail::AlignedRow<most_stages> {};
 
@@ -57,6 +61,8 @@ class StageTerm {
   virtual void add_to(StageEffects& effects, const StageStates& states) = 0;
   // Whether v may be other than 0.
   virtual bool adds_rate() const = 0;
+  // What does for several bodies at a time; null where each has to be asked by itself.
+  virtual const detail::StageLaw* law() const { return nullptr; }
 };
 
 }  // namespace v0

@@ -44,6 +44,8 @@ struct TidalTorqueLaw {
 
   double strength;
 
+  constexpr bool operator==(const TidalTorqueLaw&) const = default;
+
   template <Number T>
   struct OfTime {
     BasicVec3<T> x_S;
@@ -53,8 +55,8 @@ struct TidalTorqueLaw {
   BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
     const BasicVec3<T> r = body_from_reference(at, where.x_S);
     const BasicVec3<T> spin = body_from_reference(at, where.spin_S);
-    const Vec3& I = at.body.moments();
-    const BasicVec3<T> w{at.s.g.x / T(I.x), at.s.g.y / T(I.y), at.s.g.z / T(I.z)};
+    const BasicVec3<T>& I = at.moments;
+    const BasicVec3<T> w{at.s.g.x / I.x, at.s.g.y / I.y, at.s.g.z / I.z};
     const T r2 = dot(r, r), r4 = r2 * r2;
     return {{}, (T(strength) / (r4 * r4)) * (dot(r, w) * r - r2 * w + spin)};
   }

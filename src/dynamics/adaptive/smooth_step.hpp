@@ -116,24 +116,32 @@ class SmoothStep {
 
   // Towards `stop`. Empty when the step was made; otherwise why not, and the solver stays.
   std::string made() {
+    if (std::string nan = begin(); !nan.empty()) return nan;
+    for (;;)
+      if (const std::optional<std::string> last = tried(solver_.advance(end_))) return *last;
+  }
+  // The same piece by piece: the solver is taken to end(), as often as tried() says nothing.
+  std::string begin() {
     if (std::string nan = switches_.begin(begin_, start_); !nan.empty()) return nan;
     if (switches_.size() > 0) shorten_to(switches_.longest_step(start_));
-    for (;;) {
-      solver_.field().sides = switches_.sides();
-      std::optional<Savepoint> savepoint;
-      if (switches_.size() > 0) savepoint = solver_.savepoint();
-      const StepOutcome outcome = solver_.advance(end_);
-      if (outcome != StepOutcome::made) return failure(outcome);
-      if (crossed_ && solver_.time().hi == end_) {
-        if (std::string refused = cross(*savepoint); !refused.empty()) return refused;
-      }
-      if (!savepoint || crossed_) break;
-      const std::optional<Edge> edge = edge_since(*savepoint);
-      if (!edge) break;
-      if (std::string why = go_back(*savepoint, *edge); !why.empty()) return why;
-    }
-    switches_.stepped();
+    prepare();
     return {};
+  }
+  double end() const { return end_; }
+  std::optional<std::string> tried(StepOutcome outcome) {
+    if (outcome != StepOutcome::made) return failure(outcome);
+    if (crossed_ && solver_.time().hi == end_) {
+      if (std::string refused = cross(*savepoint_); !refused.empty()) return refused;
+    }
+    const std::optional<Edge> edge =
+        savepoint_ && !crossed_ ? edge_since(*savepoint_) : std::nullopt;
+    if (!edge) {
+      switches_.stepped();
+      return std::string();
+    }
+    if (std::string why = go_back(*savepoint_, *edge); !why.empty()) return why;
+    prepare();
+    return std::nullopt;
   }
 
  private:
@@ -141,6 +149,11 @@ class SmoothStep {
 
   RotorState rotor() const { return field_.rotor(solver_.state().y); }
 
+  void prepare() {
+    solver_.field().sides = switches_.sides();
+    savepoint_.reset();
+    if (switches_.size() > 0) savepoint_ = solver_.savepoint();
+  }
   void shorten_to(double longest) {
     if (std::abs(end_ - begin_.hi) > longest)
       end_ = begin_.hi + std::copysign(longest, end_ - begin_.hi);
@@ -212,6 +225,7 @@ class SmoothStep {
   RotorState start_;
   double end_;
   std::optional<std::size_t> crossed_;  // at `end_`
+  std::optional<Savepoint> savepoint_;  // before what is tried
 };
 
 }  // namespace detail

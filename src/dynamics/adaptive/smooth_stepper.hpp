@@ -27,7 +27,12 @@ class SmoothSteps {
   }
   template <class Solver, class Field>
   std::string advance(Solver& solver, const Field& field, double stop) {
-    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, stop).made();
+    return step(solver, field, stop).made();
+  }
+  // The same piece by piece.
+  template <class Solver, class Field>
+  SmoothStep<Solver, Field> step(Solver& solver, const Field& field, double stop) {
+    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, stop);
   }
   template <class Rates>
   void transfer(StateBytes& bytes, Rates& rates) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -40,35 +41,52 @@ class CollocationSolver {
 
   // One step towards `stop`, ending there or before.
   StepOutcome advance(double stop) {
-    const DoubleDouble rest = DoubleDouble(stop) - t_;
-    if (!(h_ > 0.0)) h_ = first_step(rest.hi);
-    StepOutcome why = StepOutcome::too_small;
-    for (bool repeated = false;; repeated = true) {
-      const double length = control_.is_fixed ? whole_step(std::abs(rest.hi))
-                                              : step_towards(std::abs(rest.hi), h_, control_.step);
-      if (repeated && (control_.is_fixed || length < smallest_step(t_))) return why;
-      trial_ = std::copysign(length, rest.hi);
-      sweeps_ = 0;
-      const SweepsEnd end = solve(trial_);
-      evaluations_ += sweeps_ * static_cast<std::int64_t>(stages_.scheme().stages);
-      if (end == SweepsEnd::converged) {
-        StepPolynomial& step = polynomials_[1 - last_];
-        stages_.coefficients(step.rates);
-        const State next = stages_.finished();
-        const double error = estimate(step.rates, next);
-        if (std::isfinite(error) && (control_.is_fixed || error <= control_.step.tolerance)) {
-          made(step, next, length == std::abs(rest.hi), stop);
-          if (!control_.is_fixed) choose_next(length, error, repeated);
-          return StepOutcome::made;
-        }
-        why = std::isfinite(error) ? StepOutcome::too_small : StepOutcome::not_finite;
-        h_ = length * std::min(wanted(error), 0.9);
-      } else {
-        why = end == SweepsEnd::not_finite ? StepOutcome::not_finite : StepOutcome::too_small;
-        if (!control_.is_fixed) h_ = 0.5 * length;
-      }
-      ++rejected_;
+    begin(stop);
+    for (;;) {
+      SweepJudge judge(enough());
+      while (judge.goes_on()) judge.see(stages_.sweep());
+      if (const std::optional<StepOutcome> outcome = solved(judge)) return *outcome;
     }
+  }
+  // The same piece by piece: what is tried is there to be solved,
+  void begin(double stop) {
+    stop_ = stop;
+    rest_ = (DoubleDouble(stop) - t_).hi;
+    if (!(h_ > 0.0)) h_ = first_step(rest_);
+    repeated_ = false;
+    try_step(length_of_step());
+  }
+  RotorStages& tried() { return stages_; }
+  // by sweeps until they change no more than that;
+  double enough() const { return control_.is_fixed ? 0.0 : 0.01 * control_.step.tolerance; }
+  // nothing while there is another to solve.
+  std::optional<StepOutcome> solved(const SweepJudge& judge) {
+    StepOutcome why = StepOutcome::too_small;
+    const double length = std::abs(trial_);
+    const SweepsEnd end = settled(judge);
+    evaluations_ += sweeps_ * static_cast<std::int64_t>(stages_.scheme().stages);
+    if (end == SweepsEnd::converged) {
+      StepPolynomial& step = polynomials_[1 - last_];
+      stages_.coefficients(step.rates);
+      const State next = stages_.finished();
+      const double error = estimate(step.rates, next);
+      if (std::isfinite(error) && (control_.is_fixed || error <= control_.step.tolerance)) {
+        made(step, next, length == std::abs(rest_), stop_);
+        if (!control_.is_fixed) choose_next(length, error, repeated_);
+        return StepOutcome::made;
+      }
+      if (!std::isfinite(error)) why = StepOutcome::not_finite;
+      h_ = length * std::min(wanted(error), 0.9);
+    } else {
+      if (end == SweepsEnd::not_finite) why = StepOutcome::not_finite;
+      if (!control_.is_fixed) h_ = 0.5 * length;
+    }
+    ++rejected_;
+    repeated_ = true;
+    const double next = length_of_step();
+    if (control_.is_fixed || next < smallest_step(t_)) return why;
+    try_step(next);
+    return std::nullopt;
   }
 
   struct Savepoint {
@@ -150,17 +168,23 @@ class CollocationSolver {
   static constexpr double safety = 0.9;
   static constexpr std::int64_t slow_sweeps = 18;
 
-  double enough() const { return control_.is_fixed ? 0.0 : 0.01 * control_.step.tolerance; }
-
   // Of fixed steps; no sliver is left for the end.
   double whole_step(double rest) const { return h_ * (1.0 + 1e-9) < rest ? h_ : rest; }
 
-  SweepsEnd solve(double h) {
-    stages_.begin(t_, state_, h, rates_.sides.get());
-    if (guessed(h)) {
-      const SweepsEnd end = swept(stages_, enough(), sweeps_);
-      if (end == SweepsEnd::converged) return end;
-    }
+  double length_of_step() const {
+    return control_.is_fixed ? whole_step(std::abs(rest_))
+                             : step_towards(std::abs(rest_), h_, control_.step);
+  }
+  void try_step(double length) {
+    trial_ = std::copysign(length, rest_);
+    stages_.begin(t_, state_, trial_, rates_.sides.get());
+    guessed_ = guessed(trial_);
+    if (!guessed_) stages_.guess_start();
+  }
+  // Where a guess has led nowhere, from the start of the step.
+  SweepsEnd settled(const SweepJudge& judge) {
+    sweeps_ = judge.sweeps();
+    if (!guessed_ || judge.end() == SweepsEnd::converged) return judge.end();
     stages_.guess_start();
     return swept(stages_, enough(), sweeps_);
   }
@@ -286,6 +310,8 @@ class CollocationSolver {
   std::size_t last_ = 0;
   double ratio_ = 0.0;
   StageMatrix at_stages_{};
+  double stop_ = 0.0, rest_ = 0.0;  // of the step that is being made
+  bool repeated_ = false, guessed_ = false;
   double trial_ = 0.0;
   std::int64_t sweeps_ = 0;  // of the step tried last
   std::int64_t steps_ = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dynamics/adaptive/smooth_stepper.hpp"
 #include "dynamics/collocation/collocation_curve.hpp"
+#include "dynamics/collocation/lockstep/stepper_in_parts.hpp"
 #include "dynamics/steppers.hpp"
 
 namespace polhode {
@@ -49,7 +51,7 @@ CollocationControl control_of(const Problem& problem, const Collocation& method)
                        {.tolerance = method.tolerance, .largest_step = method.largest_step})};
 }
 
-class CollocationStepper final : public Stepper {
+class CollocationStepper final : public StepperInParts {
  public:
   CollocationStepper(const Problem& problem, const Collocation& method)
       : field_(std::make_shared<const RotorStages::Field>(problem.system)),
@@ -59,6 +61,21 @@ class CollocationStepper final : public Stepper {
                 control_of(problem, method)) {}
 
   std::string advance(double stop) override { return steps_.advance(solver_, *field_, stop); }
+  std::string begin(double stop) override {
+    step_.emplace(steps_.step(solver_, *field_, stop));
+    std::string refused = step_->begin();
+    if (refused.empty()) solver_.begin(step_->end());
+    return refused;
+  }
+  RotorStages& tried() override { return solver_.tried(); }
+  SweepJudge judge() const override { return SweepJudge(solver_.enough()); }
+  std::optional<std::string> solved(const SweepJudge& judge) override {
+    const std::optional<StepOutcome> outcome = solver_.solved(judge);
+    if (!outcome) return std::nullopt;
+    std::optional<std::string> last = step_->tried(*outcome);
+    if (!last) solver_.begin(step_->end());
+    return last;
+  }
   double time() const override { return solver_.time().hi; }
   RotorState state() const override { return field_->state(solver_.state().y); }
   std::shared_ptr<const DenseStep> dense(bool) override {
@@ -79,11 +96,17 @@ class CollocationStepper final : public Stepper {
   std::shared_ptr<const RotorStages::Field> field_;
   SmoothSteps steps_;
   CollocationSolver solver_;
+  std::optional<SmoothStep<CollocationSolver, RotorStages::Field>> step_;  // made in parts
 };
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Collocation& method) {
+  return make_stepper_in_parts(problem, method);
+}
+
+std::unique_ptr<StepperInParts> make_stepper_in_parts(const Problem& problem,
+                                                      const Collocation& method) {
   require_valid(method);
   return std::make_unique<CollocationStepper>(problem, method);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dynamics/collocation/lockstep/body_lanes.hpp"
 #include "dynamics/collocation/rotor_step.hpp"
 
 namespace polhode {
@@ -8,6 +9,8 @@ namespace detail {
 // src/dynamics/collocation/lanes, one source for each set.
 template <InstructionSet isa>
 RotorLanes rotor_kernels(std::size_t stages);
+template <InstructionSet isa>
+BodySweep body_sweep_kernel(std::size_t stages);
 
 RotorLanes rotor_lanes(std::size_t stages, InstructionSet set) {
 #if defined(__x86_64__)
@@ -15,6 +18,14 @@ RotorLanes rotor_lanes(std::size_t stages, InstructionSet set) {
   if (set == InstructionSet::avx2) return rotor_kernels<InstructionSet::avx2>(stages);
 #endif
   return rotor_kernels<InstructionSet::baseline>(stages);
+}
+
+BodySweep body_sweep(std::size_t stages, InstructionSet set) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return body_sweep_kernel<InstructionSet::avx512>(stages);
+  if (set == InstructionSet::avx2) return body_sweep_kernel<InstructionSet::avx2>(stages);
+#endif
+  return body_sweep_kernel<InstructionSet::baseline>(stages);
 }
 
 }  // namespace detail

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dynamics/adaptive/rotor_field.hpp"
@@ -101,6 +102,13 @@ class RotorStages {
   }
 
   const RotorLanes& lanes() const { return lanes_; }
+
+  // For those who sweep several bodies at a time.
+  const RotorStep& step() const { return step_; }
+  RotorStep& step() { return step_; }
+  const RotorConstants& constants() const { return constants_; }
+  const Vec3& moments() const { return field_->system().body().moments(); }
+  std::span<const std::unique_ptr<StageTerm>> terms() const { return terms_; }
 
  private:
   static RotorConstants constants(const Body& body) {

@@ -21,21 +21,56 @@ struct CollocationControl {
 
 enum class SweepsEnd { converged, diverging, not_finite };
 
-// Until rounding alone changes the stages, or what a term has of noise: its changes may be
-// `enough`.
-inline SweepsEnd swept(RotorStages& stages, double enough, std::int64_t& sweeps) {
-  constexpr int most_sweeps = 60, least_sweeps = 3;
-  constexpr double largest_rounding = 256.0 * std::numeric_limits<double>::epsilon();
-  double before = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= most_sweeps; ++n) {
-    const double change = stages.sweep();
-    ++sweeps;
-    if (change == 0.0) return SweepsEnd::converged;
-    if (!std::isfinite(change)) return SweepsEnd::not_finite;
-    if (n >= least_sweeps && !(change < before)) break;
-    before = change;
+// Sweeps go on until rounding alone changes the stages, or what a term has of noise: its changes
+// may be `enough`.
+class SweepJudge {
+ public:
+  explicit SweepJudge(double enough = 0.0) : enough_(enough) {}
+
+  bool goes_on() const { return goes_on_; }
+  std::int64_t sweeps() const { return sweeps_; }
+  // Of a sweep, its largest change.
+  void see(double change) {
+    ++sweeps_;
+    if (change == 0.0) {
+      ends(SweepsEnd::converged);
+    } else if (!std::isfinite(change)) {
+      ends(SweepsEnd::not_finite);
+    } else if (sweeps_ >= least_sweeps && !(change < before_)) {
+      ends(judged());
+    } else {
+      before_ = change;
+      if (sweeps_ == most_sweeps) ends(judged());
+    }
   }
-  return before <= std::max(enough, largest_rounding) ? SweepsEnd::converged : SweepsEnd::diverging;
+  // Once they do not go on.
+  SweepsEnd end() const { return end_; }
+
+ private:
+  static constexpr std::int64_t most_sweeps = 60, least_sweeps = 3;
+
+  SweepsEnd judged() const {
+    constexpr double largest_rounding = 256.0 * std::numeric_limits<double>::epsilon();
+    return before_ <= std::max(enough_, largest_rounding) ? SweepsEnd::converged
+                                                          : SweepsEnd::diverging;
+  }
+  void ends(SweepsEnd end) {
+    end_ = end;
+    goes_on_ = false;
+  }
+
+  double enough_;
+  double before_ = std::numeric_limits<double>::infinity();
+  std::int64_t sweeps_ = 0;
+  bool goes_on_ = true;
+  SweepsEnd end_ = SweepsEnd::diverging;
+};
+
+inline SweepsEnd swept(RotorStages& stages, double enough, std::int64_t& sweeps) {
+  SweepJudge judge(enough);
+  while (judge.goes_on()) judge.see(stages.sweep());
+  sweeps += judge.sweeps();
+  return judge.end();
 }
 
 }  // namespace detail

@@ -26,4 +26,4 @@
   DO(FacetStream::Law)
 #define POLHODE_LAW_IN_LANES(isa, LAW)                   \
   template void law_on_stages<InstructionSet::isa, LAW>( \
-      const StepOfLaw<LAW>& step, const StageStates& states, StageEffects& effects);
+      const LAW& law, std::span<const double> sides, const LawRows& rows);

@@ -128,20 +128,9 @@ class Run {
   }
 
   Parts result() {
-    parts_.initial = span_.initial;
-    parts_.method = span_.method;
-    if (!continued_) parts_.outcome.t = span_.initial.t;
     try {
-      if (!continued_) {
-        samples_.begin(parts_.initial);
-        watch_.begin(span_.first_look, !span_.continues);
-        if (refused()) return finished();
-      }
-      const std::shared_ptr<const Dense> dense = inside_step_ ? stepper_->dense(false) : nullptr;
-      if (inside_step_ && !samples_of_step(dense.get())) return finished();
-      bool goes_on = true;
-      while (goes_on && stepper_->time() != span_.stop) goes_on = step();
-      if (goes_on) end_events();
+      bool goes_on = begin();
+      while (goes_on) goes_on = stepped(stepper_->advance(next_stop()));
     } catch (...) {
       samples_.flush();
       throw;
@@ -149,16 +138,47 @@ class Run {
     return finished();
   }
 
- private:
-  // Whether the run goes on.
-  bool step() {
-    const std::string advice =
-        stepper_->advance(span_.ends_at_samples ? samples_.next(span_.stop) : span_.stop);
+  // The same step by step. Whether there is a step to make:
+  bool begin() {
+    parts_.initial = span_.initial;
+    parts_.method = span_.method;
+    if (!continued_) {
+      parts_.outcome.t = span_.initial.t;
+      samples_.begin(parts_.initial);
+      watch_.begin(span_.first_look, !span_.continues);
+      if (refused()) return false;
+    }
+    const std::shared_ptr<const Dense> dense = inside_step_ ? stepper_->dense(false) : nullptr;
+    if (inside_step_ && !samples_of_step(dense.get())) return false;
+    return !at_stop();
+  }
+  // where to, at the farthest,
+  double next_stop() { return span_.ends_at_samples ? samples_.next(span_.stop) : span_.stop; }
+  // and after the stepper has made it, or has said why not, whether there is another.
+  bool stepped(const std::string& advice) {
     if (!advice.empty()) {
       keep(watch_.finish().records);
       fail(advice);
       return false;
     }
+    return looked_at() && !at_stop();
+  }
+  Parts finished() {
+    samples_.flush();
+    parts_.statistics = stepper_->statistics();
+    parts_.statistics.evaluations += watch_.evaluations();
+    return std::move(parts_);
+  }
+
+ private:
+  bool at_stop() {
+    if (stepper_->time() != span_.stop) return false;
+    end_events();
+    return true;
+  }
+
+  // The step made last. Whether the run goes on.
+  bool looked_at() {
     Sample end = end_of_step();
     std::shared_ptr<const Dense> dense;
     if (keep_dense_ || watch_.watches() || samples_.wants_dense(end.t))
@@ -245,13 +265,6 @@ class Run {
   void fail(const std::string& advice) {
     parts_.outcome.status = Outcome::Status::failed;
     parts_.outcome.advice = advice;
-  }
-
-  Parts finished() {
-    samples_.flush();
-    parts_.statistics = stepper_->statistics();
-    parts_.statistics.evaluations += watch_.evaluations();
-    return std::move(parts_);
   }
 
   RunSpan<S> span_;

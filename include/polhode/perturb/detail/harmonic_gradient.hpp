@@ -15,6 +15,8 @@ namespace detail {
 template <int degree>
 struct HarmonicGradient {
   BasicMoments<double, degree - 1> by[3];
+
+  bool operator==(const HarmonicGradient&) const = default;
 };
 // p_3 and p_4 of the header.
 HarmonicGradient<3> potential_gradient(const BasicMoments<double, 3>& m);

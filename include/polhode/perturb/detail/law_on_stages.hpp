@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law of a term at the stages of a step, as many at a time as a register holds.
+// The law of a term at the stages of a step, or at those of several bodies, as many at a time as a
+// register holds.
 #pragma once
 
 #include <array>
@@ -27,50 +28,62 @@ inline constexpr std::size_t numbers_of_time =
 template <class Law>
 using RowsOfTime = std::array<StageRow, numbers_of_time<Law>>;
 
-template <class Law>
-struct StepOfLaw {
-  const Law& law;
-  const Body& body;
-  std::span<const double> sides;
+// What a law is asked for and where it adds: rows of `count` numbers, a whole number of lanes, the
+// next row `stride` behind the one before. Number i is of the body whose moments are in lane i %
+// stage_lanes.
+struct LawRows {
   std::size_t count;
-  const RowsOfTime<Law>& of_time;
+  std::size_t stride;
+  const double* of_time;
+  const double* states;   // q_SB, g_B
+  const double* moments;  // three rows of stage_lanes
+  double* v;
+  double* u;
 };
 
 // Compiled for a set of instructions where it is one of a processor's own.
 template <InstructionSet isa, class Law>
-[[gnu::flatten]] void law_on_stages(const StepOfLaw<Law>& step, const StageStates& states,
-                                    StageEffects& effects) {
+[[gnu::flatten]] void law_on_stages(const Law& law, std::span<const double> sides,
+                                    const LawRows& rows) {
   using T = Pack<isa>;
   using OfTime = typename Law::template OfTime<T>;
   constexpr std::size_t numbers = numbers_of_time<Law>;
-  for (std::size_t i = 0; i < filled_stages(step.count); i += T::width) {
-    const auto state = [&](std::size_t n) { return T::loaded(states.rows[n].data() + i); };
+  for (std::size_t i = 0; i < rows.count; i += T::width) {
+    const auto state = [&](std::size_t n) {
+      return T::loaded(rows.states + (n * rows.stride + i));
+    };
+    const auto moment = [&](std::size_t n) {
+      return T::loaded(rows.moments + (n * stage_lanes + i % stage_lanes));
+    };
     OfTime of_time;
     if constexpr (numbers > 0) {
       static_assert(sizeof(OfTime) == numbers * sizeof(T));
       T parts[numbers];
-      for (std::size_t n = 0; n < numbers; ++n) parts[n] = T::loaded(step.of_time[n].data() + i);
+      for (std::size_t n = 0; n < numbers; ++n) 
+        parts[n] = T::loaded(rows.of_time + (n * rows.stride + i));
       std::memcpy(&of_time, parts, sizeof parts);
     }
     const BasicRotorState<T> s{{state(0), state(1), state(2), state(3)},
                                {state(4), state(5), state(6)}};
-    const BasicEffect<T> e = step.law.effect(of_time, BasicPose<T>{step.body, s, step.sides});
-    const auto add = [i](StageRow& row, const T& x) {
-      (T::loaded(row.data() + i) + x).store(row.data() + i);
+    const BasicPose<T> pose{{moment(0), moment(1), moment(2)}, s, sides};
+    const BasicEffect<T> e = law.effect(of_time, pose);
+    const auto add = [&](double* to, std::size_t n, const T& x) {
+      double* at = to + (n * rows.stride + i);
+      (T::loaded(at) + x).store(at);
     };
     if constexpr (Law::adds_rate) {
-      add(effects.v[0], e.v.x);
-      add(effects.v[1], e.v.y);
-      add(effects.v[2], e.v.z);
+      add(rows.v, 0, e.v.x);
+      add(rows.v, 1, e.v.y);
+      add(rows.v, 2, e.v.z);
     }
-    add(effects.u[0], e.u.x);
-    add(effects.u[1], e.u.y);
-    add(effects.u[2], e.u.z);
+    add(rows.u, 0, e.u.x);
+    add(rows.u, 1, e.u.y);
+    add(rows.u, 2, e.u.z);
   }
 }
 
 template <class Law>
-using LawOnStages = void (*)(const StepOfLaw<Law>&, const StageStates&, StageEffects&);
+using LawOnStages = void (*)(const Law&, std::span<const double> sides, const LawRows&);
 
 // Those of the library's own terms are compiled for every set (src/perturb/lanes).
 template <class Law>

@@ -2,10 +2,11 @@
 // The stages of a term that keeps apart what depends on the time, and of any other.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
-#include "polhode/perturb/detail/law_on_stages.hpp"
+#include "polhode/perturb/detail/stage_law.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -23,13 +24,17 @@ concept OnStages = requires(const P& term, const Body& body) {
 };
 
 template <Timewise P>
-class TimewiseStages final : public StageTerm {
+class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law> {
  public:
   using Law = typename P::Law;
 
   // Both outlive it.
   TimewiseStages(const P& term, const Body& body, InstructionSet set)
-      : term_(term), body_(body), effect_(law_in_lanes<Law>(set)) {}
+      : term_(term), body_(body), effect_(law_in_lanes<Law>(set)) {
+    const Vec3& I = body.moments();
+    for (std::size_t n = 0; n < 3; ++n)
+      std::fill_n(moments_.begin() + n * stage_lanes, stage_lanes, I[static_cast<int>(n)]);
+  }
 
   void begin(const StageTimes& times, std::span<const double> sides) override {
     sides_ = sides;
@@ -49,17 +54,33 @@ class TimewiseStages final : public StageTerm {
     }
   }
   void add_to(StageEffects& effects, const StageStates& states) override {
-    effect_({term_.law(), body_, sides_, count_, of_time_}, states, effects);
+    effect_(term_.law(), sides_,
+            {filled_stages(count_), most_stages, first_of_time(), states.rows[0].data(),
+             moments_.data(), effects.v[0].data(), effects.u[0].data()});
   }
   bool adds_rate() const override { return Law::adds_rate; }
+  const StageLaw* law() const override { return sides_.empty() ? this : nullptr; }
+
+  std::span<const StageRow> of_time() const override { return of_time_; }
+  void add_to(const LawRows& rows) const override { effect_(term_.law(), {}, rows); }
+  Law law_itself() const override { return term_.law(); }
 
  private:
+  const double* first_of_time() const {
+    if constexpr (numbers_of_time<Law> > 0) {
+      return of_time_[0].data();
+    } else {
+      return nullptr;
+    }
+  }
+
   const P& term_;
   const Body& body_;
   LawOnStages<Law> effect_;
   std::span<const double> sides_;
   std::size_t count_ = 0;
   RowsOfTime<Law> of_time_{};
+  AlignedRow<3 * stage_lanes> moments_;  // the same in every lane
 };
 
 // One stage after the other.

@@ -5,10 +5,10 @@
 
 #include <limits>
 
+#include "dynamics/collocation/lanes/rotor_rates.hpp"
 #include "dynamics/collocation/rotor_step.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
-#include "polhode/math/quaternion.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -112,15 +112,13 @@ struct RotorKernel {
     s.inverse_momentum = 1.0 / largest(most);
   }
 
-  // dg/dt = (1/I3 - 1/I2) g2 g3 + ... + g x v + u: not g x I^-1 g, where what is equal in I^-1
-  // cancels and leaves a rounding that adds up over a run.
   [[gnu::always_inline]] static void momentum_rates(const RotorConstants& body, RotorStep& s,
                                                     std::size_t i) {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
     const auto u = [&](std::size_t n) { return taken(s.effects.u[n], s.drive[n], i); };
     const BasicVec3<T> g{Y(4), Y(5), Y(6)};
-    BasicVec3<T> f{T(body.euler.x) * (g.y * g.z) + u(0), T(body.euler.y) * (g.z * g.x) + u(1),
-                   T(body.euler.z) * (g.x * g.y) + u(2)};
+    const BasicVec3<T> euler{T(body.euler.x), T(body.euler.y), T(body.euler.z)};
+    BasicVec3<T> f = momentum_rate(euler, g, {u(0), u(1), u(2)});
     if (s.has_rate) {
       const auto v = [&](std::size_t n) { return loaded(s.effects.v[n], i); };
       f = f + cross(g, BasicVec3<T>{v(0), v(1), v(2)});
@@ -129,25 +127,20 @@ struct RotorKernel {
     set_rate(s, 5, i, f.y);
     set_rate(s, 6, i, f.z);
   }
-  // dq/dt = q (0, w) / 2, less the turn of the frame.
   [[gnu::always_inline]] static void attitude_rates(const RotorConstants& body, RotorStep& s,
                                                     std::size_t i) {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
     const auto v = [&](std::size_t n) { return taken(s.effects.v[n], s.drive[3 + n], i); };
-    const auto half_rate = [&](std::size_t n) {
+    const auto half = [&](std::size_t n) {
       const DoubleDouble& c = body.half_inverse[n];
-      const T g = Y(4 + n), w = g * T(c.hi) + g * T(c.lo);
+      const T w = half_rate(T(c.hi), T(c.lo), Y(4 + n));
       return s.has_rate ? w + T(0.5) * v(n) : w;
     };
     const BasicQuaternion<T> q{Y(0), Y(1), Y(2), Y(3)};
-    const BasicVec3<T> h{half_rate(0), half_rate(1), half_rate(2)};
-    BasicQuaternion<T> f{-(q.x * h.x) - q.y * h.y - q.z * h.z, q.w * h.x + q.y * h.z - q.z * h.y,
-                         q.w * h.y - q.x * h.z + q.z * h.x, q.w * h.z + q.x * h.y - q.y * h.x};
+    BasicQuaternion<T> f = attitude_rate(q, {half(0), half(1), half(2)});
     if (s.has_frame) {
       const auto half_mu = [&](std::size_t n) { return T(0.5) * loaded(s.mu_S[n], i); };
-      const BasicQuaternion<T> lag =
-          BasicQuaternion<T>{T(0.0), half_mu(0), half_mu(1), half_mu(2)} * q;
-      f = {f.w - lag.w, f.x - lag.x, f.y - lag.y, f.z - lag.z};
+      f = seen_in_frame(f, {half_mu(0), half_mu(1), half_mu(2)}, q);
     }
     set_rate(s, 0, i, f.w);
     set_rate(s, 1, i, f.x);

@@ -2,6 +2,7 @@
 // A rotor by collocation in the lanes of InstructionSet::avx2.
 #if defined(__x86_64__)
 
+#include "dynamics/collocation/lanes/bodies_kernel.hpp"
 #include "dynamics/collocation/lanes/rotor_kernel.hpp"
 
 namespace polhode {
@@ -9,6 +10,7 @@ inline namespace v0 {
 namespace detail {
 
 template RotorLanes rotor_kernels<InstructionSet::avx2>(std::size_t stages);
+template BodySweep body_sweep_kernel<InstructionSet::avx2>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0

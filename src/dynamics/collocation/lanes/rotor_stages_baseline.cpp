@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A rotor by collocation in the lanes of InstructionSet::baseline.
+#include "dynamics/collocation/lanes/bodies_kernel.hpp"
 #include "dynamics/collocation/lanes/rotor_kernel.hpp"
 
 namespace polhode {
@@ -7,6 +8,7 @@ inline namespace v0 {
 namespace detail {
 
 template RotorLanes rotor_kernels<InstructionSet::baseline>(std::size_t stages);
+template BodySweep body_sweep_kernel<InstructionSet::baseline>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0

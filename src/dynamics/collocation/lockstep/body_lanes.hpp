@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The steps of several rotors, side by side: a lane for each body, a line of lanes for each stage.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dynamics/collocation/gauss_scheme.hpp"
+#include "polhode/math/instruction_set.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+inline constexpr std::size_t body_lanes = stage_lanes;
+
+// One number of every body.
+struct BodyLine : AlignedRow<body_lanes> {};
+
+// What RotorStep and RotorConstants are for one body.
+class BodyLanes {
+ public:
+  explicit BodyLanes(std::size_t stages) : stages_(stages), lines_(rows * stages) {}
+
+  std::array<BodyLine, 7> y{}, carry{};
+  std::array<BodyLine, 3> half_inverse{}, half_inverse_rest{}, euler{}, moments{};
+  BodyLine inverse_momentum{};
+  BodyLine change{};  // by the sweep made last
+  bool has_rate = false;
+  bool has_frame = false;
+
+  std::size_t stages() const { return stages_; }
+  // From one row to the next: a row is a line for each stage.
+  std::size_t stride() const { return stages_ * body_lanes; }
+
+  double* Y(std::size_t n) { return row(n); }
+  double* v(std::size_t n) { return row(7 + n); }
+  double* u(std::size_t n) { return row(10 + n); }
+  double* F(std::size_t n) { return row(13 + n); }
+  double* L(std::size_t n) { return row(20 + n); }
+  // The effects that F was made of: u, then v.
+  double* drive(std::size_t n) { return row(27 + n); }
+  double* mu_S(std::size_t n) { return row(33 + n); }
+  double* hb() { return row(36); }
+
+ private:
+  static constexpr std::size_t rows = 37;
+  double* row(std::size_t n) { return lines_[n * stages_].data(); }
+
+  std::size_t stages_;
+  std::vector<BodyLine> lines_;
+};
+
+// F from Y and the effects there, and Y from F, of every lane: for each what the sweep of RotorLanes
+// is for one, with the same bits.
+using BodySweep = void (*)(const GaussScheme&, BodyLanes&);
+BodySweep body_sweep(std::size_t stages, InstructionSet set);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

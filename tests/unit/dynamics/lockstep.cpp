@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// A body in lockstep with others has the bits of its run alone.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dynamics/collocation/lockstep/many_sweeps.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/dynamics/integrate_many.hpp"
+#include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/perturb/internal_damping.hpp"
+#include "polhode/perturb/user_terms.hpp"
+#include "splitting_support.hpp"
+#include "unit/perturb/every_term.hpp"
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+AnyPerturbation gravity(double e) {
+  return {"gravity gradient", GravityGradient(1.0, AnyOrbit("orbit", KeplerOrbit({1.0, 0.9, e})))};
+}
+
+// Bodies that differ in all that they may differ in.
+Problem body(std::size_t k, const Collocation& method, const std::vector<AnyPerturbation>& more) {
+  const auto x = static_cast<double>(k);
+  std::vector<AnyPerturbation> terms{gravity(0.1 + 0.02 * x)};
+  terms.insert(terms.end(), more.begin(), more.end());
+  Problem p{System(Body(0.9, 1.0 + 0.01 * x, 1.1), Frame::inertial(), terms),
+            {normalized(Quaternion{1.0, 0.1 * x, 0.0, 0.2}), {4.5 - 0.3 * x, 4.0, 8.25}},
+            0.1 * x,
+            3.0 + 0.7 * x,
+            method};
+  if (k == 4) p.stop = -2.0;  // back in time
+  return p;
+}
+
+void expect_alone(const Problem& problem, const Keep& keep, const BodyRun& run,
+                  const std::string& what) {
+  const Trajectory alone = integrate(problem, keep);
+  ASSERT_TRUE(run.trajectory) << what << ": " << run.error;
+  const Trajectory& t = *run.trajectory;
+  EXPECT_EQ(t.outcome().status, alone.outcome().status) << what;
+  EXPECT_EQ(t.outcome().advice, alone.outcome().advice) << what;
+  EXPECT_EQ(t.statistics().steps, alone.statistics().steps) << what;
+  EXPECT_EQ(t.statistics().rejected, alone.statistics().rejected) << what;
+  EXPECT_EQ(t.statistics().evaluations, alone.statistics().evaluations) << what;
+  ASSERT_EQ(t.samples().size(), alone.samples().size()) << what;
+  for (std::size_t i = 0; i < t.samples().size(); ++i) {
+    EXPECT_EQ(t.samples()[i].t, alone.samples()[i].t) << what;
+    EXPECT_EQ(t.samples()[i].s, alone.samples()[i].s) << what << " at " << t.samples()[i].t;
+  }
+  ASSERT_EQ(t.events().size(), alone.events().size()) << what;
+  for (std::size_t i = 0; i < t.events().size(); ++i)
+    EXPECT_EQ(t.events()[i].t, alone.events()[i].t) << what;
+}
+
+void expect_all_alone(const std::vector<Problem>& problems, const Keep& keep,
+                      const std::string& what) {
+  const std::vector<BodyRun> runs = integrate_many(problems, keep);
+  ASSERT_EQ(runs.size(), problems.size());
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    expect_alone(problems[k], keep, runs[k], what + ", body " + std::to_string(k));
+}
+
+std::vector<Problem> bodies(std::size_t count, const Collocation& method,
+                            const std::vector<AnyPerturbation>& more = {}) {
+  std::vector<Problem> problems;
+  for (std::size_t k = 0; k < count; ++k) problems.push_back(body(k, method, more));
+  return problems;
+}
+
+TEST(Lockstep, GivesTheBitsOfABodyAlone) {
+  for (const int stages : {4, 8, 16})
+    for (const std::size_t count : {1U, 2U, 8U, 11U})
+      expect_all_alone(bodies(count, Collocation{.stages = stages}), {},
+                       std::to_string(stages) + " stages");
+  expect_all_alone(bodies(9, Collocation{.step = 0.11}), {}, "fixed steps");
+  expect_all_alone(bodies(9, Collocation{.tolerance = 1e-6}), {}, "a loose tolerance");
+}
+
+TEST(Lockstep, TakesEveryTerm) {
+  const Body like(1.0, 1.7, 2.1);
+  for (const AnyPerturbation& term : perturb_test::every_term(like)) {
+    std::vector<Problem> problems = bodies(3, Collocation{}, {term});
+    for (Problem& p : problems) p.stop = 1.5;
+    expect_all_alone(problems, {SaveAt::times({1.5}), false}, term.name());
+  }
+}
+
+// Laws whose numbers differ, and a function of a user: asked body by body.
+TEST(Lockstep, TakesTermsThatDiffer) {
+  std::vector<Problem> problems;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double x = 0.01 * static_cast<double>(k);
+    const auto push = [x](double t, const RotorState& s) { return x * std::sin(t) * s.g; };
+    problems.push_back(body(k, Collocation{},
+                            {{"push", TorqueTerm(push)}, {"damping", InternalDamping(x)}}));
+  }
+  expect_all_alone(problems, {}, "terms that differ");
+}
+
+TEST(Lockstep, KeepsFramesThatMove) {
+  std::vector<Problem> problems = bodies(5, Collocation{});
+  for (Problem& p : problems)
+    p.system = System(p.system.body(), splitting_test::precessing_frame(), p.system.terms());
+  expect_all_alone(problems, {SaveAt::times({0.5, 1.0, 1.5, 2.0, 2.5}), true}, "precessing");
+}
+
+// Of other stages, terms and methods, and a body that ends at once: each when its turn comes.
+TEST(Lockstep, TakesWhatDoesNotGoTogether) {
+  std::vector<Problem> problems = bodies(12, Collocation{});
+  problems[2].method = Collocation{.stages = 16};
+  problems[3].method = Collocation{.stages = 16};
+  problems[5].method = Adaptive{};
+  problems[7].system = System(Body(1.0, 2.0, 2.7));
+  problems[8].stop = problems[8].start;
+  expect_all_alone(problems, {}, "mixed");
+}
+
+TEST(Lockstep, EndsStepsWhereATorqueSwitches) {
+  std::vector<Problem> problems;
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double x = 0.02 * static_cast<double>(k);
+    const auto push = [x](const double&, const RotorState&, std::span<const double> sides) {
+      return Vec3{(0.05 + x) * sides[0], 0.0, sides[1] > 0.0 ? 0.04 : 0.0};
+    };
+    const auto sides = [x](double t, const RotorState& s) {
+      return std::vector{std::sin((0.7 + x) * t), s.g.z - 0.2};
+    };
+    const AnyPerturbation term("push", SwitchedTorqueTerm(push, sides));
+    Problem p = body(k, Collocation{}, {term});
+    p.initial.g = {0.8, 1.9, 0.3};
+    p.stop = 12.0;
+    problems.push_back(std::move(p));
+  }
+  expect_all_alone(problems, {}, "switches");
+}
+
+TEST(Lockstep, FindsEventsAndStopsAtThem) {
+  std::vector<Problem> problems = bodies(10, Collocation{});
+  for (std::size_t k = 0; k < problems.size(); ++k) {
+    const double height = 8.0 - 0.05 * static_cast<double>(k);
+    problems[k].stop = 10.0;
+    problems[k].events.push_back({"height",
+                                  [height](double, const RotorState& s) { return s.g.z - height; },
+                                  Crossing::both, k % 3 == 0, 0.0});
+  }
+  expect_all_alone(problems, {}, "events");
+}
+
+TEST(Lockstep, LetsABodyFailAlone) {
+  std::vector<Problem> problems = bodies(9, Collocation{});
+  problems[1].initial.g.x = std::nan("");
+  for (const std::size_t k : {3U, 6U}) {
+    const auto push = [k](double t, const RotorState& s) {
+      if (k == 3 && t > 2.0) throw std::runtime_error("no field here");
+      return (t > 2.0 ? std::nan("") : 0.0) * s.g;
+    };
+    problems[k] = body(k, Collocation{}, {{"push", TorqueTerm(push)}});
+  }
+  const std::vector<BodyRun> runs = integrate_many(problems);
+  EXPECT_FALSE(runs[1].trajectory);
+  EXPECT_THAT(runs[1].error, StartsWith("body 1 at t = 0.1: "));
+  EXPECT_FALSE(runs[3].trajectory);
+  EXPECT_THAT(runs[3].error, HasSubstr("no field here"));
+  EXPECT_THAT(runs[3].error, StartsWith("body 3 at t = 1."));
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (k != 1 && k != 3) expect_alone(problems[k], {}, runs[k], "body " + std::to_string(k));
+  EXPECT_EQ(runs[6].trajectory->outcome().status, Outcome::Status::failed);
+}
+
+TEST(Lockstep, AsksForProblemsWhenTheirTurnComes) {
+  const std::vector<Problem> problems = bodies(20, Collocation{});
+  std::size_t asked = 0, ended = 0, most = 0;
+  integrate_many(
+      problems.size(),
+      [&](std::size_t k) {
+        EXPECT_EQ(k, asked++);
+        most = std::max(most, asked - ended);
+        return problems[k];
+      },
+      {}, [&](std::size_t, const BodyRun& run) { ended += run.trajectory ? 1U : 0U; });
+  EXPECT_EQ(ended, problems.size());
+  EXPECT_LE(most, 10U);
+  EXPECT_TRUE(integrate_many(std::vector<Problem>{}).empty());
+}
+
+// One sweep of many, by every set.
+TEST(Lockstep, DoesNotDependOnTheProcessor) {
+  for (const std::size_t stages : {4U, 8U, 16U})
+    for (const InstructionSet set : supported_instruction_sets()) {
+      const auto field = [](std::size_t k) {
+        return std::make_shared<const detail::RotorField<double>>(body(k, {}, {}).system);
+      };
+      std::vector<detail::RotorStages> alone, together;
+      std::vector<detail::BodyStep> steps;
+      for (std::size_t k = 0; k < 5; ++k) {
+        alone.emplace_back(field(k), stages, InstructionSet::baseline);
+        together.emplace_back(field(k), stages, set);
+      }
+      for (std::size_t k = 0; k < 5; ++k) {
+        const auto start = detail::RotorStages::State{
+            detail::RotorStages::Field::start(body(k, {}, {}).initial)};
+        for (detail::RotorStages* s : {&alone[k], &together[k]}) {
+          s->begin(0.3, start, 0.05 + 0.02 * static_cast<double>(k), nullptr);
+          s->guess_start();
+        }
+        steps.push_back({&together[k], detail::SweepJudge(1e-14)});
+      }
+      detail::ManySweeps(stages, set).solve(steps);
+      for (std::size_t k = 0; k < 5; ++k) {
+        std::int64_t sweeps = 0;
+        EXPECT_EQ(steps[k].judge.end(), detail::swept(alone[k], 1e-14, sweeps));
+        EXPECT_EQ(steps[k].judge.sweeps(), sweeps);
+        const auto a = alone[k].finished(), b = together[k].finished();
+        EXPECT_EQ(a.y, b.y) << stages << " " << instruction_set_name(set) << " " << k;
+        EXPECT_EQ(a.carry, b.carry);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace polhode
