@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "dynamics/collocation/rotor_stages.hpp"
 #include "polhode/ode/step_control.hpp"
 
 namespace polhode {
@@ -23,7 +22,8 @@ enum class SweepsEnd { converged, diverging, not_finite };
 
 // Until rounding alone changes the stages, or what a term has of noise: its changes may be
 // `enough`.
-inline SweepsEnd swept(RotorStages& stages, double enough, std::int64_t& sweeps) {
+template <class Stages>
+SweepsEnd swept(Stages& stages, double enough, std::int64_t& sweeps) {
   constexpr int most_sweeps = 60, least_sweeps = 3;
   constexpr double largest_rounding = 256.0 * std::numeric_limits<double>::epsilon();
   double before = std::numeric_limits<double>::infinity();
