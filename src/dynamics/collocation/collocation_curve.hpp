@@ -12,10 +12,10 @@ inline namespace v0 {
 namespace detail {
 
 // The polynomial of the step for the search; that of twice as many stages is the truth.
+template <class Solver>
 class CollocationCurve final : public SwitchCurve {
  public:
-  CollocationCurve(CollocationSolver& solver, const CollocationSolver::Savepoint&,
-                   const SwitchWatch& switches)
+  CollocationCurve(Solver& solver, const typename Solver::Savepoint&, const SwitchWatch& switches)
       : solver_(solver), switches_(switches) {}
 
   std::vector<double> along(double x) const override {
@@ -27,19 +27,20 @@ class CollocationCurve final : public SwitchCurve {
   double rounding(std::size_t which) const override { return switches_.rounding(which); }
 
  private:
-  std::vector<double> values(const StepPolynomial& step, std::size_t stages, double x) const {
-    if (x == 1.0)
-      return switches_.values(solver_.time(), RotorStages::Field::rotor(solver_.state().y));
-    return switches_.values(step.t + x * step.h, RotorStages::Field::rotor(step.at(stages, x)));
+  std::vector<double> values(const typename Solver::Polynomial& step, std::size_t stages,
+                             double x) const {
+    const auto& field = *solver_.field().field;
+    if (x == 1.0) return switches_.values(solver_.time(), field.rotor(solver_.state().y));
+    return switches_.values(step.t + x * step.h, field.rotor(step.at(stages, x)));
   }
 
-  CollocationSolver& solver_;
+  Solver& solver_;
   const SwitchWatch& switches_;
 };
 
-template <>
-struct CurveOf<CollocationSolver> {
-  using Type = CollocationCurve;
+template <class Stages>
+struct CurveOf<BasicCollocationSolver<Stages>> {
+  using Type = CollocationCurve<BasicCollocationSolver<Stages>>;
 };
 
 }  // namespace detail

@@ -6,15 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "dynamics/adaptive/breakpoints.hpp"
-#include "dynamics/collocation/step_polynomial.hpp"
-#include "dynamics/collocation/sweeps.hpp"
+#include "dynamics/collocation/rotor_stages.hpp"
+#include "dynamics/collocation/step_choice.hpp"
+#include "dynamics/collocation/step_estimate.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 
@@ -22,77 +21,68 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-class CollocationSolver {
+// `Stages` are the equations of motion of one kind of state inside one step after the other, as
+// RotorStages are: types Field, Rates (a callable with a member `field`), Values, State (members y
+// and carry) and Rows (one StageRow for each number), and
+//   Stages(std::shared_ptr<const Field>, std::size_t stages, InstructionSet)
+//   begin(t, state, h, sides)                the step to come
+//   guess_start(), guess(rows, matrix, of)   the stages before the first sweep
+//   sweep()                                  the largest change; or solved(enough, sweeps)
+//   coefficients(rows), drive(rows)          of the rates, and of the terms where they are known
+//   finished(), length(), scheme()           the end of the step
+//   blank(numbers)                           rows of as many numbers
+template <class Stages>
+class BasicCollocationSolver {
  public:
-  using Values = RotorStages::Values;
-  using State = RotorStages::State;
-  using Rates = SmoothField<RotorStages::Field>;
+  using StagesOf = Stages;
+  using Values = typename Stages::Values;
+  using State = typename Stages::State;
+  using Rates = typename Stages::Rates;
+  using Polynomial = StepPolynomial<Stages>;
 
-  CollocationSolver(std::shared_ptr<const RotorStages::Field> field, std::size_t stages,
-                    InstructionSet set, double t, const Values& y,
-                    const CollocationControl& control)
+  BasicCollocationSolver(std::shared_ptr<const typename Stages::Field> field, std::size_t stages,
+                         InstructionSet set, double t, const Values& y,
+                         const CollocationControl& control)
       : rates_{field},
         set_(set),
         stages_(std::move(field), stages, set),
         control_(control),
-        h_(control.step.first_step),
+        next_(control, stages),
         t_(t),
-        state_{y} {}
+        state_{y, zeros_like(y)},
+        polynomials_{Polynomial{{}, state_, 0.0, blank(stages_)},
+                     Polynomial{{}, state_, 0.0, blank(stages_)}} {}
 
   // One step towards `stop`, ending there or before.
   StepOutcome advance(double stop) {
     begin(stop);
     for (;;) {
-      SweepJudge judge(enough());
-      while (judge.goes_on()) judge.see(stages_.sweep());
-      if (const std::optional<StepOutcome> outcome = solved(judge)) return *outcome;
+      sweeps_ = 0;
+      const SweepsEnd end = swept_by(stages_, sweeps_);
+      if (const std::optional<StepOutcome> outcome = ended(end)) return *outcome;
     }
   }
   // The same piece by piece: what is tried is there to be solved,
   void begin(double stop) {
     stop_ = stop;
     rest_ = (DoubleDouble(stop) - t_).hi;
-    if (!(h_ > 0.0)) h_ = first_step(rest_);
+    if (!(next_.h > 0.0)) next_.h = first_step(rest_);
     repeated_ = false;
-    try_step(length_of_step());
+    try_step(next_.towards(std::abs(rest_)));
   }
-  RotorStages& tried() { return stages_; }
+  Stages& tried() { return stages_; }
   // by sweeps until they change no more than that;
   double enough() const { return control_.is_fixed ? 0.0 : 0.01 * control_.step.tolerance; }
   // nothing while there is another to solve.
   std::optional<StepOutcome> solved(const SweepJudge& judge) {
-    StepOutcome why = StepOutcome::too_small;
-    const double length = std::abs(trial_);
-    const SweepsEnd end = settled(judge);
-    evaluations_ += sweeps_ * static_cast<std::int64_t>(stages_.scheme().stages);
-    if (end == SweepsEnd::converged) {
-      StepPolynomial& step = polynomials_[1 - last_];
-      stages_.coefficients(step.rates);
-      const State next = stages_.finished();
-      const double error = estimate(step.rates, next);
-      if (std::isfinite(error) && (control_.is_fixed || error <= control_.step.tolerance)) {
-        made(step, next, length == std::abs(rest_), stop_);
-        if (!control_.is_fixed) choose_next(length, error, repeated_);
-        return StepOutcome::made;
-      }
-      if (!std::isfinite(error)) why = StepOutcome::not_finite;
-      h_ = length * std::min(wanted(error), 0.9);
-    } else {
-      if (end == SweepsEnd::not_finite) why = StepOutcome::not_finite;
-      if (!control_.is_fixed) h_ = 0.5 * length;
-    }
-    ++rejected_;
-    repeated_ = true;
-    const double next = length_of_step();
-    if (control_.is_fixed || next < smallest_step(t_)) return why;
-    try_step(next);
-    return std::nullopt;
+    sweeps_ = judge.sweeps();
+    return ended(judge.end());
   }
 
   struct Savepoint {
     DoubleDouble t;
     State state;
-    StepPolynomial last;
+    Polynomial last;
   };
   Savepoint savepoint() const { return {t_, state_, last()}; }
   // Back to where the step made last began, as if it had not been made. The next one is as long as
@@ -102,16 +92,20 @@ class CollocationSolver {
     state_ = savepoint.state;
     polynomials_[last_] = savepoint.last;
     refined_.h = 0.0;
-    if (!control_.is_fixed) h_ = std::abs(trial_);
+    if (!control_.is_fixed) next_.h = std::abs(trial_);
     --steps_;
     ++rejected_;
   }
 
   const DoubleDouble& time() const { return t_; }
   const State& state() const { return state_; }
+  // For what its owner restores between steps.
+  State& state() { return state_; }
   const Rates& field() const { return rates_; }
   // For what of it its owner changes between steps.
   Rates& field() { return rates_; }
+  // From the next step on, none under control is longer.
+  void limit_steps(double largest) { next_.limit(largest); }
   // Why a step was not made, where it is the solver that cannot make it; else empty.
   std::string refusal(StepOutcome outcome) const {
     if (!control_.is_fixed || outcome != StepOutcome::too_small) return {};
@@ -123,20 +117,21 @@ class CollocationSolver {
   double trial() const { return trial_; }
   std::size_t stages() const { return stages_.scheme().stages; }
   // The step made last.
-  const StepPolynomial& last() const { return polynomials_[last_]; }
+  const Polynomial& last() const { return polynomials_[last_]; }
   // The same step by twice as many stages. A polynomial of s stages is of order s + 1 inside the
   // step, though its end is of order 2 s; this one is of order 2 s + 1 all along.
-  const StepPolynomial& refined() {
-    const StepPolynomial& step = last();
+  const Polynomial& refined() {
+    const Polynomial& step = last();
     if (refined_.h != 0.0) return refined_;
     if (!fine_) {
-      fine_ = std::make_unique<RotorStages>(rates_.field, 2 * stages(), set_);
+      fine_ = std::make_unique<Stages>(rates_.field, 2 * stages(), set_);
       in_fine_ = refinement(stages_.scheme(), fine_->scheme());
+      refined_.rates = blank(*fine_);
     }
     fine_->begin(step.t, step.start, step.h, rates_.sides.get());
-    fine_->guess(step.rates, in_fine_, stages_.lanes());
+    fine_->guess(step.rates, in_fine_, stages_);
     std::int64_t sweeps = 0;
-    const SweepsEnd end = swept(*fine_, enough(), sweeps);
+    const SweepsEnd end = swept_by(*fine_, sweeps);
     if (!is_counted_) evaluations_ += sweeps * static_cast<std::int64_t>(2 * stages());
     is_counted_ = true;
     refined_.t = step.t;
@@ -156,52 +151,83 @@ class CollocationSolver {
 
   template <class Visit>
   void transfer(Visit& visit) {
-    visit.all(h_, t_, state_.y, state_.carry, trial_, steps_, rejected_, evaluations_,
-              largest_error_, since_, patience_, is_counted_);
+    visit.all(next_.h, t_, state_.y, state_.carry, trial_, steps_, rejected_, evaluations_);
+    next_.transfer(visit);
+    visit(is_counted_);
     refined_.h = 0.0;
-    StepPolynomial& step = polynomials_[last_];
+    Polynomial& step = polynomials_[last_];
     visit.all(step.t, step.start.y, step.start.carry, step.h);
     for (StageRow& row : step.rates) visit.all(static_cast<std::array<double, most_stages>&>(row));
   }
 
  private:
-  static constexpr double safety = 0.9;
-  static constexpr std::int64_t slow_sweeps = 18;
+  // Of all motions that are solved one after the other.
+  static constexpr std::int64_t slow_sweeps = [] {
+    if constexpr (requires { Stages::motions; })
+      return 18 * Stages::motions;
+    else
+      return 18;
+  }();
 
-  // Of fixed steps; no sliver is left for the end.
-  double whole_step(double rest) const { return h_ * (1.0 + 1e-9) < rest ? h_ : rest; }
+  typename Stages::Rows blank(const Stages& stages) const { return stages.blank(state_.y.size()); }
 
-  double length_of_step() const {
-    return control_.is_fixed ? whole_step(std::abs(rest_))
-                             : step_towards(std::abs(rest_), h_, control_.step);
+  SweepsEnd swept_by(Stages& stages, std::int64_t& sweeps) const {
+    if constexpr (requires { stages.solved(enough(), sweeps); })
+      return stages.solved(enough(), sweeps);
+    else
+      return swept(stages, enough(), sweeps);
   }
   void try_step(double length) {
     trial_ = std::copysign(length, rest_);
     stages_.begin(t_, state_, trial_, rates_.sides.get());
-    guessed_ = guessed(trial_);
-    if (!guessed_) stages_.guess_start();
+    is_guessed_ = guessed(trial_);
+    if (!is_guessed_) stages_.guess_start();
   }
-  // Where a guess has led nowhere, from the start of the step.
-  SweepsEnd settled(const SweepJudge& judge) {
-    sweeps_ = judge.sweeps();
-    if (!guessed_ || judge.end() == SweepsEnd::converged) return judge.end();
-    stages_.guess_start();
-    return swept(stages_, enough(), sweeps_);
+  // What has come of the step that was tried.
+  std::optional<StepOutcome> ended(SweepsEnd end) {
+    if (is_guessed_ && end != SweepsEnd::converged) {  // a guess that led nowhere
+      stages_.guess_start();
+      end = swept_by(stages_, sweeps_);
+    }
+    const double length = std::abs(trial_);
+    StepOutcome why = StepOutcome::too_small;
+    evaluations_ += sweeps_ * static_cast<std::int64_t>(stages_.scheme().stages);
+    if (end == SweepsEnd::converged) {
+      Polynomial& step = polynomials_[1 - last_];
+      stages_.coefficients(step.rates);
+      const State next = stages_.finished();
+      const double error = estimate(step.rates, next);
+      if (std::isfinite(error) && (control_.is_fixed || error <= control_.step.tolerance)) {
+        made(step, next, length == std::abs(rest_));
+        if (!control_.is_fixed) next_.made(length, error, repeated_, sweeps_ > slow_sweeps);
+        return StepOutcome::made;
+      }
+      if (!std::isfinite(error)) why = StepOutcome::not_finite;
+      next_.shorten(length, error);
+    } else {
+      if (end == SweepsEnd::not_finite) why = StepOutcome::not_finite;
+      if (!control_.is_fixed) next_.h = 0.5 * length;
+    }
+    ++rejected_;
+    repeated_ = true;
+    const double shorter = next_.towards(std::abs(rest_));
+    if (control_.is_fixed || shorter < smallest_step(t_)) return why;
+    try_step(shorter);
+    return std::nullopt;
   }
   // By the polynomial of the last step, if there is any; far beyond its step it says nothing.
   bool guessed(double h) {
-    const GaussScheme& scheme = stages_.scheme();
     const double ratio = last().h == 0.0 ? 0.0 : h / last().h;
     if (!(0.0 < ratio && ratio < 2.0)) return false;
     if (ratio != ratio_) {
-      at_stages_ = continuation(scheme, ratio);
+      at_stages_ = continuation(stages_.scheme(), ratio);
       ratio_ = ratio;
     }
-    stages_.guess(last().rates, at_stages_, stages_.lanes());
+    stages_.guess(last().rates, at_stages_, stages_);
     return true;
   }
 
-  void made(StepPolynomial& step, const State& next, bool ends, double stop) {
+  void made(Polynomial& step, const State& next, bool ends) {
     step.t = t_;
     step.start = state_;
     step.h = trial_;
@@ -209,115 +235,59 @@ class CollocationSolver {
     refined_.h = 0.0;
     is_counted_ = false;
     state_ = next;
-    t_ = ends ? DoubleDouble(stop) : t_ + stages_.length();
+    t_ = ends ? DoubleDouble(stop_) : t_ + stages_.length();
     ++steps_;
   }
 
-  double estimate(const RotorStages::Rows& rates, const State& next) {
-    Values increment{};
-    for (std::size_t n = 0; n < 7; ++n) increment[n] = next.y[n] - state_.y[n];
-    const double whole = of_motion(rates, increment);
-    return stages_.drive(drive_) ? larger(whole, of_effects(increment)) : whole;
-  }
-  // The larger of coefficients m and m - 1: in an even or an odd function every other one is 0.
-  static double pair(const StageRow& row, std::size_t m) {
-    return larger(std::abs(row[m]), std::abs(row[m - 1]));
-  }
-  // Gauss' quadrature of a polynomial errs by its coefficient of degree 2 s. Those of an analytic
-  // rate fall like powers, from the first to that of degree s - 1 and on.
-  double of_motion(const RotorStages::Rows& rates, const Values& increment) const {
-    Values last{}, largest{};
-    const std::size_t s = stages_.scheme().stages;
-    for (std::size_t n = 0; n < 7; ++n) {
-      last[n] = trial_ * pair(rates[n], s - 1);
-      largest[n] = trial_ * (std::abs(rates[n][0]) + std::abs(rates[n][1]) + std::abs(rates[n][2]));
-    }
-    const double most = rates_.field->error_size(largest, state_.y, increment);
-    const double error = rates_.field->error_size(last, state_.y, increment);
-    const double n = static_cast<double>(s);
-    return most == 0.0 ? error : most * std::pow(error / most, 2.0 * n / (n - 1.0));
-  }
-  // The effects by themselves: next to the free rotation the last coefficients of a weak torque
-  // that no step resolves look like those of a motion that falls fast. From the middle degrees to
-  // the last, and twice as far again, short of degree 2 s: so a kink shows, whose coefficients
-  // hardly fall.
-  double of_effects(const Values& increment) const {
-    const std::size_t s = stages_.scheme().stages;
-    Values error{};
-    for (std::size_t n = 0; n < 6; ++n) {
-      const double last = pair(drive_[n], s - 1), middle = pair(drive_[n], s / 2 - 1);
-      const double fall = last < middle ? last / middle : 1.0;
-      const double size = trial_ * (last * (fall * fall));
-      error[n < 3 ? 4 + n : n - 2] = n < 3 ? size : 0.5 * size;  // of g; of q, half a turn
-    }
-    return rates_.field->error_size(error, state_.y, increment);
-  }
-  double wanted(double error) const {
-    const double ratio = std::max(error / control_.step.tolerance, 1e-300);
-    if (!std::isfinite(ratio)) return 0.3;
-    const double order = 2.0 * static_cast<double>(stages_.scheme().stages);
-    return std::clamp(safety * std::pow(ratio, -1.0 / order), 0.3, 2.0);
-  }
-  // Steps of one length keep their weights and their guess; and their errors, those of a symmetric
-  // and symplectic method, cancel, where those of steps of many lengths add up. So a step grows
-  // after a while, and by what the largest error of that while allows.
-  void choose_next(double length, double error, bool repeated) {
-    constexpr int while_of_steps = 32;
-    constexpr double least_growth = 1.2;
-    if (repeated) {
-      patience_ = while_of_steps;
-      h_ = length;
-    }
-    largest_error_ = repeated ? error : std::max(largest_error_, error);
-    since_ = repeated ? 1 : since_ + 1;
-    if (since_ < patience_) return;
-    const double factor = sweeps_ > slow_sweeps ? 0.9 : wanted(largest_error_);
-    // A step cut short by the end says little of the next one.
-    if (length >= h_ && (factor < 1.0 || factor >= least_growth))
-      h_ = length * factor;
+  double estimate(const typename Stages::Rows& rates, const State& next) {
+    Values increment = zeros_like(state_.y);
+    for (std::size_t n = 0; n < rates.size(); ++n) increment[n] = next.y[n] - state_.y[n];
+    const StepEstimate<typename Stages::Field, Values> error{*rates_.field, stages(), trial_,
+                                                             state_.y, increment};
+    const double whole = error.of_motion(rates);
+    if constexpr (requires { stages_.drive(drive_); })
+      return stages_.drive(drive_) ? larger(whole, error.of_effects(drive_)) : whole;
     else
-      patience_ = while_of_steps;
-    since_ = 0;
-    largest_error_ = 0.0;
+      return larger(whole, error.of_tail(rates));
   }
   // Half a radian, or what the terms need to make half of the momentum.
   double first_step(double rest) {
     ++evaluations_;
-    const double rate = rates_.field->error_size(rates_(t_, state_.y), state_.y, Values{});
-    const double whole = std::min(std::abs(rest), control_.step.largest_step);
+    const double rate =
+        rates_.field->error_size(rates_(t_, state_.y), state_.y, zeros_like(state_.y));
+    const double whole = std::min(std::abs(rest), next_.largest_step());
     return rate > 0.0 && std::isfinite(rate) ? std::min(0.5 / rate, whole) : whole;
   }
 
   Rates rates_;
   InstructionSet set_;
-  RotorStages stages_;
-  std::unique_ptr<RotorStages> fine_;  // of twice as many stages
+  Stages stages_;
+  std::unique_ptr<Stages> fine_;  // of twice as many stages
   StageMatrix in_fine_{};
-  RotorStages::Rows drive_{};  // of the step tried last
-  StepPolynomial refined_;     // of the step made last; h = 0 until it is asked for
-  bool is_counted_ =
-      false;  // what it took, once: a run that goes on from a checkpoint refines again
+  DriveRows drive_{};   // of the step tried last
+  Polynomial refined_;  // of the step made last; h = 0 until it is asked for
+  // What it took, once: a run that goes on from a checkpoint refines again.
+  bool is_counted_ = false;
   CollocationControl control_;
-  double h_;
+  StepChoice next_;
   DoubleDouble t_;
   State state_;
-  // Since the length of steps was looked at: the largest error, how many steps, and how many it
-  // takes.
-  double largest_error_ = 0.0;
-  int since_ = 0;
-  int patience_ = 1;
-  std::array<StepPolynomial, 2> polynomials_;  // of the step made last, and room for the next
+  std::array<Polynomial, 2> polynomials_;  // of the step made last, and room for the next
   std::size_t last_ = 0;
   double ratio_ = 0.0;
   StageMatrix at_stages_{};
-  double stop_ = 0.0, rest_ = 0.0;  // of the step that is being made
-  bool repeated_ = false, guessed_ = false;
+  // Of the step that is tried: where it may end, the way to there, whether one was tried before,
+  // and whether the last polynomial has said how it may go.
+  double stop_ = 0.0, rest_ = 0.0;
+  bool repeated_ = false, is_guessed_ = false;
   double trial_ = 0.0;
   std::int64_t sweeps_ = 0;  // of the step tried last
   std::int64_t steps_ = 0;
   std::int64_t rejected_ = 0;
   std::int64_t evaluations_ = 0;
 };
+
+using CollocationSolver = BasicCollocationSolver<RotorStages>;
 
 }  // namespace detail
 }  // namespace v0

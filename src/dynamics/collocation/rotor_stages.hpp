@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/adaptive/breakpoints.hpp"
 #include "dynamics/adaptive/rotor_field.hpp"
 #include "dynamics/collocation/rotor_step.hpp"
 #include "math/larger.hpp"
@@ -20,6 +21,7 @@ namespace detail {
 class RotorStages {
  public:
   using Field = RotorField<double>;
+  using Rates = SmoothField<Field>;
   using Values = Field::Values;
   using State = CompensatedState<double, rotor_size<double>>;
   // Of the rates in Legendre polynomials, or at the stages.
@@ -38,7 +40,18 @@ class RotorStages {
     times_.count = stages;
   }
 
+  // One more term, which the system does not know. It outlives the stages.
+  void add(StageTerm& term) {
+    more_ = &term;
+    step_.has_rate = step_.has_rate || term.adds_rate();
+  }
+
   const GaussScheme& scheme() const { return scheme_; }
+  static Rows blank(std::size_t) { return {}; }
+  const StageTimes& times() const { return times_; }
+  const StageRow& weights() const { return step_.hb; }  // h b
+  const StageStates& states() const { return step_.Y; }
+  const Rows& rates() const { return step_.F; }
 
   // For a step of h from `start` at t: what depends on the time alone is asked.
   void begin(const DoubleDouble& t, const State& start, double h, const SwitchSides* sides) {
@@ -70,14 +83,16 @@ class RotorStages {
     step_.F = {};
     lanes_.place(scheme_, step_);
   }
-  void guess(const Rows& coefficients, const StageMatrix& at_stages, const RotorLanes& lanes) {
-    lanes.transform(at_stages, scheme_.stages, coefficients, step_.F);
+  // `of` are the stages that the coefficients are of.
+  void guess(const Rows& coefficients, const StageMatrix& at_stages, const RotorStages& of) {
+    of.lanes_.transform(at_stages, scheme_.stages, coefficients, step_.F);
     lanes_.place(scheme_, step_);
   }
 
   // The largest change of any stage, relative to |q| = 1 and to |g|.
   double sweep() {
     for (const std::unique_ptr<StageTerm>& term : terms_) term->add_to(step_.effects, step_.Y);
+    if (more_ != nullptr) more_->add_to(step_.effects, step_.Y);
     const double change = lanes_.sweep(scheme_, constants_, step_);
     if (!(change < 1.0)) lanes_.measure(step_);  // a body that was at rest
     return change;
@@ -88,7 +103,7 @@ class RotorStages {
   }
   // Of the effects of the terms, u and then v. Whether there are any.
   bool drive(Rows& to) const {
-    if (terms_.empty()) return false;
+    if (terms_.empty() && more_ == nullptr) return false;
     lanes_.transform(scheme_.coefficient, scheme_.stages, step_.drive, to);
     return true;
   }
@@ -100,8 +115,6 @@ class RotorStages {
     std::copy_n(step_.carry.begin(), 7, s.carry.begin());
     return s;
   }
-
-  const RotorLanes& lanes() const { return lanes_; }
 
   // For those who sweep several bodies at a time.
   const RotorStep& step() const { return step_; }
@@ -126,6 +139,7 @@ class RotorStages {
   RotorLanes lanes_;
   RotorConstants constants_;
   std::vector<std::unique_ptr<StageTerm>> terms_;
+  StageTerm* more_ = nullptr;
   StageTimes times_;
   RotorStep step_;
   double h_ = 0.0;

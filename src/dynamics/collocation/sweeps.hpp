@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "dynamics/collocation/rotor_stages.hpp"
 #include "polhode/ode/step_control.hpp"
 
 namespace polhode {
@@ -66,7 +65,8 @@ class SweepJudge {
   SweepsEnd end_ = SweepsEnd::diverging;
 };
 
-inline SweepsEnd swept(RotorStages& stages, double enough, std::int64_t& sweeps) {
+template <class Stages>
+SweepsEnd swept(Stages& stages, double enough, std::int64_t& sweeps) {
   SweepJudge judge(enough);
   while (judge.goes_on()) judge.see(stages.sweep());
   sweeps += judge.sweeps();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dynamics/collocation/lockstep/body_lanes.hpp"
+#include "dynamics/collocation/rotor_stages.hpp"
 #include "dynamics/collocation/sweeps.hpp"
 
 namespace polhode {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "dynamics/collocation/rotor_stages.hpp"
 #include "dynamics/collocation/sweeps.hpp"
 #include "dynamics/steppers.hpp"
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// How long the next step by collocation is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/collocation/sweeps.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class StepChoice {
+ public:
+  StepChoice(const CollocationControl& control, std::size_t stages)
+      : h(control.step.first_step), control_(control), stages_(stages) {}
+
+  double h;  // wanted, without its sign
+
+  // Towards an end at `rest`. Of fixed steps no sliver is left for it.
+  double towards(double rest) const {
+    if (control_.is_fixed) return h * (1.0 + 1e-9) < rest ? h : rest;
+    return step_towards(rest, h, control_.step);
+  }
+  double largest_step() const { return control_.step.largest_step; }
+  // No later step is longer.
+  void limit(double largest) { control_.step.largest_step = largest; }
+
+  // A step of `length` that erred too much.
+  void shorten(double length, double error) { h = length * std::min(wanted(error), 0.9); }
+  // Steps of one length keep their weights and their guess; and their errors, those of a symmetric
+  // and symplectic method, cancel, where those of steps of many lengths add up. So a step grows
+  // after a while, and by what the largest error of that while allows.
+  void made(double length, double error, bool repeated, bool is_slow) {
+    constexpr int while_of_steps = 32;
+    constexpr double least_growth = 1.2;
+    if (repeated) {
+      patience_ = while_of_steps;
+      h = length;
+    }
+    largest_error_ = repeated ? error : std::max(largest_error_, error);
+    since_ = repeated ? 1 : since_ + 1;
+    if (since_ < patience_) return;
+    const double factor = is_slow ? 0.9 : wanted(largest_error_);
+    // A step cut short by the end says little of the next one.
+    if (length >= h && (factor < 1.0 || factor >= least_growth))
+      h = length * factor;
+    else
+      patience_ = while_of_steps;
+    since_ = 0;
+    largest_error_ = 0.0;
+  }
+
+  template <class Visit>
+  void transfer(Visit& visit) {
+    visit.all(largest_error_, since_, patience_);
+  }
+
+ private:
+  static constexpr double safety = 0.9;
+
+  double wanted(double error) const {
+    const double ratio = std::max(error / control_.step.tolerance, 1e-300);
+    if (!std::isfinite(ratio)) return 0.3;
+    const double order = 2.0 * static_cast<double>(stages_);
+    return std::clamp(safety * std::pow(ratio, -1.0 / order), 0.3, 2.0);
+  }
+
+  CollocationControl control_;
+  std::size_t stages_;
+  // Since the length of steps was looked at: the largest error, how many steps, and how many it
+  // takes.
+  double largest_error_ = 0.0;
+  int since_ = 0;
+  int patience_ = 1;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
