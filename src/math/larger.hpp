@@ -6,7 +6,11 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-constexpr double larger(double a, double b) { return a < b || b != b ? b : a; }
+// Without a branch that depends on which is larger.
+constexpr double larger(double a, double b) {
+  const double most = a < b ? b : a;
+  return b == b ? most : b;
+}
 template <class... More>
 constexpr double larger(double a, double b, More... more) {
   return larger(larger(a, b), more...);

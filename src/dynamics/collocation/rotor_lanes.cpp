@@ -10,7 +10,7 @@ namespace detail {
 template <InstructionSet isa>
 RotorLanes rotor_kernels(std::size_t stages);
 template <InstructionSet isa>
-BodySweep body_sweep_kernel(std::size_t stages);
+BodyKernels body_kernels_of(std::size_t stages);
 
 RotorLanes rotor_lanes(std::size_t stages, InstructionSet set) {
 #if defined(__x86_64__)
@@ -20,12 +20,12 @@ RotorLanes rotor_lanes(std::size_t stages, InstructionSet set) {
   return rotor_kernels<InstructionSet::baseline>(stages);
 }
 
-BodySweep body_sweep(std::size_t stages, InstructionSet set) {
+BodyKernels body_kernels(std::size_t stages, InstructionSet set) {
 #if defined(__x86_64__)
-  if (set == InstructionSet::avx512) return body_sweep_kernel<InstructionSet::avx512>(stages);
-  if (set == InstructionSet::avx2) return body_sweep_kernel<InstructionSet::avx2>(stages);
+  if (set == InstructionSet::avx512) return body_kernels_of<InstructionSet::avx512>(stages);
+  if (set == InstructionSet::avx2) return body_kernels_of<InstructionSet::avx2>(stages);
 #endif
-  return body_sweep_kernel<InstructionSet::baseline>(stages);
+  return body_kernels_of<InstructionSet::baseline>(stages);
 }
 
 }  // namespace detail

@@ -39,18 +39,20 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
   void begin(const StageTimes& times, std::span<const double> sides) override {
     sides_ = sides;
     count_ = times.count;
-    for (std::size_t i = 0; i < filled_stages(count_); ++i) {
-      constexpr std::size_t numbers = numbers_of_time<Law>;
-      if constexpr (numbers > 0) {
-        if (i < count_) {
-          const auto of_time = term_.of_time(stage_setting(body_, times, i, sides));
-          double parts[numbers];
-          std::memcpy(parts, &of_time, sizeof parts);
-          for (std::size_t n = 0; n < numbers; ++n) of_time_[n][i] = parts[n];
-        } else {
-          for (std::size_t n = 0; n < numbers; ++n) of_time_[n][i] = of_time_[n][0];
-        }
+    constexpr std::size_t numbers = numbers_of_time<Law>;
+    if constexpr (numbers > 0) {
+      Setting at = stage_setting(body_, times, 0, sides);
+      for (std::size_t i = 0; i < count_; ++i) {
+        at.t = times.t[i];
+        at.t_rest = times.t_rest[i];
+        at.q_IS = times.q_IS[i];
+        const auto of_time = term_.of_time(at);
+        double parts[numbers];
+        std::memcpy(parts, &of_time, sizeof parts);
+        for (std::size_t n = 0; n < numbers; ++n) of_time_[n][i] = parts[n];
       }
+      for (StageRow& row : of_time_)
+        std::fill(row.begin() + count_, row.begin() + filled_stages(count_), row[0]);
     }
   }
   void add_to(StageEffects& effects, const StageStates& states) override {

@@ -3,6 +3,9 @@
 // instructions.
 #pragma once
 
+#include <limits>
+
+#include "dynamics/collocation/lanes/lost_by_product.hpp"
 #include "dynamics/collocation/lanes/rotor_rates.hpp"
 #include "dynamics/collocation/lockstep/body_lanes.hpp"
 #include "polhode/math/pack.hpp"
@@ -40,21 +43,39 @@ struct BodiesKernel {
     put(b.L(n), stage, lane, at(b.hb(), stage, lane) * f);
   }
 
+  // The product of matrix[j][i] with numbers j of a row.
+  template <class Matrix>
+  [[gnu::always_inline]] static T product(const Matrix& matrix, const T* from, std::size_t i) {
+    T sum = matrix(0, i) * from[0], odd = matrix(1, i) * from[1];
+    for (std::size_t j = 2; j < stages; j += 2) {
+      sum = sum + matrix(j, i) * from[j];
+      odd = odd + matrix(j + 1, i) * from[j + 1];
+    }
+    return sum + odd;
+  }
+  [[gnu::always_inline]] static void load(const double* row, std::size_t lane, T* to) {
+    for (std::size_t j = 0; j < stages; ++j) to[j] = at(row, j, lane);
+  }
+  // to = matrix * from, of one matrix for all bodies.
+  [[gnu::always_inline]] static void transform(const StageMatrix& matrix, const double* from,
+                                               double* to, std::size_t lane) {
+    T x[stages];
+    load(from, lane, x);
+    const auto of_all = [&](std::size_t j, std::size_t i) { return T(matrix[j][i]); };
+    for (std::size_t i = 0; i < stages; ++i) put(to, i, lane, product(of_all, x, i));
+  }
+
   // Y of one number from L; the largest change.
   [[gnu::always_inline]] static T moved(const GaussScheme& scheme, BodyLanes& b, std::size_t n,
                                         std::size_t lane, T change) {
     T L[stages];
-    for (std::size_t j = 0; j < stages; ++j) L[j] = at(b.L(n), j, lane);
+    load(b.L(n), lane, L);
     const T y = in(b.y[n], lane), carry = in(b.carry[n], lane);
+    const auto mu = [&](std::size_t j, std::size_t i) { return T(scheme.mu[j][i]); };
     for (std::size_t i = 0; i < stages; ++i) {
-      T sum = T(scheme.mu[0][i]) * L[0], odd = T(scheme.mu[1][i]) * L[1];
-      for (std::size_t j = 2; j < stages; j += 2) {
-        sum = sum + T(scheme.mu[j][i]) * L[j];
-        odd = odd + T(scheme.mu[j + 1][i]) * L[j + 1];
-      }
-      const T next = y + ((sum + odd) + carry);
+      const T next = y + (product(mu, L, i) + carry);
       const T by = abs(next - at(b.Y(n), i, lane));
-      change = select(by <= change, change, by);  // NaN stays until the next number
+      change = select(change > by, change, by);  // NaN stays until the next number
       put(b.Y(n), i, lane, next);
     }
     return change;
@@ -105,17 +126,82 @@ struct BodiesKernel {
       select(dq <= dg, dg, dq).store(b.change.data() + lane);
     }
   }
+
+  // Y from the last step of each body, and how large its momentum is.
+  [[gnu::flatten]] static void place(const GaussScheme& scheme, BodyLanes& b) {
+    for (std::size_t lane = 0; lane < body_lanes; lane += T::width) {
+      const auto of_body = [&](std::size_t j, std::size_t i) {
+        return T::loaded(b.at_stages(j, i) + lane);
+      };
+      for (std::size_t n = 0; n < 7; ++n) {
+        T before[stages];
+        load(b.kept(n), lane, before);
+        for (std::size_t i = 0; i < stages; ++i)
+          put(b.L(n), i, lane, at(b.hb(), i, lane) * product(of_body, before, i));
+        moved(scheme, b, n, lane, T(0.0));
+      }
+      T most(std::numeric_limits<double>::min());
+      for (std::size_t n = 4; n < 7; ++n) {
+        for (std::size_t i = 0; i < stages; ++i) most = larger(most, at(b.Y(n), i, lane));
+        // rows of RotorKernel are filled up with the start
+        if constexpr (stages < stage_lanes)
+          most = larger(most, in(b.y[n], lane) + in(b.carry[n], lane));
+      }
+      (T(1.0) / most).store(b.inverse_momentum.data() + lane);
+    }
+  }
+  [[gnu::always_inline]] static T larger(const T& most, const T& x) {
+    return select(abs(x) <= most, most, abs(x));
+  }
+
+  // F and what it was made of, where the mark is not 0.
+  [[gnu::flatten]] static void keep(const BodyLine& mark, BodyLanes& b) {
+    for (std::size_t lane = 0; lane < body_lanes; lane += T::width) {
+      const typename T::Mask marked = in(mark, lane) != T(0.0);
+      const auto take = [&](const double* from, double* to) {
+        for (std::size_t i = 0; i < stages; ++i)
+          put(to, i, lane, select(marked, at(from, i, lane), at(to, i, lane)));
+      };
+      for (std::size_t n = 0; n < 7; ++n) take(b.F(n), b.kept(n));
+      for (std::size_t n = 0; n < 6; ++n) take(b.drive(n), b.kept_drive(n));
+    }
+  }
+
+  // Of what was kept: the end of the step, and the polynomials, in F and in `drive`.
+  [[gnu::flatten]] static void finish(const GaussScheme& scheme, BodyLanes& b) {
+    for (std::size_t lane = 0; lane < body_lanes; lane += T::width) {
+      for (std::size_t n = 0; n < 7; ++n) {
+        T y = in(b.y[n], lane), low = in(b.carry[n], lane);
+        for (std::size_t j = 0; j < stages; ++j) {
+          const T hb = at(b.hb(), j, lane), F = at(b.kept(n), j, lane);
+          const TwoTerms<T> sum = two_sum(y, hb * F);
+          y = sum.hi;
+          low = low + (sum.lo + lost_by_product<T>(hb, F));
+        }
+        const T end = y + low;
+        end.store(b.end[n].data() + lane);
+        ((y - end) + low).store(b.end_carry[n].data() + lane);
+        transform(scheme.coefficient, b.kept(n), b.F(n), lane);
+      }
+      for (std::size_t n = 0; n < 6; ++n)
+        transform(scheme.coefficient, b.kept_drive(n), b.drive(n), lane);
+    }
+  }
 };
 
 template <InstructionSet isa>
-BodySweep body_sweep_kernel(std::size_t stages) {
+BodyKernels body_kernels_of(std::size_t stages) {
+  const auto of = []<std::size_t s>() {
+    using K = BodiesKernel<isa, s>;
+    return BodyKernels{&K::place, &K::sweep, &K::keep, &K::finish};
+  };
   switch (stages) {
     case 4:
-      return &BodiesKernel<isa, 4>::sweep;
+      return of.template operator()<4>();
     case 8:
-      return &BodiesKernel<isa, 8>::sweep;
+      return of.template operator()<8>();
     default:
-      return &BodiesKernel<isa, 16>::sweep;
+      return of.template operator()<16>();
   }
 }
 

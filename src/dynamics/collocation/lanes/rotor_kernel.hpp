@@ -5,10 +5,9 @@
 
 #include <limits>
 
+#include "dynamics/collocation/lanes/lost_by_product.hpp"
 #include "dynamics/collocation/lanes/rotor_rates.hpp"
 #include "dynamics/collocation/rotor_step.hpp"
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -71,18 +70,11 @@ struct RotorKernel {
       for (std::size_t n = first; n < last; ++n) {
         const T next = T(s.y[n]) + (sum[n] + T(s.carry[n]));
         const T by = abs(next - loaded(s.Y.rows[n], i));
-        change = select(by <= change, change, by);  // NaN stays until the next number
+        change = select(change > by, change, by);  // NaN stays until the next number
         store(next, s.Y.rows[n], i);
       }
     }
     return change;
-  }
-  [[gnu::always_inline]] static T lost_by_product(const T& a, const T& b) {
-    if constexpr (isa == InstructionSet::baseline) {
-      return two_prod(a, b).lo;
-    } else {
-      return two_prod_fma(a, b).lo;
-    }
   }
   [[gnu::always_inline]] static double largest(const T& x) {
     double r = x.lanes[0];

@@ -10,7 +10,7 @@ inline namespace v0 {
 namespace detail {
 
 template RotorLanes rotor_kernels<InstructionSet::avx2>(std::size_t stages);
-template BodySweep body_sweep_kernel<InstructionSet::avx2>(std::size_t stages);
+template BodyKernels body_kernels_of<InstructionSet::avx2>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0

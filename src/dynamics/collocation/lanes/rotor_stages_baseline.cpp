@@ -8,7 +8,7 @@ inline namespace v0 {
 namespace detail {
 
 template RotorLanes rotor_kernels<InstructionSet::baseline>(std::size_t stages);
-template BodySweep body_sweep_kernel<InstructionSet::baseline>(std::size_t stages);
+template BodyKernels body_kernels_of<InstructionSet::baseline>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0

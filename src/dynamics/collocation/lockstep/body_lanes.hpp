@@ -20,9 +20,10 @@ struct BodyLine : AlignedRow<body_lanes> {};
 // What RotorStep and RotorConstants are for one body.
 class BodyLanes {
  public:
-  explicit BodyLanes(std::size_t stages) : stages_(stages), lines_(rows * stages) {}
+  explicit BodyLanes(std::size_t stages)
+      : stages_(stages), lines_(rows * stages), at_stages_(stages * stages) {}
 
-  std::array<BodyLine, 7> y{}, carry{};
+  std::array<BodyLine, 7> y{}, carry{}, end{}, end_carry{};
   std::array<BodyLine, 3> half_inverse{}, half_inverse_rest{}, euler{}, moments{};
   BodyLine inverse_momentum{};
   BodyLine change{};  // by the sweep made last
@@ -42,19 +43,33 @@ class BodyLanes {
   double* drive(std::size_t n) { return row(27 + n); }
   double* mu_S(std::size_t n) { return row(33 + n); }
   double* hb() { return row(36); }
+  // The polynomial of the last step, and then the F of each body at its last sweep, and `drive`.
+  double* kept(std::size_t n) { return row(37 + n); }
+  double* kept_drive(std::size_t n) { return row(44 + n); }
+  // A number of each body: what degree j of its last polynomial is worth at stage i.
+  double* at_stages(std::size_t j, std::size_t i) { return at_stages_[j * stages_ + i].data(); }
 
  private:
-  static constexpr std::size_t rows = 37;
+  static constexpr std::size_t rows = 50;
   double* row(std::size_t n) { return lines_[n * stages_].data(); }
 
   std::size_t stages_;
   std::vector<BodyLine> lines_;
+  std::vector<BodyLine> at_stages_;
 };
 
-// F from Y and the effects there, and Y from F, of every lane: for each what the sweep of RotorLanes
-// is for one, with the same bits.
-using BodySweep = void (*)(const GaussScheme&, BodyLanes&);
-BodySweep body_sweep(std::size_t stages, InstructionSet set);
+// For each lane what RotorLanes do for one body, with the same bits.
+struct BodyKernels {
+  // Y from the polynomial of the last step.
+  void (*place)(const GaussScheme&, BodyLanes&);
+  // F from Y and the effects there, and Y from F.
+  void (*sweep)(const GaussScheme&, BodyLanes&);
+  // F and `drive` of the bodies whose mark is not 0.
+  void (*keep)(const BodyLine& mark, BodyLanes&);
+  // The end of the step by what was kept, and its polynomials, in F and in `drive`.
+  void (*finish)(const GaussScheme&, BodyLanes&);
+};
+BodyKernels body_kernels(std::size_t stages, InstructionSet set);
 
 }  // namespace detail
 }  // namespace v0

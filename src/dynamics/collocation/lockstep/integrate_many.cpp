@@ -20,7 +20,7 @@ namespace {
 using detail::body_lanes;
 using detail::BodyStep;
 using detail::LockstepRun;
-using detail::ManySweeps;
+using detail::ManySteps;
 
 std::string text_of(const std::exception_ptr& thrown) {
   try {
@@ -81,7 +81,7 @@ class Lockstep {
   void fill() {
     while (size_ < body_lanes) {
       if (!waiting_.run && !take_next()) return;
-      if (size_ > 0 && !ManySweeps::go_together(*lanes_[0].run->tried().stages,
+      if (size_ > 0 && !ManySteps::go_together(*lanes_[0].run->tried().stages,
                                                 *waiting_.run->tried().stages))
         return;
       if (size_ == 0) {
@@ -156,7 +156,7 @@ class Lockstep {
   std::array<Lane, body_lanes> lanes_;
   std::array<BodyStep, body_lanes> steps_;
   std::size_t size_ = 0;
-  std::optional<ManySweeps> sweeps_;
+  std::optional<ManySteps> sweeps_;
 };
 
 template <MotionState S>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/collocation/lockstep/many_sweeps.hpp"
+#include "dynamics/collocation/lockstep/many_steps.hpp"
 #include "dynamics/collocation/lockstep/stepper_in_parts.hpp"
 #include "dynamics/system_run.hpp"
 
@@ -26,6 +26,7 @@ class LockstepRun {
         checked_(checked(problem)) {
     auto stepper = make_stepper_in_parts(checked_, std::get<Collocation>(checked_.method));
     stepper_ = stepper.get();
+    stepper_->tried().put_off_guesses();
     run_ = run_by<RotorState>(problem, checked_, std::move(stepper), keep.dense, samples_, progress_);
     goes_on_ = run_->begin() && begins();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sweeps of one step of several bodies, each of its own length, until each has converged.
+// One step of several bodies, each of its own length, solved together.
 #pragma once
 
 #include <exception>
@@ -14,7 +14,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The step of one of them: begun, with a first guess; solved, or why it is not.
+// The step of one of them: begun, and what came of its sweeps.
 struct BodyStep {
   RotorStages* stages = nullptr;
   SweepJudge judge{};
@@ -23,13 +23,14 @@ struct BodyStep {
   bool goes_on() const { return judge.goes_on() && !thrown; }
 };
 
-class ManySweeps {
+class ManySteps {
  public:
-  ManySweeps(std::size_t stages, InstructionSet set)
-      : scheme_(gauss_scheme(stages)), sweep_(body_sweep(stages, set)), lanes_(stages) {}
+  ManySteps(std::size_t stages, InstructionSet set)
+      : scheme_(gauss_scheme(stages)), kernels_(body_kernels(stages, set)), lanes_(stages) {}
 
-  // Of bodies that go together, up to body_lanes of them: to the last bit what `swept` makes of
-  // each. Terms whose law does for one of them alone are asked body by body.
+  // Of bodies that go together, up to body_lanes of them, whose guesses wait: to the last bit what
+  // sweeps make of each. Those that have converged are given their solution. Terms whose law does
+  // for one of them alone are asked body by body.
   void solve(std::span<BodyStep> bodies);
 
   // Before a step of other bodies than those of the step before.
@@ -47,10 +48,11 @@ class ManySweeps {
   void ask_terms(Bodies bodies);
   void ask_alone(RotorStages& body, std::size_t term, std::size_t lane);
   double remeasured(std::size_t lane);
-  void finish(RotorStages& body, std::size_t lane);
+  void gather_guess(const RotorStages::Guess& guess, std::size_t lane);
+  void give(RotorStages::Solution& to, std::size_t lane);
 
   const GaussScheme& scheme_;
-  BodySweep sweep_;
+  BodyKernels kernels_;
   BodyLanes lanes_;
   // Of each term: whether its law does for all, and what it knows of the time.
   std::vector<bool> is_shared_;

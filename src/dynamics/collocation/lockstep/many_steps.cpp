@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/collocation/lockstep/many_sweeps.hpp"
+#include "dynamics/collocation/lockstep/many_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,36 +20,55 @@ void collect(const double* row, StageRow& to, std::size_t lane, std::size_t stag
 
 }  // namespace
 
-bool ManySweeps::go_together(const RotorStages& a, const RotorStages& b) {
+bool ManySteps::go_together(const RotorStages& a, const RotorStages& b) {
   return a.scheme().stages == b.scheme().stages && a.terms().size() == b.terms().size() &&
          a.step().has_rate == b.step().has_rate && a.step().has_frame == b.step().has_frame;
 }
 
-void ManySweeps::gather(const RotorStages& from, std::size_t lane) {
+void ManySteps::gather(const RotorStages& from, std::size_t lane) {
   const RotorStep& s = from.step();
   const std::size_t stages = scheme_.stages;
   for (std::size_t n = 0; n < 7; ++n) {
     lanes_.y[n][lane] = s.y[n];
     lanes_.carry[n][lane] = s.carry[n];
-    spread(s.Y.rows[n], lanes_.Y(n), lane, stages);
   }
   spread(s.hb, lanes_.hb(), lane, stages);
-  lanes_.inverse_momentum[lane] = s.inverse_momentum;
   if (s.has_frame)
     for (std::size_t n = 0; n < 3; ++n) spread(s.mu_S[n], lanes_.mu_S(n), lane, stages);
   for (std::size_t k = 0; k < is_shared_.size(); ++k) {
     if (!is_shared_[k]) continue;
-    const StageLaw& law = *from.terms()[k]->law();
     double* row = of_time_[k][0].data();
-    for (const StageRow& from_row : law.of_time()) {
-      spread(from_row, row, lane, stages);
+    for (const StageRow& of_time : from.terms()[k]->law()->of_time()) {
+      spread(of_time, row, lane, stages);
       row += lanes_.stride();
     }
   }
+  gather_guess(from.waiting(), lane);
+}
+
+void ManySteps::gather_guess(const RotorStages::Guess& guess, std::size_t lane) {
+  const std::size_t stages = scheme_.stages;
+  for (std::size_t n = 0; n < 7; ++n) {
+    if (guess.rates != nullptr)
+      spread((*guess.rates)[n], lanes_.kept(n), lane, stages);
+    else
+      spread(StageRow{}, lanes_.kept(n), lane, stages);
+  }
+  if (guess.rates == nullptr) return;
+  // degree 1 at the stages says all of them
+  const StageMatrix& to = *guess.at_stages;
+  const auto is_there = [&](std::size_t j) {
+    for (std::size_t i = 0; i < stages; ++i)
+      if (to[j][i] != lanes_.at_stages(j, i)[lane]) return false;
+    return true;
+  };
+  if (is_there(1) && is_there(0)) return;
+  for (std::size_t j = 0; j < stages; ++j)
+    for (std::size_t i = 0; i < stages; ++i) lanes_.at_stages(j, i)[lane] = to[j][i];
 }
 
 // What of the lanes is of the bodies, and not of their steps.
-void ManySweeps::group(Bodies bodies) {
+void ManySteps::group(Bodies bodies) {
   const RotorStages& first = *bodies[0].stages;
   lanes_.has_rate = first.step().has_rate;
   lanes_.has_frame = first.step().has_frame;
@@ -78,7 +97,7 @@ void ManySweeps::group(Bodies bodies) {
 }
 
 // A switching function takes the law of a body from it in some steps.
-void ManySweeps::find_shared_laws(Bodies bodies) {
+void ManySteps::find_shared_laws(Bodies bodies) {
   if (!is_grouped_) group(bodies);
   for (std::size_t k = 0; k < is_shared_.size(); ++k)
     for (const BodyStep& body : bodies)
@@ -87,7 +106,7 @@ void ManySweeps::find_shared_laws(Bodies bodies) {
 
 // A term that some bodies have to be asked for by themselves goes on from what the terms before it
 // have added: sums are in the order of one body alone.
-void ManySweeps::ask_alone(RotorStages& body, std::size_t term, std::size_t lane) {
+void ManySteps::ask_alone(RotorStages& body, std::size_t term, std::size_t lane) {
   RotorStep& s = body.step();
   const std::size_t stages = scheme_.stages;
   for (std::size_t n = 0; n < 7; ++n) collect(lanes_.Y(n), s.Y.rows[n], lane, stages);
@@ -104,7 +123,7 @@ void ManySweeps::ask_alone(RotorStages& body, std::size_t term, std::size_t lane
   }
 }
 
-void ManySweeps::ask_terms(Bodies bodies) {
+void ManySteps::ask_terms(Bodies bodies) {
   const BodyStep& any =
       *std::find_if(bodies.begin(), bodies.end(), [](const BodyStep& b) { return b.goes_on(); });
   for (std::size_t k = 0; k < is_shared_.size(); ++k) {
@@ -126,7 +145,7 @@ void ManySweeps::ask_terms(Bodies bodies) {
 }
 
 // As RotorLanes::measure, whose rows of four stages are filled up with the start.
-double ManySweeps::remeasured(std::size_t lane) {
+double ManySteps::remeasured(std::size_t lane) {
   double most = std::numeric_limits<double>::min();
   const auto see = [&most](double g) { most = std::abs(g) <= most ? most : std::abs(g); };
   for (std::size_t n = 4; n < 7; ++n) {
@@ -138,33 +157,44 @@ double ManySweeps::remeasured(std::size_t lane) {
   return 1.0 / most;
 }
 
-void ManySweeps::finish(RotorStages& body, std::size_t lane) {
-  RotorStep& s = body.step();
-  const std::size_t stages = scheme_.stages;
+void ManySteps::give(RotorStages::Solution& to, std::size_t lane) {
   for (std::size_t n = 0; n < 7; ++n) {
-    collect(lanes_.Y(n), s.Y.rows[n], lane, stages);
-    collect(lanes_.F(n), s.F[n], lane, stages);
-    collect(lanes_.L(n), s.L[n], lane, stages);
+    collect(lanes_.F(n), to.rates[n], lane, scheme_.stages);
+    to.end.y[n] = lanes_.end[n][lane];
+    to.end.carry[n] = lanes_.end_carry[n][lane];
   }
-  for (std::size_t n = 0; n < 6; ++n) collect(lanes_.drive(n), s.drive[n], lane, stages);
+  for (std::size_t n = 0; n < 6; ++n)
+    collect(lanes_.drive(n), to.drive[n], lane, scheme_.stages);
 }
 
-void ManySweeps::solve(Bodies bodies) {
+void ManySteps::solve(Bodies bodies) {
   find_shared_laws(bodies);
   for (std::size_t lane = 0; lane < body_lanes; ++lane)
     gather(*bodies[lane < bodies.size() ? lane : 0].stages, lane);
+  kernels_.place(scheme_, lanes_);
   const auto goes_on = [](const BodyStep& body) { return body.goes_on(); };
   while (std::any_of(bodies.begin(), bodies.end(), goes_on)) {
     ask_terms(bodies);
-    sweep_(scheme_, lanes_);
+    kernels_.sweep(scheme_, lanes_);
+    BodyLine has_ended{};
+    bool any = false;
     for (std::size_t lane = 0; lane < bodies.size(); ++lane) {
       BodyStep& body = bodies[lane];
       if (!body.goes_on()) continue;
       const double change = lanes_.change[lane];
       if (!(change < 1.0)) lanes_.inverse_momentum[lane] = remeasured(lane);
       body.judge.see(change);
-      if (!body.judge.goes_on()) finish(*body.stages, lane);
+      if (body.goes_on()) continue;
+      has_ended[lane] = 1.0;
+      any = true;
     }
+    if (any) kernels_.keep(has_ended, lanes_);
+  }
+  kernels_.finish(scheme_, lanes_);
+  for (std::size_t lane = 0; lane < bodies.size(); ++lane) {
+    const BodyStep& body = bodies[lane];
+    if (!body.thrown && body.judge.end() == SweepsEnd::converged)
+      give(body.stages->take_solution(), lane);
   }
 }
 
