@@ -15,6 +15,7 @@
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/free_events.hpp"
 #include "polhode/dynamics/integrate.hpp"
+#include "polhode/dynamics/integrate_many.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/dynamics/model.hpp"

@@ -180,6 +180,7 @@ OF_CALL = {
     "Collocation.__init__": {"tolerance": 1e-9, "stages": 8, "step": 0.0},
     "SolarPressure.__init__": {"shadow": "cone", "sun": ORBIT},
     "Frame.orbit_plane_pq": {"p": 0.1, "q": 0.2},
+    "integrate_many": {"problems": [PROBLEM]},
     "resume": {
         "sink": lambda *block: None,
         "samples": np.linspace(0, 300, 6001),

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "dynamics/checked_problem.hpp"
 #include "dynamics/events/term_motion.hpp"
@@ -41,6 +42,15 @@ using SystemWatch = EventWatch<decltype(motion_of(std::declval<BasicProblem<Syst
 template <MotionState S>
 using SystemRun = Run<S, SystemWatch<S>>;
 
+// The method in words, and the terms that it has to ask for one stage after the other.
+inline std::string method_text_for(const System& system, const Method& method) {
+  std::string text = method_text(method);
+  if (!std::holds_alternative<Collocation>(method)) return text;
+  for (const AnyPerturbation& term : system.terms())
+    if (!term.is_asked_together()) text += ", \"" + term.name() + "\" stage by stage";
+  return text;
+}
+
 // By a stepper of p, the problem checked.
 template <MotionState S>
 std::unique_ptr<SystemRun<S>> run_by(const BasicProblem<System, S>& problem,
@@ -49,11 +59,11 @@ std::unique_ptr<SystemRun<S>> run_by(const BasicProblem<System, S>& problem,
                                      SampleQueue<S>& samples, const Progress& progress) {
   return std::make_unique<SystemRun<S>>(RunSpan<S>{.initial = {p.start, p.initial},
                                                    .stop = p.stop,
-                                                   .method = method_text(p.method),
+                                                   .method = method_text_for(p.system, p.method),
                                                    .first_look = first_look(problem, p),
                                                    .continues = p.continues},
-                                        SystemWatch<S>(motion_of(p), p.events),
-                                        std::move(stepper), keep_dense, samples, progress);
+                                        SystemWatch<S>(motion_of(p), p.events), std::move(stepper),
+                                        keep_dense, samples, progress);
 }
 
 template <MotionState S>

@@ -35,6 +35,7 @@ class AnyPerturbation {
         kick_(Kick<P>),
         affine_(Kick<P> || AffineInMomentum<P>),
         switching_(Switching<P>),
+        together_(detail::OnStages<P> || Timewise<P>),
         any_real_(PerturbationOn<P, DoubleDouble> && PerturbationOn<P, Tangent>),
         term_(std::make_shared<const detail::HeldTerm<P>>(name, std::move(term))) {}
 
@@ -74,6 +75,8 @@ class AnyPerturbation {
   // The time of a quarter of a turn of what it follows; infinite where it knows none.
   double time_scale() const { return term_->time_scale(); }
   AffineTorque affine_torque(const Setting& at) const { return term_->affine_torque(at); }
+  // Whether it is asked for many states at a time; else on_stages asks it for one after the other.
+  bool is_asked_together() const { return together_; }
   // For methods that ask for many states at a time (polhode/perturb/stages.hpp): by the
   // instructions of a set that this processor has. The term and the body outlive it.
   std::unique_ptr<StageTerm> on_stages(const Body& body, InstructionSet set) const {
@@ -87,6 +90,7 @@ class AnyPerturbation {
   bool kick_;
   bool affine_;
   bool switching_;
+  bool together_;
   bool any_real_;
   std::shared_ptr<const detail::ErasedTerm> term_;
 };

@@ -52,8 +52,8 @@ class Collected {
     if (!outcome.ok())
       failed("body " + std::to_string(k) + " at t = " + number_text(outcome.t) + ": " +
              outcome.advice);
-    results_[k] = nb::cast(PythonTrajectory(std::move(*run.trajectory),
-                                            dense_ ? bodies_.systems[k] : nb::object()));
+    results_[k] = nb::cast(
+        PythonTrajectory(std::move(*run.trajectory), dense_ ? bodies_.systems[k] : nb::object()));
   }
   nb::list list() const {
     nb::list all;
@@ -115,8 +115,8 @@ void bind_many(nb::module_& m) {
         "dense"_a = false,
         R"(Integrates many problems, several at a time.
 
-By Collocation eight bodies go in lockstep, each with steps of its own, in about half the time a
-body that integrate takes; by other methods, and with a damper, one after the other.
+By Collocation eight bodies go in lockstep, each with steps of its own; by other methods, and with a
+damper, one after the other.
 
 Parameters
 ----------

@@ -101,8 +101,8 @@ TEST(Lockstep, TakesTermsThatDiffer) {
   for (std::size_t k = 0; k < 6; ++k) {
     const double x = 0.01 * static_cast<double>(k);
     const auto push = [x](double t, const RotorState& s) { return x * std::sin(t) * s.g; };
-    problems.push_back(body(k, Collocation{},
-                            {{"push", TorqueTerm(push)}, {"damping", InternalDamping(x)}}));
+    problems.push_back(
+        body(k, Collocation{}, {{"push", TorqueTerm(push)}, {"damping", InternalDamping(x)}}));
   }
   expect_all_alone(problems, {}, "terms that differ");
 }
@@ -193,6 +193,27 @@ TEST(Lockstep, AsksForProblemsWhenTheirTurnComes) {
   EXPECT_TRUE(integrate_many(std::vector<Problem>{}).empty());
 }
 
+TEST(Lockstep, EndsWhereProgressThrows) {
+  for (const Method& method : {Method(Collocation{}), Method(Adaptive{})}) {
+    std::vector<Problem> problems = bodies(3, Collocation{});
+    for (Problem& p : problems) p.method = method;
+    EXPECT_THROW(
+        integrate_many(
+            3, [&](std::size_t k) { return problems[k]; }, {}, [](std::size_t, const BodyRun&) {},
+            [](double) { throw std::logic_error("no"); }),
+        std::logic_error);
+  }
+}
+
+TEST(Lockstep, NamesTermsThatAreAskedOneByOne) {
+  const auto push = [](double, const RotorState& s) { return 0.0 * s.g; };
+  const std::vector<Problem> problems{body(0, Collocation{}, {}),
+                                      body(1, Collocation{}, {{"push", TorqueTerm(push)}})};
+  const std::vector<BodyRun> runs = integrate_many(problems);
+  EXPECT_EQ(runs[0].trajectory->method().find("stage by stage"), std::string::npos);
+  EXPECT_THAT(runs[1].trajectory->method(), HasSubstr("\"push\" stage by stage"));
+}
+
 // One sweep of many, by every set.
 TEST(Lockstep, DoesNotDependOnTheProcessor) {
   for (const std::size_t stages : {4U, 8U, 16U})
@@ -207,8 +228,8 @@ TEST(Lockstep, DoesNotDependOnTheProcessor) {
         together.emplace_back(field(k), stages, set);
       }
       for (std::size_t k = 0; k < 5; ++k) {
-        const auto start = detail::RotorStages::State{
-            detail::RotorStages::Field::start(body(k, {}, {}).initial)};
+        const auto start =
+            detail::RotorStages::State{detail::RotorStages::Field::start(body(k, {}, {}).initial)};
         together[k].put_off_guesses();
         for (detail::RotorStages* s : {&alone[k], &together[k]}) {
           s->begin(0.3, start, 0.05 + 0.02 * static_cast<double>(k), nullptr);

@@ -34,7 +34,8 @@ std::string text_of(const std::exception_ptr& thrown) {
 
 const Problem& rotor_problem(const Problem& p) { return p; }
 Problem rotor_problem(const DampedProblem& p) {
-  detail::checked_problem("integrate", p, detail::DamperState::carried);  // no rate without a damper
+  detail::checked_problem("integrate", p,
+                          detail::DamperState::carried);  // no rate without a damper
   return detail::problem_of<RotorState>(p);
 }
 template <MotionState S>
@@ -56,7 +57,17 @@ class Lockstep {
 
   Lockstep(std::size_t count, const Source& problem, const Keep& keep, const Done& done,
            const Progress& progress)
-      : count_(count), problem_(problem), keep_(keep), done_(done), progress_(progress) {}
+      : count_(count), problem_(problem), keep_(keep), done_(done), progress_(progress) {
+    if (!progress) return;
+    watched_ = [this](double t) {
+      try {
+        progress_(t);
+      } catch (...) {
+        ended_by_ = std::current_exception();
+        throw;
+      }
+    };
+  }
 
   void run() {
     for (;;) {
@@ -81,8 +92,8 @@ class Lockstep {
   void fill() {
     while (size_ < body_lanes) {
       if (!waiting_.run && !take_next()) return;
-      if (size_ > 0 && !ManySteps::go_together(*lanes_[0].run->tried().stages,
-                                                *waiting_.run->tried().stages))
+      if (size_ > 0 &&
+          !ManySteps::go_together(*lanes_[0].run->tried().stages, *waiting_.run->tried().stages))
         return;
       if (size_ == 0) {
         const detail::RotorStages& first = *waiting_.run->tried().stages;
@@ -107,9 +118,10 @@ class Lockstep {
           }
           whole.trajectory = shown_as<S>(run->trajectory());
         } else {
-          whole.trajectory = integrate(problem, keep_, progress_);
+          whole.trajectory = integrate(problem, keep_, watched_);
         }
       } catch (...) {
+        if (ended_by_) throw;
         whole = failed(index, problem.start, std::current_exception());
       }
       done_(index, std::move(whole));
@@ -151,6 +163,8 @@ class Lockstep {
   const Keep& keep_;
   const Done& done_;
   const Progress& progress_;
+  Progress watched_;             // of a body that goes alone
+  std::exception_ptr ended_by_;  // what progress has thrown
   std::size_t next_ = 0;
   Lane waiting_;
   std::array<Lane, body_lanes> lanes_;
@@ -163,10 +177,10 @@ template <MotionState S>
 std::vector<BasicBodyRun<S>> all(std::span<const BasicProblem<System, S>> problems,
                                  const Keep& keep) {
   std::vector<BasicBodyRun<S>> runs(problems.size());
-  integrate_many(
-      problems.size(),
-      std::function<BasicProblem<System, S>(std::size_t)>([&](std::size_t k) { return problems[k]; }),
-      keep, [&](std::size_t k, BasicBodyRun<S> run) { runs[k] = std::move(run); });
+  integrate_many(problems.size(),
+                 std::function<BasicProblem<System, S>(std::size_t)>(
+                     [&](std::size_t k) { return problems[k]; }),
+                 keep, [&](std::size_t k, BasicBodyRun<S> run) { runs[k] = std::move(run); });
   return runs;
 }
 

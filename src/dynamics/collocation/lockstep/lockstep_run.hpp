@@ -27,7 +27,8 @@ class LockstepRun {
     auto stepper = make_stepper_in_parts(checked_, std::get<Collocation>(checked_.method));
     stepper_ = stepper.get();
     stepper_->tried().put_off_guesses();
-    run_ = run_by<RotorState>(problem, checked_, std::move(stepper), keep.dense, samples_, progress_);
+    run_ =
+        run_by<RotorState>(problem, checked_, std::move(stepper), keep.dense, samples_, progress_);
     goes_on_ = run_->begin() && begins();
   }
   LockstepRun(const LockstepRun&) = delete;

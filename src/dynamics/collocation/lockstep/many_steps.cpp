@@ -92,7 +92,8 @@ void ManySteps::group(Bodies bodies) {
       const StageLaw* other = body.stages->terms()[k]->law();
       is_shared_[k] = is_shared_[k] && own != nullptr && other != nullptr && own->serves(*other);
     }
-    if (is_shared_[k]) of_time_[k].resize(std::max<std::size_t>(own->of_time().size(), 1) * scheme_.stages);
+    if (is_shared_[k])
+      of_time_[k].resize(std::max<std::size_t>(own->of_time().size(), 1) * scheme_.stages);
   }
 }
 
@@ -163,8 +164,7 @@ void ManySteps::give(RotorStages::Solution& to, std::size_t lane) {
     to.end.y[n] = lanes_.end[n][lane];
     to.end.carry[n] = lanes_.end_carry[n][lane];
   }
-  for (std::size_t n = 0; n < 6; ++n)
-    collect(lanes_.drive(n), to.drive[n], lane, scheme_.stages);
+  for (std::size_t n = 0; n < 6; ++n) collect(lanes_.drive(n), to.drive[n], lane, scheme_.stages);
 }
 
 void ManySteps::solve(Bodies bodies) {
