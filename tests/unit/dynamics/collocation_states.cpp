@@ -212,6 +212,24 @@ TEST(CollocationStates, OfModelsResolveWeakTorques) {
   }
 }
 
+// A sphere that follows closely: the body says how long steps are, not the friction.
+TEST(CollocationStates, OfADamperTakeLongStepsUnderStrongFriction) {
+  const auto run = [](const Method& method) {
+    const DampedTrajectory found =
+        integrate(damped({}, 20.0, method, 300.0), {SaveAt::times({20.0}), false});
+    EXPECT_TRUE(found.outcome().ok()) << found.outcome().advice;
+    return found;
+  };
+  const DampedTrajectory exact = run(Adaptive{1e-13});
+  for (const int stages : {4, 8, 16}) {
+    const DampedTrajectory found = run(Collocation{1e-13, stages});
+    EXPECT_LE(apart(found.samples().back().s, exact.samples().back().s),
+              budget::collocation_friction)
+        << stages;
+    EXPECT_LE(found.statistics().steps, exact.statistics().steps / 10) << stages;
+  }
+}
+
 // Energy and momentum of a hub whose sphere slides freely: no drift by fixed steps.
 TEST(CollocationStates, OfADamperKeepQuadraticInvariants) {
   const auto field = std::make_shared<const detail::SweptDamper>(
