@@ -43,7 +43,8 @@ METHODS = pytest.mark.parametrize(
 )
 
 
-def problem(stop=20.0, method=Adaptive(1e-13), **more):
+def problem(stop=20.0, method=None, **more):
+    method = method or Adaptive(1e-13)
     return Problem(SYSTEM, START, 0.0, stop, method, damper_rate=RATE, **more)
 
 

@@ -27,8 +27,8 @@ constexpr std::array keys = {
         .otherwise("8"),
     quantity_key<&CollocationKeys::step>(
         "step", Dimension::time,
-        "Every step is so long: energies of torques that have one do not drift. Left out: chosen by "
-        "the tolerance.")
+        "Every step is so long: energies of torques that have one do not drift. Left out: chosen "
+        "by the tolerance.")
         .example("0.1")
         .positive(),
     largest_step_key<CollocationKeys>,
