@@ -12,6 +12,7 @@ from closeness import assert_allclose
 from polhode import (
     Adaptive,
     Body,
+    Collocation,
     ConstantTorque,
     Event,
     KaneDamper,
@@ -37,11 +38,18 @@ RATE = np.array([0.4, -0.7, 0.2])
 SYSTEM = System(BODY, damper=DAMPER)
 
 
-def problem(stop=20.0, **more):
-    return Problem(SYSTEM, START, 0.0, stop, Adaptive(1e-13), damper_rate=RATE, **more)
+METHODS = pytest.mark.parametrize(
+    "method", [Adaptive(1e-13), Collocation(1e-13), Collocation(step=0.2)], ids=repr
+)
 
 
-def test_motion_is_that_of_two_bodies():
+def problem(stop=20.0, method=None, **more):
+    method = method or Adaptive(1e-13)
+    return Problem(SYSTEM, START, 0.0, stop, method, damper_rate=RATE, **more)
+
+
+@METHODS
+def test_motion_is_that_of_two_bodies(method):
     J, c = DAMPER.moment, DAMPER.friction
 
     def rates(t, y):
@@ -55,7 +63,7 @@ def test_motion_is_that_of_two_bodies():
     y = solve_ivp(rates, (0, 20), np.concatenate([START.g, J * (w0 + RATE)]), "DOP853", t,
                   rtol=tolerance, atol=tolerance).y.T
     w = (y[:, :3] - y[:, 3:]) / (MOMENTS - J)
-    run = integrate(problem(), SaveAt.times(t))
+    run = integrate(problem(method=method), SaveAt.times(t))
     far = budgets.kane_two_bodies_scipy
     assert_allclose(run.g, y[:, :3], rtol=0, atol=far)
     assert_allclose(run.damper_rate, y[:, 3:] / J - w, rtol=0, atol=far)
@@ -137,24 +145,25 @@ def test_refusals():
         at_damper_rate(System(BODY), RATE)
     with pytest.raises(ValueError, match="without a damper"):
         integrate(Problem(System(BODY), START, 0.0, 1.0, damper_rate=RATE))
-    with pytest.raises(ValueError, match="method must be Adaptive"):
+    with pytest.raises(ValueError, match="method must be Adaptive or Collocation"):
         integrate(Problem(SYSTEM, START, 0.0, 1.0, Splitting(0.1)))
     with pytest.raises(ValueError, match="which integrate alone carries"):
         polhode.chaos_indicator(problem(1.0), [1.0])
 
 
-def test_scenarios_are_built_and_run():
+@METHODS
+def test_scenarios_are_built_and_run(method):
     for units in (Units(angle="deg"), Units(angle="rad")):
         scenario = Scenario.build(
             System(BODY, None, ConstantTorque.in_body([0.01, 0, 0]), DAMPER),
             START, (0.0, 4.0, 1.0),
-            Adaptive(1e-13), columns=["g", "damper"], units=units, damper_rate=RATE,
+            method, columns=["g", "damper"], units=units, damper_rate=RATE,
         )
         assert scenario.system.damper == DAMPER
         assert np.array_equal(scenario.damper_rate, RATE)
         assert "kane1966" in [c.key for c in scenario.citations]
         system = scenario.system
-        run = integrate(Problem(system, START, 0.0, 4.0, Adaptive(1e-13), damper_rate=RATE),
+        run = integrate(Problem(system, START, 0.0, 4.0, method, damper_rate=RATE),
                         np.arange(5.0))
         table = scenario.run()
         turn = np.degrees(1.0) if units.angle == "deg" else 1.0

@@ -90,6 +90,8 @@ def test_methods_and_tables_agree():
     times = np.linspace(0.0, -1000.0, 11)
     exact = spin_history(series, RATES, POLE, times, polhode.Adaptive(1e-14))
     fast = spin_history(series, RATES, POLE, times, Splitting(2.5, "order8"))
+    swept = spin_history(series, RATES, POLE, times, polhode.Collocation(1e-13))
+    assert_allclose(swept.s, exact.s, rtol=0, atol=budgets.spin_methods)
     assert_allclose(fast.s, exact.s, rtol=0, atol=budgets.spin_methods)
     assert_allclose(np.linalg.norm(fast.s, axis=1), 1.0, rtol=0, atol=budgets.spin_length)
     rows = np.arange(-1020.0, 21.0)
@@ -176,7 +178,7 @@ def test_a_table_that_ends_ends_the_run():
      "expected star alone on a HistoryOrbit"),
     (lambda: HistoryOrbit(earth(), -1.0, 1.0), "HistoryOrbit: gm -1 must be positive"),
     (lambda: spin_history(earth(), RATES, POLE, [1.0], polhode.VariationOfConstants()),
-     "must be Adaptive or Splitting"),
+     "must be Adaptive, Collocation or Splitting"),
 ])
 def test_what_cannot_be_says_why(call, what):
     with pytest.raises(ValueError, match=what):

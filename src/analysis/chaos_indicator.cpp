@@ -81,13 +81,12 @@ ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
                                          ? ", variational equations"
                                          : ", a second motion at " + number_text(options.distance));
   const std::vector<double> times = detail::sample_times(function_name, problem, samples);
-  auto stepper = std::visit(
-      [&](const auto& method) {
-        return detail::deviation_stepper(problem, method, options, result.by);
+  const BasicTrajectory<DeviatedState> run = std::visit(
+      [&]<class M>(const M& method) {
+        return detail::sampled_run(detail::deviation_stepper(problem, method, options, result.by),
+                                   result.method, times, progress, detail::steps_to_samples<M>);
       },
       carrying);
-  const BasicTrajectory<DeviatedState> run =
-      detail::sampled_run(std::move(stepper), result.method, times, progress);
   for (const BasicSample<DeviatedState>& at : run.samples())
     result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.growth,
                                                at.s.growth_integral, at.s.megno_integral));

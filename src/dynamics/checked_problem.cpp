@@ -15,7 +15,7 @@ namespace detail {
 
 namespace {
 
-// The damper's own state is integrated by Adaptive, and by nothing else.
+// The damper's own state is integrated by methods that move any state.
 void require_place_of_damper(const std::string& function, const System& system, const Vec3& rate,
                              const Method& method, DamperState carried) {
   const std::string what =
@@ -31,9 +31,11 @@ void require_place_of_damper(const std::string& function, const System& system, 
                       ": a Kane damper has a state of its own, which integrate alone "
                       "carries; " +
                       instead);
-  if (method_of_any_state(method) == nullptr)
-    throw DomainError("integrate: a Kane damper has a state of its own: method must be Adaptive; " +
-                      std::string(instead));
+  if (!moves_any_state(method))
+    throw DomainError(
+        "integrate: a Kane damper has a state of its own: method must be Adaptive or "
+        "Collocation; " +
+        std::string(instead));
 }
 
 // Flows and equations of motion use the squares of moments and of their inverses.

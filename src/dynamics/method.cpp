@@ -114,7 +114,9 @@ struct Validity {
 MethodTraits method_traits(const Method& method) { return std::visit(Traits{}, method); }
 std::string method_text(const Method& method) { return method_traits(method).text; }
 void require_valid(const Method& method) { std::visit(Validity{}, method); }
-const Adaptive* method_of_any_state(const Method& method) { return std::get_if<Adaptive>(&method); }
+bool moves_any_state(const Method& method) {
+  return std::holds_alternative<Adaptive>(method) || std::holds_alternative<Collocation>(method);
+}
 const Splitting* method_of_frozen_models(const Method& method) {
   return std::get_if<Splitting>(&method);
 }

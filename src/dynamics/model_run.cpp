@@ -10,10 +10,11 @@ namespace detail {
 
 const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide,
                                 bool has_frozen) {
-  const auto* adaptive = method_of_any_state(method);
+  const auto* adaptive = std::get_if<Adaptive>(&method);
   if (adaptive == nullptr)
     throw DomainError("integrate: method of " + std::string(model) + " must be Adaptive" +
-                      (has_frozen ? " or Splitting" : "") + ": the others know a System alone");
+                      (has_frozen ? ", Collocation or Splitting" : " or Collocation") +
+                      ": the others know a System alone");
   if (adaptive->precision == Precision::double_double && !has_wide)
     throw DomainError("integrate: " + std::string(model) +
                       " works on double alone: write its functions as templates on the number type "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run whose steps end at its samples, for states that a method knows at the ends of its steps
-// alone: derivatives and deviations of a motion.
+// A run into memory, of states without events: derivatives and deviations of a motion. Its steps
+// end at its samples where a method knows such a state at the ends of its steps alone.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,22 @@
 #include <vector>
 
 #include "polhode/dynamics/detail/run.hpp"
+#include "polhode/dynamics/method.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+template <class Method>
+inline constexpr bool steps_to_samples = true;
+template <>
+inline constexpr bool steps_to_samples<Collocation> = false;
+
 // The stepper is at the start; times run from there in the direction of the run.
 template <MotionState S>
 BasicTrajectory<S> sampled_run(std::unique_ptr<BasicStepper<S>> stepper, std::string method,
-                               const std::vector<double>& times, const Progress& progress) {
+                               const std::vector<double>& times, const Progress& progress,
+                               bool ends_at_samples) {
   std::vector<BasicSample<S>> kept;
   const BasicSampleSink<S> into_memory = [&kept](std::span<const BasicSample<S>> block) {
     kept.insert(kept.end(), block.begin(), block.end());
@@ -30,7 +37,7 @@ BasicTrajectory<S> sampled_run(std::unique_ptr<BasicStepper<S>> stepper, std::st
                                      .stop = stop,
                                      .method = std::move(method),
                                      .first_look = initial,
-                                     .ends_at_samples = true},
+                                     .ends_at_samples = ends_at_samples},
                           {}, std::move(stepper), false, samples, progress);
   typename BasicTrajectory<S>::Parts parts = run.result();
   parts.samples = std::move(kept);

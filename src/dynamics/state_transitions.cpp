@@ -29,11 +29,13 @@ std::vector<TransitionSample> state_transitions(const Problem& problem, const Sa
   const Problem checked =
       detail::checked_problem("state_transitions", problem, detail::DamperState::refused);
   const std::vector<double> times = detail::sample_times("state_transitions", checked, samples);
-  auto stepper =
-      std::visit([&](const auto& method) { return detail::transition_stepper(checked, method); },
-                 detail::derivative_method("state_transitions", "derivatives", checked.method));
-  const BasicTrajectory<TransitionState> run =
-      detail::sampled_run(std::move(stepper), method_text(checked.method), times, progress);
+  const BasicTrajectory<TransitionState> run = std::visit(
+      [&]<class M>(const M& method) {
+        return detail::sampled_run(detail::transition_stepper(checked, method),
+                                   method_text(checked.method), times, progress,
+                                   detail::steps_to_samples<M>);
+      },
+      detail::derivative_method("state_transitions", "derivatives", checked.method));
   if (!run.outcome().ok()) throw DomainError("state_transitions: " + run.outcome().advice);
   std::vector<TransitionSample> rows;
   for (const BasicSample<TransitionState>& at : run.samples())

@@ -13,7 +13,9 @@ std::unique_ptr<Stepper> make_stepper(const Problem& problem) {
 }
 
 std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem) {
-  return make_stepper(problem, *method_of_any_state(problem.method));
+  if (const auto* const method = std::get_if<Collocation>(&problem.method))
+    return make_stepper(problem, *method);
+  return make_stepper(problem, std::get<Adaptive>(problem.method));
 }
 
 }  // namespace detail

@@ -21,6 +21,8 @@ std::unique_ptr<Stepper> make_stepper(const Problem& problem, const OwnMethod& m
 // The system has a damper.
 std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
                                                              const Adaptive& method);
+std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
+                                                             const Collocation& method);
 // By the method of a checked problem.
 std::unique_ptr<Stepper> make_stepper(const Problem& problem);
 std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem);

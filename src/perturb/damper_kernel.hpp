@@ -39,6 +39,8 @@ class DamperKernel {
             times((s.z * w0.x - s.x * w0.z) - decay_ * s.y - times(dg.y, inverse_[1]), lag_[1]),
             times((s.x * w0.y - s.y * w0.x) - decay_ * s.z - times(dg.z, inverse_[2]), lag_[2])};
   }
+  // By which the friction alone slows number n of s: c / J over 1 - J/I.
+  T decay(std::size_t n) const { return times(decay_, lag_[n]); }
   BasicVec3<T> rate(const BasicVec3<T>& g) const {
     return {times(g.x, inverse_[0]), times(g.y, inverse_[1]), times(g.z, inverse_[2])};
   }

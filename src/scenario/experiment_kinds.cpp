@@ -88,10 +88,11 @@ MadeExperiment made_experiment(const KindContext& at) {
 }  // namespace detail
 
 void ExperimentContext::require_method(bool is_frozen) const {
-  if (method_of_any_state(method_) != nullptr) return;
+  if (moves_any_state(method_)) return;
   if (is_frozen && method_of_frozen_models(method_) != nullptr) return;
   detail::refuse(values(), "method.kind", file(),
-                 std::string("expected \"adaptive\"") + (is_frozen ? " or \"splitting\"" : "") +
+                 std::string("expected \"adaptive\"") +
+                     (is_frozen ? ", \"collocation\" or \"splitting\"" : " or \"collocation\"") +
                      ", since kind \"" + path() + "\" has a state of its own");
 }
 

@@ -97,9 +97,10 @@ void check_times(const Rotation& rotation, const Values& values, const std::stri
 void check_damper(const Rotation& rotation, const OutputPlan& output, const Values& values,
                   const std::string& name) {
   if (rotation.damper) {
-    if (rotation.method && method_of_any_state(*rotation.method) == nullptr)
-      refuse(values, "method.kind", name,
-             "expected \"adaptive\", since a Kane damper has a state of its own");
+    if (rotation.method && !moves_any_state(*rotation.method))
+      refuse(
+          values, "method.kind", name,
+          "expected \"adaptive\" or \"collocation\", since a Kane damper has a state of its own");
     return;
   }
   const auto is_its_own = [](std::string_view column) {

@@ -99,6 +99,10 @@ inline constexpr double collocation_weak = 1e-11;
 inline constexpr double collocation_kink = 1e-8;
 // Times of events, and the slope of the error in orders.
 inline constexpr double collocation_event = 1e-11;
+// A damper of strong friction against 10,000 steps of Adaptive; derivatives against those of
+// Adaptive, relative to the largest entry.
+inline constexpr double collocation_friction = 1e-12;
+inline constexpr double collocation_transition = 1e-10;
 inline constexpr double collocation_order = 0.5;
 // |q|^2, |g|^2 and the energy after 1e5 steps, relative.
 inline constexpr double collocation_invariant = 3e-14;

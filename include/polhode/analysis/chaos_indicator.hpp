@@ -10,10 +10,10 @@
 //             exponent times t for a chaotic one. t counts from the start of the run.
 // Units       rates per unit of time of the system; L and MEGNO are pure numbers.
 // Domain      any problem; its events are not looked for. Adaptive and VariationOfConstants: the
-//             variational equations. Splitting: the derivative of its own steps, symplectic as they
-//             are. Where a term works on double alone, or a splitting has terms that are not kicks,
-//             a second motion at a small distance is carried along, and brought back when it has
-//             come 16 times nearer or farther; the result says which.
+//             variational equations. Collocation and Splitting: the derivative of their own steps.
+//             Where a term works on double alone, or a splitting has terms that are not kicks, a
+//             second motion at a small distance is carried along, and brought back when it has come
+//             16 times nearer or farther; the result says which.
 // Accuracy    that of the method, a step of the quadrature of L included; a splitting sums L by
 //             trapezoids of its steps. A finite run gives the exponent to about 1 / (number of
 //             Lyapunov times).

@@ -11,10 +11,10 @@
 //             both. For models of your own: polhode/dynamics/integrate_model.hpp.
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for an invalid problem (NaN, a method out of range, a splitting of a
-//             term without a flow, a damper with another method than Adaptive). A run that cannot
-//             go on (NaN, a step too small) ends with Outcome::failed and a sentence; samples so
-//             far are kept. What a user's callable or `progress` throws passes through after the
-//             samples so far have been pushed.
+//             term without a flow, a damper with a method that does not move its state). A run
+//             that cannot go on (NaN, a step too small) ends with Outcome::failed and a sentence;
+//             samples so far are kept. What a user's callable or `progress` throws passes through
+//             after the samples so far have been pushed.
 // Cost        docs/guide/which-propagator.md.
 #pragma once
 
@@ -68,10 +68,10 @@ struct TransitionSample {
 };
 
 // The state transition matrix along a run. Adaptive: by the variational equations (dual numbers);
-// VariationOfConstants: by those of Adaptive at its tolerance; Splitting: the derivative of the
-// splitting's own steps, symplectic as they are (terms that are kicks). Every term must be a
-// template on the number type, and there is no damper. A run that cannot go on is a DomainError
-// here.
+// VariationOfConstants: by those of Adaptive at its tolerance; Collocation and Splitting (terms
+// that are kicks): the derivative of the method's own steps; those of a splitting are symplectic.
+// Every term must be a template on the number type, and there is no damper. A run that cannot go on
+// is a DomainError here.
 std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples,
                                                 const Progress& progress = {});
 

@@ -4,8 +4,9 @@
 //
 // Equations   those of the model: polhode/dynamics/model.hpp.
 // Units       those of the model.
-// Domain      a BasicProblem of a Model, by Adaptive; otherwise as integrate and resume.
-// Accuracy    that of Adaptive.
+// Domain      a BasicProblem of a Model, by Adaptive or Collocation, and by Splitting where it can
+//             be frozen; otherwise as integrate and resume.
+// Accuracy    that of the method.
 // Errors      as integrate and resume.
 // Cost        as integrate; the compiler makes the loop for each model.
 #pragma once

@@ -71,8 +71,9 @@ struct VariationOfConstants {
 struct Collocation {
   double tolerance = 1e-12;  // of the local error of one step
   int stages = 8;            // 4, 8 or 16
-  // 0: chosen by the tolerance. Else every step is so long, and the method symmetric and symplectic
-  // for terms with an energy; nothing checks the error it makes.
+  // 0: chosen by the tolerance. Else every step is so long, and the method symmetric: it keeps
+  // quadratic invariants (|q|; |g| and the energy of free rotation), and is symplectic to its order
+  // for terms with an energy. Nothing checks the error it makes.
   double step = 0.0;
   double largest_step = std::numeric_limits<double>::infinity();  // as in Adaptive
 
@@ -114,8 +115,8 @@ std::string method_text(const Method& method);
 // DomainError when a value of the method is out of range.
 void require_valid(const Method& method);
 
-// The method itself where it moves any state, that of a damper or of a model too; else null.
-const Adaptive* method_of_any_state(const Method& method);
+// Whether it moves any state, that of a damper or of a model too.
+bool moves_any_state(const Method& method);
 
 // The method itself where it moves models that can be frozen (polhode/dynamics/model.hpp); else
 // null.

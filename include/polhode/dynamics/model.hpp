@@ -26,8 +26,8 @@
 // Units       any consistent set.
 // Domain      T is double, and DoubleDouble too where the model is a template on the number type:
 //             Adaptive with Precision::double_double needs it. Rates are smooth between `start` and
-//             `stop`. Adaptive moves every model, Splitting those that have frozen(); other methods
-//             know a System alone.
+//             `stop`. Adaptive and Collocation move every model, Splitting those that have
+//             frozen(); other methods know a System alone.
 // Accuracy    that of the method.
 // Errors      what a function of the model throws passes through.
 // Cost        that of its functions.

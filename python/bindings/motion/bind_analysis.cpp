@@ -116,10 +116,10 @@ Returns
 ChaosIndicator
     Also of a run that could not go on, with its samples so far and a RuntimeWarning.
 
-Adaptive and VariationOfConstants: by the variational equations; Splitting: by the derivative of
-its steps. With a term on floats alone (TorqueTerm), and for a splitting of terms that are no
-kicks: by a second motion; .by says so. Releases the GIL; Ctrl-C raises KeyboardInterrupt.
-(Benettin et al. 1976; Cincotta and Simo 2000))");
+Adaptive and VariationOfConstants: by the variational equations; Collocation and Splitting: by the
+derivative of their steps. With a term on floats alone (TorqueTerm), and for a splitting of terms
+that are no kicks: by a second motion; .by says so. Releases the GIL; Ctrl-C raises
+KeyboardInterrupt. (Benettin et al. 1976; Cincotta and Simo 2000))");
 }
 
 }  // namespace polhode::python

@@ -90,7 +90,8 @@ void bind_damper(nb::module_& m) {
 
 A system has one at most: System(..., damper=KaneDamper(moment, friction)). It is no term, since it
 has a state of its own, the rate s of the sphere relative to the body (body axes): Problem takes
-damper_rate at the start, a Trajectory has damper_rate at its samples. Adaptive alone integrates it.
+damper_rate at the start, a Trajectory has damper_rate at its samples. Adaptive and
+Collocation integrate it.
 
 With g all of the momentum and I the moments of body and sphere together the body turns with
 w = I^-1 (g - J s), and (1 - J/I) ds/dt = s x w - (c/J) s - I^-1 dg/dt. The energy falls by

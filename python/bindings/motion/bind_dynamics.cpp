@@ -342,9 +342,10 @@ Parameters
 problem : its events are not looked for.
 samples : SaveAt, or times (N,) from start towards stop.
 
-Adaptive and VariationOfConstants: by the variational equations. Splitting: the derivative of its
-own steps, symplectic as they are; its terms must be kicks. ValueError for a run that cannot go on,
-and for a term in Python on floats alone (TorqueTerm). Ctrl-C raises KeyboardInterrupt.)");
+Adaptive and VariationOfConstants: by the variational equations. Collocation and Splitting: the
+derivative of their own steps, of a splitting symplectic; terms of a splitting must be kicks.
+ValueError for a run that cannot go on, and for a term in Python on floats alone (TorqueTerm).
+Ctrl-C raises KeyboardInterrupt.)");
 }
 
 }  // namespace

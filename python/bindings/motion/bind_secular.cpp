@@ -345,7 +345,7 @@ void require_one_side(const SaveAt& times, double epoch) {
 SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit>& orbit,
                     const PrecessionRates& rates, const ArrayLike& pole,
                     const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
-                    const Typed<"Adaptive | Splitting">& method, double epoch,
+                    const Typed<"Adaptive | Collocation | Splitting">& method, double epoch,
                     const std::optional<TidalRates>& tides) {
   const SaveAt at = save_at_of(times, "times");
   if (at.size() == 0) throw nb::value_error("times: got none; expected one or more");
@@ -419,7 +419,7 @@ orbit : ElementTable, ElementSeries or HistoryOrbit, along reference axes of any
 rates : PrecessionRates, in the unit of time of the orbit; on a HistoryOrbit the star alone.
 pole : (3,), at the epoch, along the reference axes; its length does not matter.
 times : SaveAt, or times (N,), away from the epoch in one direction.
-method : Adaptive, Splitting (fast: Splitting(10, "order8") in kyr); None: Adaptive().
+method : Adaptive, Collocation, Splitting (fast: Splitting(10, "order8") in kyr); None: Adaptive().
 epoch : when the pole is where it is.
 tides : TidalRates, or None. With them the spin slows down, the satellite goes away, and the rates
     of precession, those at the epoch, change as they do.

@@ -104,7 +104,7 @@ Parameters
 tolerance : of the local error of a step, relative to |q| = 1 and to |g|; from 1e-15 to 1e-2.
 stages : 4, 8 or 16; the order is twice as large.
 step : 0: chosen by the tolerance. Else every step is so long, and nothing checks the error it
-    makes; the method is then symmetric, and symplectic for terms with an energy.
+    makes; the method is then symmetric, and symplectic to its order for terms with an energy.
 largest_step : as in Adaptive; with steps under control.
 
 Implicit, solved by sweeps; a run fails where they do not converge. Most accurate for its time

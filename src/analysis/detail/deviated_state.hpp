@@ -43,6 +43,10 @@ std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& pr
                                                                const Splitting& method,
                                                                const ChaosOptions& options,
                                                                DeviationBy by);
+std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
+                                                               const Collocation& method,
+                                                               const ChaosOptions& options,
+                                                               DeviationBy by);
 
 }  // namespace detail
 }  // namespace v0

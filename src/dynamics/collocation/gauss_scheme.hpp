@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gauss-Legendre collocation of s stages (Butcher 1964): implicit, of order 2 s, symmetric and
-// symplectic; it keeps every quadratic invariant, |q|^2 among them.
+// Gauss-Legendre collocation of s stages (Butcher 1964): implicit, of order 2 s, symmetric, and
+// symplectic in canonical variables; it keeps every quadratic invariant, |q|^2 among them.
 //
 //   Y_i = y + sum_j mu_ij L_j,  L_j = h b_j f(t + c_i h, Y_j),  y' = y + sum_j L_j
 //

@@ -30,7 +30,7 @@ class StepChoice {
   // A step of `length` that erred too much.
   void shorten(double length, double error) { h = length * std::min(wanted(error), 0.9); }
   // Steps of one length keep their weights and their guess; and their errors, those of a symmetric
-  // and symplectic method, cancel, where those of steps of many lengths add up. So a step grows
+  // method, cancel, where those of steps of many lengths add up. So a step grows
   // after a while, and by what the largest error of that while allows.
   void made(double length, double error, bool repeated, bool is_slow) {
     constexpr int while_of_steps = 32;

@@ -25,9 +25,7 @@ struct InItsPlace {
   DerivativeMethod operator()(const VariationOfConstants& method) const {
     return Adaptive{.tolerance = method.tolerance, .largest_step = method.largest_step};
   }
-  DerivativeMethod operator()(const Collocation& method) const {
-    return Adaptive{.tolerance = method.tolerance, .largest_step = method.largest_step};
-  }
+  DerivativeMethod operator()(const Collocation& method) const { return method; }
   DerivativeMethod operator()(const OwnMethod& method) const {
     throw DomainError(function + ": method \"" + method.traits.kind + "\" carries no " + what +
                       ": take Adaptive, Collocation, Splitting or VariationOfConstants");

@@ -12,7 +12,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-using DerivativeMethod = std::variant<Adaptive, Splitting>;
+using DerivativeMethod = std::variant<Adaptive, Splitting, Collocation>;
 
 // `what` is carried. DomainError of `function` for a tolerance that double does not reach, and for
 // a method from outside, which knows states alone.

@@ -32,6 +32,8 @@ inline constexpr const char* no_transition_at_jump =
 
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
                                                                   const Adaptive& method);
+std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
+                                                                  const Collocation& method);
 // Where a step is longer than what is left to a sample, a part of it is made for the sample, and
 // the run goes on from the start of the step.
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,

@@ -34,7 +34,8 @@ Problem free_problem(double stop, const Method& method) {
 
 TEST(ChaosIndicator, FreeRotationIsRegular) {
   const double stop = 2000.0;
-  for (const Method& method : {Method(Adaptive{1e-11}), Method(Splitting{0.3})}) {
+  for (const Method& method :
+       {Method(Adaptive{1e-11}), Method(Splitting{0.3}), Method(Collocation{1e-11})}) {
     const ChaosIndicator found =
         chaos_indicator(free_problem(stop, method), SaveAt::count(0.0, stop, 5));
     ASSERT_TRUE(found.outcome.ok());
@@ -65,10 +66,10 @@ double growth_by(const Matrix6& M) {
 // The growth is that of the exact state transition matrix of the free rotation.
 TEST(ChaosIndicator, GrowthIsThatOfTheStateTransitionMatrix) {
   const FreeRotation free(body, tumbling);
-  const auto found =
-      chaos_indicator(free_problem(40.0, Adaptive{1e-13}), SaveAt::count(0.0, 40.0, 9));
-  for (const ChaosSample& row : found.samples) {
-    EXPECT_NEAR(row.growth, growth_by(free.state_transition(row.t)), budget::chaos_growth);
+  for (const Method& method : {Method(Adaptive{1e-13}), Method(Collocation{1e-13})}) {
+    const auto found = chaos_indicator(free_problem(40.0, method), SaveAt::count(0.0, 40.0, 9));
+    for (const ChaosSample& row : found.samples)
+      EXPECT_NEAR(row.growth, growth_by(free.state_transition(row.t)), budget::chaos_growth);
   }
 }
 
@@ -79,11 +80,13 @@ TEST(ChaosIndicator, UnstableAxisGrowsByTheExponentOfEuler) {
   const double s = g / B * std::sqrt((C - B) * (B - A) / (A * C));
   const RotorState on_axis{{1.0, 0.0, 0.0, 0.0}, {0.0, g, 0.0}};
   const double stop = 60.0;
-  const auto found = chaos_indicator({System(body), on_axis, 0.0, stop, Adaptive{1e-12}, {}},
-                                     SaveAt::times({50.0, stop}));
-  ASSERT_EQ(found.samples.size(), 2U);
-  const double slope = (found.samples[1].growth - found.samples[0].growth) / 10.0;
-  EXPECT_NEAR(slope, s, budget::chaos_unstable_axis);
+  for (const Method& method : {Method(Adaptive{1e-12}), Method(Collocation{1e-12})}) {
+    const auto found = chaos_indicator({System(body), on_axis, 0.0, stop, method, {}},
+                                       SaveAt::times({50.0, stop}));
+    ASSERT_EQ(found.samples.size(), 2U);
+    const double slope = (found.samples[1].growth - found.samples[0].growth) / 10.0;
+    EXPECT_NEAR(slope, s, budget::chaos_unstable_axis);
+  }
 }
 
 TEST(ChaosIndicator, OfHyperionIsThatOfThePlanarEquation) {
@@ -92,15 +95,18 @@ TEST(ChaosIndicator, OfHyperionIsThatOfThePlanarEquation) {
   for (const double angle : {0.0, 1.2, std::numbers::pi / 2.0}) {
     const double spin = 1.0 + 0.3 * angle;
     const RotorState s = hyperion_state(angle, spin);
+    const SaveAt last = SaveAt::times({orbits * hyperion_orbit});
     const auto found =
-        chaos_indicator(hyperion(s, orbits, Adaptive{1e-13}),
-                        SaveAt::times({orbits * hyperion_orbit}), {.deviation = in_plane});
+        chaos_indicator(hyperion(s, orbits, Adaptive{1e-13}), last, {.deviation = in_plane});
+    const auto swept =
+        chaos_indicator(hyperion(s, orbits, Collocation{1e-13}), last, {.deviation = in_plane});
     const double scale = spin * C;
     const auto end =
         PlanarSpin::after({angle, spin, 1.0, 0.5 * scale / C}, orbits * hyperion_orbit, 60000);
     const double growth =
         0.5 * std::log((end[2] * end[2] + std::pow(end[3] * C / scale, 2)) / 1.25);
     EXPECT_NEAR(found.samples.back().growth, growth, budget::chaos_planar);
+    EXPECT_NEAR(swept.samples.back().growth, growth, budget::chaos_planar);
   }
 }
 
@@ -162,6 +168,11 @@ TEST(ChaosIndicator, EveryWayToCarryADeviationAgrees) {
   near(chaos_indicator(hyperion(s, 5.0, Adaptive{1e-13}), rows, neighbour),
        budget::chaos_neighbour);
   near(chaos_indicator(hyperion(s, 5.0, VariationOfConstants{1e-13}), rows), 0.0);
+  for (const int stages : {4, 8, 16}) {
+    near(chaos_indicator(hyperion(s, 5.0, Collocation{1e-13, stages}), rows), budget::chaos_growth);
+    near(chaos_indicator(hyperion(s, 5.0, Collocation{1e-13, stages}), rows, neighbour),
+         budget::chaos_neighbour);
+  }
   const Splitting fine{hyperion_orbit / 256.0, SplittingScheme::ABA1064};
   near(chaos_indicator(hyperion(s, 5.0, fine), rows), budget::chaos_trapezoid);
   near(chaos_indicator(hyperion(s, 5.0, fine), rows, neighbour), budget::chaos_trapezoid);
@@ -221,7 +232,9 @@ TEST(ChaosIndicator, InAMovingFrameAndBackwards) {
     };
     const ChaosSample a = found(inertial, Adaptive{1e-13});
     for (const ChaosSample& b :
-         {found(frame, Adaptive{1e-13}), found(frame, Splitting{0.01, SplittingScheme::order8}),
+         {found(frame, Adaptive{1e-13}), found(frame, Collocation{1e-13}),
+          found(inertial, Collocation{1e-13}), found(inertial, Collocation{.step = 0.05}),
+          found(frame, Splitting{0.01, SplittingScheme::order8}),
           found(inertial, Splitting{0.01, SplittingScheme::order8})}) {
       EXPECT_NEAR(a.growth, b.growth, budget::chaos_growth);
       EXPECT_NEAR(a.mean_megno, b.mean_megno, budget::chaos_trapezoid);
@@ -240,17 +253,23 @@ TEST(ChaosIndicator, StepsEndWhereATorqueJumps) {
       "jets", TorqueTable(rows, {TorqueTable::Between::step, TorqueTable::Outside::zero, {}}));
   for (const bool backwards : {false, true}) {
     const double start = backwards ? 100.0 : 0.0, stop = 100.0 - start;
-    const Problem problem{
+    Problem problem{
         System(body, Frame::inertial(), {jets}), tumbling, start, stop, Adaptive{1e-13}, {}};
     const SaveAt end = SaveAt::times({stop});
-    const Statistics plain = integrate(problem).statistics();
     const double want = growth_by(state_transitions(problem, end).back().transition);
-    for (const bool neighbour : {false, true}) {
-      const auto found = chaos_indicator(problem, end, {.neighbour = neighbour});
-      EXPECT_LE(found.statistics.rejected, plain.rejected + 3) << backwards << neighbour;
-      EXPECT_LE(found.statistics.steps, 2 * plain.steps) << backwards << neighbour;
-      EXPECT_NEAR(found.samples.back().growth, want,
-                  neighbour ? budget::chaos_neighbour : budget::chaos_growth);
+    for (const Method& method : {Method(Adaptive{1e-13}), Method(Collocation{1e-13})}) {
+      SCOPED_TRACE(method_text(method));
+      problem.method = method;
+      const Statistics plain = integrate(problem).statistics();
+      EXPECT_NEAR(growth_by(state_transitions(problem, end).back().transition), want,
+                  budget::chaos_growth);
+      for (const bool neighbour : {false, true}) {
+        const auto found = chaos_indicator(problem, end, {.neighbour = neighbour});
+        EXPECT_LE(found.statistics.rejected, plain.rejected + 3) << backwards << neighbour;
+        EXPECT_LE(found.statistics.steps, 2 * plain.steps) << backwards << neighbour;
+        EXPECT_NEAR(found.samples.back().growth, want,
+                    neighbour ? budget::chaos_neighbour : budget::chaos_growth);
+      }
     }
   }
 }
@@ -280,12 +299,13 @@ TEST(ChaosIndicator, WhatCannotGoOnSaysWhy) {
                                using std::sqrt;
                                return sqrt(3.0 - t) * s.g;
                              }));
-  const Problem problem{
-      System(body, Frame::inertial(), {wall}), tumbling, 0.0, 5.0, Adaptive{1e-10}, {}};
-  const auto found = chaos_indicator(problem, SaveAt::times({1.0, 2.0, 5.0}));
-  EXPECT_EQ(found.samples.size(), 2U);
-  EXPECT_FALSE(found.outcome.ok());
-  EXPECT_THAT(found.outcome.advice, HasSubstr("wall"));
+  for (const Method& method : {Method(Adaptive{1e-10}), Method(Collocation{1e-10})}) {
+    const Problem problem{System(body, Frame::inertial(), {wall}), tumbling, 0.0, 5.0, method, {}};
+    const auto found = chaos_indicator(problem, SaveAt::times({1.0, 2.0, 5.0}));
+    EXPECT_EQ(found.samples.size(), 2U);
+    EXPECT_FALSE(found.outcome.ok());
+    EXPECT_THAT(found.outcome.advice, HasSubstr("wall"));
+  }
 }
 
 TEST(ChaosIndicator, RefusesWhatIsNoProblem) {

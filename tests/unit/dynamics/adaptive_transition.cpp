@@ -59,13 +59,16 @@ std::array<double, 6> tangent(const RotorState& from, const RotorState& to) {
 TEST(StateTransitions, WithoutTorqueAreThoseOfTheFreeRotation) {
   const double stop = 10.0 * w1_turn;
   const FreeRotation free(w1_body, w1_state);
-  const auto rows =
-      state_transitions({System(w1_body), w1_state, 0.0, stop, tight}, SaveAt::count(0.0, stop, 4));
-  ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0].transition, Matrix6::identity());
-  for (const TransitionSample& row : rows) {
-    EXPECT_LE(difference(row.transition, free.state_transition(row.t)), budget::transition_free);
-    EXPECT_LE(distance(row.s, free.at(row.t)), budget::transition_free);
+  for (const Method& method : {Method(tight), Method(Collocation{1e-14})}) {
+    SCOPED_TRACE(method_text(method));
+    const auto rows = state_transitions({System(w1_body), w1_state, 0.0, stop, method},
+                                        SaveAt::count(0.0, stop, 4));
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0].transition, Matrix6::identity());
+    for (const TransitionSample& row : rows) {
+      EXPECT_LE(difference(row.transition, free.state_transition(row.t)), budget::transition_free);
+      EXPECT_LE(distance(row.s, free.at(row.t)), budget::transition_free);
+    }
   }
 }
 
@@ -94,6 +97,7 @@ TEST(StateTransitions, DoNotDependOnTheUnitOfMass) {
 TEST(StateTransitions, OfAGravityGradientAreTheDifferencesOfRuns) {
   const double stop = 3.0, h = 1e-4;
   const auto rows = state_transitions(w1(tight, 0.0, stop), SaveAt::times({stop}));
+  const auto swept = state_transitions(w1(Collocation{1e-14}, 0.0, stop), SaveAt::times({stop}));
   const Adaptive exact{1e-19, Precision::double_double};
   Matrix6 M;
   for (int j = 0; j < 6; ++j) {
@@ -116,6 +120,7 @@ TEST(StateTransitions, OfAGravityGradientAreTheDifferencesOfRuns) {
     }
   }
   EXPECT_LE(difference(rows[0].transition, M), budget::transition_difference);
+  EXPECT_LE(difference(swept[0].transition, M), budget::transition_difference);
 }
 
 TEST(StateTransitions, OfAHamiltonianAreSymplectic) {
@@ -149,7 +154,10 @@ TEST(StateTransitions, OfEveryMethodAreThoseOfTheMotion) {
     const SaveAt due = stop > 0.0 ? times : SaveAt::times({0.0, -0.013, -1.0, -1.2345});
     const auto exact = state_transitions(w1(tight, 0.0, stop, w1_state, frame), due);
     for (const Method& method :
-         {Method{Splitting{0.01, SplittingScheme::order8}}, Method{VariationOfConstants{1e-13}}}) {
+         {Method{Splitting{0.01, SplittingScheme::order8}}, Method{VariationOfConstants{1e-13}},
+          Method{Collocation{1e-13}}, Method{Collocation{1e-13, 4}}, Method{Collocation{1e-13, 16}},
+          Method{Collocation{.step = 0.05}}}) {
+      SCOPED_TRACE(method_text(method));
       const auto rows = state_transitions(w1(method, 0.0, stop, w1_state, frame), due);
       ASSERT_EQ(rows.size(), exact.size());
       for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -161,15 +169,60 @@ TEST(StateTransitions, OfEveryMethodAreThoseOfTheMotion) {
   }
 }
 
+// M P M^T - P', relative to |M|^2 |P|.
+double symplectic_defect(const TransitionSample& row, const RotorState& first) {
+  const Matrix6& M = row.transition;
+  const Matrix6 carried = M * poisson(first.g) * transpose(M);
+  const double scale = largest(M) * largest(M) * largest(poisson(first.g));
+  return largest(poisson(row.s.g)) * difference(carried, poisson(row.s.g)) / scale;
+}
+
 TEST(StateTransitions, OfASplittingAreSymplecticWhateverTheStep) {
   const auto rows = state_transitions(w1(Splitting{0.1, SplittingScheme::order2}, 0.0, 20.0),
                                       SaveAt::count(0.0, 20.0, 6));
-  for (const TransitionSample& row : rows) {
-    const Matrix6& M = row.transition;
-    const Matrix6 carried = M * poisson(w1_state.g) * transpose(M);
-    const double scale = largest(M) * largest(M) * largest(poisson(w1_state.g));
-    EXPECT_LE(largest(poisson(row.s.g)) * difference(carried, poisson(row.s.g)),
-              budget::transition_symplectic * scale);
+  for (const TransitionSample& row : rows)
+    EXPECT_LE(symplectic_defect(row, w1_state), budget::transition_symplectic);
+}
+
+// In (q, g), which are no canonical variables, Gauss' steps are symplectic to their order: with
+// eight stages to rounding at any step that is of use.
+TEST(StateTransitions, OfCollocationAreSymplecticToItsOrder) {
+  const auto defect = [](int stages, double step) {
+    const auto rows = state_transitions(w1(Collocation{.stages = stages, .step = step}, 0.0, 4.0),
+                                        SaveAt::times({4.0}));
+    return symplectic_defect(rows[0], w1_state);
+  };
+  EXPECT_NEAR(std::log2(defect(4, 0.2) / defect(4, 0.1)), 8.0, budget::collocation_order);
+  for (const TransitionSample& row :
+       state_transitions(w1(Collocation{.step = 0.2}, 0.0, 20.0), SaveAt::count(0.0, 20.0, 6)))
+    EXPECT_LE(symplectic_defect(row, w1_state), budget::transition_symplectic);
+}
+
+// Of the steps as they are, however coarse: differences of runs by the same steps.
+TEST(StateTransitions, OfCollocationAreThoseOfItsSteps) {
+  const Collocation coarse{.stages = 4, .step = 0.25};
+  const double stop = 3.0, h = 1e-4;
+  const auto rows = state_transitions(w1(coarse, 0.0, stop), SaveAt::times({stop}));
+  for (int j = 0; j < 6; ++j) {
+    const auto moved = [&](double step) {
+      RotorState s = w1_state;
+      if (j < 3) {
+        Quaternion turn{1.0, 0.0, 0.0, 0.0};
+        (j == 0 ? turn.x : j == 1 ? turn.y : turn.z) = std::tan(0.5 * step);
+        s.q = normalized(s.q * turn);
+      } else {
+        s.g[j - 3] += step;
+      }
+      const Trajectory run = integrate(w1(coarse, 0.0, stop, s), {SaveAt::times({stop}), false});
+      return tangent(rows[0].s, run.samples().back().s);
+    };
+    const auto a = moved(h), b = moved(-h), c = moved(2.0 * h), d = moved(-2.0 * h);
+    for (int i = 0; i < 6; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double slope = (8.0 * (a[k] - b[k]) - (c[k] - d[k])) / (12.0 * h);
+      EXPECT_NEAR(rows[0].transition(i, j), slope,
+                  budget::transition_difference * largest(rows[0].transition));
+    }
   }
 }
 
@@ -199,7 +252,7 @@ TEST(StateTransitions, RefuseWhatTheyCannotDo) {
   const Problem broken{
       System(w1_body, Frame::inertial(), {AnyPerturbation("broken", BreaksAt{0.5})}), w1_state, 0.0,
       1.0};
-  for (const Method& method : {Method(tight), Method(Splitting{0.01})}) {
+  for (const Method& method : {Method(tight), Method(Splitting{0.01}), Method(Collocation{})}) {
     Problem run = broken;
     run.method = method;
     EXPECT_THAT([&] { state_transitions(run, end); },

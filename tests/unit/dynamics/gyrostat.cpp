@@ -35,6 +35,7 @@ const Gyrostat satellite({1.0, 1.7, 2.2}, {0.15, -0.4, 0.9}, 0.05);
 const GyrostatState start{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}, 0.25};
 const double wheel_rate = std::sqrt(0.15 * 0.15 + 0.4 * 0.4 + 0.9 * 0.9) / 0.05;
 constexpr Adaptive sharp{.tolerance = 1e-14};
+constexpr Collocation swept{.tolerance = 1e-14};
 
 GyrostatProblem problem(double stop, const Method& method = sharp) {
   return {satellite, start, 0.0, stop, method};
@@ -92,8 +93,10 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
 }
 
 TEST(Gyrostat, KeepsMomentumAndEnergy) {
-  for (const Method& method : {Method(sharp), Method(Adaptive{.tolerance = 1e-18,
-                                              .precision = Precision::double_double})}) {
+  for (const Method& method :
+       {Method(sharp), Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double}),
+        Method(swept), Method(Collocation{.step = 0.1})}) {
+    SCOPED_TRACE(method_text(method));
     const GyrostatTrajectory run = integrate(problem(200.0, method), {.dense = false});
     ASSERT_TRUE(run.outcome().ok()) << run.outcome().advice;
     ASSERT_GT(run.samples().size(), 100U);
@@ -111,11 +114,15 @@ TEST(Gyrostat, KeepsMomentumAndEnergy) {
 
 TEST(Gyrostat, MovesAsInLongDouble) {
   for (const double stop : {12.0, -12.0}) {
-    const GyrostatTrajectory run = integrate(problem(stop));
-    ASSERT_TRUE(run.has_dense());
-    for (const double share : {0.11, 0.58, 1.0}) {
-      const double t = share * stop;
-      EXPECT_LE(angle_between(run.at(t).q, InLongDouble().attitude(t)), budget::gyrostat_motion);
+    for (const Method& method : {Method(sharp), Method(swept), Method(Collocation{1e-13, 4}),
+                                 Method(Collocation{1e-14, 16})}) {
+      SCOPED_TRACE(method_text(method));
+      const GyrostatTrajectory run = integrate(problem(stop, method));
+      ASSERT_TRUE(run.has_dense());
+      for (const double share : {0.11, 0.58, 1.0}) {
+        const double t = share * stop;
+        EXPECT_LE(angle_between(run.at(t).q, InLongDouble().attitude(t)), budget::gyrostat_motion);
+      }
     }
   }
 }
@@ -149,8 +156,11 @@ TEST(Gyrostat, OfAnAxisymmetricBodyIsAClosedForm) {
   }
 }
 
-TEST(Gyrostat, EventsAreZerosOfItsState) {
-  GyrostatProblem p = problem(30.0);
+class GyrostatEvents : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, GyrostatEvents, testing::Values(sharp, swept));
+
+TEST_P(GyrostatEvents, AreZerosOfItsState) {
+  GyrostatProblem p = problem(30.0, GetParam());
   const double turn = 2.0 * 3.141592653589793;
   // the wheel has turned ten times; and the momentum about axis 1 changes its sign
   p.events = {
@@ -202,7 +212,9 @@ BasicStreams<GyrostatState> into(Record& record, int every) {
 TEST(Gyrostat, GoesOnFromACheckpointInTheSameBits) {
   for (const Method& method :
        {Method(Adaptive{.tolerance = 1e-10}),
-        Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double})}) {
+        Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double}),
+        Method(Collocation{.tolerance = 1e-10}), Method(Collocation{.step = 0.1})}) {
+    SCOPED_TRACE(method_text(method));
     GyrostatProblem p = problem(40.0, method);
     p.events = {{"g3", [](double, const GyrostatState& s) { return s.g.z - 0.2; }}};
     const SaveAt times = SaveAt::count(0.0, 40.0, 1201);
@@ -257,16 +269,21 @@ TEST(Gyrostat, ACheckpointKnowsTheStateAsItIsStarted) {
 
 TEST(Gyrostat, RefusesWhatItCannotDo) {
   EXPECT_THAT(message_of([] { integrate(problem(1.0, Splitting{0.1})); }),
-              HasSubstr("method of a gyrostat must be Adaptive"));
+              HasSubstr("method of a gyrostat must be Adaptive or Collocation: the others"));
   GyrostatProblem p = problem(1.0);
   p.initial.wheel = std::nan("");
   EXPECT_THAT(message_of([&] { integrate(p); }), HasSubstr("the angle of the wheel"));
   EXPECT_THAT(message_of([] { problem(HUGE_VAL); }), HasSubstr("stop inf must be finite"));
-  p = problem(1.0);
-  p.initial.g.x = std::nan("");
-  const GyrostatTrajectory run = integrate(p);
+  for (const Method& method : {Method(sharp), Method(swept)}) {
+    p = problem(1.0, method);
+    p.initial.g.x = std::nan("");
+    const GyrostatTrajectory run = integrate(p);
+    EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
+    EXPECT_THAT(run.outcome().advice, HasSubstr("rates of a gyrostat are not finite"));
+  }
+  const GyrostatTrajectory run = integrate(problem(100.0, Collocation{.step = 30.0}));
   EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
-  EXPECT_THAT(run.outcome().advice, HasSubstr("rates of a gyrostat are not finite"));
+  EXPECT_THAT(run.outcome().advice, HasSubstr("do not converge: take a shorter step"));
 }
 
 TEST(Gyrostat, StopsAtAnEventAndGoesBack) {

@@ -34,6 +34,7 @@ const RotorState start{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}};
 const Vec3 s0{0.4, -0.7, 0.2};
 const Vec3 torque{0.02, -0.01, 0.03};  // inertial axes
 constexpr Adaptive sharp{.tolerance = 1e-14};
+const Method methods[] = {sharp, Collocation{.tolerance = 1e-14}};
 
 DampedProblem problem(double stop, const Method& method = sharp,
                       const Frame& frame = Frame::inertial(),
@@ -123,8 +124,11 @@ double distance(const DampedSample& a, const DampedSample& b) {
 AnyPerturbation thruster() { return {"thruster", ConstantTorque::in_space(torque)}; }
 
 TEST(KaneDamperRun, IsThatOfTwoBodiesInSpace) {
-  for (const Method& method : {Method(sharp), Method(Adaptive{.tolerance = 1e-18,
-                                              .precision = Precision::double_double})}) {
+  for (const Method& method :
+       {Method(sharp), Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double}),
+        Method(Collocation{.tolerance = 1e-14}), Method(Collocation{1e-14, 4}),
+        Method(Collocation{1e-14, 16}), Method(Collocation{.step = 0.1})}) {
+    SCOPED_TRACE(method_text(method));
     const DampedTrajectory run = integrate(problem(20.0, method, Frame::inertial(), {thruster()}));
     ASSERT_TRUE(run.outcome().ok());
     for (const double t : {0.3, 7.1, 20.0}) {
@@ -137,13 +141,16 @@ TEST(KaneDamperRun, IsThatOfTwoBodiesInSpace) {
 }
 
 TEST(KaneDamperRun, IsTheSameInAMovingFrame) {
-  const Frame frame = Frame::precessing({0.3, -0.2, 1.0}, 0.7, 0.4);
-  DampedProblem moving = problem(20.0, sharp, frame, {thruster()});
-  moving.initial.rotor = reference_state(moving.system, 0.0, start);
-  const DampedTrajectory run = integrate(moving);
-  DampedSample end = run.sample(20.0);
-  end.s.rotor = inertial_state(moving.system, 20.0, end.s.rotor);
-  EXPECT_LE(distance(end, TwoBodies().sample(20.0)), budget::kane_two_bodies);
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    const Frame frame = Frame::precessing({0.3, -0.2, 1.0}, 0.7, 0.4);
+    DampedProblem moving = problem(20.0, method, frame, {thruster()});
+    moving.initial.rotor = reference_state(moving.system, 0.0, start);
+    const DampedTrajectory run = integrate(moving);
+    DampedSample end = run.sample(20.0);
+    end.s.rotor = inertial_state(moving.system, 20.0, end.s.rotor);
+    EXPECT_LE(distance(end, TwoBodies().sample(20.0)), budget::kane_two_bodies);
+  }
 }
 
 // An energy in momenta alone: its v turns body and sphere alike.
@@ -159,51 +166,58 @@ struct Coupling {
 };
 
 TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
-  for (const bool with_terms : {false, true}) {
-    std::vector<AnyPerturbation> terms;
-    if (with_terms) terms.emplace_back("coupling", Coupling{});
-    const Frame frame =
-        with_terms ? Frame::precessing({0.0, 0.6, 0.8}, 0.3, 0.0) : Frame::inertial();
-    const DampedProblem p = problem(15.0, sharp, frame, terms);
-    const DampedTrajectory run = integrate(p);
-    const auto energy_at = [&](double t) {
-      const DampedRotorState at = run.at(t);
-      return energy(at_damper_rate(p.system, at.damper_rate), t, at.rotor);
-    };
-    const auto power = [&](double t) {
-      const Vec3 s = run.at(t).damper_rate;
-      return c * dot(s, s);
-    };
-    double lost = 0.0;
-    for (int i = 0; i < 30; ++i)
-      lost += boost::math::quadrature::gauss<double, 15>::integrate(power, 0.5 * i, 0.5 * i + 0.5);
-    EXPECT_GT(lost, 0.01);
-    EXPECT_NEAR((energy_at(0.0) - energy_at(15.0)) / lost, 1.0, budget::kane_energy);
-    const auto in_space = [&](double t) {
-      const RotorState s = inertial_state(p.system, t, run.at(t).rotor);
-      return rotate(s.q, s.g);
-    };
-    if (with_terms) continue;
-    EXPECT_LE(norm(in_space(15.0) - in_space(0.0)), budget::internal_damping_momentum);
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    for (const bool with_terms : {false, true}) {
+      std::vector<AnyPerturbation> terms;
+      if (with_terms) terms.emplace_back("coupling", Coupling{});
+      const Frame frame =
+          with_terms ? Frame::precessing({0.0, 0.6, 0.8}, 0.3, 0.0) : Frame::inertial();
+      const DampedProblem p = problem(15.0, method, frame, terms);
+      const DampedTrajectory run = integrate(p);
+      const auto energy_at = [&](double t) {
+        const DampedRotorState at = run.at(t);
+        return energy(at_damper_rate(p.system, at.damper_rate), t, at.rotor);
+      };
+      const auto power = [&](double t) {
+        const Vec3 s = run.at(t).damper_rate;
+        return c * dot(s, s);
+      };
+      double lost = 0.0;
+      for (int i = 0; i < 30; ++i)
+        lost +=
+            boost::math::quadrature::gauss<double, 15>::integrate(power, 0.5 * i, 0.5 * i + 0.5);
+      EXPECT_GT(lost, 0.01);
+      EXPECT_NEAR((energy_at(0.0) - energy_at(15.0)) / lost, 1.0, budget::kane_energy);
+      const auto in_space = [&](double t) {
+        const RotorState s = inertial_state(p.system, t, run.at(t).rotor);
+        return rotate(s.q, s.g);
+      };
+      if (with_terms) continue;
+      EXPECT_LE(norm(in_space(15.0) - in_space(0.0)), budget::internal_damping_momentum);
+    }
   }
 }
 
 TEST(KaneDamperRun, WithoutFrictionTheHubIsFree) {
-  const DampedProblem p = problem(30.0, sharp, Frame::inertial(), {}, 0.0);
-  const DampedTrajectory run = integrate(p);
-  const Vec3& I = body.moments();
-  const Vec3 h = p.system.damper()->momentum(body, start.g, s0);
-  const FreeRotation hub(Body(I.x - J, I.y - J, I.z - J), {start.q, start.g - h});
-  const Vec3 h_I = rotate(start.q, h);
-  for (const double t : {3.0, 30.0}) {
-    const DampedSample at = run.sample(t);
-    const RotorState alone = hub.at(t);
-    const Vec3 of_sphere = rotate(conj(alone.q), h_I);
-    const DampedSample want{
-        t,
-        {{alone.q, alone.g + of_sphere},
-         p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)}};
-    EXPECT_LE(distance(at, want), budget::kane_two_bodies);
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    const DampedProblem p = problem(30.0, method, Frame::inertial(), {}, 0.0);
+    const DampedTrajectory run = integrate(p);
+    const Vec3& I = body.moments();
+    const Vec3 h = p.system.damper()->momentum(body, start.g, s0);
+    const FreeRotation hub(Body(I.x - J, I.y - J, I.z - J), {start.q, start.g - h});
+    const Vec3 h_I = rotate(start.q, h);
+    for (const double t : {3.0, 30.0}) {
+      const DampedSample at = run.sample(t);
+      const RotorState alone = hub.at(t);
+      const Vec3 of_sphere = rotate(conj(alone.q), h_I);
+      const DampedSample want{
+          t,
+          {{alone.q, alone.g + of_sphere},
+           p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)}};
+      EXPECT_LE(distance(at, want), budget::kane_two_bodies);
+    }
   }
 }
 
@@ -224,44 +238,56 @@ TEST(KaneDamperRun, TendsToInternalDamping) {
 }
 
 TEST(KaneDamperRun, TurnsWithABodyThatSpins) {
-  DampedProblem p = problem(50.0);
-  p.initial.rotor.g = {0.0, 0.0, 1.7};
-  p.initial.damper_rate = {};
-  const DampedTrajectory run = integrate(p);
-  EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
-  EXPECT_EQ(run.samples().back().s.rotor.g, p.initial.rotor.g);
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    DampedProblem p = problem(50.0, method);
+    p.initial.rotor.g = {0.0, 0.0, 1.7};
+    p.initial.damper_rate = {};
+    const DampedTrajectory run = integrate(p);
+    EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
+    EXPECT_EQ(run.samples().back().s.rotor.g, p.initial.rotor.g);
+  }
 }
 
 TEST(KaneDamperRun, RestsWithABodyAtRest) {
-  DampedProblem p = problem(50.0);
-  p.initial.rotor.g = {};
-  p.initial.damper_rate = {};
-  const DampedTrajectory run = integrate(p);
-  EXPECT_EQ(run.outcome().status, Outcome::Status::completed) << run.outcome().advice;
-  EXPECT_EQ(run.samples().back().s, p.initial);
-  EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    DampedProblem p = problem(50.0, method);
+    p.initial.rotor.g = {};
+    p.initial.damper_rate = {};
+    const DampedTrajectory run = integrate(p);
+    EXPECT_EQ(run.outcome().status, Outcome::Status::completed) << run.outcome().advice;
+    EXPECT_EQ(run.samples().back().s, p.initial);
+    EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
+  }
 }
 
 TEST(KaneDamperRun, GoesBackToItsStart) {
-  DampedProblem p = problem(3.0, sharp, Frame::inertial(), {thruster()});
-  p.initial = integrate(p).at(3.0);
-  p.start = 3.0;
-  p.stop = 0.0;
-  EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, {start, s0}}), budget::kane_two_bodies);
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    DampedProblem p = problem(3.0, method, Frame::inertial(), {thruster()});
+    p.initial = integrate(p).at(3.0);
+    p.start = 3.0;
+    p.stop = 0.0;
+    EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, {start, s0}}), budget::kane_two_bodies);
+  }
 }
 
 TEST(KaneDamperRun, EventsAndSamplesHoldItsRate) {
-  DampedProblem p = problem(20.0);
-  p.events.push_back({"slow",
-                      [](double, const DampedRotorState& s) { return norm(s.damper_rate) - 0.3; },
-                      Crossing::falling, true});
-  const DampedTrajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
-  ASSERT_EQ(run.events().size(), 1U);
-  EXPECT_NEAR(norm(run.events()[0].s.damper_rate), 0.3, budget::kane_two_bodies);
-  EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
-  EXPECT_EQ(run.samples()[0].s.damper_rate, s0);
-  EXPECT_EQ(run.samples().back().s.damper_rate, run.events()[0].s.damper_rate);
-  EXPECT_EQ(run.samples()[2].s.damper_rate, run.at(0.5).damper_rate);
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method_text(method));
+    DampedProblem p = problem(20.0, method);
+    p.events.push_back({"slow",
+                        [](double, const DampedRotorState& s) { return norm(s.damper_rate) - 0.3; },
+                        Crossing::falling, true});
+    const DampedTrajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
+    ASSERT_EQ(run.events().size(), 1U);
+    EXPECT_NEAR(norm(run.events()[0].s.damper_rate), 0.3, budget::kane_two_bodies);
+    EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
+    EXPECT_EQ(run.samples()[0].s.damper_rate, s0);
+    EXPECT_EQ(run.samples().back().s.damper_rate, run.events()[0].s.damper_rate);
+    EXPECT_EQ(run.samples()[2].s.damper_rate, run.at(0.5).damper_rate);
+  }
 }
 
 // A Problem shows the rotor, whatever its system has; a DampedProblem the damper too, at rest in
@@ -320,9 +346,10 @@ TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
   EXPECT_THAT(message_of([&] { rotor_rates(p.system, 0.0, start); }), HasSubstr("at_damper_rate"));
   const Problem bare{p.system, start, 0.0, 1.0, sharp};
   for (const Method& method : {Method(Splitting{0.1}), Method(VariationOfConstants{})})
-    EXPECT_EQ(message_of([&] { integrate(problem(1.0, method)); }),
-              "integrate: a Kane damper has a state of its own: method must be Adaptive; "
-              "InternalDamping, its limit of strong friction, has no state");
+    EXPECT_EQ(
+        message_of([&] { integrate(problem(1.0, method)); }),
+        "integrate: a Kane damper has a state of its own: method must be Adaptive or Collocation; "
+        "InternalDamping, its limit of strong friction, has no state");
   EXPECT_EQ(message_of([&] { state_transitions(bare, SaveAt::times({1.0})); }),
             "state_transitions: a Kane damper has a state of its own, which integrate alone "
             "carries; InternalDamping, its limit of strong friction, has no state");

@@ -84,7 +84,7 @@ TEST(OwnMethod, SaysWhatItIs) {
   EXPECT_EQ(traits.kind, "runge-kutta-4");
   EXPECT_EQ(traits.step, 0.25);
   EXPECT_FALSE(traits.needs_flows);
-  EXPECT_EQ(method_of_any_state(method), nullptr);
+  EXPECT_FALSE(moves_any_state(method));
   EXPECT_EQ(method, Method(runge_kutta_4(0.25)));
   EXPECT_NE(method, Method(runge_kutta_4(0.5)));
   EXPECT_EQ(integrate(w1(method, 0.0, 1.0)).method(), "runge-kutta-4, step 0.25");

@@ -165,7 +165,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Resume, WithADamper) {
   for (const Method& method :
        {Method(Adaptive{.tolerance = 1e-9}),
-        Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double})}) {
+        Method(Adaptive{.tolerance = 1e-18, .precision = Precision::double_double}),
+        Method(Collocation{.tolerance = 1e-10}), Method(Collocation{.step = 0.1})}) {
+    SCOPED_TRACE(method_text(method));
     const Problem free = problem(method, 40.0);
     const auto height = [](double, const DampedRotorState& s) { return s.rotor.g.z - 0.2; };
     const DampedProblem p{

@@ -68,13 +68,17 @@ double off_the_circle(const BasicSample<Pair>& at, double k) {
 }
 
 TEST(SmallModels, TwoNumbersMoveAsTheClosedForm) {
-  const OscillatorProblem p{{2.5}, {1.0, 0.0}, 0.0, -20.0, Adaptive{.tolerance = 1e-14}};
-  const BasicTrajectory<Pair> run = integrate(p);
-  ASSERT_TRUE(run.outcome().ok()) << run.outcome().advice;
-  Worst off;
-  for (const double t : {-0.3, -11.1, -20.0}) off.add(off_the_circle({t, run.at(t)}, 2.5));
-  for (const BasicSample<Pair>& at : run.samples()) off.add(off_the_circle(at, 2.5));
-  EXPECT_LE(off.value(), budget::small_model_motion);
+  for (const Method& method :
+       {Method(Adaptive{.tolerance = 1e-14}), Method(Collocation{.tolerance = 1e-14})}) {
+    SCOPED_TRACE(method_text(method));
+    const OscillatorProblem p{{2.5}, {1.0, 0.0}, 0.0, -20.0, method};
+    const BasicTrajectory<Pair> run = integrate(p);
+    ASSERT_TRUE(run.outcome().ok()) << run.outcome().advice;
+    Worst off;
+    for (const double t : {-0.3, -11.1, -20.0}) off.add(off_the_circle({t, run.at(t)}, 2.5));
+    for (const BasicSample<Pair>& at : run.samples()) off.add(off_the_circle(at, 2.5));
+    EXPECT_LE(off.value(), budget::small_model_motion);
+  }
 }
 
 TEST(SmallModels, TwoNumbersIntoASink) {
@@ -98,13 +102,16 @@ TEST(SmallModels, TwoNumbersIntoASink) {
 
 // Without turning_rate steps say how often events are looked at.
 TEST(SmallModels, TwoNumbersHaveEvents) {
-  OscillatorProblem p{{2.5}, {1.0, 0.0}, 0.0, 20.0, Adaptive{.tolerance = 1e-14}};
-  p.events = {{"x", [](double, const Pair& s) { return s.x; }}};
-  const BasicTrajectory<Pair> run = integrate(p);
-  ASSERT_EQ(run.events().size(), 16U);
-  for (std::size_t i = 0; i < 16; ++i)
-    EXPECT_NEAR(run.events()[i].t, (static_cast<double>(i) + 0.5) * std::numbers::pi / 2.5,
-                budget::small_model_motion);
+  for (const Method& method :
+       {Method(Adaptive{.tolerance = 1e-14}), Method(Collocation{.tolerance = 1e-14})}) {
+    OscillatorProblem p{{2.5}, {1.0, 0.0}, 0.0, 20.0, method};
+    p.events = {{"x", [](double, const Pair& s) { return s.x; }}};
+    const BasicTrajectory<Pair> run = integrate(p);
+    ASSERT_EQ(run.events().size(), 16U);
+    for (std::size_t i = 0; i < 16; ++i)
+      EXPECT_NEAR(run.events()[i].t, (static_cast<double>(i) + 0.5) * std::numbers::pi / 2.5,
+                  budget::small_model_motion);
+  }
 }
 
 // Slow, so that nothing but the time scale makes steps short.
@@ -113,7 +120,7 @@ struct Paced : Oscillator {
 };
 
 // The longest step that begins before t = 1, and after it.
-std::array<double, 2> longest_steps(double start, double stop, const Adaptive& method) {
+std::array<double, 2> longest_steps(double start, double stop, const Method& method) {
   const BasicProblem<Paced, Pair> p{{{0.01}}, {1.0, 0.0}, start, stop, method};
   const auto run = integrate(p, {.samples = std::nullopt, .dense = false});
   EXPECT_TRUE(run.outcome().ok());
@@ -127,17 +134,24 @@ std::array<double, 2> longest_steps(double start, double stop, const Adaptive& m
 }
 
 TEST(SmallModels, NoStepIsLongerThanTheTimeScaleWhereItBegins) {
-  for (const bool forward : {true, false}) {
-    const auto [slow, fast] =
-        longest_steps(forward ? 0.0 : 1.5, forward ? 1.5 : 0.0, Adaptive{.tolerance = 1e-9});
-    EXPECT_NEAR(slow, 0.1, budget::length_of_last_step);
-    EXPECT_NEAR(fast, 0.001, budget::length_of_last_step);
+  for (const bool forward : {true, false})
+    for (const Method& method :
+         {Method(Adaptive{.tolerance = 1e-9}), Method(Collocation{.tolerance = 1e-9})}) {
+      const auto [slow, fast] = longest_steps(forward ? 0.0 : 1.5, forward ? 1.5 : 0.0, method);
+      // steps of Collocation grow by and by
+      if (forward || std::holds_alternative<Adaptive>(method)) {
+        EXPECT_NEAR(slow, 0.1, budget::length_of_last_step);
+      }
+      EXPECT_LE(slow, 0.1 + budget::length_of_last_step);
+      EXPECT_NEAR(fast, 0.001, budget::length_of_last_step);
+    }
+  for (const Method& method : {Method(Adaptive{.tolerance = 1e-9, .largest_step = 0.5}),
+                               Method(Collocation{.tolerance = 1e-9, .largest_step = 0.5})}) {
+    const auto [slow, fast] = longest_steps(0.0, 9.0, method);
+    EXPECT_GT(slow, 0.1 + budget::length_of_last_step);
+    EXPECT_GT(fast, 0.001 + budget::length_of_last_step);
+    EXPECT_LE(larger(slow, fast), 0.5 + budget::length_of_last_step);
   }
-  const auto [slow, fast] =
-      longest_steps(0.0, 9.0, Adaptive{.tolerance = 1e-9, .largest_step = 0.5});
-  EXPECT_GT(slow, 0.1 + budget::length_of_last_step);
-  EXPECT_GT(fast, 0.001 + budget::length_of_last_step);
-  EXPECT_LE(larger(slow, fast), 0.5 + budget::length_of_last_step);
 }
 
 // A state in units in which it is small, and which is brought to a circle.

@@ -137,8 +137,9 @@ TEST_F(ExperimentKinds, WhatIsWrongStandsAtItsPlace) {
   EXPECT_THAT(error(head + body), HasSubstr("expected a table [time] as well"));
   EXPECT_THAT(error(head + body + rows + "output.columns = [\"q\"]\n"),
               HasSubstr("output.columns: got [\"q\"]; expected none: rows of kind gyrostat"));
-  EXPECT_THAT(error(head + body + rows + "method = { kind = \"splitting\", step = 1 }\n"),
-              HasSubstr("method.kind: got \"splitting\"; expected \"adaptive\", since"));
+  EXPECT_THAT(
+      error(head + body + rows + "method = { kind = \"splitting\", step = 1 }\n"),
+      HasSubstr("method.kind: got \"splitting\"; expected \"adaptive\" or \"collocation\", since"));
   EXPECT_THAT(error(head + body + rows +
                     "[map]\nkind = \"chaos\"\n[[map.axis]]\nkey = "
                     "\"gyrostat.wheel\"\nfrom = 0\nto = 1\ncount = 2\n"),

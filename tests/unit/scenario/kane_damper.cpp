@@ -111,10 +111,11 @@ TEST(ScenarioKaneDamper, RefusesWhatHasNoPlaceForIt) {
                         "perturbation of this kind"));
   EXPECT_THAT(
       error_of(damper + "[method]\nkind = \"splitting\"\nstep = 0.1\n"),
-      HasSubstr("method.kind: got \"splitting\"; expected \"adaptive\", since a Kane damper "
-                "has a state of its own"));
+      HasSubstr(
+          "method.kind: got \"splitting\"; expected \"adaptive\" or \"collocation\", since a Kane "
+          "damper has a state of its own"));
   EXPECT_THAT(error_of(damper + "[method]\nkind = \"variation-of-constants\"\n"),
-              HasSubstr("expected \"adaptive\""));
+              HasSubstr("expected \"adaptive\" or \"collocation\""));
   EXPECT_THAT(error_of("[[perturbation]]\nkind = \"kane-damper\"\nsphere_moment = 0.6\n"
                        "friction = 0.4\n"),
               HasSubstr("what is left must be a body"));

@@ -199,11 +199,13 @@ TEST(SpinPrecession, ARunGoesOnToTheLastBitFromACheckpoint) {
 
 TEST(SpinPrecession, MethodsThatDoNotKnowItAreRefused) {
   const SpinInOrbitAxes moving(earth_like(), earth_rates);  // has no frozen motion
-  EXPECT_THAT(message_of([&] { moved(moving, tilted(0.4), 1.0, Splitting{1.0}); }),
-              HasSubstr("method of a spin axis seen from its orbit must be Adaptive: the others"));
+  EXPECT_THAT(
+      message_of([&] { moved(moving, tilted(0.4), 1.0, Splitting{1.0}); }),
+      HasSubstr("method of a spin axis seen from its orbit must be Adaptive or Collocation: the "
+                "others"));
   const SpinPrecession model(earth_like(), earth_rates);
   EXPECT_THAT(message_of([&] { moved(model, tilted(0.4), 1.0, VariationOfConstants{}); }),
-              HasSubstr("must be Adaptive or Splitting"));
+              HasSubstr("must be Adaptive, Collocation or Splitting"));
 }
 
 TEST(SpinPrecession, ATableThatEndsEndsTheRun) {

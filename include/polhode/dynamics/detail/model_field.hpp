@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A model as the stepper of Adaptive and the watch for events see it.
+// A model as the steppers and the watch for events see it.
 #pragma once
 
 #include <cstdint>
@@ -60,6 +60,8 @@ struct PlainSteps {
       if (!method_limits) solver.limit_steps(field.model.time_scale(solver.time().hi));
     const StepOutcome outcome = solver.advance(stop);
     if (outcome == StepOutcome::made) return {};
+    if constexpr (requires { solver.refusal(outcome); })
+      if (std::string own = solver.refusal(outcome); !own.empty()) return own;
     return model_failure_text(name, solver.time().hi, solver.trial(), outcome);
   }
   template <class Rates>

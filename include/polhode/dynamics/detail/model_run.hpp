@@ -9,10 +9,12 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "polhode/dynamics/detail/event_watch.hpp"
 #include "polhode/dynamics/detail/frozen_stepper.hpp"
+#include "polhode/dynamics/detail/model_collocation.hpp"
 #include "polhode/dynamics/detail/model_field.hpp"
 #include "polhode/dynamics/detail/run_forms.hpp"
 
@@ -20,7 +22,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Adaptive, in a precision that the model works in. DomainError for other methods and precisions.
+// Where neither Collocation nor Splitting moves a model: Adaptive, in a precision that it works in.
+// DomainError for other methods and precisions.
 const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide,
                                 bool has_frozen);
 // Whether two lists of numbers are equal but for a few roundings of the largest.
@@ -58,6 +61,8 @@ std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& prob
   if constexpr (FrozenModel<M>)
     if (const Splitting* const method = method_of_frozen_models(problem.method))
       return std::make_unique<FrozenStepper<M>>(problem.system, problem.start, initial, *method);
+  if (const auto* const method = std::get_if<Collocation>(&problem.method))
+    return std::make_unique<ModelCollocation<M>>(problem.system, problem.start, initial, *method);
   constexpr bool has_wide = ModelOn<M, DoubleDouble>;
   const Adaptive& method = adaptive_method(M::name, problem.method, has_wide, FrozenModel<M>);
   if constexpr (has_wide)

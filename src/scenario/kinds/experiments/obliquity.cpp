@@ -273,8 +273,9 @@ class PlanetBuilder {
 
   Method method() const {
     Method method = method_of(at_).value_or(Adaptive{});
-    if (method_of_any_state(method) == nullptr && method_of_frozen_models(method) == nullptr)
-      refuse(at_.values, "method.kind", at_.name, "expected \"adaptive\" or \"splitting\"");
+    if (!moves_any_state(method) && method_of_frozen_models(method) == nullptr)
+      refuse(at_.values, "method.kind", at_.name,
+             "expected \"adaptive\", \"collocation\" or \"splitting\"");
     return method;
   }
 

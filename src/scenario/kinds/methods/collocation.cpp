@@ -27,8 +27,8 @@ constexpr std::array keys = {
         .otherwise("8"),
     quantity_key<&CollocationKeys::step>(
         "step", Dimension::time,
-        "Every step is so long: symplectic for torques with an energy. Left out: chosen by the "
-        "tolerance.")
+        "Every step is so long: energies of torques that have one do not drift. Left out: chosen "
+        "by the tolerance.")
         .example("0.1")
         .positive(),
     largest_step_key<CollocationKeys>,
@@ -52,7 +52,7 @@ std::vector<Citation> cited(const Method&) {
            "Antonana, M., Makazaga, J., Murua, A. (2017). Reducing and monitoring round-off error "
            "propagation for symplectic implicit Runge-Kutta schemes. Numerical Algorithms 76, "
            "861-880.",
-           "coefficients that stay symplectic in doubles"}};
+           "coefficients that keep quadratic invariants in doubles"}};
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Any numbers by collocation in the lanes of InstructionSet::avx512.
+#if defined(__x86_64__)
+
+#include "dynamics/collocation/lanes/number_kernel.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template NumberLanes number_kernels<InstructionSet::avx512>(std::size_t stages);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif
