@@ -2,7 +2,7 @@
 // The angles of the mean frame in each lane of a pack.
 #pragma once
 
-#include "free/detail/sadov_curve.hpp"
+#include "free/detail/sadov/curve.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/quaternion.hpp"
 

@@ -2,7 +2,7 @@
 // The polhode of a momentum in each lane of a pack, as Sadov's variables in lanes need it.
 #pragma once
 
-#include "free/detail/sadov_constants.hpp"
+#include "free/detail/sadov/constants.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/vector.hpp"
 

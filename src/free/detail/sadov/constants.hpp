@@ -24,12 +24,20 @@ struct SadovConstants {
   double cosine[2], sine[2];        // of the amplitude, per momentum along primed axes 1 and 2
   double to_axes[2][4];             // body axes <- primed axes with positive signs
   double usual[2];                  // 1 where the mode is not next to one that degenerates
+  // of the way back: the sign of the attitude of the axes where the momentum along the third is
+  // negative; on the separatrix the deficit of the action, 1 - a3/G and a3/G; and a2/a1
+  double half_turn[2], border[2], most[2], least[2], a2_over_a1[2];
 };
 
 // Of at most 64 states; usual[i] says whether result i is right.
 template <InstructionSet isa>
 void sadov_in_lanes(const SadovConstants& constants, const RotorState* states, std::size_t count,
                     SadovState* results, bool* usual);
+
+// The states of at most 64 sets.
+template <InstructionSet isa>
+void rotors_of_sadov_in_lanes(const SadovConstants& constants, const SadovState* sets,
+                              std::size_t count, RotorState* results, bool* usual);
 
 }  // namespace detail
 }  // namespace v0

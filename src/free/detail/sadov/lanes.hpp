@@ -13,8 +13,9 @@
 #include <cstddef>
 #include <cstring>
 
-#include "free/detail/sadov_curve.hpp"
-#include "free/detail/sadov_frame.hpp"
+#include "free/detail/sadov/curve.hpp"
+#include "free/detail/sadov/frame.hpp"
+#include "free/detail/sadov/mean.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/pack_rows.hpp"
@@ -72,15 +73,10 @@ class SadovBlock {
     return padded_;
   }
 
-  // Bulirsch's variables, and what goes along.
-  struct Means {
-    T kc, mean, product, p, inverse_p, a, b;
-    T c_n;  // 2^n c_n, c_n^2 = a_n^2 - b_n^2
-    T e;    // e^(-2 psi_n), psi the imaginary amplitude
-    T inverse_mean;
+  // What the amplitude becomes, besides.
+  struct Means : SadovMean<T> {
     P phi;
     T x;
-    T nome, shift;  // logarithms, from n = 4 and 6 on
   };
 
   [[gnu::always_inline]] void begin(std::size_t i, const std::array<T, 7>& row) {
@@ -97,57 +93,18 @@ class SadovBlock {
   [[gnu::always_inline]] void begin_means(std::size_t i, const Curve& k) {
     const T one(1.0), zero(0.0);
     Means& s = means_[i];
-    s.kc = s.product = sqrt(k.kp2);
-    s.mean = one;
-    s.p = sqrt(select(k.by_deficit, T(one + k.r2), T(one + k.kap2)));
-    s.inverse_p = one / s.p;
-    s.a = one;
-    s.b = select(k.by_deficit, zero, k.kp2) * s.inverse_p;
-    // psi of the larger of kappa and a1/a3: its partner, of the other, makes ln(1/q) up
-    const T v = select(k.kap2 < k.r2, k.r2, k.kap2), root = one + sqrt(T(one + v));
-    s.e = v / (root * root);
+    begin_mean<isa>(s, k.kp2, sqrt(select(k.by_deficit, T(one + k.r2), T(one + k.kap2))),
+                    select(k.by_deficit, zero, k.kp2), k.kap2, k.r2);
     const T c = k.m.x * of_mode<T>(k.long_axis, c_.cosine),
             d = k.m.y * of_mode<T>(k.long_axis, c_.sine);
     const T size = one / sqrt(T(c * c + d * d));
     s.phi = {c * size, d * size};
   }
 
-  // One step of the mean: that of c_n / a_n and of the imaginary amplitude, whose own step is
-  // e -> e (r + e) / (1 + r e).
   template <int n>
   [[gnu::always_inline]] void step_of_mean(std::size_t packs) {
-    const T two(2.0);
-    for (std::size_t i = 0; i < packs; ++i) {
-      Means& s = means_[i];
-      const T part = s.product * s.inverse_p;
-      const T next_a = s.a + s.b * s.inverse_p;
-      s.b = two * (s.a * part + s.b);
-      s.a = next_a;
-      s.p = part + s.p;
-      s.mean = s.kc + s.mean;
-      if (n < 6) s.kc = two * sqrt(s.product);
-      s.product = s.kc * s.mean;
-      // one quotient for the three that are needed
-      const T square = n == 0 ? curve_[i].k2 : T(s.c_n * s.c_n), mean2 = s.mean * s.mean;
-      const T under = mean2 + square * s.e, all = T(1.0) / (s.p * s.mean * under);
-      s.inverse_p = all * (s.mean * under);
-      s.inverse_mean = all * (s.p * under);
-      s.e = s.e * (square + s.e * mean2) * (all * (s.p * s.mean));
-      s.c_n = square * s.inverse_mean;
-      if (n == 2) s.nome = log_of(T(T(0.25) * s.c_n * s.inverse_mean)) * T(0.25);
-      if (n == 4)
-        s.nome = select(curve_[i].small, s.nome,
-                        T(log_of(nome_root(T(s.c_n * s.inverse_mean))) * T(0.0625)));
-      if (n == 3) s.shift = s.e;
-      if (n == 6)
-        s.shift = log_of(select(curve_[i].small, s.shift, s.e)) *
-                  select(curve_[i].small, T(0.0625), T(0.0078125));
-    }
-  }
-  // sqrt(q_n) of a small modulus.
-  [[gnu::always_inline]] static T nome_root(const T& modulus) {
-    const T m = modulus * modulus;
-    return T(0.25) * modulus * (T(1.0) + m * (T(0.25) + m * T(17.0 / 128)));
+    for (std::size_t i = 0; i < packs; ++i)
+      detail::step_of_mean<n, isa>(means_[i], curve_[i].k2, curve_[i].small);
   }
   // The amplitude phi goes to phi + arctan(b/a tan phi), and x is the limit of phi / 2^n: the first
   // step by the bisector of the two angles, then phi goes to twice itself less an angle e,
@@ -187,9 +144,7 @@ class SadovBlock {
     const T one(1.0), two(2.0);
     const Means& s = means_[i];
     const Curve& k = curve_[i];
-    // ln w is that of the shift, or of its partner, which make up ln q
-    const T log_w = select(k.kap2 < k.r2, T(s.nome - s.shift), s.shift);
-    const T q = exp_of_negative(s.nome), w = exp_of_negative(log_w);
+    const T q = exp_of_negative(s.nome), w = exp_of_negative(log_of_shift(s, k.kap2, k.r2));
     const T q2 = q * q, q4 = q2 * q2, w2 = w * w;
     const SinCos<T> at = sincos(s.x);
     const P first{one - two * at.sin * at.sin, two * at.sin * at.cos};
