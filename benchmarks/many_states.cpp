@@ -14,6 +14,7 @@
 
 #include "chart_errors.hpp"
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
 
 namespace {
 
@@ -105,6 +106,46 @@ void many_from_sadov(benchmark::State& state) {
   }
   state.counters["max_error_eps"] = worst.value();
 }
+const std::vector<double>& times() {
+  static const std::vector<double> all = [] {
+    std::vector<double> t(states().size());
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = 0.01 * static_cast<double>(i);
+    return t;
+  }();
+  return all;
+}
+// The error of Serret's elements is that of the state that one at a time makes of them.
+void many_to_serret(benchmark::State& state) {
+  const auto convert = [](std::span<const RotorState> from, std::span<SerretState> to,
+                          InstructionSet set) { to_serret(body, from, times(), to, set); };
+  const std::vector<SerretState> to = timed<SerretState>(state, states(), convert);
+  Worst worst;
+  for (std::size_t i = 0; i < to.size(); i += 8) {
+    const RotorState one = to_rotor(body, to[i], times()[i]);
+    worst.add(norm(one.g - states()[i].g) / eps);
+  }
+  state.counters["max_error_eps"] = worst.value();
+}
+void many_from_serret(benchmark::State& state) {
+  std::vector<SerretState> serret(states().size());
+  to_serret(body, states(), times(), serret);
+  const auto convert = [](std::span<const SerretState> from, std::span<RotorState> to,
+                          InstructionSet set) { to_rotor(body, from, times(), to, set); };
+  const std::vector<RotorState> to = timed<RotorState>(state, serret, convert);
+  Worst worst;
+  for (std::size_t i = 0; i < to.size(); i += 8) {
+    const auto got = numbers(to[i]), one = numbers(to_rotor(body, serret[i], times()[i]));
+    for (std::size_t j = 0; j < got.size(); ++j) worst.add(std::abs(got[j] - one[j]) / eps);
+  }
+  state.counters["max_error_eps"] = worst.value();
+}
+void one_to_serret(benchmark::State& state) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(to_serret(FreeRotation(body, states()[i], times()[i]), times()[i]));
+    i = (i + 1) % states().size();
+  }
+}
 void one_to_sadov(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
@@ -130,6 +171,9 @@ BENCHMARK(many_to_poincare)->DenseRange(0, 2);
 BENCHMARK(many_from_poincare)->DenseRange(0, 2);
 BENCHMARK(many_to_sadov)->DenseRange(0, 2);
 BENCHMARK(many_from_sadov)->DenseRange(0, 2);
+BENCHMARK(many_to_serret)->DenseRange(0, 2);
+BENCHMARK(many_from_serret)->DenseRange(0, 2);
+BENCHMARK(one_to_serret);
 BENCHMARK(one_to_sadov);
 BENCHMARK(one_from_sadov);
 

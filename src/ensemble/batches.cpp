@@ -35,14 +35,15 @@ void converted(std::span<const From> states, std::span<To> results, int threads,
   });
 }
 
-// The same of what may fail, which a part says with its own index: then again, with that of all.
-template <class From, class To, class Convert>
-void converted_or_named(std::span<const From> states, std::span<To> results, int threads,
-                        const Convert& convert) {
+// convert(begin, end, results) of parts, of what may fail: a part says so with its own index, so
+// then all again, with theirs.
+template <class To, class Convert>
+void converted_or_named(std::span<To> results, int threads, const Convert& convert) {
   try {
-    converted(states, results, threads, convert);
+    run_parts(results.size(), least_bodies, threads,
+              [&](std::size_t begin, std::size_t end) { convert(begin, end); });
   } catch (const DomainError&) {
-    if (threads > 1) convert(states, results);
+    if (threads > 1) convert(std::size_t{0}, results.size());
     throw;
   }
 }
@@ -136,13 +137,37 @@ void to_rotor(std::span<const PoincareState> states, std::span<RotorState> resul
 
 void to_sadov(const Body& body, std::span<const RotorState> states, std::span<SadovState> results,
               int threads, InstructionSet set) {
-  converted_or_named(states, results, threads,
-                     [&](auto some, auto found) { to_sadov(body, some, found, set); });
+  if (states.size() != results.size()) return to_sadov(body, states, results, set);  // says so
+  converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
+    to_sadov(body, cut(states, begin, end), cut(results, begin, end), set);
+  });
 }
 void to_rotor(const Body& body, std::span<const SadovState> states, std::span<RotorState> results,
               int threads, InstructionSet set) {
-  converted_or_named(states, results, threads,
-                     [&](auto some, auto found) { to_rotor(body, some, found, set); });
+  if (states.size() != results.size()) return to_rotor(body, states, results, set);
+  converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
+    to_rotor(body, cut(states, begin, end), cut(results, begin, end), set);
+  });
+}
+void to_serret(const Body& body, std::span<const RotorState> states, std::span<const double> times,
+               std::span<SerretState> results, int threads, InstructionSet set) {
+  const std::size_t n = results.size();
+  if (states.size() != n || (times.size() != n && times.size() != 1))
+    return to_serret(body, states, times, results, set);
+  converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
+    to_serret(body, cut(states, begin, end), cut_if_many(times, begin, end),
+              cut(results, begin, end), set);
+  });
+}
+void to_rotor(const Body& body, std::span<const SerretState> states, std::span<const double> times,
+              std::span<RotorState> results, int threads, InstructionSet set) {
+  const std::size_t n = results.size();
+  if (states.size() != n || (times.size() != n && times.size() != 1))
+    return to_rotor(body, states, times, results, set);
+  converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
+    to_rotor(body, cut(states, begin, end), cut_if_many(times, begin, end),
+             cut(results, begin, end), set);
+  });
 }
 
 }  // namespace v0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sadov's variables of many states of a body.
+// Sadov's variables and Serret's elements of many states of a body.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "free/detail/sorted_state.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -17,6 +18,7 @@ namespace {
 
 using DD = DoubleDouble;
 using detail::SadovConstants;
+using detail::TimesOfStates;
 
 // Of moments with differences that have the rounding of their result alone.
 struct Moments {
@@ -55,6 +57,17 @@ void set_mode(SadovConstants& c, bool is_long, const Moments& m, const detail::A
   c.least[is_long] = kappa / c.root_of_kap2[is_long];
   c.most[is_long] = 1.0 / (c.root_of_kap2[is_long] * (c.root_of_kap2[is_long] + kappa));
   c.a2_over_a1[is_long] = c.cosine[is_long] / c.sine[is_long];
+  c.rate_per_a3[is_long] = std::sqrt(CB * m.I31 / (A * B)) / C;
+}
+
+// What Serret's elements have units for; NaN, so that lanes leave them, where these are extreme.
+void set_units(SadovConstants& c, const Body& body, const Vec3& scaled_moments) {
+  const int e = detail::exponent_of_largest(body.moments());
+  c.moment_unit = std::abs(e) < 300 ? std::ldexp(1.0, e) : std::nan("");
+  for (int i = 0; i < 3; ++i) {
+    c.moment[i] = scaled_moments[i];
+    c.half_inverse[i] = DD(0.5) / DD(body.moments()[i]);
+  }
 }
 
 SadovConstants constants_of(const Body& body) {
@@ -78,6 +91,7 @@ SadovConstants constants_of(const Body& body) {
   c.d3[1] = m.I32 / I.y;
   set_mode(c, false, m, sorted);
   set_mode(c, true, m, sorted);
+  set_units(c, body, I);
   return c;
 }
 
@@ -106,6 +120,37 @@ void rotors_in_lanes([[maybe_unused]] InstructionSet set, const SadovConstants& 
   detail::rotors_of_sadov_in_lanes<InstructionSet::baseline>(c, sets, count, results, usual);
 }
 
+void serret([[maybe_unused]] InstructionSet set, const SadovConstants& c, const RotorState* states,
+            const TimesOfStates& times, std::size_t count, SerretState* results, bool* usual) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512)
+    return detail::serret_in_lanes<InstructionSet::avx512>(c, states, times, count, results, usual);
+  if (set == InstructionSet::avx2)
+    return detail::serret_in_lanes<InstructionSet::avx2>(c, states, times, count, results, usual);
+#endif
+  detail::serret_in_lanes<InstructionSet::baseline>(c, states, times, count, results, usual);
+}
+
+void rotors([[maybe_unused]] InstructionSet set, const SadovConstants& c, const SerretState* sets,
+            const TimesOfStates& times, std::size_t count, RotorState* results, bool* usual) {
+  using detail::rotors_of_serret_in_lanes;
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512)
+    return rotors_of_serret_in_lanes<InstructionSet::avx512>(c, sets, times, count, results, usual);
+  if (set == InstructionSet::avx2)
+    return rotors_of_serret_in_lanes<InstructionSet::avx2>(c, sets, times, count, results, usual);
+#endif
+  rotors_of_serret_in_lanes<InstructionSet::baseline>(c, sets, times, count, results, usual);
+}
+
+TimesOfStates times_of(const std::string& function, std::span<const double> times,
+                       std::size_t states) {
+  if (times.size() != states && times.size() != 1)
+    throw DomainError(function + ": got " + std::to_string(times.size()) + " times of " +
+                      std::to_string(states) + " states; expected as many, or one for all");
+  return {times.data(), times.size() == states ? std::size_t{1} : std::size_t{0}};
+}
+
 void require_fitting(const std::string& function, std::size_t states, std::size_t results,
                      InstructionSet set) {
   if (results != states)
@@ -127,7 +172,7 @@ void converted(std::span<const From> states, std::span<To> results, const InLane
     for (std::size_t i = first; i < first + count; ++i) {
       if (usual[i - first]) continue;
       try {
-        results[i] = alone(states[i]);
+        results[i] = alone(states[i], i);
       } catch (const DomainError& e) {
         throw DomainError(std::string(e.what()) + " (state " + std::to_string(i) + ")");
       }
@@ -150,7 +195,7 @@ void to_sadov(const Body& body, std::span<const RotorState> states, std::span<Sa
       [&](const RotorState* some, std::size_t count, SadovState* found, bool* usual) {
         in_lanes(set, constants, some, count, found, usual);
       },
-      [&](const RotorState& state) { return alone(body, state); });
+      [&](const RotorState& state, std::size_t) { return alone(body, state); });
 }
 
 void to_rotor(const Body& body, std::span<const SadovState> states, std::span<RotorState> results,
@@ -162,7 +207,37 @@ void to_rotor(const Body& body, std::span<const SadovState> states, std::span<Ro
       [&](const SadovState* some, std::size_t count, RotorState* found, bool* usual) {
         rotors_in_lanes(set, constants, some, count, found, usual);
       },
-      [&](const SadovState& state) { return to_rotor(body, state); });
+      [&](const SadovState& state, std::size_t) { return to_rotor(body, state); });
+}
+
+void to_serret(const Body& body, std::span<const RotorState> states, std::span<const double> times,
+               std::span<SerretState> results, InstructionSet set) {
+  require_fitting("to_serret", states.size(), results.size(), set);
+  const TimesOfStates t = times_of("to_serret", times, states.size());
+  const SadovConstants constants = constants_of(body);
+  converted(
+      states, results,
+      [&](const RotorState* some, std::size_t count, SerretState* found, bool* usual) {
+        const auto first = static_cast<std::size_t>(some - states.data());
+        serret(set, constants, some, t.from(first), count, found, usual);
+      },
+      [&](const RotorState& state, std::size_t i) {
+        return to_serret(FreeRotation(body, state, t[i]), t[i]);
+      });
+}
+
+void to_rotor(const Body& body, std::span<const SerretState> states, std::span<const double> times,
+              std::span<RotorState> results, InstructionSet set) {
+  require_fitting("to_rotor", states.size(), results.size(), set);
+  const TimesOfStates t = times_of("to_rotor", times, states.size());
+  const SadovConstants constants = constants_of(body);
+  converted(
+      states, results,
+      [&](const SerretState* some, std::size_t count, RotorState* found, bool* usual) {
+        const auto first = static_cast<std::size_t>(some - states.data());
+        rotors(set, constants, some, t.from(first), count, found, usual);
+      },
+      [&](const SerretState& state, std::size_t i) { return to_rotor(body, state, t[i]); });
 }
 
 SadovState to_sadov(const Body& body, const RotorState& state) {

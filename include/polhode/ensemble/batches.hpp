@@ -2,7 +2,8 @@
 // Free rotation and charts of many states at a time, on the threads of one machine.
 //
 // Equations   those of the functions of the same names without `threads`: free/propagate.hpp,
-//             free/states_at.hpp, free/states_on_grid.hpp, rotor/many_states.hpp, free/sadov.hpp.
+//             free/states_at.hpp, free/states_on_grid.hpp, rotor/many_states.hpp, free/sadov.hpp,
+//             free/serret.hpp.
 // Units       those of these.
 // Domain      that of these. `threads` is how many parts are computed at a time, 1 a plain call.
 // Accuracy    the bits of these, whatever the threads.
@@ -18,6 +19,7 @@
 
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
 #include "polhode/free/states_at.hpp"
 #include "polhode/free/states_on_grid.hpp"
 #include "polhode/rotor/many_states.hpp"
@@ -58,6 +60,12 @@ void to_sadov(const Body& body, std::span<const RotorState> states, std::span<Sa
               int threads, InstructionSet set = widest_instruction_set());
 void to_rotor(const Body& body, std::span<const SadovState> states, std::span<RotorState> results,
               int threads, InstructionSet set = widest_instruction_set());
+void to_serret(const Body& body, std::span<const RotorState> states, std::span<const double> times,
+               std::span<SerretState> results, int threads,
+               InstructionSet set = widest_instruction_set());
+void to_rotor(const Body& body, std::span<const SerretState> states, std::span<const double> times,
+              std::span<RotorState> results, int threads,
+              InstructionSet set = widest_instruction_set());
 
 }  // namespace v0
 }  // namespace polhode

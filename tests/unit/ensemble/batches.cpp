@@ -96,7 +96,7 @@ TEST(Batches, HaveTheBitsOfOneThread) {
   for (const int threads : {2, 3}) EXPECT_TRUE(same_bits(results(threads), alone)) << threads;
 }
 
-TEST(Batches, SadovsVariablesHaveTheBitsOfOneThread) {
+TEST(Batches, FlowChartsHaveTheBitsOfOneThread) {
   const std::vector<RotorState> states = drawn_states(40'000);
   std::vector<SadovState> alone(states.size()), together(states.size());
   to_sadov(body, states, alone, 1);
@@ -105,6 +105,14 @@ TEST(Batches, SadovsVariablesHaveTheBitsOfOneThread) {
   std::vector<RotorState> back(states.size()), back_together(states.size());
   to_rotor(body, alone, back, 1);
   to_rotor(body, alone, back_together, 2);
+  EXPECT_TRUE(same_bits(back, back_together));
+  const std::vector<double> times = some_times(states.size());
+  std::vector<SerretState> serret(states.size()), serret_together(states.size());
+  to_serret(body, states, times, serret, 1);
+  to_serret(body, states, times, serret_together, 2);
+  EXPECT_EQ(serret, serret_together);
+  to_rotor(body, serret, times, back, 1);
+  to_rotor(body, serret, times, back_together, 2);
   EXPECT_TRUE(same_bits(back, back_together));
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/instruction_set.hpp"
 
@@ -27,6 +28,11 @@ struct SadovConstants {
   // of the way back: the sign of the attitude of the axes where the momentum along the third is
   // negative; on the separatrix the deficit of the action, 1 - a3/G and a3/G; and a2/a1
   double half_turn[2], border[2], most[2], least[2], a2_over_a1[2];
+  // of Serret's elements: sorted moments in a power of two, that unit, 1/2I along the body axes,
+  // and the rate of u over a3 at momentum 1 in that unit
+  double moment[3], moment_unit;
+  DoubleDouble half_inverse[3];
+  double rate_per_a3[2];
 };
 
 // Of at most 64 states; usual[i] says whether result i is right.
@@ -34,10 +40,30 @@ template <InstructionSet isa>
 void sadov_in_lanes(const SadovConstants& constants, const RotorState* states, std::size_t count,
                     SadovState* results, bool* usual);
 
+// A time each, or one for all.
+struct TimesOfStates {
+  const double* first;
+  std::size_t step;
+
+  double operator[](std::size_t i) const { return first[i * step]; }
+  TimesOfStates from(std::size_t i) const { return {first + i * step, step}; }
+};
+
+// Serret's elements of states, each at its time.
+template <InstructionSet isa>
+void serret_in_lanes(const SadovConstants& constants, const RotorState* states,
+                     const TimesOfStates& times, std::size_t count, SerretState* results,
+                     bool* usual);
+
 // The states of at most 64 sets.
 template <InstructionSet isa>
 void rotors_of_sadov_in_lanes(const SadovConstants& constants, const SadovState* sets,
                               std::size_t count, RotorState* results, bool* usual);
+
+template <InstructionSet isa>
+void rotors_of_serret_in_lanes(const SadovConstants& constants, const SerretState* sets,
+                               const TimesOfStates& times, std::size_t count, RotorState* results,
+                               bool* usual);
 
 }  // namespace detail
 }  // namespace v0
