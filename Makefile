@@ -27,7 +27,7 @@ MUTANTS := 400
 REPETITIONS := 5
 VARIANTS    := 8
 
-.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel clean
+.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-neon test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -54,7 +54,7 @@ test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzz
 	$(PACKAGE) $(PYTEST) tests
 	$(PACKAGE) $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
-test-full: test-clang test-asan test-tsan fuzz test-sweeps ## All that there is, part by part (hours)
+test-full: test-clang test-asan test-tsan test-neon fuzz test-sweeps ## All that there is, part by part (hours)
 
 test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang 16 compiles them
 	cmake --build --preset clang --target all benchmarks
@@ -70,6 +70,12 @@ test-tsan: build/tsan/build.ninja ## Part of test-full: what starts threads, und
 	ctest --preset tsan -j $(CORES) --progress
 	tools/sanitized tsan $(PYTEST) tests/cli/test_map.py
 	tools/sanitized tsan $(PYTEST) python/tests -k "thread or map or ctrl_c"
+
+test-neon: ## Part of test-full: what computes in lanes, for AArch64 (NEON), run by qemu
+	tools/install-deps --neon
+	cmake --preset neon
+	cmake --build --preset neon
+	ctest --preset neon -j $(CORES) --progress
 
 test-sweeps: build ## Part of test-full: the big sweeps
 	cmake --build build/release

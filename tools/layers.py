@@ -104,7 +104,7 @@ def complaint(path, layer, bracket, name, allowed):
             banned = NOT_IN_LIBRARY if layer in IO else NOT_IN_CORE
             return f"<{name}> is not for this layer" if layer != "cli" and name in banned else None
         pattern = THIRD_PARTY.get(layer)
-        if name.endswith("mmintrin.h") and path == ROOT / INSTRUCTIONS:
+        if name.endswith(("mmintrin.h", "arm_neon.h")) and path == ROOT / INSTRUCTIONS:
             return None
         if not public and pattern and re.match(pattern, name):
             return None

@@ -43,6 +43,10 @@ list of terms and any orbit; the others get eleven equations. Variants start at 
 differ by up to 1e-3. Two other bodies go through 300 orbits: one with moments of mass of
 degree 3 and e = 0.3, one with a magnetic moment in the field of a tilted dipole.""",
      ("G9", "G10")),
+    ("Steps of a simulator", """\
+The free rotation of one body over 100 turns by MuJoCo, at steps of its own (a power of two each),
+beside the closed form and polhode's integrator. The error is the largest component of the
+quaternion between the last attitude and that of the textbook form at 50 digits.""", ("steps",)),
     ("The spin axis over ages", """\
 The axis of an Earth-like planet over 20 Myr on an orbit that is given as a series, averaged
 over rotation and orbit; milliseconds for a million years. The error is the distance of the

@@ -16,6 +16,8 @@ import native
 import obliquity
 import orbits
 import perturbed
+import steps
+import torque_free
 from records import faults, matched, record, write
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -25,8 +27,8 @@ DEFAULTS = ("polhode Adaptive, 1e-15", "polhode Collocation, default")
 
 # What the issue of peers names and no driver of ours measures, and why.
 NOT_MEASURED = (
-    "Orekit's TorqueFree on Hipparchus (no driver)", "snvec, VPLanet, GRIT, FRB (in no registry)",
-    "MuJoCo and pyerfa (no workload of theirs is among the goals)")
+    "snvec, VPLanet, GRIT, FRB (in no registry)",
+    "pyerfa (the nutation of the real Earth is ERFA's own function in polhode, too)")
 
 
 class Report:
@@ -81,6 +83,21 @@ class Report:
             if not p["who"].startswith("polhode"):
                 self._beside("G11", f"tolerance {p['setting']}", ours, p)
 
+    def steps(self):
+        points = steps.measured(self.options, PROGRAMS / "peers_errors", self.miss)
+        if not points:
+            return
+        self.curves["Free rotation over 100 turns"] = {"points": points, "compilation": {}}
+        ours = [{**p, "who": f"{p['who']}, {p['setting']}"} for p in points
+                if p["who"].startswith("polhode")]
+        for p in points:
+            if not p["who"].startswith("polhode"):
+                self._beside("steps", f"100 turns, step {p['setting']}", ours, p)
+
+    def torque_free(self):
+        lines = torque_free.measured(self.options, PROGRAMS / "peers_errors", self.miss)
+        self.records += native.paired(lines, self._again(), self.revision, self.miss)
+
     def _beside(self, goal, case, ours, theirs):
         """Records of what polhode uses unless told otherwise, at its tightest, and of its match."""
         match = ours[matched([(p["seconds"], p["error"]) for p in ours], theirs["error"])]
@@ -121,7 +138,7 @@ def main():
     parser.add_argument("--repetitions", type=int, default=5)
     parser.add_argument("--variants", type=int, default=8, help="of W1 (the issue's goal: 32)")
     parser.add_argument("--quick", action="store_true", help="W1 at the tightest settings alone")
-    parser.add_argument("--only", default="native,perturbed,orbits,obliquity",
+    parser.add_argument("--only", default="native,perturbed,orbits,obliquity,steps,java",
                         help="parts, with commas")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/bench")
     options = parser.parse_args()
@@ -138,6 +155,10 @@ def main():
         report.orbits()
     if "obliquity" in parts:
         report.obliquity()
+    if "steps" in parts:
+        report.steps()
+    if "java" in parts:
+        report.torque_free()
     found = report.save()
     print("\n".join(found), end="\n" if found else "", file=sys.stderr)
     return 1 if found else 0

@@ -50,10 +50,12 @@ def test_every_public_method_has_one():
 
 def test_methods_are_called_pickled_and_shown_as_before():
     at = polhode.FreeRotation.at
-    assert str(inspect.signature(at)) == "(self, t: 'numpy.typing.ArrayLike') -> 'RotorState'"
+    assert str(inspect.signature(at)) == (
+        "(self, t: 'numpy.typing.ArrayLike', *, threads: 'int' = 1) -> 'RotorState'")
     body = polhode.Body(1.0, 1.7, 2.1)
     motion = polhode.FreeRotation(body, polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0]))
-    assert str(inspect.signature(motion.at)) == "(t: 'numpy.typing.ArrayLike') -> 'RotorState'"
+    assert str(inspect.signature(motion.at)) == (
+        "(t: 'numpy.typing.ArrayLike', *, threads: 'int' = 1) -> 'RotorState'")
     assert at(motion, 2.0) == motion.at(2.0) == motion.at(t=2.0)
     assert at.__name__ == "at" and "exact state" in at.__doc__
     assert motion.at.__doc__ == at.__doc__

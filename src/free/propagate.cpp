@@ -34,7 +34,8 @@ RotorState one_by_one(const BodyRows& rows, std::size_t i) {
                   *row(rows.times, i));
 }
 
-void in_lanes(const BodyRows& rows, std::span<RotorState> results, bool* left, InstructionSet set) {
+void in_lanes(const BodyRows& rows, std::span<RotorState> results, bool* left,
+              [[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512)
     return detail::bodies_in_lanes<InstructionSet::avx512>(rows, results, left);

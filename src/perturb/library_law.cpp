@@ -11,7 +11,7 @@ namespace detail {
 POLHODE_EACH_LAW(POLHODE_ELSEWHERE)
 
 template <class Law>
-LawOnStages<Law> library_law(InstructionSet set) {
+LawOnStages<Law> library_law([[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return &law_on_stages<InstructionSet::avx512, Law>;
   if (set == InstructionSet::avx2) return &law_on_stages<InstructionSet::avx2, Law>;

@@ -11,26 +11,24 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-template <class To, class From>
+template <class To, class From, class... How>
 void converted(const char* function, std::span<const From> states, std::span<To> results,
-               InstructionSet set) {
+               InstructionSet set, How... how) {
   if (results.size() != states.size())
     throw DomainError(std::string(function) + ": got room for " + std::to_string(results.size()) +
                       " results of " + std::to_string(states.size()) + " states; expected as many");
   if (!supports(set))
     throw DomainError(std::string(function) + ": got " + std::string(instruction_set_name(set)) +
                       "; expected instructions that this processor has");
-  const auto in_lanes = [&](auto* converted_in_lanes) {
-    converted_in_lanes(states.data(), states.size(), results.data());
-  };
+  const From* const from = states.data();
   using detail::converted_in_lanes;
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512)
-    return in_lanes(&converted_in_lanes<InstructionSet::avx512, To, From>);
+    return converted_in_lanes<InstructionSet::avx512>(from, states.size(), results.data(), how...);
   if (set == InstructionSet::avx2)
-    return in_lanes(&converted_in_lanes<InstructionSet::avx2, To, From>);
+    return converted_in_lanes<InstructionSet::avx2>(from, states.size(), results.data(), how...);
 #endif
-  in_lanes(&converted_in_lanes<InstructionSet::baseline, To, From>);
+  converted_in_lanes<InstructionSet::baseline>(from, states.size(), results.data(), how...);
 }
 
 }  // namespace
@@ -48,6 +46,19 @@ void to_rotor(std::span<const AndoyerState> states, std::span<RotorState> result
   converted("to_rotor", states, results, set);
 }
 void to_rotor(std::span<const EulerState> states, std::span<RotorState> results,
+              InstructionSet set) {
+  converted("to_rotor", states, results, set);
+}
+void to_poincare(std::span<const RotorState> states, Pole pole_J, Pole pole_I,
+                 std::span<PoincareState> results, InstructionSet set) {
+  converted("to_poincare", states, results, set, detail::PolesOfSets{false, pole_J, pole_I});
+}
+void nearest_poincare(std::span<const RotorState> states, std::span<PoincareState> results,
+                      InstructionSet set) {
+  converted("nearest_poincare", states, results, set,
+            detail::PolesOfSets{true, Pole::zero, Pole::zero});
+}
+void to_rotor(std::span<const PoincareState> states, std::span<RotorState> results,
               InstructionSet set) {
   converted("to_rotor", states, results, set);
 }

@@ -55,6 +55,13 @@ inline constexpr double cayley_klein_eps = 8.0;
 // over 1 - k^2 and sin I too.
 inline constexpr double lane_sadov = 8e-15;
 inline constexpr double lane_sadov_round_trip = 4e-14;
+// The state of Sadov's variables in lanes against that of one set, over 1 - k^2.
+inline constexpr double lane_rotor_of_sadov = 8e-15;
+// Serret's elements in lanes: the state again, and that of one set, over 1 - k^2, the least
+// difference of moments and sin I; t0 over the period and the first two.
+inline constexpr double lane_serret_round_trip = 4e-15;
+inline constexpr double lane_rotor_of_serret = 1e-15;
+inline constexpr double lane_serret_t0 = 4e-15;
 // Identities of the family of polhodes in double-double; slopes by dual numbers.
 inline constexpr double family_eps = 32.0;
 inline constexpr double family_derivative_eps = 64.0;

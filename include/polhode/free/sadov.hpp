@@ -75,6 +75,12 @@ SadovState to_sadov(const Body& body, const RotorState& state);
 SadovFrequencies sadov_frequencies(const FreeRotation& motion);
 
 RotorState to_rotor(const Body& body, const SadovState& s);
+// The same of many in the lanes of the processor, far from the separatrix (k'^2 > 1e-6) and from
+// what else degenerates; the others as one by one. The bits of a result depend on its set alone,
+// and differ from those of one at a time by rounding. DomainError as to_rotor, with the state's
+// index, for as many results as there are states, and for a set that this processor lacks.
+void to_rotor(const Body& body, std::span<const SadovState> states, std::span<RotorState> results,
+              InstructionSet set = widest_instruction_set());
 
 // d(dtheta_B, dg_B) / d(phi_l, phi_g, phi_h, I_l, I_g, I_h), by dual numbers through to_rotor.
 Matrix6 chart_jacobian(const Body& body, const SadovState& s);

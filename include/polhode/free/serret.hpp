@@ -30,10 +30,13 @@
 //             to_rotor throws DomainError for a T or G / I beyond double range, moments of a ratio
 //             below 2^-900, G <= 0 (rest has no elements), |H| > G, T outside
 //             [G^2/2I3, G^2/2I1], a sphere, signs that are not 1 or -1.
-// Cost        tens of microseconds.
+// Cost        tens of microseconds; of many in lanes, docs/accuracy/benchmarks.md.
 #pragma once
 
+#include <span>
+
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/math/instruction_set.hpp"
 #include "polhode/math/matrix6.hpp"
 
 namespace polhode {
@@ -56,8 +59,19 @@ using SerretState = BasicSerretState<double>;
 
 SerretState to_serret(const FreeRotation& motion, double t);
 
+// Those of states of a body, each at its time (or one for all), in the lanes of the processor, far
+// from the separatrix (k'^2 > 1e-6) and from what else degenerates; of the others, one by one,
+// those of the motion through each. The bits of a result depend on its state and time alone, and
+// differ from those of the motion by rounding. DomainError as FreeRotation and to_serret, with the
+// state's index, for as many results as there are states, and for a set that this processor lacks.
+void to_serret(const Body& body, std::span<const RotorState> states, std::span<const double> times,
+               std::span<SerretState> results, InstructionSet set = widest_instruction_set());
+
 // The state at time t of the motion with these elements.
 RotorState to_rotor(const Body& body, const SerretState& s, double t);
+// The same of many, in lanes as far as t is within some half period of t0.
+void to_rotor(const Body& body, std::span<const SerretState> states, std::span<const double> times,
+              std::span<RotorState> results, InstructionSet set = widest_instruction_set());
 // The motion itself, with epoch t0.
 FreeRotation free_rotation(const Body& body, const SerretState& s);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Andoyer's and Euler's variables of many states at a time, in the lanes of the processor.
+// Andoyer's, Euler's and the Poincare-type variables of many states at a time, in the lanes of the
+// processor.
 //
-// Equations   those of to_andoyer, to_euler and to_rotor of one state: andoyer.hpp, euler.hpp.
+// Equations   those of the functions of one state: andoyer.hpp, euler.hpp, poincare.hpp.
 // Units       those of the states.
 // Domain      that of one state, state by state: poles, rest and NaN stay in theirs. `results` may
 //             not overlap the states.
@@ -19,6 +20,7 @@
 #include "polhode/math/instruction_set.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/poincare.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
@@ -31,6 +33,14 @@ void to_euler(std::span<const RotorState> states, std::span<EulerState> results,
 void to_rotor(std::span<const AndoyerState> states, std::span<RotorState> results,
               InstructionSet set = widest_instruction_set());
 void to_rotor(std::span<const EulerState> states, std::span<RotorState> results,
+              InstructionSet set = widest_instruction_set());
+
+// All states in one set, or each in the one whose poles are nearest to it.
+void to_poincare(std::span<const RotorState> states, Pole pole_J, Pole pole_I,
+                 std::span<PoincareState> results, InstructionSet set = widest_instruction_set());
+void nearest_poincare(std::span<const RotorState> states, std::span<PoincareState> results,
+                      InstructionSet set = widest_instruction_set());
+void to_rotor(std::span<const PoincareState> states, std::span<RotorState> results,
               InstructionSet set = widest_instruction_set());
 
 }  // namespace v0

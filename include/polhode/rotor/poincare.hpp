@@ -52,13 +52,8 @@ template <Number T>
 BasicRotorState<T> to_rotor(const BasicPoincareState<T>& s) {
   using namespace detail;
   const PoincarePair<T> p1 = poincare_pair(s.Q1, s.P1, s.G), p2 = poincare_pair(s.Q2, s.P2, s.G);
-  const PhasorPair<T> z{phasor(T(T(0.5) * s.sigma)), Phasor<T>{T(0.0), T(0.0)}};
-  const PhasorPair<T> q = outer_factor(s.pole_I, p2) * z * inner_factor(s.pole_J, p1);
-  const T u = T(0.5) * p1.w, r = s.Q1 * s.Q1 + s.P1 * s.P1;
-  const bool zero = s.pole_J == Pole::zero;
-  const T L = s.G - T(0.5) * r;
-  return {normalized(quaternion(q)),
-          {zero ? T(-(s.Q1 * u)) : T(s.Q1 * u), s.P1 * u, zero ? L : T(-L)}};
+  return rotor_of_poincare(phasor(T(T(0.5) * s.sigma)), p1, p2, Phasor<T>{s.P1, s.Q1}, s.G,
+                           s.pole_J, s.pole_I);
 }
 
 template <Number T = double>

@@ -159,19 +159,22 @@ void def_motion(nb::class_<FreeRotation>& c) {
           "The same, prepared in double precision throughout: a microsecond, for a few turns.")
       .def(
           "at",
-          [](const FreeRotation& f, ArrayLike t) {
+          [](const FreeRotation& f, ArrayLike t, int threads) {
             const Numbers times(t, "t");
             const std::size_t count = size_of(times.shape());
             return Rotors::filled(times.shape(), [&](RotorState* states) {
-              for_each_part(count, [&](std::size_t begin, std::size_t end) {
+              const auto some = [&](std::size_t begin, std::size_t end) {
                 f.at({times.at(begin), end - begin}, {states + begin, end - begin});
-              });
+              };
+              for_each_part(count, some, checked_threads(threads), least_states);
             });
           },
-          "t"_a,
+          "t"_a, nb::kw_only(), "threads"_a = 1,
           "The exact state at time t: t of any shape, a RotorState of that shape. NaN in, NaN out. "
-          "Many times in one call are several times as fast as one by one, with the same bits.")
+          "Many times in one call are several times as fast as one by one, with the same bits, on "
+          "any number of threads.")
       .def("at_grid", states_of_grid, "start"_a, "step"_a, "count"_a, nb::kw_only(), "first"_a = 0,
+           "threads"_a = 1,
            R"(The states first, first + 1, ..., first + count - 1 of an even grid of times.
 
 Parameters
@@ -179,6 +182,7 @@ Parameters
 start, step : state i of the grid is at the time start + i step, without rounding.
 count : how many, an int.
 first : the index to begin with, an int; the grid ends at 2**53.
+threads : how many parts at a time, from 1. No bit depends on it.
 
 A RotorState of shape (count,), three times as fast as at() of as many times. The bits of a state
 depend on the grid and its index alone, not on first and count; they are not those of at(), from
@@ -281,58 +285,46 @@ template <class To, class Of>
 void def_flow_chart(nb::module_& m, const char* name, Of of, const char* doc) {
   m.def(
       name,
-      [of](const FreeRotation& motion, ArrayLike t) {
+      [of](const FreeRotation& motion, ArrayLike t, int threads) {
         const Numbers times(t, "t");
-        return mapped(times, [&](double at) { return of(motion, at); });
+        return mapped(
+            times, [&](double at) { return of(motion, at); }, checked_threads(threads));
       },
-      "motion"_a, "t"_a, doc);
+      "motion"_a, "t"_a, nb::kw_only(), "threads"_a = 1, doc);
   m.def(
       name,
-      [of](const Body& body, const Rotors& states, ArrayLike t) {
+      [of](const Body& body, const Rotors& states, ArrayLike t, int threads) {
         Numbers times(t, "t");
-        return mapped(states, times, [&](const RotorState& s, double at) {
-          return of(FreeRotation(body, s, at), at);
-        });
+        return mapped(
+            states, times,
+            [&](const RotorState& s, double at) { return of(FreeRotation(body, s, at), at); },
+            checked_threads(threads));
       },
-      "body"_a, "state"_a, "t"_a = 0.0, doc);
+      "body"_a, "state"_a, "t"_a = 0.0, nb::kw_only(), "threads"_a = 1, doc);
 }
 
 void bind_flow_charts(nb::module_& m) {
   bind_states<6>(m, serret_chart);
   bind_states<6>(m, sadov_chart);
   bind_states<6>(m, tumbler_chart);
-  def_flow_chart<SerretState>(
-      m, "to_serret", [](const FreeRotation& f, double t) { return to_serret(f, t); },
-      "Serret's elements of a motion at time t, or of states at times t of the motion through "
-      "each.");
+  bind_to_serret(m);
   bind_to_sadov(m);
   def_flow_chart<TumblerState>(
       m, "to_tumbler", [](const FreeRotation& f, double t) { return to_tumbler(f, t); },
       "Observers' description of a motion at time t, or of any states. ValueError where there is "
       "none: steady rotation, separatrix, rest.");
+  bind_rotor_of_sadov(m);
   m.def(
       "to_rotor",
-      [](const Body& body, const Batch<SadovState>& states) {
-        return mapped(states, [&](const SadovState& s) { return to_rotor(body, s); });
+      [](const Body& body, const Batch<TumblerState>& states, int threads) {
+        return mapped(
+            states, [&](const TumblerState& s) { return to_rotor(body, s); },
+            checked_threads(threads));
       },
-      "body"_a, "state"_a,
-      "The hub state of action-angle variables. ValueError for actions outside the region.");
-  m.def(
-      "to_rotor",
-      [](const Body& body, const Batch<TumblerState>& states) {
-        return mapped(states, [&](const TumblerState& s) { return to_rotor(body, s); });
-      },
-      "body"_a, "state"_a,
+      "body"_a, "state"_a, nb::kw_only(), "threads"_a = 1,
       "The hub state at the epoch of the angles. ValueError for periods that the body cannot "
       "have.");
-  m.def(
-      "to_rotor",
-      [](const Body& body, const Batch<SerretState>& states, ArrayLike t) {
-        Numbers times(t, "t");
-        return mapped(states, times,
-                      [&](const SerretState& s, double at) { return to_rotor(body, s, at); });
-      },
-      "body"_a, "state"_a, "t"_a, "The hub state at time t of Serret's elements.");
+  bind_rotor_of_serret(m);
 }
 
 void bind_flow_jacobians(nb::module_& m) {

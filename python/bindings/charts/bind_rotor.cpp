@@ -285,69 +285,84 @@ template <class S>
 void def_to_rotor_together(nb::module_& m) {
   m.def(
       "to_rotor",
-      [](const Batch<S>& states) {
+      [](const Batch<S>& states, int threads) {
         return mapped_together<RotorState>(
-            states, [](std::span<const S> from, std::span<RotorState> to) { to_rotor(from, to); });
+            states, [](std::span<const S> from, std::span<RotorState> to) { to_rotor(from, to); },
+            checked_threads(threads));
       },
-      "state"_a, "The hub state of a canonical set; same shape.");
-}
-
-template <class S>
-void def_to_rotor(nb::module_& m) {
-  m.def(
-      "to_rotor",
-      [](const Batch<S>& states) { return mapped(states, [](const S& s) { return to_rotor(s); }); },
-      "state"_a, "The hub state of a canonical set; same shape.");
+      "state"_a, nb::kw_only(), "threads"_a = 1, "The hub state of a canonical set; same shape.");
 }
 
 void bind_conversions(nb::module_& m) {
   def_to_rotor_together<EulerState>(m);
   def_to_rotor_together<AndoyerState>(m);
-  def_to_rotor<PoincareState>(m);
+  def_to_rotor_together<PoincareState>(m);
   m.def(
       "to_rotor",
-      [](const Body& body, const Batch<EulerRates>& states) {
-        return mapped(states, [&](const EulerRates& s) { return to_rotor(body, s); });
+      [](const Body& body, const Batch<EulerRates>& states, int threads) {
+        return mapped(
+            states, [&](const EulerRates& s) { return to_rotor(body, s); },
+            checked_threads(threads));
       },
-      "body"_a, "state"_a, "The hub state of Euler angles with their rates.");
+      "body"_a, "state"_a, nb::kw_only(), "threads"_a = 1,
+      "The hub state of Euler angles with their rates.");
   m.def(
       "to_euler",
-      [](const Rotors& states) {
+      [](const Rotors& states, int threads) {
         return mapped_together<EulerState>(
             states,
-            [](std::span<const RotorState> from, std::span<EulerState> to) { to_euler(from, to); });
+            [](std::span<const RotorState> from, std::span<EulerState> to) { to_euler(from, to); },
+            checked_threads(threads));
       },
-      "state"_a, "Euler angles and momenta of hub states; same shape. [SA (25)-(27)]");
+      "state"_a, nb::kw_only(), "threads"_a = 1,
+      "Euler angles and momenta of hub states; same shape. [SA (25)-(27)]");
   m.def(
       "to_euler_rates",
-      [](const Body& body, const Rotors& states) {
-        return mapped(states, [&](const RotorState& s) { return to_euler_rates(body, s); });
+      [](const Body& body, const Rotors& states, int threads) {
+        return mapped(
+            states, [&](const RotorState& s) { return to_euler_rates(body, s); },
+            checked_threads(threads));
       },
-      "body"_a, "state"_a, "Euler angles and their rates of hub states. [SA (5)-(7)]");
+      "body"_a, "state"_a, nb::kw_only(), "threads"_a = 1,
+      "Euler angles and their rates of hub states. [SA (5)-(7)]");
   m.def(
       "to_andoyer",
-      [](const Rotors& states) {
+      [](const Rotors& states, int threads) {
         return mapped_together<AndoyerState>(
-            states, [](std::span<const RotorState> from, std::span<AndoyerState> to) {
+            states,
+            [](std::span<const RotorState> from, std::span<AndoyerState> to) {
               to_andoyer(from, to);
-            });
+            },
+            checked_threads(threads));
       },
-      "state"_a, "Andoyer variables of hub states; same shape. [SA section 3.2]");
+      "state"_a, nb::kw_only(), "threads"_a = 1,
+      "Andoyer variables of hub states; same shape. [SA section 3.2]");
   m.def(
       "to_poincare",
-      [](const Rotors& states, OneOf<Pole> J, OneOf<Pole> I) {
+      [](const Rotors& states, OneOf<Pole> J, OneOf<Pole> I, int threads) {
         const Pole pole_J = choice<Pole>(J, "pole_J"), pole_I = choice<Pole>(I, "pole_I");
-        return mapped(states, [=](const RotorState& s) { return to_poincare(s, pole_J, pole_I); });
+        return mapped_together<PoincareState>(
+            states,
+            [=](std::span<const RotorState> from, std::span<PoincareState> to) {
+              to_poincare(from, pole_J, pole_I, to);
+            },
+            checked_threads(threads));
       },
-      "state"_a, "pole_J"_a, "pole_I"_a,
+      "state"_a, "pole_J"_a, "pole_I"_a, nb::kw_only(), "threads"_a = 1,
       "The Poincare-type set that is regular at J = 0 (Pole.zero) or pi (Pole.pi), and so for I; "
       "same shape.");
   m.def(
       "nearest_poincare",
-      [](const Rotors& states) {
-        return mapped(states, [](const RotorState& s) { return nearest_poincare(s); });
+      [](const Rotors& states, int threads) {
+        return mapped_together<PoincareState>(
+            states,
+            [](std::span<const RotorState> from, std::span<PoincareState> to) {
+              nearest_poincare(from, to);
+            },
+            checked_threads(threads));
       },
-      "state"_a, "The Poincare-type set whose poles are nearest, state by state.");
+      "state"_a, nb::kw_only(), "threads"_a = 1,
+      "The Poincare-type set whose poles are nearest, state by state.");
 }
 
 void bind_functions(nb::module_& m) {

@@ -142,7 +142,7 @@ Grid grid_of(const Shape& motions, const Shape& whole) {
 constexpr std::size_t most_times = 512;
 
 Rotors propagated_as_short_arcs(const Bodies& of, const Rotors& states, Numbers times,
-                                Numbers epochs) {
+                                Numbers epochs, int threads) {
   const Shape pairs = broadcast(of.shape, states.shape(), "bodies", "states");
   const Shape motions = broadcast(pairs, epochs.shape(), "bodies and states", "t0");
   const Shape whole = broadcast(motions, times.shape(), "bodies and states", "t");
@@ -162,21 +162,24 @@ Rotors propagated_as_short_arcs(const Bodies& of, const Rotors& states, Numbers 
   };
   return Rotors::filled(whole, [&](RotorState* out) {
     const std::size_t n = grid.times.size(), parts = (n + most_times - 1) / most_times;
-    std::optional<FreeRotation> motion;
-    std::vector<double> asked(std::min(n, most_times));
-    std::vector<RotorState> found(asked.size());
     // all times of one motion, then the next
-    for_each(grid.motions.size() * parts, [&](std::size_t k) {
-      const std::size_t part = k % parts, first = part * most_times;
-      const std::size_t count = std::min(most_times, n - first);
-      if (part == 0) motion.emplace(prepared(k / parts));
-      const auto place = [&](std::size_t i) {
-        return grid.motions[k / parts] + grid.times[first + i];
-      };
-      for (std::size_t i = 0; i < count; ++i) asked[i] = times[place(i)];
-      motion->at(std::span(asked).first(count), std::span(found).first(count));
-      for (std::size_t i = 0; i < count; ++i) out[place(i)] = found[i];
-    });
+    const auto some = [&](std::size_t begin, std::size_t end) {
+      std::optional<FreeRotation> motion;
+      std::vector<double> asked(std::min(n, most_times));
+      std::vector<RotorState> found(asked.size());
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::size_t part = k % parts, first = part * most_times;
+        const std::size_t count = std::min(most_times, n - first);
+        if (part == 0 || k == begin) motion.emplace(prepared(k / parts));
+        const auto place = [&](std::size_t i) {
+          return grid.motions[k / parts] + grid.times[first + i];
+        };
+        for (std::size_t i = 0; i < count; ++i) asked[i] = times[place(i)];
+        motion->at(std::span(asked).first(count), std::span(found).first(count));
+        for (std::size_t i = 0; i < count; ++i) out[place(i)] = found[i];
+      }
+    };
+    for_each_part(grid.motions.size() * parts, some, threads);
   });
 }
 
@@ -192,14 +195,14 @@ class Rows {
         one_(size_of(own) == 1),
         direct_(one_ || own == whole) {}
 
-  // Those of positions begin .. end: where they lie, or copied.
-  NumberRows part(std::size_t begin, std::size_t end) {
+  // Those of positions begin .. end: where they lie, or copied to `copies`.
+  NumberRows part(std::size_t begin, std::size_t end, std::vector<double>& copies) const {
     if (one_) return {first_, 0};
     if (direct_) return {first_ + begin * step_, step_};
-    copies_.resize((end - begin) * width_);
+    copies.resize((end - begin) * width_);
     for (std::size_t k = begin; k < end; ++k)
-      std::copy_n(first_ + lane_(k) * step_, width_, &copies_[(k - begin) * width_]);
-    return {copies_.data(), width_};
+      std::copy_n(first_ + lane_(k) * step_, width_, &copies[(k - begin) * width_]);
+    return {copies.data(), width_};
   }
 
  private:
@@ -207,7 +210,6 @@ class Rows {
   std::size_t step_, width_;
   Lane lane_;
   bool one_, direct_;
-  std::vector<double> copies_;
 };
 
 Rows rows_of(Numbers& numbers, std::size_t width, const Shape& whole) {
@@ -216,21 +218,28 @@ Rows rows_of(Numbers& numbers, std::size_t width, const Shape& whole) {
   return Rows(numbers.at(0), width * sizeof(double), width, own, whole);
 }
 
-Rotors propagated(Rows moments, Rows at_epochs, Rows times, Rows epochs, const Shape& whole) {
+// So many bodies of some 60 ns each are worth a thread.
+constexpr std::size_t least_bodies = 1024;
+
+Rotors propagated(const Rows& moments, const Rows& at_epochs, const Rows& times, const Rows& epochs,
+                  const Shape& whole, int threads) {
   return Rotors::filled(whole, [&](RotorState* out) {
-    for_each_part(size_of(whole), [&](std::size_t begin, std::size_t end) {
-      const BodyRows rows{moments.part(begin, end), at_epochs.part(begin, end),
-                          times.part(begin, end), epochs.part(begin, end)};
+    const auto some = [&](std::size_t begin, std::size_t end) {
+      std::vector<double> copies[4];
+      const BodyRows rows{moments.part(begin, end, copies[0]),
+                          at_epochs.part(begin, end, copies[1]), times.part(begin, end, copies[2]),
+                          epochs.part(begin, end, copies[3])};
       const std::vector<FailedBody> failed = propagate(rows, {out + begin, end - begin});
       if (failed.empty()) return;
       const std::string at = whole.empty() ? "" : index_text(begin + failed[0].index, whole);
       throw DomainError(failed[0].reason + at);
-    });
+    };
+    for_each_part(size_of(whole), some, threads, least_bodies);
   });
 }
 
 Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::handle t0,
-                  bool short_arc) {
+                  bool short_arc, int threads) {
   Numbers times(t, "t"), epochs(t0, "t0");
   std::optional<Bodies> objects;
   std::optional<Numbers> moments;
@@ -244,13 +253,14 @@ Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::han
   const Shape motions = broadcast(pairs, epochs.shape(), "bodies and states", "t0");
   const Shape whole = broadcast(motions, times.shape(), "bodies and states", "t");
   if (short_arc)
-    return propagated_as_short_arcs(*objects, states, std::move(times), std::move(epochs));
+    return propagated_as_short_arcs(*objects, states, std::move(times), std::move(epochs), threads);
   if (size_of(whole) == 0) return Rotors::filled(whole, [](RotorState*) {});
   const Rows of_states(states.first(), states.stride(), 7, states.shape(), whole);
-  Rows of_moments = moments ? rows_of(*moments, 3, whole)
-                            : Rows(&objects->all[0].moments().x, sizeof(Body), 3, of_bodies, whole);
-  return propagated(std::move(of_moments), of_states, rows_of(times, 1, whole),
-                    rows_of(epochs, 1, whole), whole);
+  const Rows of_moments =
+      moments ? rows_of(*moments, 3, whole)
+              : Rows(&objects->all[0].moments().x, sizeof(Body), 3, of_bodies, whole);
+  return propagated(of_moments, of_states, rows_of(times, 1, whole), rows_of(epochs, 1, whole),
+                    whole, threads);
 }
 
 }  // namespace
@@ -259,9 +269,11 @@ void bind_propagate(nb::module_& m) {
   m.def(
       "propagate",
       [](Typed<"Body | collections.abc.Sequence[Body] | numpy.typing.ArrayLike"> bodies,
-         const Rotors& states, ArrayLike t, ArrayLike t0,
-         bool short_arc) { return propagated(bodies, states, t, t0, short_arc); },
+         const Rotors& states, ArrayLike t, ArrayLike t0, bool short_arc, int threads) {
+        return propagated(bodies, states, t, t0, short_arc, checked_threads(threads));
+      },
       "bodies"_a, "states"_a, "t"_a, "t0"_a = 0.0, nb::kw_only(), "short_arc"_a = false,
+      "threads"_a = 1,
       R"(The exact torque-free motion of many bodies: their states at times t.
 
 Parameters
@@ -270,6 +282,7 @@ bodies : a Body, a sequence of Body (nested: more axes), or moments (..., 3).
 states : RotorState, one or an array: at the times t0.
 t, t0 : times (...).
 short_arc : one by one, to the last bit FreeRotation.short_arc: for a few turns.
+threads : how many parts at a time, from 1: as many processors. No bit depends on it.
 
 The shapes of bodies, states, t0 and t broadcast, and are that of the result. Bodies are computed
 in the lanes of the processor, some fifty times as fast as FreeRotation(body, state, t0).at(t), of

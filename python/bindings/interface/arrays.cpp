@@ -57,6 +57,13 @@ nb::object scalar_first(nb::handle rotation) {
 
 std::size_t size_of(const Shape& shape) { return product(shape); }
 
+int checked_threads(int threads) {
+  if (threads < 1)
+    throw nb::value_error(
+        ("threads: got " + std::to_string(threads) + "; expected a whole number from 1").c_str());
+  return threads;
+}
+
 bool is_size_of(const Shape& shape, std::size_t size) {
   if (std::find(shape.begin(), shape.end(), 0) != shape.end()) return size == 0;
   for (const std::size_t extent : shape) {

@@ -15,6 +15,7 @@
 #include "bindings.hpp"
 #include "interface/gil.hpp"
 #include "interface/typed.hpp"
+#include "polhode/ensemble/parts.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
@@ -146,12 +147,47 @@ void for_each_part(std::size_t size, F f) {
   }
 }
 
+// The argument `threads` of a function: ValueError below 1.
+int checked_threads(int threads);
+
+// The same on so many threads: f runs on each of them, for parts of `least` items or more, and of
+// what it throws the first in order passes through. Threads begin anew for each look at signals,
+// which takes them some ten microseconds.
+template <class F>
+void for_each_part(std::size_t size, F f, int threads, std::size_t least = 64) {
+  using Clock = std::chrono::steady_clock;
+  if (threads == 1 || size <= least) return for_each_part(size, f);
+  constexpr std::chrono::milliseconds often(20);
+  std::size_t chunk = 2 * least * static_cast<std::size_t>(threads);
+  for (std::size_t begin = 0; begin < size;) {
+    const std::size_t end = std::min(size, begin + chunk);
+    const Clock::time_point start = Clock::now();
+    {
+      WithoutGil released;
+      run_parts(end - begin, least, threads,
+                [&](std::size_t first, std::size_t last) { f(begin + first, begin + last); });
+    }
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    const Clock::duration taken = Clock::now() - start;
+    if (taken < often / 4) chunk *= 2;
+    if (taken < often) chunk *= 2;
+    begin = end;
+  }
+}
+
 // f(k) for every k.
 template <class F>
 void for_each(std::size_t size, F f) {
   for_each_part(size, [&f](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) f(k);
   });
+}
+template <class F>
+void for_each(std::size_t size, F f, int threads) {
+  const auto part = [&f](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) f(k);
+  };
+  for_each_part(size, part, threads);
 }
 
 }  // namespace polhode::python

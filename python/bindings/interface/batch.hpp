@@ -59,29 +59,36 @@ class Batch {
 
 // f of every state: a batch of the same shape.
 template <class S, class F>
-auto mapped(const Batch<S>& states, F f) {
+auto mapped(const Batch<S>& states, F f, int threads = 1) {
   using To = std::decay_t<decltype(f(states[0]))>;
   return Batch<To>::filled(states.shape(), [&](To* out) {
-    for_each(states.size(), [&](std::size_t k) { out[k] = f(states[k]); });
+    for_each(
+        states.size(), [&](std::size_t k) { out[k] = f(states[k]); }, threads);
   });
 }
 
+// So many states of some 10 ns each are worth a thread.
+constexpr std::size_t least_states = 8192;
+
 // f(states, results) of many states at a time, which lie side by side: a batch of the same shape.
 template <class To, class S, class F>
-Batch<To> mapped_together(const Batch<S>& states, F f) {
+Batch<To> mapped_together(const Batch<S>& states, F f, int threads = 1) {
+  const auto part = [&](To* out, std::size_t begin, std::size_t end) {
+    if (states.stride() == sizeof(S)) {
+      f(std::span(&states[begin], end - begin), std::span(out + begin, end - begin));
+      return;
+    }
+    std::array<S, 256> some;
+    for (std::size_t done = begin; done < end; done += some.size()) {
+      const std::size_t count = std::min(some.size(), end - done);
+      for (std::size_t k = 0; k < count; ++k) some[k] = states[done + k];
+      f(std::span<const S>(some).first(count), std::span(out + done, count));
+    }
+  };
   return Batch<To>::filled(states.shape(), [&](To* out) {
-    for_each_part(states.size(), [&](std::size_t begin, std::size_t end) {
-      if (states.stride() == sizeof(S)) {
-        f(std::span(&states[begin], end - begin), std::span(out + begin, end - begin));
-        return;
-      }
-      std::array<S, 256> some;
-      for (std::size_t done = begin; done < end; done += some.size()) {
-        const std::size_t count = std::min(some.size(), end - done);
-        for (std::size_t k = 0; k < count; ++k) some[k] = states[done + k];
-        f(std::span<const S>(some).first(count), std::span(out + done, count));
-      }
-    });
+    for_each_part(
+        states.size(), [&](std::size_t begin, std::size_t end) { part(out, begin, end); }, threads,
+        least_states);
   });
 }
 
@@ -120,13 +127,14 @@ class Lane {
 
 // f(state, t) of states and times that broadcast: a batch, or an array with an inner shape.
 template <class S, class F>
-auto mapped(const Batch<S>& states, Numbers& t, F f) {
+auto mapped(const Batch<S>& states, Numbers& t, F f, int threads = 1) {
   using To = std::decay_t<decltype(f(states[0], 0.0))>;
   const Shape shape = broadcast(states.shape(), t.shape(), "states", t.name());
   t.broadcast(shape);
   const Lane lane(states.shape(), shape);
   return Batch<To>::filled(shape, [&](To* out) {
-    for_each(size_of(shape), [&](std::size_t k) { out[k] = f(states[lane(k)], t[k]); });
+    for_each(
+        size_of(shape), [&](std::size_t k) { out[k] = f(states[lane(k)], t[k]); }, threads);
   });
 }
 
@@ -143,10 +151,11 @@ FloatArray mapped_numbers(const Batch<S>& states, Numbers& t,
 
 // The same for functions of times alone.
 template <class F>
-auto mapped(const Numbers& t, F f) {
+auto mapped(const Numbers& t, F f, int threads = 1) {
   using To = std::decay_t<decltype(f(0.0))>;
   return Batch<To>::filled(t.shape(), [&](To* out) {
-    for_each(size_of(t.shape()), [&](std::size_t k) { out[k] = f(t[k]); });
+    for_each(
+        size_of(t.shape()), [&](std::size_t k) { out[k] = f(t[k]); }, threads);
   });
 }
 

@@ -12,7 +12,7 @@ RotorLanes rotor_kernels(std::size_t stages);
 template <InstructionSet isa>
 BodyKernels body_kernels_of(std::size_t stages);
 
-RotorLanes rotor_lanes(std::size_t stages, InstructionSet set) {
+RotorLanes rotor_lanes(std::size_t stages, [[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return rotor_kernels<InstructionSet::avx512>(stages);
   if (set == InstructionSet::avx2) return rotor_kernels<InstructionSet::avx2>(stages);

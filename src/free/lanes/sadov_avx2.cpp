@@ -2,7 +2,7 @@
 // Sadov's variables in the lanes of InstructionSet::avx2.
 #if defined(__x86_64__)
 
-#include "free/detail/sadov_lanes.hpp"
+#include "free/detail/sadov/lanes.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sadov's variables in the lanes of InstructionSet::baseline.
-#include "free/detail/sadov_lanes.hpp"
+#include "free/detail/sadov/lanes.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -163,14 +163,14 @@ class ChartBlock<isa, RotorState, From> {
   Phasor<T> half_[3][packs_of_block], J_[packs_of_block], I_[packs_of_block];
 };
 
-template <InstructionSet isa, class To, class From>
-void converted_in_lanes(const From* states, std::size_t count, To* results) {
+template <InstructionSet isa, class To, class From, class... How>
+void converted_in_lanes(const From* states, std::size_t count, To* results, How... how) {
   constexpr std::size_t width = Pack<isa>::width;
   constexpr std::size_t in = Rows<From>::numbers, out = Rows<To>::numbers;
   static_assert(sizeof(From) == in * sizeof(double) && sizeof(To) == out * sizeof(double));
   const auto* from = reinterpret_cast<const double*>(states);
   auto* to = reinterpret_cast<double*>(results);
-  ChartBlock<isa, To, From> block;
+  ChartBlock<isa, To, From> block{how...};
   std::size_t i = 0;
   while (count - i >= width) {
     const std::size_t packs = std::min((count - i) / width, packs_of_block);

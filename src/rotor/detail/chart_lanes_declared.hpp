@@ -5,13 +5,21 @@
 #include <cstddef>
 
 #include "polhode/math/instruction_set.hpp"
+#include "polhode/rotor/pole.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-template <InstructionSet isa, class To, class From>
-void converted_in_lanes(const From* states, std::size_t count, To* results);
+// Of which poles a set is to be regular at: those nearest to each state, or these.
+struct PolesOfSets {
+  bool nearest;
+  Pole J, I;
+};
+
+// `how`: PolesOfSets to Poincare's, nothing elsewhere.
+template <InstructionSet isa, class To, class From, class... How>
+void converted_in_lanes(const From* states, std::size_t count, To* results, How... how);
 
 }  // namespace detail
 }  // namespace v0

@@ -167,4 +167,131 @@ TEST(ManySadov, RefuseAnotherNumberOfResults) {
             "to_sadov: got room for 8 results of 9 states; expected as many");
 }
 
+std::vector<RotorState> back(const Body& body, const std::vector<SadovState>& sets,
+                             InstructionSet set = polhode::widest_instruction_set()) {
+  std::vector<RotorState> results(sets.size());
+  to_rotor(body, sets, results, set);
+  return results;
+}
+std::vector<std::uint64_t> bits_of(const RotorState& s) {
+  std::vector<std::uint64_t> b;
+  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
+    b.push_back(std::bit_cast<std::uint64_t>(x));
+  return b;
+}
+// What the action holds of the polhode: 1 - k^2.
+double complement(const Body& body, const RotorState& s) {
+  return smaller(1.0, FreeRotation(body, s).modulus().m1());
+}
+
+TEST(RotorsOfSadov, AreThoseOfOneAtATimeButForRounding) {
+  Draw draw(711, 0);
+  const std::size_t count = std::getenv("POLHODE_TEST_FULL") != nullptr ? 3000 : 40;
+  Worst worst;
+  for (const Body& body : bodies()) {
+    const std::vector<SadovState> sets = converted(body, any_states(draw, count));
+    const std::vector<RotorState> got = back(body, sets);
+    for (std::size_t i = 0; i < count; ++i) {
+      const RotorState one = to_rotor(body, sets[i]);
+      worst.add(difference(got[i], one) * complement(body, one));
+      EXPECT_GT(
+          got[i].q.w * one.q.w + got[i].q.x * one.q.x + got[i].q.y * one.q.y + got[i].q.z * one.q.z,
+          0.0);
+    }
+  }
+  EXPECT_LE(worst.value(), budget::lane_rotor_of_sadov);
+}
+
+// Down to the separatrix and to the axes of circulation.
+TEST(RotorsOfSadov, AreThoseOfOneAtATimeNextToTheEdges) {
+  Draw draw(712, 0);
+  const Body body(1.0, 1.7, 2.1);
+  const double slope = std::sqrt(0.7 * 2.1 / (0.4 * 1.0));  // g3/g1 on the separatrix
+  std::vector<RotorState> states;
+  for (int i = 0; i < 60; ++i) {
+    const double x = draw.sign() * draw.uniform(0.1, 1.0);
+    const double off = draw.sign() * draw.power_of_ten(-8.0, -1.0);
+    states.push_back(any_state(draw, {x, draw.normal(), draw.sign() * x * slope * (1.0 + off)}));
+    const double small = draw.power_of_ten(-16.0, -1.0);
+    states.push_back(any_state(draw, {small * draw.normal(), small * draw.normal(), draw.sign()}));
+    states.push_back(any_state(draw, {draw.sign(), small * draw.normal(), small * draw.normal()}));
+  }
+  const std::vector<SadovState> sets = converted(body, states);
+  const std::vector<RotorState> got = back(body, sets);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const RotorState one = to_rotor(body, sets[i]);
+    EXPECT_LE(difference(got[i], one) * complement(body, one), budget::lane_rotor_of_sadov) << i;
+  }
+}
+
+TEST(RotorsOfSadov, GoBackToTheState) {
+  Draw draw(713, 0);
+  Worst worst;
+  for (const Body& body : bodies()) {
+    const std::vector<RotorState> states = any_states(draw, 200);
+    const std::vector<SadovState> sets = converted(body, states);
+    const std::vector<RotorState> got = back(body, sets);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      worst.add(difference(got[i], states[i]) * complement(body, states[i]) *
+                smaller(1.0, tilt(sets[i])));
+  }
+  EXPECT_LE(worst.value(), budget::lane_sadov_round_trip);
+}
+
+TEST(RotorsOfSadov, HaveBitsThatDependOnTheSetAlone) {
+  Draw draw(714, 0);
+  for (const Body& body : bodies()) {
+    std::vector<RotorState> states = any_states(draw, 200);
+    states[7].g = {0.0, 0.0, 1.0};  // steady
+    states[30].g = {1e-9, 0.0, 1.0};
+    const std::vector<SadovState> sets = converted(body, states);
+    const std::vector<RotorState> all = back(body, sets, InstructionSet::baseline);
+    for (const InstructionSet set : polhode::supported_instruction_sets())
+      for (std::size_t count = 0, first = 0; first + count <= sets.size(); first += count++) {
+        const auto begin = sets.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto part = back(body, {begin, begin + static_cast<std::ptrdiff_t>(count)}, set);
+        for (std::size_t i = 0; i < count; ++i)
+          ASSERT_EQ(bits_of(part[i]), bits_of(all[first + i]))
+              << instruction_set_name(set) << ", " << count << " from " << first;
+      }
+  }
+}
+
+// Spheres, spins, rest, the separatrix itself: as of one set, bit by bit.
+TEST(RotorsOfSadov, WhereTheyDegenerateAreThoseOfOneSet) {
+  for (const NamedMotion& n : motions()) {
+    const FreeRotation m = n.motion();
+    if (n.regime == Regime::short_axis || n.regime == Regime::long_axis) continue;
+    const std::vector<SadovState> sets(9, to_sadov(m, 0.0));
+    for (const RotorState& s : back(n.body(), sets))
+      EXPECT_EQ(bits_of(s), bits_of(to_rotor(n.body(), sets[0]))) << n.name;
+  }
+}
+
+TEST(RotorsOfSadov, RefuseWhatOneIsRefusedAndSayWhich) {
+  const Body body(1.0, 1.7, 2.1);
+  const SadovState good = to_sadov(body, {{0.6, -0.3, 0.7, 0.2}, {0.3, -0.2, 1.0}});
+  const auto message = [&](const SadovState& bad) {
+    std::vector<SadovState> sets(20, good);
+    sets[13] = sets[17] = bad;
+    return message_of([&] { back(body, sets); });
+  };
+  SadovState bad = good;
+  const auto expected = [&] { return message_of([&] { to_rotor(body, bad); }) + " (state 13)"; };
+  bad.lobe = 0;
+  EXPECT_EQ(message(bad), expected());
+  bad = good;
+  bad.I_l = 0.1 * good.I_g;  // of the other region
+  EXPECT_EQ(message(bad), expected());
+  bad = good;
+  bad.I_h = 1.1 * good.I_g;
+  EXPECT_EQ(message(bad), expected());
+  bad = good;
+  bad.I_g = not_a_number;
+  EXPECT_EQ(message(bad), expected());
+  std::vector<RotorState> results(8);
+  EXPECT_EQ(message_of([&] { to_rotor(body, std::vector<SadovState>(9, good), results); }),
+            "to_rotor: got room for 8 results of 9 states; expected as many");
+}
+
 }  // namespace

@@ -32,6 +32,16 @@ std::array<double, 6> numbers(const EulerState& s) {
 std::array<double, 7> numbers(const RotorState& s) {
   return {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z};
 }
+std::array<double, 8> numbers(const PoincareState& s) {
+  return {s.sigma,
+          s.Q1,
+          s.Q2,
+          s.G,
+          s.P1,
+          s.P2,
+          double(s.pole_J == Pole::pi),
+          double(s.pole_I == Pole::pi)};
+}
 template <class State>
 std::vector<std::uint64_t> bits_of(const State& s) {
   std::vector<std::uint64_t> b;
@@ -51,6 +61,21 @@ struct ToEuler {
   template <class... A>
   static auto of(A&&... a) {
     return to_euler(a...);
+  }
+};
+template <Pole J, Pole I>
+struct ToPoincare {
+  using To = PoincareState;
+  static auto of(const RotorState& s) { return to_poincare(s, J, I); }
+  static void of(std::span<const RotorState> s, std::span<To> results, InstructionSet set) {
+    to_poincare(s, J, I, results, set);
+  }
+};
+struct ToNearestPoincare {
+  using To = PoincareState;
+  template <class... A>
+  static auto of(A&&... a) {
+    return nearest_poincare(a...);
   }
 };
 struct ToRotor {
@@ -119,6 +144,20 @@ std::vector<typename Chart::To> expect_chart(const std::vector<RotorState>& stat
   return got;
 }
 
+// sigma is an angle; the other numbers have the bits of one state at a time.
+template <class Chart>
+std::vector<PoincareState> expect_poincare(const std::vector<RotorState>& states) {
+  const auto got = converted<Chart>(states);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto x = numbers(got[i]), one = numbers(Chart::of(states[i]));
+    expect_near_angle(x[0], one[0]);
+    for (std::size_t j = 1; j < x.size(); ++j)
+      EXPECT_EQ(bits(x[j]), bits(one[j])) << i << ", " << j;
+    if (testing::Test::HasFailure()) break;
+  }
+  return got;
+}
+
 template <class From>
 void expect_hub(const std::vector<From>& states) {
   const std::vector<RotorState> got = converted<ToRotor>(states);
@@ -139,12 +178,24 @@ TEST(ManyStates, AreThoseOfOneAtATimeButForRounding) {
   expect_hub(expect_chart<ToEuler>(all));
 }
 
+TEST(ManyStates, PoincareTypeSetsAreThoseOfOneAtATimeButForRounding) {
+  const std::vector<RotorState> all = hard_states();
+  expect_hub(expect_poincare<ToPoincare<Pole::zero, Pole::zero>>(all));
+  expect_hub(expect_poincare<ToPoincare<Pole::zero, Pole::pi>>(all));
+  expect_hub(expect_poincare<ToPoincare<Pole::pi, Pole::zero>>(all));
+  expect_hub(expect_poincare<ToPoincare<Pole::pi, Pole::pi>>(all));
+  expect_hub(expect_poincare<ToNearestPoincare>(all));
+}
+
 TEST(ManyStates, HaveBitsThatDependOnTheStateAlone) {
   const std::vector<RotorState> all = hard_states(1500);
   expect_same_bits<ToAndoyer>(all);
   expect_same_bits<ToEuler>(all);
   expect_same_bits<ToRotor>(converted<ToAndoyer>(all));
   expect_same_bits<ToRotor>(converted<ToEuler>(all));
+  expect_same_bits<ToPoincare<Pole::pi, Pole::zero>>(all);
+  expect_same_bits<ToNearestPoincare>(all);
+  expect_same_bits<ToRotor>(converted<ToNearestPoincare>(all));
 }
 
 TEST(ManyStates, AnglesOfManyTurnsAndMomentaBeyondTheirRange) {

@@ -14,6 +14,8 @@
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 namespace polhode {
@@ -48,7 +50,7 @@ inline constexpr std::int64_t inverse_exponent = 0x7fe0000000000000;
 template <InstructionSet isa>
 struct Registers;
 
-// Registers of any processor: 16 bytes.
+// Registers of any processor: 16 bytes, on x86-64 those of SSE2, on AArch64 those of NEON.
 template <>
 struct Registers<InstructionSet::baseline> {
   using Doubles = double __attribute__((vector_size(16)));
@@ -57,10 +59,20 @@ struct Registers<InstructionSet::baseline> {
   [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) {
 #if defined(__SSE2__)
     return _mm_sqrt_pd(x);
+#elif defined(__aarch64__)
+    return std::bit_cast<Doubles>(vsqrtq_f64(std::bit_cast<float64x2_t>(x)));
 #else
     return Doubles{std::sqrt(x[0]), std::sqrt(x[1])};
 #endif
   }
+#if defined(__aarch64__)
+  [[gnu::always_inline]] static Doubles rint(const Doubles& x) {
+    return std::bit_cast<Doubles>(vrndxq_f64(std::bit_cast<float64x2_t>(x)));
+  }
+  [[gnu::always_inline]] static Doubles floor(const Doubles& x) {
+    return std::bit_cast<Doubles>(vrndmq_f64(std::bit_cast<float64x2_t>(x)));
+  }
+#else
   // The nearest integer is what the sum with 2^52 rounds to; larger numbers are integers.
   [[gnu::always_inline]] static Doubles rint(const Doubles& x) {
     const Bits bits = std::bit_cast<Bits>(x);
@@ -73,6 +85,7 @@ struct Registers<InstructionSet::baseline> {
     const Doubles r = rint(x);
     return r > x ? r - 1.0 : r;
   }
+#endif
   [[gnu::always_inline]] static bool any(const Bits& mask) { return (mask[0] | mask[1]) != 0; }
 };
 

@@ -13,8 +13,9 @@
 #include <cstddef>
 #include <cstring>
 
-#include "free/detail/sadov_curve.hpp"
-#include "free/detail/sadov_frame.hpp"
+#include "free/detail/sadov/curve.hpp"
+#include "free/detail/sadov/frame.hpp"
+#include "free/detail/sadov/mean.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/pack_rows.hpp"
@@ -34,11 +35,13 @@ class SadovBlock {
   using Curve = SadovCurve<T>;
   static constexpr std::size_t most = 64 / T::width;  // packs
 
-  explicit SadovBlock(const SadovConstants& c) : c_(c) {}
+  explicit SadovBlock(const SadovConstants& c, const TimesOfStates& times = {nullptr, 0})
+      : c_(c), times_(times) {}
 
   // Results, and whether each is right: not next to what degenerates.
-  [[gnu::flatten]] void convert(const double* rows, std::size_t count, SadovState* results,
-                                bool* usual) {
+  template <class To>
+  [[gnu::flatten]] void convert(const double* rows, std::size_t count, To* results, bool* usual) {
+    rows_ = rows;
     const std::size_t whole = count / T::width, packs = (count + T::width - 1) / T::width;
     for (std::size_t i = 0; i < whole; ++i) begin(i, loaded_rows<7, isa>(rows + 7 * T::width * i));
     if (whole < packs) begin(whole, loaded_rows<7, isa>(padded(rows, whole * T::width, count)));
@@ -72,15 +75,10 @@ class SadovBlock {
     return padded_;
   }
 
-  // Bulirsch's variables, and what goes along.
-  struct Means {
-    T kc, mean, product, p, inverse_p, a, b;
-    T c_n;  // 2^n c_n, c_n^2 = a_n^2 - b_n^2
-    T e;    // e^(-2 psi_n), psi the imaginary amplitude
-    T inverse_mean;
+  // What the amplitude becomes, besides.
+  struct Means : SadovMean<T> {
     P phi;
     T x;
-    T nome, shift;  // logarithms, from n = 4 and 6 on
   };
 
   [[gnu::always_inline]] void begin(std::size_t i, const std::array<T, 7>& row) {
@@ -97,57 +95,18 @@ class SadovBlock {
   [[gnu::always_inline]] void begin_means(std::size_t i, const Curve& k) {
     const T one(1.0), zero(0.0);
     Means& s = means_[i];
-    s.kc = s.product = sqrt(k.kp2);
-    s.mean = one;
-    s.p = sqrt(select(k.by_deficit, T(one + k.r2), T(one + k.kap2)));
-    s.inverse_p = one / s.p;
-    s.a = one;
-    s.b = select(k.by_deficit, zero, k.kp2) * s.inverse_p;
-    // psi of the larger of kappa and a1/a3: its partner, of the other, makes ln(1/q) up
-    const T v = select(k.kap2 < k.r2, k.r2, k.kap2), root = one + sqrt(T(one + v));
-    s.e = v / (root * root);
+    begin_mean<isa>(s, k.kp2, sqrt(select(k.by_deficit, T(one + k.r2), T(one + k.kap2))),
+                    select(k.by_deficit, zero, k.kp2), k.kap2, k.r2);
     const T c = k.m.x * of_mode<T>(k.long_axis, c_.cosine),
             d = k.m.y * of_mode<T>(k.long_axis, c_.sine);
     const T size = one / sqrt(T(c * c + d * d));
     s.phi = {c * size, d * size};
   }
 
-  // One step of the mean: that of c_n / a_n and of the imaginary amplitude, whose own step is
-  // e -> e (r + e) / (1 + r e).
   template <int n>
   [[gnu::always_inline]] void step_of_mean(std::size_t packs) {
-    const T two(2.0);
-    for (std::size_t i = 0; i < packs; ++i) {
-      Means& s = means_[i];
-      const T part = s.product * s.inverse_p;
-      const T next_a = s.a + s.b * s.inverse_p;
-      s.b = two * (s.a * part + s.b);
-      s.a = next_a;
-      s.p = part + s.p;
-      s.mean = s.kc + s.mean;
-      if (n < 6) s.kc = two * sqrt(s.product);
-      s.product = s.kc * s.mean;
-      // one quotient for the three that are needed
-      const T square = n == 0 ? curve_[i].k2 : T(s.c_n * s.c_n), mean2 = s.mean * s.mean;
-      const T under = mean2 + square * s.e, all = T(1.0) / (s.p * s.mean * under);
-      s.inverse_p = all * (s.mean * under);
-      s.inverse_mean = all * (s.p * under);
-      s.e = s.e * (square + s.e * mean2) * (all * (s.p * s.mean));
-      s.c_n = square * s.inverse_mean;
-      if (n == 2) s.nome = log_of(T(T(0.25) * s.c_n * s.inverse_mean)) * T(0.25);
-      if (n == 4)
-        s.nome = select(curve_[i].small, s.nome,
-                        T(log_of(nome_root(T(s.c_n * s.inverse_mean))) * T(0.0625)));
-      if (n == 3) s.shift = s.e;
-      if (n == 6)
-        s.shift = log_of(select(curve_[i].small, s.shift, s.e)) *
-                  select(curve_[i].small, T(0.0625), T(0.0078125));
-    }
-  }
-  // sqrt(q_n) of a small modulus.
-  [[gnu::always_inline]] static T nome_root(const T& modulus) {
-    const T m = modulus * modulus;
-    return T(0.25) * modulus * (T(1.0) + m * (T(0.25) + m * T(17.0 / 128)));
+    for (std::size_t i = 0; i < packs; ++i)
+      detail::step_of_mean<n, isa>(means_[i], curve_[i].k2, curve_[i].small);
   }
   // The amplitude phi goes to phi + arctan(b/a tan phi), and x is the limit of phi / 2^n: the first
   // step by the bisector of the two angles, then phi goes to twice itself less an angle e,
@@ -187,9 +146,7 @@ class SadovBlock {
     const T one(1.0), two(2.0);
     const Means& s = means_[i];
     const Curve& k = curve_[i];
-    // ln w is that of the shift, or of its partner, which make up ln q
-    const T log_w = select(k.kap2 < k.r2, T(s.nome - s.shift), s.shift);
-    const T q = exp_of_negative(s.nome), w = exp_of_negative(log_w);
+    const T q = exp_of_negative(s.nome), w = exp_of_negative(log_of_shift(s, k.kap2, k.r2));
     const T q2 = q * q, q4 = q2 * q2, w2 = w * w;
     const SinCos<T> at = sincos(s.x);
     const P first{one - two * at.sin * at.sin, two * at.sin * at.cos};
@@ -217,33 +174,83 @@ class SadovBlock {
            select(k.by_deficit, k.r2, one);
   }
 
-  [[gnu::always_inline]] void finish(std::size_t i, std::size_t count, SadovState* results,
-                                     bool* usual) const {
-    const T zero(0.0), half_pi(1.5707963267948966), pi(3.141592653589793);
+  // What both sets of variables hold.
+  struct Found {
+    T h, H, mean_angle;  // of the frame, less the angle of its node at u = 0
+    Mask usual;
+  };
+  [[gnu::always_inline]] Found found(std::size_t i) const {
+    const T half_pi(1.5707963267948966);
     const Curve& k = curve_[i];
     const BasicVec3<T>& M = momentum_[i];
-    const T x = means_[i].x, G = k.G, size = G * action(k, means_[i]);
     const P frame = frame_phasor(c_, k, attitude_[i]) * conj(theta_[i] * theta_[i]);
     const T node2 = M.x * M.x + M.y * M.y;
-    const T I_h = third_momentum(G, M.z, node2), phi_h = wrapped_angle(atan2(M.x, T(-M.y)));
+    const Mask minus = (k.long_axis && !k.negative1) || (!k.long_axis && k.negative3);
+    return {wrapped_angle(atan2(M.x, T(-M.y))), third_momentum(k.G, M.z, node2),
+            atan2(frame.im, frame.re) - negated(minus, half_pi),
+            k.usual && node2 > T(least_tilt * least_tilt) * (k.G * k.G)};
+  }
+
+  [[gnu::always_inline]] void finish(std::size_t i, std::size_t count, SadovState* results,
+                                     bool* usual) const {
+    const T zero(0.0), pi(3.141592653589793);
+    const Curve& k = curve_[i];
+    const T x = means_[i].x, G = k.G, size = G * action(k, means_[i]);
+    const Found f = found(i);
     const T I_l =
         select(k.long_axis, size, negated(k.negative3, select(k.by_deficit, T(G - size), size)));
     const T from_start = select(k.negative1, T(x + pi), x);
     const T phi_l = wrapped_angle(negated(!(k.long_axis || k.negative3), from_start));
-    const Mask minus = (k.long_axis && !k.negative1) || (!k.long_axis && k.negative3);
-    const T phi_g = wrapped_angle(wrapped_angle(
-        atan2(frame.im, frame.re) - negated(minus, half_pi) + select(k.long_axis, zero, x)));
-    const Mask right = k.usual && node2 > T(least_tilt * least_tilt) * (G * G);
+    const T phi_g = wrapped_angle(wrapped_angle(f.mean_angle + select(k.long_axis, zero, x)));
     for (std::size_t j = 0; j < count; ++j) {
       const bool is_long = k.long_axis.lanes[j] != 0;
       results[j] = {phi_l.lanes[j],
                     phi_g.lanes[j],
-                    phi_h.lanes[j],
+                    f.h.lanes[j],
                     I_l.lanes[j],
                     G.lanes[j],
-                    I_h.lanes[j],
+                    f.H.lanes[j],
                     is_long ? SadovRegion::long_axis : SadovRegion::short_axis,
                     is_long && k.negative3.lanes[j] != 0 ? -1 : 1};
+      usual[j] = f.usual.lanes[j] != 0;
+    }
+  }
+
+  [[gnu::always_inline]] BasicVec3<T> given_momentum(std::size_t i, std::size_t count) {
+    const std::size_t first = T::width * i;
+    const double* const rows =
+        count == T::width ? rows_ + 7 * first : padded(rows_, first, first + count);
+    const std::array<T, 7> row = loaded_rows<7, isa>(rows);
+    return {row[4], row[5], row[6]};
+  }
+
+  [[gnu::always_inline]] void finish(std::size_t i, std::size_t count, SerretState* results,
+                                     bool* usual) {
+    const T zero(0.0), one(1.0), pi(3.141592653589793);
+    const Curve& k = curve_[i];
+    const Means& m = means_[i];
+    const Found f = found(i);
+    const LaneInvariants<T> c = lane_invariants(c_, given_momentum(i, count));
+    const T size = action(k, m), deficit = select(k.by_deficit, size, T(one - size));
+    const T a3 = one / sqrt(T(one + k.r2));
+    const T rate = of_mode<T>(k.long_axis, c_.rate_per_a3) * a3 * (m.mean * T(1.0 / 128));
+    // from where the momentum along primed axis 1 is positive
+    const T x = m.x, from_start = select(k.negative1, T(x - negated(!(x > zero), pi)), x);
+    const T elapsed = negated(k.long_axis, from_start) / rate;
+    const T over = one / c.G, E = T(2.0 * c_.moment_unit) * c.energy * over * over;
+    const T turn = E * elapsed, half_turn = select(k.negative1 && !k.long_axis, pi, zero);
+    const T swept = whole_turns_off(exact_product(E, elapsed)) - deficit * from_start;
+    const T g0 = wrapped_angle(wrapped_angle(f.mean_angle + half_turn) - wrapped_angle(swept));
+    double at[T::width];
+    for (std::size_t j = 0; j < T::width; ++j) at[j] = times_[T::width * i + (j < count ? j : 0)];
+    const T t = T::loaded(at), since = elapsed * over * T(c_.moment_unit), t0 = t - since;
+    const Mask right = f.usual && abs(turn) < T(most_radians) && abs(t) < T(0x1p200) &&
+                       abs(since) < T(0x1p200) && c.energy > T(0x1p-900) && c.energy < T(0x1p900);
+    for (std::size_t j = 0; j < count; ++j) {
+      const bool is_long = k.long_axis.lanes[j] != 0;
+      const int sign3 = k.negative3.lanes[j] != 0 ? -1 : 1;
+      results[j] = {g0.lanes[j],  f.h.lanes[j],      t0.lanes[j],         c.G.lanes[j],
+                    f.H.lanes[j], c.energy.lanes[j], is_long ? sign3 : 1, is_long ? 1 : sign3};
       usual[j] = right.lanes[j] != 0;
     }
   }
@@ -251,6 +258,8 @@ class SadovBlock {
   static constexpr double least_tilt = 1e-6;
 
   const SadovConstants& c_;
+  TimesOfStates times_;
+  const double* rows_ = nullptr;
   BasicQuaternion<T> attitude_[most];
   BasicVec3<T> momentum_[most];  // along inertial axes
   Curve curve_[most];
@@ -264,6 +273,15 @@ template <InstructionSet isa>
 void sadov_in_lanes(const SadovConstants& constants, const RotorState* states, std::size_t count,
                     SadovState* results, bool* usual) {
   SadovBlock<isa> block(constants);
+  block.convert(reinterpret_cast<const double*>(states), count, results, usual);
+}
+
+// The same of Serret's elements.
+template <InstructionSet isa>
+void serret_in_lanes(const SadovConstants& constants, const RotorState* states,
+                     const TimesOfStates& times, std::size_t count, SerretState* results,
+                     bool* usual) {
+  SadovBlock<isa> block(constants, times);
   block.convert(reinterpret_cast<const double*>(states), count, results, usual);
 }
 

@@ -2,7 +2,7 @@
 // The polhode of a momentum in each lane of a pack, as Sadov's variables in lanes need it.
 #pragma once
 
-#include "free/detail/sadov_constants.hpp"
+#include "free/detail/sadov/constants.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/vector.hpp"
 
@@ -75,6 +75,32 @@ template <InstructionSet isa>
   k.usual = k.kp2 > T(least_complement) && k.r2 > T(1e-24) && k.r2 < T(1e12) && DC > zero &&
             of_mode<T>(k.long_axis, c.usual) > zero && k.G > T(0x1p-100) && k.G < T(0x1p100);
   return k;
+}
+
+// The momentum's length and the energy, to their last digits: elements hold the polhode by them.
+template <class T>
+struct LaneInvariants {
+  T G, energy;
+};
+template <InstructionSet isa>
+[[gnu::always_inline]] inline LaneInvariants<Pack<isa>> lane_invariants(
+    const SadovConstants& c, const BasicVec3<Pack<isa>>& g) {
+  using T = Pack<isa>;
+  TwoTerms<T> G2{T(0.0), T(0.0)}, energy = G2;
+  const T* const v[] = {&g.x, &g.y, &g.z};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const DoubleDouble w = c.half_inverse[j];
+    const TwoTerms<T> square = exact_product(*v[j], *v[j]);
+    const TwoTerms<T> p = exact_product(square.hi, T(w.hi));
+    const T rest = p.lo + (square.hi * T(w.lo) + square.lo * T(w.hi));
+    const TwoTerms<T> sum = two_sum(G2.hi, square.hi), more = two_sum(energy.hi, p.hi);
+    G2 = {sum.hi, G2.lo + (sum.lo + square.lo)};
+    energy = {more.hi, energy.lo + (more.lo + rest)};
+  }
+  const T G = sqrt(G2.hi);
+  const TwoTerms<T> again = exact_product(G, G);
+  const T missing = ((G2.hi - again.hi) - again.lo) + G2.lo;
+  return {G + missing * (T(0.5) / G), energy.hi + energy.lo};
 }
 
 }  // namespace detail

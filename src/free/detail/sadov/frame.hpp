@@ -2,7 +2,7 @@
 // The angles of the mean frame in each lane of a pack.
 #pragma once
 
-#include "free/detail/sadov_curve.hpp"
+#include "free/detail/sadov/curve.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/quaternion.hpp"
 
@@ -84,6 +84,17 @@ template <class T>
   const T r = angle - select(angle > pi, turn, T(0.0));
   return r + select(r <= -pi, turn, T(0.0));
 }
+
+// An angle of less than 2^20 turns, in two parts, less whole turns.
+template <InstructionSet isa>
+[[gnu::always_inline]] inline Pack<isa> whole_turns_off(const TwoTerms<Pack<isa>>& angle) {
+  using T = Pack<isa>;
+  // a turn in three parts; the first two have 33 bits
+  const T part1(0x1.921fb544p+2), part2(0x1.0b4611a6p-32), part3(0x1.3198a2e037073p-67);
+  const T k = rint(T(angle.hi * T(0.15915494309189535)));
+  return ((angle.hi - k * part1) - k * part2) + (angle.lo - k * part3);
+}
+inline constexpr double most_radians = 1e6;
 
 }  // namespace detail
 }  // namespace v0
