@@ -131,6 +131,7 @@
 #include "polhode/secular/planet.hpp"
 #include "polhode/secular/shipped_orbit.hpp"
 #include "polhode/secular/spin_axis.hpp"
+#include "polhode/secular/spin_histories.hpp"
 #include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"

@@ -43,6 +43,7 @@ void bind_many(nb::module_& m);
 void bind_analysis(nb::module_& m);
 void bind_section(nb::module_& m);
 void bind_secular(nb::module_& m);
+void bind_spin_histories(nb::module_& m);
 void bind_planet_data(nb::module_& m);
 void bind_spectrum(nb::module_& m);
 void bind_series(nb::module_& m);

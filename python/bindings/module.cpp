@@ -37,6 +37,7 @@ void bind_everything(nb::module_& m) {
   bind_section(m);
   bind_planet_data(m);
   bind_secular(m);
+  bind_spin_histories(m);
   bind_spectrum(m);
   bind_series(m);
   bind_lie_transform(m);

@@ -190,6 +190,7 @@ OF_CALL = {
     "TidalRates.__init__": {"orbit": 6.0},
     "ElementSeries.__init__": {name: [[0.1, 0.2, 0.3]] for name in ("ellipse", "plane")},
     "spin_history": {"pole": VECTOR, "times": [0.5, 1.0]},
+    "spin_histories": {"poles": VECTOR, "times": [0.5, 1.0], "method": polhode.Splitting(0.5)},
     "shipped_orbit": {"name": "mars"},
     "long_axis_period": {"rotation_period": 2.0},  # longer than that of the short axis
     "planet_rates": {"name": "mars"},

@@ -22,6 +22,17 @@ const Adaptive& adaptive_method(std::string_view model, const Method& method, bo
   return *adaptive;
 }
 
+void refuse_all_but_splitting(std::string_view model) {
+  throw DomainError("integrate: method of " + std::string(model) +
+                    " must be Splitting: it has no rates");
+}
+
+void refuse_events(std::string_view model, std::size_t count) {
+  if (count > 0)
+    throw DomainError("integrate: got " + std::to_string(count) + " events of " +
+                      std::string(model) + "; expected none: it has no rates");
+}
+
 bool equal_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return false;
   double largest = 0.0;  // a state may have any unit: 1 says nothing about its size

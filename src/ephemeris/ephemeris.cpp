@@ -7,7 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
@@ -116,40 +119,115 @@ struct Span {
   double last;
 
   // `t` s after the epoch
-  Vec3 at(double t) const {
-    return position_at(target, centre, converted(date_after(epoch, t), TimeScale::TDB));
-  }
-  PositionTable rows(std::size_t count) const {
-    PositionTable table;
-    const double step = (last - first) / static_cast<double>(count - 1);
-    for (std::size_t k = 0; k < count; ++k) {
-      table.times.push_back(k + 1 == count ? last : first + static_cast<double>(k) * step);
-      table.positions.push_back(at(table.times.back()));
-    }
-    return table;
-  }
+  Date tt(double t) const { return date_after(epoch, t); }
+  Vec3 at(double t) const { return position_at(target, centre, converted(tt(t), TimeScale::TDB)); }
 };
 
-// The largest difference between rows, relative to the distance, and in km: in the middle of
-// windows all along, the first and the last among them, where the polynomial is one-sided.
+// TDB - TT from one number a day: its 787 terms cost three times what a position of the Moon does,
+// and the fastest of them take days. To 2e-16 s, where a date is known to 1e-11 s.
+class DailyExcess {
+ public:
+  explicit DailyExcess(const Span& span)
+      : first_(std::floor(span.tt(span.first).day) - beside), table_(table_of(span, first_)) {}
+
+  Date tdb(const Date& tt) const {
+    Date result{TimeScale::TDB, 0.0, 0.0};
+    const double excess = table_.position((tt.day - first_) + tt.fraction).x;
+    eraTttdb(tt.day, tt.fraction, excess, &result.day, &result.fraction);  // 0, always
+    return result;
+  }
+  static std::size_t days(const Span& span) {
+    const double whole = std::floor(span.tt(span.last).day) - std::floor(span.tt(span.first).day);
+    return static_cast<std::size_t>(whole) + 2 * beside;
+  }
+
+ private:
+  static constexpr int order = 16, beside = order / 2 + 1;
+
+  static TableOrbit table_of(const Span& span, double first) {
+    PositionTable daily;
+    for (std::size_t k = 0; k < days(span); ++k) {
+      daily.times.push_back(static_cast<double>(k));
+      daily.positions.push_back({eraDtdb(first, static_cast<double>(k), 0.0, 0.0, 0.0, 0.0)});
+    }
+    return TableOrbit(std::move(daily), order);
+  }
+
+  double first_;
+  TableOrbit table_;
+};
+
+// The largest difference between rows, relative to the distance, and in km.
 struct Misfit {
   double relative = 0.0;
   double km = 0.0;
 };
-Misfit misfit(const Span& span, const TableOrbit& orbit) {
-  constexpr std::size_t probes = 40;
-  const std::vector<double>& t = orbit.table().times;
-  const std::size_t intervals = t.size() - 1;
-  Misfit worst;
-  for (std::size_t i = 0; i < probes; ++i) {
-    const std::size_t k = intervals <= probes ? i % intervals : i * (intervals - 1) / (probes - 1);
-    const double middle = 0.5 * (t[k] + t[k + 1]);
-    const Vec3 truth = span.at(middle);
-    const double apart = norm(orbit.position(middle) - truth);
-    worst = {std::max(worst.relative, apart / norm(truth)), std::max(worst.km, apart)};
+
+// Rows at even steps, of which only those are asked for that somebody needs.
+class Rows {
+ public:
+  Rows(const Span& span, std::size_t count) : span_(span), known_(count, false) {
+    const double step = (span.last - span.first) / static_cast<double>(count - 1);
+    for (std::size_t k = 0; k < count; ++k)
+      table_.times.push_back(k + 1 == count ? span.last
+                                            : span.first + static_cast<double>(k) * step);
+    table_.positions.resize(count);
   }
-  return worst;
-}
+
+  // In the middle of windows all along, the first and the last among them, where the polynomial is
+  // one-sided.
+  Misfit misfit() {
+    constexpr std::size_t probes = 40;
+    const std::vector<double>& t = table_.times;
+    const std::size_t intervals = t.size() - 1;
+    std::array<std::size_t, probes> rows{};
+    for (std::size_t i = 0; i < probes; ++i) {
+      rows[i] = intervals <= probes ? i % intervals : i * (intervals - 1) / (probes - 1);
+      find_around(rows[i]);
+    }
+    const TableOrbit orbit(table_, table_order);
+    Misfit worst;
+    for (const std::size_t k : rows) {
+      const double middle = 0.5 * (t[k] + t[k + 1]);
+      const Vec3 truth = span_.at(middle);
+      const double apart = norm(orbit.position(middle) - truth);
+      worst = {std::max(worst.relative, apart / norm(truth)), std::max(worst.km, apart)};
+    }
+    return worst;
+  }
+
+  PositionTable all() && {
+    if (known_.size() > 3 * DailyExcess::days(span_) / 2) {
+      const DailyExcess excess(span_);
+      find(0, known_.size(), [&](double t) {
+        return position_at(span_.target, span_.centre, excess.tdb(span_.tt(t)));
+      });
+    } else {
+      find(0, known_.size(), [&](double t) { return span_.at(t); });
+    }
+    return std::move(table_);
+  }
+
+ private:
+  template <class At>
+  void find(std::size_t first, std::size_t end, const At& at) {
+    for (std::size_t k = first; k < end; ++k) {
+      if (known_[k]) continue;
+      table_.positions[k] = at(table_.times[k]);
+      known_[k] = true;
+    }
+  }
+  // What the polynomial in the interval after row k goes through, and a row on either side.
+  void find_around(std::size_t k) {
+    constexpr std::size_t window = table_order, before = window / 2;
+    const std::size_t first = std::min(k > before ? k - before : 0, known_.size() - window);
+    find(first, std::min(first + window + 2, known_.size()), [&](double t) { return span_.at(t); });
+  }
+
+  Span span_;
+  PositionTable table_;
+  std::vector<bool> known_;
+};
 
 }  // namespace
 
@@ -216,22 +294,23 @@ EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& e
   const Span span{target, centre, converted(epoch, TimeScale::TT), first, last};
   const double length = (last - first) / day_in_s;
   double spacing = std::min(entry(target).first_day, entry(centre).first_day);
-  EphemerisTable best{};
-  double least = 0.0;
+  std::optional<Rows> best;
+  Misfit least;
   for (;;) {
     const double needed = std::ceil(length / spacing) + 1.0;
     if (needed > static_cast<double>(most_rows))
       fail("planetary_table", "a span of " + detail::number_text(length) +
                                   " days must have at most " + std::to_string(most_rows) + " rows");
     const auto count = std::max(static_cast<std::size_t>(needed), std::size_t{table_order});
-    PositionTable rows = span.rows(count);
-    const Misfit worst = misfit(span, TableOrbit(rows, table_order));
-    const bool better = best.rows.times.empty() || worst.relative < 0.5 * least;
+    Rows rows(span, count);
+    const Misfit worst = rows.misfit();
+    const bool better = !best || worst.relative < 0.5 * least.relative;
     if (better) {
-      best = {std::move(rows), worst.km, table_order};
-      least = worst.relative;
+      best = std::move(rows);
+      least = worst;
     }
-    if (least <= tolerance || !better) return best;
+    if (least.relative <= tolerance || !better)
+      return {std::move(*best).all(), least.km, table_order};
     spacing *= 0.5;
   }
 }

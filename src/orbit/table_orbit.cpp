@@ -16,6 +16,9 @@ constexpr std::size_t usual_nodes = 10;
 constexpr std::size_t usual_nodes_with_velocities = 6;
 
 [[noreturn]] void fail(const std::string& what) { throw DomainError("TableOrbit: " + what); }
+[[noreturn]] void fail_at(std::size_t row, const std::string& what) {
+  fail("row " + std::to_string(row) + ": " + what);
+}
 
 bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -27,14 +30,13 @@ void require_rows(const PositionTable& table) {
       (!table.velocities.empty() && table.velocities.size() != t.size()))
     fail("times, positions and velocities must be as many of each");
   for (std::size_t k = 0; k < t.size(); ++k) {
-    const std::string at = "row " + std::to_string(k) + ": ";
-    if (!std::isfinite(t[k])) fail(at + "time " + detail::number_text(t[k]) + " must be finite");
+    if (!std::isfinite(t[k])) fail_at(k, "time " + detail::number_text(t[k]) + " must be finite");
     if (k > 0 && !(t[k] > t[k - 1]))
-      fail(at + "time " + detail::number_text(t[k]) + " must be after " +
-           detail::number_text(t[k - 1]));
+      fail_at(k, "time " + detail::number_text(t[k]) + " must be after " +
+                     detail::number_text(t[k - 1]));
     if (!is_finite(table.positions[k]) ||
         (!table.velocities.empty() && !is_finite(table.velocities[k])))
-      fail(at + "position and velocity must be finite");
+      fail_at(k, "position and velocity must be finite");
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/math/pack_functions.hpp"
+#include "secular/detail/turned_axis.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -112,12 +114,10 @@ SpinAxis spin_axis(const Vec3& direction) {
 
 namespace detail {
 
-// 1 - cos without cancellation. What rounding does to the length is taken out to first order.
 SpinAxis turned(const SpinAxis& axis, const Vec3& n, double angle) {
-  const double half = std::sin(0.5 * angle), sine = 2.0 * half * std::cos(0.5 * angle);
-  const Vec3 across = cross(n, axis.s);
-  const Vec3 s = axis.s + sine * across + (2.0 * half * half) * cross(n, across);
-  return {(1.5 - 0.5 * dot(s, s)) * s};
+  const SinCos<Pack<InstructionSet::baseline>> half =
+      sincos_of_small(Pack<InstructionSet::baseline>(0.5 * angle));
+  return {turned_axis(axis.s, n, SinCos<double>{half.sin.lanes[0], half.cos.lanes[0]})};
 }
 
 }  // namespace detail

@@ -25,6 +25,7 @@ inline constexpr double secular_table = 1e-12;       // rows of 1 kyr, lines dow
 inline constexpr double secular_constant_orbit = 2e-12;  // 20 rad
 inline constexpr double secular_axes = 1e-11;            // two sets of axes over 5 Myr
 inline constexpr double secular_splitting = 1e-10;       // against the adaptive method, 5 Myr
+inline constexpr double secular_lanes = 1e-10;            // 2 Myr, up to 0.8 rad a kyr
 inline constexpr double secular_order = 0.35;            // of a measured order
 inline constexpr double secular_length = 1e-15;          // of the axis after 1e9 years
 inline constexpr double secular_earth_constant = 0.02;   // arcsec/yr, published to 1e-3 of it
@@ -47,6 +48,7 @@ inline constexpr double la2004_obliquity = 3.2e-3;
 inline constexpr double la2004_climatic = 6e-3;
 inline constexpr double spin_methods = 1e-10;
 inline constexpr double spin_length = 1e-15;
+inline constexpr double spin_taylor = 1e-13;  // of 20 kyr
 
 // --- nutation (tests/unit/secular/nutation.cpp) ---
 // Relative, of coefficients with a closed form.

@@ -39,7 +39,7 @@ Trajectory integrate(const Problem& problem, const SaveAt& samples, const Sample
 
 // What the templates take: a model with its own state, and a System with a rotor and its damper.
 template <class M, class S>
-concept Integrable = (Model<M> && std::same_as<S, typename M::State>) ||
+concept Integrable = ((Model<M> || FrozenModel<M>)&&std::same_as<S, typename M::State>) ||
                      (std::same_as<M, System> && std::same_as<S, DampedRotorState>);
 
 // Of any other state: a rotor with a damper, and every model.

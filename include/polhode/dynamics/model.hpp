@@ -22,7 +22,13 @@
 //               parameters()                numbers that a checkpoint compares, as a vector
 //               frozen(t, s, h)             the state after h while all that depends on time stays
 //                                           as at t, a DoubleDouble: exact, of either sign of h.
-//                                           Splitting then moves it, too
+//                                           Splitting then moves it, too. A model of it, `State`
+//                                           and `name` alone is for Splitting alone, and has no
+//                                           events
+//               frozen(parts, s)            in its place: the state after all parts of a step, of
+//                                           FrozenPart, one after the other
+//               goes_on(s)                  beside frozen: whether a step may end at s. Without it:
+//                                           where all of its numbers are finite
 // Units       any consistent set.
 // Domain      T is double, and DoubleDouble too where the model is a template on the number type:
 //             Adaptive with Precision::double_double needs it. Rates are smooth between `start` and
@@ -34,6 +40,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -59,12 +67,28 @@ concept ModelOn =
       { m.error_size(y, y, y) } -> std::convertible_to<double>;
     };
 
+// A part of a step of Splitting: all that depends on time stays as it is at t for h.
+struct FrozenPart {
+  double t;
+  double h;
+};
+// In one step of any scheme.
+inline constexpr std::size_t most_frozen_parts = 18;
+
 // What Splitting moves.
 template <class M>
 concept FrozenModel =
-    requires(const M& m, const DoubleDouble& t, const typename M::State& s, double h) {
-      { m.frozen(t, s, h) } -> std::same_as<typename M::State>;
-    };
+    MotionState<typename M::State> &&
+    requires {
+      { M::name } -> std::convertible_to<std::string_view>;
+    } &&
+    (
+        requires(const M& m, const DoubleDouble& t, const typename M::State& s, double h) {
+          { m.frozen(t, s, h) } -> std::same_as<typename M::State>;
+        } ||
+        requires(const M& m, std::span<const FrozenPart> parts, const typename M::State& s) {
+          { m.frozen(parts, s) } -> std::same_as<typename M::State>;
+        });
 
 template <class M>
 concept Model = ModelOn<M, double> && requires {

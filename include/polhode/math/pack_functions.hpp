@@ -17,6 +17,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "polhode/math/detail/circular_sums.hpp"
 #include "polhode/math/detail/near_angle.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
@@ -37,23 +38,23 @@ template <InstructionSet isa>
   const TwoTerms<T> rest = quick_two_sum(most.hi, T(most.lo - k * part3));
   const T r = rest.hi, tail = rest.lo;
   const T z = r * r;
-  // minimax on [-pi/4, pi/4], to 6e-18 and 1.5e-19; in pairs, for a short chain of operations
-  const T z2 = z * z;
-  const T sin_sum = z * ((T(-0.166666666666666421) + z * T(0.00833333333332365953)) +
-                         z2 * ((T(-0.000198412698301419668) + z * T(2.75573136509418872e-6)) +
-                               z2 * (T(-2.50507344214099954e-8) + z * T(1.5894701645535202e-10))));
-  const T cos_sum =
-      z2 * ((T(0.0416666666666666513) + z * T(-0.00138888888888828375)) +
-            z2 * ((T(0.0000248015872946264862) + z * T(-2.75573157380429347e-7)) +
-                  z2 * (T(2.08758976450215912e-9) + z * T(-1.13679762881793603e-11))));
   const T half_z = T(0.5) * z, w = T(1.0) - half_z;
-  const T sine = r + (r * sin_sum + w * tail);
-  const T cosine = w + (((T(1.0) - w) - half_z) + (cos_sum - r * tail));
+  const T sine = r + (r * detail::sine_sum(z) + w * tail);
+  const T cosine = w + (((T(1.0) - w) - half_z) + (detail::cosine_sum(z) - r * tail));
   const SinCos<T> near = quarters_turned(sine, cosine, shifted, k);
   const auto far = abs(x) > T(1e6);
   if (!any(far)) return near;
   return {select(far, each_lane([](double a) { return std::sin(a); }, x), near.sin),
           select(far, each_lane([](double a) { return std::cos(a); }, x), near.cos)};
+}
+// The same to the last bit, for angles that are mostly within 45 degrees: half as long.
+template <InstructionSet isa>
+[[gnu::always_inline]] inline SinCos<Pack<isa>> sincos_of_small(const Pack<isa>& x) {
+  using T = Pack<isa>;
+  if (any(!(abs(x) < T(0.785)))) return sincos(x);
+  const T r = x + T(0.0), z = r * r;  // of -0 as of 0
+  const T half_z = T(0.5) * z, w = T(1.0) - half_z;
+  return {r + r * detail::sine_sum(z), w + (((T(1.0) - w) - half_z) + detail::cosine_sum(z))};
 }
 template <InstructionSet isa>
 [[gnu::always_inline]] inline Pack<isa> sin(const Pack<isa>& x) {

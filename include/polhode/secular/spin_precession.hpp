@@ -36,17 +36,23 @@ namespace polhode {
 inline namespace v0 {
 
 // What turns a spin axis; a drift is a fraction per time, of tides.
-struct PrecessionRates {
-  double star;              // on a circle
-  double satellites = 0.0;  // whatever the planet's e
-  double geodetic = 0.0;
-  double drift = 0.0;  // of star and satellites, from t = 0 on
+template <Number T>
+struct BasicPrecessionRates {
+  T star;                 // on a circle
+  T satellites = T(0.0);  // whatever the planet's e
+  T geodetic = T(0.0);
+  T drift = T(0.0);  // of star and satellites, from t = 0 on
 
-  double torque(double t, double e2) const {
+  T torque(double t, double e2) const {
     const double r = 1.0 / (1.0 - e2);
-    return (star * r * std::sqrt(r) + satellites) * (1.0 + drift * t);
+    return (star * T(r) * T(std::sqrt(r)) + satellites) * (T(1.0) + drift * T(t));
+  }
+  // Of an axis about -n at this s.n.
+  T turning(double t, double e2, const T& cosine) const {
+    return torque(t, e2) * cosine - geodetic;
   }
 };
+using PrecessionRates = BasicPrecessionRates<double>;
 
 // With the precession `rate` of the equinox by star and satellites at X = cos(obliquity) and e^2,
 // satellites being `share` of the star.
@@ -88,7 +94,7 @@ struct SpinPrecession : detail::SpinModel {
 
   // Of the axis about -n.
   double rate(double t, const Vec3& s, const OrbitPlane& o, const Vec3& n) const {
-    return rates_of.torque(t, o.e2) * dot(s, n) - rates_of.geodetic;
+    return rates_of.turning(t, o.e2, dot(s, n));
   }
   Values rates(const DoubleDouble& t, const Values& y) const {
     const OrbitPlane o = orbit.plane(t.hi);
@@ -119,7 +125,7 @@ struct SpinInOrbitAxes : detail::SpinModel {
 
   Values rates(const DoubleDouble& t, const Values& y) const {
     const Vec3 s{y[0], y[1], y[2]}, mu = frame.at(t.hi).mu_S;
-    const double turn = rates_of.torque(t.hi, orbit.plane(t.hi).e2) * s.z - rates_of.geodetic;
+    const double turn = rates_of.turning(t.hi, orbit.plane(t.hi).e2, s.z);
     const Vec3 ds = turn * cross(s, Vec3{0.0, 0.0, 1.0}) - cross(mu, s);
     return {ds.x, ds.y, ds.z};
   }

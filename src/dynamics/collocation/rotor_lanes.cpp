@@ -20,7 +20,7 @@ RotorLanes rotor_lanes(std::size_t stages, [[maybe_unused]] InstructionSet set) 
   return rotor_kernels<InstructionSet::baseline>(stages);
 }
 
-BodyKernels body_kernels(std::size_t stages, InstructionSet set) {
+BodyKernels body_kernels(std::size_t stages, [[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return body_kernels_of<InstructionSet::avx512>(stages);
   if (set == InstructionSet::avx2) return body_kernels_of<InstructionSet::avx2>(stages);

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -48,6 +50,23 @@ TEST(PackFunctions, SinesAndCosinesAreRightToTheLastPlace) {
     worst.add(units(s.cos.lanes[1], cos(Wide(x))));
   }
   EXPECT_LE(worst.value(), budget::pack_sincos_ulp);
+}
+
+TEST(PackFunctions, ThoseOfSmallAnglesAreTheSameToTheLastBit) {
+  Draw draw(605, 0);
+  for (int i = 0; i < 20000; ++i) {
+    P x(draw.sign() * draw.power_of_ten(-320.0, 0.0));
+    if (i % 3 == 0) x = P(draw.uniform(-1.0, 1.0));
+    if (i % 7 == 0) x.lanes[1] = draw.uniform(-7.0, 7.0);
+    if (i % 1000 == 0) x.lanes[0] = i % 2000 == 0 ? -0.0 : not_a_number;
+    const auto small = sincos_of_small(x), any = sincos(x);
+    for (std::size_t lane = 0; lane < P::width; ++lane) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(small.sin.lanes[lane]),
+                std::bit_cast<std::uint64_t>(any.sin.lanes[lane]));
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(small.cos.lanes[lane]),
+                std::bit_cast<std::uint64_t>(any.cos.lanes[lane]));
+    }
+  }
 }
 
 TEST(PackFunctions, AnglesAreRightToTheLastPlace) {

@@ -3,10 +3,12 @@
 // of time, in turn. Both are exact, so that a step keeps what the frozen motion keeps.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,12 +34,25 @@ struct FrozenMap {
   SplittingCoefficients parts;
 
   S operator()(DoubleDouble t, S s, double h) const {
+    if constexpr (requires { model.frozen(std::span<const FrozenPart>(), s); }) {
+      std::array<FrozenPart, most_frozen_parts> all;
+      std::size_t count = 0;
+      each_part(t, h, [&](const DoubleDouble& at, double part) { all[count++] = {at.hi, part}; });
+      return model.frozen(std::span<const FrozenPart>(all.data(), count), s);
+    } else {
+      each_part(t, h, [&](const DoubleDouble& at, double part) { s = model.frozen(at, s, part); });
+      return s;
+    }
+  }
+
+ private:
+  template <class Move>
+  void each_part(DoubleDouble t, double h, const Move& move) const {
     const std::size_t later = parts.drift_first ? 0 : 1;
     for (std::size_t k = 0; k < parts.drifts.size() + later; ++k) {
-      if (k >= later) s = model.frozen(t, s, parts.drifts[k - later] * h);
+      if (k >= later) move(t, parts.drifts[k - later] * h);
       if (k < parts.kicks.size()) t = t + DoubleDouble(parts.kicks[k] * h);
     }
-    return s;
   }
 };
 
@@ -78,9 +93,7 @@ class FrozenStepper final : public BasicStepper<typename M::State> {
     const double h = last ? rest : std::copysign(step_, rest);
     if (!last && t_.hi + h == t_.hi) return frozen_failure_text(M::name, t_.hi, step_, true);
     S next = (*map_)(t_, s_, h);
-    double sum = 0.0;
-    each_number(next, [&sum](double& x) { sum += x; });
-    if (!std::isfinite(sum)) return frozen_failure_text(M::name, t_.hi, step_, false);
+    if (!goes_on(next)) return frozen_failure_text(M::name, t_.hi, step_, false);
     before_ = t_;
     s_before_ = s_;
     t_ = last ? DoubleDouble(stop) : t_ + DoubleDouble(h);
@@ -104,6 +117,13 @@ class FrozenStepper final : public BasicStepper<typename M::State> {
   }
 
  private:
+  bool goes_on(S& next) const {
+    if constexpr (requires { map_->model.goes_on(next); }) return map_->model.goes_on(next);
+    double sum = 0.0;
+    each_number(next, [&sum](double& x) { sum += x; });
+    return std::isfinite(sum);
+  }
+
   std::shared_ptr<const FrozenMap<M>> map_;
   double step_;
   DoubleDouble t_;

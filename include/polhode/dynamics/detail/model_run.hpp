@@ -26,6 +26,9 @@ namespace detail {
 // DomainError for other methods and precisions.
 const Adaptive& adaptive_method(std::string_view model, const Method& method, bool has_wide,
                                 bool has_frozen);
+// Of a model that has no rates.
+[[noreturn]] void refuse_all_but_splitting(std::string_view model);
+void refuse_events(std::string_view model, std::size_t count);
 // Whether two lists of numbers are equal but for a few roundings of the largest.
 bool equal_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b);
 
@@ -61,14 +64,28 @@ std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& prob
   if constexpr (FrozenModel<M>)
     if (const Splitting* const method = method_of_frozen_models(problem.method))
       return std::make_unique<FrozenStepper<M>>(problem.system, problem.start, initial, *method);
-  if (const auto* const method = std::get_if<Collocation>(&problem.method))
-    return std::make_unique<ModelCollocation<M>>(problem.system, problem.start, initial, *method);
-  constexpr bool has_wide = ModelOn<M, DoubleDouble>;
-  const Adaptive& method = adaptive_method(M::name, problem.method, has_wide, FrozenModel<M>);
-  if constexpr (has_wide)
-    if (method.precision == Precision::double_double)
-      return model_stepper<DoubleDouble>(problem, initial, method);
-  return model_stepper<double>(problem, initial, method);
+  if constexpr (!Model<M>) {
+    refuse_all_but_splitting(M::name);
+  } else {
+    if (const auto* const method = std::get_if<Collocation>(&problem.method))
+      return std::make_unique<ModelCollocation<M>>(problem.system, problem.start, initial, *method);
+    constexpr bool has_wide = ModelOn<M, DoubleDouble>;
+    const Adaptive& method = adaptive_method(M::name, problem.method, has_wide, FrozenModel<M>);
+    if constexpr (has_wide)
+      if (method.precision == Precision::double_double)
+        return model_stepper<DoubleDouble>(problem, initial, method);
+    return model_stepper<double>(problem, initial, method);
+  }
+}
+
+template <class M, MotionState S>
+auto watch_of(const BasicProblem<M, S>& problem) {
+  if constexpr (Model<M>) {
+    return EventWatch<ModelMotion<M>>(ModelMotion<M>(problem.system), problem.events);
+  } else {
+    refuse_events(M::name, problem.events.size());
+    return NoEvents<S>();
+  }
 }
 
 template <class M, MotionState S>
@@ -80,15 +97,14 @@ auto model_run(const BasicProblem<M, S>& problem, bool keep_dense, SampleQueue<S
   const S initial = started_state(problem.system, problem.initial);
   std::unique_ptr<BasicStepper<S>> stepper = stepper_of_model(problem, initial);
   const bool was_normal = equal_but_for_rounding(numbers_of(initial), numbers_of(problem.initial));
-  using Watch = EventWatch<ModelMotion<M>>;
-  return std::make_unique<Run<S, Watch>>(
+  auto watch = watch_of(problem);
+  return std::make_unique<Run<S, decltype(watch)>>(
       RunSpan<S>{.initial = {problem.start, initial},
                  .stop = problem.stop,
                  .method = method_text(problem.method),
                  .first_look = {problem.start, was_normal ? problem.initial : initial},
                  .continues = problem.continues},
-      Watch(ModelMotion<M>(problem.system), problem.events), std::move(stepper), keep_dense,
-      samples, progress);
+      std::move(watch), std::move(stepper), keep_dense, samples, progress);
 }
 
 // What makes the run of a problem.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Spin axes in the lanes of InstructionSet::avx512.
+#if defined(__x86_64__)
+
+#include "secular/detail/spin_lanes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template void turned_in_lanes<InstructionSet::avx512>(std::span<const FrozenOrbit>,
+                                                      const SpinColumns&, double*, std::size_t);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif

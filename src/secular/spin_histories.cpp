@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/secular/spin_histories.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "math/number_text.hpp"
+#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/error.hpp"
+#include "secular/detail/spin_block.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// Bodies that share one look at the orbit; few of them copy less.
+constexpr std::size_t most_at_once = 256, few = 32;
+
+using detail::SpinBlock;
+using detail::SpinBlockModel;
+using Turned = decltype(&detail::turned_in_lanes<InstructionSet::baseline>);
+
+Turned turned_by(InstructionSet set) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return &detail::turned_in_lanes<InstructionSet::avx512>;
+  if (set == InstructionSet::avx2) return &detail::turned_in_lanes<InstructionSet::avx2>;
+#endif
+  return &detail::turned_in_lanes<InstructionSet::baseline>;
+}
+
+void require_finite(const PrecessionRates& rates) {
+  for (const double rate : {rates.star, rates.satellites, rates.geodetic, rates.drift})
+    if (!std::isfinite(rate))
+      throw DomainError("rates: got " + detail::number_text(rate) + "; expected finite rates");
+}
+
+// One that starts, under its index among all; its axis as it was given.
+struct Body {
+  std::size_t index;
+  PrecessionRates rates;
+  SpinAxis start;
+};
+
+class Histories {
+ public:
+  Histories(OrbitHistory orbit, double epoch, const SaveAt& times, const Splitting& method,
+            std::span<SpinAxis> results, const Progress& progress, InstructionSet set)
+      : orbit_(std::move(orbit)),
+        epoch_(epoch),
+        times_(times),
+        rows_(static_cast<std::size_t>(times.size())),
+        method_(method),
+        results_(results),
+        progress_(progress),
+        turned_(turned_by(set)) {}
+
+  std::vector<LostSpin> of(std::span<const PrecessionRates> rates,
+                           std::span<const SpinAxis> starts) {
+    std::vector<Body> block;
+    block.reserve(most_at_once);
+    for (std::size_t i = 0; i < results_.size() / rows_; ++i) {
+      try {
+        const Body one{i, rates[rates.size() == 1 ? 0 : i], starts[starts.size() == 1 ? 0 : i]};
+        spin_axis(one.start.s);  // refuses
+        require_finite(one.rates);
+        require_drift(one.rates, epoch_, times_[times_.size() - 1]);
+        block.push_back(one);
+      } catch (const DomainError& e) {
+        lost_.push_back({i, {Outcome::Status::failed, epoch_, e.what()}});
+      }
+      if (block.size() == most_at_once) run(std::exchange(block, {}));
+    }
+    run(block);
+    std::sort(lost_.begin(), lost_.end(),
+              [](const LostSpin& a, const LostSpin& b) { return a.index < b.index; });
+    return std::move(lost_);
+  }
+
+ private:
+  void run(const std::vector<Body>& bodies) {
+    if (bodies.empty()) return;
+    if (bodies.size() <= few)
+      run_block<few>(bodies);
+    else
+      run_block<most_at_once>(bodies);
+  }
+
+  template <std::size_t N>
+  static BasicProblem<SpinBlockModel<N>> problem_of(const std::vector<Body>& bodies,
+                                                    const Histories& of) {
+    const auto rates = std::make_shared<detail::RateBlock<N>>();
+    SpinBlock<N> start;
+    for (std::size_t i = 0; i < N; ++i) {
+      start.put(i, i < bodies.size() ? spin_axis(bodies[i].start.s) : SpinAxis{{0.0, 0.0, 1.0}});
+      if (i >= bodies.size()) continue;
+      rates->star[i] = bodies[i].rates.star;
+      rates->satellites[i] = bodies[i].rates.satellites;
+      rates->geodetic[i] = bodies[i].rates.geodetic;
+      rates->drift[i] = bodies[i].rates.drift;
+    }
+    return {SpinBlockModel<N>{of.orbit_, rates, bodies.size(), of.turned_}, start, of.epoch_,
+            of.times_[of.times_.size() - 1], of.method_};
+  }
+
+  SpinAxis& row(std::size_t body, std::size_t k) { return results_[body * rows_ + k]; }
+
+  template <std::size_t N>
+  void run_block(const std::vector<Body>& bodies) {
+    using Block = SpinBlock<N>;
+    BasicProblem<SpinBlockModel<N>> problem = problem_of<N>(bodies, *this);
+    std::size_t k = 0;
+    Block last = problem.initial;
+    const BasicSampleSink<Block> keep = [&](std::span<const BasicSample<Block>> samples) {
+      for (const BasicSample<Block>& at : samples) {
+        for (std::size_t i = 0; i < bodies.size(); ++i) row(bodies[i].index, k) = at.s.axis(i);
+        ++k;
+      }
+      last = samples.back().s;
+    };
+    const Outcome outcome = integrate(problem, times_, keep, progress_).outcome();
+    if (!outcome.ok()) {
+      // those that were lost before the others
+      problem.stop = outcome.t;
+      const SaveAt end = SaveAt::times({outcome.t});
+      integrate(
+          problem, end, [&](auto samples) { last = samples.back().s; }, progress_);
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (last.is_lost(i))
+        run_alone(bodies[i]);
+      else if (!outcome.ok())
+        lost_.push_back({bodies[i].index, outcome});
+    }
+  }
+
+  // Of a body that was lost on the way, where and why.
+  void run_alone(const Body& body) {
+    using Model = SpinPrecession<OrbitHistory>;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t k = 0; k < rows_; ++k) row(body.index, k) = {{nan, nan, nan}};
+    std::size_t k = 0;
+    const BasicSampleSink<SpinAxis> keep = [&](std::span<const BasicSample<SpinAxis>> samples) {
+      for (const BasicSample<SpinAxis>& at : samples) row(body.index, k++) = at.s;
+    };
+    const BasicProblem<Model> problem{Model(orbit_, body.rates), body.start, epoch_,
+                                      times_[times_.size() - 1], method_};
+    lost_.push_back({body.index, integrate(problem, times_, keep, progress_).outcome()});
+  }
+
+  OrbitHistory orbit_;
+  double epoch_;
+  const SaveAt& times_;
+  std::size_t rows_;
+  Splitting method_;
+  std::span<SpinAxis> results_;
+  const Progress& progress_;
+  Turned turned_;
+  std::vector<LostSpin> lost_;
+};
+
+void require_fitting(const char* what, std::size_t got, std::size_t bodies) {
+  if (got != bodies && got != 1)
+    throw DomainError("spin_histories: got " + std::to_string(got) + " " + what + " and room for " +
+                      std::to_string(bodies) + " bodies; expected as many, or one for all");
+}
+
+// Rows on the other side of the epoch would not be met.
+void require_one_side(const SaveAt& times, double epoch) {
+  const double last = times[times.size() - 1];
+  for (std::int64_t k = 0; k < times.size(); ++k)
+    if ((last - epoch) * (times[k] - epoch) < 0.0)
+      throw DomainError("spin_histories: got times " + detail::number_text(times[k]) + " and " +
+                        detail::number_text(last) + ", on two sides of the epoch " +
+                        detail::number_text(epoch) + "; expected times on one side of it");
+}
+
+}  // namespace
+
+std::vector<LostSpin> spin_histories(const OrbitHistory& orbit,
+                                     std::span<const PrecessionRates> rates,
+                                     std::span<const SpinAxis> starts, double epoch,
+                                     const SaveAt& times, const Splitting& method,
+                                     std::span<SpinAxis> results, const Progress& progress,
+                                     InstructionSet set) {
+  if (!supports(set))
+    throw DomainError("spin_histories: got " + std::string(instruction_set_name(set)) +
+                      "; expected instructions that this processor has");
+  require_valid(Method(method));
+  const auto rows = static_cast<std::size_t>(times.size());
+  if (rows == 0) throw DomainError("spin_histories: got no times; expected one or more");
+  require_one_side(times, epoch);
+  if (results.size() % rows != 0)
+    throw DomainError("spin_histories: got room for " + std::to_string(results.size()) +
+                      " axes and " + std::to_string(rows) +
+                      " times; expected as many for each body");
+  const std::size_t bodies = results.size() / rows;
+  require_fitting("rates", rates.size(), bodies);
+  require_fitting("starts", starts.size(), bodies);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::fill(results.begin(), results.end(), SpinAxis{{nan, nan, nan}});
+  return Histories(orbit, epoch, times, method, results, progress, set).of(rates, starts);
+}
+
+}  // namespace v0
+}  // namespace polhode
