@@ -4,7 +4,7 @@
 // Equations   those of integrate. By Collocation eight bodies go in lockstep, a lane of a register
 //             for each, with steps of their own; a body that ends makes room for the next.
 // Units       those of each system.
-// Domain      any problems of a rotor. Bodies may differ in state, moments, orbit, times and events.
+// Domain      any problems of a rotor. Bodies may differ in state, moments, orbit, times, events.
 //             They go in lockstep as long as they have as many terms, a frame that moves or none,
 //             and as many stages; the first that differs waits until those before it have ended. A
 //             term is asked for all of them at a time where it is one of the library's, with the

@@ -47,9 +47,10 @@ struct GravityGradientLaw {
     const BasicVec3<T>& I = at.moments;
     const BasicVec3<T>& n = d.along_B;
     // not n x (I n): what is equal in I would cancel
-    return {{},
-            (T(3.0) * d.strength) * BasicVec3<T>{(I.z - I.y) * (n.y * n.z), (I.x - I.z) * (n.z * n.x),
-                                                 (I.y - I.x) * (n.x * n.y)}};
+    return {
+        {},
+        (T(3.0) * d.strength) * BasicVec3<T>{(I.z - I.y) * (n.y * n.z), (I.x - I.z) * (n.z * n.x),
+                                             (I.y - I.x) * (n.x * n.y)}};
   }
 
   template <Number T>

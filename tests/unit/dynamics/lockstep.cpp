@@ -179,17 +179,16 @@ TEST(Lockstep, LetsABodyFailAlone) {
 
 TEST(Lockstep, AsksForProblemsWhenTheirTurnComes) {
   const std::vector<Problem> problems = bodies(20, Collocation{});
-  std::size_t asked = 0, ended = 0, most = 0;
+  std::size_t asked = 0, ended = 0;
   integrate_many(
       problems.size(),
       [&](std::size_t k) {
         EXPECT_EQ(k, asked++);
-        most = std::max(most, asked - ended);
+        EXPECT_LE(asked - ended, 10U);
         return problems[k];
       },
       {}, [&](std::size_t, const BodyRun& run) { ended += run.trajectory ? 1U : 0U; });
   EXPECT_EQ(ended, problems.size());
-  EXPECT_LE(most, 10U);
   EXPECT_TRUE(integrate_many(std::vector<Problem>{}).empty());
 }
 

@@ -59,7 +59,7 @@ template <InstructionSet isa, class Law>
     if constexpr (numbers > 0) {
       static_assert(sizeof(OfTime) == numbers * sizeof(T));
       T parts[numbers];
-      for (std::size_t n = 0; n < numbers; ++n) 
+      for (std::size_t n = 0; n < numbers; ++n)
         parts[n] = T::loaded(rows.of_time + (n * rows.stride + i));
       std::memcpy(&of_time, parts, sizeof parts);
     }
