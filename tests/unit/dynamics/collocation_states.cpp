@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "dynamics/collocation/collocation_solver.hpp"
 #include "dynamics/collocation/damper_stages.hpp"
 #include "dynamics/collocation/number_stages.hpp"
+#include "message_of.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
@@ -140,6 +142,26 @@ TEST(CollocationStates, CarryDerivativesAcrossKinks) {
       EXPECT_LE(off.value(), budget::collocation_transition * size) << stages << " " << stop;
     }
   }
+}
+
+// Where a torque jumps as the state decides, as Adaptive says it.
+TEST(CollocationStates, CarryNoDerivativesAcrossJumps) {
+  const auto push = [](const auto&, const auto& s, std::span<const double> sides) {
+    using T = std::decay_t<decltype(s.q.w)>;
+    return BasicVec3<T>{T(0.0), T(0.0), T(sides[0] > 0.0 ? 0.04 : 0.0)};
+  };
+  const auto sides = [](double, const RotorState& s) { return std::vector{s.g.z - 0.2}; };
+  const System system(body, Frame::inertial(),
+                      {AnyPerturbation("push", SwitchedTorqueTerm(push, sides))});
+  const auto refusal = [&](const Method& method) {
+    return test::message_of([&] {
+      state_transitions({system, start, 0.0, 40.0, method}, SaveAt::times({40.0}));
+    });
+  };
+  const std::string said = refusal(Adaptive{});
+  EXPECT_THAT(said, testing::HasSubstr("its transition matrix is not known"));
+  const std::string where = said.substr(0, said.find(" at t = "));
+  EXPECT_THAT(refusal(Collocation{}), testing::StartsWith(where));
 }
 
 // The states of a run with derivatives are those of the run without, to the last bit: the same
