@@ -70,7 +70,7 @@ std::vector<Vec3> without_rotation(double years) {
   return axes(SpinOnOrbit(of.orbit, of.star), years, 10.0);
 }
 // The figure axis is along the pole at the start.
-std::vector<Vec3> rotor(double years) {
+std::vector<Vec3> rotor_by(double years, const Method& method) {
   const Mars& of = mars();
   const Body body(1.0 - of.ellipticity - triaxiality, 1.0 - of.ellipticity + triaxiality, 1.0);
   const Vec3& s = of.pole.s;
@@ -80,11 +80,7 @@ std::vector<Vec3> rotor(double years) {
   const System system(body, Frame::inertial(),
                       {AnyPerturbation("sun", GravityGradient(of.n * of.n, of.orbit))});
   const SaveAt at = times(years);
-  const Problem problem{system,
-                        {q, {0.0, 0.0, of.spin}},
-                        0.0,
-                        at[40],
-                        Splitting{.step = 0.37, .scheme = SplittingScheme::order2}};
+  const Problem problem{system, {q, {0.0, 0.0, of.spin}}, 0.0, at[40], method};
   std::vector<Vec3> all;
   const auto run = integrate(problem, Keep{.samples = at, .dense = false});
   for (const Sample& one : run.samples()) {
@@ -92,6 +88,17 @@ std::vector<Vec3> rotor(double years) {
     all.push_back((1.0 / norm(g)) * g);
   }
   return all;
+}
+
+std::vector<Vec3> rotor(double years) {
+  return rotor_by(years, Splitting{.step = 0.37, .scheme = SplittingScheme::order2});
+}
+// Several turns a step, and away from half turns.
+std::vector<Vec3> rotor_in_long_steps(double years) {
+  return rotor_by(years, Splitting{.step = 3.37, .scheme = SplittingScheme::order2});
+}
+std::vector<Vec3> rotor_by_collocation(double years) {
+  return rotor_by(years, Collocation{.step = 0.6});
 }
 
 double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -110,6 +117,8 @@ void compared(benchmark::State& state, Theory theory, Theory before) {
 }
 #define POLHODE_YEARS Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond)
 BENCHMARK_CAPTURE(compared, rotor, rotor, nullptr)->POLHODE_YEARS;
+BENCHMARK_CAPTURE(compared, rotor_in_long_steps, rotor_in_long_steps, rotor)->POLHODE_YEARS;
+BENCHMARK_CAPTURE(compared, rotor_by_collocation, rotor_by_collocation, rotor)->POLHODE_YEARS;
 BENCHMARK_CAPTURE(compared, without_rotation, without_rotation, rotor)->POLHODE_YEARS;
 BENCHMARK_CAPTURE(compared, averaged, averaged, without_rotation)->POLHODE_YEARS;
 

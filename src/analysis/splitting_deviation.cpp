@@ -94,14 +94,16 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
 
   RunState stepped(const RunState& from, double h) const {
     RunState to = from;
-    to.motion = map_.stepped(from.motion, h);
     if (by_ == DeviationBy::variational) {
       const Vec3 dg = scale_ * from.deviation.momentum;
       const Vec3& turn = from.deviation.turn;
-      const std::array<double, 6> x =
+      const DeviationStep step =
           map_.step_deviation(from.motion, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
+      const std::array<double, 6>& x = step.x;
+      to.motion = step.end;
       to.deviation = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
     } else {
+      to.motion = map_.stepped(from.motion, h);
       to.neighbour = map_.stepped(*from.neighbour, h);
       to.deviation = difference(to.motion, *to.neighbour);
     }

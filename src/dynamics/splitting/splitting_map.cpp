@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "dynamics/finite.hpp"
 #include "math/larger.hpp"
@@ -239,8 +240,8 @@ void SplittingMap::deviate_by_kick(const SplittingState& s, double h, const Vec3
   }
 }
 
-std::array<double, 6> SplittingMap::step_deviation(SplittingState s, std::array<double, 6> x,
-                                                   double h) const {
+DeviationStep SplittingMap::step_deviation(SplittingState s, std::array<double, 6> x,
+                                           double h) const {
   require_kicks();
   Vec3 turn{x[0], x[1], x[2]}, dg{x[3], x[4], x[5]};
   const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
@@ -255,7 +256,7 @@ std::array<double, 6> SplittingMap::step_deviation(SplittingState s, std::array<
       kick(s, fraction);
     }
   }
-  return {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z};
+  return {std::move(s), {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}};
 }
 
 }  // namespace detail

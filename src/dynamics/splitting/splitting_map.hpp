@@ -28,6 +28,11 @@ struct SplittingState {
   std::optional<AffineTorque> torque;
   std::int64_t evaluations = 0;
 };
+// What a step makes of a state and of a deviation from it.
+struct DeviationStep {
+  SplittingState end;
+  std::array<double, 6> x;
+};
 // Every number of it, kept or put back.
 void transfer(StateBytes& bytes, SplittingState& s);
 
@@ -48,7 +53,7 @@ class SplittingMap {
   Matrix6 step_transition(SplittingState s, double h) const;
   // The same derivative along one deviation, in double precision and a hundred times as fast: what
   // a step from s makes of x = (dtheta_B, dg_B).
-  std::array<double, 6> step_deviation(SplittingState s, std::array<double, 6> x, double h) const;
+  DeviationStep step_deviation(SplittingState s, std::array<double, 6> x, double h) const;
 
   // The largest component of I^-1 g.
   double rate(const SplittingState& s) const;
