@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "polhode/ensemble/batches.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/propagate.hpp"
 #include "worst.hpp"
@@ -89,6 +90,23 @@ BENCHMARK(propagate_many)
     ->ArgNames({"bodies", "turns", "near", "set"})
     ->ArgsProduct({{1, 4000, 1'000'000}, {100}, {0}, {0, 1, 2}})
     ->ArgsProduct({{4000, 1'000'000}, {1'000'000'000}, {10}, {0, 1, 2}});
+
+// The same on threads: `real_time` is what a user waits, `CPU` that of all threads together.
+void propagate_on_threads(benchmark::State& state) {
+  const Bodies b = drawn(static_cast<std::size_t>(state.range(0)), 100.0, 0.0);
+  std::vector<RotorState> found(b.times.size());
+  for (auto _ : state) {
+    propagate(b.bodies, b.states, b.times, 0.0, found, static_cast<int>(state.range(1)));
+    benchmark::DoNotOptimize(found.data());
+  }
+  state.counters["error"] = largest_difference(b, found);
+}
+BENCHMARK(propagate_on_threads)
+    ->ArgNames({"bodies", "threads"})
+    ->ArgsProduct({{100'000, 1'000'000}, {1, 2}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 void free_rotation_each(benchmark::State& state) {
   const Bodies b = drawn(1000, 100.0, 0.0);

@@ -60,8 +60,8 @@ def polhode_contenders():
             return 1, np.array(ph.integrate(problem, [STOP], dense=False).q[-1])
         return once
 
-    methods = [("Collocation", "default", ph.Collocation()),
-               ("Adaptive", "1e-15", ph.Adaptive(1e-15)), ("Adaptive", "1e-10", ph.Adaptive(1e-10))]
+    methods = [("Adaptive", "1e-10", ph.Adaptive(1e-10)), ("Adaptive", "1e-15", ph.Adaptive(1e-15)),
+               ("Collocation", "default", ph.Collocation())]
     return [Contender("polhode FreeRotation", "prepared and asked once", free),
             *(Contender(f"polhode {who}", setting, run(m)) for who, setting, m in methods)]
 

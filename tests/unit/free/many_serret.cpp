@@ -129,6 +129,9 @@ TEST(ManySerret, StatesAreThoseOfOneSetButForRounding) {
     for (std::size_t i = 0; i < sets.size(); ++i) {
       const RotorState one = to_rotor(body, sets[i], all.times[i]);
       worst.add(difference(got[i], one) * held(body, one));
+      EXPECT_GT(
+          got[i].q.w * one.q.w + got[i].q.x * one.q.x + got[i].q.y * one.q.y + got[i].q.z * one.q.z,
+          0.0);
     }
   }
   EXPECT_LE(worst.value(), budget::lane_rotor_of_serret);

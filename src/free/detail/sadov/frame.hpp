@@ -85,13 +85,14 @@ template <class T>
   return r + select(r <= -pi, turn, T(0.0));
 }
 
-// An angle of less than 2^20 turns, in two parts, less whole turns.
-template <InstructionSet isa>
+// An angle of less than 2^20 turns, in two parts, less whole turns: pairs of them where the half of
+// it is to keep its sign.
+template <int together, InstructionSet isa>
 [[gnu::always_inline]] inline Pack<isa> whole_turns_off(const TwoTerms<Pack<isa>>& angle) {
   using T = Pack<isa>;
   // a turn in three parts; the first two have 33 bits
   const T part1(0x1.921fb544p+2), part2(0x1.0b4611a6p-32), part3(0x1.3198a2e037073p-67);
-  const T k = rint(T(angle.hi * T(0.15915494309189535)));
+  const T k = T(together) * rint(T(angle.hi * T(0.15915494309189535 / together)));
   return ((angle.hi - k * part1) - k * part2) + (angle.lo - k * part3);
 }
 inline constexpr double most_radians = 1e6;

@@ -239,7 +239,7 @@ class SadovBlock {
     const T elapsed = negated(k.long_axis, from_start) / rate;
     const T over = one / c.G, E = T(2.0 * c_.moment_unit) * c.energy * over * over;
     const T turn = E * elapsed, half_turn = select(k.negative1 && !k.long_axis, pi, zero);
-    const T swept = whole_turns_off(exact_product(E, elapsed)) - deficit * from_start;
+    const T swept = whole_turns_off<1>(exact_product(E, elapsed)) - deficit * from_start;
     const T g0 = wrapped_angle(wrapped_angle(f.mean_angle + half_turn) - wrapped_angle(swept));
     double at[T::width];
     for (std::size_t j = 0; j < T::width; ++j) at[j] = times_[T::width * i + (j < count ? j : 0)];

@@ -134,7 +134,7 @@ class RotorsOfSerret : private StatesOnPolhodes<isa> {
     turn.lo = turn.lo + (e.E.hi * e.time.lo + e.E.lo * e.time.hi);
     s.usual = s.usual && abs(s.x) < T(most_phase) && abs(turn.hi) < T(most_radians) &&
               abs(s.angle) < T(most_radians) && one > deficit;
-    s.angle = s.angle + (whole_turns_off(turn) - deficit * s.x);
+    s.angle = s.angle + (whole_turns_off<2>(turn) - deficit * s.x);
   }
 
   Elapsed elapsed_[Base::most];
