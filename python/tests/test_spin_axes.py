@@ -154,6 +154,7 @@ def test_a_table_that_ends_ends_the_run():
     (lambda: spin_history(earth(), RATES, [0, 0, 0], [1.0]), "direction of length 0"),
     (lambda: spin_history(earth(), RATES, POLE, []), "times: got none"),
     (lambda: spin_history(earth(), RATES, POLE, [-1.0, 1.0]), "on two sides of the epoch 0"),
+    (lambda: spin_history(earth(), RATES, POLE, [-1.0, 0.0]), "running towards the epoch 0"),
     (lambda: spin_history(earth(), PrecessionRates(np.nan), POLE, [1.0]), "rates: got nan"),
     (lambda: ElementTable([0.0, 1.0, 2.0], 0.1, [0.1, 4.0, 0.1], 0.0, 0.0),
      "row 1: orbit_elements: got inclination 4"),

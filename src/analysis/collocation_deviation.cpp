@@ -81,13 +81,13 @@ class NeighbourStages : public JoinedStages<SweptDeviation<SweptNeighbour>, 10> 
   }
   void guess(const Rows& coefficients, const StageMatrix& at_stages, const NeighbourStages& of) {
     JoinedStages::guess(coefficients, at_stages, of);
-    RotorStages::Rows rows;
+    RotorStages::Rows rows{};
     std::copy_n(coefficients.begin() + Field::beside, 7, rows.begin());
     other_.guess(rows, at_stages, of.other_);
   }
   void coefficients(Rows& to) const {
     JoinedStages::coefficients(to);
-    RotorStages::Rows rows;
+    RotorStages::Rows rows{};
     other_.coefficients(rows);
     std::copy(rows.begin(), rows.end(), to.begin() + Field::beside);
   }

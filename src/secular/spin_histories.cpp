@@ -169,14 +169,18 @@ void require_fitting(const char* what, std::size_t got, std::size_t bodies) {
                       std::to_string(bodies) + " bodies; expected as many, or one for all");
 }
 
-// Rows on the other side of the epoch would not be met.
+// Rows on the other side of the epoch, or beyond the last, would not be met.
 void require_one_side(const SaveAt& times, double epoch) {
   const double last = times[times.size() - 1];
-  for (std::int64_t k = 0; k < times.size(); ++k)
-    if ((last - epoch) * (times[k] - epoch) < 0.0)
-      throw DomainError("spin_histories: got times " + detail::number_text(times[k]) + " and " +
-                        detail::number_text(last) + ", on two sides of the epoch " +
-                        detail::number_text(epoch) + "; expected times on one side of it");
+  const auto fail = [&](double t, const char* how) {
+    throw DomainError("spin_histories: got times " + detail::number_text(t) + " and " +
+                      detail::number_text(last) + ", " + how + " the epoch " +
+                      detail::number_text(epoch) + "; expected times that run away from it");
+  };
+  for (std::int64_t k = 0; k < times.size(); ++k) {
+    if ((last - epoch) * (times[k] - epoch) < 0.0) fail(times[k], "on two sides of");
+    if (std::abs(times[k] - epoch) > std::abs(last - epoch)) fail(times[k], "running towards");
+  }
 }
 
 }  // namespace

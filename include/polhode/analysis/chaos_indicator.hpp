@@ -14,8 +14,9 @@
 //             Where a term works on double alone, or a splitting has terms that are not kicks, a
 //             second motion at a small distance is carried along, and brought back when it has come
 //             16 times nearer or farther; the result says which.
-// Accuracy    that of the method, a step of the quadrature of L included; a splitting sums L by
-//             trapezoids of its steps. A finite run gives the exponent to about 1 / (number of
+// Accuracy    that of the method, a step of the quadrature of L included; Collocation sums L at
+//             the stages of its steps, which the motion alone decides, a splitting by trapezoids of
+//             its steps. A finite run gives the exponent to about 1 / (number of
 //             Lyapunov times).
 // Errors      DomainError for what is no problem, for a tolerance below 1e-15, for a deviation that
 //             is zero. A run that cannot go on: an outcome that says why, with the rows so far.

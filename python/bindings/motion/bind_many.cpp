@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The runs of many problems together.
 
+#include <new>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "motion/samples.hpp"
 #include "motion/trajectory_value.hpp"
 #include "polhode/dynamics/integrate_many.hpp"
+#include "polhode/error.hpp"
 
 namespace polhode::python {
 namespace {
@@ -79,8 +81,12 @@ class Collected {
     } catch (const nb::python_error& e) {
       if (!e.matches(PyExc_Exception)) throw;
       return nb::borrow(e.value());
+    } catch (const DomainError&) {
+      return nb::module_::import_("polhode._core").attr("DomainError")(run.error);
+    } catch (const std::bad_alloc&) {
+      return nb::borrow(PyExc_MemoryError)(run.error);
     } catch (...) {
-      return nb::borrow(PyExc_ValueError)(run.error);
+      return nb::borrow(PyExc_RuntimeError)(run.error);
     }
   }
 
@@ -130,7 +136,7 @@ Returns
 list of Trajectory
     That of integrate for each problem, to the last bit, in their order. A body that fails leaves
     the others as they are: a run that could not go on is a Trajectory whose outcome says so; in
-    the place of a problem that is none, or whose term raised something, is the exception. One
+    the place of one that is invalid, or whose term raised something, is the exception. One
     RuntimeWarning tells how many failed, and why the first did.
 
 Releases the GIL; Ctrl-C raises KeyboardInterrupt. [SA (24), (118), (124)])");

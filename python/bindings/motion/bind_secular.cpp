@@ -334,12 +334,16 @@ SpinHistory with_tides(const Orbit& orbit, const PrecessionRates& rates, const T
 // Rows on the other side of the epoch would not be met.
 void require_one_side(const SaveAt& times, double epoch) {
   const double last = times[times.size() - 1];
-  for (std::int64_t k = 0; k < times.size(); ++k)
-    if ((last - epoch) * (times[k] - epoch) < 0.0)
-      throw nb::value_error(("times: got " + number_text(times[k]) + " and " + number_text(last) +
-                             ", on two sides of the epoch " + number_text(epoch) +
-                             "; expected times on one side of it")
-                                .c_str());
+  const auto fail = [&](double t, const char* how) {
+    throw nb::value_error(("times: got " + number_text(t) + " and " + number_text(last) + ", " +
+                           how + " the epoch " + number_text(epoch) +
+                           "; expected times that run away from it")
+                              .c_str());
+  };
+  for (std::int64_t k = 0; k < times.size(); ++k) {
+    if ((last - epoch) * (times[k] - epoch) < 0.0) fail(times[k], "on two sides of");
+    if (std::abs(times[k] - epoch) > std::abs(last - epoch)) fail(times[k], "running towards");
+  }
 }
 
 SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit>& orbit,

@@ -60,14 +60,14 @@ class JoinedStages {
     place();
   }
   void guess(const Rows& coefficients, const StageMatrix& at_stages, const JoinedStages& of) {
-    RotorStages::Rows first;
+    RotorStages::Rows first{};
     std::copy_n(coefficients.begin(), 7, first.begin());
     rotor_.guess(first, at_stages, of.rotor_);
     of.lanes_.transform(at_stages, scheme().stages, coefficients.data() + 7, more, rest_.F.data());
     place();
   }
   void coefficients(Rows& to) const {
-    RotorStages::Rows first;
+    RotorStages::Rows first{};
     rotor_.coefficients(first);
     std::copy(first.begin(), first.end(), to.begin());
     lanes_.transform(scheme().coefficient, scheme().stages, rest_.F.data(), more, to.data() + 7);

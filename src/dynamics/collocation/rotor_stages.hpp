@@ -90,9 +90,11 @@ class RotorStages {
   }
   // `of` are the stages that the coefficients are of.
   void guess(const Rows& coefficients, const StageMatrix& at_stages, const RotorStages& of) {
-    waiting_ = {&coefficients, &at_stages};
     is_placed_ = !is_put_off_;
-    if (is_put_off_) return;
+    if (is_put_off_) {  // for a moment: they are the solver's own
+      waiting_ = {&coefficients, &at_stages};
+      return;
+    }
     of.lanes_.transform(at_stages, scheme_.stages, coefficients, step_.F);
     lanes_.place(scheme_, step_);
   }

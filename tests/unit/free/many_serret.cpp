@@ -245,6 +245,12 @@ TEST(ManySerret, RefuseWhatOneIsRefusedAndSayWhich) {
   sets[11].T = sets[17].T = 100.0;
   EXPECT_EQ(message_of([&] { back(body, sets, {0.0}); }),
             message_of([&] { to_rotor(body, sets[11], 0.0); }) + " (state 11)");
+  for (double SerretState::*element : {&SerretState::g0, &SerretState::h}) {
+    std::vector<SerretState> none(3, to_serret(FreeRotation(body, start), 0.0));
+    none[1].*element = not_a_number;
+    EXPECT_EQ(message_of([&] { back(body, none, {0.0}); }),
+              message_of([&] { to_rotor(body, none[1], 0.0); }) + " (state 1)");
+  }
   std::vector<SerretState> results(8);
   states.resize(9);
   EXPECT_EQ(message_of([&] { to_serret(body, states, std::vector<double>(9), results); }),

@@ -206,6 +206,7 @@ TEST(SpinHistories, WhatDoesNotFitIsRefused) {
   EXPECT_THAT(error(SaveAt::times({1, 2, 3}), 1.0), HasSubstr("room for 8 axes and 3 times"));
   EXPECT_THAT(error(SaveAt::times({1, 2}), 1.0), HasSubstr("got 3 starts and room for 4 bodies"));
   EXPECT_THAT(error(SaveAt::times({-1, 2}), 1.0), HasSubstr("on two sides of the epoch 0"));
+  EXPECT_THAT(error(SaveAt::times({-2, -1, 0}), 1.0), HasSubstr("running towards the epoch 0"));
   EXPECT_THAT(error(SaveAt::times({1, 2}), -1.0), HasSubstr("step"));
 }
 

@@ -24,8 +24,9 @@ class StageLaw {
 template <class Law>
 class StageLawOf : public StageLaw {
  public:
+  // A law of a user's may throw: each body is asked by itself.
   bool serves(const StageLaw& other) const override {
-    if constexpr (std::equality_comparable<Law>) {
+    if constexpr (LibraryLaw<Law> && std::equality_comparable<Law>) {
       const auto* same = dynamic_cast<const StageLawOf*>(&other);
       return same != nullptr && law_itself() == same->law_itself();
     } else {

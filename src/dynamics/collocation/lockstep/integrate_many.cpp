@@ -125,6 +125,7 @@ class Lockstep {
         whole = failed(index, problem.start, std::current_exception());
       }
       done_(index, std::move(whole));
+      if (progress_) progress_(problem.start);
     }
     return false;
   }

@@ -110,7 +110,11 @@ void ManySteps::find_shared_laws(Bodies bodies) {
 void ManySteps::ask_alone(RotorStages& body, std::size_t term, std::size_t lane) {
   RotorStep& s = body.step();
   const std::size_t stages = scheme_.stages;
-  for (std::size_t n = 0; n < 7; ++n) collect(lanes_.Y(n), s.Y.rows[n], lane, stages);
+  for (std::size_t n = 0; n < 7; ++n) {
+    collect(lanes_.Y(n), s.Y.rows[n], lane, stages);
+    std::fill(s.Y.rows[n].begin() + stages, s.Y.rows[n].begin() + filled_stages(stages),
+              lanes_.y[n][lane]);
+  }
   for (std::size_t n = 0; n < 3; ++n) {
     collect(lanes_.v(n), s.effects.v[n], lane, stages);
     collect(lanes_.u(n), s.effects.u[n], lane, stages);

@@ -79,7 +79,8 @@ class RotorsOfSadov : private StatesOnPolhodes<isa> {
     s.G = I_g;
     s.H = I_h;
     s.usual = s.usual && of_mode<T>(s.long_axis, c_.usual) > zero && I_g > T(0x1p-100) &&
-              I_g < T(0x1p100) && abs(I_h) <= I_g && size <= I_g;
+              I_g < T(0x1p100) && abs(I_h) <= I_g && size <= I_g &&
+              abs(phi_h) <= T(std::numeric_limits<double>::max());
     Root& r = root_[i];
     r.target = select(s.long_axis, I_l, T(I_g - size)) / I_g;
     r.kap2 = of_mode<T>(s.long_axis, c_.kap2);

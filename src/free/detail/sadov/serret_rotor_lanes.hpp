@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 #include "free/detail/sadov/constants.hpp"
 #include "free/detail/sadov/curve.hpp"
@@ -95,7 +96,9 @@ class RotorsOfSerret : private StatesOnPolhodes<isa> {
     s.H = H;
     const T DA = select(s.long_axis, D3, D1), DC = select(s.long_axis, D1, D3);
     s.usual = signs && !negative1 && of_mode<T>(s.long_axis, c_.usual) > zero && DA > zero &&
-              DC > zero && G > T(0x1p-100) && G < T(0x1p100) && abs(H) <= G;
+              DC > zero && G > T(0x1p-100) && G < T(0x1p100) && abs(H) <= G &&
+              abs(h) <= T(std::numeric_limits<double>::max()) &&
+              abs(g0) <= T(std::numeric_limits<double>::max());
     const T over = one / DA;
     PolhodeOfDeficit<T>& c = polhode_[i];
     kap2_[i] = of_mode<T>(s.long_axis, c_.kap2);
