@@ -289,8 +289,8 @@ def test_an_experiment_of_your_own_is_a_kind_like_ours(colombo, tmp_path):
                      "key = 'colombos-top.obliquity'\nfrom = 1\nto = 2\ncount = 2\n[time]"):
             '12:1: map: kind: got "colombos-top"; expected "rotation"',
         text.replace("[time]", "[method]\nkind = 'variation-of-constants'\n[time]"):
-            '13:8: method.kind: got "variation-of-constants"; expected "adaptive", "collocation" or '
-            '"splitting", since kind "colombos-top"',
+            '13:8: method.kind: got "variation-of-constants"; expected "adaptive", "collocation" '
+            'or "splitting", since kind "colombos-top"',
         text[:text.index("[time]")]: "expected a table [time] as well",
     }.items():
         (tmp_path / "wrong.toml").write_text(wrong)
