@@ -45,6 +45,12 @@ def variables(z):
 
 # Objects by the class that a parameter is annotated with.
 OF_CLASS = {
+    "EulerState": polhode.to_euler(STATE),
+    "PoincareState": polhode.nearest_poincare(STATE),
+    "EulerRates": polhode.to_euler_rates(BODY, STATE),
+    "SadovState": polhode.to_sadov(BODY, STATE),
+    "TumblerState": polhode.to_tumbler(polhode.FreeRotation(BODY, STATE), 0.0),
+    "Pole": polhode.Pole.zero,
     "Body": BODY,
     "RotorState": STATE,
     "System": SYSTEM,
@@ -189,8 +195,8 @@ OF_CALL = {
     "ElementTable.__init__": {"times": TIMES},
     "TidalRates.__init__": {"orbit": 6.0},
     "ElementSeries.__init__": {name: [[0.1, 0.2, 0.3]] for name in ("ellipse", "plane")},
-    "spin_history": {"pole": VECTOR, "times": [0.5, 1.0]},
-    "spin_histories": {"poles": VECTOR, "times": [0.5, 1.0], "method": polhode.Splitting(0.5)},
+    "spin_history": {"pole": VECTOR, "times": [1.5, 2.0]},
+    "spin_histories": {"poles": VECTOR, "times": [1.5, 2.0], "method": polhode.Splitting(0.5)},
     "shipped_orbit": {"name": "mars"},
     "long_axis_period": {"rotation_period": 2.0},  # longer than that of the short axis
     "planet_rates": {"name": "mars"},

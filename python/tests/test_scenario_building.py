@@ -81,7 +81,10 @@ def test_a_poincare_state_starts_where_it_is(units):
     for s in STATES:
         state = polhode.nearest_poincare(s)
         made = Scenario.build(BODY, state, units=units)
-        assert made.state == state and made.initial_state == polhode.to_rotor(state)
+        assert made.state == state
+        # in Python a state goes the way of many
+        assert np.abs(made.initial_state.q - polhode.to_rotor(state).q).max() < budgets.io_state
+        assert np.abs(made.initial_state.g - polhode.to_rotor(state).g).max() < budgets.io_state
 
 
 @pytest.mark.parametrize("kind", TO_HUB)

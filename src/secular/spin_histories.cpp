@@ -177,10 +177,9 @@ void require_one_side(const SaveAt& times, double epoch) {
                       detail::number_text(last) + ", " + how + " the epoch " +
                       detail::number_text(epoch) + "; expected times that run away from it");
   };
-  for (std::int64_t k = 0; k < times.size(); ++k) {
+  for (std::int64_t k = 0; k < times.size(); ++k)
     if ((last - epoch) * (times[k] - epoch) < 0.0) fail(times[k], "on two sides of");
-    if (std::abs(times[k] - epoch) > std::abs(last - epoch)) fail(times[k], "running towards");
-  }
+  if (std::abs(times[0] - epoch) > std::abs(last - epoch)) fail(times[0], "running towards");
 }
 
 }  // namespace
