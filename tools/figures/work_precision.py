@@ -16,9 +16,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SERIES = [
     ("Adaptive", "Adaptive", "#0072B2", "o", "-"),
     ("VariationOfConstants", "VariationOfConstants", "#D55E00", "s", "-"),
+    ("Collocation", "Collocation", "#000000", "P", "-"),
     ("Splitting order4", "Splitting, order 4", "#999999", "v", "-"),
     ("Splitting ABA864", "Splitting, ABA864", "#009E73", "^", "-"),
-    ("Splitting order8", "Splitting, order 8", "#000000", "D", "-"),
+    ("Splitting order8", "Splitting, order 8", "#666666", "D", "-"),
     ("Boost.Odeint RKF78", "Boost.Odeint RKF78", "#56B4E9", "x", "--"),
     ("Boost.Odeint Bulirsch-Stoer", "Boost.Odeint Bulirsch-Stoer", "#E69F00", "+", "--"),
     ("heyoka", "heyoka (Taylor, compiled)", "#CC79A7", "*", "--"),
