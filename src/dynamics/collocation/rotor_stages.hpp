@@ -139,7 +139,7 @@ class RotorStages {
   const Guess& waiting() const { return waiting_; }
   // and what they find is taken from them.
   struct Solution {
-    Rows rates, drive;  // in Legendre polynomials
+    Rows rates{}, drive{};  // in Legendre polynomials
     State end{};
   };
   Solution& take_solution() {

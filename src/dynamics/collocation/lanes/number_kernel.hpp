@@ -3,6 +3,8 @@
 // once for each set of instructions.
 #pragma once
 
+#include "dynamics/collocation/lanes/lost_by_product.hpp"
+#include "dynamics/collocation/lanes/of_stages.hpp"
 #include "dynamics/collocation/number_lanes.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
@@ -114,12 +116,7 @@ struct NumberKernel {
     for (std::size_t n = 0; n < numbers; ++n) {
       low[n] = s.carry[first + n];
       for (std::size_t i = 0; i < filled; i += T::width) {
-        const T a = loaded(hb, i), b = loaded(s.F[first + n], i);
-        if constexpr (isa == InstructionSet::baseline) {
-          store(two_prod(a, b).lo, lost[n], i);
-        } else {
-          store(two_prod_fma(a, b).lo, lost[n], i);
-        }
+        store(lost_by_product(loaded(hb, i), loaded(s.F[first + n], i)), lost[n], i);
       }
     }
     for (std::size_t j = 0; j < stages; ++j)
@@ -153,20 +150,10 @@ struct NumberKernel {
 
 template <InstructionSet isa>
 NumberLanes number_kernels(std::size_t stages) {
-  const auto of = []<std::size_t s>() {
+  return of_stages(stages, []<std::size_t s>() {
     using K = NumberKernel<isa, s>;
     return NumberLanes{&K::move, &K::multiply, &K::finish, &K::transform};
-  };
-  switch (stages) {
-    case 4:
-      return of.template operator()<4>();
-    case 8:
-      return of.template operator()<8>();
-    case 16:
-      return of.template operator()<16>();
-    default:
-      return of.template operator()<32>();
-  }
+  });
 }
 
 }  // namespace detail

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "dynamics/collocation/lanes/lost_by_product.hpp"
+#include "dynamics/collocation/lanes/of_stages.hpp"
 #include "dynamics/collocation/lanes/rotor_rates.hpp"
 #include "dynamics/collocation/rotor_step.hpp"
 
@@ -185,20 +186,10 @@ struct RotorKernel {
 
 template <InstructionSet isa>
 RotorLanes rotor_kernels(std::size_t stages) {
-  const auto of = []<std::size_t s>() {
+  return of_stages(stages, []<std::size_t s>() {
     using K = RotorKernel<isa, s>;
     return RotorLanes{&K::place, &K::measure, &K::sweep, &K::finish, &K::transform};
-  };
-  switch (stages) {
-    case 4:
-      return of.template operator()<4>();
-    case 8:
-      return of.template operator()<8>();
-    case 16:
-      return of.template operator()<16>();
-    default:
-      return of.template operator()<32>();
-  }
+  });
 }
 
 }  // namespace detail
