@@ -21,7 +21,7 @@ class RotorCollocation final : public CollocationStepper<RotorStages, StepperInP
     return refused;
   }
   RotorStages& tried() override { return solver_.tried(); }
-  SweepJudge judge() const override { return SweepJudge(solver_.enough()); }
+  SweepJudge judge() const override { return judge_of<RotorStages>(solver_.enough()); }
   std::optional<std::string> solved(const SweepJudge& judge) override {
     const std::optional<StepOutcome> outcome = solver_.solved(judge);
     if (!outcome) return std::nullopt;

@@ -41,9 +41,11 @@ class RotorStages {
     times_.count = stages;
   }
 
-  // One more term, which the system does not know. It outlives the stages.
+  // One more term, which the system does not know. It outlives the stages, and moves between
+  // sweeps, so that a sweep makes one pass.
   void add(StageTerm& term) {
     more_ = &term;
+    step_.passes = 1;
     step_.has_rate = step_.has_rate || term.adds_rate();
   }
 
@@ -86,7 +88,7 @@ class RotorStages {
     is_placed_ = !is_put_off_;
     if (is_put_off_) return;
     step_.F = {};
-    lanes_.place(scheme_, step_);
+    place();
   }
   // `of` are the stages that the coefficients are of.
   void guess(const Rows& coefficients, const StageMatrix& at_stages, const RotorStages& of) {
@@ -96,8 +98,10 @@ class RotorStages {
       return;
     }
     of.lanes_.transform(at_stages, scheme_.stages, coefficients, step_.F);
-    lanes_.place(scheme_, step_);
+    place();
   }
+
+  static constexpr double settled = settled_change;
 
   // The largest change of any stage, relative to |q| = 1 and to |g|.
   double sweep() {
@@ -153,6 +157,10 @@ class RotorStages {
   std::span<const std::unique_ptr<StageTerm>> terms() const { return terms_; }
 
  private:
+  void place() {
+    lanes_.place(scheme_, step_);
+    step_.inverse_momentum = inverse_momentum(step_.y);
+  }
   void copy(const Rows& from, Rows& to) const {
     for (std::size_t n = 0; n < from.size(); ++n)
       std::copy_n(from[n].begin(), scheme_.stages, to[n].begin());

@@ -3,14 +3,23 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "dynamics/collocation/gauss_scheme.hpp"
+#include "math/larger.hpp"
 #include "polhode/math/instruction_set.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// How often a sweep moves the stages by the effects that it has asked for. Where torques are weak
+// next to the free rotation these settle long before the attitude does.
+inline constexpr int passes_of_sweep = 3;
+// Where the first pass of a sweep changes no more than that, the others end at rounding.
+inline constexpr double settled_change = std::numeric_limits<double>::epsilon();
 
 // What of the body the equations of motion ask for.
 struct RotorConstants {
@@ -23,7 +32,8 @@ struct RotorStep {
   StageRow hb{};
   double inverse_momentum = 0.0;  // 1 / |g|, roughly: the measure of a change
   StageStates Y;
-  StageEffects effects;             // a sweep takes them, and leaves zeros
+  StageEffects effects;  // a sweep takes them into `drive`, and leaves zeros
+  int passes = passes_of_sweep;
   bool has_rate = false;            // any effect has a v
   bool has_frame = false;           // it moves
   std::array<StageRow, 3> mu_S{};   // its rate
@@ -32,13 +42,22 @@ struct RotorStep {
   std::array<StageRow, 7> L{};      // h b F
 };
 
+// At the start of a step.
+inline double inverse_momentum(const std::array<double, 7>& y) {
+  double most = std::numeric_limits<double>::min();
+  for (std::size_t n = 4; n < 7; ++n) most = larger(most, std::abs(y[n]));
+  return 1.0 / most;
+}
+
 // Compiled for each set of instructions; every one with the same bits.
 struct RotorLanes {
-  // Y from F, and how large its momentum is.
+  // Y from F.
   void (*place)(const GaussScheme&, RotorStep&);
+  // How large the momentum of Y is.
   void (*measure)(RotorStep&);
-  // F from Y and the effects there, and Y from F: first g, then q at the rates that belong to it.
-  // The largest change of any stage, relative to |q| = 1 and to |g|.
+  // F from Y and the effects, and Y from F, `passes` times: first g, then q at the rates
+  // that belong to it. The largest change of any stage in the first pass, relative to |q| = 1 and
+  // to |g|.
   double (*sweep)(const GaussScheme&, const RotorConstants&, RotorStep&);
   // y and carry at the end of the step.
   void (*finish)(RotorStep&);

@@ -24,7 +24,9 @@ enum class SweepsEnd { converged, diverging, not_finite };
 // may be `enough`.
 class SweepJudge {
  public:
-  explicit SweepJudge(double enough = 0.0) : enough_(enough) {}
+  // `settled`: a change so small that none is looked for.
+  explicit SweepJudge(double enough = 0.0, double settled = 0.0)
+      : enough_(enough), settled_(settled) {}
 
   bool goes_on() const { return goes_on_; }
   std::int64_t sweeps() const { return sweeps_; }
@@ -34,12 +36,17 @@ class SweepJudge {
     if (change == 0.0) {
       ends(SweepsEnd::converged);
     } else if (!std::isfinite(change)) {
-      ends(SweepsEnd::not_finite);
+      // sweeps that lead away from any solution overflow, too
+      ends(sweeps_ > 1 && before_ >= 1.0 ? SweepsEnd::diverging : SweepsEnd::not_finite);
     } else if (sweeps_ >= least_sweeps && !(change < before_)) {
       ends(judged());
     } else {
       before_ = change;
-      if (sweeps_ == most_sweeps) ends(judged());
+      if (change <= settled_) {
+        ends(SweepsEnd::converged);
+      } else if (sweeps_ == most_sweeps) {
+        ends(judged());
+      }
     }
   }
   // Once they do not go on.
@@ -58,16 +65,25 @@ class SweepJudge {
     goes_on_ = false;
   }
 
-  double enough_;
+  double enough_, settled_;
   double before_ = std::numeric_limits<double>::infinity();
   std::int64_t sweeps_ = 0;
   bool goes_on_ = true;
   SweepsEnd end_ = SweepsEnd::diverging;
 };
 
+// Stages may say how small a change their sweeps need not look for.
+template <class Stages>
+SweepJudge judge_of(double enough) {
+  if constexpr (requires { Stages::settled; })
+    return SweepJudge(enough, Stages::settled);
+  else
+    return SweepJudge(enough);
+}
+
 template <class Stages>
 SweepsEnd swept(Stages& stages, double enough, std::int64_t& sweeps) {
-  SweepJudge judge(enough);
+  SweepJudge judge = judge_of<Stages>(enough);
   while (judge.goes_on()) judge.see(stages.sweep());
   sweeps += judge.sweeps();
   return judge.end();

@@ -234,7 +234,7 @@ TEST(Lockstep, DoesNotDependOnTheProcessor) {
           s->begin(0.3, start, 0.05 + 0.02 * static_cast<double>(k), nullptr);
           s->guess_start();
         }
-        steps.push_back({&together[k], detail::SweepJudge(1e-14)});
+        steps.push_back({&together[k], detail::judge_of<detail::RotorStages>(1e-14)});
       }
       detail::ManySteps(stages, set).solve(steps);
       for (std::size_t k = 0; k < 5; ++k) {

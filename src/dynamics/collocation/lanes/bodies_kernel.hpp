@@ -29,13 +29,18 @@ struct BodiesKernel {
   [[gnu::always_inline]] static T in(const BodyLine& line, std::size_t lane) {
     return T::loaded(line.data() + lane);
   }
-  // An effect, kept in `to`: nothing is left of it for the next sweep.
-  [[gnu::always_inline]] static T taken(double* row, double* to, std::size_t stage,
-                                        std::size_t lane) {
-    const T x = at(row, stage, lane);
-    put(to, stage, lane, x);
-    put(row, stage, lane, T(0.0));
-    return x;
+  // The effects go from where terms add them to where the rates take them from; nothing is left
+  // there for the next sweep.
+  [[gnu::always_inline]] static void take(double* row, double* to, std::size_t lane) {
+    for (std::size_t i = 0; i < stages; ++i) {
+      put(to, i, lane, at(row, i, lane));
+      put(row, i, lane, T(0.0));
+    }
+  }
+  [[gnu::always_inline]] static void take_effects(BodyLanes& b, std::size_t lane) {
+    for (std::size_t n = 0; n < 3; ++n) take(b.u(n), b.drive(n), lane);
+    if (!b.has_rate) return;
+    for (std::size_t n = 0; n < 3; ++n) take(b.v(n), b.drive(3 + n), lane);
   }
   [[gnu::always_inline]] static void set_rate(BodyLanes& b, std::size_t n, std::size_t stage,
                                               std::size_t lane, const T& f) {
@@ -65,7 +70,8 @@ struct BodiesKernel {
     for (std::size_t i = 0; i < stages; ++i) put(to, i, lane, product(of_all, x, i));
   }
 
-  // Y of one number from L; the largest change.
+  // Y of one number from L; the largest change, where it is asked for.
+  template <bool asked = true>
   [[gnu::always_inline]] static T moved(const GaussScheme& scheme, BodyLanes& b, std::size_t n,
                                         std::size_t lane, T change) {
     T L[stages];
@@ -74,8 +80,10 @@ struct BodiesKernel {
     const auto mu = [&](std::size_t j, std::size_t i) { return T(scheme.mu[j][i]); };
     for (std::size_t i = 0; i < stages; ++i) {
       const T next = y + (product(mu, L, i) + carry);
-      const T by = abs(next - at(b.Y(n), i, lane));
-      change = select(change > by, change, by);  // NaN stays until the next number
+      if constexpr (asked) {
+        const T by = abs(next - at(b.Y(n), i, lane));
+        change = select(change > by, change, by);  // NaN stays until the next number
+      }
       put(b.Y(n), i, lane, next);
     }
     return change;
@@ -83,12 +91,12 @@ struct BodiesKernel {
 
   [[gnu::always_inline]] static void momentum_rates(BodyLanes& b, std::size_t i, std::size_t lane) {
     const auto Y = [&](std::size_t n) { return at(b.Y(n), i, lane); };
-    const auto u = [&](std::size_t n) { return taken(b.u(n), b.drive(n), i, lane); };
+    const auto u = [&](std::size_t n) { return at(b.drive(n), i, lane); };
     const BasicVec3<T> g{Y(4), Y(5), Y(6)};
     const BasicVec3<T> euler{in(b.euler[0], lane), in(b.euler[1], lane), in(b.euler[2], lane)};
     BasicVec3<T> f = momentum_rate(euler, g, {u(0), u(1), u(2)});
     if (b.has_rate) {
-      const auto v = [&](std::size_t n) { return at(b.v(n), i, lane); };
+      const auto v = [&](std::size_t n) { return at(b.drive(3 + n), i, lane); };
       f = f + cross(g, BasicVec3<T>{v(0), v(1), v(2)});
     }
     set_rate(b, 4, i, lane, f.x);
@@ -97,7 +105,7 @@ struct BodiesKernel {
   }
   [[gnu::always_inline]] static void attitude_rates(BodyLanes& b, std::size_t i, std::size_t lane) {
     const auto Y = [&](std::size_t n) { return at(b.Y(n), i, lane); };
-    const auto v = [&](std::size_t n) { return taken(b.v(n), b.drive(3 + n), i, lane); };
+    const auto v = [&](std::size_t n) { return at(b.drive(3 + n), i, lane); };
     const auto half = [&](std::size_t n) {
       const T w =
           half_rate(in(b.half_inverse[n], lane), in(b.half_inverse_rest[n], lane), Y(4 + n));
@@ -115,19 +123,34 @@ struct BodiesKernel {
     set_rate(b, 3, i, lane, f.z);
   }
 
+  // F from Y, and Y from F: q at the rates of the g of the pass before, and the next g; but no g
+  // after the last q.
+  template <std::size_t numbers, bool asked>
+  [[gnu::always_inline]] static T pass(const GaussScheme& scheme, BodyLanes& b, std::size_t lane) {
+    for (std::size_t i = 0; i < stages; ++i) {
+      attitude_rates(b, i, lane);
+      if constexpr (numbers == 7) momentum_rates(b, i, lane);
+    }
+    T dq(0.0);
+    for (std::size_t n = 0; n < 4; ++n) dq = moved<asked>(scheme, b, n, lane, dq);
+    for (std::size_t n = 4; n < numbers; ++n) moved<false>(scheme, b, n, lane, dq);
+    return dq;
+  }
   [[gnu::flatten]] static void sweep(const GaussScheme& scheme, BodyLanes& b) {
     for (std::size_t lane = 0; lane < body_lanes; lane += T::width) {
+      take_effects(b, lane);
       for (std::size_t i = 0; i < stages; ++i) momentum_rates(b, i, lane);
-      T dg(0.0), dq(0.0);
+      T dg(0.0);
       for (std::size_t n = 4; n < 7; ++n) dg = moved(scheme, b, n, lane, dg);
       dg = dg * in(b.inverse_momentum, lane);
-      for (std::size_t i = 0; i < stages; ++i) attitude_rates(b, i, lane);
-      for (std::size_t n = 0; n < 4; ++n) dq = moved(scheme, b, n, lane, dq);
+      const T dq = pass<7, true>(scheme, b, lane);
+      for (int k = 2; k < passes_of_sweep; ++k) pass<7, false>(scheme, b, lane);
+      pass<4, false>(scheme, b, lane);
       select(dq <= dg, dg, dq).store(b.change.data() + lane);
     }
   }
 
-  // Y from the last step of each body, and how large its momentum is.
+  // Y from the last step of each body.
   [[gnu::flatten]] static void place(const GaussScheme& scheme, BodyLanes& b) {
     for (std::size_t lane = 0; lane < body_lanes; lane += T::width) {
       const auto of_body = [&](std::size_t j, std::size_t i) {
@@ -138,20 +161,9 @@ struct BodiesKernel {
         load(b.kept(n), lane, before);
         for (std::size_t i = 0; i < stages; ++i)
           put(b.L(n), i, lane, at(b.hb(), i, lane) * product(of_body, before, i));
-        moved(scheme, b, n, lane, T(0.0));
+        moved<false>(scheme, b, n, lane, T(0.0));
       }
-      T most(std::numeric_limits<double>::min());
-      for (std::size_t n = 4; n < 7; ++n) {
-        for (std::size_t i = 0; i < stages; ++i) most = larger(most, at(b.Y(n), i, lane));
-        // rows of RotorKernel are filled up with the start
-        if constexpr (stages < stage_lanes)
-          most = larger(most, in(b.y[n], lane) + in(b.carry[n], lane));
-      }
-      (T(1.0) / most).store(b.inverse_momentum.data() + lane);
     }
-  }
-  [[gnu::always_inline]] static T larger(const T& most, const T& x) {
-    return select(abs(x) <= most, most, abs(x));
   }
 
   // F and what it was made of, where the mark is not 0.

@@ -26,12 +26,18 @@ struct RotorKernel {
     x.store(row.data() + i);
   }
 
-  // An effect, kept in `to`: nothing is left of it for the next sweep.
-  [[gnu::always_inline]] static T taken(StageRow& row, StageRow& to, std::size_t i) {
-    const T x = loaded(row, i);
-    store(x, to, i);
-    store(T(0.0), row, i);
-    return x;
+  // The effects go from where terms add them to where the rates take them from; nothing is left
+  // there for the next sweep.
+  [[gnu::always_inline]] static void take(StageRow& row, StageRow& to) {
+    for (std::size_t i = 0; i < filled; i += T::width) {
+      store(loaded(row, i), to, i);
+      store(T(0.0), row, i);
+    }
+  }
+  [[gnu::always_inline]] static void take_effects(RotorStep& s) {
+    for (std::size_t n = 0; n < 3; ++n) take(s.effects.u[n], s.drive[n]);
+    if (!s.has_rate) return;
+    for (std::size_t n = 0; n < 3; ++n) take(s.effects.v[n], s.drive[3 + n]);
   }
 
   // Rows i, i + 1, ... of matrix * from, for numbers `first` to `last` of a state. In two sums, of
@@ -61,8 +67,8 @@ struct RotorKernel {
       for (std::size_t n = first; n < last; ++n)
         store(loaded(s.hb, i) * loaded(s.F[n], i), s.L[n], i);
   }
-  // Y from L; the largest change.
-  template <std::size_t first, std::size_t last>
+  // Y from L; the largest change of those before `asked`.
+  template <std::size_t first, std::size_t last, std::size_t asked = last>
   [[gnu::always_inline]] static T moved(const GaussScheme& scheme, RotorStep& s) {
     T change(0.0);
     for (std::size_t i = 0; i < filled; i += T::width) {
@@ -70,17 +76,21 @@ struct RotorKernel {
       product<first, last>(scheme.mu, s.L, i, sum);
       for (std::size_t n = first; n < last; ++n) {
         const T next = T(s.y[n]) + (sum[n] + T(s.carry[n]));
-        const T by = abs(next - loaded(s.Y.rows[n], i));
-        change = select(change > by, change, by);  // NaN stays until the next number
+        if (n < asked) {
+          const T by = abs(next - loaded(s.Y.rows[n], i));
+          change = select(change > by, change, by);  // NaN stays until the next number
+        }
         store(next, s.Y.rows[n], i);
       }
     }
     return change;
   }
   [[gnu::always_inline]] static double largest(const T& x) {
-    double r = x.lanes[0];
-    for (std::size_t i = 1; i < T::width; ++i) r = x.lanes[i] <= r ? r : x.lanes[i];
-    return r;
+    double r[T::width];
+    x.store(r);
+    for (std::size_t half = T::width / 2; half > 0; half /= 2)
+      for (std::size_t i = 0; i < half; ++i) r[i] = r[i + half] <= r[i] ? r[i] : r[i + half];
+    return r[0];
   }
 
   // A rate, and what it contributes to the step.
@@ -92,8 +102,7 @@ struct RotorKernel {
 
   [[gnu::flatten]] static void place(const GaussScheme& scheme, RotorStep& s) {
     weigh<0, 7>(s);
-    moved<0, 7>(scheme, s);
-    measure(s);
+    moved<0, 7, 0>(scheme, s);
   }
   [[gnu::flatten]] static void measure(RotorStep& s) {
     T most(std::numeric_limits<double>::min());
@@ -108,12 +117,12 @@ struct RotorKernel {
   [[gnu::always_inline]] static void momentum_rates(const RotorConstants& body, RotorStep& s,
                                                     std::size_t i) {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
-    const auto u = [&](std::size_t n) { return taken(s.effects.u[n], s.drive[n], i); };
+    const auto u = [&](std::size_t n) { return loaded(s.drive[n], i); };
     const BasicVec3<T> g{Y(4), Y(5), Y(6)};
     const BasicVec3<T> euler{T(body.euler.x), T(body.euler.y), T(body.euler.z)};
     BasicVec3<T> f = momentum_rate(euler, g, {u(0), u(1), u(2)});
     if (s.has_rate) {
-      const auto v = [&](std::size_t n) { return loaded(s.effects.v[n], i); };
+      const auto v = [&](std::size_t n) { return loaded(s.drive[3 + n], i); };
       f = f + cross(g, BasicVec3<T>{v(0), v(1), v(2)});
     }
     set_rate(s, 4, i, f.x);
@@ -123,7 +132,7 @@ struct RotorKernel {
   [[gnu::always_inline]] static void attitude_rates(const RotorConstants& body, RotorStep& s,
                                                     std::size_t i) {
     const auto Y = [&](std::size_t n) { return loaded(s.Y.rows[n], i); };
-    const auto v = [&](std::size_t n) { return taken(s.effects.v[n], s.drive[3 + n], i); };
+    const auto v = [&](std::size_t n) { return loaded(s.drive[3 + n], i); };
     const auto half = [&](std::size_t n) {
       const DoubleDouble& c = body.half_inverse[n];
       const T w = half_rate(T(c.hi), T(c.lo), Y(4 + n));
@@ -141,12 +150,25 @@ struct RotorKernel {
     set_rate(s, 3, i, f.z);
   }
 
+  // F from Y, and Y from F: q at the rates of the g of the pass before, and the next g, so that
+  // neither waits for the other; but no g after the last q.
+  template <std::size_t numbers, std::size_t asked>
+  [[gnu::always_inline]] static T pass(const GaussScheme& scheme, const RotorConstants& body,
+                                       RotorStep& s) {
+    for (std::size_t i = 0; i < filled; i += T::width) {
+      attitude_rates(body, s, i);
+      if constexpr (numbers == 7) momentum_rates(body, s, i);
+    }
+    return moved<0, numbers, asked>(scheme, s);
+  }
   [[gnu::flatten]] static double sweep(const GaussScheme& scheme, const RotorConstants& body,
                                        RotorStep& s) {
+    take_effects(s);
     for (std::size_t i = 0; i < filled; i += T::width) momentum_rates(body, s, i);
     const T dg = moved<4, 7>(scheme, s) * T(s.inverse_momentum);
-    for (std::size_t i = 0; i < filled; i += T::width) attitude_rates(body, s, i);
-    const T dq = moved<0, 4>(scheme, s);
+    const T dq = s.passes > 1 ? pass<7, 4>(scheme, body, s) : pass<4, 4>(scheme, body, s);
+    for (int k = 2; k < s.passes; ++k) pass<7, 0>(scheme, body, s);
+    if (s.passes > 1) pass<4, 0>(scheme, body, s);
     return largest(select(dq <= dg, dg, dq));
   }
 

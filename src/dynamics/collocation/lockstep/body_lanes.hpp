@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "dynamics/collocation/gauss_scheme.hpp"
+#include "dynamics/collocation/rotor_step.hpp"
 #include "polhode/math/instruction_set.hpp"
 
 namespace polhode {
@@ -26,7 +26,7 @@ class BodyLanes {
   std::array<BodyLine, 7> y{}, carry{}, end{}, end_carry{};
   std::array<BodyLine, 3> half_inverse{}, half_inverse_rest{}, euler{}, moments{};
   BodyLine inverse_momentum{};
-  BodyLine change{};  // by the sweep made last
+  BodyLine change{};  // by the first pass of the sweep made last
   bool has_rate = false;
   bool has_frame = false;
 
@@ -51,7 +51,10 @@ class BodyLanes {
 
  private:
   static constexpr std::size_t rows = 50;
-  double* row(std::size_t n) { return lines_[n * stages_].data(); }
+  // The lines of a row as the plain numbers that they are.
+  double* row(std::size_t n) {
+    return static_cast<double*>(static_cast<void*>(lines_.data() + n * stages_));
+  }
 
   std::size_t stages_;
   std::vector<BodyLine> lines_;
@@ -62,7 +65,7 @@ class BodyLanes {
 struct BodyKernels {
   // Y from the polynomial of the last step.
   void (*place)(const GaussScheme&, BodyLanes&);
-  // F from Y and the effects there, and Y from F.
+  // F from Y and the effects, and Y from F.
   void (*sweep)(const GaussScheme&, BodyLanes&);
   // F and `drive` of the bodies whose mark is not 0.
   void (*keep)(const BodyLine& mark, BodyLanes&);

@@ -32,6 +32,7 @@ void ManySteps::gather(const RotorStages& from, std::size_t lane) {
     lanes_.y[n][lane] = s.y[n];
     lanes_.carry[n][lane] = s.carry[n];
   }
+  lanes_.inverse_momentum[lane] = inverse_momentum(s.y);
   spread(s.hb, lanes_.hb(), lane, stages);
   if (s.has_frame)
     for (std::size_t n = 0; n < 3; ++n) spread(s.mu_S[n], lanes_.mu_S(n), lane, stages);

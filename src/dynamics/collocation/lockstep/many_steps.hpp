@@ -17,7 +17,7 @@ namespace detail {
 // The step of one of them: begun, and what came of its sweeps.
 struct BodyStep {
   RotorStages* stages = nullptr;
-  SweepJudge judge{};
+  SweepJudge judge = judge_of<RotorStages>(0.0);
   std::exception_ptr thrown = {};  // by a term
 
   bool goes_on() const { return judge.goes_on() && !thrown; }
