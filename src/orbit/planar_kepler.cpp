@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/planar_position.hpp"
 #include "orbit/detail/tabulated_ellipse.hpp"
 
@@ -47,7 +48,10 @@ BasicKeplerAnomaly<DoubleDouble> PlanarKepler::anomaly(const DoubleDouble& t) co
 }
 
 BasicPlanarPoint<double> PlanarKepler::solved_point(double t, double rest) const {
-  const Direction at = direction(t, rest);
+  return point_of(direction(t, rest));
+}
+
+BasicPlanarPoint<double> PlanarKepler::point_of(const Direction& at) const {
   return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
 }
 
@@ -78,14 +82,15 @@ BasicPlanarMotion<T> planar_motion(const T& sine, const T& versine, const T& q, 
 BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
   if (table_ && table_->holds(t, 0.0)) {
     const BasicPlanarPoint<double> at = table_->at(t, 0.0);
-    const double sine = at.y / b_.hi, versine = (shape_.pericentre.hi - at.x) / a_.hi;
     BasicPlanarMotion<double> motion =
-        planar_motion<double>(sine, versine, shape_.pericentre.hi, a_.hi, b_.hi,
-                              shape_.mean_motion.hi, rounded_, hyperbola_);
+        motion_of({at.y / b_.hi, (shape_.pericentre.hi - at.x) / a_.hi});
     motion.position = at;
     return motion;
   }
-  const Direction at = direction(t, 0.0);
+  return motion_of(direction(t, 0.0));
+}
+
+BasicPlanarMotion<double> PlanarKepler::motion_of(const Direction& at) const {
   return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
                                shape_.mean_motion.hi, rounded_, hyperbola_);
 }
@@ -94,6 +99,53 @@ BasicPlanarMotion<DoubleDouble> PlanarKepler::motion(const DoubleDouble& t) cons
   const BasicKeplerAnomaly<DoubleDouble> at = anomaly(t);
   return planar_motion<DoubleDouble>(at.sine, at.versine, shape_.pericentre, a_, b_,
                                      shape_.mean_motion, shape_.eccentricity, hyperbola_);
+}
+
+template <class F>
+void PlanarKepler::each_direction(const TimeRows& times, InstructionSet set, const F& f) const {
+  const detail::OrbitLanes lanes = detail::orbit_lanes(set);
+  const detail::SteadyEllipse ellipse{frequency_, shape_.pericentre_time, rounded_.e,
+                                      rounded_.complement};
+  detail::each_orbit_block(times.count, [&](std::size_t first, std::size_t count) {
+    detail::OrbitBlock t, rest, sine, versine;
+    t.fill(times.t + first, count);
+    if (times.rest == nullptr)
+      rest.fill(0.0);
+    else
+      rest.fill(times.rest + first, count);
+    lanes.directions(ellipse, count, t.of, rest.of, {sine.of, versine.of});
+    for (std::size_t i = 0; i < count; ++i) f(first + i, Direction{sine.of[i], versine.of[i]});
+  });
+}
+
+// Rows of a table are looked up one by one: so many gathers would take as long.
+void PlanarKepler::positions(const TimeRows& times, const PlanarRows& to,
+                             InstructionSet set) const {
+  const auto place = [&](std::size_t i, const BasicPlanarPoint<double>& at) {
+    to.x[i] = at.x;
+    to.y[i] = at.y;
+  };
+  if (table_ || hyperbola_) {
+    for (std::size_t i = 0; i < times.count; ++i) place(i, point(times.t[i], times.rest_of(i)));
+  } else {
+    each_direction(times, set, [&](std::size_t i, const Direction& at) { place(i, point_of(at)); });
+  }
+}
+
+void PlanarKepler::motions(const TimeRows& times, const PlanarRows& position,
+                           const PlanarRows& velocity, InstructionSet set) const {
+  const auto place = [&](std::size_t i, const BasicPlanarMotion<double>& at) {
+    position.x[i] = at.position.x;
+    position.y[i] = at.position.y;
+    velocity.x[i] = at.velocity.x;
+    velocity.y[i] = at.velocity.y;
+  };
+  if (table_ || hyperbola_) {
+    for (std::size_t i = 0; i < times.count; ++i) place(i, motion(times.t[i]));
+  } else {
+    each_direction({times.count, times.t}, set,
+                   [&](std::size_t i, const Direction& at) { place(i, motion_of(at)); });
+  }
 }
 
 }  // namespace v0
