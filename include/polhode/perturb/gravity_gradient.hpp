@@ -88,8 +88,18 @@ class GravityGradient {
 
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    return of_vectors<T>(at, {position_at(orbit_, at.t, at.t_rest)});
+  }
+  static constexpr std::size_t vectors_of_time = 1;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 1>& to,
+                  InstructionSet set) const {
+    positions_at(orbit_, times, to[0], set);
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 1>& position) const {
     using std::sqrt;
-    BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
+    BasicVec3<T> x = position[0];
     const T r2 = dot(x, x), r3 = r2 * sqrt(r2);
     const bool is_turned = !(at.q_IS == BasicQuaternion<T>{});
     if (axes_ == SpaceAxes::inertial && is_turned) x = detail::turned_back(at.q_IS, x);

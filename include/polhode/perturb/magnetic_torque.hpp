@@ -65,7 +65,18 @@ class ResidualDipole {
   template <Real T>
     requires LocalFieldOn<F, T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
-    return {reference_from_space(at, SpaceAxes::inertial, field_.field(at.t, at.t_rest))};
+    return of_vectors<T>(at, {field_.field(at.t, at.t_rest)});
+  }
+  // The field.
+  static constexpr std::size_t vectors_of_time = 1;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 1>& to,
+                  InstructionSet set) const {
+    fields_at(field_, times, to[0], set);
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 1>& field) const {
+    return {reference_from_space(at, SpaceAxes::inertial, field[0])};
   }
   template <Real T>
     requires LocalFieldOn<F, T>
@@ -138,12 +149,25 @@ class EddyCurrents {
   template <Real T>
     requires LocalFieldOn<F, T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    if (rate_ == FieldRate::left_out) return of_vectors<T>(at, {field_.field(at.t, at.t_rest), {}});
+    const BasicFieldMotion<T> B = field_.motion(at.t, at.t_rest);
+    return of_vectors<T>(at, {B.field, B.rate});
+  }
+  // The field and its rate.
+  static constexpr std::size_t vectors_of_time = 2;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 2>& to,
+                  InstructionSet set) const {
+    if (rate_ == FieldRate::along_orbit) return field_motions_at(field_, times, to[0], to[1], set);
+    fields_at(field_, times, to[0], set);
+    for (std::size_t i = 0; i < times.count; ++i) to[1].set(i, {});
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at, const std::array<BasicVec3<T>, 2>& B) const {
     const auto in_S = [&](const BasicVec3<T>& x) {
       return reference_from_space(at, SpaceAxes::inertial, x);
     };
-    if (rate_ == FieldRate::left_out) return {in_S(field_.field(at.t, at.t_rest)), {}};
-    const BasicFieldMotion<T> B = field_.motion(at.t, at.t_rest);
-    return {in_S(B.field), in_S(B.rate)};
+    if (rate_ == FieldRate::left_out) return {in_S(B[0]), {}};
+    return {in_S(B[0]), in_S(B[1])};
   }
   template <Real T>
     requires LocalFieldOn<F, T>

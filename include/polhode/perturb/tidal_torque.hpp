@@ -88,8 +88,20 @@ class TidalTorque {
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
     const detail::OrbitMotion<T> orbit = detail::motion_at(orbit_, at.t, at.t_rest);
-    return {reference_from_space(at, SpaceAxes::inertial, orbit.x),
-            reference_from_space(at, SpaceAxes::inertial, cross(orbit.x, orbit.v))};
+    return of_vectors<T>(at, {orbit.x, orbit.v});
+  }
+  // Position and velocity.
+  static constexpr std::size_t vectors_of_time = 2;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 2>& to,
+                  InstructionSet set) const {
+    motions_at(orbit_, times, to[0], to[1], set);
+    positions_at(orbit_, times, to[0], set);  // with the rest of the time
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 2>& orbit) const {
+    return {reference_from_space(at, SpaceAxes::inertial, orbit[0]),
+            reference_from_space(at, SpaceAxes::inertial, cross(orbit[0], orbit[1]))};
   }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {

@@ -30,7 +30,7 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
 
   // Both outlive it.
   TimewiseStages(const P& term, const Body& body, InstructionSet set)
-      : term_(term), body_(body), effect_(law_in_lanes<Law>(set)) {
+      : term_(term), body_(body), set_(set), effect_(law_in_lanes<Law>(set)) {
     const Vec3& I = body.moments();
     for (std::size_t n = 0; n < 3; ++n)
       std::fill_n(moments_.begin() + n * stage_lanes, stage_lanes, I[static_cast<int>(n)]);
@@ -41,15 +41,20 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
     count_ = times.count;
     constexpr std::size_t numbers = numbers_of_time<Law>;
     if constexpr (numbers > 0) {
-      Setting at = stage_setting(body_, times, 0, sides);
-      for (std::size_t i = 0; i < count_; ++i) {
-        at.t = times.t[i];
-        at.t_rest = times.t_rest[i];
-        at.q_IS = times.q_IS[i];
-        const auto of_time = term_.of_time(at);
-        double parts[numbers];
-        std::memcpy(parts, &of_time, sizeof parts);
-        for (std::size_t n = 0; n < numbers; ++n) of_time_[n][i] = parts[n];
+      if constexpr (TimewiseTogether<P>) {
+        constexpr std::size_t vectors = P::vectors_of_time;
+        std::array<std::array<StageRow, 3>, vectors> numbers_of;
+        std::array<VectorRows, vectors> rows;
+        for (std::size_t k = 0; k < vectors; ++k)
+          rows[k] = {numbers_of[k][0].data(), numbers_of[k][1].data(), numbers_of[k][2].data()};
+        term_.vectors_at({count_, times.t.data(), times.t_rest.data()}, rows, set_);
+        each_stage(times, [&](const Setting& at, std::size_t i) {
+          std::array<Vec3, vectors> here;
+          for (std::size_t k = 0; k < vectors; ++k) here[k] = rows[k].at(i);
+          return term_.of_vectors(at, here);
+        });
+      } else {
+        each_stage(times, [&](const Setting& at, std::size_t) { return term_.of_time(at); });
       }
       for (StageRow& row : of_time_)
         std::fill(row.begin() + count_, row.begin() + filled_stages(count_), row[0]);
@@ -68,6 +73,20 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
   Law law_itself() const override { return term_.law(); }
 
  private:
+  // of_time(at, i) of every stage
+  template <class F>
+  void each_stage(const StageTimes& times, const F& of_time) {
+    Setting at = stage_setting(body_, times, 0, sides_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      at.t = times.t[i];
+      at.t_rest = times.t_rest[i];
+      at.q_IS = times.q_IS[i];
+      const auto numbers = of_time(at, i);
+      double parts[numbers_of_time<Law>];
+      std::memcpy(parts, &numbers, sizeof parts);
+      for (std::size_t n = 0; n < numbers_of_time<Law>; ++n) of_time_[n][i] = parts[n];
+    }
+  }
   const double* first_of_time() const {
     if constexpr (numbers_of_time<Law> > 0) {
       return of_time_[0].data();
@@ -78,6 +97,7 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
 
   const P& term_;
   const Body& body_;
+  InstructionSet set_;
   LawOnStages<Law> effect_;
   std::span<const double> sides_;
   std::size_t count_ = 0;
