@@ -123,6 +123,12 @@ BasicVec3<T> reference_from_space(const BasicSetting<T>& at, SpaceAxes axes,
   return axes == SpaceAxes::inertial ? detail::turned_back(at.q_IS, x) : x;
 }
 
+// As a function, of inertial axes.
+template <Number T>
+auto in_reference(const BasicSetting<T>& at) {
+  return [&q = at.q_IS](const BasicVec3<T>& x) { return detail::turned_back(q, x); };
+}
+
 template <class P, class T>
 concept PerturbationOn = Real<T> && requires(const P& term, const BasicSetting<T>& at) {
   { term.effect(at) } -> std::same_as<BasicEffect<T>>;

@@ -37,6 +37,10 @@ struct ResidualDipoleLaw {
   struct OfTime {
     BasicVec3<T> field;  // along the axes of the reference frame
   };
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 1>& B, const InS& in_S) const {
+    return {in_S(B[0])};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& B, const BasicPose<T>& at) const {
     return {{}, cross(moment<T>(), body_from_reference(at, B.field))};
@@ -76,7 +80,7 @@ class ResidualDipole {
   template <Real T>
   Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
                             const std::array<BasicVec3<T>, 1>& field) const {
-    return {reference_from_space(at, SpaceAxes::inertial, field[0])};
+    return law_.of_vectors(field, in_reference(at));
   }
   template <Real T>
     requires LocalFieldOn<F, T>
@@ -111,6 +115,10 @@ struct EddyCurrentsLaw {
     BasicVec3<T> field;
     BasicVec3<T> rate;
   };
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 2>& B, const InS& in_S) const {
+    return {in_S(B[0]), in_S(B[1])};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& motion, const BasicPose<T>& at) const {
     const BasicVec3<T>& I = at.moments;
@@ -163,11 +171,7 @@ class EddyCurrents {
   }
   template <Real T>
   Law::OfTime<T> of_vectors(const BasicSetting<T>& at, const std::array<BasicVec3<T>, 2>& B) const {
-    const auto in_S = [&](const BasicVec3<T>& x) {
-      return reference_from_space(at, SpaceAxes::inertial, x);
-    };
-    if (rate_ == FieldRate::left_out) return {in_S(B[0]), {}};
-    return {in_S(B[0]), in_S(B[1])};
+    return law_.of_vectors(B, in_reference(at));
   }
   template <Real T>
     requires LocalFieldOn<F, T>

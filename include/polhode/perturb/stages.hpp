@@ -40,6 +40,7 @@ struct StageTimes {
   StageRow t{};
   StageRow t_rest{};
   std::array<Quaternion, most_stages> q_IS{};  // identity where the frame is inertial
+  bool is_inertial = false;                    // said where it is known: q_IS need not be looked at
 };
 
 struct StageStates {

@@ -51,6 +51,10 @@ struct TidalTorqueLaw {
     BasicVec3<T> x_S;
     BasicVec3<T> spin_S;  // x x dx/dt
   };
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 2>& orbit, const InS& in_S) const {
+    return {in_S(orbit[0]), in_S(cross(orbit[0], orbit[1]))};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
     const BasicVec3<T> r = body_from_reference(at, where.x_S);
@@ -100,8 +104,7 @@ class TidalTorque {
   template <Real T>
   Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
                             const std::array<BasicVec3<T>, 2>& orbit) const {
-    return {reference_from_space(at, SpaceAxes::inertial, orbit[0]),
-            reference_from_space(at, SpaceAxes::inertial, cross(orbit[0], orbit[1]))};
+    return law_.of_vectors(orbit, in_reference(at));
   }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {

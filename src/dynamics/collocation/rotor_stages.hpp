@@ -39,6 +39,7 @@ class RotorStages {
     }
     step_.has_frame = !field_->system().frame().is_inertial();
     times_.count = stages;
+    times_.is_inertial = !step_.has_frame;
   }
 
   // One more term, which the system does not know. It outlives the stages.
