@@ -8,6 +8,7 @@
 
 #include "math/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/planar_position.hpp"
 #include "orbit/detail/plane_axes.hpp"
 #include "orbit/detail/sine_excess.hpp"
@@ -211,7 +212,9 @@ WideVec3 KeplerOrbit::velocity(const DoubleDouble& t) const {
 
 void KeplerOrbit::positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const {
   plane_.positions(times, {to.x, to.y}, set);
-  for (std::size_t i = 0; i < times.count; ++i) to.set(i, placed({to.x[i], to.y[i]}));
+  const std::size_t whole = times.count - times.count % detail::orbit_lanes_width;
+  detail::orbit_lanes(set).places(whole, {to_pericentre_, along_motion_}, to);
+  for (std::size_t i = whole; i < times.count; ++i) to.set(i, placed({to.x[i], to.y[i]}));
 }
 
 void KeplerOrbit::motions(const TimeRows& times, const VectorRows& position,

@@ -101,35 +101,34 @@ BasicPlanarMotion<DoubleDouble> PlanarKepler::motion(const DoubleDouble& t) cons
                                      shape_.mean_motion, shape_.eccentricity, hyperbola_);
 }
 
-template <class F>
-void PlanarKepler::each_direction(const TimeRows& times, InstructionSet set, const F& f) const {
-  const detail::OrbitLanes lanes = detail::orbit_lanes(set);
-  const detail::SteadyEllipse ellipse{frequency_, shape_.pericentre_time, rounded_.e,
-                                      rounded_.complement};
-  detail::each_orbit_block(times.count, [&](std::size_t first, std::size_t count) {
-    detail::OrbitBlock t, rest, sine, versine;
-    t.fill(times.t + first, count);
-    if (times.rest == nullptr)
-      rest.fill(0.0);
-    else
-      rest.fill(times.rest + first, count);
-    lanes.directions(ellipse, count, t.of, rest.of, {sine.of, versine.of});
-    for (std::size_t i = 0; i < count; ++i) f(first + i, Direction{sine.of[i], versine.of[i]});
-  });
+detail::SteadyEllipse PlanarKepler::ellipse() const {
+  return {frequency_,
+          shape_.pericentre_time,
+          rounded_.e,
+          rounded_.complement,
+          shape_.pericentre.hi,
+          a_.hi,
+          b_.hi};
 }
 
 // Rows of a table are looked up one by one: so many gathers would take as long.
 void PlanarKepler::positions(const TimeRows& times, const PlanarRows& to,
                              InstructionSet set) const {
-  const auto place = [&](std::size_t i, const BasicPlanarPoint<double>& at) {
-    to.x[i] = at.x;
-    to.y[i] = at.y;
-  };
   if (table_ || hyperbola_) {
-    for (std::size_t i = 0; i < times.count; ++i) place(i, point(times.t[i], times.rest_of(i)));
-  } else {
-    each_direction(times, set, [&](std::size_t i, const Direction& at) { place(i, point_of(at)); });
+    for (std::size_t i = 0; i < times.count; ++i) {
+      const BasicPlanarPoint<double> at = point(times.t[i], times.rest_of(i));
+      to.x[i] = at.x;
+      to.y[i] = at.y;
+    }
+    return;
   }
+  const detail::OrbitLanes lanes = detail::orbit_lanes(set);
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
+    detail::OrbitBlock x, y;
+    lanes.points(ellipse(), block, {block.room(to.x, x), block.room(to.y, y)});
+    block.take(to.x, x);
+    block.take(to.y, y);
+  });
 }
 
 void PlanarKepler::motions(const TimeRows& times, const PlanarRows& position,
@@ -143,8 +142,13 @@ void PlanarKepler::motions(const TimeRows& times, const PlanarRows& position,
   if (table_ || hyperbola_) {
     for (std::size_t i = 0; i < times.count; ++i) place(i, motion(times.t[i]));
   } else {
-    each_direction({times.count, times.t}, set,
-                   [&](std::size_t i, const Direction& at) { place(i, motion_of(at)); });
+    const detail::OrbitLanes lanes = detail::orbit_lanes(set);
+    detail::each_block({times.count, times.t}, [&](const detail::LaneTimes& block) {
+      detail::OrbitBlock sine, versine;
+      lanes.directions(ellipse(), block, {sine.of, versine.of});
+      for (std::size_t i = 0; i < block.count; ++i)
+        place(block.first + i, motion_of({sine.of[i], versine.of[i]}));
+    });
   }
 }
 

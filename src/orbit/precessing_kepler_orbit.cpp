@@ -173,20 +173,20 @@ template <class F>
 void PrecessingKeplerOrbit::each_planar(const TimeRows& times, InstructionSet set,
                                         const F& f) const {
   const detail::OrbitLanes lanes = detail::orbit_lanes(set);
-  detail::each_orbit_block(times.count, [&](std::size_t first, std::size_t count) {
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
     detail::OrbitBlock M, e, complement, sine, versine;
-    for (std::size_t i = 0; i < count; ++i) {
-      const DoubleDouble t = DoubleDouble::sum(times.t[first + i], times.rest_of(first + i));
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const DoubleDouble t = DoubleDouble::sum(block.t[i], block.rest[i]);
       const BasicEccentricity<DoubleDouble> wide = wide_eccentricity(t);
       M.of[i] = plane_.mean_anomaly(t).hi;
       e.of[i] = wide.e.hi;
       complement.of[i] = wide.complement.hi;
     }
-    for (detail::OrbitBlock* row : {&M, &e, &complement}) row->fill(row->of, count);
-    lanes.anomalies(count, M.of, e.of, complement.of, {sine.of, versine.of});
-    for (std::size_t i = 0; i < count; ++i) {
+    for (detail::OrbitBlock* row : {&M, &e, &complement}) row->fill_up(block.count);
+    lanes.anomalies(block.count, M.of, e.of, complement.of, {sine.of, versine.of});
+    for (std::size_t i = 0; i < block.count; ++i) {
       const KeplerAnomaly at{0.0, sine.of[i], versine.of[i]};  // of which E is not asked
-      f(first + i,
+      f(block.first + i,
         on_changing_ellipse<double>(at, {e.of[i], complement.of[i]}, plane_.semi_axis().hi,
                                     plane_.shape().mean_motion.hi, rates_.eccentricity));
     }
@@ -195,9 +195,8 @@ void PrecessingKeplerOrbit::each_planar(const TimeRows& times, InstructionSet se
 
 template <class F>
 void PrecessingKeplerOrbit::each_axes(const TimeRows& times, InstructionSet set, const F& f) const {
-  detail::each_orbit_block(times.count, [&](std::size_t first, std::size_t count) {
-    const TimeRows here{count, times.t + first,
-                        times.rest == nullptr ? nullptr : times.rest + first};
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
+    const TimeRows here{block.count, times.t + block.first};
     detail::OrbitBlock node[2], argument[2], tilt[2];  // sines and cosines
     node_.at(here, node[0].of, node[1].of, set);
     argument_.at(here, argument[0].of, argument[1].of, set);
@@ -210,8 +209,8 @@ void PrecessingKeplerOrbit::each_axes(const TimeRows& times, InstructionSet set,
     const auto angle = [](const detail::OrbitBlock(&of)[2], std::size_t i) {
       return SinCos<double>{of[0].of[i], of[1].of[i]};
     };
-    for (std::size_t i = 0; i < count; ++i)
-      f(first + i, Axes<double>{angle(node, i), angle(argument, i), angle(tilt, i)});
+    for (std::size_t i = 0; i < block.count; ++i)
+      f(block.first + i, Axes<double>{angle(node, i), angle(argument, i), angle(tilt, i)});
   });
 }
 

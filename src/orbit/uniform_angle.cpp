@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include "orbit/detail/orbit_lanes.hpp"
+#include "orbit/detail/orbit_kernels.hpp"
 #include "orbit/detail/turn_counter.hpp"
-#include "polhode/math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -15,10 +14,6 @@ namespace {
 DoubleDouble reduced_wide(double start, double rate, const DoubleDouble& elapsed) {
   const DoubleDouble turn = DoubleDouble::two_pi(), angle = start + rate * elapsed;
   return angle - turn * std::rint(angle.hi / turn.hi);
-}
-
-SinCos<double> turned(const SinCos<double>& whole, double beyond) {
-  return {whole.sin + beyond * whole.cos, whole.cos - beyond * whole.sin};
 }
 
 }  // namespace
@@ -45,27 +40,25 @@ UniformAngle::Reduced UniformAngle::reduced(double t, double rest) const {
 SinCos<double> UniformAngle::at(double t, double rest) const {
   using One = Pack<InstructionSet::baseline>;  // a lane has the bits of any
   const Reduced of = reduced(t, rest);
-  const SinCos<One> whole = sincos(One(of.angle));
-  return turned({whole.sin.lanes[0], whole.cos.lanes[0]}, of.beyond);
+  const SinCos<One> at = detail::sines_beyond(One(of.angle), One(of.beyond));
+  return {at.sin.lanes[0], at.cos.lanes[0]};
 }
 
 void UniformAngle::at(const TimeRows& times, double* sine, double* cosine,
                       InstructionSet set) const {
   const detail::OrbitLanes lanes = detail::orbit_lanes(set);
-  detail::each_orbit_block(times.count, [&](std::size_t first, std::size_t count) {
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
     detail::OrbitBlock angle, beyond, s, c;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Reduced of = reduced(times.t[first + i], times.rest_of(first + i));
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const Reduced of = reduced(block.t[i], block.rest[i]);
       angle.of[i] = of.angle;
       beyond.of[i] = of.beyond;
     }
-    angle.fill(angle.of, count);
-    lanes.sines(count, angle.of, s.of, c.of);
-    for (std::size_t i = 0; i < count; ++i) {
-      const SinCos<double> at = turned({s.of[i], c.of[i]}, beyond.of[i]);
-      sine[first + i] = at.sin;
-      cosine[first + i] = at.cos;
-    }
+    angle.fill_up(block.count);
+    beyond.fill_up(block.count);
+    lanes.sines(block.count, angle.of, beyond.of, {block.room(sine, s), block.room(cosine, c)});
+    block.take(sine, s);
+    block.take(cosine, c);
   });
 }
 

@@ -26,6 +26,7 @@ inline namespace v0 {
 class KeplerOrbit;
 namespace detail {
 class TabulatedEllipse;
+struct SteadyEllipse;
 }  // namespace detail
 
 template <Real T>
@@ -84,9 +85,7 @@ class PlanarKepler {
   BasicPlanarPoint<double> solved_point(double t, double rest) const;
   BasicPlanarPoint<double> point_of(const Direction& at) const;
   BasicPlanarMotion<double> motion_of(const Direction& at) const;
-  // f(i, direction) of every time
-  template <class F>
-  void each_direction(const TimeRows& times, InstructionSet set, const F& f) const;
+  detail::SteadyEllipse ellipse() const;
   BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
 
   Shape shape_;

@@ -56,6 +56,9 @@ class PrecessingKeplerOrbit {
 
   const KeplerElements& elements() const { return elements_; }
   const SecularRates& rates() const { return rates_; }
+  bool shares_with(const PrecessingKeplerOrbit& other) const {
+    return elements_ == other.elements_ && rates_ == other.rates_;
+  }
   double gm() const { return elements_.gm; }
   double time_scale() const { return quarter_turn(elements_); }
   // At a time.
@@ -100,10 +103,10 @@ class PrecessingKeplerOrbit {
   BasicPlanarMotion<double> planar(double t, double rest) const;
   BasicPlanarMotion<DoubleDouble> planar(const DoubleDouble& t) const;
   BasicEccentricity<DoubleDouble> wide_eccentricity(const DoubleDouble& t) const;
-  // f(i, axes) of a block of times
+  // f(i, axes) of every time, without rests
   template <class F>
   void each_axes(const TimeRows& times, InstructionSet set, const F& f) const;
-  // f(i, motion) of a block of times, where the eccentricity changes
+  // f(i, motion) of every time, where the eccentricity changes
   template <class F>
   void each_planar(const TimeRows& times, InstructionSet set, const F& f) const;
   template <Real T>

@@ -34,6 +34,9 @@ class TurnedKeplerOrbit {
 
   const PrecessingKeplerOrbit& orbit() const { return orbit_; }
   double angle() const { return angle_; }
+  bool shares_with(const TurnedKeplerOrbit& other) const {
+    return angle_ == other.angle_ && orbit_.shares_with(other.orbit_);
+  }
   double gm() const { return orbit_.gm(); }
   double time_scale() const { return orbit_.time_scale(); }
 

@@ -43,43 +43,80 @@ template <InstructionSet isa>
 }
 
 template <InstructionSet isa>
-void directions_in_lanes(const SteadyEllipse& of, std::size_t count, const double* t,
-                         const double* rest, const AnomalyRows& to) {
+[[gnu::always_inline]] inline EllipticAnomaly<Pack<isa>> anomaly(const SteadyEllipse& of,
+                                                                 const LaneTimes& times,
+                                                                 std::size_t i) {
   using T = Pack<isa>;
-  const T e(of.e), complement(of.complement);
-  for (std::size_t i = 0; i < count; i += T::width) {
-    const T M = mean_anomaly(of, T::loaded(t + i), T::loaded(rest + i));
-    const EllipticAnomaly<T> at = elliptic_anomaly(M, e, complement);
-    at.sine.store(to.sine + i);
-    at.versine.store(to.versine + i);
+  const T M = mean_anomaly(of, T::loaded(times.t + i), T::loaded(times.rest + i));
+  return elliptic_anomaly(M, T(of.e), T(of.complement));
+}
+
+template <InstructionSet isa>
+void directions_in_lanes(const SteadyEllipse& of, const LaneTimes& times, const TwoRows& to) {
+  for (std::size_t i = 0; i < times.count; i += Pack<isa>::width) {
+    const EllipticAnomaly<Pack<isa>> at = anomaly<isa>(of, times, i);
+    at.sine.store(to.first + i);
+    at.versine.store(to.second + i);
+  }
+}
+
+// Operations of PlanarKepler::point_of.
+template <InstructionSet isa>
+void points_in_lanes(const SteadyEllipse& of, const LaneTimes& times, const TwoRows& to) {
+  using T = Pack<isa>;
+  for (std::size_t i = 0; i < times.count; i += T::width) {
+    const EllipticAnomaly<T> at = anomaly<isa>(of, times, i);
+    T(T(of.pericentre) - T(of.a) * at.versine).store(to.first + i);
+    T(T(of.b) * at.sine).store(to.second + i);
   }
 }
 
 template <InstructionSet isa>
 void anomalies_in_lanes(std::size_t count, const double* M, const double* e,
-                        const double* complement, const AnomalyRows& to) {
+                        const double* complement, const TwoRows& to) {
   using T = Pack<isa>;
   for (std::size_t i = 0; i < count; i += T::width) {
     const EllipticAnomaly<T> at =
         elliptic_anomaly(T::loaded(M + i), T::loaded(e + i), T::loaded(complement + i));
-    at.sine.store(to.sine + i);
-    at.versine.store(to.versine + i);
+    at.sine.store(to.first + i);
+    at.versine.store(to.second + i);
+  }
+}
+
+// An angle and a little beyond it.
+template <class T>
+[[gnu::always_inline]] inline SinCos<T> sines_beyond(const T& angle, const T& beyond) {
+  const SinCos<T> whole = sincos(angle);
+  return {whole.sin + beyond * whole.cos, whole.cos - beyond * whole.sin};
+}
+
+template <InstructionSet isa>
+void sines_in_lanes(std::size_t count, const double* angle, const double* beyond,
+                    const TwoRows& to) {
+  using T = Pack<isa>;
+  for (std::size_t i = 0; i < count; i += T::width) {
+    const SinCos<T> at = sines_beyond(T::loaded(angle + i), T::loaded(beyond + i));
+    at.sin.store(to.first + i);
+    at.cos.store(to.second + i);
   }
 }
 
 template <InstructionSet isa>
-void sines_in_lanes(std::size_t count, const double* angle, double* sine, double* cosine) {
+void places_in_lanes(std::size_t count, const PlaneAxes& axes, const VectorRows& to) {
   using T = Pack<isa>;
+  const Vec3 &p = axes.to_pericentre, &q = axes.along_motion;
   for (std::size_t i = 0; i < count; i += T::width) {
-    const SinCos<T> at = sincos(T::loaded(angle + i));
-    at.sin.store(sine + i);
-    at.cos.store(cosine + i);
+    const T x = T::loaded(to.x + i), y = T::loaded(to.y + i);
+    T(x * T(p.x) + y * T(q.x)).store(to.x + i);
+    T(x * T(p.y) + y * T(q.y)).store(to.y + i);
+    T(x * T(p.z) + y * T(q.z)).store(to.z + i);
   }
 }
 
 template <InstructionSet isa>
 OrbitLanes orbit_kernels() {
-  return {&directions_in_lanes<isa>, &anomalies_in_lanes<isa>, &sines_in_lanes<isa>};
+  return {&directions_in_lanes<isa>, &points_in_lanes<isa>, &anomalies_in_lanes<isa>,
+          &sines_in_lanes<isa>, &places_in_lanes<isa>};
 }
 
 }  // namespace detail

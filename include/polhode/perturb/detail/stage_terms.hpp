@@ -60,7 +60,7 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
         std::array<VectorRows, vectors> rows;
         for (std::size_t k = 0; k < vectors; ++k)
           rows[k] = {numbers[3 * k].data(), numbers[3 * k + 1].data(), numbers[3 * k + 2].data()};
-        term_.vectors_at({count_, times.t.data(), times.t_rest.data()}, rows, set_);
+        term_.vectors_at({count_, times.t.data(), times.t_rest.data(), times.known}, rows, set_);
         if constexpr (LawOfVectors<Law, vectors>) {
           fill_up(numbers);
           std::array<StageRow, 4> attitude;
