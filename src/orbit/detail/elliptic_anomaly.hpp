@@ -56,7 +56,7 @@ template <InstructionSet isa>
   using T = Pack<isa>;
   constexpr double pi = std::numbers::pi, part = 1.0 / (pi * pi - 6.0);
   const T zero(0.0), one(1.0), half(0.5);
-  const T alpha = T(3.0 * pi * pi * part) + T(1.6 * pi * part) * (T(pi) - m) / (one + e);
+  const T alpha = T(3.0 * pi * pi * part) + (T(1.6 * pi * part) / (one + e)) * (T(pi) - m);
   const T d = T(3.0) * complement + alpha * e, m2 = m * m;
   const T q = T(2.0) * alpha * d * complement - m2;
   const T r = (T(3.0) * alpha * d * (d - complement) + m2) * m;
@@ -64,7 +64,8 @@ template <InstructionSet isa>
   const T w = root * root;
   const T denominator = w * w + w * q + q * q;
   // 0 only where its terms are smaller than the smallest number
-  const T x = (select(denominator > zero, T(T(2.0) * r * w / denominator), zero) + m) / d;
+  const T x = select(denominator > zero, T(T(2.0) * r * w + m * denominator), m) /
+              (d * select(denominator > zero, denominator, one));
 
   const SinCos<T> at = sincos(x);
   const T &s = at.sin, &c = at.cos;
@@ -72,7 +73,8 @@ template <InstructionSet isa>
   const T v = select(ahead, T(s * s), T(one - c)) / select(ahead, T(one + c), one);
   const T f0 = (complement * x - m) + e * sine_excess_of_packs(x, s);
   const T f1 = complement + e * v, f2 = half * e * s, f3 = e * c * T(1.0 / 6.0);
-  const T d3 = -(f0 * f1) / (f1 * f1 - f0 * f2);
+  // of third order to its own order, for what d4 needs: 1 / f1 does not wait for f0
+  const T inverse = one / f1, d1 = -f0 * inverse, d3 = d1 - d1 * (d1 * (f2 * inverse));
   const T d4 = -f0 / (f1 + d3 * (f2 + d3 * f3));
   const T step = -f0 / (f1 + d4 * (f2 + d4 * (f3 - d4 * f2 * T(1.0 / 12.0))));
   // |step| < 1e-3: sin and cos of x + step by the addition theorem

@@ -154,6 +154,48 @@ TEST(ManyTimes, OtherOrbitsAreAskedTimeByTime) {
   expect_bits("table", TableOrbit(table));
 }
 
+// One that counts how often it is asked, the same as any of its number.
+struct Counted {
+  int number;
+  int* asked;
+
+  bool shares_with(const Counted& other) const { return number == other.number; }
+  template <Real T>
+  BasicVec3<T> position(const T& t) const {
+    ++*asked;
+    return {t, T(static_cast<double>(number)), T(0.0)};
+  }
+};
+
+TEST(ManyTimes, AnOrbitThatIsSharedIsAskedOnce) {
+  int asked = 0;
+  const Counted first{1, &asked}, same{1, &asked}, other{2, &asked};
+  SharedPlaces known;
+  const std::vector<double> t{1.0, 2.0, 3.0}, rest{0.0, 0.0, 0.0};
+  const TimeRows times{3, t.data(), rest.data(), &known};
+  const auto ask = [&](const auto& orbit, double y) {
+    Rows x(3), v(3);
+    positions_at(orbit, times, x.rows(), InstructionSet::baseline);
+    EXPECT_EQ(x.x, t);
+    EXPECT_EQ(x.y[2], y);
+    motions_at(orbit, times, x.rows(), v.rows(), InstructionSet::baseline);
+    EXPECT_EQ(x.x, t);
+    EXPECT_EQ(v.x[2], 1.0);
+  };
+  ask(first, 1.0);
+  EXPECT_EQ(asked, 6);
+  ask(same, 1.0);
+  ask(AnyOrbit("same", same), 1.0);
+  EXPECT_EQ(asked, 6);
+  ask(other, 2.0);
+  EXPECT_EQ(asked, 12);
+  // no room for more: computed as often as asked
+  const Counted third{3, &asked}, fourth{4, &asked};
+  ask(third, 3.0);
+  for (int i = 0; i < 2; ++i) ask(fourth, 4.0);
+  EXPECT_EQ(asked, 12 + 6 + 2 * 6);
+}
+
 TEST(ManyTimes, AnOrbitWithoutAVelocityHasNoMotions) {
   double t = 1.0, row[6];
   EXPECT_THROW(AnyOrbit("line", Line{})
