@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "orbit/detail/elliptic_anomaly.hpp"
 #include "orbit/detail/sine_excess.hpp"
 
 namespace polhode {
@@ -23,35 +24,11 @@ T versine(const T& s, const T& c) {
 
 // --- ellipses, 0 <= m <= pi ---
 
-// Markley (1995), section 2: the root of a cubic from a Pade approximant of sin E.
-double elliptic_start(double m, const Eccentricity& e) {
-  constexpr double pi2 = pi_ * pi_;
-  const double alpha = (3.0 * pi2 + 1.6 * pi_ * (pi_ - m) / (1.0 + e.e)) / (pi2 - 6.0);
-  const double d = 3.0 * e.complement + alpha * e.e;
-  const double q = 2.0 * alpha * d * e.complement - m * m;
-  const double r = (3.0 * alpha * d * (d - e.complement) + m * m) * m;
-  const double root = std::cbrt(r + std::sqrt(q * q * q + r * r));
-  const double w = root * root;
-  const double denominator = w * w + w * q + q * q;
-  // 0 only where its terms are smaller than the smallest number
-  return ((denominator > 0.0 ? 2.0 * r * w / denominator : 0.0) + m) / d;
-}
-
-// The step of fifth order from x, Markley (1995), section 4.
+// One lane of a pack, which has the bits of any.
 KeplerAnomaly elliptic_solution(double m, const Eccentricity& e) {
-  const double x = elliptic_start(m, e);
-  const double s = std::sin(x), c = std::cos(x);
-  const double v = versine(s, c);
-  const double f0 = (e.complement * x - m) + e.e * detail::sine_excess(x, s);
-  const double f1 = e.complement + e.e * v, f2 = 0.5 * e.e * s, f3 = e.e * c * (1.0 / 6.0);
-  const double d3 = -f0 / (f1 - f0 * f2 / f1);
-  const double d4 = -f0 / (f1 + d3 * (f2 + d3 * f3));
-  const double d = -f0 / (f1 + d4 * (f2 + d4 * (f3 - d4 * f2 * (1.0 / 12.0))));
-  // |d| < 1e-3: sin and cos of x + d by the addition theorem
-  const double dd = d * d;
-  const double sd = d - d * dd * (1.0 / 6.0) * (1.0 - dd * (1.0 / 20.0));
-  const double vd = 0.5 * dd * (1.0 - dd * (1.0 / 12.0) * (1.0 - dd * (1.0 / 30.0)));
-  return {x + d, s + (c * sd - s * vd), v + (s * sd + c * vd)};
+  using One = Pack<InstructionSet::baseline>;
+  const auto x = detail::elliptic_solution(One(m), One(e.e), One(e.complement));
+  return {x.anomaly.lanes[0], x.sine.lanes[0], x.versine.lanes[0]};
 }
 
 // One step of Halley from the solution in double: the error is cubed.

@@ -8,6 +8,7 @@
 
 #include "math/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/planar_position.hpp"
 #include "orbit/detail/plane_axes.hpp"
 #include "orbit/detail/sine_excess.hpp"
@@ -195,24 +196,34 @@ KeplerOrbit KeplerOrbit::from_state(const Vec3& position, const Vec3& velocity, 
   return orbit;
 }
 
-Vec3 KeplerOrbit::position(double t, double rest) const {
-  const BasicPlanarPoint<double> at = plane_.point(t, rest);
-  return at.x * to_pericentre_ + at.y * along_motion_;
-}
+Vec3 KeplerOrbit::position(double t, double rest) const { return placed(plane_.point(t, rest)); }
 
 WideVec3 KeplerOrbit::position(const DoubleDouble& t) const {
   const BasicPlanarPoint<DoubleDouble> at = plane_.position(t);
   return at.x * axes_.to_pericentre + at.y * axes_.along_motion;
 }
 
-Vec3 KeplerOrbit::velocity(double t) const {
-  const BasicPlanarPoint<double> at = plane_.motion(t).velocity;
-  return at.x * to_pericentre_ + at.y * along_motion_;
-}
+Vec3 KeplerOrbit::velocity(double t) const { return placed(plane_.motion(t).velocity); }
 
 WideVec3 KeplerOrbit::velocity(const DoubleDouble& t) const {
   const BasicPlanarPoint<DoubleDouble> at = plane_.motion(t).velocity;
   return at.x * axes_.to_pericentre + at.y * axes_.along_motion;
+}
+
+void KeplerOrbit::positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const {
+  plane_.positions(times, {to.x, to.y}, set);
+  const std::size_t whole = times.count - times.count % detail::orbit_lanes_width;
+  detail::orbit_lanes(set).places(whole, {to_pericentre_, along_motion_}, to);
+  for (std::size_t i = whole; i < times.count; ++i) to.set(i, placed({to.x[i], to.y[i]}));
+}
+
+void KeplerOrbit::motions(const TimeRows& times, const VectorRows& position,
+                          const VectorRows& velocity, InstructionSet set) const {
+  plane_.motions(times, {position.x, position.y}, {velocity.x, velocity.y}, set);
+  for (std::size_t i = 0; i < times.count; ++i) {
+    position.set(i, placed({position.x[i], position.y[i]}));
+    velocity.set(i, placed({velocity.x[i], velocity.y[i]}));
+  }
 }
 
 }  // namespace v0

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/planar_position.hpp"
 #include "orbit/detail/tabulated_ellipse.hpp"
 
@@ -47,7 +48,10 @@ BasicKeplerAnomaly<DoubleDouble> PlanarKepler::anomaly(const DoubleDouble& t) co
 }
 
 BasicPlanarPoint<double> PlanarKepler::solved_point(double t, double rest) const {
-  const Direction at = direction(t, rest);
+  return point_of(direction(t, rest));
+}
+
+BasicPlanarPoint<double> PlanarKepler::point_of(const Direction& at) const {
   return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
 }
 
@@ -78,14 +82,15 @@ BasicPlanarMotion<T> planar_motion(const T& sine, const T& versine, const T& q, 
 BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
   if (table_ && table_->holds(t, 0.0)) {
     const BasicPlanarPoint<double> at = table_->at(t, 0.0);
-    const double sine = at.y / b_.hi, versine = (shape_.pericentre.hi - at.x) / a_.hi;
     BasicPlanarMotion<double> motion =
-        planar_motion<double>(sine, versine, shape_.pericentre.hi, a_.hi, b_.hi,
-                              shape_.mean_motion.hi, rounded_, hyperbola_);
+        motion_of({at.y / b_.hi, (shape_.pericentre.hi - at.x) / a_.hi});
     motion.position = at;
     return motion;
   }
-  const Direction at = direction(t, 0.0);
+  return motion_of(direction(t, 0.0));
+}
+
+BasicPlanarMotion<double> PlanarKepler::motion_of(const Direction& at) const {
   return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
                                shape_.mean_motion.hi, rounded_, hyperbola_);
 }
@@ -94,6 +99,57 @@ BasicPlanarMotion<DoubleDouble> PlanarKepler::motion(const DoubleDouble& t) cons
   const BasicKeplerAnomaly<DoubleDouble> at = anomaly(t);
   return planar_motion<DoubleDouble>(at.sine, at.versine, shape_.pericentre, a_, b_,
                                      shape_.mean_motion, shape_.eccentricity, hyperbola_);
+}
+
+detail::SteadyEllipse PlanarKepler::ellipse() const {
+  return {frequency_,
+          shape_.pericentre_time,
+          rounded_.e,
+          rounded_.complement,
+          shape_.pericentre.hi,
+          a_.hi,
+          b_.hi};
+}
+
+// Rows of a table are looked up one by one: so many gathers would take as long.
+void PlanarKepler::positions(const TimeRows& times, const PlanarRows& to,
+                             InstructionSet set) const {
+  if (table_ || hyperbola_) {
+    for (std::size_t i = 0; i < times.count; ++i) {
+      const BasicPlanarPoint<double> at = point(times.t[i], times.rest_of(i));
+      to.x[i] = at.x;
+      to.y[i] = at.y;
+    }
+    return;
+  }
+  const detail::OrbitLanes lanes = detail::orbit_lanes(set);
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
+    detail::OrbitBlock x, y;
+    lanes.points(ellipse(), block, {block.room(to.x, x), block.room(to.y, y)});
+    block.take(to.x, x);
+    block.take(to.y, y);
+  });
+}
+
+void PlanarKepler::motions(const TimeRows& times, const PlanarRows& position,
+                           const PlanarRows& velocity, InstructionSet set) const {
+  const auto place = [&](std::size_t i, const BasicPlanarMotion<double>& at) {
+    position.x[i] = at.position.x;
+    position.y[i] = at.position.y;
+    velocity.x[i] = at.velocity.x;
+    velocity.y[i] = at.velocity.y;
+  };
+  if (table_ || hyperbola_) {
+    for (std::size_t i = 0; i < times.count; ++i) place(i, motion(times.t[i]));
+  } else {
+    const detail::OrbitLanes lanes = detail::orbit_lanes(set);
+    detail::each_block({times.count, times.t}, [&](const detail::LaneTimes& block) {
+      detail::OrbitBlock sine, versine;
+      lanes.directions(ellipse(), block, {sine.of, versine.of});
+      for (std::size_t i = 0; i < block.count; ++i)
+        place(block.first + i, motion_of({sine.of[i], versine.of[i]}));
+    });
+  }
 }
 
 }  // namespace v0

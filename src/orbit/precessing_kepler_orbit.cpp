@@ -6,6 +6,7 @@
 
 #include "math/number_text.hpp"
 #include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/plane_axes.hpp"
 #include "polhode/error.hpp"
 
@@ -130,10 +131,10 @@ namespace {
 // On an ellipse of fixed axis a whose eccentricity has the rate `change`: dE/dt = (n + e' sin E) /
 // (1 - e cos E) from Kepler's equation.
 template <Real T>
-BasicPlanarMotion<T> on_changing_ellipse(const T& M, const BasicEccentricity<T>& e, const T& a,
-                                         const T& n, const T& change) {
+BasicPlanarMotion<T> on_changing_ellipse(const BasicKeplerAnomaly<T>& at,
+                                         const BasicEccentricity<T>& e, const T& a, const T& n,
+                                         const T& change) {
   using std::sqrt;
-  const BasicKeplerAnomaly<T> at = eccentric_anomaly(M, e);
   const T one(1.0), axes = sqrt(e.complement * (one + e.e));
   const T rate = (n + change * at.sine) / (e.complement + e.e * at.versine);
   return {{a * (e.complement - at.versine), a * axes * at.sine},
@@ -152,7 +153,8 @@ BasicEccentricity<DoubleDouble> PrecessingKeplerOrbit::wide_eccentricity(
 
 BasicPlanarMotion<DoubleDouble> PrecessingKeplerOrbit::planar(const DoubleDouble& t) const {
   if (rates_.eccentricity == 0.0) return plane_.motion(t);
-  return on_changing_ellipse<DoubleDouble>(plane_.mean_anomaly(t), wide_eccentricity(t),
+  const BasicEccentricity<DoubleDouble> e = wide_eccentricity(t);
+  return on_changing_ellipse<DoubleDouble>(eccentric_anomaly(plane_.mean_anomaly(t), e), e,
                                            plane_.semi_axis(), plane_.shape().mean_motion,
                                            rates_.eccentricity);
 }
@@ -160,10 +162,56 @@ BasicPlanarMotion<DoubleDouble> PrecessingKeplerOrbit::planar(const DoubleDouble
 BasicPlanarMotion<double> PrecessingKeplerOrbit::planar(double t, double rest) const {
   if (rates_.eccentricity == 0.0) return plane_.motion(t);
   const DoubleDouble whole = DoubleDouble::sum(t, rest);
-  const BasicEccentricity<DoubleDouble> e = wide_eccentricity(whole);
-  return on_changing_ellipse<double>(plane_.mean_anomaly(whole).hi, {e.e.hi, e.complement.hi},
+  const BasicEccentricity<DoubleDouble> wide = wide_eccentricity(whole);
+  const Eccentricity e{wide.e.hi, wide.complement.hi};
+  return on_changing_ellipse<double>(eccentric_anomaly(plane_.mean_anomaly(whole).hi, e), e,
                                      plane_.semi_axis().hi, plane_.shape().mean_motion.hi,
                                      rates_.eccentricity);
+}
+
+template <class F>
+void PrecessingKeplerOrbit::each_planar(const TimeRows& times, InstructionSet set,
+                                        const F& f) const {
+  const detail::OrbitLanes lanes = detail::orbit_lanes(set);
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
+    detail::OrbitBlock M, e, complement, sine, versine;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const DoubleDouble t = DoubleDouble::sum(block.t[i], block.rest[i]);
+      const BasicEccentricity<DoubleDouble> wide = wide_eccentricity(t);
+      M.of[i] = plane_.mean_anomaly(t).hi;
+      e.of[i] = wide.e.hi;
+      complement.of[i] = wide.complement.hi;
+    }
+    for (detail::OrbitBlock* row : {&M, &e, &complement}) row->fill_up(block.count);
+    lanes.anomalies(block.count, M.of, e.of, complement.of, {sine.of, versine.of});
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const KeplerAnomaly at{0.0, sine.of[i], versine.of[i]};  // of which E is not asked
+      f(block.first + i,
+        on_changing_ellipse<double>(at, {e.of[i], complement.of[i]}, plane_.semi_axis().hi,
+                                    plane_.shape().mean_motion.hi, rates_.eccentricity));
+    }
+  });
+}
+
+template <class F>
+void PrecessingKeplerOrbit::each_axes(const TimeRows& times, InstructionSet set, const F& f) const {
+  detail::each_block(times, [&](const detail::LaneTimes& block) {
+    const TimeRows here{block.count, times.t + block.first};
+    detail::OrbitBlock node[2], argument[2], tilt[2];  // sines and cosines
+    node_.at(here, node[0].of, node[1].of, set);
+    argument_.at(here, argument[0].of, argument[1].of, set);
+    if (tilt_) {
+      tilt_->at(here, tilt[0].of, tilt[1].of, set);
+    } else {
+      tilt[0].fill(inclination_.sin.hi);
+      tilt[1].fill(inclination_.cos.hi);
+    }
+    const auto angle = [](const detail::OrbitBlock(&of)[2], std::size_t i) {
+      return SinCos<double>{of[0].of[i], of[1].of[i]};
+    };
+    for (std::size_t i = 0; i < block.count; ++i)
+      f(block.first + i, Axes<double>{angle(node, i), angle(argument, i), angle(tilt, i)});
+  });
 }
 
 template <Real T>
@@ -208,6 +256,43 @@ PrecessingKeplerOrbit::BasicMotion<DoubleDouble> PrecessingKeplerOrbit::motion(
 Vec3 PrecessingKeplerOrbit::velocity(double t) const { return motion(t).velocity; }
 BasicVec3<DoubleDouble> PrecessingKeplerOrbit::velocity(const DoubleDouble& t) const {
   return motion(t).velocity;
+}
+
+// Axes are those at t, without its rest, as in position().
+void PrecessingKeplerOrbit::positions(const TimeRows& times, const VectorRows& to,
+                                      InstructionSet set) const {
+  if (rates_.eccentricity == 0.0) {
+    plane_.positions(times, {to.x, to.y}, set);
+  } else {
+    each_planar(times, set, [&](std::size_t i, const BasicPlanarMotion<double>& m) {
+      to.x[i] = m.position.x;
+      to.y[i] = m.position.y;
+    });
+  }
+  each_axes({times.count, times.t}, set, [&](std::size_t i, const Axes<double>& a) {
+    to.set(i, placed<double>(a, {to.x[i], to.y[i]}));
+  });
+}
+
+void PrecessingKeplerOrbit::motions(const TimeRows& times, const VectorRows& position,
+                                    const VectorRows& velocity, InstructionSet set) const {
+  const TimeRows at{times.count, times.t};
+  if (rates_.eccentricity == 0.0) {
+    plane_.motions(at, {position.x, position.y}, {velocity.x, velocity.y}, set);
+  } else {
+    each_planar(at, set, [&](std::size_t i, const BasicPlanarMotion<double>& m) {
+      position.x[i] = m.position.x;
+      position.y[i] = m.position.y;
+      velocity.x[i] = m.velocity.x;
+      velocity.y[i] = m.velocity.y;
+    });
+  }
+  each_axes(at, set, [&](std::size_t i, const Axes<double>& a) {
+    const BasicMotion<double> m =
+        moved<double>(a, {{position.x[i], position.y[i]}, {velocity.x[i], velocity.y[i]}});
+    position.set(i, m.position);
+    velocity.set(i, m.velocity);
+  });
 }
 
 }  // namespace v0

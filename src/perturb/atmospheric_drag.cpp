@@ -46,7 +46,11 @@ std::vector<double> AtmosphericDrag::switches(const Setting& at) const {
 AtmosphericDrag::Flow AtmosphericDrag::flow_at(double t, double rest) const {
   Vec3 x = path_.orbit.position(t, rest);
   if (path_.reversed) x = -x;
-  const Vec3 v = path_.velocity(t) - cross(air_.rotation, x);
+  return flow_of(x, path_.velocity(t));
+}
+
+AtmosphericDrag::Flow AtmosphericDrag::flow_of(const Vec3& x, const Vec3& velocity) const {
+  const Vec3 v = velocity - cross(air_.rotation, x);
   const double speed = norm(v);
   const double density = air_.density * std::exp((air_.radius - norm(x)) / air_.scale_height);
   return {(1.0 / speed) * v, speed, density * (speed * speed)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/perturb/magnetic_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -76,6 +77,40 @@ DipoleField DipoleField::from_gauss(const GaussCoefficients& gauss, double refer
 
 ConstantField::ConstantField(const Vec3& field) : field_(field) {
   if (!finite(field)) throw DomainError("ConstantField: field " + text(field) + " must be finite");
+}
+
+template <class F>
+void DipoleField::each_angle(const TimeRows& times, InstructionSet set, const F& f) const {
+  constexpr std::size_t block = 16;
+  for (std::size_t first = 0; first < times.count; first += block) {
+    const std::size_t count = std::min(block, times.count - first);
+    double sine[block], cosine[block];
+    angle_.at(TimeRows{count, times.t + first}, sine, cosine, set);
+    for (std::size_t i = 0; i < count; ++i) f(first + i, sine[i], cosine[i]);
+  }
+}
+
+void DipoleField::fields(const TimeRows& times, const VectorRows& x, const VectorRows& field,
+                         InstructionSet set) const {
+  each_angle(times, set, [&](std::size_t i, double s, double c) {
+    field.set(i, field_of(strength_of(SinCos<double>{s, c}), x.at(i)));
+  });
+}
+
+void DipoleField::motions(const TimeRows& times, const VectorRows& x, const VectorRows& v,
+                          const VectorRows& field, const VectorRows& rate,
+                          InstructionSet set) const {
+  using D = Dual<double, 1>;
+  const double turn = angle_.rate();
+  each_angle(times, set, [&](std::size_t i, double s, double c) {
+    const Vec3 at = x.at(i), along = v.at(i);
+    const SinCos<D> angle{D(s, {turn * c}), D(c, {-(turn * s)})};
+    const BasicVec3<D> B =
+        field_of(strength_of(angle),
+                 BasicVec3<D>{D(at.x, {along.x}), D(at.y, {along.y}), D(at.z, {along.z})});
+    field.set(i, detail::values_of(B));
+    rate.set(i, {B.x.derivative[0], B.y.derivative[0], B.z.derivative[0]});
+  });
 }
 
 }  // namespace v0

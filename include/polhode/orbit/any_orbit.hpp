@@ -51,6 +51,14 @@ class AnyOrbit {
     }
   }
   Vec3 position(double t, double rest) const { return orbit_->position(t, rest); }
+  // At many times: many_times.hpp.
+  void positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const {
+    orbit_->positions(times, to, set);
+  }
+  void motions(const TimeRows& times, const VectorRows& position, const VectorRows& velocity,
+               InstructionSet set) const {
+    orbit_->motions(times, position, velocity, set);
+  }
   template <int N>
   BasicVec3<Dual<double, N>> position(const Dual<double, N>& t) const {
     const BasicVec3<Dual<double, 1>> x = orbit_->position(Dual<double, 1>::variable(t.value, 0));

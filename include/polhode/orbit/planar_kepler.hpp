@@ -18,6 +18,7 @@
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/orbit/kepler_equation.hpp"
+#include "polhode/orbit/many_times.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -25,6 +26,7 @@ inline namespace v0 {
 class KeplerOrbit;
 namespace detail {
 class TabulatedEllipse;
+struct SteadyEllipse;
 }  // namespace detail
 
 template <Real T>
@@ -36,6 +38,12 @@ template <Real T>
 struct BasicPlanarMotion {
   BasicPlanarPoint<T> position;
   BasicPlanarPoint<T> velocity;
+};
+
+// As many as there are times.
+struct PlanarRows {
+  double* x;
+  double* y;
 };
 
 class PlanarKepler {
@@ -59,6 +67,10 @@ class PlanarKepler {
   BasicPlanarPoint<DoubleDouble> position(const DoubleDouble& t) const;
   BasicPlanarMotion<double> motion(double t) const;
   BasicPlanarMotion<DoubleDouble> motion(const DoubleDouble& t) const;
+  // position() at many times, and motion() without their rests: the same bits.
+  void positions(const TimeRows& times, const PlanarRows& to, InstructionSet set) const;
+  void motions(const TimeRows& times, const PlanarRows& position, const PlanarRows& velocity,
+               InstructionSet set) const;
 
  private:
   friend class KeplerOrbit;
@@ -71,6 +83,9 @@ class PlanarKepler {
   // position(), by table; where it does not serve, by Kepler's equation
   inline BasicPlanarPoint<double> point(double t, double rest) const;
   BasicPlanarPoint<double> solved_point(double t, double rest) const;
+  BasicPlanarPoint<double> point_of(const Direction& at) const;
+  BasicPlanarMotion<double> motion_of(const Direction& at) const;
+  detail::SteadyEllipse ellipse() const;
   BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
 
   Shape shape_;

@@ -56,6 +56,9 @@ class PrecessingKeplerOrbit {
 
   const KeplerElements& elements() const { return elements_; }
   const SecularRates& rates() const { return rates_; }
+  bool shares_with(const PrecessingKeplerOrbit& other) const {
+    return elements_ == other.elements_ && rates_ == other.rates_;
+  }
   double gm() const { return elements_.gm; }
   double time_scale() const { return quarter_turn(elements_); }
   // At a time.
@@ -70,6 +73,10 @@ class PrecessingKeplerOrbit {
   // The derivative of the position: the turning of the orbit is in it.
   Vec3 velocity(double t) const;
   BasicVec3<DoubleDouble> velocity(const DoubleDouble& t) const;
+  // At many times, in lanes: many_times.hpp.
+  void positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const;
+  void motions(const TimeRows& times, const VectorRows& position, const VectorRows& velocity,
+               InstructionSet set) const;
 
   template <Real T, int N>
   BasicVec3<Dual<T, N>> position(const Dual<T, N>& t) const {
@@ -96,6 +103,12 @@ class PrecessingKeplerOrbit {
   BasicPlanarMotion<double> planar(double t, double rest) const;
   BasicPlanarMotion<DoubleDouble> planar(const DoubleDouble& t) const;
   BasicEccentricity<DoubleDouble> wide_eccentricity(const DoubleDouble& t) const;
+  // f(i, axes) of every time, without rests
+  template <class F>
+  void each_axes(const TimeRows& times, InstructionSet set, const F& f) const;
+  // f(i, motion) of every time, where the eccentricity changes
+  template <class F>
+  void each_planar(const TimeRows& times, InstructionSet set, const F& f) const;
   template <Real T>
   static BasicVec3<T> placed(const Axes<T>& axes, const BasicPlanarPoint<T>& at);
   template <Real T>

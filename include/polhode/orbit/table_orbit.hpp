@@ -63,6 +63,7 @@ class TableOrbit {
   bool operator==(const TableOrbit& other) const {
     return order() == other.order() && table() == other.table();
   }
+  bool shares_with(const TableOrbit& other) const { return data_ == other.data_; }
   // From a to b, in either order, without a NaN.
   bool covers(double a, double b) const { return is_inside(a) && is_inside(b); }
 

@@ -34,6 +34,9 @@ class TurnedKeplerOrbit {
 
   const PrecessingKeplerOrbit& orbit() const { return orbit_; }
   double angle() const { return angle_; }
+  bool shares_with(const TurnedKeplerOrbit& other) const {
+    return angle_ == other.angle_ && orbit_.shares_with(other.orbit_);
+  }
   double gm() const { return orbit_.gm(); }
   double time_scale() const { return orbit_.time_scale(); }
 
@@ -41,6 +44,19 @@ class TurnedKeplerOrbit {
   Vec3 position(double t, double rest = 0.0) const { return turned(orbit_.position(t, rest)); }
   BasicVec3<DoubleDouble> position(const DoubleDouble& t) const {
     return turned(orbit_.position(t));
+  }
+  // At many times, in lanes: many_times.hpp.
+  void positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const {
+    orbit_.positions(times, to, set);
+    for (std::size_t i = 0; i < times.count; ++i) to.set(i, turned(to.at(i)));
+  }
+  void motions(const TimeRows& times, const VectorRows& position, const VectorRows& velocity,
+               InstructionSet set) const {
+    orbit_.motions(times, position, velocity, set);
+    for (std::size_t i = 0; i < times.count; ++i) {
+      position.set(i, turned(position.at(i)));
+      velocity.set(i, turned(velocity.at(i)));
+    }
   }
   template <Real T, int N>
   BasicVec3<Dual<T, N>> position(const Dual<T, N>& t) const {

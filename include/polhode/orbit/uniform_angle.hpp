@@ -15,6 +15,7 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/trigonometry.hpp"
+#include "polhode/orbit/many_times.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -34,6 +35,8 @@ class UniformAngle {
   // Of the angle at t + rest; T = double, DoubleDouble, a Dual of them, or any other Real.
   SinCos<double> at(double t, double rest = 0.0) const;
   SinCos<DoubleDouble> at(const DoubleDouble& t) const;
+  // The same in double at many times, in lanes.
+  void at(const TimeRows& times, double* sine, double* cosine, InstructionSet set) const;
   template <Real T, int N>
   SinCos<Dual<T, N>> at(const Dual<T, N>& t) const {
     const auto [s, c] = at(t.value);
@@ -48,6 +51,12 @@ class UniformAngle {
   }
 
  private:
+  // The angle less whole turns, and what is beyond it.
+  struct Reduced {
+    double angle, beyond;
+  };
+  Reduced reduced(double t, double rest) const;
+
   double start_, rate_, epoch_;
   std::shared_ptr<const detail::TurnCounter> turns_;  // null where it does not serve
 };

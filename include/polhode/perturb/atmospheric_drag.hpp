@@ -55,11 +55,16 @@ class AtmosphericDrag {
   Law law() const { return {&stream_}; }
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
-    const Flow flow = flow_at(to_double(at.t), to_double(at.t_rest));
-    if (flow.speed == 0.0) return {{}, T(1.0), T(0.0)};  // NaN goes on
-    const BasicVec3<T> from{T(flow.from.x), T(flow.from.y), T(flow.from.z)};
-    return {reference_from_space(at, SpaceAxes::inertial, from), T(exit_speed_ / flow.speed),
-            T(flow.pressure)};
+    return of_flow(at, flow_at(to_double(at.t), to_double(at.t_rest)));
+  }
+  // Position and velocity.
+  static constexpr std::size_t vectors_of_time = 2;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 2>& to,
+                  InstructionSet set) const {
+    path_.motions(times, to[0], to[1], set);
+  }
+  Law::OfTime<double> of_vectors(const Setting& at, const std::array<Vec3, 2>& motion) const {
+    return of_flow(at, flow_of(motion[0], motion[1]));
   }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
@@ -77,6 +82,14 @@ class AtmosphericDrag {
     double pressure;  // rho v^2
   };
   Flow flow_at(double t, double rest) const;
+  Flow flow_of(const Vec3& position, const Vec3& velocity) const;
+  template <Real T>
+  Law::OfTime<T> of_flow(const BasicSetting<T>& at, const Flow& flow) const {
+    if (flow.speed == 0.0) return {{}, T(1.0), T(0.0)};  // NaN goes on
+    const BasicVec3<T> from{T(flow.from.x), T(flow.from.y), T(flow.from.z)};
+    return {reference_from_space(at, SpaceAxes::inertial, from), T(exit_speed_ / flow.speed),
+            T(flow.pressure)};
+  }
 
   FacetStream stream_;
   Atmosphere air_;

@@ -26,12 +26,26 @@ struct DirectedPath {
     return reversed ? -x : x;
   }
   double time_scale() const { return orbit.time_scale(); }
+  // At many times: position in double, and velocity, which is that without rests.
+  void positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const {
+    orbit.positions(times, to, set);
+    if (reversed) turn_back(times.count, to);
+  }
+  void motions(const TimeRows& times, const VectorRows& position, const VectorRows& velocity,
+               InstructionSet set) const {
+    orbit.motions(times, position, velocity, set);
+    positions(times, position, set);
+    if (reversed) turn_back(times.count, velocity);
+  }
   Vec3 velocity(double t) const {
     const Vec3 v = orbit.velocity(t);
     return reversed ? -v : v;
   }
 
  private:
+  static void turn_back(std::size_t count, const VectorRows& rows) {
+    for (std::size_t i = 0; i < count; ++i) rows.set(i, -rows.at(i));
+  }
   template <Real T>
   BasicVec3<T> along(const BasicSetting<T>& at) const {
     if constexpr (std::same_as<T, Tangent>) {

@@ -14,12 +14,15 @@
 // Cost        a setting is a view: no copy of the body.
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
+#include "polhode/orbit/many_times.hpp"
 #include "polhode/perturb/affine_torque.hpp"
 #include "polhode/perturb/detail/constant_quaternion.hpp"
 #include "polhode/perturb/detail/turned_back.hpp"
@@ -120,6 +123,12 @@ BasicVec3<T> reference_from_space(const BasicSetting<T>& at, SpaceAxes axes,
   return axes == SpaceAxes::inertial ? detail::turned_back(at.q_IS, x) : x;
 }
 
+// As a function, of inertial axes.
+template <Number T>
+auto in_reference(const BasicSetting<T>& at) {
+  return [&q = at.q_IS](const BasicVec3<T>& x) { return detail::turned_back(q, x); };
+}
+
 template <class P, class T>
 concept PerturbationOn = Real<T> && requires(const P& term, const BasicSetting<T>& at) {
   { term.effect(at) } -> std::same_as<BasicEffect<T>>;
@@ -181,6 +190,20 @@ concept Timewise = Perturbation<P> && requires(const P& term, const Setting& at)
   { term.law().effect(term.of_time(at), pose_of(at)) } -> std::same_as<Effect>;
   { P::Law::adds_rate } -> std::convertible_to<bool>;
 };
+
+// A Timewise term whose of_time begins with vectors that depend on the time alone, positions on
+// orbits or a field, gives those of many times at once: `vectors_of_time` of them, by
+// term.vectors_at(times, rows, set), and of_time(at) is term.of_vectors(at, vectors), to the last
+// bit, with at.s not looked at. A term need not.
+template <class P>
+concept TimewiseTogether =
+    Timewise<P> && (P::vectors_of_time > 0) &&
+    requires(const P& term, const Setting& at, const TimeRows& times,
+             const std::array<VectorRows, P::vectors_of_time>& rows, InstructionSet set,
+             const std::array<Vec3, P::vectors_of_time>& vectors) {
+      term.vectors_at(times, rows, set);
+      { term.of_vectors(at, vectors) } -> std::same_as<typename P::Law::template OfTime<double>>;
+    };
 
 // The side that a value is on; zero counts as positive.
 constexpr double side_of(double value) { return value < 0.0 ? -1.0 : 1.0; }

@@ -41,6 +41,13 @@ struct GravityGradientLaw {
     T r3;  // |x|^3
   };
 
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 1>& position, const InS& in_S) const {
+    using std::sqrt;
+    const BasicVec3<T>& x = position[0];
+    const T r2 = dot(x, x);
+    return {in_S(x), r2, r2 * sqrt(r2)};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
     const Direction<T> d = direction(where, at);
@@ -88,12 +95,20 @@ class GravityGradient {
 
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
-    using std::sqrt;
-    BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
-    const T r2 = dot(x, x), r3 = r2 * sqrt(r2);
-    const bool is_turned = !(at.q_IS == BasicQuaternion<T>{});
-    if (axes_ == SpaceAxes::inertial && is_turned) x = detail::turned_back(at.q_IS, x);
-    return {x, r2, r3};
+    return of_vectors<T>(at, {position_at(orbit_, at.t, at.t_rest)});
+  }
+  static constexpr std::size_t vectors_of_time = 1;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 1>& to,
+                  InstructionSet set) const {
+    positions_at(orbit_, times, to[0], set);
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 1>& position) const {
+    const bool is_turned = axes_ == SpaceAxes::inertial && !(at.q_IS == BasicQuaternion<T>{});
+    return law_.of_vectors(position, [&](const BasicVec3<T>& x) {
+      return is_turned ? detail::turned_back(at.q_IS, x) : x;
+    });
   }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {

@@ -98,8 +98,18 @@ class HigherGravity {
 
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
+    return of_vectors<T>(at, {position_at(orbit_, at.t, at.t_rest)});
+  }
+  static constexpr std::size_t vectors_of_time = 1;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 1>& to,
+                  InstructionSet set) const {
+    positions_at(orbit_, times, to[0], set);
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 1>& position) const {
     using std::sqrt;
-    const BasicVec3<T> x = position_at(orbit_, at.t, at.t_rest);
+    const BasicVec3<T>& x = position[0];
     const T s2 = T(1.0) / dot(x, x), s = sqrt(s2);
     const T third = T(gm_) * (s2 * s2);
     return {reference_from_space(at, axes_, x), orbit_of_ == OrbitOf::body ? -s : s, third,

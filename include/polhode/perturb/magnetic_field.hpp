@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "polhode/math/quaternion.hpp"
+#include "polhode/orbit/many_times.hpp"
 #include "polhode/orbit/orbit.hpp"
 #include "polhode/orbit/uniform_angle.hpp"
 #include "polhode/perturb/detail/argument_checks.hpp"
@@ -52,6 +53,31 @@ concept LocalField = std::copyable<F> && requires(const F& local, double t) {
   { local.motion(t, t) } -> std::same_as<BasicFieldMotion<double>>;
   { local.has_rate() } -> std::same_as<bool>;
 };
+
+// At many times: the bits of field(t, rest) and motion(t, rest).
+template <LocalField F>
+void fields_at(const F& local, const TimeRows& times, const VectorRows& to,
+               [[maybe_unused]] InstructionSet set) {
+  if constexpr (requires { local.fields(times, to, set); }) {
+    local.fields(times, to, set);
+  } else {
+    for (std::size_t i = 0; i < times.count; ++i)
+      to.set(i, local.field(times.t[i], times.rest_of(i)));
+  }
+}
+template <LocalField F>
+void field_motions_at(const F& local, const TimeRows& times, const VectorRows& field,
+                      const VectorRows& rate, [[maybe_unused]] InstructionSet set) {
+  if constexpr (requires { local.motions(times, field, rate, set); }) {
+    local.motions(times, field, rate, set);
+  } else {
+    for (std::size_t i = 0; i < times.count; ++i) {
+      const BasicFieldMotion<double> B = local.motion(times.t[i], times.rest_of(i));
+      field.set(i, B.field);
+      rate.set(i, B.rate);
+    }
+  }
+}
 
 template <class F, class T>
 concept LocalFieldOn = Real<T> && requires(const F& local, const T& t) {
@@ -96,7 +122,25 @@ class DipoleField {
   // K(t) in inertial axes.
   template <Real T>
   BasicVec3<T> strength_at(const T& t) const {
-    const auto [s, c] = angle_.at(t);
+    return strength_of(angle_.at(t));
+  }
+  template <Real T>
+  BasicVec3<T> field(const T& t, const BasicVec3<T>& x) const {
+    return field_of(strength_at(t), x);
+  }
+  // At many times and places x, with the rate of the field along a motion with velocities v: the
+  // bits of field() in double, and of its Dual. Rests of times are not looked at. A place may be
+  // where its field goes.
+  void fields(const TimeRows& times, const VectorRows& x, const VectorRows& field,
+              InstructionSet set) const;
+  void motions(const TimeRows& times, const VectorRows& x, const VectorRows& v,
+               const VectorRows& field, const VectorRows& rate, InstructionSet set) const;
+
+ private:
+  // Of sine and cosine of the angle of the primary.
+  template <Real T>
+  BasicVec3<T> strength_of(const SinCos<T>& angle) const {
+    const T &s = angle.sin, &c = angle.cos;
     const auto turned = [&](double along, double across, double side) {
       return T(along) + (c * T(across) + s * T(side));
     };
@@ -104,15 +148,16 @@ class DipoleField {
             turned(along_.z, across_.z, side_.z)};
   }
   template <Real T>
-  BasicVec3<T> field(const T& t, const BasicVec3<T>& x) const {
+  static BasicVec3<T> field_of(const BasicVec3<T>& K, const BasicVec3<T>& x) {
     using std::sqrt;
-    const BasicVec3<T> K = strength_at(t);
     const T r2 = dot(x, x);
     const T f = T(1.0) / ((r2 * r2) * sqrt(r2));
     return (T(3.0) * dot(K, x) * f) * x - (r2 * f) * K;
   }
+  // f(i, sine, cosine) of the angle at every time
+  template <class F>
+  void each_angle(const TimeRows& times, InstructionSet set, const F& f) const;
 
- private:
   Vec3 strength_;
   PrimaryRotation primary_;
   UniformAngle angle_;
@@ -175,6 +220,36 @@ class FieldAlongOrbit {
       return orbit_.supports_velocity();
     } else {
       return true;
+    }
+  }
+
+  // At many times (many_times.hpp), field() and motion() in double.
+  void fields(const TimeRows& times, const VectorRows& to, InstructionSet set) const {
+    positions_at(orbit_, times, to, set);
+    if constexpr (requires { field_.fields(times, to, to, set); }) {
+      field_.fields(times, to, to, set);
+    } else {
+      for (std::size_t i = 0; i < times.count; ++i) to.set(i, field_.field(times.t[i], to.at(i)));
+    }
+  }
+  void motions(const TimeRows& times, const VectorRows& field, const VectorRows& rate,
+               InstructionSet set) const {
+    if constexpr (!differentiable<double>) {
+      detail::field_without_rate();
+    } else {
+      motions_at(orbit_, times, field, rate, set);
+      if constexpr (requires { field_.motions(times, field, rate, field, rate, set); }) {
+        field_.motions(times, field, rate, field, rate, set);
+      } else {
+        for (std::size_t i = 0; i < times.count; ++i) {
+          using D = Dual<double, 1>;
+          const Vec3 x = field.at(i), v = rate.at(i);
+          const BasicVec3<D> B = field_.field(D::variable(times.t[i], 0),
+                                              {D(x.x, {v.x}), D(x.y, {v.y}), D(x.z, {v.z})});
+          field.set(i, detail::values_of(B));
+          rate.set(i, {B.x.derivative[0], B.y.derivative[0], B.z.derivative[0]});
+        }
+      }
     }
   }
 

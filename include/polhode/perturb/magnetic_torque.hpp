@@ -37,6 +37,10 @@ struct ResidualDipoleLaw {
   struct OfTime {
     BasicVec3<T> field;  // along the axes of the reference frame
   };
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 1>& B, const InS& in_S) const {
+    return {in_S(B[0])};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& B, const BasicPose<T>& at) const {
     return {{}, cross(moment<T>(), body_from_reference(at, B.field))};
@@ -65,7 +69,18 @@ class ResidualDipole {
   template <Real T>
     requires LocalFieldOn<F, T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
-    return {reference_from_space(at, SpaceAxes::inertial, field_.field(at.t, at.t_rest))};
+    return of_vectors<T>(at, {field_.field(at.t, at.t_rest)});
+  }
+  // The field.
+  static constexpr std::size_t vectors_of_time = 1;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 1>& to,
+                  InstructionSet set) const {
+    fields_at(field_, times, to[0], set);
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 1>& field) const {
+    return law_.of_vectors(field, in_reference(at));
   }
   template <Real T>
     requires LocalFieldOn<F, T>
@@ -100,6 +115,10 @@ struct EddyCurrentsLaw {
     BasicVec3<T> field;
     BasicVec3<T> rate;
   };
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 2>& B, const InS& in_S) const {
+    return {in_S(B[0]), in_S(B[1])};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& motion, const BasicPose<T>& at) const {
     const BasicVec3<T>& I = at.moments;
@@ -138,12 +157,21 @@ class EddyCurrents {
   template <Real T>
     requires LocalFieldOn<F, T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
-    const auto in_S = [&](const BasicVec3<T>& x) {
-      return reference_from_space(at, SpaceAxes::inertial, x);
-    };
-    if (rate_ == FieldRate::left_out) return {in_S(field_.field(at.t, at.t_rest)), {}};
+    if (rate_ == FieldRate::left_out) return of_vectors<T>(at, {field_.field(at.t, at.t_rest), {}});
     const BasicFieldMotion<T> B = field_.motion(at.t, at.t_rest);
-    return {in_S(B.field), in_S(B.rate)};
+    return of_vectors<T>(at, {B.field, B.rate});
+  }
+  // The field and its rate.
+  static constexpr std::size_t vectors_of_time = 2;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 2>& to,
+                  InstructionSet set) const {
+    if (rate_ == FieldRate::along_orbit) return field_motions_at(field_, times, to[0], to[1], set);
+    fields_at(field_, times, to[0], set);
+    for (std::size_t i = 0; i < times.count; ++i) to[1].set(i, {});
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at, const std::array<BasicVec3<T>, 2>& B) const {
+    return law_.of_vectors(B, in_reference(at));
   }
   template <Real T>
     requires LocalFieldOn<F, T>

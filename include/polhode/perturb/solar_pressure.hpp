@@ -57,11 +57,25 @@ class SolarPressure {
   Law law() const { return {&stream_, borders()}; }
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
-    const BasicVec3<T> from_centre = path_.position(at);
+    if (!sun_) return of_vectors<T>(at, {path_.position(at), {}});
+    return of_vectors<T>(at, {path_.position(at), sun_->position(at)});
+  }
+  // The body and the Sun as seen from the centre.
+  static constexpr std::size_t vectors_of_time = 2;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 2>& to,
+                  InstructionSet set) const {
+    path_.positions(times, to[0], set);
+    if (sun_) return sun_->positions(times, to[1], set);
+    for (std::size_t i = 0; i < times.count; ++i) to[1].set(i, {});
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 2>& places) const {
+    const BasicVec3<T>& from_centre = places[0];
     BasicVec3<T> to_sun = -from_centre;
     T visible(1.0);
     if (sun_) {
-      to_sun = sun_->position(at) - from_centre;
+      to_sun = places[1] - from_centre;
       if (shadow_) visible = shadow_->visible(to_sun, -from_centre, at.sides);
     }
     if (visible == T(0.0)) return {{}, T(1.0), T(0.0)};  // NaN goes on

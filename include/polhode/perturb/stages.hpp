@@ -15,6 +15,7 @@
 #include <span>
 
 #include "polhode/math/quaternion.hpp"
+#include "polhode/orbit/shared_places.hpp"
 #include "polhode/perturb/detail/stage_row.hpp"
 
 namespace polhode {
@@ -40,6 +41,9 @@ struct StageTimes {
   StageRow t{};
   StageRow t_rest{};
   std::array<Quaternion, most_stages> q_IS{};  // identity where the frame is inertial
+  // What orbits have said of them: null where each term asks by itself.
+  SharedPlaces* known = nullptr;
+  bool is_inertial = false;  // said where it is known: q_IS need not be looked at
 };
 
 struct StageStates {

@@ -51,6 +51,10 @@ struct TidalTorqueLaw {
     BasicVec3<T> x_S;
     BasicVec3<T> spin_S;  // x x dx/dt
   };
+  template <Number T, class InS>
+  OfTime<T> of_vectors(const std::array<BasicVec3<T>, 2>& orbit, const InS& in_S) const {
+    return {in_S(orbit[0]), in_S(cross(orbit[0], orbit[1]))};
+  }
   template <Number T>
   BasicEffect<T> effect(const OfTime<T>& where, const BasicPose<T>& at) const {
     const BasicVec3<T> r = body_from_reference(at, where.x_S);
@@ -88,8 +92,19 @@ class TidalTorque {
   template <Real T>
   Law::OfTime<T> of_time(const BasicSetting<T>& at) const {
     const detail::OrbitMotion<T> orbit = detail::motion_at(orbit_, at.t, at.t_rest);
-    return {reference_from_space(at, SpaceAxes::inertial, orbit.x),
-            reference_from_space(at, SpaceAxes::inertial, cross(orbit.x, orbit.v))};
+    return of_vectors<T>(at, {orbit.x, orbit.v});
+  }
+  // Position and velocity.
+  static constexpr std::size_t vectors_of_time = 2;
+  void vectors_at(const TimeRows& times, const std::array<VectorRows, 2>& to,
+                  InstructionSet set) const {
+    motions_at(orbit_, times, to[0], to[1], set);
+    positions_at(orbit_, times, to[0], set);  // with the rest of the time
+  }
+  template <Real T>
+  Law::OfTime<T> of_vectors(const BasicSetting<T>& at,
+                            const std::array<BasicVec3<T>, 2>& orbit) const {
+    return law_.of_vectors(orbit, in_reference(at));
   }
   template <Real T>
   BasicEffect<T> effect(const BasicSetting<T>& at) const {

@@ -39,6 +39,7 @@ class RotorStages {
     }
     step_.has_frame = !field_->system().frame().is_inertial();
     times_.count = stages;
+    times_.is_inertial = !step_.has_frame;
   }
 
   // One more term, which the system does not know. It outlives the stages, and moves between
@@ -76,8 +77,11 @@ class RotorStages {
       times_.q_IS[i] = frame.q_IS;
       for (int n = 0; n < 3; ++n) step_.mu_S[static_cast<std::size_t>(n)][i] = frame.mu_S[n];
     }
+    SharedPlaces known;
+    if (terms_.size() > 1) times_.known = &known;
     for (std::size_t k = 0; k < terms_.size(); ++k)
       terms_[k]->begin(times_, sides == nullptr ? std::span<const double>() : sides->of(k));
+    times_.known = nullptr;
   }
   // The step that begin was told of, to the last bit.
   const DoubleDouble& length() const { return length_; }

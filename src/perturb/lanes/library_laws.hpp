@@ -24,6 +24,15 @@
   DO(ResidualDipoleLaw)      \
   DO(EddyCurrentsLaw)        \
   DO(FacetStream::Law)
+// Those that give their numbers from vectors, and from how many.
+#define POLHODE_EACH_LAW_OF_VECTORS(DO) \
+  DO(GravityGradientLaw, 1)             \
+  DO(TidalTorqueLaw, 2)                 \
+  DO(ResidualDipoleLaw, 1)              \
+  DO(EddyCurrentsLaw, 2)
+#define POLHODE_VECTORS_IN_LANES(isa, LAW, VECTORS)                                  \
+  template void vectors_on_stages<InstructionSet::isa, LAW, VECTORS>(const LAW& law, \
+                                                                     const VectorsOfTime& rows);
 #define POLHODE_LAW_IN_LANES(isa, LAW)                   \
   template void law_on_stages<InstructionSet::isa, LAW>( \
       const LAW& law, std::span<const double> sides, const LawRows& rows);

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "polhode/orbit/many_times.hpp"
 #include "polhode/orbit/orbit.hpp"
 
 namespace polhode {
@@ -19,6 +20,9 @@ class ErasedOrbit {
   virtual Vec3 position(double t, double rest) const = 0;
   virtual BasicVec3<DoubleDouble> position(const DoubleDouble& t) const = 0;
   virtual BasicVec3<Dual<double, 1>> position(const Dual<double, 1>& t) const = 0;
+  virtual void positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const = 0;
+  virtual void motions(const TimeRows& times, const VectorRows& position,
+                       const VectorRows& velocity, InstructionSet set) const = 0;
   virtual double time_scale() const = 0;
 };
 
@@ -36,6 +40,17 @@ class HeldOrbit final : public ErasedOrbit {
   BasicVec3<Dual<double, 1>> position(const Dual<double, 1>& t) const override {
     if constexpr (OrbitOn<O, Dual<double, 1>>) {
       return orbit_.position(t);
+    } else {
+      orbit_without_velocity(name_);
+    }
+  }
+  void positions(const TimeRows& times, const VectorRows& to, InstructionSet set) const override {
+    positions_at(orbit_, times, to, set);
+  }
+  void motions(const TimeRows& times, const VectorRows& position, const VectorRows& velocity,
+               InstructionSet set) const override {
+    if constexpr (OrbitOn<O, Dual<double, 1>>) {
+      motions_at(orbit_, times, position, velocity, set);
     } else {
       orbit_without_velocity(name_);
     }

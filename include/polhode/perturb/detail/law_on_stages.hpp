@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "polhode/math/pack.hpp"
+#include "polhode/perturb/detail/turned_back.hpp"
 #include "polhode/perturb/effect.hpp"
 #include "polhode/perturb/stages.hpp"
 
@@ -85,9 +86,60 @@ template <InstructionSet isa, class Law>
 template <class Law>
 using LawOnStages = void (*)(const Law&, std::span<const double> sides, const LawRows&);
 
+// A law that gives its OfTime from the vectors of a TimewiseTogether term: law.of_vectors(vectors,
+// in_S), in_S(x) the components of x along the reference frame.
+template <class Law, std::size_t vectors>
+concept LawOfVectors = requires(const Law& law, const std::array<Vec3, vectors>& x) {
+  law.of_vectors(x, [](const Vec3& v) { return v; });
+};
+
+// Rows as in LawRows: the vectors; the attitude of the frame, null where there is nothing to turn;
+// and what is made of them.
+struct VectorsOfTime {
+  std::size_t count;
+  std::size_t stride;
+  const double* vectors;
+  const double* q_IS;
+  double* of_time;
+};
+
+template <InstructionSet isa, class Law, std::size_t vectors>
+[[gnu::flatten]] void vectors_on_stages(const Law& law, const VectorsOfTime& rows) {
+  using T = Pack<isa>;
+  constexpr std::size_t numbers = numbers_of_time<Law>;
+  for (std::size_t i = 0; i < rows.count; i += T::width) {
+    const auto loaded = [&](const double* from, std::size_t n) {
+      return T::loaded(from + (n * rows.stride + i));
+    };
+    std::array<BasicVec3<T>, vectors> x;
+    for (std::size_t k = 0; k < vectors; ++k)
+      x[k] = {loaded(rows.vectors, 3 * k), loaded(rows.vectors, 3 * k + 1),
+              loaded(rows.vectors, 3 * k + 2)};
+    const auto store = [&](const auto& of_time) {
+      static_assert(sizeof of_time == numbers * sizeof(T));
+      T parts[numbers];
+      std::memcpy(parts, &of_time, sizeof parts);
+      for (std::size_t n = 0; n < numbers; ++n)
+        parts[n].store(rows.of_time + (n * rows.stride + i));
+    };
+    if (rows.q_IS == nullptr) {
+      store(law.of_vectors(x, [](const BasicVec3<T>& v) { return v; }));
+    } else {
+      const BasicQuaternion<T> q{loaded(rows.q_IS, 0), loaded(rows.q_IS, 1), loaded(rows.q_IS, 2),
+                                 loaded(rows.q_IS, 3)};
+      store(law.of_vectors(x, [&](const BasicVec3<T>& v) { return turned_back(q, v); }));
+    }
+  }
+}
+
+template <class Law>
+using VectorsOnStages = void (*)(const Law&, const VectorsOfTime&);
+
 // Those of the library's own terms are compiled for every set (src/perturb/lanes).
 template <class Law>
 LawOnStages<Law> library_law(InstructionSet set);
+template <class Law, std::size_t vectors>
+VectorsOnStages<Law> library_law_of_vectors(InstructionSet set);
 template <class Law>
 concept LibraryLaw = requires { requires Law::in_library; };
 
@@ -97,6 +149,15 @@ LawOnStages<Law> law_in_lanes(InstructionSet set) {
     return library_law<Law>(set);
   } else {
     return &law_on_stages<InstructionSet::baseline, Law>;
+  }
+}
+
+template <class Law, std::size_t vectors>
+VectorsOnStages<Law> vectors_in_lanes(InstructionSet set) {
+  if constexpr (LibraryLaw<Law>) {
+    return library_law_of_vectors<Law, vectors>(set);
+  } else {
+    return &vectors_on_stages<InstructionSet::baseline, Law, vectors>;
   }
 }
 

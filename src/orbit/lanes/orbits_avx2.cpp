@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Orbits in the lanes of InstructionSet::avx2.
+#if defined(__x86_64__)
+
+#include "orbit/detail/orbit_kernels.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template OrbitLanes orbit_kernels<InstructionSet::avx2>();
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif
