@@ -65,7 +65,7 @@ void one_body(const char* what, double k, const std::vector<Maker>& makers, Draw
   std::vector<std::unique_ptr<Motion>> motions;
   std::vector<Entry> many, even, ages, scalar, set_up;
   for (const Maker& m : makers) {
-    const bool together = m.who == polhode_lanes_maker().who;
+    const bool together = m.who == polhode_lanes_maker().who || m.who == polhode_avx2_maker().who;
     motions.push_back(m.make(start));
     const Motion& motion = *motions.back();
     const double error = error_of(exact, motion, std::span(t).first(checked));
@@ -191,9 +191,9 @@ int main(int argc, char** argv) {
   using namespace peers;
   Draw draw{std::mt19937_64(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1)};
   const int repetitions = argc > 2 ? std::atoi(argv[2]) : 7;
-  const std::vector<Maker> makers =
-      present({polhode_lanes_maker(), polhode_maker(), polhode_short_arc_maker(), boost_maker(),
-               boost_double_maker(), geographic_maker(), van_zon_maker()});
+  const std::vector<Maker> makers = present(
+      {polhode_lanes_maker(), polhode_avx2_maker(), polhode_maker(), polhode_short_arc_maker(),
+       boost_maker(), boost_double_maker(), geographic_maker(), van_zon_maker()});
   one_body("k = 0.05", 0.05, makers, draw, repetitions);
   one_body("k = 0.5", 0.5, makers, draw, repetitions);
   one_body("k = 0.75", 0.75, makers, draw, repetitions);

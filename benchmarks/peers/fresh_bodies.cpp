@@ -81,7 +81,7 @@ void a_million(const std::string& what, const Bodies& bodies, const Maker* peer,
     list.push_back(
         {peer->who, [&] { keep(peer->fresh(std::span(bodies.starts), bodies.times[0])); }, n});
   compare("G12", what, list, repetitions);
-  compare("G12", what + ", waited for",
+  compare("G12", "waited for, " + what,
           {{who, [&] { on(1); }, n, error}, {who + ", two threads", [&] { on(2); }, n, error}},
           repetitions, 0.2, wall_seconds);
 }

@@ -152,8 +152,8 @@ def polhode_contenders(case):
     methods = [("Adaptive", f"{t:g}", ph.Adaptive(t)) for t in (1e-11, 1e-13, 1e-15)]
     methods += [("VariationOfConstants", f"{t:g}", ph.VariationOfConstants(t))
                 for t in (1e-11, 1e-13)]
-    if hasattr(ph, "Collocation"):
-        methods += [("Collocation", "default", ph.Collocation())]
+    methods += [("Collocation", f"{t:g}", ph.Collocation(t)) for t in (1e-9, 1e-14)]
+    methods += [("Collocation", "default", ph.Collocation())]
     return [Contender(f"polhode {who}", setting, run(method)) for who, setting, method in methods]
 
 

@@ -8,6 +8,7 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/states_at.hpp"
 
 namespace peers {
 namespace {
@@ -52,11 +53,13 @@ class Polhode : public Motion {
 // Many times at once, in place; then the angular velocity in the place of the momentum.
 class InLanes : public Motion {
  public:
-  explicit InLanes(const Start& s)
-      : motion_(body_of(s), state_of(s)), inverse_{1.0 / s.I[0], 1.0 / s.I[1], 1.0 / s.I[2]} {}
+  explicit InLanes(const Start& s, InstructionSet set = widest_instruction_set())
+      : motion_(body_of(s), state_of(s)),
+        inverse_{1.0 / s.I[0], 1.0 / s.I[1], 1.0 / s.I[2]},
+        set_(set) {}
   void rows(std::span<const double> t, double* out) const override {
     static_assert(sizeof(RotorState) == 7 * sizeof(double));
-    motion_.at(t, {reinterpret_cast<RotorState*>(out), t.size()});
+    states_at(motion_.kernel(), t, {reinterpret_cast<RotorState*>(out), t.size()}, set_);
     for (std::size_t i = 0; i < t.size(); ++i, out += 7)
       for (std::size_t k = 0; k < 3; ++k) out[4 + k] *= inverse_[k];
   }
@@ -64,6 +67,7 @@ class InLanes : public Motion {
  private:
   FreeRotation motion_;
   std::array<double, 3> inverse_;
+  InstructionSet set_;
 };
 
 // Even times alone, from the first on: rows hold the momentum in place of the angular velocity.
@@ -159,6 +163,15 @@ Maker polhode_maker() { return {"polhode FreeRotation", make<false>, fresh<false
 Maker polhode_lanes_maker() {
   return {"polhode FreeRotation, many times at once",
           [](const Start& s) -> std::unique_ptr<Motion> { return std::make_unique<InLanes>(s); },
+          nullptr};
+}
+Maker polhode_avx2_maker() {
+  const std::string who = polhode_lanes_maker().who + ", AVX2";
+  if (!supports(InstructionSet::avx2)) return {who, nullptr, nullptr};
+  return {who,
+          [](const Start& s) -> std::unique_ptr<Motion> {
+            return std::make_unique<InLanes>(s, InstructionSet::avx2);
+          },
           nullptr};
 }
 Maker polhode_bodies_maker() {
