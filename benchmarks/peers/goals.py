@@ -52,7 +52,7 @@ def quickest(goal, who, largest, times=1.0):
     """The least time of the settings that err so little."""
     def found(medians):
         return sorted(e["value"] * times for e in medians.of(goal, who)
-                      if e["error"] <= largest)[:1]
+                      if e["error"] is not None and e["error"] <= largest)[:1]
     return found
 
 

@@ -89,7 +89,7 @@ def relative(g, other):
 
 def exact():
     """The end of the year, by heyoka in 80 bits; the attitude is that of the axes of the file."""
-    sys.path.append(str(ROOT / "benchmarks/peers"))
+    sys.path.insert(0, str(ROOT / "benchmarks/peers"))  # before this file, of the same name
     import envisat
     import polhode
 
