@@ -239,7 +239,7 @@ def page(records, machine, curves, measured=()):
             yield ""
         yield from table(rows)
         if title == "Perturbed rotation":
-            yield from largest_errors(curves["W1"]["variants"])
+            yield from largest_errors(curves.get("W1", {}).get("variants"))
 
 
 def main():

@@ -89,9 +89,9 @@ def polhode_contenders(case, quick):
                for t in (1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15)]
     methods += [("Adaptive, double-double", "1e-19", ph.Adaptive(1e-19, "double_double"))]
     methods += [("VariationOfConstants", f"{t:g}", ph.VariationOfConstants(t))
-                for t in (1e-9, 1e-11, 1e-12, 1e-13)]
+                for t in (1e-9, 1e-11, 1e-13)]
     methods += [(f"Splitting {scheme}", f"{h:g}", ph.Splitting(h, scheme))
-                for scheme in ("order2", "order8", "ABA864", "ABA1064") for h in (0.1, 0.05, 0.025)]
+                for scheme in ("order8", "ABA864", "ABA1064") for h in (0.1, 0.05, 0.025)]
     methods += [("Collocation", f"{t:g}", ph.Collocation(t)) for t in (1e-8, 1e-10, 1e-14)]
     methods += [("Collocation", "default", ph.Collocation())]
     if quick:

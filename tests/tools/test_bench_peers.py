@@ -125,6 +125,19 @@ def test_goals_are_judged_by_their_worst_case(peers):
     assert goals.between("G1", lanes, "k = 0.9", boost, "k = 0.5")(found) == [600.0]
 
 
+def test_a_default_that_errs_too_much_meets_no_goal(peers):
+    goals = peers.goals
+    entries = [median("G9", "W1, tolerance", goals.TIGHTEST, 8.0, 1e-11),
+               median("G9", "W1, tolerance", "polhode Adaptive, 1e-14", 4.0, 2e-11),
+               median("G9", "W1, tolerance", "polhode integrate_many of 8, default", 0.1, 1e-12)]
+    close = median("G9", "W1, tolerance", goals.DEFAULT, 1.0, 3e-11)
+    wrong = median("G9", "W1, tolerance", goals.DEFAULT, 1.0, 3e-10)
+    found = goals.beside_heyoka("W1")
+    assert list(found(goals.Medians([*entries, close]))) == [8.0]
+    assert list(found(goals.Medians([*entries, wrong]))) == [2.0]
+    assert list(found(goals.Medians([entries[0], wrong]))) == []
+
+
 def test_every_goal_has_a_line(peers):
     names = {goal.name for goal in peers.goals.GOALS}
     assert {f"G{k}" for k in range(1, 16)} <= names
