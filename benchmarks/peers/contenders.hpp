@@ -44,7 +44,9 @@ Maker boost_double_maker();
 Maker geographic_maker();
 Maker van_zon_maker();
 Maker polhode_maker();
+// Of many times of a body alone; by all lanes, or by those of AVX2.
 Maker polhode_lanes_maker();
+Maker polhode_avx2_maker();
 // Of new bodies alone.
 Maker polhode_bodies_maker();
 Maker polhode_short_arc_maker();

@@ -8,6 +8,14 @@ vy): eleven. `number` is the type of the constants: float, or numpy.longdouble f
 import numpy as np
 
 
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
 def body_axes(q, r):
     """The vector r in body axes."""
     w, x, y, z = q

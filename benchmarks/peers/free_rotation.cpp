@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Goals G1, G2, G4 to G6 and G12: free rotation by polhode and by its peers, over moduli from near
-// the axis to next to the separatrix. The seed draws bodies, phases and times. Arguments: seed,
-// repetitions.
+// Goals G1 to G6: free rotation by polhode and by its peers, over moduli from near the axis to next
+// to the separatrix. The seed draws bodies, phases and times. Arguments: seed, repetitions.
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <random>
 #include <vector>
 
 #include "contenders.hpp"
+#include "draws.hpp"
 #include "samples.hpp"
 #include "streaming.hpp"
 #include "worst.hpp"
@@ -16,78 +15,7 @@
 namespace peers {
 namespace {
 
-constexpr double farthest = 62831.853;  // 1e4 turns at a rate near 1
 constexpr std::size_t count = 1024, checked = 64, streamed = 1u << 20;
-
-struct Draw {
-  std::mt19937_64 engine;
-  double uniform(double a, double b) {
-    return a + (b - a) * std::ldexp(static_cast<double>(engine() >> 11U), -53);
-  }
-  double normal() {
-    return std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0))) *
-           std::cos(2.0 * M_PI * uniform(0.0, 1.0));
-  }
-  // Of a random ellipsoid with axes within a factor of two, sorted.
-  std::array<double, 3> moments() {
-    double a = uniform(1.5, 2.0), b = uniform(1.2, 1.45), c = uniform(0.8, 1.15);
-    a *= a;
-    b *= b;
-    c *= c;
-    return {(b + c) / 4.0, (a + c) / 4.0, (a + b) / 4.0};
-  }
-  // Short-axis mode of modulus k, any phase, a rate near 1.
-  Start of_modulus(double k) {
-    Start s{moments(), {}};
-    const auto [A, B, C] = s.I;
-    const double phi = uniform(-3.0, 3.0);
-    const double x = k * std::sqrt((C - B) * A / ((B - A) * C));
-    const double y = x * std::sqrt(B * (C - A) / (A * (C - B)));
-    s.g = {x * std::cos(phi), y * std::sin(phi), std::sqrt(1.0 - std::pow(k * std::sin(phi), 2))};
-    scale(s, B);
-    return s;
-  }
-  Start any() {
-    Start s{moments(), {normal(), normal(), normal()}};
-    scale(s, s.I[1]);
-    return s;
-  }
-  static void scale(Start& s, double size) {
-    const double n = size / std::hypot(s.g[0], s.g[1], s.g[2]);
-    for (double& x : s.g) x *= n;
-  }
-};
-
-// Of so few digits that all even times are doubles.
-double even_step(std::size_t states) {
-  int e = 0;
-  const double part = std::frexp(farthest / static_cast<double>(states), &e);
-  return std::ldexp(std::rint(std::ldexp(part, 20)), e - 20);
-}
-
-std::vector<Maker> present(std::vector<Maker> all) {
-  std::vector<Maker> list;
-  for (const Maker& m : all)
-    if (m.make != nullptr)
-      list.push_back(m);
-    else
-      std::printf("{\"missing\": \"%s\"}\n", m.who.c_str());
-  return list;
-}
-
-double error_of(const Exact& exact, const Motion& motion, std::span<const double> t) {
-  const std::size_t width = motion.width();
-  std::vector<double> row(width), first(width);
-  const double zero = 0.0;
-  motion.rows({&zero, 1}, first.data());
-  polhode::test::Worst worst;
-  for (const double x : t) {
-    motion.rows({&x, 1}, row.data());
-    worst.add(exact.error(x, {row.data(), width == 12 ? 9 : width},
-                          {first.data(), width == 12 ? 9 : width}));
-  }
-  return worst.value();
-}
 
 // All of a grid at once, and what some of the states miss.
 double error_on_grid(const Exact& exact, const Motion& motion, std::span<const double> grid) {
@@ -112,6 +40,20 @@ Entry grid_entry(const Start& start, const Exact* exact, std::span<const double>
           exact != nullptr ? error_on_grid(*exact, *motion, grid) : std::nan("")};
 }
 
+// Times of any size cost the same; peers have nothing left to compare there.
+Entry ages_entry(const std::string& who, const Exact& exact, const Motion& motion, Draw& draw,
+                 std::vector<double>& out) {
+  std::vector<double> t(count);
+  for (double& x : t) x = draw.uniform(0.0, 1e5 * farthest);
+  const double error = error_of(exact, motion, std::span(t).first(checked));
+  return {who,
+          [&motion, t, &out] {
+            motion.rows(t, out.data());
+            keep(out[0]);
+          },
+          static_cast<double>(count), error};
+}
+
 void one_body(const char* what, double k, const std::vector<Maker>& makers, Draw& draw,
               int repetitions) {
   const Start start = draw.of_modulus(k);
@@ -121,13 +63,15 @@ void one_body(const char* what, double k, const std::vector<Maker>& makers, Draw
   for (std::size_t i = 0; i < count; ++i) grid[i] = static_cast<double>(i) * step;
   const Exact exact(start);
   std::vector<std::unique_ptr<Motion>> motions;
-  std::vector<Entry> many, even, scalar, set_up;
+  std::vector<Entry> many, even, ages, scalar, set_up;
   for (const Maker& m : makers) {
+    const bool together = m.who == polhode_lanes_maker().who || m.who == polhode_avx2_maker().who;
     motions.push_back(m.make(start));
     const Motion& motion = *motions.back();
     const double error = error_of(exact, motion, std::span(t).first(checked));
     const double n = static_cast<double>(count);
-    set_up.push_back({m.who, [&m, &start] { keep(m.make(start).get()); }, 1.0, error});
+    if (!together)
+      set_up.push_back({m.who, [&m, &start] { keep(m.make(start).get()); }, 1.0, error});
     if (m.who == polhode_short_arc_maker().who) continue;  // the same evaluation
     many.push_back({m.who,
                     [&motion, &t, &out] {
@@ -141,6 +85,10 @@ void one_body(const char* what, double k, const std::vector<Maker>& makers, Draw
                       keep(out[0]);
                     },
                     n, error});
+    if (together) {
+      ages.push_back(ages_entry(m.who, exact, motion, draw, out));
+      continue;
+    }
     scalar.push_back({m.who,
                       [&motion, &t, &out] {
                         for (const double& x : t) {
@@ -153,6 +101,7 @@ void one_body(const char* what, double k, const std::vector<Maker>& makers, Draw
   even.push_back(grid_entry(start, &exact, grid, out));
   compare("G1", what, many, repetitions);
   compare("G2", std::string(what) + ", in cache", even, repetitions);
+  compare("G3", std::string(what) + ", within 1e9 turns", ages, repetitions);
   compare("G4", what, scalar, repetitions);
   compare("G5", what, set_up, repetitions);
 }
@@ -179,23 +128,6 @@ void streamed_grid(const std::vector<Maker>& makers, Draw& draw, int repetitions
   }
   list.push_back(grid_entry(start, nullptr, t, out));
   compare("G2", "to memory", list, repetitions);
-}
-
-void fresh_bodies(const std::vector<Maker>& makers, Draw& draw, int repetitions) {
-  std::vector<Start> starts(512);
-  for (Start& s : starts) s = draw.any();
-  const double t = draw.uniform(100.0, 628.0);
-  std::vector<Entry> list;
-  std::vector<Maker> with_many = makers;
-  with_many.push_back(polhode_bodies_maker());
-  for (const Maker& m : with_many) {
-    polhode::test::Worst worst;
-    for (std::size_t i = 0; i < checked; ++i)
-      worst.add(error_of(Exact(starts[i]), *m.make(starts[i]), {&t, 1}));
-    list.push_back({m.who, [&m, &starts, t] { keep(m.fresh(starts, t)); },
-                    static_cast<double>(starts.size()), worst.value()});
-  }
-  compare("G12", "any mode, within 100 turns", list, repetitions);
 }
 
 // States of short-axis mode to Sadov's variables, a state of another body each.
@@ -259,16 +191,15 @@ int main(int argc, char** argv) {
   using namespace peers;
   Draw draw{std::mt19937_64(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1)};
   const int repetitions = argc > 2 ? std::atoi(argv[2]) : 7;
-  const std::vector<Maker> makers =
-      present({polhode_lanes_maker(), polhode_maker(), polhode_short_arc_maker(), boost_maker(),
-               boost_double_maker(), geographic_maker(), van_zon_maker()});
+  const std::vector<Maker> makers = present(
+      {polhode_lanes_maker(), polhode_avx2_maker(), polhode_maker(), polhode_short_arc_maker(),
+       boost_maker(), boost_double_maker(), geographic_maker(), van_zon_maker()});
   one_body("k = 0.05", 0.05, makers, draw, repetitions);
   one_body("k = 0.5", 0.5, makers, draw, repetitions);
   one_body("k = 0.75", 0.75, makers, draw, repetitions);
   one_body("k = 0.9999", 0.9999, makers, draw, repetitions);
   one_body("k = 1 - 1e-9", 1.0 - 1e-9, makers, draw, repetitions);
   streamed_grid(makers, draw, repetitions);
-  fresh_bodies(makers, draw, repetitions);
   std::vector<Maker> with_sadov = makers;
   with_sadov.push_back(polhode_sadov_maker());
   to_sadov_variables(with_sadov, draw, repetitions);

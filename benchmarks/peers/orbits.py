@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Two other bodies and orbits beside heyoka, 300 orbits each, with the same equations.
+"""Three other bodies and orbits beside heyoka, 300 orbits each, with the same equations.
 
 degree 3: an orbit of e = 0.3, the gravity gradient and the moments of mass of degree 3.
 dipole: an orbit of e = 0.05, the gravity gradient and a magnetic moment in the field of a dipole
 that is tilted against the primary's axis, itself tilted against the orbit, and turns with it.
+sunlight: with a cone of shadow (sunlight.py).
 """
 
 import dataclasses
@@ -12,6 +13,7 @@ from collections.abc import Callable
 
 import equations
 import numpy as np
+import sunlight
 from timing import Contender, interleaved
 
 STOP = 1884.9555921538758
@@ -20,10 +22,6 @@ RATES = (3.0, 6.0, 12.5)
 # xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz: a body of unit size without symmetry.
 THIRD = (0.0021, -0.0013, 0.0008, 0.0017, 0.0005, -0.0011, 0.0009, 0.0014, -0.0006, 0.0019)
 STRENGTH, RATE, TILT, MOMENT = (0.2, 0.0, 1.0), 3.7, 0.4, (0.03, -0.05, 0.04)
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def third_degree(number):
@@ -40,7 +38,7 @@ def third_degree(number):
         gradient = [sum(full[i, j, k] * n[j] * n[k] for j in range(3) for k in range(3))
                     * number(7.5) - number(1.5) * sum(full[i, j, j] for j in range(3))
                     for i in range(3)]
-        return [-c / (r2 * r2) for c in cross(n, gradient)]
+        return [-c / (r2 * r2) for c in equations.cross(n, gradient)]
     return torque
 
 
@@ -58,52 +56,85 @@ def dipole(number):
         along = 3.0 * (K[0] * x + K[1] * y) / r2
         shrink = r2 ** number(-1.5)
         B = ((along * x - K[0]) * shrink, (along * y - K[1]) * shrink, -K[2] * shrink)
-        return cross([number(m) for m in MOMENT], equations.body_axes(q, B))
+        return equations.cross([number(m) for m in MOMENT], equations.body_axes(q, B))
     return torque
+
+
+def throughout(stop):
+    """One torque from the start to the end."""
+    return [(np.longdouble(stop), "all")]
+
+
+def in_and_out(stop):
+    return sunlight.with_margins(sunlight.edges(stop))
 
 
 @dataclasses.dataclass(frozen=True)
 class Case:
     name: str
     eccentricity: float
-    torque: Callable  # of a number type: the torque beside the gravity gradient
+    torques: dict  # by the light: of a number type, the torque beside the gravity gradient
     terms: Callable  # of polhode and an orbit
+    rates: tuple = RATES
+    legs: Callable = throughout  # of the stop: until when there is which light
 
 
 CASES = (
-    Case("e = 0.3, gravity to degree 3", 0.3, third_degree,
+    Case("e = 0.3, gravity to degree 3", 0.3, {"all": third_degree},
          lambda ph, orbit: [ph.GravityGradient(1.0, orbit), ph.HigherGravity(
              1.0, orbit, ph.MassMoments(THIRD, np.zeros(15)), "attractor")]),
-    Case("tilted dipole", 0.05, dipole,
+    Case("tilted dipole", 0.05, {"all": dipole},
          lambda ph, orbit: [ph.GravityGradient(1.0, orbit), ph.ResidualDipole(
              MOMENT, ph.DipoleField(STRENGTH, (float(np.sin(TILT)), 0.0, float(np.cos(TILT))),
                                     RATE), orbit)]),
+    Case("sunlight with a cone of shadow", sunlight.ECCENTRICITY,
+         {light: sunlight.sunlight(light) for light in ("all", "part", "none")}, sunlight.terms,
+         sunlight.RATES, in_and_out),
 )
 
 
-def rates(heyoka, case, number=float):
+def rates(heyoka, case, light, number=float):
     pairs = equations.gravity_gradient(heyoka, MOMENTS, number)
     names = [v for v, _ in pairs]
-    more = case.torque(number)(heyoka, names[:4], names[7], names[8])
+    more = case.torques[light](number)(heyoka, names[:4], names[7], names[8])
     for k, (u, moment) in enumerate(zip(more, MOMENTS, strict=True)):
         pairs[4 + k] = (names[4 + k], pairs[4 + k][1] + u / number(moment))
     return pairs
 
 
+class Taylor:
+    """heyoka's integrators of a case, one for each light."""
+
+    def __init__(self, heyoka, case, tolerance, number=float, **more):
+        self.case, self.number = case, number
+        self.legs = [(number(t), light) for t, light in case.legs(STOP)]
+        start = self.start(case.rates)
+        self.of_light = {light: heyoka.taylor_adaptive(rates(heyoka, case, light, number), start,
+                                                       tol=number(tolerance), **more)
+                         for light in case.torques}
+
+    def start(self, rates):
+        return equations.start(rates, self.case.eccentricity, self.number)
+
+    def end(self, start):
+        """The last attitude."""
+        time, state = self.number(0), start
+        for stop, light in self.legs:
+            taylor = self.of_light[light]
+            taylor.time = time
+            taylor.state[:] = state
+            taylor.propagate_until(stop)
+            time, state = stop, taylor.state
+        return state[:4].copy()
+
+
 def exact(heyoka, case):
     """Final attitudes in 80 bits, from the rates and from polhode's rounded momentum."""
     wide = np.longdouble
-    taylor = heyoka.taylor_adaptive(
-        rates(heyoka, case, wide), equations.start(RATES, case.eccentricity, wide),
-        tol=wide(1e-19), fp_type=wide)
-    ends = {}
-    rounded = [wide(i * w) / wide(i) for i, w in zip(MOMENTS, RATES, strict=True)]
-    for who, start in (("peers", RATES), ("polhode", rounded)):
-        taylor.time = wide(0)
-        taylor.state[:] = equations.start(start, case.eccentricity, wide)
-        taylor.propagate_until(wide(STOP))
-        ends[who] = taylor.state[:4].copy()
-    return ends
+    taylor = Taylor(heyoka, case, 1e-19, wide, fp_type=wide)
+    rounded = [wide(i * w) / wide(i) for i, w in zip(MOMENTS, case.rates, strict=True)]
+    return {who: taylor.end(taylor.start(start))
+            for who, start in (("peers", case.rates), ("polhode", rounded))}
 
 
 def polhode_contenders(case):
@@ -111,7 +142,7 @@ def polhode_contenders(case):
     orbit = ph.KeplerOrbit(ph.KeplerElements(
         gm=1.0, pericentre=1.0 - case.eccentricity, eccentricity=case.eccentricity))
     system = ph.System(ph.Body(*MOMENTS), terms=case.terms(ph, orbit))
-    start = ph.RotorState([1, 0, 0, 0], [i * w for i, w in zip(MOMENTS, RATES, strict=True)])
+    start = ph.RotorState([1, 0, 0, 0], [i * w for i, w in zip(MOMENTS, case.rates, strict=True)])
 
     def run(method):
         def once():
@@ -121,23 +152,16 @@ def polhode_contenders(case):
     methods = [("Adaptive", f"{t:g}", ph.Adaptive(t)) for t in (1e-11, 1e-13, 1e-15)]
     methods += [("VariationOfConstants", f"{t:g}", ph.VariationOfConstants(t))
                 for t in (1e-11, 1e-13)]
-    if hasattr(ph, "Collocation"):
-        methods += [("Collocation", "default", ph.Collocation())]
+    methods += [("Collocation", f"{t:g}", ph.Collocation(t)) for t in (1e-9, 1e-14)]
+    methods += [("Collocation", "default", ph.Collocation())]
     return [Contender(f"polhode {who}", setting, run(method)) for who, setting, method in methods]
 
 
 def heyoka_contenders(heyoka, case):
-    start = np.array(equations.start(RATES, case.eccentricity))
-
     def run(tolerance):
-        taylor = heyoka.taylor_adaptive(rates(heyoka, case), start.copy(), tol=tolerance)
-
-        def once():
-            taylor.time = 0.0
-            taylor.state[:] = start
-            taylor.propagate_until(STOP)
-            return 1, taylor.state[:4].copy()
-        return once
+        taylor = Taylor(heyoka, case, tolerance)
+        start = taylor.start(case.rates)
+        return lambda: (1, taylor.end(start))
     return [Contender("heyoka", f"{t:g}", run(t)) for t in (1e-11, 1e-13, 2.2e-16)]
 
 

@@ -12,9 +12,8 @@
 #include <gsl/gsl_sf_elljac.h>
 #define PEERS_GSL 1
 #endif
-#if __has_include(<GeographicLib/EllipticFunction.hpp>)
+#ifdef PEERS_GEOGRAPHIC  // by CMake, where the library is
 #include <GeographicLib/EllipticFunction.hpp>
-#define PEERS_GEOGRAPHIC 1
 #endif
 
 namespace peers {

@@ -8,6 +8,7 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/states_at.hpp"
 
 namespace peers {
 namespace {
@@ -49,31 +50,24 @@ class Polhode : public Motion {
   FreeRotation motion_;
 };
 
-// Where FreeRotation takes many times at once.
-template <class F>
-concept Lanes =
-    requires(const F& f, std::span<const double> t, std::span<RotorState> s) { f.at(t, s); };
-
-template <class F>
+// Many times at once, in place; then the angular velocity in the place of the momentum.
 class InLanes : public Motion {
  public:
-  explicit InLanes(const Start& s) : start_(s), motion_(body_of(s), state_of(s)) {}
+  explicit InLanes(const Start& s, InstructionSet set = widest_instruction_set())
+      : motion_(body_of(s), state_of(s)),
+        inverse_{1.0 / s.I[0], 1.0 / s.I[1], 1.0 / s.I[2]},
+        set_(set) {}
   void rows(std::span<const double> t, double* out) const override {
-    std::array<RotorState, 256> states;
-    for (std::size_t done = 0; done < t.size(); done += states.size()) {
-      const auto some = t.subspan(done, std::min<std::size_t>(states.size(), t.size() - done));
-      const std::span<RotorState> found = std::span(states).first(some.size());
-      if constexpr (Lanes<F>) motion_.at(some, found);
-      for (const RotorState& s : found) {
-        write_row(start_, s, out);
-        out += 7;
-      }
-    }
+    static_assert(sizeof(RotorState) == 7 * sizeof(double));
+    states_at(motion_.kernel(), t, {reinterpret_cast<RotorState*>(out), t.size()}, set_);
+    for (std::size_t i = 0; i < t.size(); ++i, out += 7)
+      for (std::size_t k = 0; k < 3; ++k) out[4 + k] *= inverse_[k];
   }
 
  private:
-  Start start_;
-  F motion_;
+  FreeRotation motion_;
+  std::array<double, 3> inverse_;
+  InstructionSet set_;
 };
 
 // Even times alone, from the first on: rows hold the momentum in place of the angular velocity.
@@ -81,7 +75,6 @@ class OnGrid : public Motion {
  public:
   explicit OnGrid(const Start& s) : motion_(body_of(s), state_of(s)) {}
   void rows(std::span<const double> t, double* out) const override {
-    static_assert(sizeof(RotorState) == 7 * sizeof(double));
     const double step = t.size() > 1 ? t[1] - t[0] : 0.0;
     motion_.at(TimeGrid{t[0], step}, {reinterpret_cast<RotorState*>(out), t.size()});
   }
@@ -168,13 +161,18 @@ void polhode_actions(std::span<const Start> of_one_body, double* actions) {
 
 Maker polhode_maker() { return {"polhode FreeRotation", make<false>, fresh<false>, action<false>}; }
 Maker polhode_lanes_maker() {
-  const char* const who = "polhode FreeRotation, many times at once";
-  if constexpr (!Lanes<FreeRotation>) return {who, nullptr, nullptr};
+  return {"polhode FreeRotation, many times at once",
+          [](const Start& s) -> std::unique_ptr<Motion> { return std::make_unique<InLanes>(s); },
+          nullptr};
+}
+Maker polhode_avx2_maker() {
+  const std::string who = polhode_lanes_maker().who + ", AVX2";
+  if (!supports(InstructionSet::avx2)) return {who, nullptr, nullptr};
   return {who,
           [](const Start& s) -> std::unique_ptr<Motion> {
-            return std::make_unique<InLanes<FreeRotation>>(s);
+            return std::make_unique<InLanes>(s, InstructionSet::avx2);
           },
-          fresh<false>};
+          nullptr};
 }
 Maker polhode_bodies_maker() {
   return {"polhode propagate, many bodies at once",

@@ -47,19 +47,20 @@ inline void print_line(const std::string& goal, const std::string& what, const E
 }
 
 // Each entry runs until `least` seconds are full, then the next; this `repetitions` times. Values
-// are nanoseconds for a unit of work.
+// are nanoseconds for a unit of work, by the thread's clock or another.
 inline void compare(const std::string& goal, const std::string& what,
-                    const std::vector<Entry>& entries, int repetitions, double least = 0.01) {
+                    const std::vector<Entry>& entries, int repetitions, double least = 0.01,
+                    double (*seconds)() = thread_seconds) {
   std::vector<std::vector<double>> values(entries.size());
   for (int r = -1; r < repetitions; ++r)  // the first warms up
     for (std::size_t k = 0; k < entries.size(); ++k) {
-      const double begin = thread_seconds();
+      const double begin = seconds();
       double passed = 0.0;
       int runs = 0;
       do {
         entries[k].run();
         ++runs;
-        passed = thread_seconds() - begin;
+        passed = seconds() - begin;
       } while (passed < (r < 0 ? 0.1 * least : least));
       if (r >= 0) values[k].push_back(1e9 * passed / (runs * entries[k].units));
     }

@@ -66,12 +66,13 @@ def polhode_contenders():
             *(Contender(f"polhode {who}", setting, run(m)) for who, setting, m in methods)]
 
 
-def error(program, q):
-    """Of an attitude at the end, by the textbook form."""
-    rows = [(0.0, 1.0, 0.0, 0.0, 0.0, *RATES), (STOP, *q, *RATES)]
-    text = "\n".join(" ".join(map(repr, map(float, row))) for row in rows)
-    done = subprocess.run([program, *map(repr, (*MOMENTS, *MOMENTUM))], input=text, check=True,
-                          text=True, stdout=subprocess.PIPE)
+def error_of(program, moments, momentum, t, q):
+    """Of the attitude q at a time, by the textbook form."""
+    rates = [g / i for g, i in zip(momentum, moments, strict=True)]
+    rows = [(0.0, 1.0, 0.0, 0.0, 0.0, *rates), (t, *q, *rates)]
+    text = "\n".join(" ".join(repr(float(x)) for x in row) for row in rows)
+    done = subprocess.run([program, *(repr(float(x)) for x in (*moments, *momentum))], input=text,
+                          check=True, text=True, stdout=subprocess.PIPE)
     return float(done.stdout)
 
 
@@ -86,4 +87,4 @@ def measured(options, program, missing):
         return []
     found = interleaved(polhode_contenders() + mujoco_contenders(mujoco), options.repetitions)
     return [{"who": t.who, "setting": t.setting, "seconds": t.median, "repetitions": t.seconds,
-             "error": error(program, t.ends[0])} for t in found]
+             "error": error_of(program, MOMENTS, MOMENTUM, STOP, t.ends[0])} for t in found]

@@ -3,9 +3,8 @@
 #include "boost_form.hpp"
 #include "textbook.hpp"
 
-#if __has_include(<GeographicLib/EllipticFunction.hpp>)
+#ifdef PEERS_GEOGRAPHIC  // by CMake, where the library is
 #include <GeographicLib/EllipticFunction.hpp>
-#define PEERS_GEOGRAPHIC 1
 #endif
 
 namespace peers {

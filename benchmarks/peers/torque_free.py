@@ -111,8 +111,8 @@ def lines(k, random, path, options, program):
             values["polhode FreeRotation", what].append(own_nanoseconds(run, units))
             values[WHO, what].append(java.nanoseconds(what))
     java.end()
-    cases = {"states": ("G1", f"k = {k:g}, {COUNT} times, from Python and Java"),
-             "prepare": ("G5", f"k = {k:g}, from Python and Java")}
+    cases = {"states": ("G1", f"from Python and Java, {COUNT} times, k = {k:g}"),
+             "prepare": ("G5", f"from Python and Java, k = {k:g}")}
     return [{"goal": cases[what][0], "case": cases[what][1], "who": who, "unit": "ns",
              "error": errors[who], "repetitions": values[who, what]} for who, what in values]
 

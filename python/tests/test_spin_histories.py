@@ -145,6 +145,8 @@ def test_it_is_pickled_and_shown():
     (lambda r, p: spin_histories(SERIES, r, p, [], METHOD), ValueError, "got no times"),
     (lambda r, p: spin_histories(SERIES, r, p, [-1.0, 1.0], METHOD), ValueError,
      "got times -1 and 1, on two sides of the epoch 0"),
+    (lambda r, p: spin_histories(SERIES, r, p, [0.0, 2.0, 1.0, 3.0], METHOD), ValueError,
+     "spin_histories: got times 2 and 1, running towards the epoch 0"),
     (lambda r, p: spin_histories(SERIES, 3.0, p, TIMES, METHOD), TypeError, "rates: got a float"),
     (lambda r, p: spin_histories(SERIES, [*r, 1.0], p, TIMES, METHOD), TypeError, "at index 3"),
     (lambda r, p: spin_histories(SERIES, r, p, TIMES, polhode.Adaptive()), TypeError,

@@ -169,17 +169,19 @@ void require_fitting(const char* what, std::size_t got, std::size_t bodies) {
                       std::to_string(bodies) + " bodies; expected as many, or one for all");
 }
 
-// Rows on the other side of the epoch, or beyond the last, would not be met.
-void require_one_side(const SaveAt& times, double epoch) {
-  const double last = times[times.size() - 1];
-  const auto fail = [&](double t, const char* how) {
+// Rows on the other side of the epoch, or beyond a later one, would not be met.
+void require_outward(const SaveAt& times, double epoch) {
+  const auto fail = [&](double t, double later, const char* how) {
     throw DomainError("spin_histories: got times " + detail::number_text(t) + " and " +
-                      detail::number_text(last) + ", " + how + " the epoch " +
+                      detail::number_text(later) + ", " + how + " the epoch " +
                       detail::number_text(epoch) + "; expected times that run away from it");
   };
+  const double last = times[times.size() - 1];
   for (std::int64_t k = 0; k < times.size(); ++k)
-    if ((last - epoch) * (times[k] - epoch) < 0.0) fail(times[k], "on two sides of");
-  if (std::abs(times[0] - epoch) > std::abs(last - epoch)) fail(times[0], "running towards");
+    if ((last - epoch) * (times[k] - epoch) < 0.0) fail(times[k], last, "on two sides of");
+  for (std::int64_t k = 1; k < times.size(); ++k)
+    if (std::abs(times[k - 1] - epoch) > std::abs(times[k] - epoch))
+      fail(times[k - 1], times[k], "running towards");
 }
 
 }  // namespace
@@ -196,7 +198,7 @@ std::vector<LostSpin> spin_histories(const OrbitHistory& orbit,
   require_valid(Method(method));
   const auto rows = static_cast<std::size_t>(times.size());
   if (rows == 0) throw DomainError("spin_histories: got no times; expected one or more");
-  require_one_side(times, epoch);
+  require_outward(times, epoch);
   if (results.size() % rows != 0)
     throw DomainError("spin_histories: got room for " + std::to_string(results.size()) +
                       " axes and " + std::to_string(rows) +

@@ -11,11 +11,12 @@ import pytest
 @pytest.fixture(scope="module")
 def peers(root):
     sys.path.insert(0, str(root / "benchmarks/peers"))
+    import goals
     import native
     import page
     import records
     import timing
-    yield type("Peers", (), {"native": native, "page": page, "records": records,
+    yield type("Peers", (), {"goals": goals, "native": native, "page": page, "records": records,
                              "timing": timing})
     sys.path.pop(0)
 
@@ -88,9 +89,80 @@ def test_the_page_says_where_polhode_is_slower(peers, entries):
     machine = {"revision": "abc", "command": "make", "cores": 2, "load": 1.0, "system": "Debian",
                "compiler": "g++", "versions": {"numpy": "2", "heyoka": None}, "missing": ["snvec"],
                "cpu": {"model": "m", "sets": ["avx2"]}}
-    text = "\n".join(peers.page.page([*entries, slow], machine, {}))
+    medians = [{"goal": "G7", "case": "", "who": who, "unit": "ns", "value": value, "error": 1e-16}
+               for who, value in (("polhode", 2.0), ("GeographicLib", 50.0))]
+    text = "\n".join(peers.page.page([*entries, slow], machine, {}, medians))
     assert "- G5: van Zon (5 times)." in text
     assert "| **0.2** |" in text
-    assert "| G1, k = 0.5 | Boost |" in text
+    assert "| G1 | Boost |" in text
+    assert "| G7 | sn, cn, dn, 20 times as fast as GeographicLib | 25 | yes |" in text
+    assert "| G15 | Mars unaveraged for a Myr" in text
+    assert text.count("| not measured |") == len(peers.goals.GOALS) - 1
     assert "Not measured: snvec." in text
-    assert "heyoka" not in text  # not installed
+    assert "heyoka" not in text.split("## The goals")[0]  # not installed
+
+
+def median(goal, case, who, value, error=None):
+    return {"goal": goal, "case": case, "who": who, "unit": "ns", "value": value, "error": error}
+
+
+def test_goals_are_judged_by_their_worst_case(peers):
+    goals = peers.goals
+    lanes, boost = goals.LANES, goals.BOOST
+    found = goals.Medians([
+        median("G1", "k = 0.5", lanes, 3.0, 1e-16), median("G1", "k = 0.5", boost, 6000.0, 1e-12),
+        median("G1", "k = 0.9", lanes, 10.0, 6e-16), median("G1", "k = 0.9", boost, 6000.0, 1e-9),
+        median("G1", "k = 0.9", lanes + ", AVX2", 20.0), median("G1", "k = 1", boost, 1.0)])
+    text, met = goals.Goal("G1", "", goals.ratios("G1", lanes, boost), 1300).line(found)
+    assert (text, met) == ("600 to 2000", "no")
+    assert goals.Goal("G1", "", goals.ratios("G1", lanes, boost), 500).line(found)[1] == "yes"
+    errors = goals.numbers("error", "G1", lanes)
+    assert goals.Goal("G3", "", errors, most=5e-16).line(found) == ("1.0e-16 to 6.0e-16", "no")
+    assert goals.Goal("G3", "", errors, most=1e-15).line(found)[1] == "yes"
+    assert goals.Goal("G2", "", goals.ratios("G2", lanes, boost)).line(found) == (
+        "not measured", "")
+    assert goals.quickest("G1", lanes[:-3] + "...", 5e-16, 1e3)(found) == [3000.0]
+    assert goals.between("G1", lanes, "k = 0.9", boost, "k = 0.5")(found) == [600.0]
+
+
+def test_a_default_that_errs_too_much_meets_no_goal(peers):
+    goals = peers.goals
+    entries = [median("G9", "W1, tolerance", goals.TIGHTEST, 8.0, 1e-11),
+               median("G9", "W1, tolerance", "polhode Adaptive, 1e-14", 4.0, 2e-11),
+               median("G9", "W1, tolerance", "polhode integrate_many of 8, default", 0.1, 1e-12)]
+    close = median("G9", "W1, tolerance", goals.DEFAULT, 1.0, 3e-11)
+    wrong = median("G9", "W1, tolerance", goals.DEFAULT, 1.0, 3e-10)
+    found = goals.beside_heyoka("W1")
+    assert list(found(goals.Medians([*entries, close]))) == [8.0]
+    assert list(found(goals.Medians([*entries, wrong]))) == [2.0]
+    assert list(found(goals.Medians([entries[0], wrong]))) == []
+
+
+def test_every_goal_has_a_line(peers):
+    names = {goal.name for goal in peers.goals.GOALS}
+    assert {f"G{k}" for k in range(1, 16)} <= names
+    for goal in peers.goals.GOALS:
+        assert goal.line(peers.goals.Medians([])) == ("not measured", "")
+
+
+def test_cases_that_differ_by_a_modulus_share_a_line(peers):
+    rows = [peers.records.record("G1", case, line("polhode a", [ours], 1e-16),
+                                 line("b", [theirs], error), "ns", command="it", revision="abc")
+            for case, ours, theirs, error in (
+                ("k = 0.05", 2.0, 100.0, 1e-12), ("k = 1 - 1e-9", 4.0, 100.0, 1e-5),
+                ("K, 1 - m = 2e-9", 4.0, 2.0, None))]
+    assert list(peers.page.table(rows))[2:] == [
+        "| G1 | b | 100 ns | 1.0e-05 | a | 2 to 4 ns | 1.0e-16 | 25 to 50 |",
+        "| G1, K | b | 2 ns |  | a | 4 ns | 1.0e-16 | **0.5** |"]
+
+
+def test_the_shadow_of_a_case_is_entered_and_left_in_order(peers):
+    pytest.importorskip("numpy")
+    import sunlight
+    edges = sunlight.edges(20.0)
+    assert [light for _, light in edges[:5]] == ["all", "part", "none", "part", "all"]
+    assert edges[-1] == (20.0, "all")
+    moved = sunlight.with_margins(edges)
+    assert all(a[0] < b[0] for a, b in zip(moved, moved[1:], strict=False))
+    assert 0 < moved[0][0] - edges[0][0] < 1e-5 * (edges[1][0] - edges[0][0])
+    assert 0 > moved[1][0] - edges[1][0]

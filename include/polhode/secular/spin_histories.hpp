@@ -10,7 +10,7 @@
 // Errors      a body that fails, fails alone: its axes are NaN from there on, and how it ended is
 //             in the list that is returned. DomainError for spans that do not fit together, for a
 //             method that is out of range, and for a set that this processor lacks.
-// Cost        3 ns a body for a turn, of which order 8 makes 17 a step, and 17 for a time between
+// Cost        3 ns a body for a turn, of which order 8 makes 18 a step, and 18 for a time between
 //             two steps; 150 ns for the orbit, which up to 256 bodies share.
 #pragma once
 
