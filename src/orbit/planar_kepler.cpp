@@ -47,12 +47,12 @@ BasicKeplerAnomaly<DoubleDouble> PlanarKepler::anomaly(const DoubleDouble& t) co
   return eccentric_anomaly(mean_anomaly(t), shape_.eccentricity);
 }
 
-BasicPlanarPoint<double> PlanarKepler::solved_point(double t, double rest) const {
-  return point_of(direction(t, rest));
+inline BasicPlanarPoint<double> PlanarKepler::point_of(const Direction& at) const {
+  return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
 }
 
-BasicPlanarPoint<double> PlanarKepler::point_of(const Direction& at) const {
-  return {shape_.pericentre.hi - a_.hi * at.versine, b_.hi * at.sine};
+BasicPlanarPoint<double> PlanarKepler::solved_point(double t, double rest) const {
+  return point_of(direction(t, rest));
 }
 
 BasicPlanarPoint<double> PlanarKepler::position(double t, double rest) const {
@@ -79,6 +79,11 @@ BasicPlanarMotion<T> planar_motion(const T& sine, const T& versine, const T& q, 
 
 }  // namespace
 
+inline BasicPlanarMotion<double> PlanarKepler::motion_of(const Direction& at) const {
+  return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
+                               shape_.mean_motion.hi, rounded_, hyperbola_);
+}
+
 BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
   if (table_ && table_->holds(t, 0.0)) {
     const BasicPlanarPoint<double> at = table_->at(t, 0.0);
@@ -88,11 +93,6 @@ BasicPlanarMotion<double> PlanarKepler::motion(double t) const {
     return motion;
   }
   return motion_of(direction(t, 0.0));
-}
-
-BasicPlanarMotion<double> PlanarKepler::motion_of(const Direction& at) const {
-  return planar_motion<double>(at.sine, at.versine, shape_.pericentre.hi, a_.hi, b_.hi,
-                               shape_.mean_motion.hi, rounded_, hyperbola_);
 }
 
 BasicPlanarMotion<DoubleDouble> PlanarKepler::motion(const DoubleDouble& t) const {

@@ -119,7 +119,8 @@ double PrecessingKeplerOrbit::last_time() const {
 
 PrecessingKeplerOrbit::Axes<double> PrecessingKeplerOrbit::axes(double t) const {
   const SinCos<double> fixed{inclination_.sin.hi, inclination_.cos.hi};
-  return {node_.at(t), argument_.at(t), tilt_ ? tilt_->at(t) : fixed};
+  const UniformAngle::Two two = UniformAngle::both(node_, argument_, t);
+  return {two.first, two.second, tilt_ ? tilt_->at(t) : fixed};
 }
 
 PrecessingKeplerOrbit::Axes<DoubleDouble> PrecessingKeplerOrbit::axes(const DoubleDouble& t) const {

@@ -44,6 +44,15 @@ SinCos<double> UniformAngle::at(double t, double rest) const {
   return {at.sin.lanes[0], at.cos.lanes[0]};
 }
 
+UniformAngle::Two UniformAngle::both(const UniformAngle& first, const UniformAngle& second,
+                                     double t) {
+  using Pair = Pack<InstructionSet::baseline>;
+  const Reduced a = first.reduced(t, 0.0), b = second.reduced(t, 0.0);
+  const auto at = detail::sines_beyond(Pair(Pair::Doubles{a.angle, b.angle}),
+                                       Pair(Pair::Doubles{a.beyond, b.beyond}));
+  return {{at.sin.lanes[0], at.cos.lanes[0]}, {at.sin.lanes[1], at.cos.lanes[1]}};
+}
+
 void UniformAngle::at(const TimeRows& times, double* sine, double* cosine,
                       InstructionSet set) const {
   const detail::OrbitLanes lanes = detail::orbit_lanes(set);

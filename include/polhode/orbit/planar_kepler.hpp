@@ -83,8 +83,8 @@ class PlanarKepler {
   // position(), by table; where it does not serve, by Kepler's equation
   inline BasicPlanarPoint<double> point(double t, double rest) const;
   BasicPlanarPoint<double> solved_point(double t, double rest) const;
-  BasicPlanarPoint<double> point_of(const Direction& at) const;
-  BasicPlanarMotion<double> motion_of(const Direction& at) const;
+  inline BasicPlanarPoint<double> point_of(const Direction& at) const;
+  inline BasicPlanarMotion<double> motion_of(const Direction& at) const;
   detail::SteadyEllipse ellipse() const;
   BasicKeplerAnomaly<DoubleDouble> anomaly(const DoubleDouble& t) const;
 

@@ -35,6 +35,11 @@ class UniformAngle {
   // Of the angle at t + rest; T = double, DoubleDouble, a Dual of them, or any other Real.
   SinCos<double> at(double t, double rest = 0.0) const;
   SinCos<DoubleDouble> at(const DoubleDouble& t) const;
+  // Of two of them at t, in the time of one.
+  struct Two {
+    SinCos<double> first, second;
+  };
+  static Two both(const UniformAngle& first, const UniformAngle& second, double t);
   // The same in double at many times, in lanes.
   void at(const TimeRows& times, double* sine, double* cosine, InstructionSet set) const;
   template <Real T, int N>

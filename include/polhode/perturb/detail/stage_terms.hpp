@@ -122,7 +122,7 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
   }
   // of_time(at, i) of every stage
   template <class F>
-  void each_stage(const StageTimes& times, const F& of_time) {
+  [[gnu::always_inline]] void each_stage(const StageTimes& times, const F& of_time) {
     Setting at = stage_setting(body_, times, 0, sides_);
     for (std::size_t i = 0; i < count_; ++i) {
       at.t = times.t[i];
