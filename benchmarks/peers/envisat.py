@@ -177,7 +177,7 @@ def measured(options, missing):
     import polhode as ph
     example = ph.load(EXAMPLE)
     found = interleaved(polhode_contenders(ph, example) + heyoka_contenders(heyoka, example),
-                        min(options.repetitions, 3))
+                        options.repetitions)
     return [{"who": t.who, "setting": t.setting, "seconds": t.median, "repetitions": t.seconds,
              "error": equations.angle(t.ends[0], END)} for t in found]
 

@@ -41,4 +41,4 @@ def measured(options):
     _, exact = run(ph.Collocation(1e-14))()
     return [{"who": t.who, "setting": t.setting, "seconds": t.median, "repetitions": t.seconds,
              "error": float(np.linalg.norm(t.ends[0] - exact))}
-            for t in interleaved(contenders, min(options.repetitions, 3))]
+            for t in interleaved(contenders, options.repetitions)]

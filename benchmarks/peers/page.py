@@ -92,7 +92,8 @@ def error(x):
 
 def span(values, text):
     """From the smallest to the largest, where they read otherwise."""
-    low, high = text(min(values)), text(max(values))
+    ordered = sorted(values)
+    low, high = text(ordered[0]), text(ordered[-1])
     if low == high:
         return low
     number_, unit = low.split(" ") if " " in low else (low, "")
@@ -100,8 +101,8 @@ def span(values, text):
 
 
 def worst(errors):
-    known = [e for e in errors if e is not None]
-    return error(max(known)) if known else ""
+    known = sorted(e for e in errors if e is not None)
+    return error(known[-1]) if known else ""
 
 
 def table(rows):
@@ -141,7 +142,7 @@ def figure(curves, path):
     rows = (len(names) + 1) // 2
     picture, axes = pyplot.subplots(rows, 2, figsize=(11, 4.4 * rows + 0.8), squeeze=False,
                                     layout="constrained")
-    colours, handles = {}, {}
+    colours, handles = {True: {}, False: {}}, {}
     for spare in axes.flat[len(names):]:
         spare.set_axis_off()
     for ax, name in zip(axes.flat, names, strict=False):
@@ -149,8 +150,9 @@ def figure(curves, path):
         for p in curves[name]["points"]:
             groups.setdefault(p["who"], []).append((p["seconds"], p["error"]))
         for who, points in groups.items():
-            colour = colours.setdefault(who, pyplot.get_cmap("tab10")(len(colours) % 10))
-            style = "o-" if who.startswith("polhode") else "s--"
+            ours = who.startswith("polhode")
+            own, style, palette = colours[ours], *(("o-", "tab10") if ours else ("s--", "Dark2"))
+            colour = own.setdefault(who, pyplot.get_cmap(palette)(len(own)))
             handles[who], = ax.loglog(*zip(*sorted(points), strict=True), style, ms=4, lw=1.2,
                                       color=colour, label=who)
         ax.set(title=name, xlabel=curves[name].get("unit", "CPU time (s)"), ylabel="error (rad)")
