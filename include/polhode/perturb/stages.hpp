@@ -65,6 +65,8 @@ class StageTerm {
   virtual void add_to(StageEffects& effects, const StageStates& states) = 0;
   // Whether v may be other than 0.
   virtual bool adds_rate() const = 0;
+  // Whether its torque is known to have no jump and no kink but at breakpoints and edges.
+  virtual bool is_smooth() const { return false; }
   // What does for several bodies at a time; null where each has to be asked by itself.
   virtual const detail::StageLaw* law() const { return nullptr; }
 };

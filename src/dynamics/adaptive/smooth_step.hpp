@@ -12,6 +12,7 @@
 
 #include "dynamics/adaptive/adaptive_failure.hpp"
 #include "dynamics/adaptive/breakpoints.hpp"
+#include "dynamics/adaptive/edge_grading.hpp"
 #include "dynamics/adaptive/edge_search.hpp"
 #include "dynamics/adaptive/switch_watch.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
@@ -103,10 +104,11 @@ template <class Solver, class Field>
 class SmoothStep {
  public:
   SmoothStep(Solver& solver, const Field& field, const Breakpoints& breakpoints,
-             SwitchWatch& switches, double stop)
+             SwitchWatch& switches, EdgeGrading& grading, double stop)
       : solver_(solver),
         field_(field),
         switches_(switches),
+        grading_(grading),
         stop_(stop),
         begin_(solver.time()),
         start_(switches.is_needed() ? rotor() : RotorState{}) {
@@ -123,7 +125,10 @@ class SmoothStep {
   // The same piece by piece: the solver is taken to end(), as often as tried() says nothing.
   std::string begin() {
     if (std::string nan = switches_.begin(begin_, start_); !nan.empty()) return nan;
-    if (switches_.size() > 0) shorten_to(switches_.longest_step(start_));
+    if (switches_.size() > 0) {
+      shorten_to(switches_.longest_step(start_));
+      grade();
+    }
     prepare();
     return {};
   }
@@ -154,6 +159,16 @@ class SmoothStep {
     savepoint_.reset();
     if (switches_.size() > 0) savepoint_ = solver_.savepoint();
   }
+  void grade() {
+    if constexpr (requires { solver_.wanted(); }) {
+      const double wanted = solver_.wanted();
+      if (!(wanted > 0.0)) return;
+      const double rest = (DoubleDouble(stop_) - begin_).hi;
+      const double longest = grading_.longest(switches_, begin_, start_, wanted, rest);
+      if (longest > wanted) solver_.want(longest);
+      shorten_to(longest);
+    }
+  }
   void shorten_to(double longest) {
     if (std::abs(end_ - begin_.hi) > longest)
       end_ = begin_.hi + std::copysign(longest, end_ - begin_.hi);
@@ -176,6 +191,7 @@ class SmoothStep {
         switches_.refused_jump(*crossed_, solver_.time(), s, {start_, between(start_, s)});
     if (refused.empty()) {
       switches_.cross(*crossed_);
+      grading_.cross(*crossed_, end_);
     } else {
       solver_.roll_back(savepoint);
     }
@@ -210,6 +226,7 @@ class SmoothStep {
         return switches_.text(edge.which) + " stays at zero after t = " + number_text(begin_.hi) +
                ", and its torque switches to and fro: give it a dead zone, or let it change "
                "smoothly through zero";
+      grading_.cross(edge.which, begin_.hi);
       return {};
     }
     end_ = (begin_ + length).hi;
@@ -220,6 +237,7 @@ class SmoothStep {
   Solver& solver_;
   const Field& field_;
   SwitchWatch& switches_;
+  EdgeGrading& grading_;
   double stop_;
   DoubleDouble begin_;
   RotorState start_;

@@ -32,18 +32,20 @@ class SmoothSteps {
   // The same piece by piece.
   template <class Solver, class Field>
   SmoothStep<Solver, Field> step(Solver& solver, const Field& field, double stop) {
-    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, stop);
+    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop);
   }
   template <class Rates>
   void transfer(StateBytes& bytes, Rates& rates) {
     bytes.all(rates.stretch.from, rates.stretch.to);  // of the step made last
     switches_.transfer(bytes);
     switches_.transfer(bytes, rates.sides);
+    grading_.transfer(bytes);
   }
 
  private:
   Breakpoints breakpoints_;
   SwitchWatch switches_;
+  EdgeGrading grading_;
 };
 
 template <class Field>

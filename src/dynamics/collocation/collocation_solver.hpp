@@ -21,16 +21,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// `Stages` are the equations of motion of one kind of state inside one step after the other, as
-// RotorStages are: types Field, Rates (a callable with a member `field`), Values, State (members y
-// and carry) and Rows (one StageRow for each number), and
-//   Stages(std::shared_ptr<const Field>, std::size_t stages, InstructionSet)
-//   begin(t, state, h, sides)                the step to come
-//   guess_start(), guess(rows, matrix, of)   the stages before the first sweep
-//   sweep()                                  the largest change; or solved(enough, sweeps)
-//   coefficients(rows), drive(rows)          of the rates, and of the terms where they are known
-//   finished(), length(), scheme()           the end of the step
-//   blank(numbers)                           rows of as many numbers
+// `Stages`: see rotor_stages.hpp.
 template <class Stages>
 class BasicCollocationSolver {
  public:
@@ -104,6 +95,11 @@ class BasicCollocationSolver {
   const Rates& field() const { return rates_; }
   // For what of it its owner changes between steps.
   Rates& field() { return rates_; }
+  // How long the next step is to be, where it is under control.
+  double wanted() const { return control_.is_fixed ? 0.0 : next_.h; }
+  void want(double length) {
+    if (!control_.is_fixed) next_.h = std::min(length, next_.largest_step());
+  }
   // From the next step on, none under control is longer.
   void limit_steps(double largest) { next_.limit(largest); }
   // Why a step was not made, where it is the solver that cannot make it; else empty.
@@ -245,10 +241,20 @@ class BasicCollocationSolver {
     const StepEstimate<typename Stages::Field, Values> error{*rates_.field, stages(), trial_,
                                                              state_.y, increment};
     const double whole = error.of_motion(rates);
-    if constexpr (requires { stages_.drive(drive_); })
-      return stages_.drive(drive_) ? larger(whole, error.of_effects(drive_)) : whole;
-    else
+    if constexpr (requires { stages_.drive(drive_); }) {
+      if (!stages_.drive(drive_)) return whole;
+      const double known = larger(whole, error.of_effects(drive_));
+      if (control_.is_fixed || stages_.is_smooth() || !(known <= control_.step.tolerance))
+        return known;
+      evaluations_ += 2;
+      const auto effects = [&](const DoubleDouble& t, const Values& y) {
+        return stages_.effects(rates_.stretch.inside(t), y, rates_.sides.get());
+      };
+      return larger(known, error.of_ends(drive_, effects(t_, state_.y),
+                                         effects(t_ + trial_, next.y), stages_.scheme().c[0]));
+    } else {
       return larger(whole, error.of_tail(rates));
+    }
   }
   // Half a radian, or what the terms need to make half of the momentum.
   double first_step(double rest) {

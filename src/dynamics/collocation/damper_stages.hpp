@@ -73,6 +73,13 @@ class DamperStages : public JoinedStages<SweptDamper, 3> {
     }
     return moved == 0.0 ? rotor : larger(rotor, moved / scale);
   }
+  std::array<double, 6> effects(const DoubleDouble& t, const Values& y,
+                                const SwitchSides* sides) const {
+    std::array<double, 6> found = JoinedStages::effects(t, y, sides);
+    const Vec3 v = field_->kernel().rate_of_body({y[7], y[8], y[9]});
+    for (int n = 0; n < 3; ++n) found[3 + static_cast<std::size_t>(n)] += v[n];
+    return found;
+  }
   State finished() {
     for (std::size_t n = 0; n < 3; ++n)  // as the sums take them
       for (std::size_t i = 0; i < scheme().stages; ++i)

@@ -73,6 +73,13 @@ class JoinedStages {
     lanes_.transform(scheme().coefficient, scheme().stages, rest_.F.data(), more, to.data() + 7);
   }
   bool drive(RotorStages::Rows& to) const { return rotor_.drive(to); }
+  bool is_smooth() const { return rotor_.is_smooth(); }
+  std::array<double, 6> effects(const DoubleDouble& t, const Values& y,
+                                const SwitchSides* sides) const {
+    RotorStages::Values first{};
+    std::copy_n(y.begin(), 7, first.begin());
+    return rotor_.effects(t, first, sides);
+  }
   State finished() {
     const RotorStages::State first = rotor_.finished();
     lanes_.finish(rotor_.weights(), rest_);

@@ -19,6 +19,17 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// `Stages` are the equations of motion of one kind of state inside one step after the other, as
+// RotorStages are: types Field, Rates (a callable with a member `field`), Values, State (members y
+// and carry) and Rows (one StageRow for each number), and
+//   Stages(std::shared_ptr<const Field>, std::size_t stages, InstructionSet)
+//   begin(t, state, h, sides)                the step to come
+//   guess_start(), guess(rows, matrix, of)   the stages before the first sweep
+//   sweep()                                  the largest change; or solved(enough, sweeps)
+//   coefficients(rows), drive(rows)          of the rates, and of the terms where they are known
+//   effects(t, y, sides), is_smooth()        of the same terms; whether they are known to be smooth
+//   finished(), length(), scheme()           the end of the step
+//   blank(numbers)                           rows of as many numbers
 class RotorStages {
  public:
   using Field = RotorField<double>;
@@ -36,6 +47,7 @@ class RotorStages {
     for (const AnyPerturbation& term : field_->system().terms()) {
       terms_.push_back(term.on_stages(field_->system().body(), set));
       step_.has_rate = step_.has_rate || terms_.back()->adds_rate();
+      is_smooth_ = is_smooth_ && terms_.back()->is_smooth();
     }
     step_.has_frame = !field_->system().frame().is_inertial();
     times_.count = stages;
@@ -128,6 +140,17 @@ class RotorStages {
     lanes_.transform(scheme_.coefficient, scheme_.stages, step_.drive, to);
     return true;
   }
+  // Whether all terms are known to be smooth.
+  bool is_smooth() const { return is_smooth_; }
+  // What the terms of the system do at any time, in the order of `drive`.
+  std::array<double, 6> effects(const DoubleDouble& t, const Values& y,
+                                const SwitchSides* sides) const {
+    const RotorEquations<double>& equations = field_->equations();
+    Setting at = equations.setting(t, rotor_state(y));
+    if (step_.has_frame) at.q_IS = equations.frame_motion(t).q_IS;
+    const Effect e = sum_of_terms(equations.system(), at, sides);
+    return {e.u.x, e.u.y, e.u.z, e.v.x, e.v.y, e.v.z};
+  }
   // The state at the end, the padding of an array of Values included.
   State finished() {
     if (is_given_) return given_.end;
@@ -200,6 +223,7 @@ class RotorStages {
   RotorStep step_;
   Guess waiting_;
   Solution given_;
+  bool is_smooth_ = true;
   bool is_put_off_ = false, is_placed_ = false, is_given_ = false;
   double h_ = 0.0;
   DoubleDouble length_;

@@ -35,6 +35,8 @@ class StepChoice {
   void made(double length, double error, bool repeated, bool is_slow) {
     constexpr int while_of_steps = 32;
     constexpr double least_growth = 1.2;
+    // A step cut short by an end says little of the next one.
+    if (!repeated && length < h) return;
     if (repeated) {
       patience_ = while_of_steps;
       h = length;
@@ -43,8 +45,7 @@ class StepChoice {
     since_ = repeated ? 1 : since_ + 1;
     if (since_ < patience_) return;
     const double factor = is_slow ? 0.9 : wanted(largest_error_);
-    // A step cut short by the end says little of the next one.
-    if (length >= h && (factor < 1.0 || factor >= least_growth))
+    if (factor < 1.0 || factor >= least_growth)
       h = length * factor;
     else
       patience_ = while_of_steps;

@@ -53,6 +53,25 @@ struct StepEstimate {
     }
     return field.error_size(error, y, increment);
   }
+  // What no stage sees: a jump or a kink between the outermost stages and the ends of the step, of
+  // which they are `gap` apart. At the ends the effects are then not those of the polynomial.
+  double of_ends(const DriveRows& drive, const std::array<double, 6>& first,
+                 const std::array<double, 6>& last, double gap) const {
+    constexpr double much = 16.0;  // times what an analytic effect leaves to further degrees
+    Values error = zeros_like(y);
+    for (std::size_t n = 0; n < 6; ++n) {
+      double at_first = first[n], at_last = last[n];
+      for (std::size_t m = 0; m < s; ++m) {
+        at_first -= m % 2 == 0 ? drive[n][m] : -drive[n][m];
+        at_last -= drive[n][m];
+      }
+      const double miss = larger(std::abs(at_first), std::abs(at_last));
+      const double tail = larger(pair(drive[n], s - 1), pair(drive[n], s - 2));
+      const double size = miss <= much * tail ? 0.0 : h * (gap * miss);
+      error[n < 3 ? 4 + n : n - 2] = n < 3 ? size : 0.5 * size;
+    }
+    return field.error_size(error, y, increment);
+  }
   // The same of rates of which nothing more is known. Coefficients that do not fall any more are
   // those of something that the step does not resolve, however little it is.
   template <class Rows>

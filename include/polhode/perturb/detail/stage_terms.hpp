@@ -88,6 +88,7 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
             {filled_stages(count_), most_stages, first_of_time(), states.rows[0].data(),
              moments_.data(), effects.v[0].data(), effects.u[0].data()});
   }
+  bool is_smooth() const override { return LibraryLaw<Law>; }
   bool adds_rate() const override { return Law::adds_rate; }
   const StageLaw* law() const override { return sides_.empty() ? this : nullptr; }
 
