@@ -245,7 +245,7 @@ continues : whether another run has ended at `start`: an event there is that run
       nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
                                   &PythonProblem::method, &PythonProblem::events>()))
       .def("__init__", make_problem, "system"_a, "initial"_a, "start"_a, "stop"_a,
-           "method"_a.sig("Adaptive()") = Adaptive{}, "events"_a = nb::make_tuple(),
+           "method"_a.sig("Collocation()") = default_rotor_method, "events"_a = nb::make_tuple(),
            "damper_rate"_a = nb::make_tuple(0.0, 0.0, 0.0), "continues"_a = false)
       .def_ro("system", &PythonProblem::system, "The very object that was given.")
       .def_ro("initial", &PythonProblem::initial, "The state at `start`.")
