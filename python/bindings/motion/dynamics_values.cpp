@@ -107,8 +107,9 @@ step : 0: chosen by the tolerance. Else every step is so long, and nothing check
     makes; the method is then symmetric, and symplectic to its order for terms with an energy.
 largest_step : as in Adaptive; with steps under control.
 
-Implicit, solved by sweeps; a run fails where they do not converge. Most accurate for its time
-where torques are smooth; for kinks and jumps that no term names take Adaptive.)",
+The default of a Problem. Implicit, solved by sweeps; a run fails where they do not converge. Most
+accurate for its time where torques are smooth; for kinks and jumps that no term names take
+Adaptive.)",
       method_made<Collocation>,
       field("tolerance", &Collocation::tolerance, "Of the local error of a step.", 1e-12),
       field("stages", &Collocation::stages, "4, 8 or 16.", 8).but_quiet(),
