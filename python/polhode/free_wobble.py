@@ -145,7 +145,7 @@ def without_free_wobble(
     initial : one RotorState at `start`, near rotation about an axis of the largest or smallest
         moment: its free motion is that of the short or the long axis.
     start : in the unit of time of the system.
-    method : of the runs. None: Adaptive().
+    method : of the runs. None: that of a Problem without one.
     periods : length of the runs, in free wobbles as the body sees them, 6 or more: the more, the
         better it is told from what the torques do at nearly the same rate.
     damper_rate : (3,), as in Problem.
@@ -164,7 +164,7 @@ def without_free_wobble(
     Runs the system for `periods` wobbles a few times. [SA (24)]
     """
     start, periods = float(_numbers(start, "start")), _whole_periods(periods)
-    method = _core.Adaptive() if method is None else method
+    how = {} if method is None else {"method": method}
     mode = _mode(system.body, initial)
     q, g = np.array(initial.q), np.array(initial.g)
     span = periods * 2 * math.pi / abs(mode.rate)
@@ -175,7 +175,7 @@ def without_free_wobble(
     kept, left, rate = g, 0.0, mode.rate
     for _ in range(_ROUNDS):
         problem = _core.Problem(
-            system, _core.RotorState(q, g), start, start + span, method, damper_rate=damper_rate
+            system, _core.RotorState(q, g), start, start + span, **how, damper_rate=damper_rate
         )
         p = _circle(problem, start + offsets, mode)
         # The rate depends on the amplitude.

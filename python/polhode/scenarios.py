@@ -133,7 +133,7 @@ class Scenario:
         state : at t = 0, in any chart, or a FreeRotation. A chart that files do not know becomes a
             quaternion and a momentum.
         time : SaveAt, (start, stop, step), or times (N,).
-        method : None: exact where nothing acts, otherwise Adaptive().
+        method : None: exact where nothing acts, otherwise Collocation().
         columns : groups of columns.
         units : of the outputs; a Units, or a dict for it. The numbers of the objects are in its
             units of time, moment and length, and in radians.

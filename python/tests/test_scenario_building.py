@@ -151,7 +151,7 @@ def test_a_run_of_the_file_is_the_run_of_the_objects(units):
 def test_methods(method):
     system = System(BODY, terms=[ConstantTorque.in_body((0.1, 0.0, 0.0))])
     made = Scenario.build(system, STATES[0], (0, 1, 0.5), method)
-    assert made.method == (Adaptive() if method is None else method)
+    assert made.method == (Collocation() if method is None else method)
     assert Scenario.build(BODY, STATES[0], (0, 1, 0.5)).method is None
 
 

@@ -187,7 +187,7 @@ def test_a_map_of_sections_has_the_points_of_each_start():
     plain = Scenario.from_text(
         SECTION.replace("0.95", "0.8").replace("130]", "60]").partition("[[map.axis]]")[0]
     )
-    problem = Problem(plain.system, plain.initial_state, 0.0, 100.0, Adaptive())
+    problem = Problem(plain.system, plain.initial_state, 0.0, 100.0)
     found = spin_orbit_section(problem, plain.orbits["planet"])
     assert_array_equal(points["spin"][points.cell == 0], found.spin)
     assert_allclose(

@@ -175,7 +175,7 @@ def test_what_a_trajectory_shows():
     r = run(events=[Event("g2", lambda t, s: s.g[1], stops=True)])
     (event,) = r.events
     assert repr(r) == (
-        f"<Trajectory: {len(r)} samples, t = 0.0 to {r.stop}; adaptive, tolerance 1e-12, "
+        f"<Trajectory: {len(r)} samples, t = 0.0 to {r.stop}; collocation, tolerance 1e-12, "
         f"{r.statistics.steps} steps; 1 event; stopped by an event at t = {r.stop}>"
     )
     assert repr(event) == f"<EventRecord: g2 at t = {event.t}, falling>"

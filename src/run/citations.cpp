@@ -92,6 +92,7 @@ constexpr Paper papers[] = {
     of_kind("thebault2015"),
     of_kind("verner2010"),
     of_kind("butcher1964"),
+    of_kind("antonana2017"),
     of_kind("celledoni2008"),
     of_kind("blanesmoan2002"),
     of_kind("kahanli1997"),

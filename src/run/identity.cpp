@@ -8,6 +8,7 @@
 
 #include "polhode/trajectory/state_bytes.hpp"
 #include "polhode/version.hpp"
+#include "run/detail/experiment_parts.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -68,6 +69,9 @@ Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs) {
       {"scenario", document.name + " " + std::to_string(document.text.size()) + " bytes, " +
                        fingerprint_text(document.text)},
       {"files of the scenario", files},
+      {"method",  // the default of an older build may have been another
+       std::visit([&](const auto& kind) { return propagation_text(kind, scenario.units()); },
+                  scenario.experiment)},
       {"orbits and torques",
        std::visit([](const auto& kind) { return surroundings_of(kind); }, scenario.experiment)}};
   for (const std::string& path : outputs.paths) identity.push_back({"outputs", file_name(path)});
@@ -80,6 +84,7 @@ std::string difference(const Identity& theirs, const Identity& ours) {
   for (std::size_t i = 0; i < theirs.size() || i < ours.size(); ++i) {
     const IdentityPart was = i < theirs.size() ? theirs[i] : IdentityPart{ours[i].name, ""};
     const IdentityPart is = i < ours.size() ? ours[i] : IdentityPart{was.name, ""};
+    if (was.name != is.name) return is.name + " was not kept, is \"" + is.text + "\"";
     if (was.text != is.text) return is.name + " was \"" + was.text + "\", is \"" + is.text + "\"";
   }
   return {};

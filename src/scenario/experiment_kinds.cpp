@@ -51,7 +51,7 @@ OwnExperiment made_own(const KindContext& at) {
            "expected none: rows of kind " + path + " have all of its columns");
   const std::optional<SaveAt> rows = times_of(at.values, at.name);
   if (!rows) refuse(at.values, "kind", at.name, "expected a table [time] as well");
-  const Method method = method_of(at).value_or(Adaptive{});
+  const Method method = method_of(at).value_or(default_model_method);
   const KeyValues table(at.values, at.units, path, at.name);
   return built(at.values, path, at.name,
                [&] { return kind->made(ExperimentContext(table, *rows, method)); });

@@ -62,7 +62,7 @@ RotorState initial_state(const Rotation& rotation) {
 std::optional<Method> propagation_method(const Rotation& rotation) {
   if (rotation.method) return rotation.method;
   if (rotation.terms.empty() && !rotation.damper) return std::nullopt;
-  return Adaptive{};
+  return default_rotor_method;
 }
 
 const std::optional<SaveAt>& row_times(const Rotation& rotation) { return rotation.time; }
@@ -75,7 +75,7 @@ DampedProblem rotor_problem(const Rotation& rotation) {
           {initial_state(rotation), rotation.damper_rate},
           0.0,
           rows[rows.size() - 1],
-          propagation_method(rotation).value_or(Adaptive{})};
+          propagation_method(rotation).value_or(default_rotor_method)};
 }
 
 double detail::initial_energy(const DampedProblem& problem) {

@@ -195,7 +195,7 @@ def test_hdf5_holds_what_csv_holds(run, write, table, tmp_path):
     with h5py.File(tmp_path / "a.h5") as file:
         assert set(file) == {"t", *groups}
         assert any("precessing" in note for note in file.attrs["notes"])
-        assert any("method: adaptive" in note for note in file.attrs["notes"])
+        assert any("method: collocation" in note for note in file.attrs["notes"])
         stack = numpy.column_stack([file[group] for group in ["t", *groups]])
         listed = [name for group in ["t", *groups] for name in file[group].attrs["columns"]]
     assert names == listed and len(set(names)) == len(names)
@@ -270,11 +270,11 @@ def test_info_and_outputs_say_what_moves_the_body(run, write):
     assert table["perturbation_1"] == "gravity gradient, orbit moon"
     assert table["frame"] == "plane of orbit moon"
     assert table["event_1"] == "theta = 1 rad"
-    chosen = "adaptive, tolerance 1e-12 (chosen: the file names no method)"
+    chosen = "collocation, tolerance 1e-12 (chosen: the file names no method)"
     assert table["method"] == chosen
     assert f"# method: {chosen}" in run("run", path).stdout.splitlines()
     cited = run("cite", path).stdout
-    assert "verner2010" in cited and "markley1995" in cited and "efroimsky2007" in cited
+    assert "butcher1964" in cited and "markley1995" in cited and "efroimsky2007" in cited
     free = write(BODY + STATE + "[frame.precessing]\naxis = [0, 0, 1]\nrate = 1\n")
     assert json.loads(run("info", free, "--json").stdout)["method"] == \
         "exact free rotation, seen from the moving frame"

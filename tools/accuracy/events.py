@@ -8,7 +8,16 @@ import time
 
 import numpy as np
 import polhode
-from polhode import Adaptive, Event, Problem, RotorState, Splitting, System, VariationOfConstants
+from polhode import (
+    Adaptive,
+    Collocation,
+    Event,
+    Problem,
+    RotorState,
+    Splitting,
+    System,
+    VariationOfConstants,
+)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/accuracy/events.md"
@@ -97,6 +106,7 @@ CASES = {
         RotorState([0.98, 0.01, 0.02, 0.2], [0.0, 0.02, 1.25]), 60.0),
 }
 METHODS = {
+    "Collocation 1e-12": Collocation(1e-12),
     "Adaptive 1e-12": Adaptive(1e-12),
     "Adaptive 1e-6": Adaptive(1e-6),
     "Variation 1e-12": VariationOfConstants(1e-12),

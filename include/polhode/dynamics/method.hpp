@@ -9,13 +9,13 @@
 // Units       steps in the unit of time of the system; tolerance is relative to |q| = 1 and to |g|.
 // Domain      tolerance from 1e-15 to 1e-2 (DoubleDouble: from 1e-30); a step that is positive.
 //             Splitting and VariationOfConstants: rates |g|/I from 1e-28 to 1e28 per unit of time;
-//             below that, for Splitting, a body is at rest until a torque moves it. Adaptive and
-//             Collocation end a step where a switching function of a term changes its sign, and at
-//             breakpoints;
-//             VariationOfConstants at breakpoints; Splitting at neither. A pulse of a torque that
-//             names neither may lie within one step of Adaptive, and is stepped over at loose
-//             tolerances; so is a dip of a switching function that is shorter than a quarter of a
-//             step and neither a parabola nor a V: give largest_step, or the term a time scale.
+//             below that, for Splitting, a body is at rest until a torque moves it.
+//             Adaptive and Collocation end a step where a switching function of a term changes its
+//             sign, and at breakpoints; VariationOfConstants at breakpoints; Splitting at neither.
+//             A pulse of a torque that names neither may lie within one step, sooner one of
+//             Collocation, whose steps are longer, and is stepped over; so is a dip of a switching
+//             function that is shorter than a quarter of a step and neither a parabola nor a V:
+//             give largest_step, or the term a time scale.
 // Accuracy    docs/guide/which-propagator.md: measured work and precision of each.
 // Errors      DomainError from the functions that make a method with a value out of range;
 //             integrate checks again.
@@ -79,6 +79,11 @@ struct Collocation {
 
   constexpr bool operator==(const Collocation&) const = default;
 };
+
+// Where a run names no method: what moves a System, and what moves models of any other state, whose
+// rates are too cheap for stages in lanes to save time, or may follow tables with coarse knots.
+inline constexpr Collocation default_rotor_method{};
+inline constexpr Adaptive default_model_method{};
 
 // What a method is to those who need not know which one it is.
 struct MethodTraits {

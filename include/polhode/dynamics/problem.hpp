@@ -13,6 +13,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "polhode/dynamics/detail/finite_span.hpp"
@@ -26,13 +27,22 @@
 namespace polhode {
 inline namespace v0 {
 
+// That of a run which names none.
+template <class M>
+constexpr auto default_method() {
+  if constexpr (std::is_same_v<M, System>)
+    return default_rotor_method;
+  else
+    return default_model_method;
+}
+
 template <class M, MotionState S = typename M::State>
 struct BasicProblem {
   M system;
   S initial;  // at `start`; of a rotor q_SB, g_B
   double start;
   double stop;
-  Method method = Adaptive{};
+  Method method = default_method<M>();
   std::vector<BasicEvent<S>> events = {};
   // This run continues one that ended at `start`, which has already reported any event there.
   bool continues = false;

@@ -11,7 +11,7 @@
 //             transition matrices work too. A torque that jumps where one of its switching
 //             functions is zero (Switching) is a callable of (t, s, sides): it takes `sides[i]`, +1
 //             or -1, for the sign of function i, so that it is smooth at the jump from either side.
-//             A step of Adaptive may be longer than a jump that no function names, and then steps
+//             A step may be longer than a jump that no function names, and then steps
 //             over it: give `time_scale`, that in which the torque comes and goes, or a
 //             largest_step.
 // Accuracy    a few roundings of H.

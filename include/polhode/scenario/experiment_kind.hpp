@@ -33,7 +33,7 @@ class ExperimentContext : public KeyValues {
       : KeyValues(table), rows_(rows), method_(method) {}
 
   const SaveAt& rows() const { return rows_; }      // of [time]
-  const Method& method() const { return method_; }  // of [method]; Adaptive where there is none
+  const Method& method() const { return method_; }  // of [method], or the default
   // Refuses, at its place, a method that does not move the model; `is_frozen`: Splitting does.
   void require_method(bool is_frozen) const;
 

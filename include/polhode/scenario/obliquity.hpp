@@ -36,7 +36,7 @@ struct Obliquity {
   OrbitHistory history;
   PrecessionRates rates;
   SpinAxis initial;  // at t = 0
-  Method method = Adaptive{};
+  Method method = default_model_method;
   std::vector<std::string> columns;
   std::optional<TidalRates> tides = std::nullopt;
   std::optional<InsolationPlace> insolation = std::nullopt;

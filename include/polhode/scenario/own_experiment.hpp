@@ -47,7 +47,7 @@ struct OwnExperiment {
   std::string kind;                // "gyrostat"
   std::optional<SaveAt> rows;      // always there
   std::vector<OwnColumn> columns;  // behind t
-  Method method = Adaptive{};
+  Method method = default_model_method;
   std::vector<OwnFact> facts = {};
   // Further facts, which take time to find: asked for when they are shown.
   std::function<std::vector<OwnFact>()> more_facts = nullptr;

@@ -118,13 +118,14 @@ RotorState initial_state(const Rotation& rotation);
 FreeRotation free_rotation(const Rotation& rotation);
 
 // The method of the file. Left out: none where nothing acts, which means exact free rotation;
-// otherwise Adaptive.
+// otherwise default_rotor_method.
 std::optional<Method> propagation_method(const Rotation& rotation);
 
 const std::optional<SaveAt>& row_times(const Rotation& rotation);
 bool has_events(const Rotation& rotation);
 
-// From t = 0 to the last row, without its events; of exact free rotation as Adaptive would run it.
+// From t = 0 to the last row, without its events; of exact free rotation as default_rotor_method
+// would run it.
 DampedProblem rotor_problem(const Rotation& rotation);
 
 }  // namespace v0

@@ -367,7 +367,8 @@ SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit
                              number_text(table->last_time()))
                                 .c_str());
   const SpinAxis start = spin_axis(vec3(pole, "pole"));
-  const Method by = method.is_none() ? Method(Adaptive{}) : method_of(method, "spin_history");
+  const Method by =
+      method.is_none() ? Method(default_model_method) : method_of(method, "spin_history");
   return std::visit(
       [&](const auto& elements) {
         if (!tides) return history_on(model_of(elements, rates), elements, start, epoch, at, by);

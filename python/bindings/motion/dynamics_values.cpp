@@ -107,8 +107,9 @@ step : 0: chosen by the tolerance. Else every step is so long, and nothing check
     makes; the method is then symmetric, and symplectic to its order for terms with an energy.
 largest_step : as in Adaptive; with steps under control.
 
-Implicit, solved by sweeps; a run fails where they do not converge. Most accurate for its time
-where torques are smooth; for kinks and jumps that no term names take Adaptive.)",
+The default of a Problem. Implicit, solved by sweeps; a run fails where they do not converge. Most
+accurate for its time where torques are smooth; where they have many kinks and jumps that no term
+names Adaptive is faster.)",
       method_made<Collocation>,
       field("tolerance", &Collocation::tolerance, "Of the local error of a step.", 1e-12),
       field("stages", &Collocation::stages, "4, 8 or 16.", 8).but_quiet(),
@@ -245,7 +246,7 @@ continues : whether another run has ended at `start`: an event there is that run
       nb::type_slots(object_slots<PythonProblem, &PythonProblem::system, &PythonProblem::initial,
                                   &PythonProblem::method, &PythonProblem::events>()))
       .def("__init__", make_problem, "system"_a, "initial"_a, "start"_a, "stop"_a,
-           "method"_a.sig("Adaptive()") = Adaptive{}, "events"_a = nb::make_tuple(),
+           "method"_a.sig("Collocation()") = default_rotor_method, "events"_a = nb::make_tuple(),
            "damper_rate"_a = nb::make_tuple(0.0, 0.0, 0.0), "continues"_a = false)
       .def_ro("system", &PythonProblem::system, "The very object that was given.")
       .def_ro("initial", &PythonProblem::initial, "The state at `start`.")

@@ -23,8 +23,8 @@ struct IdentityOutputs {
   std::string events = {};  // empty: none
   std::vector<std::string> columns;
 };
-// The version, the columns, the text and the files of the scenario, what acts on the body at some
-// times of the run, and each output. The scenario has [time].
+// The version, the columns, the text and the files of the scenario, its method, what acts on the
+// body at some times of the run, and each output. The scenario has [time].
 Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs);
 // "columns was "q g", is "q"": how the first part that differs does. Empty: none.
 std::string difference(const Identity& theirs, const Identity& ours);

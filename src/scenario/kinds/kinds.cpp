@@ -63,11 +63,12 @@ constexpr Key method_table = {
     .path = "method",
     .help =
         "How the rotation is integrated. Left out: not at all where no perturbation acts, since "
-        "the free rotation is exact; otherwise adaptive with its defaults."};
+        "the free rotation is exact; otherwise collocation with its defaults, and adaptive for "
+        "kinds other than rotation."};
 constexpr Key method_kind_key = {.path = "method.kind",
                                  .type = choice,
                                  .presence = required,
-                                 .example = "\"adaptive\"",
+                                 .example = "\"collocation\"",
                                  .help = "Which method (docs/guide/which-propagator.md)."};
 
 // What a kind of each sort says of its rows in the table of keys, and to checks.

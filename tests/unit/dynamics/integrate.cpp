@@ -49,6 +49,17 @@ Problem free_problem(const Method& method, double start = 0.0, double stop = 10.
 
 const Event middle_momentum{"g2", [](double, const RotorState& s) { return s.g.y; }};
 
+TEST(Integrate, GoesByCollocationWhereNoMethodIsNamed) {
+  const Problem rotor{System(wing_nut), tumbling, 0.0, 10.0};
+  const DampedProblem damped{System(wing_nut), {tumbling, {}}, 0.0, 10.0};
+  for (const Method& method : {rotor.method, damped.method})
+    EXPECT_EQ(method, Method(Collocation{}));
+  const Trajectory run = integrate(rotor);
+  EXPECT_EQ(run.method(), "collocation, tolerance 1e-12");
+  EXPECT_LT(distance(run.at(10.0), FreeRotation(wing_nut, tumbling).at(10.0)),
+            budget::adaptive_short_run);
+}
+
 TEST(Integrate, SamplesAreAtTheTimesAskedForInBothDirections) {
   for (const double sign : {1.0, -1.0}) {
     const FreeRotation exact(wing_nut, tumbling, 2.0);

@@ -81,6 +81,11 @@ TEST(SmallModels, TwoNumbersMoveAsTheClosedForm) {
   }
 }
 
+TEST(SmallModels, GoByAdaptiveWhereNoMethodIsNamed) {
+  const BasicProblem<Oscillator> problem{Oscillator{}, {1.0, 0.0}, 0.0, 1.0};
+  EXPECT_EQ(problem.method, Method(Adaptive{}));
+}
+
 TEST(SmallModels, TwoNumbersIntoASink) {
   const OscillatorProblem p{{2.5}, {1.0, 0.0}, 0.0, 20.0, Adaptive{.tolerance = 1e-14}};
   const SaveAt times = SaveAt::count(0.0, 20.0, 3001);

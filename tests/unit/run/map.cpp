@@ -63,7 +63,7 @@ TEST(ScenarioMap, ACellIsTheScenarioWithItsNumbers) {
   std::string plain = body;
   plain.replace(plain.find("theta = 60"), 10, "theta = 90");
   const Scenario scenario = scenario_from_text(plain, "plain");
-  const Problem problem{rotor_system(scenario), initial_state(scenario), 0.0, 20.0, Adaptive{}, {}};
+  const Problem problem{rotor_system(scenario), initial_state(scenario), 0.0, 20.0};
   const ChaosIndicator expected = chaos_indicator(problem, SaveAt::times({20.0}));
   EXPECT_EQ(map.cell(3).numbers, (std::vector<double>{expected.mean_megno(), expected.lyapunov()}));
   const std::vector<ColumnGroup> groups = map.groups();
@@ -151,8 +151,7 @@ count = 2
 )",
                         "m");
   const Scenario scenario = scenario_from_text(moon, "plain");
-  const Problem problem{
-      rotor_system(scenario), initial_state(scenario), 0.0, 100.0, Adaptive{}, {}};
+  const Problem problem{rotor_system(scenario), initial_state(scenario), 0.0, 100.0};
   const std::vector<SpinOrbitPoint> expected =
       spin_orbit_section(problem, KeplerOrbit(*kepler_elements(scenario.rotation().orbits[0])))
           .points;

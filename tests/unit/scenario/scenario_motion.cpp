@@ -158,7 +158,7 @@ TEST(ScenarioMotion, TheFrameOfAnOrbitTurnsWithItsNode) {
 TEST(ScenarioMotion, TheMethodIsThatOfTheFileOrASensibleOne) {
   EXPECT_FALSE(propagation_method(read("")).has_value());
   EXPECT_FALSE(propagation_method(read("[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n")));
-  EXPECT_EQ(propagation_method(read(orbit + gravity)), Method(Adaptive{}));
+  EXPECT_EQ(propagation_method(read(orbit + gravity)), Method(Collocation{}));
   EXPECT_FALSE(propagation_method(read("[[event]]\ncolumn = \"theta\"\n")).has_value());
   EXPECT_EQ(read("[method]\nkind = \"splitting\"\nstep = 0.1\n").rotation().method,
             Method(Splitting{.step = 0.1}));

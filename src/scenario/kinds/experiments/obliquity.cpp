@@ -272,7 +272,7 @@ class PlanetBuilder {
   }
 
   Method method() const {
-    Method method = method_of(at_).value_or(Adaptive{});
+    Method method = method_of(at_).value_or(default_model_method);
     if (!moves_any_state(method) && method_of_frozen_models(method) == nullptr)
       refuse(at_.values, "method.kind", at_.name,
              "expected \"adaptive\", \"collocation\" or \"splitting\"");

@@ -19,9 +19,9 @@ template <class A>
 constexpr KindKey<A> largest_step_key =
     quantity_key<&A::largest_step, A>(
         "largest_step", Dimension::time,
-        "No step is longer: for a torque that comes and goes within a step. Left out: adaptive "
-        "takes a "
-        "quarter of a turn of the fastest orbit, field or frame, where there is one.")
+        "No step is longer: for a torque that comes and goes within a step. Left out: "
+        "adaptive and collocation take a quarter of a turn of the fastest orbit, field or frame, "
+        "where there is one.")
         .example("1")
         .positive();
 
