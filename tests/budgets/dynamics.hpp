@@ -99,6 +99,10 @@ inline constexpr double collocation_weak = 1e-11;
 inline constexpr double collocation_kink = 1e-8;
 // Times of events, and the slope of the error in orders.
 inline constexpr double collocation_event = 1e-11;
+// Twenty unnamed kinks or jumps at 1e-12; forty eclipses with penumbras.
+inline constexpr double collocation_unnamed_edge = 2e-8;
+inline constexpr double collocation_unnamed_edge_of_four = 1e-6;
+inline constexpr double collocation_penumbra = 1e-9;
 // A damper of strong friction against 10,000 steps of Adaptive; derivatives against those of
 // Adaptive, relative to the largest entry.
 inline constexpr double collocation_friction = 1e-12;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Where torques are not smooth: jumps and kinks that no term names, and the edges of a penumbra.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "budgets.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/perturb/solar_pressure.hpp"
+#include "polhode/perturb/user_terms.hpp"
+#include "splitting_support.hpp"
+
+namespace polhode {
+namespace {
+
+using splitting_test::distance;
+using splitting_test::end_of;
+
+// The same torque with its sides named and without: 0.3 sin 3t, its absolute value, its sign.
+enum class Shape { kink, jump };
+
+double size_of(Shape shape, double sine, double side) {
+  return 0.3 * (shape == Shape::kink ? sine * side : side);
+}
+System unnamed(Shape shape) {
+  const auto torque = [shape](const double& t, const RotorState&) {
+    const double sine = std::sin(3.0 * t);
+    return Vec3{size_of(shape, sine, sine < 0.0 ? -1.0 : 1.0), 0.0, 0.0};
+  };
+  return System(splitting_test::workload_body(), Frame::inertial(),
+                {AnyPerturbation("unnamed", TorqueTerm(torque))});
+}
+System named(Shape shape) {
+  const auto torque = [shape](const double& t, const RotorState&, std::span<const double> sides) {
+    return Vec3{size_of(shape, std::sin(3.0 * t), sides[0]), 0.0, 0.0};
+  };
+  const auto sides = [](double t, const RotorState&) { return std::vector{std::sin(3.0 * t)}; };
+  return System(splitting_test::workload_body(), Frame::inertial(),
+                {AnyPerturbation("named", SwitchedTorqueTerm(torque, sides))});
+}
+
+// Before the ends of steps were looked at: 3e-3 and 8e-6 rad at 1e-12.
+TEST(CollocationEdges, JumpsAndKinksThatNoTermNamesAreSeen) {
+  const RotorState s = splitting_test::workload_state();
+  for (const Shape shape : {Shape::kink, Shape::jump})
+    for (const double stop : {20.1, -20.1}) {
+      const RotorState exact = end_of(named(shape), s, 0.0, stop, Adaptive{1e-14});
+      for (const int stages : {4, 8, 16})
+        EXPECT_LE(distance(end_of(unnamed(shape), s, 0.0, stop, Collocation{1e-12, stages}), exact),
+                  stages == 4 ? budget::collocation_unnamed_edge_of_four
+                              : budget::collocation_unnamed_edge)
+            << stages << " " << stop << (shape == Shape::kink ? " kinks" : " jumps");
+    }
+}
+
+// A term that is smooth takes as many steps as if it were known to be.
+TEST(CollocationEdges, SmoothTermsOfAUserTakeNoMoreSteps) {
+  const splitting_test::PointMassTorque torque{1.0, 0.1};
+  const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.9, 0.1}));
+  const auto steps = [&](AnyPerturbation term, double tolerance) {
+    const System system(splitting_test::workload_body(), Frame::inertial(), {std::move(term)});
+    return integrate({system, splitting_test::workload_state(), 0.0, 30.0, Collocation{tolerance}})
+        .statistics()
+        .steps;
+  };
+  for (const double tolerance : {1e-6, 1e-9, 1e-12, 1e-14}) {
+    const auto known = steps({"known", GravityGradient(1.0, orbit)}, tolerance);
+    const auto unknown = steps({"unknown", torque}, tolerance);
+    EXPECT_LE(static_cast<double>(unknown), 1.02 * static_cast<double>(known)) << tolerance;
+  }
+}
+
+// A planet eclipses the Sun once an orbit, and a penumbra lasts for a few degrees.
+System in_a_cone() {
+  const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.95, 0.05}));
+  KeplerElements far{.gm = 2e-2, .pericentre = 200.0, .eccentricity = 0.0};
+  far.inclination = 0.5;
+  const AnyOrbit sun("sun", KeplerOrbit(far));
+  const Surface plate = Surface::of_plate({0.5, 0.3, 0.4}, {0.3, 0.0, 0.95}, 0.5, {}, true);
+  return System(
+      Body(0.7, 1.0, 1.2), Frame::inertial(),
+      {{"gravity gradient", GravityGradient(1.0, orbit)},
+       {"sunlight", SolarPressure(plate, {0.05, 200.0}, {orbit}, {sun}, Shadow::cone(0.7, 10.0))}});
+}
+
+TEST(CollocationEdges, LightOfAPenumbraIsFollowed) {
+  const System system = in_a_cone();
+  const RotorState s{{}, {0.42, 0.5, 15.0}};
+  for (const double stop : {250.0, -250.0}) {
+    const RotorState exact = end_of(system, s, 0.0, stop, Adaptive{1e-15});
+    for (const double tolerance : {1e-10, 1e-12, 1e-14})
+      EXPECT_LE(distance(end_of(system, s, 0.0, stop, Collocation{tolerance}), exact),
+                budget::collocation_penumbra)
+          << tolerance << " " << stop;
+    const auto count = [&](const Method& method) {
+      return integrate({system, s, 0.0, stop, method}).statistics().steps;
+    };
+    EXPECT_LT(count(Collocation{1e-12}), count(Adaptive{1e-12})) << stop;
+  }
+}
+
+}  // namespace
+}  // namespace polhode
