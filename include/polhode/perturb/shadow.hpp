@@ -9,10 +9,10 @@
 //             their radii, or the difference.
 // Units       any unit of length.
 // Domain      a place inside the body is dark; NaN is not. The border of the cylinder is a jump of
-//             the light, those of the cone are kinks: `borders` is zero there, and Adaptive
-//             and Collocation end their steps at both (docs/guide/torques/sunlight-and-air.md); a splitting with fixed
-//             steps has there the error of order 1 and 2. With `sides`, those of the borders are
-//             taken and not found.
+//             the light, those of the cone are kinks: `borders` is zero there, and Adaptive and
+//             Collocation end their steps at both (docs/guide/torques/sunlight-and-air.md); a
+//             splitting with fixed steps has there the error of order 1 and 2. With `sides`, those
+//             of the borders are taken and not found.
 // Accuracy    the formula to a few roundings. The plane of the discs costs budget shadow_plane of
 //             the full light at most within the penumbra of a low orbit, less further out.
 // Errors      DomainError for radii that are not positive.

@@ -47,8 +47,8 @@ TorqueTerm, HamiltonianTerm.)",
           "Whether it can name switching functions, at whose zeros Adaptive ends a step.")
       .def_prop_ro(
           "time_scale", [](const P& p) { return p.time_scale(); },
-          "A quarter of a turn of what it follows, the default of Adaptive's largest_step; inf "
-          "where it knows none.");
+          "A quarter of a turn of what it follows, the default of largest_step; inf where it "
+          "knows none.");
   def_recipe<P>(c, [](const P& term) { return "\"" + term.name() + "\""; });
 }
 

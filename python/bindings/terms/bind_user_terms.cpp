@@ -280,7 +280,7 @@ TypeError or ValueError, naming the term, for what is not three numbers; NaN is 
           nb::none()),
       argument<std::optional<double>>("time_scale",
                                       "the time in which the torque comes and goes: the "
-                                      "default of Adaptive's largest_step.",
+                                      "default of largest_step.",
                                       nb::none())
           .without_property(),
       argument<bool>("arrays",

@@ -21,15 +21,19 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Of switching functions that the time alone decides: shadows. Those of the state, of facets that
-// turn away, are kinks between smooth sides.
+// Of the borders of penumbras. Other edges, of facets that turn away or of a shadow like a
+// cylinder, have smooth sides.
 class EdgeGrading {
  public:
+  // Before the first step: which functions those are.
+  void begin(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s) {
+    if (is_fading_.size() != switches.size()) find_fading(switches, t, s);
+  }
   // How long a step from (t, s) may be where the solver would take `wanted`. `rest` is the way to
   // the end of the run.
   double longest(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s,
                  double wanted, double rest) {
-    if (is_timed_.size() != switches.size()) find_timed(switches, t, s);
+    if (!any_) return wanted;
     const double usual = larger(usual_, wanted), least = least_part * usual;
     const double behind = last_ ? std::abs((t - *last_).hi) : usual;
     const double far = std::copysign(std::min(2.0 * usual, std::abs(rest)), rest);
@@ -40,6 +44,7 @@ class EdgeGrading {
       is_near_ = false;
       return usual_;
     }
+    if (usual_ == 0.0) usual_ = wanted;
     is_near_ = true;
     double length = std::min(wanted, larger(behind, least));
     // the last step goes through the edge, where it is found and the step is made to end
@@ -48,22 +53,22 @@ class EdgeGrading {
   }
   // A step has ended at the zero of function `which`.
   void cross(std::size_t which, double t) {
-    if (which < is_timed_.size() && is_timed_[which]) last_ = t;
+    if (is_fading_[which]) last_ = t;
   }
 
   template <class Visit>
   void transfer(Visit& visit) {
-    std::vector<double> timed(is_timed_.begin(), is_timed_.end());
+    std::vector<double> fading(is_fading_.begin(), is_fading_.end());
     double last = last_.value_or(std::numeric_limits<double>::quiet_NaN());
-    visit.all(timed, last, usual_, is_near_);
-    is_timed_.assign(timed.begin(), timed.end());
+    visit.all(fading, last, usual_, is_near_);
+    is_fading_.assign(fading.begin(), fading.end());
     any_ = has_any();
     last_ = std::isnan(last) ? std::nullopt : std::optional<double>(last);
   }
 
  private:
-  // Of the length of other steps: 32^(-5/2) of the error is left.
-  static constexpr double least_part = 1.0 / 32.0;
+  // Of the length of other steps: 128^(-5/2) of the error is left.
+  static constexpr double least_part = 1.0 / 128.0;
 
   // Functions along the time, of a body that stays as it is.
   class Ahead final : public SwitchCurve {
@@ -74,7 +79,7 @@ class EdgeGrading {
     std::vector<double> along(double x) const override {
       std::vector<double> values = switches_.values(t_ + x * h_, s_);
       for (std::size_t i = 0; i < values.size(); ++i)
-        if (!of_.is_timed_[i]) values[i] = 1.0;
+        if (!of_.is_fading_[i]) values[i] = 1.0;
       return values;
     }
     double truly(std::size_t which, double x) const override { return along(x)[which]; }
@@ -88,20 +93,19 @@ class EdgeGrading {
     double h_;
   };
 
-  void find_timed(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s) {
-    is_timed_.resize(switches.size());
-    for (std::size_t i = 0; i < is_timed_.size(); ++i)
-      is_timed_[i] = !switches.depends_on_state(i, t, s);
+  void find_fading(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s) {
+    is_fading_.resize(switches.size());
+    for (std::size_t i = 0; i < is_fading_.size(); ++i) is_fading_[i] = switches.is_fading(i, t, s);
     any_ = has_any();
   }
   bool has_any() const {
-    return std::find(is_timed_.begin(), is_timed_.end(), true) != is_timed_.end();
+    return std::find(is_fading_.begin(), is_fading_.end(), true) != is_fading_.end();
   }
   // How far ahead the next one is, if it is nearer than h; looked for where the other end is
   // beyond.
   std::optional<double> edge_within(const SwitchWatch& switches, const DoubleDouble& t,
                                     const RotorState& s, double h) const {
-    if (!any_ || h == 0.0) return std::nullopt;
+    if (h == 0.0) return std::nullopt;
     const Ahead curve(*this, switches, t, s, h);
     const std::vector<double> end = curve.along(1.0);
     bool is_beyond = false;
@@ -113,7 +117,7 @@ class EdgeGrading {
     return edge->x * std::abs(h);
   }
 
-  std::vector<bool> is_timed_;
+  std::vector<bool> is_fading_;
   bool any_ = false;
   std::optional<double> last_;  // when the last one was
   double usual_ = 0.0;          // wanted far from all

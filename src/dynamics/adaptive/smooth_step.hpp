@@ -127,6 +127,7 @@ class SmoothStep {
     if (std::string nan = switches_.begin(begin_, start_); !nan.empty()) return nan;
     if (switches_.size() > 0) {
       shorten_to(switches_.longest_step(start_));
+      grading_.begin(switches_, begin_, start_);
       grade();
     }
     prepare();
@@ -166,7 +167,7 @@ class SmoothStep {
       const double rest = (DoubleDouble(stop_) - begin_).hi;
       const double longest = grading_.longest(switches_, begin_, start_, wanted, rest);
       if (longest > wanted) solver_.want(longest);
-      shorten_to(longest);
+      if (longest < solver_.wanted()) shorten_to(longest);
     }
   }
   void shorten_to(double longest) {

@@ -8,6 +8,7 @@
 
 #include "math/larger.hpp"
 #include "math/number_text.hpp"
+#include "perturb/fading.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -132,6 +133,10 @@ bool SwitchWatch::depends_on_state(std::size_t which, const DoubleDouble& t,
       if (!(switches_of(system_, t, other).values[which] == value)) return true;
   }
   return false;
+}
+
+bool SwitchWatch::is_fading(std::size_t which, const DoubleDouble& t, const RotorState& s) const {
+  return fades_at_edges(system_.terms()[term_of(which)]) && !depends_on_state(which, t, s);
 }
 
 Effect SwitchWatch::change(std::size_t which, const DoubleDouble& t, const RotorState& s) const {

@@ -55,8 +55,9 @@ class SwitchWatch {
   // away from the zero, and what a jump does is there already.
   std::string refused_jump(std::size_t which, const DoubleDouble& t, const RotorState& s,
                            std::initializer_list<RotorState> before) const;
-  // Whether function `which` is another one at t for a state other than s.
-  bool depends_on_state(std::size_t which, const DoubleDouble& t, const RotorState& s) const;
+  // Whether function `which` is the border of a penumbra: one of time alone, at which the torque
+  // begins like a fractional power.
+  bool is_fading(std::size_t which, const DoubleDouble& t, const RotorState& s) const;
 
   void transfer(StateBytes& bytes);
   // Sides that the dense output of a step keeps.
@@ -64,6 +65,7 @@ class SwitchWatch {
 
  private:
   std::size_t term_of(std::size_t which) const;
+  bool depends_on_state(std::size_t which, const DoubleDouble& t, const RotorState& s) const;
   // What the change of side adds to the torque and the rate of its term.
   Effect change(std::size_t which, const DoubleDouble& t, const RotorState& s) const;
 

@@ -57,6 +57,28 @@ TEST(CollocationEdges, JumpsAndKinksThatNoTermNamesAreSeen) {
     }
 }
 
+// Steps grow again after a jump that is not named, next to an edge that is; and where a term names
+// a function and does not use its side.
+TEST(CollocationEdges, StepsGrowAgainBesideANamedEdge) {
+  const auto pushed = [](double unnamed_at) {
+    const auto torque = [=](const double& t, const RotorState&, std::span<const double> sides) {
+      return Vec3{t < unnamed_at ? 0.1 : 0.3, 0.05 * sides[0], 0.0};
+    };
+    const auto sides = [](double t, const RotorState&) { return std::vector{t - 5.0}; };
+    return System(splitting_test::workload_body(), Frame::inertial(),
+                  {AnyPerturbation("push", SwitchedTorqueTerm(torque, sides))});
+  };
+  for (const double at : {4.5, 4.99, 5.0, 5.01})
+    for (const double start : {0.0, 4.9}) {
+      Problem p{pushed(at), splitting_test::workload_state(), start, 12.0, Collocation{}};
+      const Trajectory run = integrate(p);
+      EXPECT_TRUE(run.outcome().ok()) << at << " " << run.outcome().advice;
+      EXPECT_LT(run.statistics().steps, 3000) << at;
+      for (std::size_t i = 1; i < run.samples().size(); ++i)
+        EXPECT_GT(run.samples()[i].t, run.samples()[i - 1].t) << at;
+    }
+}
+
 // A term that is smooth takes as many steps as if it were known to be.
 TEST(CollocationEdges, SmoothTermsOfAUserTakeNoMoreSteps) {
   const splitting_test::PointMassTorque torque{1.0, 0.1};
@@ -96,6 +118,12 @@ TEST(CollocationEdges, LightOfAPenumbraIsFollowed) {
       EXPECT_LE(distance(end_of(system, s, 0.0, stop, Collocation{tolerance}), exact),
                 budget::collocation_penumbra)
           << tolerance << " " << stop;
+    // from within a step of an edge
+    for (double start = 0.0; start < 6.3; start += 0.13) {
+      const Trajectory run = integrate({system, s, start, start + 1.0, Collocation{}});
+      EXPECT_TRUE(run.outcome().ok()) << start;
+      EXPECT_LT(run.statistics().steps, 300) << start;
+    }
     const auto count = [&](const Method& method) {
       return integrate({system, s, 0.0, stop, method}).statistics().steps;
     };
