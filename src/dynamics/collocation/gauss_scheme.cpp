@@ -54,8 +54,11 @@ void legendre_row(StageMatrix& to, std::size_t n, std::size_t i, double z) {
 }  // namespace
 
 const GaussScheme& gauss_scheme(std::size_t stages) {
-  static const std::unique_ptr<const GaussScheme> four = made<4>(), eight = made<8>(),
-                                                  sixteen = made<16>(), most = made<32>();
+  // never destroyed: a thread may still step when the process ends
+  static const GaussScheme* const four = made<4>().release();
+  static const GaussScheme* const eight = made<8>().release();
+  static const GaussScheme* const sixteen = made<16>().release();
+  static const GaussScheme* const most = made<32>().release();
   switch (stages) {
     case 4:
       return *four;
