@@ -33,7 +33,7 @@ class EdgeGrading {
   // the end of the run.
   double longest(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s,
                  double wanted, double rest) {
-    if (!any_) return wanted;
+    if (!has_any()) return wanted;
     const double usual = larger(usual_, wanted), least = least_part * usual;
     const double behind = last_ ? std::abs((t - *last_).hi) : usual;
     const double far = std::copysign(std::min(2.0 * usual, std::abs(rest)), rest);
@@ -62,7 +62,6 @@ class EdgeGrading {
     double last = last_.value_or(std::numeric_limits<double>::quiet_NaN());
     visit.all(fading, last, usual_, is_near_);
     is_fading_.assign(fading.begin(), fading.end());
-    any_ = has_any();
     last_ = std::isnan(last) ? std::nullopt : std::optional<double>(last);
   }
 
@@ -96,7 +95,6 @@ class EdgeGrading {
   void find_fading(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s) {
     is_fading_.resize(switches.size());
     for (std::size_t i = 0; i < is_fading_.size(); ++i) is_fading_[i] = switches.is_fading(i, t, s);
-    any_ = has_any();
   }
   bool has_any() const {
     return std::find(is_fading_.begin(), is_fading_.end(), true) != is_fading_.end();
@@ -118,7 +116,6 @@ class EdgeGrading {
   }
 
   std::vector<bool> is_fading_;
-  bool any_ = false;
   std::optional<double> last_;  // when the last one was
   double usual_ = 0.0;          // wanted far from all
   bool is_near_ = false;

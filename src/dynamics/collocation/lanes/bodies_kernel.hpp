@@ -3,9 +3,8 @@
 // instructions.
 #pragma once
 
-#include <limits>
-
 #include "dynamics/collocation/lanes/lost_by_product.hpp"
+#include "dynamics/collocation/lanes/of_stages.hpp"
 #include "dynamics/collocation/lanes/rotor_rates.hpp"
 #include "dynamics/collocation/lockstep/body_lanes.hpp"
 #include "polhode/math/pack.hpp"
@@ -203,18 +202,10 @@ struct BodiesKernel {
 
 template <InstructionSet isa>
 BodyKernels body_kernels_of(std::size_t stages) {
-  const auto of = []<std::size_t s>() {
+  return of_stages<16>(stages, []<std::size_t s>() {
     using K = BodiesKernel<isa, s>;
     return BodyKernels{&K::place, &K::sweep, &K::keep, &K::finish};
-  };
-  switch (stages) {
-    case 4:
-      return of.template operator()<4>();
-    case 8:
-      return of.template operator()<8>();
-    default:
-      return of.template operator()<16>();
-  }
+  });
 }
 
 }  // namespace detail
