@@ -72,6 +72,8 @@ class AnyPerturbation {
   bool supports_switches() const { return switching_; }
   // Its switching functions; none for most terms. at.sides is not looked at.
   std::vector<double> switches(const Setting& at) const { return term_->switches(at); }
+  // Whether its effect begins and ends like a fractional power of the time at their zeros.
+  bool fades_at_switches() const { return term_->fades_at_switches(); }
   // The time of a quarter of a turn of what it follows; infinite where it knows none.
   double time_scale() const { return term_->time_scale(); }
   AffineTorque affine_torque(const Setting& at) const { return term_->affine_torque(at); }

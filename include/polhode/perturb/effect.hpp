@@ -155,7 +155,7 @@ template <class P>
 concept Kick = Perturbation<P> && requires { requires P::kick; };
 
 // A term that is not smooth in time says where: its breakpoints, in increasing order. A run by
-// Adaptive or VariationOfConstants ends a step at each.
+// Collocation, Adaptive or VariationOfConstants ends a step at each.
 template <class P>
 concept Piecewise = Perturbation<P> && requires(const P& term) {
   { term.breakpoints() } -> std::convertible_to<std::vector<double>>;
@@ -164,16 +164,25 @@ concept Piecewise = Perturbation<P> && requires(const P& term) {
 // A term that jumps, or has a kink, where one of its switching functions of time and state is zero,
 // says them: smooth, between their zeros too, never NaN, always as many, in the same order. Its
 // effect takes the side of each from `sides` of the setting where they are given, and is smooth
-// then on both sides of the zero. A run by Adaptive ends a step at every change of sign that it
-// sees: of two within a quarter of a step, those of a parabola or of a V. A dip that is shorter,
-// and neither of them, can be stepped over: give time_scale.
+// then on both sides of the zero. A run by Collocation or Adaptive ends a step at every change of
+// sign that it sees: of two within a quarter of a step, those of a parabola or of a V. A dip that
+// is shorter, and neither of them, can be stepped over: give time_scale.
 template <class P>
 concept Switching = Perturbation<P> && requires(const P& term, const Setting& at) {
   { term.switches(at) } -> std::convertible_to<std::vector<double>>;
 };
 
+// A Switching term whose effect begins or ends like a fractional power of the time (sunlight in a
+// penumbra, by the power 3/2) where a switching function of the time alone is zero says so:
+// Collocation grades its steps towards such zeros.
+template <class P>
+concept Fading = Switching<P> && requires(const P& term) {
+  { term.fades_at_switches() } -> std::convertible_to<bool>;
+};
+
 // A term that follows a motion of its own says how fast that is: the time of a quarter of a turn
-// where it is fastest. Unless the user gives largest_step, no step of Adaptive is longer.
+// where it is fastest. Unless the user gives largest_step, no step of Collocation or Adaptive is
+// longer.
 template <class P>
 concept Timed = Perturbation<P> && requires(const P& term) {
   { term.time_scale() } -> std::convertible_to<double>;

@@ -91,6 +91,8 @@ class SolarPressure {
   }
   // The borders of the shadow, then the facets that turn edge-on.
   std::vector<double> switches(const Setting& at) const;
+  // In a penumbra.
+  bool fades_at_switches() const { return shadow_ && shadow_->shape() == ShadowShape::cone; }
 
  private:
   std::size_t borders() const {

@@ -8,7 +8,6 @@
 
 #include "math/larger.hpp"
 #include "math/number_text.hpp"
-#include "perturb/fading.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -136,7 +135,7 @@ bool SwitchWatch::depends_on_state(std::size_t which, const DoubleDouble& t,
 }
 
 bool SwitchWatch::is_fading(std::size_t which, const DoubleDouble& t, const RotorState& s) const {
-  return fades_at_edges(system_.terms()[term_of(which)]) && !depends_on_state(which, t, s);
+  return system_.terms()[term_of(which)].fades_at_switches() && !depends_on_state(which, t, s);
 }
 
 Effect SwitchWatch::change(std::size_t which, const DoubleDouble& t, const RotorState& s) const {

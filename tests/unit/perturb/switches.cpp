@@ -157,6 +157,21 @@ TEST(TimeScale, OfTerms) {
   EXPECT_FALSE(AnyPerturbation("push", TorqueTerm(push)).supports_switches());
 }
 
+TEST(Terms, LightFadesInAPenumbraAlone) {
+  const auto fades = [](Shadow shadow) {
+    const KeplerOrbit orbit({1.0, 2.0, 0.1}), sun({1.0, 200.0, 0.0});
+    return AnyPerturbation(
+               "light",
+               SolarPressure(Surface::of_plate({0.5, 0.3, 0.4}, {0.3, 0.0, 0.95}, 0.5, {}, true),
+                             {0.05, 200.0}, {AnyOrbit("o", orbit)}, {AnyOrbit("s", sun)}, shadow))
+        .fades_at_switches();
+  };
+  EXPECT_TRUE(fades(Shadow::cone(0.7, 10.0)));
+  EXPECT_FALSE(fades(Shadow::cylinder(0.7)));
+  const auto push = [](const double&, const RotorState&) { return Vec3{}; };
+  EXPECT_FALSE(AnyPerturbation("push", TorqueTerm(push)).fades_at_switches());
+}
+
 // Its effect is that of the signs of its functions, and that of other sides where they are given.
 TEST(SwitchedTorque, TakesTheSidesOfItsFunctions) {
   const SwitchedTorqueTerm jet(

@@ -31,6 +31,7 @@ class ErasedTerm {
   virtual RotorState flow(const Setting& at, double h) const = 0;
   virtual std::vector<double> breakpoints() const = 0;
   virtual std::vector<double> switches(const Setting& at) const = 0;
+  virtual bool fades_at_switches() const = 0;
   virtual double time_scale() const = 0;
   virtual AffineTorque affine_torque(const Setting& at) const = 0;
   virtual std::unique_ptr<StageTerm> on_stages(const Body& body, InstructionSet set) const = 0;
@@ -60,7 +61,7 @@ class HeldTerm final : public ErasedTerm {
     } else if constexpr (AffineInMomentum<P>) {
       return {at.s.q, at.s.g + change_of_momentum(term_.affine_torque(at), at.s.g, h)};
     } else {
-      term_cannot(name_, "has no exact flow: use a method that needs none (Adaptive)");
+      term_cannot(name_, "has no exact flow: use a method that needs none (Collocation)");
     }
   }
   std::vector<double> breakpoints() const override {
@@ -75,6 +76,13 @@ class HeldTerm final : public ErasedTerm {
       return term_.switches(at);
     } else {
       return {};
+    }
+  }
+  bool fades_at_switches() const override {
+    if constexpr (Fading<P>) {
+      return term_.fades_at_switches();
+    } else {
+      return false;
     }
   }
   double time_scale() const override {
