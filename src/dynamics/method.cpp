@@ -100,6 +100,9 @@ struct Validity {
     if (m.step != 0.0) require_positive("Collocation", "step", m.step);
     if (!std::isfinite(m.step)) throw DomainError("Collocation: step inf must be finite");
     require_positive("Collocation", "largest_step", m.largest_step);
+    if (m.step > 0.0 && m.tolerance != Collocation{}.tolerance)
+      throw DomainError("Collocation: tolerance " + detail::number_text(m.tolerance) +
+                        " goes with steps under control; got step " + detail::number_text(m.step));
     if (m.step > 0.0 && std::isfinite(m.largest_step))
       throw DomainError("Collocation: largest_step " + detail::number_text(m.largest_step) +
                         " goes with steps under control; got step " + detail::number_text(m.step));

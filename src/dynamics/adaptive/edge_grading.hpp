@@ -53,16 +53,20 @@ class EdgeGrading {
   }
   // A step has ended at the zero of function `which`.
   void cross(std::size_t which, double t) {
-    if (is_fading_[which]) last_ = t;
+    if (!is_fading_[which]) return;
+    last_ = t;
+    next_.reset();
   }
 
   template <class Visit>
   void transfer(Visit& visit) {
     std::vector<double> fading(is_fading_.begin(), is_fading_.end());
-    double last = last_.value_or(std::numeric_limits<double>::quiet_NaN());
-    visit.all(fading, last, usual_, is_near_);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    double last = last_.value_or(none), next = next_.value_or(none);
+    visit.all(fading, last, next, usual_, is_near_);
     is_fading_.assign(fading.begin(), fading.end());
     last_ = std::isnan(last) ? std::nullopt : std::optional<double>(last);
+    next_ = std::isnan(next) ? std::nullopt : std::optional<double>(next);
   }
 
  private:
@@ -100,9 +104,14 @@ class EdgeGrading {
     return std::find(is_fading_.begin(), is_fading_.end(), true) != is_fading_.end();
   }
   // How far ahead the next one is, if it is nearer than h; looked for where the other end is
-  // beyond.
+  // beyond. Once it is found it stays where it is, for it is one of the time alone.
   std::optional<double> edge_within(const SwitchWatch& switches, const DoubleDouble& t,
-                                    const RotorState& s, double h) const {
+                                    const RotorState& s, double h) {
+    if (next_) {
+      const double way = (DoubleDouble(*next_) - t).hi;
+      if (way * h > 0.0) return std::abs(way);
+      next_.reset();
+    }
     if (h == 0.0) return std::nullopt;
     const Ahead curve(*this, switches, t, s, h);
     const std::vector<double> end = curve.along(1.0);
@@ -110,14 +119,15 @@ class EdgeGrading {
     for (std::size_t i = 0; i < end.size(); ++i)
       is_beyond = is_beyond || end[i] < -switches.rounding(i);
     if (!is_beyond) return std::nullopt;
-    const std::optional<Edge> edge = first_edge(curve);
+    const std::optional<Edge> edge = search_edges(curve).first;
     if (!edge || edge->is_nan) return std::nullopt;
+    next_ = (t + edge->x * h).hi;
     return edge->x * std::abs(h);
   }
 
   std::vector<bool> is_fading_;
-  std::optional<double> last_;  // when the last one was
-  double usual_ = 0.0;          // wanted far from all
+  std::optional<double> last_, next_;  // when the last one was, and the next will be
+  double usual_ = 0.0;                 // wanted far from all
   bool is_near_ = false;
 };
 

@@ -53,6 +53,8 @@ class Search {
     return nan;
   }
 
+  const std::vector<double>& at_end() const { return values_.back(); }
+
  private:
   std::optional<Edge> first_nan() const {
     for (std::size_t k = 0; k <= pieces; ++k)
@@ -144,7 +146,11 @@ class Search {
 
 }  // namespace
 
-std::optional<Edge> first_edge(const SwitchCurve& curve) { return Search(curve).first(); }
+EdgeSearch search_edges(const SwitchCurve& curve) {
+  Search search(curve);
+  std::optional<Edge> first = search.first();
+  return {first, search.at_end()};
+}
 
 }  // namespace detail
 }  // namespace v0

@@ -25,9 +25,14 @@ struct Edge {
   bool is_nan = false;  // no edge: the function is NaN there, and no edge was found before
 };
 
+struct EdgeSearch {
+  std::optional<Edge> first;
+  std::vector<double> at_end;  // the functions at x = 1
+};
+
 // At x = 0 a function may be zero, of either sign. A dip below zero is found where it is a parabola
 // or a V, or longer than a quarter of the step.
-std::optional<Edge> first_edge(const SwitchCurve& curve);
+EdgeSearch search_edges(const SwitchCurve& curve);
 
 }  // namespace detail
 }  // namespace v0

@@ -126,7 +126,7 @@ class SmoothStep {
   std::string begin() {
     if (std::string nan = switches_.begin(begin_, start_); !nan.empty()) return nan;
     if (switches_.size() > 0) {
-      shorten_to(switches_.longest_step(start_));
+      limit_to(switches_.longest_step(start_));
       grading_.begin(switches_, begin_, start_);
       grade();
     }
@@ -159,6 +159,18 @@ class SmoothStep {
     solver_.field().sides = switches_.sides();
     savepoint_.reset();
     if (switches_.size() > 0) savepoint_ = solver_.savepoint();
+  }
+  // Steps may be so long. To a solver that keeps the length of its steps that is no end: steps
+  // which an end cuts short say nothing of the next, and would stay so.
+  void limit_to(double longest) {
+    if constexpr (requires { solver_.wanted(); }) {
+      constexpr double part = 0.95;  // so that the limit may fall a little and their length stays
+      if (solver_.wanted() > 0.0) {
+        if (solver_.wanted() > longest) solver_.want(part * longest);
+        return;
+      }
+    }
+    shorten_to(longest);
   }
   void grade() {
     if constexpr (requires { solver_.wanted(); }) {
@@ -201,9 +213,9 @@ class SmoothStep {
 
   std::optional<Edge> edge_since(const Savepoint& savepoint) {
     const typename CurveOf<Solver>::Type curve(solver_, savepoint, switches_);
-    const std::optional<Edge> edge = first_edge(curve);
-    if (!edge) switches_.see(curve.along(1.0));
-    return edge;
+    const EdgeSearch found = search_edges(curve);
+    if (!found.first) switches_.see(found.at_end);
+    return found.first;
   }
 
   // To the start of the step, for one that ends at the edge.

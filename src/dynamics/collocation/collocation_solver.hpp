@@ -83,7 +83,7 @@ class BasicCollocationSolver {
     state_ = savepoint.state;
     polynomials_[last_] = savepoint.last;
     refined_.h = 0.0;
-    if (!control_.is_fixed) next_.h = std::abs(trial_);
+    if (!control_.is_fixed) next_.cut(std::abs(trial_));
     --steps_;
     ++rejected_;
   }

@@ -27,6 +27,11 @@ class StepChoice {
   // No later step is longer.
   void limit(double largest) { control_.step.largest_step = largest; }
 
+  // A step of `length` that went beyond an edge, of which it is to be made anew.
+  void cut(double length) {
+    h = length;
+    is_cut_ = true;
+  }
   // A step of `length` that erred too much.
   void shorten(double length, double error) { h = length * std::min(wanted(error), 0.9); }
   // Steps of one length keep their weights and their guess; and their errors, those of a symmetric
@@ -40,22 +45,29 @@ class StepChoice {
     if (repeated) {
       patience_ = while_of_steps;
       h = length;
+      is_cut_ = false;
     }
     largest_error_ = repeated ? error : std::max(largest_error_, error);
     since_ = repeated ? 1 : since_ + 1;
-    if (since_ < patience_) return;
+    kept_ = length == kept_length_ ? kept_ + 1 : 1;
+    kept_length_ = length;
+    if (kept_ >= while_of_steps) lasting_ = length;
+    // What an edge has cut short was smooth before, and is so beyond.
+    is_cut_ = is_cut_ && length < 0.5 * lasting_;
+    if (since_ < (is_cut_ ? 1 : patience_)) return;
     const double factor = is_slow ? 0.9 : wanted(largest_error_);
-    if (factor < 1.0 || factor >= least_growth)
+    if (factor < 1.0 || factor >= least_growth) {
       h = length * factor;
-    else
+    } else if (!is_cut_) {
       patience_ = while_of_steps;
+    }
     since_ = 0;
     largest_error_ = 0.0;
   }
 
   template <class Visit>
   void transfer(Visit& visit) {
-    visit.all(largest_error_, since_, patience_);
+    visit.all(largest_error_, since_, patience_, kept_, kept_length_, lasting_, is_cut_);
   }
 
  private:
@@ -75,6 +87,10 @@ class StepChoice {
   double largest_error_ = 0.0;
   int since_ = 0;
   int patience_ = 1;
+  // For how many steps their length has been the same, and the last that was for a while.
+  int kept_ = 0;
+  double kept_length_ = 0.0, lasting_ = 0.0;
+  bool is_cut_ = false;
 };
 
 }  // namespace detail

@@ -318,6 +318,7 @@ TEST(Collocation, RefusesValuesOutOfRange) {
   refused({.stages = 5});
   refused({.step = -1.0});
   refused({.step = 0.1, .largest_step = 1.0});
+  refused({.tolerance = 1e-9, .step = 0.1});
   refused({.largest_step = 0.0});
 }
 

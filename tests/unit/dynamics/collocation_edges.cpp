@@ -131,5 +131,35 @@ TEST(CollocationEdges, LightOfAPenumbraIsFollowed) {
   }
 }
 
+// A torque that comes and goes like the power 3/2 of the time, as a user may have one.
+struct Dawn {
+  bool says_so;
+
+  Effect effect(const Setting& at) const {
+    const double height = sine(at.t);
+    const double side = at.sides.empty() ? side_of(height) : at.sides[0];
+    if (side < 0.0) return {};
+    return {{}, {0.0, 0.3 * std::pow(std::fabs(height), 1.5), 0.1 * height * height}};
+  }
+  std::vector<double> switches(const Setting& at) const { return {sine(at.t)}; }
+  bool fades_at_switches() const { return says_so; }
+
+ private:
+  static double sine(double t) { return std::sin(t) + 0.3; }
+};
+
+TEST(CollocationEdges, ATermOfAUserCanSayThatItFades) {
+  const auto system = [](bool says_so) {
+    return System(splitting_test::workload_body(), Frame::inertial(), {{"dawn", Dawn{says_so}}});
+  };
+  const RotorState s = splitting_test::workload_state();
+  const RotorState exact = end_of(system(true), s, 0.0, 60.0, Adaptive{1e-15});
+  const auto error = [&](bool says_so) {
+    return distance(end_of(system(says_so), s, 0.0, 60.0, Collocation{}), exact);
+  };
+  EXPECT_LE(error(true), budget::collocation_penumbra);
+  EXPECT_GE(error(false), 10.0 * budget::collocation_penumbra);
+}
+
 }  // namespace
 }  // namespace polhode

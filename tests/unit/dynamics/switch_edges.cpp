@@ -57,11 +57,12 @@ TEST(EdgeSearch, FindsADipWhereverItLies) {
       const Curve round([&](double x) { return (x - middle) * (x - middle) - width * width; });
       const Curve uneven(
           [&](double x) { return (x < middle ? 3.0 * (middle - x) : 0.5 * (x - middle)) - width; });
-      for (const auto& edge : {detail::first_edge(vee), detail::first_edge(round)}) {
+      for (const auto& edge :
+           {detail::search_edges(vee).first, detail::search_edges(round).first}) {
         ASSERT_TRUE(edge) << width << " " << middle;
         EXPECT_NEAR(edge->x, middle - width, budget::bang_floor);
       }
-      const auto edge = detail::first_edge(uneven);
+      const auto edge = detail::search_edges(uneven).first;
       if (middle + 2.0 * width < 1.0) {
         ASSERT_TRUE(edge) << width << " " << middle;
         EXPECT_NEAR(edge->x, middle - width / 3.0, budget::bang_floor);
@@ -73,10 +74,10 @@ TEST(EdgeSearch, NoDipIsInventedAndMostStepsAreCheap) {
   for (int k = -10; k <= 1010; ++k) {
     const double middle = k / 1000.0;
     const Curve above([&](double x) { return (x - middle) * (x - middle) + 1e-9; });
-    EXPECT_FALSE(detail::first_edge(above)) << middle;
+    EXPECT_FALSE(detail::search_edges(above).first) << middle;
     // one that has just been crossed, and rises
     const Curve rises([&](double x) { return std::sin((0.2 + std::fabs(middle)) * x); });
-    EXPECT_FALSE(detail::first_edge(rises));
+    EXPECT_FALSE(detail::search_edges(rises).first);
     EXPECT_LE(rises.calls, 7);
   }
 }
@@ -84,11 +85,11 @@ TEST(EdgeSearch, NoDipIsInventedAndMostStepsAreCheap) {
 TEST(EdgeSearch, NaNIsSaidUnlessAnEdgeIsBefore) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Curve late([&](double x) { return x > 0.6 ? nan : 1.0; });
-  const auto at_nan = detail::first_edge(late);
+  const auto at_nan = detail::search_edges(late).first;
   ASSERT_TRUE(at_nan && at_nan->is_nan);
   EXPECT_EQ(at_nan->x, 0.75);
   const Curve before([&](double x) { return x > 0.6 ? nan : 0.375 - x; });
-  const auto edge = detail::first_edge(before);
+  const auto edge = detail::search_edges(before).first;
   ASSERT_TRUE(edge && !edge->is_nan);
   EXPECT_NEAR(edge->x, 0.375, budget::bang_floor);
 }
