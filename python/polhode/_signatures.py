@@ -139,6 +139,8 @@ class ClassSignature:
             return inspect.Signature([_KINDS("args", _KINDS.VAR_POSITIONAL)])
         if not hasattr(asked.__init__, "__nb_signature__"):  # nobody but polhode makes one
             return inspect.Signature()
+        if not _overloads(asked.__init__, self._names):
+            return inspect.Signature()
         made = _signature(asked.__init__, self._names)
         rest = [p for p in made.parameters.values() if p.name != "self"]
         return made.replace(parameters=rest, return_annotation=inspect.Signature.empty)
@@ -154,13 +156,29 @@ def _refuse(
     raise TypeError(sentence(subject, _overloads(callable_, names), args, kwargs, names))
 
 
+def _makers(owner: type, names: dict[str, Any]) -> list[str]:
+    """What returns one of a class that has no constructor: its static methods, or functions."""
+    own = [f"{owner.__name__}.{name}" for name, value in vars(owner).items()
+           if isinstance(value, staticmethod) and not name.startswith("_")]
+    return own or [
+        name for name, value in names.items()
+        if type(value).__name__ == "nb_func" and not name.startswith("_") and any(
+            owner.__name__ in re.findall(r"\w+", str(made.return_annotation))
+            for made in _overloads(value, names)
+        )
+    ]
+
+
 def explain_constructor(owner: Any, names: dict[str, Any]) -> None:
     """A call of the class that no constructor takes says what is wrong with it."""
-    if not hasattr(owner.__init__, "__nb_signature__"):
-        return
+    has_constructor = hasattr(owner.__init__, "__nb_signature__")
 
     def refuse(args: tuple, kwargs: dict[str, Any]) -> NoReturn:
-        _refuse(owner.__name__, owner.__init__, names, args, kwargs)
+        if has_constructor:
+            _refuse(owner.__name__, owner.__init__, names, args, kwargs)
+        makers = _makers(owner, names)
+        how = " or ".join(makers[:4]) if makers else "what other functions of polhode return"
+        raise TypeError(f"{owner.__name__}: its class cannot be called; expected {how}")
 
     owner._refuse = staticmethod(refuse)
     _core._explain_constructor(owner)

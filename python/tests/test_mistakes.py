@@ -214,3 +214,23 @@ def test_what_an_argument_raises_is_not_hidden():
 
     with pytest.raises(RuntimeError, match="no array today"):
         MOTION.at(Bad())
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("ConstantTorque", "ConstantTorque.in_body or ConstantTorque.in_space"),
+        ("SaveAt", "SaveAt.steps or SaveAt.count or SaveAt.times"),
+        ("Trajectory", "integrate or resume"),
+        ("Spectrum", "spectrum"),
+        ("AnyPerturbation", "what other functions of polhode return"),
+    ],
+)
+def test_a_class_that_cannot_be_called_says_what_makes_it(name, expected):
+    with pytest.raises(TypeError, match=f"^{name}: its class cannot be called; expected {expected}$"):
+        getattr(polhode, name)(1.0)
+
+
+def test_steps_of_one_length_take_no_tolerance():
+    with pytest.raises(ValueError, match="tolerance 1e-09 goes with steps under control; got step 0.2"):
+        polhode.Collocation(1e-9, step=0.2)

@@ -110,8 +110,8 @@ void bind_torque_table(nb::module_& m) {
       m,
       R"(A torque given by rows of time: thrusters, wheels.
 
-Adaptive and VariationOfConstants end a step wherever it is not smooth (`breakpoints`), so that no
-pulse is stepped over. Splitting refuses it.)",
+Collocation, Adaptive and VariationOfConstants end a step wherever it is not smooth (`breakpoints`),
+so that no pulse is stepped over. Splitting refuses it.)",
       "ValueError for rows that are not finite or times that do not increase.",
       [](const Making& at, const Table& times, const Table& torques, TorqueTable::Between between,
          TorqueTable::Outside outside, std::optional<SpaceAxes> axes) {

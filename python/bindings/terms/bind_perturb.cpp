@@ -44,7 +44,8 @@ TorqueTerm, HamiltonianTerm.)",
           "(n,): the times at which it is not smooth, where integrate ends a step.")
       .def_prop_ro(
           "supports_switches", [](const P& p) { return p.supports_switches(); },
-          "Whether it can name switching functions, at whose zeros Adaptive ends a step.")
+          "Whether it can name switching functions, at whose zeros Collocation and Adaptive "
+          "end a step.")
       .def_prop_ro(
           "time_scale", [](const P& p) { return p.time_scale(); },
           "A quarter of a turn of what it follows, the default of largest_step; inf where it "

@@ -274,8 +274,8 @@ TypeError or ValueError, naming the term, for what is not three numbers; NaN is 
       argument<Typed<"typing.Callable[[float, RotorState], numpy.typing.ArrayLike]">>(
           "switches",
           "g(t, s) -> (n,) switching functions of a torque that jumps, or has a kink, "
-          "where one of them is zero; smooth there. Adaptive ends a step at each zero, "
-          "and calls the function with sides (n,), +1.0 or -1.0: what it takes for the "
+          "where one of them is zero; smooth there. Collocation and Adaptive end a step at each, "
+          "and call the function with sides (n,), +1.0 or -1.0: what it takes for the "
           "signs of g, so that it is smooth at the zero.",
           nb::none()),
       argument<std::optional<double>>("time_scale",
