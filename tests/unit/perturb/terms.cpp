@@ -268,7 +268,7 @@ TEST(HamiltonianTerm, WithTangentStates) {
   EXPECT_NEAR(e.v.x.derivative[4], 0.3 * k.z, budget::perturb_eps * eps);
   EXPECT_EQ(refusal([&] { (void)term.flow(c.on<double>(), 0.1); }),
             "AnyPerturbation: term \"generic\" has no exact flow: use a method that needs none "
-            "(Adaptive)");
+            "(Collocation)");
 }
 
 TEST(TorqueTerm, OnDoubleAlone) {
