@@ -134,11 +134,11 @@ void bind_complete(nb::module_& e) {
 }
 
 // Room for the arguments of one call of the lanes, where they do not lie side by side already.
-constexpr std::size_t most_together = 512;
-using Some = std::array<double, most_together>;
+constexpr std::size_t arguments_together = 512;
+using SomeArguments = std::array<double, arguments_together>;
 
 // Numbers k, k + 1, ...: where they lie, or those of a number that stands for all.
-const double* side_by_side(const Numbers& x, std::size_t k, Some& room) {
+const double* side_by_side(const Numbers& x, std::size_t k, SomeArguments& room) {
   if (x.at(1) != x.at(0)) return x.at(k);
   room.fill(x[k]);
   return room.data();
@@ -151,9 +151,9 @@ nb::tuple jacobi_of_arrays(nb::handle u, nb::handle m, nb::handle m1) {
   const Shape shape = broadcast(x);
   Result sn(shape), cn(shape), dn(shape);
   const auto write = [&](std::size_t begin, std::size_t end) {
-    Some of_u, of_m, of_m1;
-    for (std::size_t k = begin; k < end; k += most_together) {
-      const std::size_t count = std::min(most_together, end - k);
+    SomeArguments of_u, of_m, of_m1;
+    for (std::size_t k = begin; k < end; k += arguments_together) {
+      const std::size_t count = std::min(arguments_together, end - k);
       const auto all = [count](const double* from) { return std::span(from, count); };
       const double* const parameters = side_by_side(x[1], k, of_m);
       for (std::size_t i = 0; x.size() == 2 && i < count; ++i) of_m1[i] = 1.0 - parameters[i];
