@@ -17,7 +17,7 @@ constexpr std::size_t count = 256, checked = 32;
 
 class Measured {
  public:
-  Measured(double m1, std::mt19937_64& engine) : exact_(exact_functions(m1)) {
+  Measured(double m1, std::mt19937_64& engine) : m1_(m1), exact_(exact_functions(m1)) {
     all_.push_back(polhode_functions(m1));
     for (auto& f : peer_functions(m1)) all_.push_back(std::move(f));
     const double K = exact_->complete_k();
@@ -32,14 +32,11 @@ class Measured {
   }
 
   void jacobi(const std::string& what, int repetitions) const {
-    compare("G7", what,
-            entries(
-                u_, [](const Functions& f, double u) { return f.jacobi(u); },
-                [](const Values& got, const Values& want) {
-                  return polhode::test::larger(std::abs(got.a - want.a), std::abs(got.b - want.b),
-                                               std::abs(got.c - want.c));
-                }),
-            repetitions);
+    std::vector<Entry> list = entries(
+        u_, [](const Functions& f, double u) { return f.jacobi(u); }, largest_of_three);
+    list.push_back(many("polhode jacobi, many at once", count));
+    list.push_back(many("polhode jacobi, many at once, one modulus", 1));
+    compare("G7", what, list, repetitions);
   }
   void integrals(const std::string& what, int repetitions) const {
     const auto relative = [](double got, double want) { return std::abs(got / want - 1.0); };
@@ -58,6 +55,28 @@ class Measured {
   }
 
  private:
+  static double largest_of_three(const Values& got, const Values& want) {
+    return polhode::test::larger(std::abs(got.a - want.a), std::abs(got.b - want.b),
+                                 std::abs(got.c - want.c));
+  }
+
+  // Of all arguments, with so many moduli, which happen to be equal.
+  Entry many(const char* who, std::size_t moduli) const {
+    const std::vector<double> m(moduli, 1.0 - m1_), m1(moduli, m1_);
+    JacobiTable got{std::vector<double>(count), std::vector<double>(count),
+                    std::vector<double>(count)};
+    polhode_jacobi(u_, m, m1, got);
+    polhode::test::Worst worst;
+    for (std::size_t i = 0; i < checked; ++i)
+      worst.add(largest_of_three({got.sn[i], got.cn[i], got.dn[i]}, exact_->jacobi(u_[i])));
+    return {who,
+            [this, m, m1, got]() mutable {
+              polhode_jacobi(u_, m, m1, got);
+              keep(got.sn.data());
+            },
+            static_cast<double>(count), worst.value()};
+  }
+
   // One entry for each library that has the function.
   template <class Call, class Error>
   std::vector<Entry> entries(const std::vector<double>& at, Call call, Error error) const {
@@ -76,6 +95,7 @@ class Measured {
     return list;
   }
 
+  double m1_;
   std::unique_ptr<Functions> exact_;
   std::vector<std::unique_ptr<Functions>> all_;
   std::vector<double> u_, n_, phi_;

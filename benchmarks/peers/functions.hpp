@@ -28,6 +28,12 @@ class Functions {
 };
 
 std::unique_ptr<Functions> polhode_functions(double m1);
+// All arguments at once, each with a modulus of its own, or all with that of a single m1.
+struct JacobiTable {
+  std::vector<double> sn, cn, dn;
+};
+void polhode_jacobi(const std::vector<double>& u, const std::vector<double>& m,
+                    const std::vector<double>& m1, JacobiTable& results);
 // Boost by default, Boost in double, GSL, GeographicLib: those that are here.
 std::vector<std::unique_ptr<Functions>> peer_functions(double m1);
 // At 50 digits, rounded; K, Pi and Heuman's lambda of the exact m1.

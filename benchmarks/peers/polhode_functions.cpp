@@ -3,6 +3,7 @@
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/jacobi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 
 namespace peers {
 namespace {
@@ -26,5 +27,10 @@ class Polhode : public Functions {
 }  // namespace
 
 std::unique_ptr<Functions> polhode_functions(double m1) { return std::make_unique<Polhode>(m1); }
+
+void polhode_jacobi(const std::vector<double>& u, const std::vector<double>& m,
+                    const std::vector<double>& m1, JacobiTable& results) {
+  polhode::jacobi(u, m, m1, polhode::JacobiSpans{results.sn, results.cn, results.dn});
+}
 
 }  // namespace peers

@@ -32,6 +32,7 @@
 #include "polhode/elliptic/jacobi_zeta.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/elliptic/nome.hpp"
 #include "polhode/ephemeris/date.hpp"

@@ -132,11 +132,10 @@ def complete_pi(n: ArrayLike, m: ArrayLike, *, m1: ArrayLike | None = None) -> A
 def jacobi(u: ArrayLike, m: ArrayLike, *, m1: ArrayLike | None = None) -> JacobiFunctions:
     """sn, cn and dn of u. [DLMF 22.2]
 
-    Any finite u, any m: below 0 by DLMF 22.17(i), above 1 by DLMF 22.17.2-4."""
-    all_three = _elliptic.jacobi(u, m, m1)
-    if all_three.ndim == 1:
-        return JacobiFunctions(*map(float, all_three))
-    return JacobiFunctions(all_three[..., 0], all_three[..., 1], all_three[..., 2])
+    Any finite u, any m: below 0 by DLMF 22.17(i), above 1 by DLMF 22.17.2-4. Arrays are computed
+    in the lanes of the processor for 0 <= m < 1 and |u| <= 1e6; their last digits may differ from
+    those of numbers."""
+    return JacobiFunctions(*_elliptic.jacobi(u, m, m1))
 
 
 def amplitude(u: ArrayLike, m: ArrayLike, *, m1: ArrayLike | None = None) -> Any:

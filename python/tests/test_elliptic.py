@@ -68,9 +68,28 @@ def test_jacobi():
     assert all(type(x) is float for x in one)
     many = elliptic.jacobi([[0.7, -0.7]], [[0.3], [1.0]])
     assert many.sn.shape == many.cn.shape == many.dn.shape == (2, 2)
-    assert many.sn[0, 0] == one.sn
+    for name in ("sn", "cn", "dn"):  # arrays are computed in lanes
+        lane, alone = getattr(many, name)[0, 0], getattr(one, name)
+        assert lane == pytest.approx(alone, rel=budgets.elliptic_python)
     assert many.sn[1, 1] == -math.tanh(0.7)
     assert np.all(np.isnan(elliptic.jacobi(0.7, math.nan)))
+
+
+def test_jacobi_of_arrays_depends_on_each_argument_alone():
+    u = np.linspace(-30.0, 30.0, 1201)
+    m1 = np.geomspace(1e-12, 1.0, 7)[:, None]
+    all_at_once = elliptic.jacobi(u, 1.0 - m1, m1=m1)
+    assert all_at_once.dn.shape == (7, 1201)
+    for i, complement in enumerate(m1[:, 0]):
+        row = elliptic.jacobi(u[::-1], 1.0 - complement, m1=complement)
+        one_by_one = [elliptic.jacobi(x, 1.0 - complement, m1=complement).sn for x in u[::40]]
+        assert np.array_equal(row.sn[::-1], all_at_once.sn[i])
+        apart = np.abs(all_at_once.sn[i, ::40] - one_by_one)
+        assert np.all(apart <= budgets.elliptic_python * (1.0 + np.abs(u[::40])))
+    u[3] = math.nan
+    assert np.isnan(elliptic.jacobi(u, 0.5).sn).tolist() == [k == 3 for k in range(1201)]
+    with pytest.raises(ValueError, match=r"breaks m \+ m1 = 1"):
+        elliptic.jacobi(u, 0.5, m1=[0.25] * 1201)
 
 
 @pytest.mark.parametrize("m", [-50.0, -0.25, 0.0, 0.3, 0.96875])

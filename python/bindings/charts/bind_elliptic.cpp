@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Elliptic integrals and functions over arrays: polhode._core._elliptic, which polhode/elliptic.py
 // wraps with names and docstrings.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "interface/arrays.hpp"
@@ -14,6 +16,7 @@
 #include "polhode/elliptic/jacobi_zeta.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/elliptic/nome.hpp"
 
@@ -130,6 +133,46 @@ void bind_complete(nb::module_& e) {
               [](double psi, const Modulus& mod) { return heuman_lambda0(psi, mod); });
 }
 
+// Room for the arguments of one call of the lanes, where they do not lie side by side already.
+constexpr std::size_t arguments_together = 512;
+using SomeArguments = std::array<double, arguments_together>;
+
+// Numbers k, k + 1, ...: where they lie, or those of a number that stands for all.
+const double* side_by_side(const Numbers& x, std::size_t k, SomeArguments& room) {
+  if (x.at(1) != x.at(0)) return x.at(k);
+  room.fill(x[k]);
+  return room.data();
+}
+
+// sn, cn and dn of an argument by itself, and of arrays in lanes.
+nb::tuple jacobi_of_arrays(nb::handle u, nb::handle m, nb::handle m1) {
+  std::vector<Numbers> x = numbers({{u, "u"}, {m, "m"}});
+  if (!m1.is_none()) x.emplace_back(m1, "m1");
+  const Shape shape = broadcast(x);
+  Result sn(shape), cn(shape), dn(shape);
+  const auto write = [&](std::size_t begin, std::size_t end) {
+    SomeArguments of_u, of_m, of_m1;
+    for (std::size_t k = begin; k < end; k += arguments_together) {
+      const std::size_t count = std::min(arguments_together, end - k);
+      const auto all = [count](const double* from) { return std::span(from, count); };
+      const double* const parameters = side_by_side(x[1], k, of_m);
+      for (std::size_t i = 0; x.size() == 2 && i < count; ++i) of_m1[i] = 1.0 - parameters[i];
+      const double* const complements = x.size() == 2 ? of_m1.data() : side_by_side(x[2], k, of_m1);
+      jacobi(all(side_by_side(x[0], k, of_u)), all(parameters), all(complements),
+             JacobiSpans{{sn.at(k), count}, {cn.at(k), count}, {dn.at(k), count}});
+    }
+  };
+  if (shape.empty()) {
+    const double m_0 = x[1][0], m1_0 = x.size() == 3 ? x[2][0] : 1.0 - m_0;
+    Jacobi<double> j{nan, nan, nan};
+    if (std::isfinite(m_0) && std::isfinite(m1_0))
+      j = jacobi(x[0][0], Modulus::from_any_pair(m_0, m1_0));
+    return nb::make_tuple(j.sn, j.cn, j.dn);
+  }
+  for_each_part(size_of(shape), write);
+  return nb::make_tuple(sn.take(), cn.take(), dn.take());
+}
+
 void bind_incomplete(nb::module_& e) {
   const auto bind = [&](const char* name, auto f) { bind_of_one(e, name, "phi", f); };
   bind("legendre_f", [](double phi, const Modulus& mod) { return legendre_f(phi, mod); });
@@ -146,18 +189,7 @@ void bind_incomplete(nb::module_& e) {
             [](auto&& x, const Modulus& mod, double* out) { *out = legendre_pi(x(0), x(1), mod); });
       },
       "phi"_a, "n"_a, "m"_a, "m1"_a.none());
-  e.def(
-      "jacobi",
-      [](nb::handle u, nb::handle m, nb::handle m1) {
-        return with_modulus(numbers({{u, "u"}}), m, m1, {3}, 3,
-                            [](auto&& x, const Modulus& mod, double* out) {
-                              const Jacobi<double> j = jacobi(x(0), mod);
-                              out[0] = j.sn;
-                              out[1] = j.cn;
-                              out[2] = j.dn;
-                            });
-      },
-      "u"_a, "m"_a, "m1"_a.none());
+  e.def("jacobi", &jacobi_of_arrays, "u"_a, "m"_a, "m1"_a.none());
 }
 
 }  // namespace
