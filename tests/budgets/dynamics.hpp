@@ -103,6 +103,7 @@ inline constexpr double collocation_event = 1e-11;
 inline constexpr double collocation_unnamed_edge = 2e-8;
 inline constexpr double collocation_unnamed_edge_of_four = 1e-6;
 inline constexpr double collocation_penumbra = 1e-9;
+inline constexpr double collocation_mesh = 5e-10;
 // A damper of strong friction against 10,000 steps of Adaptive; derivatives against those of
 // Adaptive, relative to the largest entry.
 inline constexpr double collocation_friction = 1e-12;

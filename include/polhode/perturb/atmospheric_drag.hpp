@@ -74,6 +74,8 @@ class AtmosphericDrag {
   }
   // The facets that turn edge-on.
   std::vector<double> switches(const Setting& at) const;
+  // Of a surface of many facets.
+  bool has_unnamed_kinks() const { return stream_.has_unnamed_kinks(); }
 
  private:
   struct Flow {

@@ -180,6 +180,21 @@ concept Fading = Switching<P> && requires(const P& term) {
   { term.fades_at_switches() } -> std::convertible_to<bool>;
 };
 
+// A term whose torque has kinks that it does not name, many and small (a mesh in sunlight), says
+// so: Collocation judges its steps by them, and they are shorter.
+template <class P>
+concept Kinked = Perturbation<P> && requires(const P& term) {
+  { term.has_unnamed_kinks() } -> std::convertible_to<bool>;
+};
+template <Perturbation P>
+bool has_unnamed_kinks(const P& term) {
+  if constexpr (Kinked<P>) {
+    return term.has_unnamed_kinks();
+  } else {
+    return false;
+  }
+}
+
 // A term that follows a motion of its own says how fast that is: the time of a quarter of a turn
 // where it is fastest. Unless the user gives largest_step, no step of Collocation or Adaptive is
 // longer.

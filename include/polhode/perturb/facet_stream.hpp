@@ -49,6 +49,8 @@ class FacetStream {
   static constexpr std::size_t most_edges = 32;
 
   const Surface& surface() const { return surface_; }
+  // Of a surface of more edges.
+  bool has_unnamed_kinks() const { return edges_.empty() && !rows_.empty(); }
 
   // n . e of every edge, behind what is in `values`.
   void add_edges(const Vec3& e, std::vector<double>& values) const {

@@ -91,6 +91,8 @@ class SolarPressure {
   }
   // The borders of the shadow, then the facets that turn edge-on.
   std::vector<double> switches(const Setting& at) const;
+  // Of a surface of many facets.
+  bool has_unnamed_kinks() const { return stream_.has_unnamed_kinks(); }
   // In a penumbra.
   bool fades_at_switches() const { return shadow_ && shadow_->shape() == ShadowShape::cone; }
 

@@ -65,8 +65,11 @@ class StageTerm {
   virtual void add_to(StageEffects& effects, const StageStates& states) = 0;
   // Whether v may be other than 0.
   virtual bool adds_rate() const = 0;
-  // Whether its torque is known to have no jump and no kink but at breakpoints and edges.
+  // Whether its torque is known to have no jump but at breakpoints and edges, and no kink but
+  // there or of those that it says to have.
   virtual bool is_smooth() const { return false; }
+  // Whether it has kinks at places that it does not name, many and small.
+  virtual bool has_unnamed_kinks() const { return false; }
   // What does for several bodies at a time; null where each has to be asked by itself.
   virtual const detail::StageLaw* law() const { return nullptr; }
 };

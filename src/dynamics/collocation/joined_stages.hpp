@@ -74,6 +74,7 @@ class JoinedStages {
   }
   bool drive(RotorStages::Rows& to) const { return rotor_.drive(to); }
   bool is_smooth() const { return rotor_.is_smooth(); }
+  bool has_unnamed_kinks() const { return rotor_.has_unnamed_kinks(); }
   std::array<double, 6> effects(const DoubleDouble& t, const Values& y,
                                 const SwitchSides* sides) const {
     RotorStages::Values first{};

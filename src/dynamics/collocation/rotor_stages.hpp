@@ -27,9 +27,10 @@ namespace detail {
 //   guess_start(), guess(rows, matrix, of)   the stages before the first sweep
 //   sweep()                                  the largest change; or solved(enough, sweeps)
 //   coefficients(rows), drive(rows)          of the rates, and of the terms where they are known
-//   effects(t, y, sides), is_smooth()        of the same terms; whether they are known to be smooth
-//   finished(), length(), scheme()           the end of the step
-//   blank(numbers)                           rows of as many numbers
+//   effects(t, y, sides), is_smooth()        of the same terms; whether they are known to be
+//   smooth, has_unnamed_kinks()                      and whether they say to have kinks that they
+//   do not name finished(), length(), scheme()           the end of the step blank(numbers) rows of
+//   as many numbers
 class RotorStages {
  public:
   using Field = RotorField<double>;
@@ -48,6 +49,7 @@ class RotorStages {
       terms_.push_back(term.on_stages(field_->system().body(), set));
       step_.has_rate = step_.has_rate || terms_.back()->adds_rate();
       is_smooth_ = is_smooth_ && terms_.back()->is_smooth();
+      has_unnamed_kinks_ = has_unnamed_kinks_ || terms_.back()->has_unnamed_kinks();
     }
     step_.has_frame = !field_->system().frame().is_inertial();
     times_.count = stages;
@@ -142,6 +144,7 @@ class RotorStages {
   }
   // Whether all terms are known to be smooth.
   bool is_smooth() const { return is_smooth_; }
+  bool has_unnamed_kinks() const { return has_unnamed_kinks_; }
   // What the terms of the system do at any time, in the order of `drive`.
   std::array<double, 6> effects(const DoubleDouble& t, const Values& y,
                                 const SwitchSides* sides) const {
@@ -224,6 +227,7 @@ class RotorStages {
   Guess waiting_;
   Solution given_;
   bool is_smooth_ = true;
+  bool has_unnamed_kinks_ = false;
   bool is_put_off_ = false, is_placed_ = false, is_given_ = false;
   double h_ = 0.0;
   DoubleDouble length_;

@@ -53,6 +53,17 @@ struct StepEstimate {
     }
     return field.error_size(error, y, increment);
   }
+  // Of effects whose kinks are many. However fast their coefficients fall from the first to the
+  // last, those of the kinks do not: what is left is a tenth of the last, as measured on meshes of
+  // 48 and 360 facets in sunlight.
+  double of_kinks(const DriveRows& drive) const {
+    Values error = zeros_like(y);
+    for (std::size_t n = 0; n < 6; ++n) {
+      const double size = 0.1 * h * pair(drive[n], s - 1);
+      error[n < 3 ? 4 + n : n - 2] = n < 3 ? size : 0.5 * size;
+    }
+    return field.error_size(error, y, increment);
+  }
   // What no stage sees: a jump or a kink between the outermost stages and the ends of the step, of
   // which they are `gap` apart. At the ends the effects are then not those of the polynomial.
   double of_ends(const DriveRows& drive, const std::array<double, 6>& first,

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "budgets.hpp"
 #include "polhode/dynamics/integrate.hpp"
+#include "polhode/math/real.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
@@ -129,6 +131,29 @@ TEST(CollocationEdges, LightOfAPenumbraIsFollowed) {
     };
     EXPECT_LT(count(Collocation{1e-12}), count(Adaptive{1e-12})) << stop;
   }
+}
+
+// A mesh of more facets than are watched: their kinks are not named, and were stepped over at 1e-12
+// with an error of 4e-7.
+TEST(CollocationEdges, KinksOfAMeshAreResolved) {
+  std::vector<SurfaceFacet> facets;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 8; ++j) {
+      const double polar = pi<double>() * (i + 0.5) / 6.0, azimuth = pi<double>() * (j + 0.5) / 4.0;
+      const Vec3 n{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                   std::cos(polar)};
+      facets.push_back({{n.x + 0.05, 0.8 * n.y, 0.6 * n.z}, n, 0.26 * std::sin(polar), {0.2, 0.3}});
+    }
+  const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.95, 0.05}));
+  const AnyOrbit sun("sun", KeplerOrbit({2e-2, 200.0, 0.0}));
+  const System system(
+      Body(0.7, 1.0, 1.2), Frame::inertial(),
+      {{"sunlight", SolarPressure(Surface(facets), {0.003, 200.0}, {orbit}, {sun})}});
+  const RotorState s{{}, {1.4, 1.0, 1.8}};
+  const RotorState exact = end_of(system, s, 0.0, 20.0, Adaptive{1e-15});
+  EXPECT_LE(distance(end_of(system, s, 0.0, 20.0, Collocation{}), exact), budget::collocation_mesh);
+  EXPECT_LE(distance(end_of(system, s, 0.0, 20.0, Collocation{1e-9}), exact),
+            500.0 * budget::collocation_mesh);
 }
 
 // A torque that comes and goes like the power 3/2 of the time, as a user may have one.

@@ -89,6 +89,7 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
              moments_.data(), effects.v[0].data(), effects.u[0].data()});
   }
   bool is_smooth() const override { return LibraryLaw<Law>; }
+  bool has_unnamed_kinks() const override { return polhode::has_unnamed_kinks(term_); }
   bool adds_rate() const override { return Law::adds_rate; }
   const StageLaw* law() const override { return sides_.empty() ? this : nullptr; }
 
@@ -177,6 +178,7 @@ class SingleStages final : public StageTerm {
     }
   }
   bool adds_rate() const override { return true; }
+  bool has_unnamed_kinks() const override { return polhode::has_unnamed_kinks(term_); }
 
  private:
   const P& term_;
