@@ -215,6 +215,8 @@ def page(records, machine, curves, measured=()):
             "to the highest. Times are those of this machine in this run.", 100)
         yield ""
         yield from goals_table(measured)
+        yield ""
+        yield "What stands in the way of the others: [design note 0042](../design/0042-goals-not-met.md)."
     lost = list(slower(records))
     if lost:
         yield ""
