@@ -37,7 +37,20 @@ void AttitudeMoments::add(std::int64_t member, const Quaternion& q) {
 }
 
 void AttitudeMoments::add(std::int64_t first, std::span<const RotorState> states) {
-  for (const RotorState& s : states) add(first++, s.q);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    double sums[10];  // in registers while all is usual
+    std::copy_n(sums_, 10, sums);
+    const std::size_t begin = i;
+    for (; i < states.size(); ++i) {
+      const Quaternion& q = states[i].q;
+      const auto all = AttitudeSums::products(q.w, q.x, q.y, q.z);
+      if (!(std::abs(all.square - 1.0) <= AttitudeSums::unit_slack)) break;
+      for (int k = 0; k < 10; ++k) sums[k] += all.p[k];
+    }
+    std::copy_n(sums, 10, sums_);
+    count_ += static_cast<std::int64_t>(i - begin);
+    if (i < states.size()) add(first + static_cast<std::int64_t>(i), states[i].q);
+  }
 }
 
 void AttitudeMoments::merge(const AttitudeMoments& later) {

@@ -24,15 +24,26 @@ class AttitudePack {
   [[gnu::always_inline]] explicit AttitudePack(AttitudeMoments* moments) : moments_(moments) {
     load();
   }
-  [[gnu::always_inline]] void add(std::int64_t member, const RotorState* states) {
+  // Member after member, `stride` states apart; as many as are usual stay in registers.
+  [[gnu::always_inline]] void add(std::int64_t first, const RotorState* states, std::size_t stride,
+                                  std::size_t members) {
     static_assert(sizeof(RotorState) == 7 * sizeof(double));
-    const std::array<T, 7> c = loaded_rows<7, isa>(&states->q.w);
-    const auto all = AttitudeSums::products(c[0], c[1], c[2], c[3]);
-    if (any(!(abs(all.square - T(1.0)) <= T(AttitudeSums::unit_slack))))
-      return one_by_one(member, states);
+    for (std::size_t m = 0; m < members; ++m) {
+      T sums[10];
 #pragma GCC unroll 10
-    for (int k = 0; k < 10; ++k) sums_[k] = sums_[k] + all.p[k];
-    ++added_;
+      for (int k = 0; k < 10; ++k) sums[k] = sums_[k];
+      for (; m < members; ++m) {
+        const auto [w, x, y, z, gx, gy, gz] = loaded_rows<7, isa>(&states[m * stride].q.w);
+        const auto all = AttitudeSums::products(w, x, y, z);
+        if (any(!(abs(all.square - T(1.0)) <= T(AttitudeSums::unit_slack)))) break;
+#pragma GCC unroll 10
+        for (int k = 0; k < 10; ++k) sums[k] = sums[k] + all.p[k];
+        ++added_;
+      }
+#pragma GCC unroll 10
+      for (int k = 0; k < 10; ++k) sums_[k] = sums[k];
+      if (m < members) one_by_one(first + static_cast<std::int64_t>(m), states + m * stride);
+    }
   }
   [[gnu::always_inline]] void store() {
     for (std::size_t i = 0; i < width; ++i) {
@@ -69,8 +80,7 @@ template <InstructionSet isa>
   std::size_t e = 0;
   for (; e + width <= epochs; e += width) {
     AttitudePack<isa> pack(moments + e);
-    for (std::size_t m = 0; m < members; ++m)
-      pack.add(first + static_cast<std::int64_t>(m), states + m * epochs + e);
+    pack.add(first, states + e, epochs, members);
     pack.store();
   }
   for (; e < epochs; ++e)

@@ -31,15 +31,24 @@ class SpreadPack {
       reference_[3].lanes[i] = r.z;
     }
   }
-  [[gnu::always_inline]] void add(std::int64_t member, const RotorState* states) {
+  // Member after member, `stride` states apart.
+  [[gnu::always_inline]] void add(std::int64_t first, const RotorState* states, std::size_t stride,
+                                  std::size_t members) {
     static_assert(sizeof(RotorState) == 7 * sizeof(double));
-    const std::array<T, 7> c = loaded_rows<7, isa>(&states->q.w);
-    const T q[4] = {c[0], c[1], c[2], c[3]};
-    const TurnFrom<T> turn = SpreadSums::turn<isa>(reference_, q);
-    if (any(!(turn.square > T(SpreadSums::least_square) &&
-              turn.square < T(SpreadSums::most_square))))
-      return one_by_one(member, states);
-    SpreadSums::add(sums_, turn, T(static_cast<double>(member)));
+    for (std::size_t m = 0; m < members; ++m) {
+      SpreadSums::Sums<T> sums = sums_;
+      for (; m < members; ++m) {
+        const auto [w, x, y, z, gx, gy, gz] = loaded_rows<7, isa>(&states[m * stride].q.w);
+        const T q[4] = {w, x, y, z};
+        const TurnFrom<T> turn = SpreadSums::turn<isa>(reference_, q);
+        if (any(!(turn.square > T(SpreadSums::least_square) &&
+                  turn.square < T(SpreadSums::most_square))))
+          break;
+        SpreadSums::add(sums, turn, T(static_cast<double>(first + static_cast<std::int64_t>(m))));
+      }
+      sums_ = sums;
+      if (m < members) one_by_one(first + static_cast<std::int64_t>(m), states + m * stride);
+    }
   }
   [[gnu::always_inline]] void store() {
     for (std::size_t i = 0; i < width; ++i)
@@ -76,8 +85,7 @@ template <InstructionSet isa>
   std::size_t e = 0;
   for (; e + width <= epochs; e += width) {
     SpreadPack<isa> pack(spreads + e);
-    for (std::size_t m = 0; m < members; ++m)
-      pack.add(first + static_cast<std::int64_t>(m), states + m * epochs + e);
+    pack.add(first, states + e, epochs, members);
     pack.store();
   }
   for (; e < epochs; ++e)
