@@ -155,9 +155,10 @@ std::optional<FrechetMean> AttitudeSpread::frechet() const {
   const Eigen::Matrix3d bend = symmetric(bend_) / count_;
   const Eigen::Matrix3d hessian = one + bend - bend.trace() * one;
   const Eigen::Vector3d d = (hessian - 0.5 * cross_matrix(m)).partialPivLu().solve(m);
-  const double step = d.norm(), right_angle = 0.5 * pi<double>();
+  // a right angle, as of two opposite attitudes, less rounding
+  const double step = d.norm(), most = 0.5 * pi<double>() * (1.0 - 1e-9);
   const double mean_square = products.trace() / count_;
-  if (!(mean_square < right_angle * right_angle) || !(step < pi<double>())) return std::nullopt;
+  if (!(mean_square < most * most) || !(step < pi<double>())) return std::nullopt;
 
   const Eigen::Matrix3d to_mean = one - 0.5 * cross_matrix(d);
   const Eigen::Matrix3d about_mean = to_mean * products * to_mean.transpose();

@@ -11,8 +11,8 @@
 //             member: means, minima and maxima are NaN, of member -1; fewer than two: so are
 //             covariances.
 // Accuracy    budget number_moments_eps in tests/budgets/ensemble.hpp: the relative error of a
-//             variance is some eps times sqrt(1 + (mean / deviation)^2), of a covariance the same
-//             of the product of the deviations; n times as much at the very worst.
+//             variance is some tens of eps times sqrt(1 + (mean / deviation)^2), of a covariance
+//             the same of the product of the deviations; n times as much at the very worst.
 // Errors      DomainError for a size below 1, for other than `size` numbers, an index outside, and
 //             as an Accumulator.
 // Cost        benchmarks/statistics.cpp; (size^2 + 11 size) / 2 numbers, and those of LeftOut.
