@@ -29,6 +29,14 @@ high = 2.2
 kind = "attitude"
 keys = ["state.attitude-rate.quaternion"]
 """
+COLLOCATION = """
+[method]
+kind = "collocation"
+tolerance = 1e-10
+[[perturbation]]
+kind = "constant-torque"
+torque = [1e-4, 0, 2e-4]
+"""
 TORQUE = """
 [[perturbation]]
 kind = "constant-torque"
@@ -67,7 +75,7 @@ def mark(path):
 
 
 @pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
-@pytest.mark.parametrize("extra", ["", TORQUE])
+@pytest.mark.parametrize("extra", ["", TORQUE, COLLOCATION])
 def test_any_number_of_threads_gives_the_same_files(run, ensemble, tmp_path, keep, extra):
     path = ensemble(f'size = 40\nchunk = 7\nkeep = "{keep}"', extra=extra,
                     columns='"q", "omega", "andoyer", "tumbler"')
@@ -133,7 +141,7 @@ def test_ctrl_c_keeps_the_members(polhode, run, ensemble, tmp_path):
     assert "is of another ensemble: scenario was" in done.stderr
 
 
-@pytest.mark.parametrize("extra", ["", TORQUE])
+@pytest.mark.parametrize("extra", ["", TORQUE, COLLOCATION])
 def test_a_member_alone_is_that_of_the_ensemble(run, ensemble, tmp_path, extra):
     vary = VARY + """
 [[ensemble.vary]]

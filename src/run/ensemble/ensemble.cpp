@@ -9,6 +9,7 @@
 #include "polhode/error.hpp"
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
+#include "run/ensemble/lockstep.hpp"
 #include "run/ensemble/member_text.hpp"
 #include "scenario/prepared_base.hpp"
 
@@ -52,15 +53,17 @@ struct ScenarioEnsemble::Parts {
         keys(scenario.ensemble->keys()),
         base(scenario, keys),
         groups(polhode::row_groups(scenario)) {
-    if (!is_closed_form(scenario.experiment)) return;
-    layout.emplace(row_layout(scenario));
+    const bool is_closed = is_closed_form(scenario.experiment);
+    if (is_closed || detail::goes_in_lockstep(scenario.experiment))
+      layout.emplace(row_layout(scenario));
+    if (!is_closed) return;
     const SaveAt& rows = *row_times(scenario);
     for (std::int64_t k = 0; k < rows.size(); ++k) times.push_back(rows[k]);
   }
 
   // Of an experiment like that of the scenario.
   void run(const Experiment& experiment, const Progress& progress, EnsembleMember& member) const {
-    if (layout && is_closed_form(experiment)) {
+    if (!times.empty() && is_closed_form(experiment)) {
       member.rows.resize(times.size() * layout->width());
       layout->write_rows(free_rotation(std::get<Rotation>(experiment)), times, member.rows);
       return;
@@ -75,8 +78,8 @@ struct ScenarioEnsemble::Parts {
   std::vector<std::string> keys;
   detail::PreparedBase base;
   std::vector<ColumnGroup> groups;
-  std::optional<RowLayout> layout;  // where the motion has a closed form
-  std::vector<double> times;
+  std::optional<RowLayout> layout;  // of members that are not run one by one as files are
+  std::vector<double> times;        // where the motion has a closed form
 };
 
 ScenarioEnsemble::ScenarioEnsemble(Scenario scenario)
@@ -105,7 +108,26 @@ EnsembleMember ScenarioEnsemble::member(std::int64_t index, const Progress& prog
 std::vector<EnsembleMember> ScenarioEnsemble::members(std::int64_t begin, std::int64_t end,
                                                       const Progress& progress) const {
   std::vector<EnsembleMember> all;
-  for (std::int64_t index = begin; index < end; ++index) all.push_back(member(index, progress));
+  if (!detail::goes_in_lockstep(scenario().experiment)) {
+    for (std::int64_t index = begin; index < end; ++index) all.push_back(member(index, progress));
+    return all;
+  }
+  std::vector<Experiment> made;
+  std::vector<std::size_t> places;  // of these among all
+  for (std::int64_t index = begin; index < end; ++index) {
+    detail::require_member(*this, index);
+    all.push_back({plan().numbers(index), {}, {}});
+    try {
+      made.push_back(parts_->base.experiment(all.back().drawn));
+      places.push_back(all.size() - 1);
+    } catch (const DomainError& error) {
+      all.back().failure = error.what();
+    }
+  }
+  std::vector<detail::LockstepMember> going;
+  for (std::size_t k = 0; k < made.size(); ++k)
+    going.push_back({&std::get<Rotation>(made[k]), &all[places[k]]});
+  detail::run_in_lockstep(going, *parts_->layout, progress);
   return all;
 }
 
