@@ -194,7 +194,8 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       ->add_option("--member", options->member,
                    "Run this member alone, from 0 on: its rows into --out, its scenario into a "
                    "PATH.toml among these; without --out, print its scenario")
-      ->type_name("K");
+      ->type_name("K")
+      ->check(member_index());
   command
       ->add_option("--threads", options->threads,
                    "How many chunks at a time; left out: one on each processor. The result does "

@@ -17,6 +17,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+constexpr std::int64_t most_times = 1'000'000;  // that are held
+
 // Rows in memory.
 class RowSink : public Sink {
  public:
@@ -56,8 +58,8 @@ struct ScenarioEnsemble::Parts {
     const bool is_closed = is_closed_form(scenario.experiment);
     if (is_closed || detail::goes_in_lockstep(scenario.experiment))
       layout.emplace(row_layout(scenario));
-    if (!is_closed) return;
     const SaveAt& rows = *row_times(scenario);
+    if (!is_closed || rows.size() > most_times) return;
     for (std::int64_t k = 0; k < rows.size(); ++k) times.push_back(rows[k]);
   }
 
