@@ -22,6 +22,6 @@ inline constexpr double joint_normal = 8.0, joint_normal_flat = 1e-14;
 inline constexpr double unit_length = 4.0;
 
 // --- errors of means over Sobol's points: over those of as many random ones, of a 16th of them ---
-inline constexpr double sobol_over_random = 0.1, sobol_over_fewer = 0.125;
+inline constexpr double sobol_over_random = 0.02, sobol_over_fewer = 0.1;
 
 }  // namespace polhode::budget
