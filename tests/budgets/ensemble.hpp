@@ -5,7 +5,7 @@
 namespace polhode::budget {
 
 // --- draws (tests/unit/ensemble): a probability over fixed seeds between these two ---
-inline constexpr double improbable = 1e-3, too_good = 1.0 - 1e-3;
+inline constexpr double improbable = 1e-3, too_good = 0.999;
 
 // --- normal_quantile against 50 digits, in ulp, from 2.3e-308 to 1 - 2^-53 ---
 inline constexpr double normal_quantile_ulp = 6.0;
