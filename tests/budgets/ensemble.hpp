@@ -22,7 +22,7 @@ inline constexpr double joint_normal = 8.0, joint_normal_flat = 1e-14;
 inline constexpr double unit_length = 4.0;
 
 // --- errors of means over Sobol's points: over those of as many random ones, of a 16th of them ---
-inline constexpr double sobol_over_random = 0.1, sobol_over_fewer = 0.125;
+inline constexpr double sobol_over_random = 0.02, sobol_over_fewer = 0.1;
 
 // --- statistics (tests/unit/ensemble) ---
 // Covariances of 20,000 against 50 digits, in eps sqrt(1 + (mean/deviation)^2) of the product of

@@ -10,7 +10,7 @@
 // Accuracy    the bits are the same on any machine, thread and rank. A uniform number is one of the
 //             2^52 odd multiples of 2^-53, so that 1 - u and u - 1/2 are exact.
 // Errors      none.
-// Cost        ns_per_draw of benchmarks/draws.cpp: four uniform numbers take the time of one.
+// Cost        time/number of benchmarks/draws.cpp: four uniform numbers take the time of one.
 #pragma once
 
 #include <cstdint>

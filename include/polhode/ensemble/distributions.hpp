@@ -15,7 +15,7 @@
 //             same on any machine.
 // Errors      DomainError names the value and what it must be; of a covariance, the entry or the
 //             eigenvalue.
-// Cost        ns_per_draw of benchmarks/draws.cpp; n normal numbers take n^2 multiplications.
+// Cost        time/number of benchmarks/draws.cpp; n normal numbers take n^2 multiplications.
 #pragma once
 
 #include <cstddef>

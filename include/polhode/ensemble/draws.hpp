@@ -13,7 +13,7 @@
 //             Sobol's points not on those after it.
 // Errors      DomainError for a name that is empty or comes twice, for more Sobol dimensions than
 //             there are, for a member past the last row, and for too few or too many numbers.
-// Cost        ns_per_draw of benchmarks/draws.cpp. Nothing is changed by a draw: share one among
+// Cost        time/number of benchmarks/draws.cpp. Nothing is changed by a draw: share one among
 //             threads.
 #pragma once
 

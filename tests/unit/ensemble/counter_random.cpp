@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ensemble/detail/philox.hpp"
+#include "polhode/ensemble/distributions.hpp"
 #include "polhode/ensemble/parts.hpp"
 #include "statistics.hpp"
 

@@ -61,6 +61,17 @@ TEST(IsotropicDirection, HasLengthOne) {
   EXPECT_LE(worst.value(), budget::unit_length);
 }
 
+// Next to a pole the distance from it keeps its digits: sqrt(1 - z^2) would lose all of them.
+TEST(IsotropicDirection, IsExactNextToThePoles) {
+  Worst<> worst;
+  for (const double u : {0x1p-53, 1.37e-9, 3e-5, 1.0 - 0x1p-53, 1.0 - 0x1.3p-30}) {
+    const Vec3 v = IsotropicDirection{}.from_uniform(u, 0.3);
+    const double across = 2.0 * std::sqrt(u) * std::sqrt(1.0 - u);
+    worst.add(std::abs(std::hypot(v.x, v.y) / across - 1.0) / eps);
+  }
+  EXPECT_LE(worst.value(), budget::unit_length);
+}
+
 // Any component is uniform in [-1, 1] (Archimedes), any product of two has the mean 0.
 TEST(IsotropicDirection, IsTheSameAlongAnyAxis) {
   const auto below = [](double x) { return 0.5 * (1.0 + x); };

@@ -92,6 +92,22 @@ TEST(LogUniform, IsUniformInTheLogarithm) {
   EXPECT_LE(worst.value(), budget::log_uniform);
 }
 
+// Whatever rounds, nothing is beyond a bound.
+TEST(Distributions, StayWithinTheirBounds) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const double low = open_uniform(random()), high = low * (1.0 + 1e-3 * open_uniform(random()));
+    for (const double u : {0x1p-53, 1.0 - 0x1p-53}) {
+      for (const double x :
+           {Uniform(low, high).from_uniform(u), LogUniform(low, high).from_uniform(u),
+            TruncatedNormal(0.3, 0.1, low, high).from_uniform(u)}) {
+        ASSERT_GE(x, low);
+        ASSERT_LE(x, high);
+      }
+    }
+  }
+}
+
 TEST(TruncatedNormal, InvertsItsDistributionFunction) {
   Worst<> worst;
   for (const auto& [low, high] : {std::pair(-infinity, infinity),

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,6 +66,30 @@ TEST(Draws, AreTheDistributionsOfTheirNumbers) {
   }
 }
 
+// So that members drawn by an older version, another compiler or another processor are the same.
+TEST(Draws, KeepTheirBits) {
+  const std::uint64_t hashes[] = {0xe213a035a6892e23, 0x3ddd598250aa5f58};
+  for (const DrawSource source : {DrawSource::random, DrawSource::sobol}) {
+    const Draws draws(of_each(), 2029, source);
+    std::uint64_t hash = key_of("");  // on by FNV-1a, a number at a time
+    for (std::uint64_t member = 0; member < 20'000; ++member)
+      for (std::size_t key = 0; key < draws.varied().size(); ++key)
+        for (const double x : draws.values(member, key))
+          hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
+    EXPECT_EQ(hash, hashes[source == DrawSource::sobol ? 1 : 0]);
+  }
+}
+
+TEST(Draws, MayHaveManyNumbers) {
+  constexpr std::size_t n = 30;
+  std::vector<double> one(n * n), u(n), x(n);
+  for (std::size_t i = 0; i < n; ++i) one[(n + 1) * i] = 1.0;
+  const JointNormal normal(std::vector<double>(n), one);
+  CounterRandom(1, key_of("many")).uniforms(4, u);
+  normal.from_uniform(u, x);
+  EXPECT_EQ(Draws({{"many", normal}}, 1).values(4, 0), x);
+}
+
 TEST(Draws, AMemberAloneIsThatOfARun) {
   for (const DrawSource source : {DrawSource::random, DrawSource::sobol}) {
     const Draws draws(of_each(), 3, source);
@@ -112,6 +138,9 @@ TEST(Draws, ListedPointsGoByTheMember) {
   const DrawTable table(1, {10, 20, 30}, RowOrder::in_order);
   const Draws draws({{"row", table}, {"grid", DrawGrid({{0, 1, 2}})}}, 1);
   EXPECT_EQ(draws.most_members(), 3u);
+  const DrawTable longer(1, {1, 2, 3, 4}, RowOrder::in_order);
+  EXPECT_EQ(Draws({{"row", table}, {"longer", longer}}, 1).most_members(), 3u);
+  EXPECT_EQ(Draws(of_each(), 1).most_members(), std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(draws.value(1, 0), 20.0);
   EXPECT_EQ(draws.value(2, 1), 0.0);  // the grid again
   EXPECT_EQ(message_of([&] { static_cast<void>(draws.value(3, 0)); }),

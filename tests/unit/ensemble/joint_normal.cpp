@@ -72,6 +72,22 @@ TEST(JointNormal, OfOneNumberIsNormal) {
   }
 }
 
+// What is left of a variance next to correlation 1 is kept.
+TEST(JointNormal, KeepsSmallVariances) {
+  const double r = 1.0 - 0x1p-40;
+  const std::vector<double> found = covariance_of({{0.0, 0.0}, {1.0, r, r, 1.0}});
+  EXPECT_LE(std::abs(found[3] - 1.0), budget::joint_normal * eps);
+  EXPECT_LE(std::abs(found[1] - r), budget::joint_normal * eps);
+}
+
+// A covariance that was computed: its halves differ by roundings.
+TEST(JointNormal, TakesRoundings) {
+  EXPECT_EQ(message_of([] { JointNormal({0.0, 0.0}, {1.0, 0.5, 0.5 + eps, 1.0}); }), "");
+  EXPECT_NE(message_of([] { JointNormal({0.0, 0.0}, {1.0, 0.5, 0.5 + 1e-9, 1.0}); }), "");
+  EXPECT_EQ(message_of([] { JointNormal({0.0, 0.0}, {1.0, 1.0 + eps, 1.0 + eps, 1.0}); }), "");
+  EXPECT_NE(message_of([] { JointNormal({0.0, 0.0}, {1.0, 1.0 + 1e-9, 1.0 + 1e-9, 1.0}); }), "");
+}
+
 // Two numbers that are one, and a fixed one.
 TEST(JointNormal, MayBeFlat) {
   const JointNormal of({1.0, 2.0, 7.0}, {4.0, -2.0, 0.0, -2.0, 1.0, 0.0, 0.0, 0.0, 0.0});
