@@ -23,7 +23,7 @@
 //             instructions.
 // Errors      DomainError for a reference that is 0 or not finite, another one to merge, rows that
 //             do not fit, a set that this processor lacks, and as an Accumulator.
-// Cost        benchmarks/statistics.cpp; 24 numbers, and those of LeftOut.
+// Cost        benchmarks/statistics.cpp; 22 numbers, and those of LeftOut.
 #pragma once
 
 #include <cstdint>

@@ -11,9 +11,10 @@ namespace detail {
 // One more, the n-th, as Welford does.
 inline void add_to_moments(const double* x, std::size_t size, double n, double* mean,
                            double* products) {
+  const double part = 1.0 / n;
   for (std::size_t i = 0; i < size; ++i) {
     const double d = x[i] - mean[i];
-    mean[i] += d / n;
+    mean[i] += d * part;
     for (std::size_t j = 0; j <= i; ++j) *products++ += d * (x[j] - mean[j]);
   }
 }
