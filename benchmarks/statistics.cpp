@@ -28,7 +28,9 @@ using namespace polhode;
 using polhode::test::Worst;
 
 constexpr std::size_t members = 64, epochs = 128, of_chunk = 1024;
-constexpr long double repeated = of_chunk / members;
+constexpr long double repeated = static_cast<long double>(of_chunk) / members;
+
+long double wide(double x) { return static_cast<long double>(x); }
 
 struct Ensemble {
   std::vector<FreeRotation> motions;
@@ -103,7 +105,7 @@ double second_moments_error(const std::vector<AttitudeMoments>& all) {
         long double exact = 0.0L;
         for (std::size_t m = 0; m < members; ++m) {
           const Quaternion& q = ensemble().states[m * epochs + e].q;
-          const long double x[4] = {q.w, q.x, q.y, q.z};
+          const long double x[4] = {wide(q.w), wide(q.x), wide(q.y), wide(q.z)};
           exact += x[i] * x[j] / (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
         }
         const double mean = static_cast<double>(exact / static_cast<long double>(members));
@@ -181,7 +183,8 @@ double spread_error(const std::vector<AttitudeSpread>& all) {
     Wide v[members][3], mean[3] = {};
     for (std::size_t m = 0; m < members; ++m) {
       const Quaternion& q = ensemble().states[m * epochs + e].q;
-      const Wide a[4] = {r.w, -Wide(r.x), -Wide(r.y), -Wide(r.z)}, b[4] = {q.w, q.x, q.y, q.z};
+      const Wide a[4] = {wide(r.w), -wide(r.x), -wide(r.y), -wide(r.z)};
+      const Wide b[4] = {wide(q.w), wide(q.x), wide(q.y), wide(q.z)};
       const Wide w = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
       const Wide u[3] = {a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
                          a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
@@ -219,7 +222,7 @@ double worst_variance(const Find& found) {
   for (std::size_t e = 0; e < epochs; e += 7) {
     long double mean = 0.0L, sum = 0.0L;
     const auto x = [&](std::size_t m) -> long double {
-      return ensemble().states[m * epochs + e].g.x;
+      return wide(ensemble().states[m * epochs + e].g.x);
     };
     for (std::size_t m = 0; m < members; ++m) mean += x(m) / members;
     for (std::size_t m = 0; m < members; ++m) sum += (x(m) - mean) * (x(m) - mean);
@@ -247,7 +250,7 @@ void circular_moments(benchmark::State& state) {
   for (std::size_t e = 0; e < epochs; e += 7) {
     long double c = 0.0L, s = 0.0L;
     for (std::size_t m = 0; m < members; ++m) {
-      const long double a = 6.0 * ensemble().states[m * epochs + e].g.x;
+      const long double a = wide(6.0 * ensemble().states[m * epochs + e].g.x);
       c += std::cos(a) / members;
       s += std::sin(a) / members;
     }
