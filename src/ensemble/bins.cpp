@@ -69,7 +69,9 @@ Bins::Bins(std::vector<double> edges, Widths widths) {
                         (k > 0 ? " after " + detail::number_text(edges[k - 1]) : "") +
                         "; expected finite edges, each greater than the one before");
   const double n = static_cast<double>(edges.size() - 1);
-  const double per_width = n / (edges.back() - edges.front());
+  const double per_width = widths == Widths::relative
+                               ? 1.0 / std::log(edges.back() / edges[edges.size() - 2])
+                               : n / (edges.back() - edges.front());
   shared_ = std::make_shared<const Shared>(Shared{std::move(edges), widths, per_width});
 }
 
@@ -109,16 +111,33 @@ Bins Bins::signed_logarithmic(double relative_error, double smallest, double lar
 
 Bins Bins::of_edges(std::vector<double> edges) { return {std::move(edges), Widths::any}; }
 
+// A bin, less 1, next to that of x, which is within the edges.
+std::size_t Bins::near(double x) const {
+  const std::vector<double>& e = shared_->edges;
+  double guess = 0.0;
+  if (shared_->widths == Widths::even) {
+    guess = (x - e.front()) * shared_->per_width;
+  } else {
+    // logarithmic ones, of both signs if there are ones below 0: smallest, the least above
+    const bool is_signed = e.front() < 0.0;
+    const std::size_t smallest = is_signed ? e.size() / 2 : 0;
+    const double steps = std::log(std::abs(x) / e[smallest]) * shared_->per_width;
+    const auto first = static_cast<double>(smallest);
+    guess = steps < 0.0 ? first - 1.0 : x > 0.0 ? first + steps : first - 2.0 - std::floor(steps);
+  }
+  const std::size_t last = e.size() - 2;
+  if (!(guess < static_cast<double>(last))) return last;  // or NaN, of widths beyond double range
+  return guess > 0.0 ? static_cast<std::size_t>(guess) : 0;
+}
+
 std::size_t Bins::index(double x) const {
   const std::vector<double>& e = shared_->edges;
   const std::size_t n = e.size() - 1;
   if (x < e.front()) return 0;
   if (!(x < e.back())) return x == e.back() ? n : n + 1;
-  if (shared_->widths != Widths::even)
+  if (shared_->widths == Widths::any)
     return static_cast<std::size_t>(std::upper_bound(e.begin(), e.end(), x) - e.begin());
-  // a guess next to it, unless the width is beyond double range
-  const double guess = (x - e.front()) * shared_->per_width;
-  auto k = guess < static_cast<double>(n) ? static_cast<std::size_t>(guess) : n - 1;
+  std::size_t k = near(x);
   while (x < e[k]) --k;
   while (!(x < e[k + 1])) ++k;
   return k + 1;

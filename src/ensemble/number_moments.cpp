@@ -38,10 +38,12 @@ void NumberMoments::add(std::int64_t member, std::span<const double> numbers) {
     throw DomainError("NumberMoments::add: got " + std::to_string(numbers.size()) +
                       " numbers of member " + std::to_string(member) + "; expected " +
                       std::to_string(k));
-  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
-    return left_out_.add(member);
+  double zero = 0.0;  // NaN if one is not finite
+  for (const double x : numbers) zero += x - x;
+  if (zero != 0.0) return left_out_.add(member);
   ++count_;
-  detail::add_to_moments(numbers.data(), k, static_cast<double>(count_), sums_.data(), products());
+  detail::add_to_any_moments(numbers.data(), k, 1.0 / static_cast<double>(count_), sums_.data(),
+                             products());
   for (std::size_t i = 0; i < k; ++i) {
     Extreme &least = extremes_[2 * i], &greatest = extremes_[2 * i + 1];
     if (!(numbers[i] >= least.value)) least = {numbers[i], member};

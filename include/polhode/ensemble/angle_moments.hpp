@@ -7,9 +7,9 @@
 // Domain      any angles; those that are not finite are left out and named. Angles all around have
 //             no mean: it is told where R is 0.9 or more, or exp(-n R^2) below 1/1000, the chance
 //             of such an R of as many angles at random (Rayleigh). No member: R is NaN.
-// Accuracy    budget angle_moments_eps: R and the mean to some eps, n eps at the very worst; the
-//             deviation of angles within less than 1e-7 has no digits. The same bits on every
-//             processor.
+// Accuracy    budget angle_moments_eps: R and the mean to tens of eps of thousands, n eps at the
+//             very worst; the deviation of angles within less than 1e-7 has no digits. The same
+//             bits on every processor.
 // Errors      DomainError as an Accumulator.
 // Cost        benchmarks/statistics.cpp; three numbers, and those of LeftOut.
 #pragma once

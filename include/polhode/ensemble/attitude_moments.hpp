@@ -11,10 +11,10 @@
 //             have no mean: it is told where r = (l1 - l2)/(l1 + l2) is 0.9 or more, or exp(-n r^2)
 //             below 1/1000, about the chance that as many attitudes without a mean show such an r.
 //             The axes are told in any case.
-// Accuracy    budget attitude_moments_eps: each sum is a plain one in the order of members, some
-//             eps; n eps at the very worst. So 1 - l1 of a cloud of angles below 1e-7 has no
-//             digits: AttitudeSpread has. The bits do not depend on how many are added at a time,
-//             by which function, or on the set of instructions.
+// Accuracy    budget attitude_moments_eps: each sum is a plain one in the order of members, tens of
+//             eps in thousands; n eps at the very worst. So 1 - l1 of a cloud of angles below 1e-7
+//             has no digits: AttitudeSpread has. The bits do not depend on how many are added at a
+//             time, by which function, or on the set of instructions.
 // Errors      DomainError for rows that do not fit, for a set that this processor lacks, and as an
 //             Accumulator.
 // Cost        benchmarks/statistics.cpp; eleven numbers, and those of LeftOut.
@@ -73,7 +73,7 @@ class AttitudeMoments {
 };
 
 // Members first, first + 1, ... at every epoch: states[m * epochs.size() + e] is member first + m
-// at epoch e. The bits of adding them one by one; fastest for some sixteen members at a time.
+// at epoch e. The bits of adding them one by one; fastest for 64 members at a time, or more.
 void add_rows(std::span<AttitudeMoments> epochs, std::int64_t first,
               std::span<const RotorState> states, InstructionSet set = widest_instruction_set());
 

@@ -5,15 +5,15 @@
 //
 // Equations   q_i = r exp(v_i/2), |v_i| <= pi the angle from the reference r. The Frechet mean x
 //             makes the mean of the squared angles least: mean of w_i = 0 with q_i = x exp(w_i/2).
-//             From r one Newton step: x = r exp(d/2), (mean of J(v_i)) d = mean of v_i, with
-//             J(v) = 1 - v^/2 + (1 - h) v^ v^ / |v|^2, h = (|v|/2) cot(|v|/2), v^ = v x.
-//             Covariance: w_i = v_i - d + v_i x d / 2, over n - 1 (docs/design/0039-statistics.md).
+//             From r one Newton step: x = r exp(d/2), (mean of J(v_i)) d = mean of v_i, with J(v) =
+//             1 - v^/2 + (1 - h) v^ v^ / |v|^2, h = (|v|/2) cot(|v|/2), v^ = v x. Covariance: w_i =
+//             v_i - d + v_i x d / 2, over n - 1 (docs/design/0039-statistics.md).
 // Units       rad, components along the body axes of the mean (of r those of a reference).
 // Domain      any quaternions but 0; those that are 0 or not finite are left out and named. No mean
 //             where the root mean square angle from it is a right angle or more: 132 degrees of
-//             uniform attitudes, 104 of those that turn evenly about an axis. Of a cloud with
-//             members beyond a right angle the mean is the one next to the reference. Fewer than
-//             two attitudes have covariances of NaN.
+//             uniform attitudes, 104 of those that turn evenly about an axis (of a few at random it
+//             may be less). Of a cloud with members beyond a right angle the mean is the one next
+//             to the reference. Fewer than two attitudes have covariances of NaN.
 // Accuracy    mean_error and covariance_error bound (the latter in the matrix norm) what one step
 //             leaves, but for rounding: about theta d^2 / 2 and theta |d| / 6 of the covariance,
 //             theta the angle of the farthest. Infinite where the farthest may be half a turn from
@@ -23,7 +23,7 @@
 //             instructions.
 // Errors      DomainError for a reference that is 0 or not finite, another one to merge, rows that
 //             do not fit, a set that this processor lacks, and as an Accumulator.
-// Cost        benchmarks/statistics.cpp; 24 numbers, and those of LeftOut.
+// Cost        benchmarks/statistics.cpp; 22 numbers, and those of LeftOut.
 #pragma once
 
 #include <cstdint>

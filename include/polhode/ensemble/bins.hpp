@@ -4,14 +4,14 @@
 // Equations   edges e_0 < ... < e_n; bin k of n holds e_{k-1} <= x < e_k, the last one e_n too. 0
 //             is what lies below e_0, n + 1 what lies above e_n. Logarithmic: e_{k+1} = e_k (1 +
 //             a)/(1 - a), a the relative error of a number that is taken for the `middle` 2 e_k
-//             e_{k+1}/(e_k + e_{k+1}) of its bin (Masson, Rim and Lee).
+//             e_{k+1}/(e_k + e_{k+1}) of its bin [masson2019].
 // Units       those of the numbers.
 // Domain      1 to 1e6 bins, finite edges. Copies share their edges.
 // Accuracy    a number is compared with the edges themselves, so that its bin is exact; logarithmic
 //             edges are products, the same on every machine.
 // Errors      DomainError for edges that do not grow or are not finite, too many bins, a relative
 //             error outside (0, 1), logarithmic edges of numbers that are not positive.
-// Cost        a bin: about 5 ns for even ones, 20 for others; 8 bytes an edge, shared.
+// Cost        benchmarks/statistics.cpp; 8 bytes an edge, shared.
 #pragma once
 
 #include <cstddef>
@@ -49,9 +49,10 @@ class Bins {
   struct Shared {
     std::vector<double> edges;
     Widths widths;
-    double per_width;  // of even ones
+    double per_width;  // of even ones; of relative ones, of their logarithms
   };
   Bins(std::vector<double> edges, Widths widths);
+  std::size_t near(double x) const;
 
   std::shared_ptr<const Shared> shared_;
 };

@@ -3,14 +3,15 @@
 // are fixed beforehand, each with the bounds between which it lies.
 //
 // Equations   x_k the k-th least of n numbers, from 0. Quantile p: x_k + f (x_{k+1} - x_k) with (n
-//             - 1) p = k + f [Hyndman and Fan (1996), 7]. Bounds for what the members are drawn
+//             - 1) p = k + f [hyndman1996, definition 7]. Bounds for what the members are drawn
 //             from, without a word on how it is distributed: how many of them are below its
 //             quantile is binomial, n p -+ z sqrt(n p (1 - p)).
 // Units       those of the numbers.
 // Domain      any numbers; those that are not finite are left out and named. The least and the
 //             greatest are kept, so that numbers beyond the bins have bounds, too.
-// Accuracy    up to `exact` numbers exact; beyond, `value` takes each for the middle of its bin:
-//             half a bin off at most, the relative error of logarithmic bins; `lowest` and
+// Accuracy    up to `exact` numbers exact; beyond, `value` takes each for the middle of its bin, so
+//             that it is off by half a bin at most, or by the relative error of logarithmic bins
+//             (of the larger of the two numbers that a quantile lies between); `lowest` and
 //             `highest` are the edges and hold in any case. All is exact in counts, so that nothing
 //             depends on the order of members or on chunks.
 // Errors      DomainError for p outside [0, 1], z below 0, a rank that is not there, `exact` below

@@ -61,6 +61,13 @@ TEST(AngleMoments, AllAroundHaveNoMean) {
   }
   EXPECT_LE(with_mean, 3);  // 1 in 1000 of them by chance
   EXPECT_FALSE(AngleMoments().mean());
+  // two say little: they agree, or not
+  for (const double apart : {0.8, 1.6}) {
+    AngleMoments two;
+    two.add(0, 1.0);
+    two.add(1, 1.0 + apart);
+    EXPECT_EQ(two.mean().has_value(), std::cos(0.5 * apart) >= 0.9) << apart;
+  }
   AngleMoments opposite;
   opposite.add(0, 0.3);
   opposite.add(1, 0.3 + 0.5 * turn);

@@ -132,6 +132,45 @@ TEST(AttitudeSpread, OneStepIsWithinItsBounds) {
   }
 }
 
+// Clouds of two to seven attitudes of every width and shape, from references as far as they are
+// wide.
+TEST(AttitudeSpread, BoundsHoldOfSmallClouds) {
+  int bounded = 0;
+  Worst of_mean, of_covariance;
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    oracle::Draw draw(3919, seed);
+    std::vector<Vec3> vectors(2 + draw.index(6));
+    const double width = draw.power_of_ten(-2.0, 0.1), n = static_cast<double>(vectors.size());
+    const double flat = draw.uniform(0.0, 1.0);
+    Vec3 sum{};
+    for (Vec3& v : vectors) {
+      v = width * Vec3{draw.normal(), draw.normal(), flat * draw.normal()};
+      sum = sum + v;
+    }
+    const double off = width * draw.power_of_ten(-2.0, 0.0);
+    AttitudeSpread all(centre * turn(off * Vec3{draw.normal(), draw.normal(), draw.normal()}));
+    Mat3 covariance{};
+    bool is_narrow = true;  // so that the mean is the one put in
+    for (Vec3& v : vectors) {
+      v = v - (1.0 / n) * sum;
+      is_narrow = is_narrow && norm(v) < 1.5;
+      all.add(0, centre * turn(v));
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) covariance(i, j) += v[i] * v[j] / (n - 1.0);
+    }
+    const auto found = all.frechet();
+    if (!is_narrow || !found || std::isinf(found->mean_error)) continue;
+    ++bounded;
+    of_mean.add(angle_between(found->mean, centre) / (found->mean_error + budget::attitude_spread));
+    of_covariance.add(difference(found->covariance, covariance) /
+                      (found->covariance_error + budget::attitude_spread));
+  }
+  EXPECT_GT(bounded, 2000);
+  EXPECT_LE(of_mean.value(), 1.0);
+  EXPECT_LE(of_covariance.value(), 1.0);
+  EXPECT_GT(of_covariance.value(), 0.1);  // they say something
+}
+
 // A cloud along one axis in closed form: plane rotations of arithmetic mean.
 TEST(AttitudeSpread, OfTurnsAboutOneAxisIsThatOfTheirAngles) {
   std::vector<RotorState> states;
