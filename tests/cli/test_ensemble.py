@@ -430,8 +430,9 @@ def test_other_things_that_are_refused(run, scenario, ensemble, tmp_path):
     done = run("ensemble", path, "--member", -1)
     assert 'got "-1"; expected the index of a member, 0 or more' in done.stderr
     assert "named twice" in run("ensemble", path, "--out", "a.csv", "--out", "a.csv").stderr
-    out = tmp_path / "out.csv"
-    assert run("ensemble", path, "--out", out, "--threads", 0).returncode != 0
+    done = run("ensemble", path, "--out", tmp_path / "out.aem")
+    assert done.returncode == 2
+    assert "out.aem: an AEM holds one motion; expected PATH.csv or PATH.h5" in done.stderr
 
 
 def test_tables_grids_and_directions(run, ensemble, tmp_path):

@@ -17,7 +17,8 @@
 // Errors      the constructor throws DomainError as that of ScenarioRun, and for statistics that do
 //             not fit into memory. run() throws OutputError, and EnsembleInterrupted when `stop`
 //             said so. What `progress` throws ends it and passes through; what is done is kept.
-// Cost        that of the members, and some 30 ns a number in statistics. Memory does not grow with
+// Cost        that of the members, and some 80 ns a number in statistics, most of
+//             which waits for memory (benchmarks/ensemble_members.cpp). Memory does not grow with
 //             the number of members; for each thread the rows of sixteen members at most, and the
 //             statistics of some chunks.
 #pragma once

@@ -37,6 +37,7 @@ struct EnsembleVaried {
 struct EnsemblePlan {
   std::int64_t size;
   std::uint64_t seed;
+  DrawSource source;
   EnsembleKeep keep;
   std::int64_t chunk;
   std::vector<double> quantiles;

@@ -69,8 +69,19 @@ Provenance provenance_of(const ScenarioEnsemble& ensemble, const StatisticsFrame
   return origin;
 }
 
+// A format of the rows of one motion, which those of an ensemble are not.
+void require_tables(const OutputFormats& formats, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths)
+    if (const OutputFormat& format = formats.of_output(path); format.needs.dates)
+      throw DomainError(
+          detail::printable(path, longest_reason) + ": " + format.label +
+          " holds one motion; expected " +
+          paths_in_words(formats, [](const OutputFormat& other) { return !other.needs.dates; }));
+}
+
 detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<ColumnGroup>& groups,
                            const std::vector<std::string>& paths, const EnsembleOptions& options) {
+  require_tables(ensemble.scenario().output.formats, paths);
   detail::require_own_files(ensemble.scenario().document, paths);
   std::vector<std::string> columns;
   for (const ColumnGroup& group : groups)
@@ -86,6 +97,18 @@ detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<C
           options.checkpoint_seconds};
 }
 
+// Where rows are kept, all or the last.
+std::vector<ColumnGroup> row_groups_of(const ScenarioEnsemble& ensemble) {
+  std::vector<ColumnGroup> groups = {{"member", {{"member", "1"}}}};
+  const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
+  if (ensemble.plan().keep == EnsembleKeep::final)
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      groups.push_back({keys[i], {{keys[i], units[i]}}});
+  const std::vector<ColumnGroup>& rows = ensemble.row_groups();
+  groups.insert(groups.end(), rows.begin(), rows.end());
+  return groups;
+}
+
 // What one chunk gives: rows, or statistics.
 struct Chunk {
   std::vector<std::vector<double>> drawn;
@@ -97,15 +120,7 @@ struct Chunk {
 }  // namespace
 
 std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble) {
-  if (has_statistics(ensemble)) return StatisticsFrame(ensemble).groups();
-  std::vector<ColumnGroup> groups = {{"member", {{"member", "1"}}}};
-  const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
-  if (ensemble.plan().keep == EnsembleKeep::final)
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      groups.push_back({keys[i], {{keys[i], units[i]}}});
-  const std::vector<ColumnGroup>& rows = ensemble.row_groups();
-  groups.insert(groups.end(), rows.begin(), rows.end());
-  return groups;
+  return has_statistics(ensemble) ? StatisticsFrame(ensemble).groups() : row_groups_of(ensemble);
 }
 
 class EnsembleRun::Parts {
@@ -116,7 +131,7 @@ class EnsembleRun::Parts {
         options_(std::move(options)),
         threads_(options_.threads > 0 ? options_.threads : hardware_threads()),
         frame_(has_statistics(ensemble) ? std::make_unique<StatisticsFrame>(ensemble) : nullptr),
-        groups_(ensemble_groups(ensemble)),
+        groups_(frame_ ? frame_->groups() : row_groups_of(ensemble)),
         origin_(provenance_of(ensemble, frame_.get())),
         outputs_(setup_of(ensemble, groups_, paths, options_), origin_),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {

@@ -20,7 +20,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_exact = 8e6;         // numbers that are kept, of all columns and times
 constexpr double most_bytes = 2147483648;  // of the statistics of one chunk
 constexpr double margin = 0.5;             // of bins, in ranges of the pilots, on either side
-constexpr std::int64_t most_pilots = 1024, part_of_pilots = 8;
+constexpr std::int64_t part_of_pilots = 8;
+constexpr std::int64_t most_for_bins = 1024, most_for_attitudes = 64;  // of them
 
 const char* const axis_pairs[] = {"11", "12", "13", "22", "23", "33"};
 
@@ -96,7 +97,8 @@ void StatisticsFrame::require_room() const {
 
 std::int64_t StatisticsFrame::pilots() const {
   if (is_exact() && columns_.attitudes.empty()) return 0;
-  return std::clamp<std::int64_t>(ensemble_.size() / part_of_pilots, 1, most_pilots);
+  return std::clamp<std::int64_t>(ensemble_.size() / part_of_pilots, 1,
+                                  is_exact() ? most_for_attitudes : most_for_bins);
 }
 
 std::size_t StatisticsFrame::epochs_of(const EnsembleMember& member) const {

@@ -138,6 +138,7 @@ EnsemblePlan ensemble_plan(const EnsembleContext& at, const Experiment& experime
                ", the rows of the shortest table; with order = \"draws\" there may be more");
   return {size,
           static_cast<std::uint64_t>(seed),
+          source,
           keep_of(word(values, "ensemble.keep")),
           chunk,
           quantiles_of(at),
