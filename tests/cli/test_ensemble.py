@@ -323,6 +323,13 @@ def test_an_event_that_stops_members_ends_their_part(run, ensemble, tmp_path):
         assert [(ends >= t).sum() for t in found["t"]] == found["members"].tolist()
 
 
+def test_a_branch_that_is_noted_is_of_the_files_own_run(run, ensemble, tmp_path):
+    path = ensemble('size = 3\nkeep = "final"', columns='"sadov", "andoyer"')
+    assert run("ensemble", path, "--out", tmp_path / "final.csv").returncode == 0
+    notes = [line for line in (tmp_path / "final.csv").read_text().splitlines() if "sadov" in line]
+    assert "# sadov: region" in notes[0] and "is that of the file's own run" in notes[1]
+
+
 def test_an_ensemble_of_spin_axes(run, tmp_path, root):
     text = (root / "examples/mars-obliquity.toml").read_text()
     text = text[:text.index("[time]")] + """[time]

@@ -60,9 +60,21 @@ std::vector<std::string> notes_of(const ScenarioEnsemble& ensemble) {
   return notes;
 }
 
+// A note of a branch, constant along a free motion, is of the file's own.
+void add_branches(const Scenario& scenario, std::vector<std::string>& notes) {
+  const std::size_t own = notes.size();
+  for (const std::string& group : scenario.output.columns)
+    if (chart_named(group, scenario.document.kinds->charts()) != nullptr &&
+        std::any_of(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(own),
+                    [&](const std::string& note) { return note.starts_with(group + ": "); }))
+      notes.push_back("the branch of " + group +
+                      " is that of the file's own run; those of members may be others");
+}
+
 Provenance provenance_of(const ScenarioEnsemble& ensemble, const StatisticsFrame* frame) {
   Provenance origin = provenance(ensemble.scenario());
   std::vector<std::string> notes = notes_of(ensemble);
+  add_branches(ensemble.scenario(), origin.notes);
   if (frame != nullptr)
     for (std::string& note : frame->notes()) notes.push_back(std::move(note));
   origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
