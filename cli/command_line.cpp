@@ -122,6 +122,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   const std::string typed = typed_program(argc, argv);
   add_run(app, kinds, typed);
   add_map(app, kinds, typed);
+  add_ensemble(app, kinds, typed);
   add_info(app, kinds);
   add_convert(app, kinds);
   add_init(app, kinds);

@@ -23,6 +23,7 @@ void add_cite(CLI::App& app, const Kinds& kinds);
 void add_completion(CLI::App& app);
 void add_golden(CLI::App& app);
 void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
+void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_nutation(CLI::App& app);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -43,6 +44,10 @@ CLI::Validator in_range(T first, T last, const std::string& expected) {
 CLI::Validator seconds() { return in_range(0.0, 1e9, "a number of seconds, from 0 to 1e9"); }
 CLI::Validator whole_number() {
   return in_range(1, std::numeric_limits<int>::max(), "a whole number, 1 or more");
+}
+CLI::Validator member_index() {
+  return in_range(std::int64_t{0}, std::int64_t{1'000'000'000'000},
+                  "the index of a member, 0 or more");
 }
 
 RunBegin BeginOptions::begin() const {

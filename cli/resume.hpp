@@ -21,9 +21,10 @@ void add_begin_options(CLI::App& command, BeginOptions& options, const std::stri
                        const std::string& restart_help);
 BeginWords begin_words();
 
-// What an option takes: seconds from 0 to 1e9; a whole number from 1 on.
+// What an option takes: seconds from 0 to 1e9; a whole number from 1 on, or from 0 on.
 CLI::Validator seconds();
 CLI::Validator whole_number();
+CLI::Validator member_index();
 
 // DomainError when a command has one path twice.
 void require_different(const std::string& command, const std::vector<std::string>& paths);

@@ -6,6 +6,7 @@
 #include "budgets/cli.hpp"
 #include "budgets/dynamics.hpp"
 #include "budgets/elliptic.hpp"
+#include "budgets/ensemble.hpp"
 #include "budgets/ephemeris.hpp"
 #include "budgets/frame.hpp"
 #include "budgets/free.hpp"

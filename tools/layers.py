@@ -53,7 +53,7 @@ THIRD_PARTY = {
     "perturb": r"Eigen/",
     "analysis": r"(unsupported/)?Eigen/",
     "ephemeris": r"erfa\.h",
-    "ensemble": r"tbb/",
+    "ensemble": r"tbb/|Random123/|Eigen/|boost/random/sobol\.hpp",
     "text": r"udunits2\.h",
     "tables": r"zlib\.h",
     "output": r"hdf5\.h|(unistd|fcntl)\.h|sys/(stat|uio)\.h",

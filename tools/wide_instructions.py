@@ -26,12 +26,9 @@ def shared(listing, isa):
             yield match[2]
 
 
-def main():
-    library = pathlib.Path(sys.argv[1] if len(sys.argv) > 1
-                           else ROOT / "build/release/src/libpolhode.a")  # fmt: skip
+def errors_of(library):
     if not library.exists():
-        print(f"{library}: no such library: build it first")
-        return 1
+        return [f"{library}: no such library: build it first"]
     members = subprocess.run(["ar", "t", library], capture_output=True, text=True, check=True)
     found = [name for name in members.stdout.split() if re.search(r"_avx\w+\.cpp\.o$", name)]
     errors = []
@@ -49,6 +46,14 @@ def main():
                    for name in shared(listing, isa)]  # fmt: skip
     if not found:
         errors.append(f"{library}: holds no object of src/*/lanes")
+    return errors
+
+
+def main():
+    built = ROOT / "build/release/src"
+    libraries = [pathlib.Path(name) for name in sys.argv[1:]] or [
+        built / "libpolhode.a", built / "libpolhode_ensemble.a"]  # fmt: skip
+    errors = [error for library in libraries for error in errors_of(library)]
     print("\n".join(errors), end="\n" if errors else "")
     return 1 if errors else 0
 

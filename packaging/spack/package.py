@@ -28,6 +28,7 @@ class Polhode(CMakePackage):
         depends_on("pkgconfig", type=("build", "link"))
         depends_on("erfa")
         depends_on("tbb")
+        depends_on("random123", type="build")
         depends_on("fmt")
         depends_on("zlib-api")
         depends_on("hdf5+threadsafe~mpi")

@@ -2,6 +2,7 @@
 #include "polhode/output/columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -17,6 +18,8 @@ using detail::ColumnSpec;
 using detail::ColumnTable;
 using detail::GroupSpec;
 using detail::Numbers;
+
+constexpr std::size_t states_at_a_time = 64;  // of a free motion, in the lanes of the processor
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
   const std::string_view near = detail::nearest(name, known);
@@ -185,10 +188,15 @@ void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> t
     if (table_->is_constant(cell.group))
       constants[cell.group] = numbers_of(table_->groups()[cell.group], sample);
   sample.constants = constants;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    sample.t = times[k];
-    sample.state = motion.at(times[k]);
-    write_row(sample, out.subspan(k * width_, width_));
+  std::array<RotorState, states_at_a_time> states;
+  for (std::size_t first = 0; first < times.size(); first += states.size()) {
+    const std::size_t count = std::min(states.size(), times.size() - first);
+    motion.at(times.subspan(first, count), std::span(states).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      sample.t = times[first + k];
+      sample.state = states[k];
+      write_row(sample, out.subspan((first + k) * width_, width_));
+    }
   }
 }
 

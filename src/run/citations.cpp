@@ -132,6 +132,15 @@ constexpr Paper papers[] = {
      "Berger, A. (1978). Long-term variations of daily insolation and Quaternary climatic changes. "
      "Journal of the Atmospheric Sciences 35, 2362-2367.",
      "insolation", "insolation"},
+    {"salmon2011",
+     "Salmon, J. K., Moraes, M. A., Dror, R. O., Shaw, D. E. (2011). Parallel random numbers: as "
+     "easy as 1, 2, 3. SC '11: Proceedings of 2011 International Conference for High Performance "
+     "Computing, Networking, Storage and Analysis, article 16.",
+     "the random numbers of an ensemble", "ensemble"},
+    {"joe2008",
+     "Joe, S., Kuo, F. Y. (2008). Constructing Sobol sequences with better two-dimensional "
+     "projections. SIAM Journal on Scientific Computing 30, 2635-2654.",
+     "Sobol's points", "sobol"},
     of_kind("mignard1979"),
     of_kind("hut1981"),
     of_kind("burns1973"),
@@ -167,6 +176,9 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   for (const std::string& group : scenario.output.columns)
     if (chart_named(group, scenario.document.kinds->charts()) == nullptr) parts.push_back(group);
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
+  if (scenario.ensemble) parts.push_back("ensemble");
+  if (scenario.ensemble && scenario.ensemble->source == DrawSource::sobol)
+    parts.push_back("sobol");
   return parts;
 }
 

@@ -20,25 +20,12 @@ namespace {
 constexpr double most_cells = 1e9;
 constexpr std::int64_t least_samples = 8;  // of spectrum
 
-// The numbers of a file by their keys; of arrays the first, or that with the index in `key`.
-std::vector<std::string> numbers_of(const Values& values, const std::string& key) {
-  std::string index = "[0]";
-  if (key.ends_with("]")) index = key.substr(std::min(key.rfind('['), key.size()));
-  std::vector<std::string> paths;
-  for (const auto& [path, value] : values) {
-    if (!is_number(value) || path.starts_with("map.")) continue;
-    const std::string one = value.key->type == KeyType::number ? path : path + index;
-    paths.push_back(number_location(values, one) ? one : path + "[0]");
-  }
-  return paths;
-}
-
 MapAxis axis_of(const Values& values, const Units& units, const std::string& path,
                 const std::string& name) {
   const std::string& key = word(values, path + ".key");
   const std::optional<NumberLocation> place = number_location(values, key);
   if (!place) {
-    const std::vector<std::string> paths = numbers_of(values, key);
+    const std::vector<std::string> paths = number_keys(values, key);
     const std::vector<std::string_view> known(paths.begin(), paths.end());
     refuse(values, path + ".key", name,
            "expected a key that holds a number and stands in this file or has a fallback, such as "

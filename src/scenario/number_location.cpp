@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/number_location.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
+
+// Those of what wraps an experiment describe no member or cell of it.
+bool wraps(std::string_view path) {
+  return path.starts_with("map.") || path.starts_with("ensemble.");
+}
+
+}  // namespace
 
 bool is_number(const Value& value) {
   const KeyType type = value.key->type;
@@ -24,11 +33,33 @@ std::optional<NumberLocation> number_location(const Values& values, std::string_
     if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
   }
   const auto found = values.find(place.path);
-  if (found == values.end() || !is_number(found->second) || place.path.starts_with("map.") ||
+  if (found == values.end() || !is_number(found->second) || wraps(place.path) ||
       indexed == (found->second.key->type == KeyType::number) ||
       place.index >= found->second.numbers.size())
     return std::nullopt;
   return place;
+}
+
+std::vector<NumberLocation> number_locations(const Values& values, std::string_view key) {
+  if (const std::optional<NumberLocation> one = number_location(values, key)) return {*one};
+  const auto found = values.find(std::string(key));
+  if (found == values.end() || !is_number(found->second) || wraps(key)) return {};
+  std::vector<NumberLocation> all;
+  for (std::size_t i = 0; i < found->second.numbers.size(); ++i)
+    all.push_back({std::string(key), i});
+  return all;
+}
+
+std::vector<std::string> number_keys(const Values& values, std::string_view key) {
+  std::string index = "[0]";
+  if (key.ends_with("]")) index = key.substr(std::min(key.rfind('['), key.size()));
+  std::vector<std::string> paths;
+  for (const auto& [path, value] : values) {
+    if (!is_number(value) || wraps(path)) continue;
+    const std::string one = value.key->type == KeyType::number ? path : path + index;
+    paths.push_back(number_location(values, one) ? one : path + "[0]");
+  }
+  return paths;
 }
 
 }  // namespace detail

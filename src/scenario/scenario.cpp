@@ -12,6 +12,7 @@
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
+#include "scenario/ensemble/ensemble_plan.hpp"
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
@@ -87,9 +88,13 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
     map = detail::map_plan({read.values, document.units, kinds.charts(), path}, made->experiment);
+  std::optional<EnsemblePlan> ensemble;
+  if (has(read.values, "ensemble"))
+    ensemble = detail::ensemble_plan({read.values, document.units, path}, made->experiment);
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
-  return {std::move(document), made->experiment, std::move(output), std::move(map)};
+  return {std::move(document), made->experiment, std::move(output), std::move(map),
+          std::move(ensemble)};
 }
 
 Scenario read_scenario(const std::string& path, const Kinds& kinds,

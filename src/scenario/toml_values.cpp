@@ -83,10 +83,6 @@ class Reader {
   std::string own_unit_;                   // of the number read last
 };
 
-std::string joined(const std::string& path, std::string_view name) {
-  return path.empty() ? std::string(name) : path + "." + std::string(name);
-}
-
 // One message: got VALUE; expected ...; reason.
 bool Reader::wrong(const toml::node& node, const std::string& reason) {
   diagnostics_.add(position(node.source()), path_,
@@ -157,10 +153,11 @@ bool Reader::read_numbers(const Key& key, const toml::node& node, std::size_t le
 
 bool Reader::read_matrix(const Key& key, const toml::node& node, Value& value) {
   const toml::array* rows = items(node);
-  if (rows == nullptr || rows->size() != 3) return wrong(node);
+  const std::size_t size = rows != nullptr && key.type == KeyType::square ? rows->size() : 3;
+  if (rows == nullptr || rows->empty() || rows->size() != size) return wrong(node);
   const auto unit = node.is_table() ? own_unit(*node.as_table()) : std::nullopt;
   for (const toml::node& row : *rows)
-    if (!row.is_array() || !read_numbers(key, row, 3, value, unit))
+    if (!row.is_array() || !read_numbers(key, row, size, value, unit))
       return row.is_array() ? false : wrong(node);
   return true;
 }
@@ -184,17 +181,18 @@ bool Reader::read_word(const Key& key, const toml::node& node, Value& value) {
 }
 
 bool Reader::read_words(const Key& key, const toml::node& node, Value& value) {
-  const toml::array* array = node.as_array();
-  if (array == nullptr || array->empty()) return wrong(node);
+  const toml::array* const array = nonempty(node);
+  if (array == nullptr) return wrong(node);
   return std::all_of(array->begin(), array->end(),
                      [&](const toml::node& item) { return read_word(key, item, value); });
 }
 
 bool Reader::read_columns(const toml::node& node, Value& value) {
-  const toml::array* array = node.as_array();
-  if (array == nullptr || array->empty()) return wrong(node);
+  const toml::array* const array = nonempty(node);
+  if (array == nullptr) return wrong(node);
   for (const toml::node& item : *array) {
-    const std::int64_t number = item.is_integer() ? *item.value<std::int64_t>() : 0;
+    const bool is_number = item.is_integer() && key_->type != KeyType::key_list;
+    const std::int64_t number = is_number ? *item.value<std::int64_t>() : 0;
     const std::string word = number > 0 ? std::to_string(number) : item.value_or(std::string());
     if (word.empty()) return wrong(node);
     value.words.push_back(word);
@@ -224,6 +222,7 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
     case KeyType::numbers:
       return read_numbers(key, node, static_cast<std::size_t>(key.length), value);
     case KeyType::matrix:
+    case KeyType::square:
       return read_matrix(key, node, value);
     case KeyType::linear_map:
       return read_map(key, node, value);
@@ -237,6 +236,7 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
       return read_words(key, node, value);
     case KeyType::columns:
     case KeyType::units:
+    case KeyType::key_list:
       return read_columns(node, value);
     default:
       return read_text(key, node, value);

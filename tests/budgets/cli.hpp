@@ -63,4 +63,12 @@ inline constexpr double elements_rows = 1.2e-10;
 inline constexpr double small_libration = 1e-7;
 // 3-2-1 angles, deg.
 inline constexpr double roll_pitch_yaw_deg = 1e-12;
+
+// --- ensembles: statistics against NumPy's of the rows, of the largest number; what one step
+// leaves of Frechet means and covariances, rad and rad^2; phases of tumblers by 4000 of Sobol's
+// points ---
+inline constexpr double ensemble_statistics = 1e-12;
+inline constexpr double ensemble_frechet = 1e-2;
+inline constexpr double ensemble_spreading = 1e-3;
+
 }  // namespace polhode::budget

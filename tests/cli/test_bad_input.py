@@ -198,7 +198,7 @@ def test_wrong_arguments(run, arguments):
 # the argument at fault, and what it could have been
 @pytest.mark.parametrize("arguments, message", [
     (["--versio"], 'polhode: got option "--versio"; expected one of --help, --version'),
-    (["rum", "x"], 'polhode: got command "rum"; expected one of run, map, info, '),
+    (["rum", "x"], 'polhode: got command "rum"; expected one of run, map, ensemble, info, '),
     (["run", "x", "--otu", "y"],
      'polhode run: got option "--otu"; expected one of --help, --set, --out'),
     (["run", "x", "y"], 'polhode run: got "y"; expected nothing after FILE'),
@@ -213,6 +213,10 @@ def test_wrong_arguments(run, arguments):
      'polhode run: --checkpoint: got "-3"; expected a number of seconds, from 0 to 1e9'),
     (["map", "x", "--checkpoint", "soon"],
      'polhode map: --checkpoint: got "soon"; expected a number of seconds, from 0 to 1e9'),
+    (["ensemble", "x", "--threads", "0"],
+     'polhode ensemble: --threads: got "0"; expected a whole number, 1 or more'),
+    (["ensemble", "x", "--member", "first"],
+     'polhode ensemble: --member: got "first"; expected the index of a member, 0 or more'),
     (["map", "x", "--threads", "0"],
      'polhode map: --threads: got "0"; expected a whole number, 1 or more'),
     (["init", "tumblr"], 'polhode init: got "tumblr"; expected a chart (tumbler, '),

@@ -117,7 +117,8 @@ def test_messages_of_a_program_of_your_own_have_its_name(braked, tmp_path):
     assert sh(program, "rum", status=2).startswith('spin-brake: got command "rum"; expected one of')
     assert sh(program, "run", status=2).startswith("spin-brake run: FILE is required")
     assert sh(program, "init", "brake", status=2).startswith('spin-brake init: got "brake"; ')
-    for command in ("cite", "convert", "golden", "info", "init", "map", "run", "schema", "shape"):
+    for command in ("cite", "convert", "ensemble", "golden", "info", "init", "map", "run", "schema",
+                    "shape"):
         assert f"\n  spin-brake {command} " in sh(program, command, "--help")
 
 

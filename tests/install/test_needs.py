@@ -66,8 +66,8 @@ def said_on_a_bare_machine(root, tmp_path_factory):
 def test_all_that_is_missing_is_named_at_once(said_on_a_bare_machine):
     said = said_on_a_bare_machine
     missing = to_install(said)
-    assert {"libeigen3-dev", "libboost-dev", "liberfa-dev", "libtbb-dev", "libfmt-dev",
-            "zlib1g-dev", "libtomlplusplus-dev", "libhdf5-dev", "libudunits2-dev",
+    assert {"libeigen3-dev", "libboost-dev", "liberfa-dev", "libtbb-dev", "librandom123-dev",
+            "libfmt-dev", "zlib1g-dev", "libtomlplusplus-dev", "libhdf5-dev", "libudunits2-dev",
             "libcli11-dev"} <= set(missing)
     assert f"polhode: {len(missing)} missing" in said and "make deps" in said
     for package in missing:

@@ -16,8 +16,8 @@ from shell import sh
 
 # What cmake/needs.cmake calls by Debian's names, elsewhere.
 CONDA = {"libeigen3-dev": "eigen", "libboost-dev": "libboost-headers", "liberfa-dev": "erfa",
-         "libtbb-dev": "tbb-devel", "libfmt-dev": "fmt", "zlib1g-dev": "zlib",
-         "libhdf5-dev": "hdf5", "libtomlplusplus-dev": "tomlplusplus",
+         "libtbb-dev": "tbb-devel", "librandom123-dev": "random123", "libfmt-dev": "fmt",
+         "zlib1g-dev": "zlib", "libhdf5-dev": "hdf5", "libtomlplusplus-dev": "tomlplusplus",
          "libudunits2-dev": "udunits2", "libcli11-dev": "cli11", "python3-dev": "python",
          "pkg-config": "pkg-config", "g++": '${{ compiler("cxx") }}'}
 SPACK = CONDA | {"libboost-dev": "boost", "libtbb-dev": "tbb", "zlib1g-dev": "zlib-api",

@@ -10,15 +10,18 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOL = ROOT / "tools/wide_instructions.py"
-LIBRARY = pathlib.Path(os.environ.get("POLHODE_BUILD", ROOT / "build/release")) / "src/libpolhode.a"
+BUILT = pathlib.Path(os.environ.get("POLHODE_BUILD", ROOT / "build/release")) / "src"
+LIBRARIES = [BUILT / "libpolhode.a", BUILT / "libpolhode_ensemble.a"]
 
 sys.path.insert(0, str(TOOL.parent))
 import wide_instructions  # noqa: E402
 
 
-@pytest.mark.skipif(not LIBRARY.exists(), reason="no static library in this build")
-def test_the_library_keeps_them_apart():
-    run = subprocess.run([sys.executable, TOOL, LIBRARY], capture_output=True, text=True)
+@pytest.mark.parametrize("library", LIBRARIES, ids=lambda library: library.stem)
+def test_the_library_keeps_them_apart(library):
+    if not library.exists():
+        pytest.skip("no static library in this build")
+    run = subprocess.run([sys.executable, TOOL, library], capture_output=True, text=True)
     assert run.returncode == 0, run.stdout
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenario: a TOML file that has been read and checked completely. The file (Document), what is run
-// (Experiment, of the kind that the file names), what is written (OutputPlan), and the table [map]
-// where one wraps it. The keys are in polhode/scenario/schema.hpp.
+// (Experiment, of the kind that the file names), what is written (OutputPlan), and the tables [map]
+// and [ensemble] where one wraps it. The keys are in polhode/scenario/schema.hpp.
 //
 // Equations   none of its own.
 // Units       numbers are in core units (polhode/text/units.hpp).
@@ -22,6 +22,7 @@
 #include "polhode/output/output_plan.hpp"
 #include "polhode/scenario/changes.hpp"
 #include "polhode/scenario/document.hpp"
+#include "polhode/scenario/ensemble_plan.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
 #include "polhode/scenario/obliquity.hpp"
@@ -39,6 +40,7 @@ struct Scenario {
   Experiment experiment;
   OutputPlan output;
   std::optional<MapPlan> map = std::nullopt;
+  std::optional<EnsemblePlan> ensemble = std::nullopt;
 
   const Units& units() const { return document.units; }
   // DomainError where the kind is another than "rotation".

@@ -27,6 +27,7 @@ enum class KeyType {
   numbers,     // an array of them; { value = [..], unit = ".." } gives them one unit
   matrix,      // three rows of three
   linear_map,  // a matrix, or three numbers, its diagonal
+  square,      // as many rows as each has numbers
   boolean,     // true or false
   text,        // "any text"
   name,        // "moon": letters, digits, - and _
@@ -36,6 +37,7 @@ enum class KeyType {
   epoch,       // "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB"
   columns,     // an array of column names of a data file, or of their numbers
   units,       // an array of units
+  key_list,    // an array of keys of the file
 };
 
 enum class Presence {

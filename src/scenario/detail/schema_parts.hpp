@@ -30,6 +30,7 @@ SchemaPart surface_keys();
 SchemaPart event_keys();
 SchemaPart time_keys();
 SchemaPart map_keys();
+SchemaPart ensemble_keys();
 SchemaPart planet_keys();
 
 }  // namespace detail

@@ -47,6 +47,16 @@ inline const toml::array* items(const toml::node& node) {
   return own_unit(*table) ? (*table)["value"].as_array() : nullptr;
 }
 
+// None of what is no array, or one without elements.
+inline const toml::array* nonempty(const toml::node& node) {
+  const toml::array* const array = node.as_array();
+  return array == nullptr || array->empty() ? nullptr : array;
+}
+
+inline std::string joined(const std::string& path, std::string_view name) {
+  return path.empty() ? std::string(name) : path + "." + std::string(name);
+}
+
 // As messages quote it; an array up to some hundred characters.
 inline std::string shown(const toml::node& node);
 

@@ -76,6 +76,8 @@ std::string expectation(const Key& key, const Units& units) {
       return "an array of 3 arrays of 3 numbers" + each(key, units);
     case KeyType::linear_map:
       return "an array of 3 numbers (a diagonal) or of 3 arrays of 3 numbers" + each(key, units);
+    case KeyType::square:
+      return "an array of as many arrays as each has numbers" + each(key, units);
     case KeyType::boolean:
       return "true or false";
     case KeyType::text:
@@ -94,6 +96,8 @@ std::string expectation(const Key& key, const Units& units) {
       return "an array of names of columns of the file, or of their numbers from 1";
     case KeyType::units:
       return "an array of units, one for each column";
+    case KeyType::key_list:
+      return "an array of keys of this file";
     case KeyType::epoch:
       return "a date with its scale (UTC, TAI, TT, TDB or UT1) such as "
              "\"2013-01-05T00:00:00 UTC\" or \"JD 2456297.5 TDB\"";

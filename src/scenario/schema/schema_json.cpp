@@ -158,6 +158,15 @@ void write_value(JsonWriter& json, const Key& key) {
       write_matrix(json, key);
       json.end_object().end_array();
       break;
+    case KeyType::square:
+      json.key("type").value("array").key("items").begin_object();
+      write_numbers(json, key);
+      json.end_object().key("minItems").value(std::int64_t{1});
+      break;
+    case KeyType::key_list:
+      json.key("type").value("array").key("items").begin_object().key("type").value("string");
+      json.end_object().key("minItems").value(std::int64_t{1});
+      break;
     case KeyType::boolean:
       json.key("type").value("boolean");
       break;

@@ -195,6 +195,7 @@ detail::SchemaTable::SchemaTable(std::span<const ExperimentRow> kinds, const Sch
   add(output, {});
   for (const OutputFormat& format : formats.all()) add(format);
   add(map_keys(), {});
+  add(ensemble_keys(), {});
 }
 
 // [output.NAME] of a format that has keys.

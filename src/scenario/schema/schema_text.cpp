@@ -30,6 +30,10 @@ std::string value_in_words(const Key& key) {
       return "3 x 3 x " + what.substr(what.find(' ') + 1);
     case KeyType::linear_map:
       return "3 x " + what.substr(what.find(' ') + 1) + ", or 3 x 3";
+    case KeyType::square:
+      return "n x n numbers";
+    case KeyType::key_list:
+      return "array of keys";
     case KeyType::boolean:
       return "`true`, `false`";
     case KeyType::text:

@@ -69,6 +69,10 @@ std::string stand_in(const Key& key) {
       return "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
     case KeyType::linear_map:
       return "[1, 1, 1]";
+    case KeyType::square:
+      return "[[1]]";
+    case KeyType::key_list:
+      return "[\"body.moments[0]\"]";
     case KeyType::boolean:
       return "false";
     case KeyType::text:
@@ -280,7 +284,7 @@ bool is_section(const Schema& schema, const Key& key, const TemplateSubject& sub
   if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
   if (key.path == orbit_table) return !example_orbits(schema, subject).empty();
   if (!table.empty() || key.path == key_table(orbit_table) || key.path == frame_table ||
-      key.path == "map")
+      key.path == "map" || key.path == "ensemble")
     return false;
   return !is_motion(key.path) || !subject.perturbation.empty();
 }

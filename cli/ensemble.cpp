@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/ensemble_run.hpp"
+#include "polhode/run/run.hpp"
+#include "progress.hpp"
+#include "resume.hpp"
+#include "stop_signals.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr std::size_t reasons_shown = 3, columns_shown = 12;
+
+struct EnsembleOfFile {
+  std::string program;  // as it was typed
+  std::string scenario;
+  std::vector<std::string> set;
+  std::vector<std::string> out;
+  std::optional<std::int64_t> member;
+  int threads = 0;
+  BeginOptions begin;
+  double checkpoint = 5.0;
+};
+
+std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+
+// Mean and deviation of each column at the last time.
+std::string last_statistics(const std::vector<ColumnGroup>& groups,
+                            const std::vector<double>& row) {
+  std::string text;
+  std::size_t place = 0, shown = 0;
+  for (const ColumnGroup& group : groups) {
+    const std::vector<Column>& columns = group.columns;
+    const double* const numbers = row.data() + place;
+    place += columns.size();
+    if (group.name == "t") text += fmt::format("at t = {:.10g} {}\n", numbers[0], columns[0].unit);
+    const bool is_number = columns.size() > 4 && columns[1].name == group.name + "_mean";
+    const bool is_mode = columns[0].name == group.name + "_SAM";
+    if ((!is_number && !is_mode) || ++shown > columns_shown) continue;
+    if (is_mode)
+      text += fmt::format("  {:<15} {:.4g} SAM, {:.4g} LAM, {:.4g} others\n", group.name,
+                          numbers[0], numbers[1], numbers[2]);
+    else
+      text +=
+          fmt::format("  {:<15} {:.10g} +- {:.4g}{}, {:.10g} to {:.10g}\n", group.name, numbers[1],
+                      numbers[2], with_unit(columns[1].unit), numbers[3], numbers[4]);
+  }
+  return shown > columns_shown ? text + "  ...\n" : text;
+}
+
+// How many members there are, what was drawn, what they have become, and why some have not.
+std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<ColumnGroup>& groups,
+                       const EnsembleReport& report) {
+  std::string text = fmt::format("members           {}\n", report.members);
+  const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
+  for (std::size_t i = 0; i < report.drawn.size(); ++i) {
+    const EnsembleReport::Drawn& d = report.drawn[i];
+    text += fmt::format("varied            {}: {:.10g} +- {:.4g}{}, {:.10g} to {:.10g}\n", keys[i],
+                        d.mean, d.deviation, with_unit(units[i]), d.least, d.greatest);
+  }
+  if (!report.statistics.empty()) text += last_statistics(groups, report.statistics);
+  if (report.failed == 0) return text;
+  text +=
+      fmt::format("failed            {}, left out; polhode ensemble FILE --member K runs one:\n",
+                  report.failed);
+  const std::size_t shown = std::min(report.failures.size(), reasons_shown);
+  for (std::size_t i = 0; i < shown; ++i)
+    text += fmt::format("  member {}: {}\n", report.failures[i].member, report.failures[i].why);
+  return report.failed > static_cast<std::int64_t>(shown) ? text + "  ...\n" : text;
+}
+
+// What --resume has found, on standard error.
+void announce(const ScenarioEnsemble& ensemble, const EnsembleRun& run) {
+  const std::string text = run.continues() ? fmt::format(": continues after {} of {} members",
+                                                         run.members(), ensemble.size())
+                                           : ": no members to continue from, starts anew";
+  std::fputs((ensemble.scenario().document.name + text + "\n").c_str(), stderr);
+}
+
+std::vector<std::string> command_of(const EnsembleOfFile& options) {
+  std::vector<std::string> words = {"ensemble", options.scenario};
+  for (const std::string& change : options.set) words.insert(words.end(), {"--set", change});
+  for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
+  if (options.threads > 0)
+    words.insert(words.end(), {"--threads", std::to_string(options.threads)});
+  return words;
+}
+
+// The scenario of the member; its rows into the outputs that are no scenario.
+void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
+                const Kinds& kinds) {
+  const std::string text = ensemble.member_text(*options.member);
+  if (options.out.empty()) return print(text);
+  std::vector<std::string> rows;
+  for (const std::string& path : options.out) {
+    if (!path.ends_with(".toml")) {
+      rows.push_back(path);
+      continue;
+    }
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw OutputError(path + ": cannot be written");
+  }
+  if (rows.empty()) return;
+  const Scenario member = scenario_from_text(text, ensemble.scenario().document.path, kinds);
+  RunOptions how;
+  how.begin = options.begin.begin();
+  how.words = begin_words();
+  how.checkpoint_seconds = options.checkpoint;
+  ScenarioRun run(member, {rows, {}}, std::move(how));
+  if (run.is_complete()) return print_nothing_to_do(member.document.name, rows);
+  const RunReport report = run.run();
+  if (!report.outcome.ok())
+    throw std::runtime_error(fmt::format("{}: member {} failed: {}", member.document.name,
+                                         *options.member, report.outcome.advice));
+}
+
+void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
+  const ScenarioEnsemble ensemble(changed_scenario(options.scenario, options.set, kinds));
+  require_different("ensemble", options.out);
+  if (options.member) return run_member(ensemble, options, kinds);
+  std::vector<std::string> out = options.out;
+  if (out.empty()) out.push_back("-");
+  const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
+  const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
+  const StopSignals signals;
+  std::optional<ProgressLine> progress;
+  EnsembleOptions how;
+  how.begin = options.begin.begin();
+  how.words = begin_words();
+  how.checkpoint_seconds = options.checkpoint;
+  how.threads = options.threads;
+  how.stop = [] { return StopSignals::came() != 0; };
+  if (!rows_on_terminal)
+    how.progress = [&progress](std::int64_t members) { (*progress)(static_cast<double>(members)); };
+  EnsembleRun run(ensemble, out, std::move(how));
+  if (run.is_complete()) return print_nothing_to_do(ensemble.scenario().document.name, out);
+  if (options.begin.resume) announce(ensemble, run);
+  progress.emplace(0.0, static_cast<double>(ensemble.size()), "members",
+                   static_cast<double>(run.members()));
+  const auto begun = std::chrono::steady_clock::now();
+  EnsembleReport report;
+  try {
+    report = run.run();
+  } catch (const EnsembleInterrupted& stopped) {
+    progress.reset();
+    throw Interrupted(
+        StopSignals::came(),
+        stopped.what() + how_to_continue(options.program, command_of(options), stopped.can_resume));
+  }
+  progress.reset();
+  if (to_standard_output) return;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+  print(summary_of(ensemble, run.groups(), report));
+  std::fputs(fmt::format("{}: {:.3g} members a second\n", ensemble.scenario().document.name,
+                         static_cast<double>(report.members - run.members()) / took.count())
+                 .c_str(),
+             stderr);
+}
+
+}  // namespace
+
+void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed) {
+  CLI::App* command = app.add_subcommand(
+      "ensemble",
+      "Run a scenario many times with the numbers of its [ensemble] drawn, on all processors");
+  const auto options = std::make_shared<EnsembleOfFile>();
+  options->program = typed;
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
+      ->required();
+  add_set_option(*command, options->set);
+  command
+      ->add_option("--out,-o", options->out,
+                   paths_in_words(kinds.formats(),
+                                  [](const OutputFormat& format) { return !format.needs.dates; }) +
+                       ", any number of them; - is CSV to standard output, also the default")
+      ->type_name("PATH");
+  command
+      ->add_option("--member", options->member,
+                   "Run this member alone, from 0 on: its rows into --out, its scenario into a "
+                   "PATH.toml among these; without --out, print its scenario")
+      ->type_name("K")
+      ->check(member_index());
+  command
+      ->add_option("--threads", options->threads,
+                   "How many chunks at a time; left out: one on each processor. The result does "
+                   "not depend on it")
+      ->check(whole_number());
+  add_begin_options(*command, options->begin,
+                    "Continue an ensemble that was stopped, from its FIRST_OUTPUT.checkpoint",
+                    "Begin anew where an unfinished ensemble is, and lose its members");
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
+      ->type_name("SECONDS")
+      ->check(seconds())
+      ->capture_default_str();
+  command->footer(
+      "\nCtrl-C stops an ensemble and keeps its members; --resume continues it.\n"
+      "\nExample:\n  " +
+      full_name(*command) + " examples/apophis-ensemble.toml --out apophis.h5 --threads 2");
+  command->callback([options, kinds] { make_ensemble(*options, kinds); });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// EnsembleRun: every member of an ensemble, on the processors of one machine, into files that may
+// be stopped, killed and continued.
+//
+// Equations   those of the members; statistics those of NumberMoments, Quantiles, AttitudeSpread
+//             and Fractions (polhode/ensemble).
+// Units       those of the ensemble.
+// Domain      by [ensemble] keep. Statistics: a row for each time of [time], of the members that
+//             have one there. Final: a row for each member, its index, what was drawn, and its
+//             last row. Rows: all of them, with the index in front. A member that failed has a row
+//             of NaN, its rows so far, or no part in statistics. While it goes on,
+//             FIRST_OUTPUT.checkpoint says how to go on, as that of a run does
+//             (polhode/run/scenario_run.hpp).
+// Accuracy    the files do not depend on the number of threads, nor on where an ensemble was
+//             stopped, killed and continued: text files byte for byte, HDF5 with the same contents
+//             (same build of polhode). Last digits of statistics depend on the chunk of the file.
+// Errors      the constructor throws DomainError as that of ScenarioRun, and for statistics that do
+//             not fit into memory. run() throws OutputError, and EnsembleInterrupted when `stop`
+//             said so. What `progress` throws ends it and passes through; what is done is kept.
+// Cost        that of the members, and some 80 ns a number in statistics, most of
+//             which waits for memory (benchmarks/ensemble_members.cpp). Memory does not grow with
+//             the number of members; for each thread the rows of sixteen members at most, and the
+//             statistics of some chunks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "polhode/output/sink.hpp"
+#include "polhode/run/ensemble.hpp"
+#include "polhode/run/scenario_run.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// The ensemble was stopped from outside. Its files are there, up to a member.
+class EnsembleInterrupted : public std::runtime_error {
+ public:
+  EnsembleInterrupted(const std::string& what, std::int64_t done, bool resumes)
+      : std::runtime_error(what), members(done), can_resume(resumes) {}
+  std::int64_t members;
+  bool can_resume;  // whether there is a checkpoint of that moment
+};
+
+struct EnsembleOptions {
+  RunBegin begin = RunBegin::anew;
+  double checkpoint_seconds = 5.0;  // between two checkpoints, at least
+  int threads = 0;                  // chunks at a time; 0: one on each processor
+  // Called with the number of members so far, one call after the other, from any thread.
+  std::function<void(std::int64_t members)> progress = {};
+  std::function<bool()> stop = {};        // asked after every step, from any thread
+  std::unique_ptr<Sink> extra_sink = {};  // gets the rows of this part of the ensemble too
+  BeginWords words = {};
+};
+
+// What an ensemble found, earlier parts of it included.
+struct EnsembleReport {
+  struct Failure {
+    std::int64_t member;
+    std::string why;
+  };
+  struct Drawn {  // of a key, over all members
+    double mean, deviation, least, greatest;
+  };
+
+  std::int64_t members = 0;
+  std::int64_t failed = 0;
+  std::vector<Failure> failures;   // the first 20
+  std::vector<Drawn> drawn;        // in the order of the keys of the plan
+  std::vector<double> statistics;  // the last row of these; empty where other things are kept
+};
+
+class EnsembleRun {
+ public:
+  // Opens every output. `ensemble` must outlive it.
+  EnsembleRun(const ScenarioEnsemble& ensemble, const std::vector<std::string>& outputs,
+              EnsembleOptions options);
+  ~EnsembleRun();
+  EnsembleRun(const EnsembleRun&) = delete;
+  EnsembleRun& operator=(const EnsembleRun&) = delete;
+
+  // The columns of what is written.
+  const std::vector<ColumnGroup>& groups() const;
+  // What it found: an ensemble to continue, after members(); or all files complete, nothing to do.
+  bool continues() const;
+  bool is_complete() const;
+  std::int64_t members() const;
+
+  // Once.
+  EnsembleReport run();
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// The columns that the outputs of an ensemble have.
+std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/ensemble/fractions.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "ensemble/detail/cell_counts.hpp"
+#include "math/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr int most_classes = 1'000'000;
+
+std::size_t checked_size(int size) {
+  if (size < 1 || size > most_classes)
+    throw DomainError("Fractions: got " + std::to_string(size) + " classes; expected 1 to " +
+                      std::to_string(most_classes));
+  return static_cast<std::size_t>(size);
+}
+
+std::size_t checked(const char* function, int in_class, std::size_t size) {
+  if (in_class < 0 || static_cast<std::size_t>(in_class) >= size)
+    throw DomainError("Fractions::" + std::string(function) + ": got class " +
+                      std::to_string(in_class) + "; expected 0 to " + std::to_string(size - 1));
+  return static_cast<std::size_t>(in_class);
+}
+
+}  // namespace
+
+Fractions::Fractions(int size) : counts_(checked_size(size)) {}
+
+void Fractions::add(std::int64_t member, int in_class) {
+  if (in_class < 0 || static_cast<std::size_t>(in_class) >= counts_.size())
+    throw DomainError("Fractions::add: got class " + std::to_string(in_class) + " of member " +
+                      std::to_string(member) + "; expected 0 to " +
+                      std::to_string(counts_.size() - 1));
+  ++counts_[static_cast<std::size_t>(in_class)];
+}
+
+void Fractions::merge(const Fractions& later) {
+  if (later.counts_.size() != counts_.size())
+    throw DomainError("Fractions::merge: got " + std::to_string(later.counts_.size()) +
+                      " classes; expected " + std::to_string(counts_.size()));
+  detail::merge_cells(counts_, later.counts_);
+  left_out_.merge(later.left_out_);
+}
+
+std::int64_t Fractions::count() const {
+  return std::accumulate(counts_.begin(), counts_.end(), std::int64_t{0});
+}
+
+std::int64_t Fractions::count(int in_class) const {
+  return counts_[checked("count", in_class, counts_.size())];
+}
+
+double Fractions::fraction(int of_class) const {
+  const std::int64_t n = counts_[checked("fraction", of_class, counts_.size())];
+  return static_cast<double>(n) / static_cast<double>(count());
+}
+
+Bounds Fractions::interval(int of_class, double z) const {
+  const auto k = static_cast<double>(counts_[checked("interval", of_class, counts_.size())]);
+  if (!(z >= 0.0 && std::isfinite(z)))
+    throw DomainError("Fractions::interval: got z = " + detail::number_text(z) +
+                      "; expected a finite number of deviations, 0 or more");
+  const auto n = static_cast<double>(count());
+  const double middle = k + 0.5 * z * z;
+  const double reach = z * std::sqrt(k * ((n - k) / n) + 0.25 * z * z);
+  // of none and of all the ends are 0 and 1
+  return {k == 0.0 ? 0.0 * n / n : (middle - reach) / (n + z * z),
+          k == n ? n / n : (middle + reach) / (n + z * z)};
+}
+
+std::vector<double> Fractions::numbers() const {
+  std::vector<double> all;
+  detail::append_integers(all, counts_);
+  detail::append(all, left_out_.numbers());
+  return all;
+}
+
+Fractions Fractions::restored(std::span<const double> numbers) const {
+  detail::NumberReader reader("Fractions::restored", numbers);
+  Fractions found(size());
+  for (std::int64_t& n : found.counts_) n = reader.integer();
+  found.left_out_ = LeftOut(reader);
+  reader.finish();
+  return found;
+}
+
+}  // namespace v0
+}  // namespace polhode

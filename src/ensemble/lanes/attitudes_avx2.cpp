@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Moments of attitudes in the lanes of InstructionSet::avx2.
+#if defined(__x86_64__)
+
+#include "ensemble/detail/attitude_lanes.hpp"
+#include "ensemble/detail/spread_lanes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template void add_attitude_rows<InstructionSet::avx2>(AttitudeMoments*, std::size_t, std::int64_t,
+                                                      const RotorState*, std::size_t);
+template void add_spread_rows<InstructionSet::avx2>(AttitudeSpread*, std::size_t, std::int64_t,
+                                                    const RotorState*, std::size_t);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif

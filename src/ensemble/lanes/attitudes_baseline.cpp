@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Moments of attitudes in the lanes of InstructionSet::baseline.
+#include "ensemble/detail/attitude_lanes.hpp"
+#include "ensemble/detail/spread_lanes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template void add_attitude_rows<InstructionSet::baseline>(AttitudeMoments*, std::size_t,
+                                                          std::int64_t, const RotorState*,
+                                                          std::size_t);
+template void add_spread_rows<InstructionSet::baseline>(AttitudeSpread*, std::size_t, std::int64_t,
+                                                        const RotorState*, std::size_t);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/ensemble.hpp"
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "polhode/error.hpp"
+#include "polhode/run/detail/run_state.hpp"
+#include "polhode/run/run.hpp"
+#include "run/ensemble/lockstep.hpp"
+#include "run/ensemble/member_text.hpp"
+#include "scenario/prepared_base.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr std::int64_t most_times = 1'000'000;  // that are held
+
+// Rows in memory.
+class RowSink : public Sink {
+ public:
+  explicit RowSink(std::vector<double>& rows) : rows_(rows) {}
+  void push(std::span<const double> rows) override {
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+  }
+  void finish() override {}
+
+ private:
+  std::vector<double>& rows_;
+};
+
+Scenario with_ensemble(Scenario scenario) {
+  if (!scenario.ensemble)
+    throw ScenarioError(
+        scenario.document.path +
+        ": ensemble: got nothing; expected a table [ensemble] with tables [[ensemble.vary]]");
+  return scenario;
+}
+
+// Exact free rotation in inertial axes without events: all rows at a time.
+bool is_closed_form(const Experiment& experiment) {
+  const Rotation* const rotation = std::get_if<Rotation>(&experiment);
+  return rotation != nullptr && !propagation_method(*rotation) && !has_events(*rotation) &&
+         rotation->frame.is_inertial();
+}
+
+}  // namespace
+
+struct ScenarioEnsemble::Parts {
+  explicit Parts(Scenario read)
+      : scenario(std::move(read)),
+        keys(scenario.ensemble->keys()),
+        base(scenario, keys),
+        groups(polhode::row_groups(scenario)) {
+    const bool is_closed = is_closed_form(scenario.experiment);
+    if (is_closed || detail::goes_in_lockstep(scenario.experiment))
+      layout.emplace(row_layout(scenario));
+    const SaveAt& rows = *row_times(scenario);
+    if (!is_closed || rows.size() > most_times) return;
+    for (std::int64_t k = 0; k < rows.size(); ++k) times.push_back(rows[k]);
+  }
+
+  // Of an experiment like that of the scenario.
+  void run(const Experiment& experiment, const Progress& progress, EnsembleMember& member) const {
+    if (!times.empty() && is_closed_form(experiment)) {
+      member.rows.resize(times.size() * layout->width());
+      layout->write_rows(free_rotation(std::get<Rotation>(experiment)), times, member.rows);
+      return;
+    }
+    const Scenario own{scenario.document, experiment, scenario.output};
+    std::unique_ptr<Sink> sink = std::make_unique<RowSink>(member.rows);
+    const RunReport report = detail::run_rows(own, {&sink, 1}, {.progress = progress});
+    if (!report.outcome.ok()) member.failure = report.outcome.advice;
+  }
+
+  Scenario scenario;
+  std::vector<std::string> keys;
+  detail::PreparedBase base;
+  std::vector<ColumnGroup> groups;
+  std::optional<RowLayout> layout;  // of members that are not run one by one as files are
+  std::vector<double> times;        // where the motion has a closed form
+};
+
+ScenarioEnsemble::ScenarioEnsemble(Scenario scenario)
+    : parts_(std::make_unique<Parts>(with_ensemble(std::move(scenario)))) {}
+
+ScenarioEnsemble::ScenarioEnsemble(std::string_view text, const std::string& name,
+                                   const Kinds& kinds)
+    : ScenarioEnsemble(scenario_from_text(text, name, kinds)) {}
+
+ScenarioEnsemble::~ScenarioEnsemble() = default;
+
+const Scenario& ScenarioEnsemble::scenario() const { return parts_->scenario; }
+const std::vector<ColumnGroup>& ScenarioEnsemble::row_groups() const { return parts_->groups; }
+
+EnsembleMember ScenarioEnsemble::member(std::int64_t index, const Progress& progress) const {
+  detail::require_member(*this, index);
+  EnsembleMember member{plan().numbers(index), {}, {}};
+  try {
+    parts_->run(parts_->base.experiment(member.drawn), progress, member);
+  } catch (const DomainError& error) {
+    member.failure = error.what();
+  }
+  return member;
+}
+
+std::vector<EnsembleMember> ScenarioEnsemble::members(std::int64_t begin, std::int64_t end,
+                                                      const Progress& progress) const {
+  std::vector<EnsembleMember> all;
+  if (!detail::goes_in_lockstep(scenario().experiment)) {
+    for (std::int64_t index = begin; index < end; ++index) all.push_back(member(index, progress));
+    return all;
+  }
+  std::vector<Experiment> made;
+  std::vector<std::size_t> places;  // of these among all
+  for (std::int64_t index = begin; index < end; ++index) {
+    detail::require_member(*this, index);
+    all.push_back({plan().numbers(index), {}, {}});
+    try {
+      made.push_back(parts_->base.experiment(all.back().drawn));
+      places.push_back(all.size() - 1);
+    } catch (const DomainError& error) {
+      all.back().failure = error.what();
+    }
+  }
+  std::vector<detail::LockstepMember> going;
+  for (std::size_t k = 0; k < made.size(); ++k)
+    going.push_back({&std::get<Rotation>(made[k]), &all[places[k]]});
+  detail::run_in_lockstep(going, *parts_->layout, progress);
+  return all;
+}
+
+EnsembleMember ScenarioEnsemble::base(const Progress& progress) const {
+  EnsembleMember member;
+  try {
+    parts_->run(scenario().experiment, progress, member);
+  } catch (const DomainError& error) {
+    member.failure = error.what();
+  }
+  return member;
+}
+
+std::string ScenarioEnsemble::member_text(std::int64_t index) const {
+  detail::require_member(*this, index);
+  return detail::member_text(scenario(), index);
+}
+
+}  // namespace v0
+}  // namespace polhode

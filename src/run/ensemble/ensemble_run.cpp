@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/ensemble_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/run.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
+#include "run/detail/kept_outputs.hpp"
+#include "run/detail/own_files.hpp"
+#include "run/detail/sized.hpp"
+#include "run/ensemble/statistics.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::RowStatistics;
+using detail::StatisticsFrame;
+
+constexpr std::size_t numbers_per_block = 65536;
+constexpr std::size_t longest_reason = 1000;
+constexpr std::size_t failures_named = 20;
+constexpr std::int64_t most_at_a_time = 16;     // members whose rows one thread holds
+constexpr double most_numbers_at_a_time = 1e6;  // in these rows
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Ends the loop over the members, from within.
+struct Stopped {};
+
+bool has_statistics(const ScenarioEnsemble& ensemble) {
+  return ensemble.plan().keep == EnsembleKeep::statistics;
+}
+
+// How many members have their rows in memory at a time.
+std::int64_t members_at_a_time(const ScenarioEnsemble& ensemble) {
+  const double numbers = static_cast<double>(row_times(ensemble.scenario())->size()) *
+                         static_cast<double>(row_width(ensemble.row_groups()));
+  const double fit = std::clamp(most_numbers_at_a_time / numbers, 1.0, double{most_at_a_time});
+  return static_cast<std::int64_t>(fit);
+}
+
+std::vector<std::string> notes_of(const ScenarioEnsemble& ensemble) {
+  const EnsemblePlan& plan = ensemble.plan();
+  std::vector<std::string> notes = {"ensemble: " + std::to_string(plan.size) + " members, seed " +
+                                    std::to_string(plan.seed) + ", chunks of " +
+                                    std::to_string(plan.chunk)};
+  for (const EnsembleVaried& one : plan.varied) {
+    std::string keys;
+    for (const std::string& key : one.keys) keys += (keys.empty() ? "" : ", ") + key;
+    notes.push_back("varied: " + keys + ": " + detail::printable(one.text, longest_reason));
+  }
+  return notes;
+}
+
+// A note of a branch, constant along a free motion, is of the file's own.
+void add_branches(const Scenario& scenario, std::vector<std::string>& notes) {
+  const std::size_t own = notes.size();
+  for (const std::string& group : scenario.output.columns)
+    if (chart_named(group, scenario.document.kinds->charts()) != nullptr &&
+        std::any_of(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(own),
+                    [&](const std::string& note) { return note.starts_with(group + ": "); }))
+      notes.push_back("the branch of " + group +
+                      " is that of the file's own run; those of members may be others");
+}
+
+Provenance provenance_of(const ScenarioEnsemble& ensemble, const StatisticsFrame* frame) {
+  Provenance origin = provenance(ensemble.scenario());
+  std::vector<std::string> notes = notes_of(ensemble);
+  add_branches(ensemble.scenario(), origin.notes);
+  if (frame != nullptr)
+    for (std::string& note : frame->notes()) notes.push_back(std::move(note));
+  origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
+  return origin;
+}
+
+// A format of the rows of one motion, which those of an ensemble are not.
+void require_tables(const OutputFormats& formats, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths)
+    if (const OutputFormat& format = formats.of_output(path); format.needs.dates)
+      throw DomainError(
+          detail::printable(path, longest_reason) + ": " + format.label +
+          " holds one motion; expected " +
+          paths_in_words(formats, [](const OutputFormat& other) { return !other.needs.dates; }));
+}
+
+detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<ColumnGroup>& groups,
+                           const std::vector<std::string>& paths, const EnsembleOptions& options) {
+  require_tables(ensemble.scenario().output.formats, paths);
+  detail::require_own_files(ensemble.scenario().document, paths);
+  std::vector<std::string> columns;
+  for (const ColumnGroup& group : groups)
+    for (const Column& column : group.columns) columns.push_back(column.name);
+  std::vector<detail::PlannedOutput> outputs;
+  for (const std::string& path : paths) outputs.push_back({path, groups});
+  return {{"ensemble", "runs this one anew"},
+          detail::identity_of(ensemble.scenario(), {paths, {}, columns}),
+          std::move(outputs),
+          ensemble.scenario().output.formats,
+          options.begin,
+          options.words,
+          options.checkpoint_seconds};
+}
+
+// Where rows are kept, all or the last.
+std::vector<ColumnGroup> row_groups_of(const ScenarioEnsemble& ensemble) {
+  std::vector<ColumnGroup> groups = {{"member", {{"member", "1"}}}};
+  const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
+  if (ensemble.plan().keep == EnsembleKeep::final)
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      groups.push_back({keys[i], {{keys[i], units[i]}}});
+  const std::vector<ColumnGroup>& rows = ensemble.row_groups();
+  groups.insert(groups.end(), rows.begin(), rows.end());
+  return groups;
+}
+
+// What one chunk gives: rows, or statistics.
+struct Chunk {
+  std::vector<std::vector<double>> drawn;
+  std::vector<EnsembleReport::Failure> failures;
+  std::vector<double> rows;
+  std::optional<RowStatistics> statistics;
+};
+
+}  // namespace
+
+std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble) {
+  return has_statistics(ensemble) ? StatisticsFrame(ensemble).groups() : row_groups_of(ensemble);
+}
+
+class EnsembleRun::Parts {
+ public:
+  Parts(const ScenarioEnsemble& ensemble, const std::vector<std::string>& paths,
+        EnsembleOptions options)
+      : ensemble_(ensemble),
+        options_(std::move(options)),
+        threads_(options_.threads > 0 ? options_.threads : hardware_threads()),
+        frame_(has_statistics(ensemble) ? std::make_unique<StatisticsFrame>(ensemble) : nullptr),
+        groups_(frame_ ? frame_->groups() : row_groups_of(ensemble)),
+        origin_(provenance_of(ensemble, frame_.get())),
+        outputs_(setup_of(ensemble, groups_, paths, options_), origin_),
+        drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
+    if (outputs_.is_complete()) return;
+    if (outputs_.continues()) {
+      StateBytes bytes(outputs_.state());
+      transfer(bytes);
+    }
+    outputs_.with_remedy([&] { open(); });
+    members_before_ = report_.members;
+  }
+
+  EnsembleReport run() {
+    if (outputs_.is_complete()) return std::move(report_);
+    outputs_.with_remedy([&] {
+      compute();
+      if (frame_) waiting_ = statistics_->rows();
+      if (frame_) report_.statistics.assign(waiting_.end() - width(), waiting_.end());
+      push_waiting();
+      for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
+      outputs_.forget();
+    });
+    for (const NumberMoments& key : drawn_)
+      report_.drawn.push_back(
+          {key.mean(0), key.deviation(0), key.least(0).value, key.greatest(0).value});
+    return std::move(report_);
+  }
+
+  const detail::KeptOutputs& outputs() const { return outputs_; }
+  const std::vector<ColumnGroup>& groups() const { return groups_; }
+  std::int64_t members() const { return members_before_; }
+
+ private:
+  std::ptrdiff_t width() const { return static_cast<std::ptrdiff_t>(row_width(groups_)); }
+
+  // All that the checkpoint holds, between two chunks.
+  void transfer(StateBytes& bytes) {
+    bytes.all(report_.members, report_.failed);
+    detail::sized(bytes, report_.failures,
+                  [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
+    for (NumberMoments& key : drawn_) {
+      std::vector<double> numbers;
+      if (!bytes.reads()) numbers = key.numbers();
+      bytes(numbers);
+      if (bytes.reads()) key = key.restored(numbers);
+    }
+    bytes(waiting_);
+    if (!frame_) return;
+    frame_->transfer(bytes);
+    if (bytes.reads()) statistics_.emplace(*frame_);
+    statistics_->transfer(bytes);
+  }
+
+  void open() {
+    outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
+      sinks_.push_back(
+          open_sink(path, groups_, origin_, from, ensemble_.scenario().output.formats));
+      return detail::kept_output(*sinks_.back());
+    });
+    if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
+  }
+
+  bool is_stopped() const { return options_.stop && options_.stop(); }
+
+  void compute() {
+    // a member without steps looks once
+    const Progress look = [this](double) {
+      if (is_stopped()) throw Stopped();
+    };
+    const std::int64_t size = ensemble_.size(), each = members_in_cell();
+    try {
+      if (frame_ && !statistics_) prepare(look);
+      run_cells(
+          report_.members / each, (size + each - 1) / each, threads_,
+          [&](std::int64_t cell) {
+            return chunk(cell * each, std::min(size, (cell + 1) * each), look);
+          },
+          [&](std::int64_t, const Chunk& done) { take(done); });
+    } catch (const Stopped&) {
+      if (statistics_ || !frame_) keep();
+      if (raised_) std::rethrow_exception(raised_);
+      throw EnsembleInterrupted(
+          ensemble_.scenario().document.name + ": stopped after " + done_text(), report_.members,
+          outputs_.keeps());
+    }
+  }
+
+  // Rows are whole after any member; statistics after a chunk.
+  std::int64_t members_in_cell() const {
+    return frame_ ? ensemble_.plan().chunk : members_at_a_time(ensemble_);
+  }
+
+  // The base, and the first members where bins and references come from these.
+  void prepare(const Progress& look) {
+    frame_->set_base(ensemble_.base(look));
+    const std::int64_t pilots = frame_->pilots(), each = members_at_a_time(ensemble_);
+    run_cells(
+        0, (pilots + each - 1) / each, threads_,
+        [&](std::int64_t cell) {
+          return members(cell * each, std::min(pilots, (cell + 1) * each), look);
+        },
+        [&](std::int64_t cell, const std::vector<EnsembleMember>& done) {
+          for (std::size_t m = 0; m < done.size(); ++m)
+            frame_->add_pilot(cell * each + static_cast<std::int64_t>(m), done[m]);
+        });
+    frame_->finish_pilots();
+    statistics_.emplace(*frame_);
+  }
+
+  std::vector<EnsembleMember> members(std::int64_t begin, std::int64_t end,
+                                      const Progress& look) const {
+    look(0.0);
+    return ensemble_.members(begin, end, look);
+  }
+
+  Chunk chunk(std::int64_t begin, std::int64_t end, const Progress& look) const {
+    Chunk chunk;
+    if (frame_) chunk.statistics.emplace(*frame_);
+    const std::int64_t each = members_at_a_time(ensemble_);
+    for (std::int64_t first = begin; first < end; first += each) {
+      std::vector<EnsembleMember> some = members(first, std::min(end, first + each), look);
+      if (frame_) chunk.statistics->add(first, some);
+      for (std::size_t m = 0; m < some.size(); ++m) {
+        const std::int64_t index = first + static_cast<std::int64_t>(m);
+        if (!frame_) append_rows(index, some[m], chunk.rows);
+        if (!some[m].failure.empty())
+          chunk.failures.push_back({index, detail::printable(some[m].failure, longest_reason)});
+        chunk.drawn.push_back(std::move(some[m].drawn));
+      }
+    }
+    return chunk;
+  }
+
+  void append_rows(std::int64_t index, const EnsembleMember& member,
+                   std::vector<double>& to) const {
+    const auto width = static_cast<std::ptrdiff_t>(row_width(ensemble_.row_groups()));
+    const auto row_at = [&](std::ptrdiff_t begin) {
+      to.insert(to.end(), member.rows.begin() + begin, member.rows.begin() + begin + width);
+    };
+    const auto size = static_cast<std::ptrdiff_t>(member.rows.size());
+    if (ensemble_.plan().keep == EnsembleKeep::rows) {
+      for (std::ptrdiff_t k = 0; k < size; k += width) {
+        to.push_back(static_cast<double>(index));
+        row_at(k);
+      }
+      return;
+    }
+    to.push_back(static_cast<double>(index));
+    to.insert(to.end(), member.drawn.begin(), member.drawn.end());
+    if (member.failure.empty() && size > 0)
+      row_at(size - width);
+    else
+      to.insert(to.end(), static_cast<std::size_t>(width), nan);
+  }
+
+  // The next one, in order.
+  void take(const Chunk& chunk) {
+    if (chunk.statistics) statistics_->merge(*chunk.statistics);
+    waiting_.insert(waiting_.end(), chunk.rows.begin(), chunk.rows.end());
+    for (const std::vector<double>& drawn : chunk.drawn) {
+      for (std::size_t i = 0; i < drawn.size(); ++i) drawn_[i].add(report_.members, {&drawn[i], 1});
+      ++report_.members;
+    }
+    for (const EnsembleReport::Failure& failure : chunk.failures) {
+      ++report_.failed;
+      if (report_.failures.size() < failures_named) report_.failures.push_back(failure);
+    }
+    if (waiting_.size() >= numbers_per_block) push_waiting();
+    try {
+      if (options_.progress) options_.progress(report_.members);
+    } catch (...) {
+      raised_ = std::current_exception();
+      throw Stopped();
+    }
+    if (report_.members == ensemble_.size()) return;
+    if (is_stopped()) throw Stopped();
+    if (outputs_.is_due()) keep();
+  }
+
+  void push_waiting() {
+    if (waiting_.empty()) return;
+    for (const std::unique_ptr<Sink>& sink : sinks_) sink->push(waiting_);
+    waiting_.clear();
+  }
+
+  std::string done_text() const {
+    return std::to_string(report_.members) + " of " + std::to_string(ensemble_.size()) + " members";
+  }
+
+  void keep() {
+    StateBytes bytes;
+    transfer(bytes);
+    outputs_.keep({bytes.bytes(), done_text(), "after " + done_text()});
+  }
+
+  const ScenarioEnsemble& ensemble_;
+  EnsembleOptions options_;
+  int threads_;
+  std::unique_ptr<StatisticsFrame> frame_;  // where statistics are kept
+  std::vector<ColumnGroup> groups_;
+  Provenance origin_;
+  detail::KeptOutputs outputs_;
+  EnsembleReport report_;
+  std::vector<NumberMoments> drawn_;  // by key
+  std::vector<double> waiting_;       // rows that are not in the outputs
+  std::optional<RowStatistics> statistics_;
+  std::int64_t members_before_ = 0;
+  std::vector<std::unique_ptr<Sink>> sinks_;
+  std::exception_ptr raised_;  // by `progress`
+};
+
+EnsembleRun::EnsembleRun(const ScenarioEnsemble& ensemble, const std::vector<std::string>& outputs,
+                         EnsembleOptions options)
+    : parts_(std::make_unique<Parts>(ensemble, outputs, std::move(options))) {}
+EnsembleRun::~EnsembleRun() = default;
+const std::vector<ColumnGroup>& EnsembleRun::groups() const { return parts_->groups(); }
+bool EnsembleRun::continues() const { return parts_->outputs().continues(); }
+bool EnsembleRun::is_complete() const { return parts_->outputs().is_complete(); }
+std::int64_t EnsembleRun::members() const { return parts_->members(); }
+EnsembleReport EnsembleRun::run() { return parts_->run(); }
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "run/ensemble/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int classes = 3;  // short axis, long axis, others
+
+// The column has 1 and -1 for the two modes.
+int class_of(double mode) { return mode == 1.0 ? 0 : mode == -1.0 ? 1 : 2; }
+
+Quaternion attitude_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
+
+// Accumulators as one list of numbers: how many each has, then these.
+template <class A>
+void transfer_all(StateBytes& bytes, std::vector<A>& all) {
+  for (A& one : all) {
+    std::vector<double> numbers;
+    if (!bytes.reads()) numbers = one.numbers();
+    bytes(numbers);
+    if (bytes.reads()) one = one.restored(numbers);
+  }
+}
+
+template <class A>
+void merge_all(std::vector<A>& all, const std::vector<A>& later) {
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].merge(later[i]);
+}
+
+// The numbers of one column at one time, with what the bins leave open.
+void append(std::vector<double>& row, const NumberMoments& moments, const Quantiles& quantiles,
+            const EnsemblePlan& plan) {
+  row.insert(row.end(), {static_cast<double>(moments.count()), moments.mean(0),
+                         moments.deviation(0), moments.least(0).value, moments.greatest(0).value});
+  double error = quantiles.count() == 0 ? nan : 0.0;
+  for (const double p : plan.quantiles) {
+    const Bounded found = quantiles.quantile(p);
+    row.push_back(found.value);
+    error = std::max({error, found.highest - found.value, found.value - found.lowest});
+  }
+  if (!quantiles.is_exact()) row.push_back(error);
+}
+
+void append(std::vector<double>& row, const AttitudeSpread& attitude, const Units& units) {
+  row.push_back(static_cast<double>(attitude.count()));
+  const std::optional<FrechetMean> found = attitude.frechet();
+  if (!found) {
+    row.insert(row.end(), 12, nan);
+    return;
+  }
+  const auto& [q, covariance, error, of_covariance] = *found;
+  row.insert(row.end(), {q.w, q.x, q.y, q.z});
+  const double unit = units.from_core(1.0, Dimension::angle);
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) row.push_back(covariance.row[i][j] * unit * unit);
+  row.insert(row.end(), {error * unit, of_covariance * unit * unit});
+}
+
+}  // namespace
+
+RowStatistics::RowStatistics(const StatisticsFrame& frame) : frame_(&frame) {
+  const StatisticsColumns& columns = frame.columns();
+  const std::size_t epochs = frame.epochs();
+  counts_.assign(epochs, 0);
+  moments_.assign(columns.numbers.size() * epochs, NumberMoments(1));
+  quantiles_.reserve(moments_.size());
+  for (std::size_t i = 0; i < columns.numbers.size(); ++i)
+    for (std::size_t e = 0; e < epochs; ++e) quantiles_.push_back(frame.empty_quantiles(i, e));
+  attitudes_.reserve(columns.attitudes.size() * epochs);
+  for (std::size_t i = 0; i < columns.attitudes.size(); ++i)
+    for (std::size_t e = 0; e < epochs; ++e) attitudes_.emplace_back(frame.reference(i, e));
+  modes_.assign(columns.modes.size() * epochs, Fractions(classes));
+}
+
+// Time after time, so that what is kept of one stays near while all members come.
+void RowStatistics::add(std::int64_t first, std::span<const EnsembleMember> members) {
+  const StatisticsColumns& columns = frame_->columns();
+  const std::size_t epochs = frame_->epochs(), width = frame_->width();
+  std::vector<std::size_t> rows;
+  for (const EnsembleMember& member : members)
+    rows.push_back(member.failure.empty() ? frame_->epochs_of(member) : 0);
+  const auto each_at = [&](std::size_t e, std::size_t place, const auto& use) {
+    for (std::size_t m = 0; m < members.size(); ++m)
+      if (e < rows[m])
+        use(first + static_cast<std::int64_t>(m), members[m].rows[e * width + place]);
+  };
+  for (std::size_t e = 0; e < epochs; ++e)
+    counts_[e] += std::count_if(rows.begin(), rows.end(), [&](std::size_t n) { return e < n; });
+  for (std::size_t i = 0; i < columns.numbers.size(); ++i)
+    for (std::size_t e = 0; e < epochs; ++e) {
+      NumberMoments& moments = moments_[i * epochs + e];
+      Quantiles& quantiles = quantiles_[i * epochs + e];
+      each_at(e, columns.numbers[i].place, [&](std::int64_t member, double number) {
+        const double x = frame_->number(columns.numbers[i], e, number);
+        moments.add(member, {&x, 1});
+        quantiles.add(member, x);
+      });
+    }
+  for (std::size_t i = 0; i < columns.modes.size(); ++i)
+    for (std::size_t e = 0; e < epochs; ++e)
+      each_at(e, columns.modes[i].place, [&](std::int64_t member, double mode) {
+        modes_[i * epochs + e].add(member, class_of(mode));
+      });
+  if (!columns.attitudes.empty()) add_attitudes(first, members, rows);
+}
+
+// In the lanes of the processor where all members have all times.
+void RowStatistics::add_attitudes(std::int64_t first, std::span<const EnsembleMember> members,
+                                  std::span<const std::size_t> rows) {
+  const std::size_t epochs = frame_->epochs(), width = frame_->width();
+  const bool all =
+      std::all_of(rows.begin(), rows.end(), [&](std::size_t n) { return n == epochs; });
+  std::vector<RotorState> states(all ? members.size() * epochs : 0);
+  for (std::size_t i = 0; i < frame_->columns().attitudes.size(); ++i) {
+    const std::size_t place = frame_->columns().attitudes[i].place;
+    const std::span<AttitudeSpread> kept = std::span(attitudes_).subspan(i * epochs, epochs);
+    for (std::size_t m = 0; m < members.size(); ++m)
+      for (std::size_t e = 0; e < rows[m]; ++e) {
+        const Quaternion q = attitude_at(members[m].rows.data() + e * width + place);
+        if (all)
+          states[m * epochs + e].q = q;
+        else
+          kept[e].add(first + static_cast<std::int64_t>(m), q);
+      }
+    if (all) add_rows(kept, first, states);
+  }
+}
+
+void RowStatistics::merge(const RowStatistics& later) {
+  for (std::size_t e = 0; e < counts_.size(); ++e) counts_[e] += later.counts_[e];
+  merge_all(moments_, later.moments_);
+  merge_all(quantiles_, later.quantiles_);
+  merge_all(attitudes_, later.attitudes_);
+  merge_all(modes_, later.modes_);
+}
+
+std::vector<double> RowStatistics::rows() const {
+  const StatisticsColumns& columns = frame_->columns();
+  const EnsemblePlan& plan = frame_->ensemble().plan();
+  const Units& units = frame_->ensemble().scenario().units();
+  const std::size_t epochs = frame_->epochs();
+  std::vector<double> all;
+  for (std::size_t e = 0; e < epochs; ++e) {
+    all.insert(all.end(), {frame_->time(e), static_cast<double>(counts_[e])});
+    for (std::size_t i = 0; i < columns.attitudes.size(); ++i)
+      append(all, attitudes_[i * epochs + e], units);
+    for (std::size_t i = 0; i < columns.numbers.size(); ++i) {
+      const std::size_t at = i * epochs + e;
+      append(all, moments_[at], quantiles_[at], plan);
+      if (!frame_->is_exact() && quantiles_[at].is_exact()) all.push_back(nan);  // of no number
+    }
+    for (std::size_t i = 0; i < columns.modes.size(); ++i)
+      for (int k = 0; k < classes; ++k) all.push_back(modes_[i * epochs + e].fraction(k));
+  }
+  return all;
+}
+
+void RowStatistics::transfer(StateBytes& bytes) {
+  bytes(counts_);
+  transfer_all(bytes, moments_);
+  transfer_all(bytes, quantiles_);
+  transfer_all(bytes, attitudes_);
+  transfer_all(bytes, modes_);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// The statistics of an ensemble at each of its times, of members that come in any number of chunks.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/ensemble/attitude_moments.hpp"
+#include "polhode/ensemble/attitude_spread.hpp"
+#include "polhode/ensemble/fractions.hpp"
+#include "polhode/ensemble/number_moments.hpp"
+#include "polhode/ensemble/quantiles.hpp"
+#include "polhode/run/ensemble.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// What is made of the columns of a row.
+struct StatisticsColumns {
+  struct Number {
+    Column column;
+    std::size_t place;  // in a row
+    bool is_angle;
+  };
+  struct Attitude {
+    std::string group;  // "q"
+    std::size_t place;  // of its first component
+  };
+  std::vector<Number> numbers;
+  std::vector<Attitude> attitudes;
+  std::vector<Number> modes;  // of the regimes of free rotation
+
+  explicit StatisticsColumns(const ScenarioEnsemble& ensemble);
+};
+
+// What all chunks share: it depends on the file alone.
+class StatisticsFrame {
+ public:
+  // Nothing is known of the members yet. DomainError where statistics would not fit into memory.
+  explicit StatisticsFrame(const ScenarioEnsemble& ensemble);
+
+  const ScenarioEnsemble& ensemble() const { return ensemble_; }
+  const StatisticsColumns& columns() const { return columns_; }
+  std::size_t epochs() const { return times_.size(); }
+  std::size_t width() const { return width_; }
+  double time(std::size_t epoch) const { return times_[epoch]; }
+  // How many rows of a member stand at these times: an event that stops it has a row of its own.
+  std::size_t epochs_of(const EnsembleMember& member) const;
+  // A number of a row; an angle within half a turn of that of the base.
+  double number(const StatisticsColumns::Number& of, std::size_t epoch, double x) const;
+
+  // Whether every number is kept.
+  bool is_exact() const { return exact_ > 0; }
+  // The first members, from which bins and references are taken; 0: none are needed.
+  std::int64_t pilots() const;
+  void set_base(const EnsembleMember& base);
+  // Member after member, then once.
+  void add_pilot(std::int64_t index, const EnsembleMember& member);
+  void finish_pilots();
+
+  Quantiles empty_quantiles(std::size_t number, std::size_t epoch) const;
+  const Quaternion& reference(std::size_t attitude, std::size_t epoch) const {
+    return references_[attitude * epochs() + epoch];
+  }
+  // What the rows of the statistics are, and what outputs say of them.
+  std::vector<ColumnGroup> groups() const;
+  std::vector<std::string> notes() const;
+  // References and ranges, for a checkpoint.
+  void transfer(StateBytes& bytes);
+
+ private:
+  struct Range {
+    double least, greatest;
+  };
+  void require_room() const;
+
+  const ScenarioEnsemble& ensemble_;
+  StatisticsColumns columns_;
+  std::size_t width_;
+  std::vector<double> times_;  // as rows have them
+  double turn_;                // in the unit of angles
+  std::int64_t exact_;         // numbers that quantiles keep; 0: bins from the start
+  std::vector<double> base_;   // angles of the base, by number and epoch
+  std::vector<Range> ranges_;  // of pilots, by number and epoch
+  std::vector<AttitudeMoments> pilot_attitudes_;
+  std::vector<Quaternion> references_;  // by attitude and epoch
+  std::vector<Bins> bins_;              // by number and epoch; one of all while all is exact
+};
+
+class RowStatistics {
+ public:
+  explicit RowStatistics(const StatisticsFrame& frame);
+
+  // Members first, first + 1, ...; those that failed are passed over.
+  void add(std::int64_t first, std::span<const EnsembleMember> members);
+  void merge(const RowStatistics& later);
+  // One row of groups() for each epoch.
+  std::vector<double> rows() const;
+  void transfer(StateBytes& bytes);
+
+ private:
+  void add_attitudes(std::int64_t first, std::span<const EnsembleMember> members,
+                     std::span<const std::size_t> rows);
+
+  const StatisticsFrame* frame_;
+  std::vector<std::int64_t> counts_;  // members at each epoch
+  std::vector<NumberMoments> moments_;
+  std::vector<Quantiles> quantiles_;
+  std::vector<AttitudeSpread> attitudes_;
+  std::vector<Fractions> modes_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

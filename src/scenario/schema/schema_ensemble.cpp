@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The table of scenario keys: ensembles, many runs of one file with some of its numbers drawn.
+#include "scenario/detail/schema_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using enum KeyType;
+using enum Presence;
+
+constexpr std::string_view of_one = "normal|uniform|log-uniform|grid";
+constexpr std::string_view of_several = "joint-normal|direction|attitude|table";
+
+constexpr Key keys[] = {
+    {.path = "ensemble",
+     .help = "What `polhode ensemble` makes: many runs of this file, its members, with some of its "
+             "numbers drawn. `polhode run` takes the file as it stands."},
+    {.path = "ensemble.size",
+     .type = integer,
+     .presence = required,
+     .example = "10000",
+     .help = "How many members, up to 1e12."},
+    {.path = "ensemble.seed",
+     .type = integer,
+     .fallback = "1",
+     .example = "1",
+     .help = "Another seed draws other members."},
+    {.path = "ensemble.draws",
+     .type = choice,
+     .allowed = "random|sobol",
+     .fallback = "\"random\"",
+     .example = "\"random\"",
+     .help = "Random numbers, or Sobol's points, over which means settle faster."},
+    {.path = "ensemble.keep",
+     .type = choice,
+     .allowed = "statistics|final|rows",
+     .fallback = "\"statistics\"",
+     .example = "\"statistics\"",
+     .help = "What is written: statistics of the members at each time of [time]; one row for each "
+             "member, with what was drawn and its last row; or all rows of all members."},
+    {.path = "ensemble.quantiles",
+     .type = numbers,
+     .fallback = "[0.05, 0.5, 0.95]",
+     .example = "[0.05, 0.5, 0.95]",
+     .help = "Which quantiles of each column statistics have, from 0 to 1."},
+    {.path = "ensemble.bins",
+     .type = integer,
+     .fallback = "256",
+     .example = "256",
+     .help = "How many bins quantiles come from where there are too many numbers to keep "
+             "(more than 8e6, members times rows times columns), up to 1e6."},
+    {.path = "ensemble.chunk",
+     .type = integer,
+     .example = "1024",
+     .help = "Members that are reduced together by one thread. The last digits of statistics "
+             "depend on it, and on nothing else of how an ensemble is run. Left out: a 64th of "
+             "size, 1 at least and 1024 at most."},
+    {.path = "ensemble.vary[]",
+     .presence = required,
+     .help = "What the members differ in. What is drawn for a key depends on the seed, the keys of "
+             "its table and the index of the member, not on the other tables."},
+    {.path = "ensemble.vary[].kind",
+     .type = choice,
+     .presence = required,
+     .allowed = "normal|uniform|log-uniform|joint-normal|direction|attitude|grid|table",
+     .example = "\"normal\"",
+     .help = "The distribution. All numbers of the table are in the units that the keys have in "
+             "this file: their own, where they were written with one, or those of [units]."},
+    {.path = "ensemble.vary[].key",
+     .type = text,
+     .presence = required,
+     .example = "\"state.attitude-rate.omega_body[2]\"",
+     .help = "A number of this file by its keys, also one with a fallback; perturbation[0] is the "
+             "first of its tables, omega_body[2] the third number of an array.",
+     .kinds = of_one},
+    {.path = "ensemble.vary[].keys",
+     .type = KeyType::key_list,
+     .presence = required,
+     .example = "[\"state.attitude-rate.omega_body\"]",
+     .help = "Several numbers, an array by its name. A direction has the three components of a "
+             "vector, which keeps its length, or two angles, of which the first goes round (right "
+             "ascension and declination); an attitude the four components of a quaternion.",
+     .kinds = of_several},
+    {.path = "ensemble.vary[].mean",
+     .type = number,
+     .example = "1",
+     .help = "Left out: the number that the file has.",
+     .kinds = "normal"},
+    {.path = "ensemble.vary[].sigma",
+     .type = number,
+     .presence = required,
+     .example = "0.1",
+     .help = "Standard deviation, before low and high cut.",
+     .kinds = "normal",
+     .range = Range::not_negative},
+    {.path = "ensemble.vary[].low",
+     .type = number,
+     .example = "0",
+     .help = "Least number; a normal one may have a bound on one side, on both, or none.",
+     .kinds = "normal|uniform|log-uniform",
+     .needed_by = "uniform|log-uniform"},
+    {.path = "ensemble.vary[].high",
+     .type = number,
+     .example = "1",
+     .help = "Greatest number.",
+     .kinds = "normal|uniform|log-uniform",
+     .needed_by = "uniform|log-uniform"},
+    {.path = "ensemble.vary[].means",
+     .type = numbers,
+     .example = "[0.1, 0.2, 1]",
+     .help = "Left out: the numbers that the file has.",
+     .kinds = "joint-normal"},
+    {.path = "ensemble.vary[].covariance",
+     .type = square,
+     .presence = required,
+     .example = "[[0.01, 0, 0], [0, 0.01, 0.005], [0, 0.005, 0.01]]",
+     .help = "Of the keys, row by row; what others fix may be there.",
+     .kinds = "joint-normal"},
+    {.path = "ensemble.vary[].from",
+     .type = number,
+     .presence = required,
+     .example = "0",
+     .help = "First value of an even grid. Several tables of this kind make one grid of all their "
+             "points, the last one the fastest, which begins again where it ends.",
+     .kinds = "grid"},
+    {.path = "ensemble.vary[].to",
+     .type = number,
+     .presence = required,
+     .example = "1",
+     .help = "Its last value.",
+     .kinds = "grid"},
+    {.path = "ensemble.vary[].count",
+     .type = integer,
+     .presence = required,
+     .example = "11",
+     .help = "How many values, both ends included; 1 takes from.",
+     .kinds = "grid"},
+    {.path = "ensemble.vary[].file",
+     .type = text,
+     .presence = required,
+     .example = "\"clones.csv\"",
+     .help = "A file of draws, one row each, CSV or separated by blanks, .gz or not; the path is "
+             "from the folder of this file.",
+     .kinds = "table",
+     .is_file = true},
+    {.path = "ensemble.vary[].columns",
+     .type = columns,
+     .example = "[\"wx\", \"wy\", \"wz\"]",
+     .help = "Its column for each number of keys, by name or by number from 1; left out, the first "
+             "ones.",
+     .kinds = "table"},
+    {.path = "ensemble.vary[].order",
+     .type = choice,
+     .allowed = "rows|draws",
+     .fallback = "\"rows\"",
+     .example = "\"rows\"",
+     .help = "Whether member 0 has the first row and so on, or each member a row that is drawn.",
+     .kinds = "table"},
+};
+
+constexpr KindText kinds[] = {
+    {"ensemble.vary[]", "normal", "A normal number, between two bounds where they are given."},
+    {"ensemble.vary[]", "uniform", "Every number between two alike."},
+    {"ensemble.vary[]", "log-uniform", "A positive number whose logarithm is uniform."},
+    {"ensemble.vary[]", "joint-normal", "Several normal numbers with a covariance."},
+    {"ensemble.vary[]", "direction", "A direction of the sky, all of them alike."},
+    {"ensemble.vary[]", "attitude", "An attitude, all of them alike (Haar's measure)."},
+    {"ensemble.vary[]", "grid", "Points at even distances."},
+    {"ensemble.vary[]", "table", "The rows of a file: a posterior, clones of an orbit."},
+};
+
+}  // namespace
+
+SchemaPart ensemble_keys() { return {keys, {}, kinds}; }
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
