@@ -216,7 +216,8 @@ def page(records, machine, curves, measured=()):
         yield ""
         yield from goals_table(measured)
         yield ""
-        yield "What stands in the way of the others: [design note 0042](../design/0042-goals-not-met.md)."
+        yield ("What stands in the way of the others: "
+               "[design note 0042](../design/0042-goals-not-met.md).")
     lost = list(slower(records))
     if lost:
         yield ""

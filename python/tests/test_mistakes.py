@@ -227,10 +227,12 @@ def test_what_an_argument_raises_is_not_hidden():
     ],
 )
 def test_a_class_that_cannot_be_called_says_what_makes_it(name, expected):
-    with pytest.raises(TypeError, match=f"^{name}: its class cannot be called; expected {expected}$"):
+    said = f"^{name}: its class cannot be called; expected {expected}$"
+    with pytest.raises(TypeError, match=said):
         getattr(polhode, name)(1.0)
 
 
 def test_steps_of_one_length_take_no_tolerance():
-    with pytest.raises(ValueError, match="tolerance 1e-09 goes with steps under control; got step 0.2"):
+    said = "tolerance 1e-09 goes with steps under control; got step 0.2"
+    with pytest.raises(ValueError, match=said):
         polhode.Collocation(1e-9, step=0.2)

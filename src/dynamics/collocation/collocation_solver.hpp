@@ -243,8 +243,7 @@ class BasicCollocationSolver {
     const double whole = error.of_motion(rates);
     if constexpr (requires { stages_.drive(drive_); }) {
       if (!stages_.drive(drive_)) return whole;
-      double known = larger(whole, error.of_effects(drive_));
-      if (stages_.has_unnamed_kinks()) known = larger(known, error.of_kinks(drive_));
+      const double known = larger(whole, error.of_effects(drive_, stages_.has_unnamed_kinks()));
       if (control_.is_fixed || stages_.is_smooth() || !(known <= control_.step.tolerance))
         return known;
       evaluations_ += 2;
