@@ -486,3 +486,53 @@ keys = ["state.tumbler.pole.longitude", "state.tumbler.pole.latitude"]
     assert abs(numpy.sin(numpy.radians(latitude)).mean()) < 0.1
     alone = run("ensemble", path, "--member", 3)
     assert "longitude = " in alone.stdout and "[ensemble]" not in alone.stdout
+
+
+# A limit on the size of files stands for a full disk.
+@pytest.mark.parametrize("keep", ["rows", "final"])
+def test_a_disk_that_fills_up_keeps_the_members(polhode, run, ensemble, tmp_path, keep):
+    path = ensemble(f'size = 600\nkeep = "{keep}"', extra=TORQUE)
+    whole, out = tmp_path / "whole.csv", tmp_path / "m.csv"
+    assert run("ensemble", path, "--out", whole).returncode == 0
+    assert whole.stat().st_size > 64 * 1024
+    for kilobytes, status in ((32, 1), (64, 1), (None, 0)):
+        limit = f"ulimit -f {kilobytes}; exec \"$@\"" if kilobytes else "exec \"$@\""
+        done = subprocess.run(
+            ["bash", "-c", limit, "bash", polhode, "ensemble", path, "--out", out, "--resume",
+             "--checkpoint", "0"], text=True, capture_output=True)
+        assert done.returncode == status, done.stderr
+        if status:
+            line = done.stderr.splitlines()[-1]
+            assert ": cannot be written: File too large; raise the " in line
+    assert out.read_bytes() == whole.read_bytes()
+
+
+def test_draws_that_are_others_do_not_go_on(polhode, run, ensemble, tmp_path):
+    draws, out = tmp_path / "draws.csv", tmp_path / "m.csv"
+    draws.write_text("x\n" + "".join(f"{1 + k / 1e6}\n" for k in range(100000)))
+    path = ensemble("size = 100000\nchunk = 10", vary=one("table", [OMEGA + "[2]"],
+                                                          'file = "draws.csv"'),
+                    extra=TORQUE, time="stop = 400\nstep = 4")
+    process = subprocess.Popen([polhode, "ensemble", path, "--out", out, "--checkpoint", "0"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    checkpoint = tmp_path / "m.csv.checkpoint"
+    until = time.monotonic() + SECONDS
+    while not checkpoint.exists() and time.monotonic() < until:
+        time.sleep(0.02)
+    process.kill()
+    process.wait()
+    draws.write_text(draws.read_text().replace("1.000001\n", "1.000002\n"))
+    done = run("ensemble", path, "--out", out, "--resume")
+    assert done.returncode == 2 and "is of another ensemble: files of the scenario" in done.stderr
+
+
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_a_complete_run_is_no_complete_ensemble(run, ensemble, tmp_path, extension):
+    path, out = ensemble("size = 10"), tmp_path / f"a.{extension}"
+    for first, second in (("run", "ensemble"), ("ensemble", "run")):
+        assert run(first, path, "--out", out, "--restart").returncode == 0
+        before = out.read_bytes()
+        done = run(second, path, "--out", out, "--resume")
+        assert done.returncode == 2 and "is there, of another run" in done.stderr
+        assert out.read_bytes() == before
+        assert "nothing to do" in run(first, path, "--out", out, "--resume").stdout
