@@ -25,6 +25,6 @@ inline constexpr double elliptic_python = 4e-15;
 inline constexpr double elliptic_jacobi = 3.0;
 inline constexpr double elliptic_jacobi_derivative = 20.0;
 // sn, cn, dn in lanes, by more multiplications than divisions.
-inline constexpr double elliptic_jacobi_lanes = 6.0;
+inline constexpr double elliptic_jacobi_lanes = 8.0;
 
 }  // namespace polhode::budget

@@ -27,10 +27,10 @@ namespace detail {
 //   guess_start(), guess(rows, matrix, of)   the stages before the first sweep
 //   sweep()                                  the largest change; or solved(enough, sweeps)
 //   coefficients(rows), drive(rows)          of the rates, and of the terms where they are known
-//   effects(t, y, sides), is_smooth()        of the same terms; whether they are known to be
-//   smooth, has_unnamed_kinks()                      and whether they say to have kinks that they
-//   do not name finished(), length(), scheme()           the end of the step blank(numbers) rows of
-//   as many numbers
+//   effects(t, y, sides)                     of the same terms
+//   is_smooth(), has_unnamed_kinks()         what is known of their jumps and kinks
+//   finished(), length(), scheme()           the end of the step
+//   blank(numbers)                           rows of as many numbers
 class RotorStages {
  public:
   using Field = RotorField<double>;
