@@ -10,9 +10,9 @@
 //             the rest goes one by one through jacobi(u, modulus). NaN in, NaN out, and NaN for an
 //             infinite number, in its own place. Results may be written over the arguments.
 // Accuracy    budget elliptic_jacobi_lanes: some three times that of jacobi(u, modulus), whose last
-//             digit may differ; the zero of sn(-0) may be positive. The bits of a result depend on its own u, m and m1 alone: not on its
-//             neighbours, on how many there are, on whether the modulus is given once, or on the
-//             set of instructions.
+//             digit may differ; the zero of sn(-0) may be positive. The bits of a result depend on
+//             its own u, m and m1 alone: not on its neighbours, on how many there are, on whether
+//             the modulus is given once, or on the set of instructions.
 // Errors      DomainError for spans that are not as long as u, for a set that this processor lacks,
 //             and for a pair that does not add up to 1, with results in part.
 // Cost        docs/design/0040-jacobi-in-lanes.md; no allocation. Half as much for one modulus.
