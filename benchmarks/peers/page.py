@@ -135,7 +135,7 @@ def fastest(records):
 def figure(curves, path):
     import matplotlib
     matplotlib.use("agg")
-    from matplotlib import pyplot
+    from matplotlib import pyplot, ticker
     names = [n for n in curves if curves[n].get("points")]
     if not names:
         return
@@ -156,6 +156,9 @@ def figure(curves, path):
             handles[who], = ax.loglog(*zip(*sorted(points), strict=True), style, ms=4, lw=1.2,
                                       color=colour, label=who)
         ax.set(title=name, xlabel=curves[name].get("unit", "CPU time (s)"), ylabel="error (rad)")
+        # Labels that do not meet, and stand where a panel has less than two decades.
+        ax.xaxis.set_minor_locator(ticker.LogLocator(subs=(2.0, 5.0)))
+        ax.xaxis.set_minor_formatter(ticker.LogFormatterSciNotation(minor_thresholds=(2, 2)))
         ax.grid(alpha=0.3)
     picture.legend(handles=list(handles.values()), loc="outside lower center", ncols=4)
     path.parent.mkdir(parents=True, exist_ok=True)
