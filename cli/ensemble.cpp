@@ -13,27 +13,19 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "many_runs.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/run.hpp"
 #include "progress.hpp"
-#include "resume.hpp"
-#include "stop_signals.hpp"
 
 namespace polhode::cli {
 namespace {
 
 constexpr std::size_t reasons_shown = 3, columns_shown = 12;
 
-struct EnsembleOfFile {
-  std::string program;  // as it was typed
-  std::string scenario;
-  std::vector<std::string> set;
-  std::vector<std::string> out;
+struct EnsembleOfFile : ManyRuns {
   std::optional<std::int64_t> member;
-  int threads = 0;
-  BeginOptions begin;
-  double checkpoint = 5.0;
 };
 
 std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
@@ -83,23 +75,6 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
   return report.failed > static_cast<std::int64_t>(shown) ? text + "  ...\n" : text;
 }
 
-// What --resume has found, on standard error.
-void announce(const ScenarioEnsemble& ensemble, const EnsembleRun& run) {
-  const std::string text = run.continues() ? fmt::format(": continues after {} of {} members",
-                                                         run.members(), ensemble.size())
-                                           : ": no members to continue from, starts anew";
-  std::fputs((ensemble.scenario().document.name + text + "\n").c_str(), stderr);
-}
-
-std::vector<std::string> command_of(const EnsembleOfFile& options) {
-  std::vector<std::string> words = {"ensemble", options.scenario};
-  for (const std::string& change : options.set) words.insert(words.end(), {"--set", change});
-  for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
-  if (options.threads > 0)
-    words.insert(words.end(), {"--threads", std::to_string(options.threads)});
-  return words;
-}
-
 // The scenario of the member; its rows into the outputs that are no scenario.
 void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
                 const Kinds& kinds) {
@@ -140,17 +115,14 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
   const StopSignals signals;
   std::optional<ProgressLine> progress;
-  EnsembleOptions how;
-  how.begin = options.begin.begin();
-  how.words = begin_words();
-  how.checkpoint_seconds = options.checkpoint;
-  how.threads = options.threads;
-  how.stop = [] { return StopSignals::came() != 0; };
+  EnsembleOptions how = work_of<EnsembleOptions>(options);
   if (!rows_on_terminal)
     how.progress = [&progress](std::int64_t members) { (*progress)(static_cast<double>(members)); };
   EnsembleRun run(ensemble, out, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(ensemble.scenario().document.name, out);
-  if (options.begin.resume) announce(ensemble, run);
+  if (options.begin.resume)
+    announce(ensemble.scenario().document.name, run.continues(), run.members(), ensemble.size(),
+             "members");
   progress.emplace(0.0, static_cast<double>(ensemble.size()), "members",
                    static_cast<double>(run.members()));
   const auto begun = std::chrono::steady_clock::now();
@@ -161,7 +133,8 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
     progress.reset();
     throw Interrupted(
         StopSignals::came(),
-        stopped.what() + how_to_continue(options.program, command_of(options), stopped.can_resume));
+        stopped.what() +
+            how_to_continue(options.program, command_of("ensemble", options), stopped.can_resume));
   }
   progress.reset();
   if (to_standard_output) return;
@@ -181,35 +154,14 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       "Run a scenario many times with the numbers of its [ensemble] drawn, on all processors");
   const auto options = std::make_shared<EnsembleOfFile>();
   options->program = typed;
-  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
-      ->required();
-  add_set_option(*command, options->set);
-  command
-      ->add_option("--out,-o", options->out,
-                   paths_in_words(kinds.formats(),
-                                  [](const OutputFormat& format) { return !format.needs.dates; }) +
-                       ", any number of them; - is CSV to standard output, also the default")
-      ->type_name("PATH");
+  add_files(*command, *options, kinds);
   command
       ->add_option("--member", options->member,
                    "Run this member alone, from 0 on: its rows into --out, its scenario into a "
                    "PATH.toml among these; without --out, print its scenario")
       ->type_name("K")
       ->check(member_index());
-  command
-      ->add_option("--threads", options->threads,
-                   "How many chunks at a time; left out: one on each processor. The result does "
-                   "not depend on it")
-      ->check(whole_number());
-  add_begin_options(*command, options->begin,
-                    "Continue an ensemble that was stopped, from its FIRST_OUTPUT.checkpoint",
-                    "Begin anew where an unfinished ensemble is, and lose its members");
-  command
-      ->add_option("--checkpoint", options->checkpoint,
-                   "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
-      ->type_name("SECONDS")
-      ->check(seconds())
-      ->capture_default_str();
+  add_work(*command, *options, {"an ensemble", "ensemble", "members", "chunks"});
   command->footer(
       "\nCtrl-C stops an ensemble and keeps its members; --resume continues it.\n"
       "\nExample:\n  " +
