@@ -9,6 +9,7 @@
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
+#include "run/detail/own_files.hpp"
 #include "run/detail/sized.hpp"
 #include "text/file_bytes.hpp"
 #include "text/printable.hpp"
@@ -180,6 +181,32 @@ void KeptOutputs::keep(KeptState state) {
 void KeptOutputs::forget() {
   forget_checkpoints(paths_);
   for (const KeptOutput& output : outputs_) output.kept();
+}
+
+KeptSetup setup_of_tables(KeptKind kind, const Scenario& scenario,
+                          const std::vector<ColumnGroup>& groups,
+                          const std::vector<std::string>& paths) {
+  require_own_files(scenario.document, paths);
+  std::vector<std::string> columns;
+  for (const ColumnGroup& group : groups)
+    for (const Column& column : group.columns) columns.push_back(column.name);
+  std::vector<PlannedOutput> outputs;
+  for (const std::string& path : paths) outputs.push_back({path, groups});
+  return {.kind = std::move(kind),
+          .identity = identity_of(scenario, {paths, {}, columns}),
+          .outputs = std::move(outputs),
+          .formats = scenario.output.formats};
+}
+
+std::vector<std::unique_ptr<Sink>> opened_tables(KeptOutputs& outputs, const Scenario& scenario,
+                                                 const std::vector<ColumnGroup>& groups,
+                                                 const Provenance& origin) {
+  std::vector<std::unique_ptr<Sink>> sinks;
+  outputs.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
+    sinks.push_back(open_sink(path, groups, origin, from, scenario.output.formats));
+    return kept_output(*sinks.back());
+  });
+  return sinks;
 }
 
 }  // namespace detail

@@ -12,7 +12,6 @@
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
-#include "run/detail/own_files.hpp"
 #include "run/detail/sized.hpp"
 #include "text/printable.hpp"
 
@@ -30,19 +29,12 @@ struct Stopped {};
 
 detail::KeptSetup setup_of(const ScenarioMap& map, const std::vector<std::string>& paths,
                            const MapOptions& options) {
-  detail::require_own_files(map.scenario().document, paths);
-  std::vector<std::string> columns;
-  for (const ColumnGroup& group : map.groups())
-    for (const Column& column : group.columns) columns.push_back(column.name);
-  std::vector<detail::PlannedOutput> outputs;
-  for (const std::string& path : paths) outputs.push_back({path, map.groups()});
-  return {{"map", "runs this one anew"},
-          detail::identity_of(map.scenario(), {paths, {}, columns}),
-          std::move(outputs),
-          map.scenario().output.formats,
-          options.begin,
-          options.words,
-          options.checkpoint_seconds};
+  detail::KeptSetup setup =
+      detail::setup_of_tables({"map", "runs this one anew"}, map.scenario(), map.groups(), paths);
+  setup.begin = options.begin;
+  setup.words = options.words;
+  setup.seconds = options.checkpoint_seconds;
+  return setup;
 }
 
 // Each reason once: many cells fail for the same one.
@@ -132,12 +124,8 @@ class MapRun::Parts {
 
  private:
   void open() {
-    const Provenance origin = provenance(map_.scenario());
-    outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
-      sinks_.push_back(
-          open_sink(path, map_.groups(), origin, from, map_.scenario().output.formats));
-      return detail::kept_output(*sinks_.back());
-    });
+    sinks_ = detail::opened_tables(outputs_, map_.scenario(), map_.groups(),
+                                   provenance(map_.scenario()));
     if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 

@@ -5,12 +5,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "polhode/output/output_format.hpp"
 #include "polhode/run/scenario_run.hpp"
+#include "polhode/scenario/scenario.hpp"
 #include "run/detail/earlier_run.hpp"
 #include "run/detail/identity.hpp"
 #include "run/detail/pace.hpp"
@@ -99,6 +101,17 @@ class KeptOutputs {
   bool is_safe_ = false;  // there is a checkpoint
   bool pointed_ = false;  // each output says where the checkpoint is
 };
+
+// Of tables with the same columns each, those of a map or an ensemble. How they begin, and the
+// seconds between checkpoints, are for the caller to set.
+KeptSetup setup_of_tables(KeptKind kind, const Scenario& scenario,
+                          const std::vector<ColumnGroup>& groups,
+                          const std::vector<std::string>& paths);
+
+// Sinks of all of them, in the order of the paths.
+std::vector<std::unique_ptr<Sink>> opened_tables(KeptOutputs& outputs, const Scenario& scenario,
+                                                 const std::vector<ColumnGroup>& groups,
+                                                 const Provenance& origin);
 
 }  // namespace detail
 }  // namespace v0

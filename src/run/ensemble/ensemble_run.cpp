@@ -13,7 +13,6 @@
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
-#include "run/detail/own_files.hpp"
 #include "run/detail/sized.hpp"
 #include "run/ensemble/statistics.hpp"
 #include "text/printable.hpp"
@@ -94,19 +93,12 @@ void require_tables(const OutputFormats& formats, const std::vector<std::string>
 detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<ColumnGroup>& groups,
                            const std::vector<std::string>& paths, const EnsembleOptions& options) {
   require_tables(ensemble.scenario().output.formats, paths);
-  detail::require_own_files(ensemble.scenario().document, paths);
-  std::vector<std::string> columns;
-  for (const ColumnGroup& group : groups)
-    for (const Column& column : group.columns) columns.push_back(column.name);
-  std::vector<detail::PlannedOutput> outputs;
-  for (const std::string& path : paths) outputs.push_back({path, groups});
-  return {{"ensemble", "runs this one anew"},
-          detail::identity_of(ensemble.scenario(), {paths, {}, columns}),
-          std::move(outputs),
-          ensemble.scenario().output.formats,
-          options.begin,
-          options.words,
-          options.checkpoint_seconds};
+  detail::KeptSetup setup = detail::setup_of_tables({"ensemble", "runs this one anew"},
+                                                    ensemble.scenario(), groups, paths);
+  setup.begin = options.begin;
+  setup.words = options.words;
+  setup.seconds = options.checkpoint_seconds;
+  return setup;
 }
 
 // Where rows are kept, all or the last.
@@ -198,11 +190,7 @@ class EnsembleRun::Parts {
   }
 
   void open() {
-    outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
-      sinks_.push_back(
-          open_sink(path, groups_, origin_, from, ensemble_.scenario().output.formats));
-      return detail::kept_output(*sinks_.back());
-    });
+    sinks_ = detail::opened_tables(outputs_, ensemble_.scenario(), groups_, origin_);
     if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 
