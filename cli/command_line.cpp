@@ -110,7 +110,7 @@ void print(std::string_view text) {
 
 inline namespace v0 {
 
-int command_line(int argc, const char* const* argv, const Kinds& kinds) {
+int command_line(int argc, const char* const* argv, const Kinds& kinds, const MakeRanks& ranks) {
   using namespace cli;
   let_large_writes_fail();
   CLI::App app("Exact rotation of rigid bodies, in every variable set.", program_name(argc, argv));
@@ -122,8 +122,8 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds) {
   const std::string typed = typed_program(argc, argv);
   add_run(app, kinds, typed);
   add_map(app, kinds, typed);
-  add_ensemble(app, kinds, typed);
-  add_info(app, kinds);
+  add_ensemble(app, kinds, typed, ranks);
+  add_info(app, kinds, ranks != nullptr);
   add_convert(app, kinds);
   add_init(app, kinds);
   add_cite(app, kinds);

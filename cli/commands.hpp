@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/cli/command_line.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -16,14 +17,15 @@ namespace polhode::cli {
 // Those that read scenarios know the kinds of things that these may hold.
 // Those that can be stopped say how to continue: by the program as it was typed.
 void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed);
-void add_info(CLI::App& app, const Kinds& kinds);
+void add_info(CLI::App& app, const Kinds& kinds, bool has_ranks);
 void add_convert(CLI::App& app, const Kinds& kinds);
 void add_init(CLI::App& app, const Kinds& kinds);
 void add_cite(CLI::App& app, const Kinds& kinds);
 void add_completion(CLI::App& app);
 void add_golden(CLI::App& app);
 void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
-void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed);
+void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
+                  const MakeRanks& ranks);
 void add_nutation(CLI::App& app);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);

@@ -16,6 +16,7 @@
 #include "many_runs.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
+#include "polhode/run/ensemble_work.hpp"
 #include "polhode/run/run.hpp"
 #include "progress.hpp"
 
@@ -26,6 +27,9 @@ constexpr std::size_t reasons_shown = 3, columns_shown = 12;
 
 struct EnsembleOfFile : ManyRuns {
   std::optional<std::int64_t> member;
+  // They last until the last message is written: MPI_Finalize does not return once mpirun was told
+  // to stop.
+  std::unique_ptr<Ranks> ranks;
 };
 
 std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
@@ -105,7 +109,34 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
                                          *options.member, report.outcome.advice));
 }
 
+// Work together with the ensemble that it is of.
+class OwnWork final : public TeamWork {
+ public:
+  OwnWork(const EnsembleOfFile& options, const Kinds& kinds)
+      : ensemble_(changed_scenario(options.scenario, options.set, kinds)),
+        work_(ensemble_work(ensemble_)) {}
+  void begin(const std::string& stage) override { work_->begin(stage); }
+  std::string cell(std::int64_t index, const std::function<void()>& look) const override {
+    return work_->cell(index, look);
+  }
+
+ private:
+  ScenarioEnsemble ensemble_;
+  std::unique_ptr<TeamWork> work_;
+};
+
+// What the ranks do that do not lead. Signals are for the one that does: it says when to stop.
+void serve(Ranks& ranks, const EnsembleOfFile& options, const Kinds& kinds) {
+  const StopSignals signals;
+  ranks.serve([&] { return std::make_unique<OwnWork>(options, kinds); });
+}
+
 void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
+  if (options.ranks && !options.ranks->leads()) return serve(*options.ranks, options, kinds);
+  if (options.ranks && options.scenario == "-")
+    throw DomainError(
+        "polhode ensemble: got - and several processes, of which one has standard "
+        "input; expected a file that all can read");
   const ScenarioEnsemble ensemble(changed_scenario(options.scenario, options.set, kinds));
   require_different("ensemble", options.out);
   if (options.member) return run_member(ensemble, options, kinds);
@@ -116,6 +147,7 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   EnsembleOptions how = work_of<EnsembleOptions>(options);
+  how.team = options.ranks.get();
   if (!rows_on_terminal)
     how.progress = [&progress](std::int64_t members) { (*progress)(static_cast<double>(members)); };
   EnsembleRun run(ensemble, out, std::move(how));
@@ -148,7 +180,8 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed) {
+void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
+                  const MakeRanks& ranks) {
   CLI::App* command = app.add_subcommand(
       "ensemble",
       "Run a scenario many times with the numbers of its [ensemble] drawn, on all processors");
@@ -166,7 +199,10 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       "\nCtrl-C stops an ensemble and keeps its members; --resume continues it.\n"
       "\nExample:\n  " +
       full_name(*command) + " examples/apophis-ensemble.toml --out apophis.h5 --threads 2");
-  command->callback([options, kinds] { make_ensemble(*options, kinds); });
+  command->callback([options, kinds, ranks] {
+    if (ranks) options->ranks = ranks(std::max(options->threads, 1));
+    make_ensemble(*options, kinds);
+  });
 }
 
 }  // namespace polhode::cli

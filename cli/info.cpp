@@ -18,9 +18,14 @@ std::string instruction_sets() {
          std::string(instruction_set_name(widest_instruction_set())) + "\n";
 }
 
+std::string processes(bool has_ranks) {
+  return has_ranks ? "processes: those that mpirun starts, by MPI\n"
+                   : "processes: this one alone; built without POLHODE_MPI\n";
+}
+
 }  // namespace
 
-void add_info(CLI::App& app, const Kinds& kinds) {
+void add_info(CLI::App& app, const Kinds& kinds, bool has_ranks) {
   struct Options {
     std::string scenario;
     std::vector<std::string> set;
@@ -33,12 +38,12 @@ void add_info(CLI::App& app, const Kinds& kinds) {
       command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input");
   add_set_option(*command, options->set);
   CLI::Option* const json = command->add_flag("--json", options->json, "For programs: every digit");
-  command->add_flag("--cpu", options->cpu, "What of this processor is used, instead of a scenario")
+  command->add_flag("--cpu", options->cpu, "What of this machine is used, instead of a scenario")
       ->excludes(file)
       ->excludes(json);
   command->footer("Example:\n  " + full_name(*command) + " examples/toutatis.toml");
-  command->callback([options, kinds] {
-    if (options->cpu) return print(instruction_sets());
+  command->callback([options, kinds, has_ranks] {
+    if (options->cpu) return print(instruction_sets() + processes(has_ranks));
     if (options->scenario.empty()) throw CLI::RequiredError("FILE");
     const Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
     const auto lines = summary(scenario);

@@ -32,6 +32,13 @@ if(TARGET polhode_ensemble)
   install(EXPORT polhode-ensemble NAMESPACE polhode:: DESTINATION ${package_dir})
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/ensemble-dependencies.cmake DESTINATION ${package_dir})
 endif()
+if(TARGET polhode_mpi)
+  install(TARGETS polhode_mpi EXPORT polhode-mpi
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT polhode-mpi NAMESPACE polhode:: DESTINATION ${package_dir})
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/mpi-dependencies.cmake DESTINATION ${package_dir})
+endif()
 if(TARGET polhode_commands)
   install(TARGETS polhode_commands EXPORT polhode-cli
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -64,6 +64,13 @@ if(POLHODE_IO OR POLHODE_ENSEMBLE OR POLHODE_PYTHON)
   polhode_need("${RANDOM123_INCLUDE_DIR}" "Random123, headers" librandom123-dev Random123/philox.h)
 endif()
 
+if(POLHODE_MPI)
+  if(CMAKE_CXX_COMPILER)
+    find_package(MPI QUIET COMPONENTS CXX)
+  endif()
+  polhode_need("${MPI_CXX_FOUND}" "MPI" libopenmpi-dev mpi.h)
+endif()
+
 if(POLHODE_IO OR POLHODE_PYTHON)
   if(CMAKE_CXX_COMPILER)
     find_package(fmt QUIET)

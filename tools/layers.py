@@ -33,6 +33,7 @@ LAYERS = {
     "analysis": "*",
     "ephemeris": "math orbit frame",
     "ensemble": "*",
+    "mpi": "ensemble",
     "text": "*",
     "tables": "*",
     "output": "*",
@@ -42,6 +43,8 @@ LAYERS = {
 }
 # Those of polhode::io, which read and write files.
 IO = {"text", "tables", "output", "scenario", "run"}
+# Those that wait for others, and have a clock to sleep by.
+WAITS = {"mpi"}
 # Sources side by side in one folder.
 MOST_SOURCES = 25
 # Headers that belong to no layer, for everybody.
@@ -54,6 +57,7 @@ THIRD_PARTY = {
     "analysis": r"(unsupported/)?Eigen/",
     "ephemeris": r"erfa\.h",
     "ensemble": r"tbb/|Random123/|Eigen/|boost/random/sobol\.hpp",
+    "mpi": r"mpi\.h|tbb/",
     "text": r"udunits2\.h",
     "tables": r"zlib\.h",
     "output": r"hdf5\.h|(unistd|fcntl)\.h|sys/(stat|uio)\.h",
@@ -101,7 +105,8 @@ def complaint(path, layer, bracket, name, allowed):
     public = path.is_relative_to(ROOT / "include")
     if bracket == "<":
         if "." not in name and "/" not in name:
-            banned = NOT_IN_LIBRARY if layer in IO else NOT_IN_CORE
+            banned = NOT_IN_LIBRARY if layer in IO else NOT_IN_CORE - (
+                {"thread"} if layer in WAITS else set())
             return f"<{name}> is not for this layer" if layer != "cli" and name in banned else None
         pattern = THIRD_PARTY.get(layer)
         if name.endswith(("mmintrin.h", "arm_neon.h")) and path == ROOT / INSTRUCTIONS:

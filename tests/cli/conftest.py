@@ -5,6 +5,7 @@ import os
 import subprocess
 
 import pytest
+from ensemble_files import VARY
 from slowdown import SLOWDOWN
 
 # With what tools/sanitized asks of the sanitizers.
@@ -35,6 +36,18 @@ def scenario(tmp_path):
         path = tmp_path / name
         path.write_text(f"schema = 1\ntitle = \"A body\"\n[body]\n{body}\n{state}\n"
                         f"[time]\n{time}\n[output]\ncolumns = [{columns}]\n", encoding="utf-8")
+        return path
+
+    return write
+
+
+@pytest.fixture
+def ensemble(scenario):
+    """ensemble("size = 10", ...) writes a scenario with [ensemble] and returns its path."""
+
+    def write(head, vary=VARY, extra="", **parts):
+        path = scenario(**parts)
+        path.write_text(path.read_text() + f"{extra}\n[ensemble]\n{head}\n{vary}")
         return path
 
     return write

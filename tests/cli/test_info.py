@@ -7,7 +7,9 @@ def test_it_says_what_it_uses_of_the_processor(run):
     sets = lines[0].removeprefix("instruction sets: ").split()
     assert sets[0] == "baseline" and set(sets) <= {"baseline", "AVX2", "AVX-512"}
     assert lines[1] == f"used for many states at a time: {sets[-1]}"
-    assert len(lines) == 2
+    assert lines[2] in ("processes: those that mpirun starts, by MPI",
+                        "processes: this one alone; built without POLHODE_MPI")
+    assert len(lines) == 3
 
 
 def test_the_processor_is_not_asked_together_with_a_scenario(run):

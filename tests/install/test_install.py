@@ -37,6 +37,10 @@ def test_io_consumer_runs(consumer):
     assert float(rate) == pytest.approx(27.38, rel=budgets.cli_rounding)
 
 
+def test_mpi_consumer_runs(consumer):
+    assert sh(consumer / "mpi") == "one process\n"
+
+
 def test_installed_command_line_says_its_version(prefix, root):
     assert version(root) in sh(prefix / "bin/polhode", "--version")
 

@@ -63,7 +63,7 @@ def configures(source, folder, options):
 def test_the_list_of_needs_is_whole(root, needed):
     text = (root / "cmake/needs.cmake").read_text()
     asked = {name for name in re.findall(r"polhode_need\(\S+ \"[^\"]*\" (\S+)", text)}
-    assert asked <= needed == set(CONDA)
+    assert asked - {"libopenmpi-dev"} <= needed == set(CONDA)  # of POLHODE_MPI, which no recipe has
 
 
 def test_conda_forge(root, recipes, needed, source, tmp_path):

@@ -232,13 +232,14 @@ TARGETS = (
     ("polhode::polhode", BLUE, "no library but the standard one"),
     ("polhode::ephemeris", GREEN, "ERFA"),
     ("polhode::ensemble", GREEN, "oneTBB"),
+    ("polhode::mpi", GREEN, "MPI"),
     ("polhode::io", VERMILLION, "HDF5, UDUNITS-2, toml++, fmt"),
     ("polhode::cli", GREY, "CLI11"),
 )
 
 
 def target_of(layer):
-    if layer in ("ephemeris", "ensemble", "cli"):
+    if layer in ("ephemeris", "ensemble", "mpi", "cli"):
         return f"polhode::{layer}"
     return "polhode::io" if layer in IO else "polhode::polhode"
 

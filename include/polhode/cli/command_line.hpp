@@ -15,12 +15,21 @@
 // Cost        that of the command.
 #pragma once
 
+#include <functional>
+#include <memory>
+
+#include "polhode/ensemble/team.hpp"
 #include "polhode/scenario/kinds.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-int command_line(int argc, const char* const* argv, const Kinds& kinds = default_kinds());
+// The processes that a command may use besides its own, each with this many threads; none: there
+// are none. polhode::mpi_ranks is one.
+using MakeRanks = std::function<std::unique_ptr<Ranks>(int threads)>;
+
+int command_line(int argc, const char* const* argv, const Kinds& kinds = default_kinds(),
+                 const MakeRanks& ranks = {});
 
 }  // namespace v0
 }  // namespace polhode

@@ -11,16 +11,18 @@
 //             of NaN, its rows so far, or no part in statistics. While it goes on,
 //             FIRST_OUTPUT.checkpoint says how to go on, as that of a run does
 //             (polhode/run/scenario_run.hpp).
-// Accuracy    the files do not depend on the number of threads, nor on where an ensemble was
-//             stopped, killed and continued: text files byte for byte, HDF5 with the same contents
-//             (same build of polhode). Last digits of statistics depend on the chunk of the file.
-// Errors      the constructor throws DomainError as that of ScenarioRun, and for statistics that do
-//             not fit into memory. run() throws OutputError, and EnsembleInterrupted when `stop`
-//             said so. What `progress` throws ends it and passes through; what is done is kept.
-// Cost        that of the members, and some 80 ns a number in statistics, most of
-//             which waits for memory (benchmarks/ensemble_members.cpp). Memory does not grow with
-//             the number of members; for each thread the rows of sixteen members at most, and the
-//             statistics of some chunks.
+// Accuracy    the files do not depend on the number of threads or processes, nor on where an
+//             ensemble was stopped, killed and continued: text files byte for byte, HDF5 with the
+//             same contents (same build of polhode). Last digits of statistics depend on the chunk
+//             of the file.
+// Errors      the constructor throws DomainError as that of ScenarioRun, for statistics that do not
+//             fit into memory, and for a team with more processes than chunks. run() throws
+//             OutputError, TeamError, and EnsembleInterrupted when `stop` said so. What `progress`
+//             throws ends it and passes through; what is done is kept.
+// Cost        that of the members, and some 80 ns a number in statistics, most of which waits for
+//             memory (benchmarks/ensemble_members.cpp). Memory does not grow with the number of
+//             members; for each thread the rows of sixteen members at most, and the statistics of
+//             some chunks.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +32,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/ensemble/team.hpp"
 #include "polhode/output/sink.hpp"
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/scenario_run.hpp"
@@ -50,6 +53,9 @@ struct EnsembleOptions {
   RunBegin begin = RunBegin::anew;
   double checkpoint_seconds = 5.0;  // between two checkpoints, at least
   int threads = 0;                  // chunks at a time; 0: one on each processor
+  // Computes the chunks in place of these threads: several processes, each with an ensemble_work
+  // (polhode/run/ensemble_work.hpp) of the same ensemble.
+  Team* team = nullptr;
   // Called with the number of members so far, one call after the other, from any thread.
   std::function<void(std::int64_t members)> progress = {};
   std::function<bool()> stop = {};        // asked after every step, from any thread

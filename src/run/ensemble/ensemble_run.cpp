@@ -14,6 +14,7 @@
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "run/detail/sized.hpp"
+#include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/statistics.hpp"
 #include "text/printable.hpp"
 
@@ -21,30 +22,16 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::EnsembleChunk;
 using detail::RowStatistics;
 using detail::StatisticsFrame;
 
 constexpr std::size_t numbers_per_block = 65536;
 constexpr std::size_t longest_reason = 1000;
 constexpr std::size_t failures_named = 20;
-constexpr std::int64_t most_at_a_time = 16;     // members whose rows one thread holds
-constexpr double most_numbers_at_a_time = 1e6;  // in these rows
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Ends the loop over the members, from within.
 struct Stopped {};
-
-bool has_statistics(const ScenarioEnsemble& ensemble) {
-  return ensemble.plan().keep == EnsembleKeep::statistics;
-}
-
-// How many members have their rows in memory at a time.
-std::int64_t members_at_a_time(const ScenarioEnsemble& ensemble) {
-  const double numbers = static_cast<double>(row_times(ensemble.scenario())->size()) *
-                         static_cast<double>(row_width(ensemble.row_groups()));
-  const double fit = std::clamp(most_numbers_at_a_time / numbers, 1.0, double{most_at_a_time});
-  return static_cast<std::int64_t>(fit);
-}
 
 std::vector<std::string> notes_of(const ScenarioEnsemble& ensemble) {
   const EnsemblePlan& plan = ensemble.plan();
@@ -113,18 +100,11 @@ std::vector<ColumnGroup> row_groups_of(const ScenarioEnsemble& ensemble) {
   return groups;
 }
 
-// What one chunk gives: rows, or statistics.
-struct Chunk {
-  std::vector<std::vector<double>> drawn;
-  std::vector<EnsembleReport::Failure> failures;
-  std::vector<double> rows;
-  std::optional<RowStatistics> statistics;
-};
-
 }  // namespace
 
 std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble) {
-  return has_statistics(ensemble) ? StatisticsFrame(ensemble).groups() : row_groups_of(ensemble);
+  return ensemble.plan().keep == EnsembleKeep::statistics ? StatisticsFrame(ensemble).groups()
+                                                          : row_groups_of(ensemble);
 }
 
 class EnsembleRun::Parts {
@@ -134,11 +114,13 @@ class EnsembleRun::Parts {
       : ensemble_(ensemble),
         options_(std::move(options)),
         threads_(options_.threads > 0 ? options_.threads : hardware_threads()),
-        frame_(has_statistics(ensemble) ? std::make_unique<StatisticsFrame>(ensemble) : nullptr),
+        cells_(ensemble),
+        frame_(cells_.frame()),
         groups_(frame_ ? frame_->groups() : row_groups_of(ensemble)),
-        origin_(provenance_of(ensemble, frame_.get())),
+        origin_(provenance_of(ensemble, frame_)),
         outputs_(setup_of(ensemble, groups_, paths, options_), origin_),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
+    require_work_for_all();
     if (outputs_.is_complete()) return;
     if (outputs_.continues()) {
       StateBytes bytes(outputs_.state());
@@ -196,20 +178,31 @@ class EnsembleRun::Parts {
 
   bool is_stopped() const { return options_.stop && options_.stop(); }
 
+  // More processes than cells of all the members would wait for nothing.
+  void require_work_for_all() const {
+    if (options_.team == nullptr) return;
+    const std::int64_t cells = cells_.member_cells(0).count();
+    const int processes = options_.team->processes();
+    if (processes <= cells) return;
+    throw DomainError(ensemble_.scenario().document.name + ": ensemble: " +
+                      std::to_string(processes) + " processes for " + std::to_string(cells) +
+                      " chunks of members; expected a chunk for each at least: fewer processes" +
+                      (frame_ ? ", or a smaller ensemble.chunk" : ""));
+  }
+
   void compute() {
     // a member without steps looks once
     const Progress look = [this](double) {
       if (is_stopped()) throw Stopped();
     };
-    const std::int64_t size = ensemble_.size(), each = members_in_cell();
     try {
       if (frame_ && !statistics_) prepare(look);
-      run_cells(
-          report_.members / each, (size + each - 1) / each, threads_,
-          [&](std::int64_t cell) {
-            return chunk(cell * each, std::min(size, (cell + 1) * each), look);
-          },
-          [&](std::int64_t, const Chunk& done) { take(done); });
+      const detail::CellsOfMembers cells = cells_.member_cells(report_.members);
+      each_cell<EnsembleChunk>(
+          cells.count(), look, [&] { return cells_.member_stage(cells.first); },
+          [&](std::int64_t cell) { return cells_.chunk(cells, cell, look); },
+          [&](StateBytes& bytes, EnsembleChunk& chunk) { chunk.transfer(bytes, frame_); },
+          [&](std::int64_t, const EnsembleChunk& chunk) { take(chunk); });
     } catch (const Stopped&) {
       if (statistics_ || !frame_) keep();
       if (raised_) std::rethrow_exception(raised_);
@@ -219,76 +212,40 @@ class EnsembleRun::Parts {
     }
   }
 
-  // Rows are whole after any member; statistics after a chunk.
-  std::int64_t members_in_cell() const {
-    return frame_ ? ensemble_.plan().chunk : members_at_a_time(ensemble_);
-  }
-
   // The base, and the first members where bins and references come from these.
   void prepare(const Progress& look) {
     frame_->set_base(ensemble_.base(look));
-    const std::int64_t pilots = frame_->pilots(), each = members_at_a_time(ensemble_);
-    run_cells(
-        0, (pilots + each - 1) / each, threads_,
-        [&](std::int64_t cell) {
-          return members(cell * each, std::min(pilots, (cell + 1) * each), look);
-        },
-        [&](std::int64_t cell, const std::vector<EnsembleMember>& done) {
+    const detail::CellsOfMembers cells = cells_.pilot_cells();
+    each_cell<detail::Pilots>(
+        cells.count(), look, [&] { return cells_.pilot_stage(); },
+        [&](std::int64_t cell) { return cells_.pilots(cells, cell, look); },
+        [](StateBytes& bytes, detail::Pilots& pilots) { detail::transfer(bytes, pilots); },
+        [&](std::int64_t cell, const detail::Pilots& done) {
           for (std::size_t m = 0; m < done.size(); ++m)
-            frame_->add_pilot(cell * each + static_cast<std::int64_t>(m), done[m]);
+            frame_->add_pilot(cells.begin_of(cell) + static_cast<std::int64_t>(m), done[m]);
         });
     frame_->finish_pilots();
     statistics_.emplace(*frame_);
   }
 
-  std::vector<EnsembleMember> members(std::int64_t begin, std::int64_t end,
-                                      const Progress& look) const {
-    look(0.0);
-    return ensemble_.members(begin, end, look);
-  }
-
-  Chunk chunk(std::int64_t begin, std::int64_t end, const Progress& look) const {
-    Chunk chunk;
-    if (frame_) chunk.statistics.emplace(*frame_);
-    const std::int64_t each = members_at_a_time(ensemble_);
-    for (std::int64_t first = begin; first < end; first += each) {
-      std::vector<EnsembleMember> some = members(first, std::min(end, first + each), look);
-      if (frame_) chunk.statistics->add(first, some);
-      for (std::size_t m = 0; m < some.size(); ++m) {
-        const std::int64_t index = first + static_cast<std::int64_t>(m);
-        if (!frame_) append_rows(index, some[m], chunk.rows);
-        if (!some[m].failure.empty())
-          chunk.failures.push_back({index, detail::printable(some[m].failure, longest_reason)});
-        chunk.drawn.push_back(std::move(some[m].drawn));
-      }
-    }
-    return chunk;
-  }
-
-  void append_rows(std::int64_t index, const EnsembleMember& member,
-                   std::vector<double>& to) const {
-    const auto width = static_cast<std::ptrdiff_t>(row_width(ensemble_.row_groups()));
-    const auto row_at = [&](std::ptrdiff_t begin) {
-      to.insert(to.end(), member.rows.begin() + begin, member.rows.begin() + begin + width);
-    };
-    const auto size = static_cast<std::ptrdiff_t>(member.rows.size());
-    if (ensemble_.plan().keep == EnsembleKeep::rows) {
-      for (std::ptrdiff_t k = 0; k < size; k += width) {
-        to.push_back(static_cast<double>(index));
-        row_at(k);
-      }
-      return;
-    }
-    to.push_back(static_cast<double>(index));
-    to.insert(to.end(), member.drawn.begin(), member.drawn.end());
-    if (member.failure.empty() && size > 0)
-      row_at(size - width);
-    else
-      to.insert(to.end(), static_cast<std::size_t>(width), nan);
+  // take(k, compute(k)) in order: on the threads of this process, or by bytes on those of a team.
+  template <class Result, class Stage, class Compute, class Transfer, class Take>
+  void each_cell(std::int64_t count, const Progress& look, const Stage& stage,
+                 const Compute& compute, const Transfer& transfer_result, const Take& take) {
+    if (options_.team == nullptr) return run_cells(0, count, threads_, compute, take);
+    options_.team->run(
+        cells_, {stage(), 0, count},
+        [&](std::int64_t cell, const std::string& from) {
+          StateBytes bytes(from);
+          Result result;
+          transfer_result(bytes, result);
+          take(cell, result);
+        },
+        [&] { look(0.0); });
   }
 
   // The next one, in order.
-  void take(const Chunk& chunk) {
+  void take(const EnsembleChunk& chunk) {
     if (chunk.statistics) statistics_->merge(*chunk.statistics);
     waiting_.insert(waiting_.end(), chunk.rows.begin(), chunk.rows.end());
     for (const std::vector<double>& drawn : chunk.drawn) {
@@ -330,7 +287,8 @@ class EnsembleRun::Parts {
   const ScenarioEnsemble& ensemble_;
   EnsembleOptions options_;
   int threads_;
-  std::unique_ptr<StatisticsFrame> frame_;  // where statistics are kept
+  detail::EnsembleCells cells_;
+  StatisticsFrame* frame_;  // where statistics are kept
   std::vector<ColumnGroup> groups_;
   Provenance origin_;
   detail::KeptOutputs outputs_;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// mpi_ranks: the processes that mpirun has started, as a team; rank 0 leads, and computes too.
+//
+// Equations   none.
+// Units       none.
+// Domain      once in a program, and from its main thread, which is the only one that calls MPI.
+//             Any number of ranks on any number of machines with the same kind of processor and
+//             the same build of polhode; each rank reads files for itself.
+// Accuracy    bytes pass unchanged.
+// Errors      TeamError with the rank and its message for what a rank throws. A rank that dies ends
+//             the job, as mpirun does; what MPI itself refuses ends it too, with its message.
+// Cost        MPI_Init, a tenth of a second. Then a message to and from a rank for each cell, and a
+//             look for messages at least every millisecond. A rank has one cell in store, so that
+//             it does not wait for the next.
+#pragma once
+
+#include <memory>
+
+#include "polhode/ensemble/team.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// None in a process that was not started together with others. `threads` cells at a time in each.
+std::unique_ptr<Ranks> mpi_ranks(int threads = 1);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "mpi/leader.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::int64_t waiting_per_thread = 4;
+
+OwnCell of_message(Message message) {
+  const auto fate = message.subject == Subject::done     ? OwnCell::Fate::done
+                    : message.subject == Subject::failed ? OwnCell::Fate::failed
+                                                         : OwnCell::Fate::dropped;
+  return {message.index, fate, std::move(message.bytes)};
+}
+
+}  // namespace
+
+Leader::Leader(OwnCells& own, int ranks, const TeamWork& work, const TeamStage& stage,
+               const Team::Take& take)
+    : own_(own),
+      work_(work),
+      take_(take),
+      next_(stage.first),
+      taken_(stage.first),
+      stop_(stage.count),
+      under_way_(static_cast<std::size_t>(ranks), 0) {}
+
+void Leader::run(const std::function<void()>& look) {
+  own_.resume();
+  try {
+    go_on(look);
+  } catch (...) {
+    drop_all();
+    throw;
+  }
+  drop_all();
+}
+
+void Leader::go_on(const std::function<void()>& look) {
+  Patience patience;
+  while (taken_ < stop_) {
+    look();
+    const bool handed = hand_out(), collected = collect(), took = take_next();
+    if (handed || collected || took)
+      patience.renew();
+    else
+      patience.wait();
+  }
+}
+
+// One more than a rank computes at a time lies ready for it.
+bool Leader::hand_out() {
+  const int most = own_.threads() + 1;
+  const auto all = static_cast<std::int64_t>(under_way_.size());
+  const std::int64_t limit = std::min(stop_, taken_ + waiting_per_thread * own_.threads() * all);
+  bool handed = false;
+  for (int round = 0; round < most; ++round)
+    for (std::size_t rank = 0; rank < under_way_.size() && next_ < limit; ++rank) {
+      if (under_way_[rank] > round) continue;
+      if (rank == 0)
+        own_.add(work_, next_);
+      else
+        send(static_cast<int>(rank), {.subject = Subject::cell, .index = next_});
+      ++under_way_[rank];
+      ++next_;
+      handed = true;
+    }
+  return handed;
+}
+
+bool Leader::collect() {
+  bool collected = false;
+  while (std::optional<Message> message = received()) {
+    const int rank = message->rank;
+    keep(rank, of_message(std::move(*message)));
+    collected = true;
+  }
+  while (const std::optional<OwnCell> cell = own_.next()) {
+    keep(0, *cell);
+    collected = true;
+  }
+  return collected;
+}
+
+void Leader::keep(int rank, const OwnCell& cell) {
+  --under_way_[static_cast<std::size_t>(rank)];
+  if (cell.fate == OwnCell::Fate::dropped) return;
+  const bool failed = cell.fate == OwnCell::Fate::failed;
+  waiting_.emplace(
+      cell.index,
+      Answer{failed, failed ? "rank " + std::to_string(rank) + ": " + cell.bytes : cell.bytes});
+}
+
+bool Leader::take_next() {
+  const auto found = waiting_.find(taken_);
+  if (found == waiting_.end()) return false;
+  const Answer answer = std::move(found->second);
+  waiting_.erase(found);
+  if (answer.is_failure) throw TeamError(answer.bytes);
+  take_(taken_, answer.bytes);
+  ++taken_;
+  return true;
+}
+
+void Leader::drop_all() {
+  const auto left = [&] { return std::accumulate(under_way_.begin(), under_way_.end(), 0); };
+  if (left() == 0) return;
+  own_.drop();
+  for (std::size_t rank = 1; rank < under_way_.size(); ++rank)
+    if (under_way_[rank] > 0) send(static_cast<int>(rank), {.subject = Subject::drop});
+  Patience patience;
+  while (left() > 0)
+    if (!collect()) patience.wait();
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

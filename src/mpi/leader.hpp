@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Rank 0 while a stage goes on: hands out its cells in order, one by one as processes come free,
+// computes some itself, and takes what comes back in order.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mpi/messages.hpp"
+#include "mpi/own_cells.hpp"
+#include "polhode/ensemble/team.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class Leader {
+ public:
+  // `ranks` processes, this one included, that compute as many cells at a time as this one.
+  Leader(OwnCells& own, int ranks, const TeamWork& work, const TeamStage& stage,
+         const Team::Take& take);
+
+  // Until all are taken, or one has failed: TeamError. What `look` or `take` throws passes through.
+  // Nothing is under way afterwards.
+  void run(const std::function<void()>& look);
+
+ private:
+  struct Answer {
+    bool is_failure;
+    std::string bytes;
+  };
+  void go_on(const std::function<void()>& look);
+  // Whether something was there to be done.
+  bool hand_out();
+  bool collect();
+  bool take_next();
+  void keep(int rank, const OwnCell& cell);
+  void drop_all();
+
+  OwnCells& own_;
+  const TeamWork& work_;
+  const Team::Take& take_;
+  std::int64_t next_;                       // to be handed out
+  std::int64_t taken_;                      // all before it are
+  std::int64_t stop_;                       // before it, where all goes well
+  std::vector<int> under_way_;              // by rank
+  std::map<std::int64_t, Answer> waiting_;  // for those before them
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "run/ensemble/ensemble_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "polhode/run/ensemble_work.hpp"
+#include "polhode/run/run.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
+#include "run/detail/sized.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t longest_reason = 1000;
+constexpr std::int64_t most_at_a_time = 16;     // members whose rows one thread holds
+constexpr double most_numbers_at_a_time = 1e6;  // in these rows
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Identity identity_of_ensemble(const ScenarioEnsemble& ensemble) {
+  std::vector<std::string> columns;
+  for (const ColumnGroup& group : ensemble.row_groups()) columns.push_back(group.name);
+  return identity_of(ensemble.scenario(), {{}, {}, columns});
+}
+
+}  // namespace
+
+void EnsembleChunk::transfer(StateBytes& bytes, const StatisticsFrame* frame) {
+  bytes(drawn);
+  sized(bytes, failures, [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
+  bytes(rows);
+  if (frame == nullptr) return;
+  if (bytes.reads()) statistics.emplace(*frame);
+  statistics->transfer(bytes);
+}
+
+void transfer(StateBytes& bytes, Pilots& pilots) {
+  sized(bytes, pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
+}
+
+EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble)
+    : ensemble_(ensemble),
+      frame_(ensemble.plan().keep == EnsembleKeep::statistics
+                 ? std::make_unique<StatisticsFrame>(ensemble)
+                 : nullptr) {}
+
+std::int64_t EnsembleCells::members_at_a_time() const {
+  const double numbers = static_cast<double>(row_times(ensemble_.scenario())->size()) *
+                         static_cast<double>(row_width(ensemble_.row_groups()));
+  const double fit = std::clamp(most_numbers_at_a_time / numbers, 1.0, double{most_at_a_time});
+  return static_cast<std::int64_t>(fit);
+}
+
+CellsOfMembers EnsembleCells::pilot_cells() const {
+  return {0, members_at_a_time(), frame_->pilots()};
+}
+
+// Rows are whole after any member; statistics after a chunk.
+CellsOfMembers EnsembleCells::member_cells(std::int64_t from) const {
+  return {from, frame_ ? ensemble_.plan().chunk : members_at_a_time(), ensemble_.size()};
+}
+
+std::vector<EnsembleMember> EnsembleCells::members(std::int64_t begin, std::int64_t end,
+                                                   const Progress& look) const {
+  look(0.0);
+  return ensemble_.members(begin, end, look);
+}
+
+Pilots EnsembleCells::pilots(const CellsOfMembers& cells, std::int64_t cell,
+                             const Progress& look) const {
+  return members(cells.begin_of(cell), cells.end_of(cell), look);
+}
+
+EnsembleChunk EnsembleCells::chunk(const CellsOfMembers& cells, std::int64_t cell,
+                                   const Progress& look) const {
+  EnsembleChunk chunk;
+  if (frame_) chunk.statistics.emplace(*frame_);
+  const std::int64_t each = members_at_a_time(), end = cells.end_of(cell);
+  for (std::int64_t first = cells.begin_of(cell); first < end; first += each) {
+    std::vector<EnsembleMember> some = members(first, std::min(end, first + each), look);
+    if (frame_) chunk.statistics->add(first, some);
+    for (std::size_t m = 0; m < some.size(); ++m) {
+      const std::int64_t index = first + static_cast<std::int64_t>(m);
+      if (!frame_) append_rows(index, some[m], chunk.rows);
+      if (!some[m].failure.empty())
+        chunk.failures.push_back({index, printable(some[m].failure, longest_reason)});
+      chunk.drawn.push_back(std::move(some[m].drawn));
+    }
+  }
+  return chunk;
+}
+
+void EnsembleCells::append_rows(std::int64_t index, const EnsembleMember& member,
+                                std::vector<double>& to) const {
+  const auto width = static_cast<std::ptrdiff_t>(row_width(ensemble_.row_groups()));
+  const auto row_at = [&](std::ptrdiff_t begin) {
+    to.insert(to.end(), member.rows.begin() + begin, member.rows.begin() + begin + width);
+  };
+  const auto size = static_cast<std::ptrdiff_t>(member.rows.size());
+  if (ensemble_.plan().keep == EnsembleKeep::rows) {
+    for (std::ptrdiff_t k = 0; k < size; k += width) {
+      to.push_back(static_cast<double>(index));
+      row_at(k);
+    }
+    return;
+  }
+  to.push_back(static_cast<double>(index));
+  to.insert(to.end(), member.drawn.begin(), member.drawn.end());
+  if (member.failure.empty() && size > 0)
+    row_at(size - width);
+  else
+    to.insert(to.end(), static_cast<std::size_t>(width), nan);
+}
+
+void EnsembleCells::Stage::transfer(StateBytes& bytes) {
+  bytes.all(pilots, cells.first, cells.each, cells.end);
+  sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+  bytes(frame);
+}
+
+std::string EnsembleCells::stage_bytes(bool pilots, const CellsOfMembers& cells) const {
+  Stage stage{pilots, cells, identity_of_ensemble(ensemble_), {}};
+  if (!pilots && frame_) {
+    StateBytes frame;
+    frame_->transfer(frame);
+    stage.frame = frame.bytes();
+  }
+  StateBytes bytes;
+  stage.transfer(bytes);
+  return bytes.bytes();
+}
+
+std::string EnsembleCells::pilot_stage() const { return stage_bytes(true, pilot_cells()); }
+std::string EnsembleCells::member_stage(std::int64_t from) const {
+  return stage_bytes(false, member_cells(from));
+}
+
+void EnsembleCells::begin(const std::string& stage) {
+  StateBytes bytes(stage);
+  stage_.transfer(bytes);
+  const std::string differs = difference(stage_.identity, identity_of_ensemble(ensemble_));
+  if (!differs.empty())
+    throw DomainError(ensemble_.scenario().document.name +
+                      ": is not the ensemble that is run: " + differs);
+  if (stage_.pilots || !frame_) return;
+  StateBytes frame(stage_.frame);
+  frame_->transfer(frame);
+}
+
+std::string EnsembleCells::cell(std::int64_t index, const std::function<void()>& look) const {
+  const Progress progress = [&](double) { look(); };
+  StateBytes bytes;
+  if (stage_.pilots) {
+    Pilots some = pilots(stage_.cells, index, progress);
+    transfer(bytes, some);
+  } else {
+    chunk(stage_.cells, index, progress).transfer(bytes, frame_.get());
+  }
+  return bytes.bytes();
+}
+
+}  // namespace detail
+
+std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble) {
+  return std::make_unique<detail::EnsembleCells>(ensemble);
+}
+
+}  // namespace v0
+}  // namespace polhode

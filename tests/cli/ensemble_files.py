@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""Parts of scenarios with [ensemble], and what their outputs hold."""
+
+import hashlib
+
+import h5py
+import numpy
+
+VARY = """
+[[ensemble.vary]]
+kind = "normal"
+key = "state.attitude-rate.omega_body[2]"
+sigma = 0.05
+[[ensemble.vary]]
+kind = "uniform"
+key = "body.moments[1]"
+low = 1.6
+high = 2.2
+[[ensemble.vary]]
+kind = "attitude"
+keys = ["state.attitude-rate.quaternion"]
+"""
+COLLOCATION = """
+[method]
+kind = "collocation"
+tolerance = 1e-10
+[[perturbation]]
+kind = "constant-torque"
+torque = [1e-4, 0, 2e-4]
+"""
+TORQUE = """
+[[perturbation]]
+kind = "constant-torque"
+torque = [1e-4, 0, 2e-4]
+"""
+
+
+def rows_of(path):
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    names = lines[0].split(",")
+    numbers = numpy.array([[float(x) for x in line.split(",")] for line in lines[1:]])
+    return {name: numbers[:, k] for k, name in enumerate(names)}
+
+
+def mark(path):
+    """SHA-256 of what a file holds: of HDF5, of its datasets."""
+    if path.suffix == ".csv":
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    digest = hashlib.sha256()
+    with h5py.File(path) as file:
+        file.visititems(lambda name, item: digest.update(name.encode() + item[()].tobytes())
+                        if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
+    return digest.hexdigest()

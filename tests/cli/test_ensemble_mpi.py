@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""`mpirun polhode ensemble`: the same bytes for any number of ranks and threads, after kills too,
+and clear words where ranks cannot work."""
+
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from ensemble_files import COLLOCATION, TORQUE, mark
+from slowdown import SLOWDOWN
+
+SECONDS = 120 * SLOWDOWN
+# What a container with root alone, two processors and no ssh asks for.
+ENVIRONMENT = {
+    **os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMPI_MCA_plm": "isolated", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    "TMPDIR": "/tmp",  # sockets have short names
+}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def needs_mpi(polhode):
+    if shutil.which("mpirun") is None:
+        pytest.skip("no mpirun")
+    told = subprocess.run([polhode, "info", "--cpu"], capture_output=True, text=True, check=True)
+    if "by MPI" not in told.stdout:
+        pytest.skip("built without POLHODE_MPI")
+
+
+@pytest.fixture
+def command(polhode):
+    """command(ranks, "ensemble", ...): the words of a shell."""
+    return lambda ranks, *words: ["mpirun", "-n", str(ranks), str(polhode), *map(str, words)]
+
+
+@pytest.fixture
+def ranks(command):
+    """ranks(4, "ensemble", path, ...) -> CompletedProcess, whatever its exit code."""
+
+    def call(count, *words):
+        return subprocess.run(command(count, *words), capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=SECONDS, env=ENVIRONMENT)
+
+    return call
+
+
+@pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
+def test_any_number_of_ranks_gives_the_same_files(run, ranks, ensemble, tmp_path, keep):
+    path = ensemble(f'size = 100\nchunk = 7\nkeep = "{keep}"',
+                    extra=COLLOCATION if keep == "statistics" else TORQUE,
+                    columns='"q", "omega", "andoyer", "tumbler"')
+    outs = [tmp_path / "alone.csv", tmp_path / "alone.h5"]
+    assert run("ensemble", path, "--out", outs[0], "--out", outs[1]).returncode == 0
+    marks = {tuple(mark(out) for out in outs)}
+    for count, threads in ((1, 2), (2, 1), (2, 2), (4, 1)):
+        outs = [tmp_path / f"{count}-{threads}.csv", tmp_path / f"{count}-{threads}.h5"]
+        done = ranks(count, "ensemble", path, "--out", outs[0], "--out", outs[1],
+                     "--threads", threads)
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.count("members           100\n") == 1
+        marks.add(tuple(mark(out) for out in outs))
+    assert len(marks) == 1
+
+
+def children(process):
+    """The processes that another one has started."""
+    found = subprocess.run(["ps", "--no-headers", "-o", "pid", "--ppid", str(process.pid)],
+                           capture_output=True, text=True, check=False)
+    return [int(word) for word in found.stdout.split()]
+
+
+def wait_for_another(checkpoint, before, process):
+    """Until the checkpoint holds something else."""
+    until = time.monotonic() + SECONDS
+    while process.poll() is None and time.monotonic() < until and bytes_of(checkpoint) == before:
+        time.sleep(0.01)
+    assert bytes_of(checkpoint) != before
+
+
+def bytes_of(path):
+    return path.read_bytes() if path.exists() else b""
+
+
+def test_killed_ranks_and_another_number_of_them_lose_nothing(run, ranks, command, ensemble,
+                                                              tmp_path):
+    """First one rank is killed, then mpirun with all of them, then the leader; each time the job
+    ends, and the next one goes on from its checkpoint."""
+    path = ensemble("size = 1600\nchunk = 20", extra=TORQUE, time="stop = 400\nstep = 4")
+    whole, out = tmp_path / "whole.csv", tmp_path / "part.csv"
+    assert run("ensemble", path, "--out", whole).returncode == 0
+    checkpoint = pathlib.Path(f"{out}.checkpoint")
+    words = ["ensemble", path, "--out", out, "--resume", "--checkpoint", "0"]
+    kept = []
+    for count, victim in ((2, 1), (3, None), (4, 0)):
+        before = bytes_of(checkpoint)
+        process = subprocess.Popen(command(count, *words), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+        wait_for_another(checkpoint, before, process)
+        started = children(process)
+        assert len(started) == count
+        for one in started if victim is None else [started[victim]]:
+            os.kill(one, signal.SIGKILL)
+        assert process.wait(timeout=SECONDS) != 0
+        kept.append(int(checkpoint.read_bytes().split(b" ")[0]))
+        assert not out.exists()
+    assert kept == sorted(kept) and 0 < kept[0] and kept[-1] < 1600
+    done = run(*words)
+    assert done.returncode == 0, done.stderr
+    assert f"continues after {kept[-1]} of 1600 members" in done.stderr
+    assert out.read_bytes() == whole.read_bytes()
+    assert "nothing to do: complete" in ranks(2, *words).stdout
+
+
+def test_a_signal_stops_all_ranks_and_keeps_the_members(command, ensemble, tmp_path):
+    path = ensemble("size = 100000\nchunk = 10", extra=TORQUE, time="stop = 400\nstep = 4")
+    out = tmp_path / "out.csv"
+    process = subprocess.Popen(
+        command(2, "ensemble", path, "--out", out, "--checkpoint", "0"), text=True,
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=ENVIRONMENT)
+    checkpoint = pathlib.Path(f"{out}.checkpoint")
+    wait_for_another(checkpoint, b"", process)
+    process.send_signal(signal.SIGTERM)
+    _, error = process.communicate(timeout=SECONDS)
+    assert process.returncode != 0
+    assert error.count("of 100000 members; continue with: ") == 1
+    assert checkpoint.exists() and not out.exists()
+
+
+def test_what_several_ranks_cannot_do(ranks, ensemble, tmp_path):
+    path = ensemble("size = 40\nchunk = 20")
+    done = ranks(3, "ensemble", path, "--out", tmp_path / "a.csv")
+    assert done.returncode == 2
+    assert ("body.toml: ensemble: 3 processes for 2 chunks of members; expected a chunk for each "
+            "at least: fewer processes, or a smaller ensemble.chunk" in done.stderr)
+    done = ranks(2, "ensemble", "-", "--out", tmp_path / "a.csv")
+    assert done.returncode == 2 and "expected a file that all can read" in done.stderr
+    done = ranks(2, "ensemble", tmp_path / "none.toml")
+    assert done.returncode == 2 and done.stderr.count("none.toml") == 1
+    assert not (tmp_path / "a.csv").exists()
+
+
+def test_a_rank_with_another_file_says_so(polhode, ensemble, tmp_path):
+    """As where a file is on the disk of each machine: one program of two for each directory."""
+    path = ensemble("size = 40\nchunk = 5")
+    other = tmp_path / "other"
+    other.mkdir()
+    words = [str(polhode), "ensemble", "body.toml", "--out", str(tmp_path / "a.csv")]
+    for text, message in ((path.read_text().replace("sigma = 0.05", "sigma = 0.06"),
+                           "rank 1: body.toml: is not the ensemble that is run: scenario was "),
+                          (None, "rank 1: body.toml: ")):
+        if text is None:
+            (other / "body.toml").unlink()
+        else:
+            (other / "body.toml").write_text(text)
+        done = subprocess.run(
+            ["mpirun", "-n", "1", "-wdir", str(tmp_path), *words,
+             ":", "-n", "1", "-wdir", str(other), *words],
+            capture_output=True, text=True, timeout=SECONDS, env=ENVIRONMENT)
+        assert done.returncode == 1
+        assert message in done.stderr
+
+
+def test_a_member_that_fails_is_named_whichever_rank_it_was_on(run, ranks, ensemble, tmp_path):
+    vary = ('[[ensemble.vary]]\nkind = "uniform"\nkey = "body.moments[1]"\nlow = 1.4\n'
+            'high = 2.4\n')
+    path = ensemble("size = 100\nchunk = 5", vary=vary)
+    alone = run("ensemble", path, "--out", tmp_path / "a.csv")
+    several = ranks(2, "ensemble", path, "--out", tmp_path / "b.csv")
+    assert "failed            " in alone.stdout and several.stdout == alone.stdout
+    member = alone.stdout.split("  member ")[1].split(":")[0]
+    done = ranks(2, "ensemble", path, "--member", member, "--out", tmp_path / "member.csv")
+    assert done.returncode != 0 and done.stderr.count("body.moments") == 1
