@@ -27,6 +27,7 @@ constexpr std::size_t reasons_shown = 3, columns_shown = 12;
 
 struct EnsembleOfFile : ManyRuns {
   std::optional<std::int64_t> member;
+  bool any_machine = false;
   // They last until the last message is written: MPI_Finalize does not return once mpirun was told
   // to stop.
   std::unique_ptr<Ranks> ranks;
@@ -114,7 +115,7 @@ class OwnWork final : public TeamWork {
  public:
   OwnWork(const EnsembleOfFile& options, const Kinds& kinds)
       : ensemble_(changed_scenario(options.scenario, options.set, kinds)),
-        work_(ensemble_work(ensemble_)) {}
+        work_(ensemble_work(ensemble_, options.any_machine)) {}
   void begin(const std::string& stage) override { work_->begin(stage); }
   std::string cell(std::int64_t index, const std::function<void()>& look) const override {
     return work_->cell(index, look);
@@ -148,6 +149,7 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   std::optional<ProgressLine> progress;
   EnsembleOptions how = work_of<EnsembleOptions>(options);
   how.team = options.ranks.get();
+  how.any_machine = options.any_machine;
   if (!rows_on_terminal)
     how.progress = [&progress](std::int64_t members) { (*progress)(static_cast<double>(members)); };
   EnsembleRun run(ensemble, out, std::move(how));
@@ -163,10 +165,11 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
     report = run.run();
   } catch (const EnsembleInterrupted& stopped) {
     progress.reset();
+    std::vector<std::string> command = command_of("ensemble", options);
+    if (options.any_machine) command.push_back("--any-machine");
     throw Interrupted(
         StopSignals::came(),
-        stopped.what() +
-            how_to_continue(options.program, command_of("ensemble", options), stopped.can_resume));
+        stopped.what() + how_to_continue(options.program, command, stopped.can_resume));
   }
   progress.reset();
   if (to_standard_output) return;
@@ -195,6 +198,9 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
       ->type_name("K")
       ->check(member_index());
   add_work(*command, *options, {"an ensemble", "ensemble", "members", "chunks"});
+  command->add_flag("--any-machine", options->any_machine,
+                    "Let machines work together, or go on, whose sines and logarithms differ in "
+                    "last digits: so do the results");
   command->footer(
       "\nCtrl-C stops an ensemble and keeps its members; --resume continues it.\n"
       "\nExample:\n  " +

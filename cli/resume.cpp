@@ -60,7 +60,7 @@ void add_begin_options(CLI::App& command, BeginOptions& options, const std::stri
   command.add_flag("--restart", options.restart, restart_help)->excludes(resume);
 }
 
-BeginWords begin_words() { return {"--resume", "--restart"}; }
+BeginWords begin_words() { return {"--resume", "--restart", "--any-machine"}; }
 
 void require_different(const std::string& command, const std::vector<std::string>& paths) {
   for (auto path = paths.begin(); path != paths.end(); ++path) {

@@ -72,7 +72,7 @@ Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs) {
       {"method",  // the default of an older build may have been another
        std::visit([&](const auto& kind) { return propagation_text(kind, scenario.units()); },
                   scenario.experiment)},
-      {"orbits and torques",
+      {surroundings_part,
        std::visit([](const auto& kind) { return surroundings_of(kind); }, scenario.experiment)}};
   for (const std::string& path : outputs.paths) identity.push_back({"outputs", file_name(path)});
   if (!outputs.events.empty())

@@ -128,10 +128,11 @@ void KeptOutputs::take_up(const std::string& found, std::optional<CheckpointFile
     throw DomainError(shown_path(found) +
                       ": is not a checkpoint of this version of polhode, or was damaged; " +
                       remedy);
+  if (setup_.forgive) setup_.forgive(file->identity, setup_.identity);
   const std::string differs = difference(file->identity, setup_.identity);
   if (!differs.empty())
     throw DomainError(shown_path(found) + ": is of another " + setup_.kind.name + ": " + differs +
-                      "; " + remedy);
+                      (setup_.advice ? setup_.advice(differs) : "") + "; " + remedy);
   state_ = std::move(file->state);
   positions_ = std::move(file->positions);
   is_safe_ = true;

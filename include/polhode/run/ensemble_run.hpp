@@ -13,7 +13,7 @@
 //             (polhode/run/scenario_run.hpp).
 // Accuracy    the files do not depend on the number of threads or processes, nor on where an
 //             ensemble was stopped, killed and continued: text files byte for byte, HDF5 with the
-//             same contents (same build of polhode). Last digits of statistics depend on the chunk
+//             same contents (same build of polhode, machines with the same elementary functions). Last digits of statistics depend on the chunk
 //             of the file.
 // Errors      the constructor throws DomainError as that of ScenarioRun, for statistics that do not
 //             fit into memory, and for a team with more processes than chunks. run() throws
@@ -52,7 +52,10 @@ class EnsembleInterrupted : public std::runtime_error {
 struct EnsembleOptions {
   RunBegin begin = RunBegin::anew;
   double checkpoint_seconds = 5.0;  // between two checkpoints, at least
-  int threads = 0;                  // chunks at a time; 0: one on each processor
+  // Whether machines may work together, or one after the other, whose sines and logarithms differ
+  // in last digits: so do the results then.
+  bool any_machine = false;
+  int threads = 0;  // chunks at a time; 0: one on each processor
   // Computes the chunks in place of these threads: several processes, each with an ensemble_work
   // (polhode/run/ensemble_work.hpp) of the same ensemble.
   Team* team = nullptr;

@@ -18,8 +18,8 @@
 namespace polhode {
 inline namespace v0 {
 
-// `ensemble` must outlive it.
-std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble);
+// `ensemble` must outlive it. `any_machine` as in EnsembleOptions.
+std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble, bool any_machine = false);
 
 }  // namespace v0
 }  // namespace polhode

@@ -55,6 +55,7 @@ enum class RunBegin {
 struct BeginWords {
   std::string resume = "resume";
   std::string restart = "restart";
+  std::string any_machine = "any_machine";  // of ensembles
 };
 
 struct RunOptions {

@@ -16,6 +16,8 @@ struct IdentityPart {
   std::string text;
 };
 using Identity = std::vector<IdentityPart>;
+// The part of what acts on the body, in numbers that this machine has computed.
+inline constexpr char surroundings_part[] = "orbits and torques";
 
 // What is written: the names of files without their folders, and those of columns.
 struct IdentityOutputs {

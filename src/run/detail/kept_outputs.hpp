@@ -35,6 +35,10 @@ struct KeptSetup {
   RunBegin begin = RunBegin::anew;
   BeginWords words = {};
   double seconds = 5.0;  // between two checkpoints, at least
+  // Makes of the identity of a checkpoint what may differ from ours.
+  std::function<void(Identity& theirs, const Identity& ours)> forgive = {};
+  // What a message adds that says how they differ.
+  std::function<std::string(const std::string& difference)> advice = {};
 };
 
 // What a checkpoint asks of an output that is open; see Sink.

@@ -11,6 +11,7 @@
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/sized.hpp"
+#include "run/ensemble/elementary_functions.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -26,7 +27,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 Identity identity_of_ensemble(const ScenarioEnsemble& ensemble) {
   std::vector<std::string> columns;
   for (const ColumnGroup& group : ensemble.row_groups()) columns.push_back(group.name);
-  return identity_of(ensemble.scenario(), {{}, {}, columns});
+  Identity identity = identity_of(ensemble.scenario(), {{}, {}, columns});
+  identity.insert(identity.begin(), elementary_functions());
+  return identity;
 }
 
 }  // namespace
@@ -44,8 +47,9 @@ void transfer(StateBytes& bytes, Pilots& pilots) {
   sized(bytes, pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
 }
 
-EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble)
+EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine)
     : ensemble_(ensemble),
+      any_machine_(any_machine),
       frame_(ensemble.plan().keep == EnsembleKeep::statistics
                  ? std::make_unique<StatisticsFrame>(ensemble)
                  : nullptr) {}
@@ -144,10 +148,14 @@ std::string EnsembleCells::member_stage(std::int64_t from) const {
 void EnsembleCells::begin(const std::string& stage) {
   StateBytes bytes(stage);
   stage_.transfer(bytes);
-  const std::string differs = difference(stage_.identity, identity_of_ensemble(ensemble_));
+  const Identity ours = identity_of_ensemble(ensemble_);
+  if (any_machine_) take_elementary_functions(stage_.identity, ours);
+  const std::string differs = difference(stage_.identity, ours);
   if (!differs.empty())
-    throw DomainError(ensemble_.scenario().document.name +
-                      ": is not the ensemble that is run: " + differs);
+    throw DomainError(
+        ensemble_.scenario().document.name + ": is not the ensemble that is run: " + differs +
+        (differs_in_elementary_functions(differs) ? "; expected machines alike, or any_machine"
+                                                  : ""));
   if (stage_.pilots || !frame_) return;
   StateBytes frame(stage_.frame);
   frame_->transfer(frame);
@@ -167,8 +175,8 @@ std::string EnsembleCells::cell(std::int64_t index, const std::function<void()>&
 
 }  // namespace detail
 
-std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble) {
-  return std::make_unique<detail::EnsembleCells>(ensemble);
+std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble, bool any_machine) {
+  return std::make_unique<detail::EnsembleCells>(ensemble, any_machine);
 }
 
 }  // namespace v0

@@ -48,7 +48,7 @@ void transfer(StateBytes& bytes, Pilots& pilots);
 class EnsembleCells final : public TeamWork {
  public:
   // DomainError where statistics would not fit into memory.
-  explicit EnsembleCells(const ScenarioEnsemble& ensemble);
+  EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine);
 
   // None where rows are kept.
   StatisticsFrame* frame() const { return frame_.get(); }
@@ -81,6 +81,7 @@ class EnsembleCells final : public TeamWork {
   void append_rows(std::int64_t index, const EnsembleMember& member, std::vector<double>& to) const;
 
   const ScenarioEnsemble& ensemble_;
+  bool any_machine_;
   std::unique_ptr<StatisticsFrame> frame_;
   Stage stage_;  // the last one begun
 };

@@ -14,6 +14,7 @@
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "run/detail/sized.hpp"
+#include "run/ensemble/elementary_functions.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/statistics.hpp"
 #include "text/printable.hpp"
@@ -85,6 +86,13 @@ detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<C
   setup.begin = options.begin;
   setup.words = options.words;
   setup.seconds = options.checkpoint_seconds;
+  setup.identity.insert(setup.identity.begin(), detail::elementary_functions());
+  if (options.any_machine) setup.forgive = detail::take_elementary_functions;
+  setup.advice = [words = options.words](const std::string& differs) {
+    return detail::differs_in_elementary_functions(differs)
+               ? "; " + words.any_machine + " goes on with other last digits"
+               : std::string();
+  };
   return setup;
 }
 
@@ -114,7 +122,7 @@ class EnsembleRun::Parts {
       : ensemble_(ensemble),
         options_(std::move(options)),
         threads_(options_.threads > 0 ? options_.threads : hardware_threads()),
-        cells_(ensemble),
+        cells_(ensemble, options_.any_machine),
         frame_(cells_.frame()),
         groups_(frame_ ? frame_->groups() : row_groups_of(ensemble)),
         origin_(provenance_of(ensemble, frame_)),
