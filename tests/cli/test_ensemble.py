@@ -85,35 +85,37 @@ def test_ctrl_c_keeps_the_members(polhode, run, ensemble, tmp_path):
     assert "is of another ensemble: scenario was" in done.stderr
 
 
-def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, run, ensemble, tmp_path):
+def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, run, tmp_path):
     """The C library of a processor without fused multiplication stands for another machine."""
     other = {**os.environ, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"}
-    path = ensemble("size = 400\nchunk = 10", columns='"euler"')
     whole, out = tmp_path / "whole.csv", tmp_path / "out.csv"
-    assert run("ensemble", path, "--out", whole).returncode == 0
-    words = ["ensemble", path, "--out", out, "--checkpoint", "0"]
 
-    def elsewhere(*more):
-        return subprocess.run([polhode, *map(str, words), *more], capture_output=True, text=True,
+    def words(size):
+        return ["ensemble", "examples/apophis-ensemble.toml", "--set", f"ensemble.size={size}",
+                "--set", "ensemble.chunk=100", "--checkpoint", "0", "--out", str(out)]
+
+    def elsewhere(*arguments):
+        return subprocess.run([polhode, *arguments], capture_output=True, text=True,
                               timeout=SECONDS, env=other)
 
-    assert elsewhere().returncode == 0
+    assert run(*words(500)).returncode == 0
+    out.rename(whole)
+    assert elsewhere(*words(500)).returncode == 0
     if out.read_bytes() == whole.read_bytes():
         pytest.skip("the sines of this machine have no other last digits")
     out.unlink()
-    path.write_text(path.read_text().replace("step = 0.5", "count = 40000"))
-    process = subprocess.Popen([polhode, *map(str, words)], stdout=subprocess.DEVNULL,
+    process = subprocess.Popen([polhode, *words(6000)], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
     until = time.monotonic() + SECONDS
     while not pathlib.Path(f"{out}.checkpoint").exists() and time.monotonic() < until:
         time.sleep(0.01)
     process.kill()
     process.wait()
-    done = elsewhere("--resume")
+    done = elsewhere(*words(6000), "--resume")
     assert done.returncode == 2
     assert "is of another ensemble: elementary functions of the machine was " in done.stderr
     assert "; --any-machine goes on with other last digits; " in done.stderr
-    done = elsewhere("--resume", "--any-machine")
+    done = elsewhere(*words(6000), "--resume", "--any-machine")
     assert done.returncode == 0 and "continues after " in done.stderr
 
 

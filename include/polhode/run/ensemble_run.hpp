@@ -13,8 +13,8 @@
 //             (polhode/run/scenario_run.hpp).
 // Accuracy    the files do not depend on the number of threads or processes, nor on where an
 //             ensemble was stopped, killed and continued: text files byte for byte, HDF5 with the
-//             same contents (same build of polhode, machines with the same elementary functions). Last digits of statistics depend on the chunk
-//             of the file.
+//             same contents (same build of polhode, machines with the same elementary functions).
+//             Last digits of statistics depend on the chunk of the file.
 // Errors      the constructor throws DomainError as that of ScenarioRun, for statistics that do not
 //             fit into memory, and for a team with more processes than chunks. run() throws
 //             OutputError, TeamError, and EnsembleInterrupted when `stop` said so. What `progress`
