@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import pytest
-from ensemble_files import COLLOCATION, TORQUE, mark
+from ensemble_files import COLLOCATION, TORQUE, mark, rows_of
 from slowdown import SLOWDOWN
 
 SECONDS = 120 * SLOWDOWN
@@ -175,3 +175,41 @@ def test_a_member_that_fails_is_named_whichever_rank_it_was_on(run, ranks, ensem
     member = alone.stdout.split("  member ")[1].split(":")[0]
     done = ranks(2, "ensemble", path, "--member", member, "--out", tmp_path / "member.csv")
     assert done.returncode != 0 and done.stderr.count("body.moments") == 1
+
+
+@pytest.mark.parametrize("keep", ["final", "rows"])
+def test_each_chunk_may_have_a_file_of_its_own(run, ranks, ensemble, tmp_path, keep):
+    path = ensemble(f'size = 110\nchunk = 10\nkeep = "{keep}"', extra=TORQUE)
+    whole = tmp_path / "whole.csv"
+    assert run("ensemble", path, "--out", whole).returncode == 0
+    whole, marks = rows_of(whole), set()
+    for count in (1, 2, 3):
+        folder = tmp_path / str(count)
+        folder.mkdir()
+        out = folder / "rows-{chunk}.csv"
+        done = ranks(count, "ensemble", path, "--out", out)
+        assert done.returncode == 0, done.stderr
+        names = [f"rows-{k:02d}.csv" for k in range(11)]
+        assert sorted(one.name for one in folder.iterdir()) == [*names, "rows-index.csv"]
+        index, begin = rows_of(folder / "rows-index.csv"), 0
+        assert (index["first_member"] == 10 * index["chunk"]).all()
+        assert (index["members"] == 10).all() and (index["failed"] == 0).all()
+        for name, size in zip(names, index["rows"].astype(int)):
+            part = rows_of(folder / name)
+            for column in whole:
+                assert (part[column] == whole[column][begin:begin + size]).all()
+            begin += size
+        assert begin == len(whole["member"])
+        marks.add(tuple(mark(folder / name) for name in [*names, "rows-index.csv"]))
+        assert "nothing to do: complete" in run("ensemble", path, "--out", out, "--resume").stdout
+    assert len(marks) == 1
+
+
+def test_what_has_no_files_of_chunks(run, ensemble, tmp_path):
+    out = tmp_path / "a-{chunk}.csv"
+    done = run("ensemble", ensemble("size = 40"), "--out", out)
+    assert done.returncode == 2
+    assert 'for statistics, which are of all chunks; expected ensemble.keep = "rows"' in done.stderr
+    path = ensemble('size = 40\nkeep = "rows"')
+    done = run("ensemble", path, "--out", out, "--out", tmp_path / "b.csv")
+    assert done.returncode == 2 and "expected no other where each chunk has a file" in done.stderr

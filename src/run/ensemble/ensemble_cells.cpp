@@ -11,7 +11,9 @@
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/sized.hpp"
+#include "run/ensemble/chunk_files.hpp"
 #include "run/ensemble/elementary_functions.hpp"
+#include "run/ensemble/ensemble_origin.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -47,9 +49,11 @@ void transfer(StateBytes& bytes, Pilots& pilots) {
   sized(bytes, pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
 }
 
-EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine)
+EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine,
+                             std::string chunk_files)
     : ensemble_(ensemble),
       any_machine_(any_machine),
+      chunk_files_(std::move(chunk_files)),
       frame_(ensemble.plan().keep == EnsembleKeep::statistics
                  ? std::make_unique<StatisticsFrame>(ensemble)
                  : nullptr) {}
@@ -65,9 +69,9 @@ CellsOfMembers EnsembleCells::pilot_cells() const {
   return {0, members_at_a_time(), frame_->pilots()};
 }
 
-// Rows are whole after any member; statistics after a chunk.
+// Rows are whole after any member; statistics and files after a chunk.
 CellsOfMembers EnsembleCells::member_cells(std::int64_t from) const {
-  return {from, frame_ ? ensemble_.plan().chunk : members_at_a_time(), ensemble_.size()};
+  return {from, is_by_chunks() ? ensemble_.plan().chunk : members_at_a_time(), ensemble_.size()};
 }
 
 std::vector<EnsembleMember> EnsembleCells::members(std::int64_t begin, std::int64_t end,
@@ -86,6 +90,9 @@ EnsembleChunk EnsembleCells::chunk(const CellsOfMembers& cells, std::int64_t cel
   EnsembleChunk chunk;
   if (frame_) chunk.statistics.emplace(*frame_);
   const std::int64_t each = members_at_a_time(), end = cells.end_of(cell);
+  std::unique_ptr<Sink> file;
+  if (has_files()) file = ChunkFiles(ensemble_, chunk_files_).open(cells.begin_of(cell), end);
+  std::size_t numbers = 0;  // in the file
   for (std::int64_t first = cells.begin_of(cell); first < end; first += each) {
     std::vector<EnsembleMember> some = members(first, std::min(end, first + each), look);
     if (frame_) chunk.statistics->add(first, some);
@@ -96,7 +103,17 @@ EnsembleChunk EnsembleCells::chunk(const CellsOfMembers& cells, std::int64_t cel
         chunk.failures.push_back({index, printable(some[m].failure, longest_reason)});
       chunk.drawn.push_back(std::move(some[m].drawn));
     }
+    if (!file) continue;
+    file->push(chunk.rows);
+    numbers += chunk.rows.size();
+    chunk.rows.clear();
   }
+  if (!file) return chunk;
+  file->finish();
+  const auto rows = static_cast<double>(numbers / row_width(row_groups_of(ensemble_)));
+  const std::int64_t first = cells.begin_of(cell);
+  chunk.rows = {static_cast<double>(first / ensemble_.plan().chunk), static_cast<double>(first),
+                static_cast<double>(end - first), static_cast<double>(chunk.failures.size()), rows};
   return chunk;
 }
 
@@ -125,11 +142,11 @@ void EnsembleCells::append_rows(std::int64_t index, const EnsembleMember& member
 void EnsembleCells::Stage::transfer(StateBytes& bytes) {
   bytes.all(pilots, cells.first, cells.each, cells.end);
   sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
-  bytes(frame);
+  bytes.all(chunk_files, frame);
 }
 
 std::string EnsembleCells::stage_bytes(bool pilots, const CellsOfMembers& cells) const {
-  Stage stage{pilots, cells, identity_of_ensemble(ensemble_), {}};
+  Stage stage{pilots, cells, identity_of_ensemble(ensemble_), chunk_files_, {}};
   if (!pilots && frame_) {
     StateBytes frame;
     frame_->transfer(frame);
@@ -156,6 +173,7 @@ void EnsembleCells::begin(const std::string& stage) {
         ensemble_.scenario().document.name + ": is not the ensemble that is run: " + differs +
         (differs_in_elementary_functions(differs) ? "; expected machines alike, or any_machine"
                                                   : ""));
+  chunk_files_ = stage_.chunk_files;
   if (stage_.pilots || !frame_) return;
   StateBytes frame(stage_.frame);
   frame_->transfer(frame);

@@ -47,13 +47,17 @@ void transfer(StateBytes& bytes, Pilots& pilots);
 
 class EnsembleCells final : public TeamWork {
  public:
-  // DomainError where statistics would not fit into memory.
-  EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine);
+  // With a file for each chunk where `chunk_files` is not empty (ChunkFiles). DomainError where
+  // statistics would not fit into memory.
+  EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine, std::string chunk_files = {});
 
   // None where rows are kept.
   StatisticsFrame* frame() const { return frame_.get(); }
+  bool has_files() const { return !chunk_files_.empty(); }
+  // Whether a cell is a chunk of the plan.
+  bool is_by_chunks() const { return frame_ || has_files(); }
   CellsOfMembers pilot_cells() const;
-  // From this member on, which begins a chunk where statistics are kept.
+  // From this member on, which begins a chunk where cells are chunks.
   CellsOfMembers member_cells(std::int64_t from) const;
 
   Pilots pilots(const CellsOfMembers& cells, std::int64_t cell, const Progress& look) const;
@@ -70,6 +74,7 @@ class EnsembleCells final : public TeamWork {
     bool pilots = false;
     CellsOfMembers cells;
     Identity identity;  // of the ensemble
+    std::string chunk_files;
     std::string frame;
 
     void transfer(StateBytes& bytes);
@@ -82,6 +87,7 @@ class EnsembleCells final : public TeamWork {
 
   const ScenarioEnsemble& ensemble_;
   bool any_machine_;
+  std::string chunk_files_;
   std::unique_ptr<StatisticsFrame> frame_;
   Stage stage_;  // the last one begun
 };

@@ -14,8 +14,10 @@
 #include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/kept_outputs.hpp"
 #include "run/detail/sized.hpp"
+#include "run/ensemble/chunk_files.hpp"
 #include "run/ensemble/elementary_functions.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
+#include "run/ensemble/ensemble_origin.hpp"
 #include "run/ensemble/statistics.hpp"
 #include "text/printable.hpp"
 
@@ -33,40 +35,6 @@ constexpr std::size_t failures_named = 20;
 
 // Ends the loop over the members, from within.
 struct Stopped {};
-
-std::vector<std::string> notes_of(const ScenarioEnsemble& ensemble) {
-  const EnsemblePlan& plan = ensemble.plan();
-  std::vector<std::string> notes = {"ensemble: " + std::to_string(plan.size) + " members, seed " +
-                                    std::to_string(plan.seed) + ", chunks of " +
-                                    std::to_string(plan.chunk)};
-  for (const EnsembleVaried& one : plan.varied) {
-    std::string keys;
-    for (const std::string& key : one.keys) keys += (keys.empty() ? "" : ", ") + key;
-    notes.push_back("varied: " + keys + ": " + detail::printable(one.text, longest_reason));
-  }
-  return notes;
-}
-
-// A note of a branch, constant along a free motion, is of the file's own.
-void add_branches(const Scenario& scenario, std::vector<std::string>& notes) {
-  const std::size_t own = notes.size();
-  for (const std::string& group : scenario.output.columns)
-    if (chart_named(group, scenario.document.kinds->charts()) != nullptr &&
-        std::any_of(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(own),
-                    [&](const std::string& note) { return note.starts_with(group + ": "); }))
-      notes.push_back("the branch of " + group +
-                      " is that of the file's own run; those of members may be others");
-}
-
-Provenance provenance_of(const ScenarioEnsemble& ensemble, const StatisticsFrame* frame) {
-  Provenance origin = provenance(ensemble.scenario());
-  std::vector<std::string> notes = notes_of(ensemble);
-  add_branches(ensemble.scenario(), origin.notes);
-  if (frame != nullptr)
-    for (std::string& note : frame->notes()) notes.push_back(std::move(note));
-  origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
-  return origin;
-}
 
 // A format of the rows of one motion, which those of an ensemble are not.
 void require_tables(const OutputFormats& formats, const std::vector<std::string>& paths) {
@@ -96,23 +64,11 @@ detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<C
   return setup;
 }
 
-// Where rows are kept, all or the last.
-std::vector<ColumnGroup> row_groups_of(const ScenarioEnsemble& ensemble) {
-  std::vector<ColumnGroup> groups = {{"member", {{"member", "1"}}}};
-  const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
-  if (ensemble.plan().keep == EnsembleKeep::final)
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      groups.push_back({keys[i], {{keys[i], units[i]}}});
-  const std::vector<ColumnGroup>& rows = ensemble.row_groups();
-  groups.insert(groups.end(), rows.begin(), rows.end());
-  return groups;
-}
-
 }  // namespace
 
 std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble) {
   return ensemble.plan().keep == EnsembleKeep::statistics ? StatisticsFrame(ensemble).groups()
-                                                          : row_groups_of(ensemble);
+                                                          : detail::row_groups_of(ensemble);
 }
 
 class EnsembleRun::Parts {
@@ -122,11 +78,13 @@ class EnsembleRun::Parts {
       : ensemble_(ensemble),
         options_(std::move(options)),
         threads_(options_.threads > 0 ? options_.threads : hardware_threads()),
-        cells_(ensemble, options_.any_machine),
+        cells_(ensemble, options_.any_machine, detail::ChunkFiles::pattern(ensemble, paths)),
         frame_(cells_.frame()),
-        groups_(frame_ ? frame_->groups() : row_groups_of(ensemble)),
-        origin_(provenance_of(ensemble, frame_)),
-        outputs_(setup_of(ensemble, groups_, paths, options_), origin_),
+        groups_(frame_               ? frame_->groups()
+                : cells_.has_files() ? detail::ChunkFiles::index_groups()
+                                     : detail::row_groups_of(ensemble)),
+        origin_(detail::provenance_of(ensemble, frame_)),
+        outputs_(setup_of(ensemble, groups_, detail::ChunkFiles::kept(paths), options_), origin_),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
     require_work_for_all();
     if (outputs_.is_complete()) return;
@@ -195,7 +153,7 @@ class EnsembleRun::Parts {
     throw DomainError(ensemble_.scenario().document.name + ": ensemble: " +
                       std::to_string(processes) + " processes for " + std::to_string(cells) +
                       " chunks of members; expected a chunk for each at least: fewer processes" +
-                      (frame_ ? ", or a smaller ensemble.chunk" : ""));
+                      (cells_.is_by_chunks() ? ", or a smaller ensemble.chunk" : ""));
   }
 
   void compute() {
