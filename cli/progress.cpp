@@ -56,12 +56,17 @@ ProgressLine::ProgressLine(double start, double stop, std::string unit, double f
       terminal_(isatty(STDERR_FILENO) == 1),
       next_(begun_ + quiet) {}
 
+ProgressLine::ProgressLine(std::int64_t count, std::string things, std::int64_t from)
+    : ProgressLine(0.0, static_cast<double>(count), std::move(things), static_cast<double>(from)) {
+  counts_ = true;
+}
+
 ProgressLine::~ProgressLine() {
   if (terminal_ && shown_) std::fputs("\r\033[K", stderr);
 }
 
 void ProgressLine::operator()(double t) {
-  if (++steps_ % stride == 0) look(t);
+  if (counts_ || ++steps_ % stride == 0) look(t);
 }
 
 void ProgressLine::look(double t) {
@@ -76,8 +81,10 @@ void ProgressLine::show(double t, double seconds) {
   const auto part = [&](double x) { return span == 0.0 ? 0.0 : std::clamp(x / span, 0.0, 1.0); };
   const double done = part(t - start_), made = part(t - from_);
   const double rate = std::abs(t - from_) / seconds;
-  std::string text = fmt::format("{:3.0f} %, t = {:.6g} {}, {:.3g} {} per second",
-                                 std::floor(100.0 * done), t, unit_, rate, unit_);
+  const std::string reached = counts_ ? fmt::format("{:.0f} of {:.0f} {}", t, stop_, unit_)
+                                      : fmt::format("t = {:.6g} {}", t, unit_);
+  std::string text = fmt::format("{:3.0f} %, {}, {:.3g} {} per second", std::floor(100.0 * done),
+                                 reached, rate, unit_);
   if (made > 0.0) text += ", " + duration_text((1.0 - done) * seconds / made) + " left";
   if (terminal_) text = on_line(text, done, columns());
   shown_ = true;

@@ -14,6 +14,8 @@ class ProgressLine {
  public:
   // From start to stop, in the unit of time `unit` names; a run that is continued begins at `from`.
   ProgressLine(double start, double stop, std::string unit, double from);
+  // So many "members", of which `from` are done.
+  ProgressLine(std::int64_t count, std::string things, std::int64_t from);
   // Leaves a terminal clean.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -31,6 +33,7 @@ class ProgressLine {
   double stop_;
   double from_;
   std::string unit_;
+  bool counts_ = false;
   bool terminal_;
   bool shown_ = false;
   std::int64_t steps_ = 0;

@@ -14,6 +14,9 @@ SECONDS = 30 * SLOWDOWN
 BAR = re.compile(r"\[[#.]{8,40}\] (.*)")
 LINE = re.compile(r" *\d+ %, t = \S+ s, \S+ s per second, \S+ (s|min|h|d) left")
 
+COUNTED = re.compile(r" *\d+ %, \d+ of 1000000 members, \S+ members per second, "
+                     r"\S+ (s|min|h|d) left")
+
 
 @pytest.fixture
 def endless(scenario):
@@ -44,6 +47,18 @@ def test_elsewhere_it_is_a_plain_line(polhode, endless, tmp_path):
         process.kill()
         process.communicate()
     assert LINE.fullmatch(line.rstrip("\n")), line
+
+
+def test_many_runs_are_counted(polhode, ensemble, tmp_path):
+    path = ensemble("size = 1000000\nchunk = 100", time="stop = 40\nstep = 0.1")
+    process = subprocess.Popen([polhode, "ensemble", path, "--out", tmp_path / "rows.csv"],
+                               stderr=subprocess.PIPE, text=True)
+    try:
+        line = process.stderr.readline()
+    finally:
+        process.kill()
+        process.communicate()
+    assert COUNTED.fullmatch(line.rstrip("\n")), line
 
 
 def test_on_a_terminal_it_is_written_over(polhode, endless, tmp_path):
