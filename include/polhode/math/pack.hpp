@@ -61,6 +61,7 @@ struct Pack {
   using Registers = detail::Registers<isa>;
   using Doubles = typename Registers::Doubles;
   using Bits = typename Registers::Bits;
+  using Whole = typename Registers::Whole;
   using Mask = PackMask<isa>;
   static constexpr InstructionSet set = isa;
   static constexpr std::size_t width = sizeof(Doubles) / sizeof(double);
@@ -159,15 +160,17 @@ struct Pack {
   // A normal positive number over 2^k, between 1/sqrt 2 and sqrt 2, and k.
   [[gnu::always_inline]] friend Scaled halves_off(const Pack& x) {
     // the exponent of x times sqrt 2, but for the few next to the ends
-    const Bits biased = x.bits() + 0x00095f619980c433;
-    const Bits k = (biased >> 52) - 1023;
-    const Bits part = x.bits() - (k << 52);
-    const Doubles magic = std::bit_cast<Doubles>(k + 0x4338000000000000);
+    // (modulo 2^64: of what is no normal number, the sums go round)
+    const Whole whole = std::bit_cast<Whole>(x.lanes);
+    const Bits biased = std::bit_cast<Bits>(whole + 0x00095f619980c433U);
+    const Whole k = std::bit_cast<Whole>((biased >> 52) - 1023);
+    const Whole part = whole - (k << 52);
+    const Doubles magic = std::bit_cast<Doubles>(k + 0x4338000000000000U);
     return {Pack(std::bit_cast<Doubles>(part)), Pack(magic - 0x1.8p52)};
   }
   // 2^k of an integer k in [-1022, 1023]: the low bits of `shifted`, k + 1.5 2^52, are those of k.
   [[gnu::always_inline]] friend Pack power_of_two(const Pack& shifted) {
-    return Pack(std::bit_cast<Doubles>((shifted.bits() + 1023) << 52));
+    return Pack(std::bit_cast<Doubles>((std::bit_cast<Whole>(shifted.lanes) + 1023U) << 52));
   }
   friend Pack exp(const Pack& x) {
     Pack r;

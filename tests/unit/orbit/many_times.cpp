@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oracle/random_draw.hpp"
+#include "polhode/error.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/orbit/turned_kepler_orbit.hpp"

@@ -55,6 +55,7 @@ template <>
 struct Registers<InstructionSet::baseline> {
   using Doubles = double __attribute__((vector_size(16)));
   using Bits = std::int64_t __attribute__((vector_size(16)));
+  using Whole = std::uint64_t __attribute__((vector_size(16)));
 
   [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) {
 #if defined(__SSE2__)
@@ -94,6 +95,7 @@ template <>
 struct Registers<InstructionSet::avx2> {
   using Doubles = double __attribute__((vector_size(32)));
   using Bits = std::int64_t __attribute__((vector_size(32)));
+  using Whole = std::uint64_t __attribute__((vector_size(32)));
 
   [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) { return _mm256_sqrt_pd(x); }
   [[gnu::always_inline]] static Doubles rint(const Doubles& x) {
@@ -116,6 +118,7 @@ template <>
 struct Registers<InstructionSet::avx512> {
   using Doubles = double __attribute__((vector_size(64)));
   using Bits = std::int64_t __attribute__((vector_size(64)));
+  using Whole = std::uint64_t __attribute__((vector_size(64)));
 
   [[gnu::always_inline]] static Doubles sqrt(const Doubles& x) {
     return _mm512_maskz_sqrt_pd(0xff, x);
