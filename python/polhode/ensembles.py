@@ -148,12 +148,12 @@ class EnsembleResults(Mapping[str, "Array"]):
         """(member, why) of those that could not be or could not go on, the first 20 of them.
 
         They have no part in statistics. A file knows how many there are and not why:
-        AttributeError; member(k).run() says it.
+        AttributeError; member(k), or its run, says it.
         """
         if self._given["failures"] is None:
             raise AttributeError(
                 "failures: a file does not say why members failed; results.failed is how many, "
-                "results.member(k).run() runs one"
+                "results.member(k), or its run, says it of one"
             )
         return list(self._given["failures"])
 
