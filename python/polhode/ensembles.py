@@ -12,6 +12,8 @@ from polhode import _core, _ensemble_files, _toml, vary
 from polhode.results import _MissingColumn, _same_bits
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     import numpy
     import numpy.typing
     import xarray
@@ -301,13 +303,19 @@ def run_ensemble(
     scenario: Scenario,
     paths: Sequence[Path],
     threads: int | None,
+    executor: Executor | None,
     resume: bool,
     restart: bool,
     progress: Callable[[int, int], object] | None,
 ) -> EnsembleResults:
     """The ensemble of a scenario; see Scenario.ensemble."""
     ensemble = scenario._file.ensemble()
-    done = ensemble.run(list(paths), threads or 0, resume, restart, progress)
+    team = None
+    if executor is not None:
+        from polhode._ensemble_team import team_of
+
+        team = team_of(executor, scenario._file)
+    done = ensemble.run(list(paths), threads or 0, team, resume, restart, progress)
     groups = ensemble.groups
     # what an earlier part wrote is in its files alone
     table, texts = (done.table, None) if done.is_whole else _in_files(groups, paths)
@@ -343,6 +351,7 @@ def ensemble(
     keep: str | None = None,
     quantiles: Sequence[float] | None = None,
     threads: int | None = None,
+    executor: Executor | None = None,
     resume: bool = False,
     restart: bool = False,
     progress: Callable[[int, int], object] | None = None,
@@ -363,11 +372,12 @@ def ensemble(
     keep : "statistics" of the members at each time, memory not growing with them; "final", what was
         drawn and the last row of each member; "rows", all rows of all.
     quantiles : which ones statistics have, from 0 to 1.
-    threads, resume, restart, progress : as in Scenario.ensemble.
+    threads, executor, resume, restart, progress : as in Scenario.ensemble.
     others : further keys of the table [ensemble] of scenario files, such as draws="sobol".
 
     What is None is what the scenario says, or the default of scenario files. The same numbers as
-    `polhode ensemble` gives of the same file, to the last bit, for any number of threads.
+    `polhode ensemble` gives of the same file, to the last bit, for any number of threads
+    and whoever computes them.
 
     Returns
     -------
@@ -385,5 +395,6 @@ def ensemble(
     if vary is not None or any(value is not None for value in keys.values()):
         of = of.with_ensemble(vary, **keys)
     return of.ensemble(
-        outputs, threads=threads, resume=resume, restart=restart, progress=progress
+        outputs, threads=threads, executor=executor, resume=resume, restart=restart,
+        progress=progress,
     )

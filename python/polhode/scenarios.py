@@ -15,6 +15,8 @@ from polhode.maps import MapResults, run_map
 from polhode.results import Results
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from numpy.typing import ArrayLike, NDArray
 
     from polhode import (
@@ -317,6 +319,7 @@ class Scenario:
         outputs: Path | Iterable[Path] = (),
         *,
         threads: int | None = None,
+        executor: Executor | None = None,
         resume: bool = False,
         restart: bool = False,
         progress: Callable[[int, int], object] | None = None,
@@ -332,6 +335,11 @@ class Scenario:
             checkpoint.
         threads : how many members at a time; None: one on each processor. The result does not
             depend on it.
+        executor : a concurrent.futures.Executor in place of these threads: ProcessPoolExecutor,
+            MPIPoolExecutor of mpi4py.futures, client.get_executor() of Dask. Each worker makes the
+            ensemble from the text of the scenario once, and computes chunks of members; files that
+            it names must be there for the workers too. The result is that of threads, to the last
+            bit.
         resume : continues an ensemble that was stopped or killed, from its PATH.checkpoint; begins
             anew without one. Of one that is complete the files are read.
         restart : begins anew where an unfinished ensemble is, which is an error otherwise.
@@ -346,14 +354,17 @@ class Scenario:
 
         ScenarioError for a scenario without [ensemble]; ValueError for a path that cannot be an
         output or that another ensemble is writing, and for an unfinished ensemble without resume or
-        restart; MemoryError for rows that do not fit; OutputError when writing fails. Members
+        restart; MemoryError for rows that do not fit; OutputError when writing fails; RuntimeError
+        for a worker that dies or fails, after which what was done is in the checkpoint. Members
         release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves PATH.part and a checkpoint.
         """
         paths = _several(outputs, "ensemble")
         _require_files(paths, "ensemble")
         if threads is not None and threads < 1:
             raise ValueError(f"ensemble: threads: got {threads!r}; expected a whole number from 1")
-        return run_ensemble(self, paths, threads, resume, restart, progress)
+        if threads is not None and executor is not None:
+            raise ValueError("ensemble: got threads and an executor; expected one of them")
+        return run_ensemble(self, paths, threads, executor, resume, restart, progress)
 
     @property
     def text(self) -> str:

@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "interface/arrays.hpp"
+#include "interface/signals.hpp"
+#include "interface/executor_team.hpp"
 #include "io/io_parts.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
+#include "polhode/run/ensemble_work.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/separated.hpp"
 
@@ -56,8 +59,9 @@ void reserve(const ScenarioEnsemble& ensemble, Ensemble& result) {
   }
 }
 
+// `team`: a function that runs a stage on an executor (executor_team.hpp), or None.
 Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs, int threads,
-                      bool resume, bool restart, nb::handle progress) {
+                      nb::handle team, bool resume, bool restart, nb::handle progress) {
   Ensemble result{{}, 0, {}};
   std::vector<std::string> paths;
   for (const nb::handle path : outputs) paths.push_back(path_text(path));
@@ -66,11 +70,13 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
                       readable_paths(ensemble.scenario().output.formats) +
                       "; expected one of them");
   WorkLoop loop("the ensemble was stopped", progress);
+  ExecutorTeam workers(team);
   EnsembleOptions options;
   options.begin = begin_of("ensemble", resume, restart);
   options.words = begin_words();
   options.threads = threads;
-  options.stop = [&loop] { return loop.is_stopped(); };
+  if (!team.is_none()) options.team = &workers;
+  options.stop = [&] { return loop.is_stopped() || workers.has_failed(); };
   options.progress = [&loop](std::int64_t members) { loop.reach(members); };
   options.extra_sink = std::make_unique<TableSink>(result.rows);
   EnsembleRun run(ensemble, paths, std::move(options));
@@ -79,8 +85,30 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
   // statistics come at the end
   result.is_whole = !result.was_done && (!run.continues() || is_statistics(ensemble));
   if (result.is_whole) reserve(ensemble, result);
-  loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
+  try {
+    loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
+  } catch (const EnsembleInterrupted&) {
+    workers.raise();  // what they have done is kept
+    throw;
+  }
   return result;
+}
+
+// What a worker has: the ensemble, and the stage that it computes cells of.
+struct EnsembleWork {
+  std::unique_ptr<TeamWork> work;
+};
+
+nb::bytes cell_of(const EnsembleWork& of, std::int64_t index) {
+  const Progress signals = signal_check();
+  std::string bytes;
+  {
+    const WithoutGil released;
+    bytes = of.work->cell(index, [&] {
+      if (signals) signals(0.0);
+    });
+  }
+  return nb::bytes(bytes.data(), bytes.size());
 }
 
 nb::object ensemble_table(nb::handle_t<Ensemble> self) {
@@ -162,6 +190,14 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("was_done", [](const Ensemble& e) { return e.was_done; })
       .def_prop_ro("failed", [](const Ensemble& e) { return e.report.failed; })
       .def_prop_ro("failures", ensemble_failures);
+  nb::class_<EnsembleWork>(m, "_EnsembleWork")
+      .def(
+          "begin",
+          [](EnsembleWork& of, const nb::bytes& stage) {
+            of.work->begin(std::string(stage.c_str(), stage.size()));
+          },
+          "stage"_a)
+      .def("cell", cell_of, "index"_a);
   nb::class_<ScenarioEnsemble>(m, "_Ensemble")
       .def_prop_ro("size", &ScenarioEnsemble::size)
       .def_prop_ro("seed", [](const ScenarioEnsemble& e) { return e.plan().seed; })
@@ -172,7 +208,10 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("groups", ensemble_group_list)
       .def("drawn", drawn_by, "begin"_a, "end"_a)
       .def("member_text", &ScenarioEnsemble::member_text, "index"_a)
-      .def("run", run_ensemble, "outputs"_a, "threads"_a, "resume"_a, "restart"_a,
+      .def(
+          "work", [](const ScenarioEnsemble& e) { return new EnsembleWork{ensemble_work(e)}; },
+          nb::rv_policy::take_ownership, nb::keep_alive<0, 1>())
+      .def("run", run_ensemble, "outputs"_a, "threads"_a, "team"_a.none(), "resume"_a, "restart"_a,
            "progress"_a.none());
   scenario.def_prop_ro("has_ensemble", [](const Scenario& s) { return s.ensemble.has_value(); });
   scenario.def(
