@@ -360,6 +360,12 @@ class Scenario:
         """
         paths = _several(outputs, "ensemble")
         _require_files(paths, "ensemble")
+        for path in paths:
+            if "{chunk}" in os.fsdecode(path):
+                raise ValueError(
+                    f"ensemble: {os.fsdecode(path)}: a file for each chunk is what polhode "
+                    "ensemble writes; expected one file for all"
+                )
         if threads is not None and threads < 1:
             raise ValueError(f"ensemble: threads: got {threads!r}; expected a whole number from 1")
         if threads is not None and executor is not None:
