@@ -81,6 +81,7 @@ test-sweeps: build ## Part of test-full: the big sweeps
 	cmake --build build/release
 	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES) --progress
 	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) tests
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check 'distributed>=2024.1'  # Dask's
 	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) python/tests
 
 check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests

@@ -4,7 +4,7 @@
 Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matplotlib).
 """
 
-from polhode import _core, elliptic
+from polhode import _core, elliptic, vary
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
 from polhode._notebook import show_tables
@@ -16,6 +16,7 @@ from polhode._signatures import (
 )
 from polhode._summary import Summary
 from polhode.argument_fit import ArgumentFit, argument_fit
+from polhode.ensembles import EnsembleResults, ensemble
 from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
@@ -26,6 +27,7 @@ from polhode.scenarios import Citation, Scenario, load
 __all__ = [
     "ArgumentFit",
     "Citation",
+    "EnsembleResults",
     "FreeWobble",
     "HarmonicFit",
     "MapResults",
@@ -34,9 +36,11 @@ __all__ = [
     "Summary",
     "argument_fit",
     "elliptic",
+    "ensemble",
     "harmonic_fit",
     "load",
     "to_scipy",
+    "vary",
     "without_free_wobble",
     *(name for name in dir(_core) if not name.startswith("_")),
 ]

@@ -16,14 +16,15 @@ if TYPE_CHECKING:
     Columns = Mapping[str, numpy.typing.NDArray[Any]]
 
 
-def _imported(package: str) -> ModuleType:
+def imported(package: str, what: str = "") -> ModuleType:
     try:
         return importlib.import_module(package)
     except ModuleNotFoundError as error:
         # a package that is there but lacks one of its own is another story
         if error.name != package:
             raise
-        raise ImportError(f"to_{package} needs {package}: pip install {package}") from None
+        needs = what or f"to_{package}"
+        raise ImportError(f"{needs} needs {package}: pip install {package}") from None
 
 
 def to_pandas(
@@ -31,7 +32,7 @@ def to_pandas(
 ) -> pandas.DataFrame:
     """A DataFrame with index t and the other columns in their order; notes, and units if any, in
     `.attrs`."""
-    pandas = _imported("pandas")
+    pandas = imported("pandas")
     index = pandas.Index(columns["t"], name="t", copy=True)
     frame = pandas.DataFrame({name: x for name, x in columns.items() if name != "t"}, index=index)
     frame.attrs.update(notes)
@@ -48,7 +49,7 @@ def to_xarray(
         name: {"units": units[name]} if units is not None and name in units else {}
         for name in columns
     }
-    return _imported("xarray").Dataset(
+    return imported("xarray").Dataset(
         {name: ("t", x, attributes[name]) for name, x in columns.items() if name != "t"},
         coords={"t": ("t", columns["t"], attributes["t"])},
         attrs=dict(notes),

@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from polhode import _building, _core, _toml
 from polhode._summary import Summary
+from polhode.ensembles import EnsembleResults, run_ensemble, with_ensemble
 from polhode.maps import MapResults, run_map
 from polhode.results import Results
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from numpy.typing import ArrayLike, NDArray
 
     from polhode import (
@@ -32,6 +35,7 @@ if TYPE_CHECKING:
         TurnedKeplerOrbit,
         Units,
         VariationOfConstants,
+        vary,
     )
 
     Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
@@ -164,6 +168,21 @@ class Scenario:
         names = [columns] if isinstance(columns, str) else list(columns)
         return Scenario.from_text(_toml.with_columns(self.text, names), self._file.path)
 
+    def with_ensemble(
+        self, vary: Mapping[Any, vary.Distribution] | None = None, **keys: Any
+    ) -> Scenario:
+        """The same scenario with a table [ensemble], which says what of it is drawn; its text too.
+
+        Parameters
+        ----------
+        vary : distributions by key, as in polhode.ensemble; None: those that the scenario has.
+        keys : those of [ensemble]: size=10000, seed=2, keep="final", draws="sobol", ...; what is
+            not given is what the scenario has.
+
+        ScenarioError for what is no ensemble.
+        """
+        return with_ensemble(self, vary, keys)
+
     def replace(self, changes: Mapping[str, Any] | None = None, **tables: Any) -> Scenario:
         """The same scenario with other values of some keys, as `polhode run --set` makes it.
 
@@ -242,10 +261,7 @@ class Scenario:
         PATH.part and a checkpoint.
         Releases the GIL.
         """
-        one = isinstance(outputs, (str, bytes, os.PathLike))
-        if not one and not isinstance(outputs, Iterable):
-            raise TypeError(f"run: outputs: got {outputs!r}; expected a path or several")
-        paths = [outputs] if one else list(outputs)
+        paths = _several(outputs, "run")
         _require_files(paths if events is None else [*paths, events])
         done = self._file.run(paths, events, keep, resume, restart, progress)
         results = Results(
@@ -290,14 +306,71 @@ class Scenario:
         when writing fails. Cells release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves
         PATH.part and a checkpoint.
         """
-        one = isinstance(outputs, (str, bytes, os.PathLike))
-        paths = [outputs] if one else list(outputs)
+        paths = _several(outputs, "map")
         _require_files(paths, "map")
         if threads is not None and threads < 1:
             raise ValueError(f"map: threads: got {threads!r}; expected a whole number from 1")
         if resume and not paths:
             raise ValueError("map: got resume=True; expected it with outputs")
         return run_map(self, paths, threads, resume, restart, progress)
+
+    def ensemble(
+        self,
+        outputs: Path | Iterable[Path] = (),
+        *,
+        threads: int | None = None,
+        executor: Executor | None = None,
+        resume: bool = False,
+        restart: bool = False,
+        progress: Callable[[int, int], object] | None = None,
+    ) -> EnsembleResults:
+        """Every member of [ensemble]: runs of this scenario with some of its numbers drawn.
+
+        polhode.ensemble says what is drawn in the same call.
+
+        Parameters
+        ----------
+        outputs : PATH.csv or PATH.h5, one or several: the files that `polhode ensemble` writes,
+            byte for byte. As those of run they are PATH.part until they are complete, with a
+            checkpoint.
+        threads : how many members at a time; None: one on each processor. The result does not
+            depend on it.
+        executor : a concurrent.futures.Executor in place of these threads: ProcessPoolExecutor,
+            MPIPoolExecutor of mpi4py.futures, client.get_executor() of Dask. Each worker makes the
+            ensemble from the text of the scenario once, and computes chunks of members; files that
+            it names must be there for the workers too. The result is that of threads, to the last
+            bit.
+        resume : continues an ensemble that was stopped or killed, from its PATH.checkpoint; begins
+            anew without one. Of one that is complete the files are read.
+        restart : begins anew where an unfinished ensemble is, which is an error otherwise.
+        progress : called with the number of members so far and that of all, after each chunk of
+            them; what it raises ends the ensemble.
+
+        Returns
+        -------
+        EnsembleResults
+            Statistics of the members, their last rows or all of their rows, as [ensemble] says.
+            Members that could not be, or could not go on, are left out; `.failures` says why.
+
+        ScenarioError for a scenario without [ensemble]; ValueError for a path that cannot be an
+        output or that another ensemble is writing, and for an unfinished ensemble without resume or
+        restart; MemoryError for rows that do not fit; OutputError when writing fails; RuntimeError
+        for a worker that dies or fails, after which what was done is in the checkpoint. Members
+        release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves PATH.part and a checkpoint.
+        """
+        paths = _several(outputs, "ensemble")
+        _require_files(paths, "ensemble")
+        for path in paths:
+            if "{chunk}" in os.fsdecode(path):
+                raise ValueError(
+                    f"ensemble: {os.fsdecode(path)}: a file for each chunk is what polhode "
+                    "ensemble writes; expected one file for all"
+                )
+        if threads is not None and threads < 1:
+            raise ValueError(f"ensemble: threads: got {threads!r}; expected a whole number from 1")
+        if threads is not None and executor is not None:
+            raise ValueError("ensemble: got threads and an executor; expected one of them")
+        return run_ensemble(self, paths, threads, executor, resume, restart, progress)
 
     @property
     def text(self) -> str:
@@ -435,6 +508,14 @@ def _units_of(units: Units | Mapping[str, str] | None) -> Units:
     if not isinstance(given, Mapping) or not set(given) <= set(kinds):
         raise TypeError(f"build: units: got {units!r}; expected Units or a dict of {kinds}")
     return _core.Units(**given)
+
+
+def _several(outputs: Any, function: str) -> list[Path]:
+    if isinstance(outputs, (str, bytes, os.PathLike)):
+        return [outputs]
+    if not isinstance(outputs, Iterable):
+        raise TypeError(f"{function}: outputs: got {outputs!r}; expected a path or several")
+    return list(outputs)
 
 
 def _require_files(paths: Sequence[Path], function: str = "run") -> None:

@@ -99,7 +99,31 @@ def andoyer_section(axes, made):
     assert_allclose(E, made["E"], atol=budgets.gallery_run)
 
 
+def ensemble_fan(axes, made):
+    """Quantiles of the pitch of all draws by SciPy: I2 y'' = -3 n^2 (I1 - I3) sin y cos y."""
+    results = made["results"]
+    (rates_drawn,) = results.drawn.values()
+    n2 = 398600.4418 * 3600**2 / 7178.137**3
+    strength = 3 * n2 * (100 - 20) / 110
+
+    def motion(t, y):
+        pitch, rate = y.reshape(2, -1)
+        return np.concatenate([rate, -strength * np.sin(pitch) * np.cos(pitch)])
+
+    start = np.concatenate([np.zeros(results.size), np.radians(rates_drawn)])
+    t, tolerance = results["t"], budgets.oracle_tolerance
+    y = solve_ivp(motion, (0, t[-1]), start, "DOP853", t_eval=t, rtol=tolerance, atol=tolerance).y
+    pitch = np.degrees(y[: results.size])
+    for p, numbers in results.quantiles("pitch").items():
+        mine = np.quantile(pitch, p, axis=0)
+        assert_allclose(numbers, mine, atol=budgets.gallery_integrated * 90)
+    (median,) = (line for line in axes[0].get_lines())
+    mine = np.median(pitch, axis=0)
+    assert_allclose(median.get_ydata(), mine, atol=budgets.gallery_integrated * 90)
+
+
 CHECKS = {
+    "ensemble_fan": ensemble_fan,
     "phase_plane": phase_plane,
     "time_series": time_series,
     "energy_error": energy_error,

@@ -17,6 +17,7 @@ import public_calls
 import pytest
 import xarray as xr
 from polhode import Scenario, elliptic, satellites, spice
+from scenario_texts import FREE
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -163,6 +164,7 @@ EPOCH = "2000-06-28T00:00:00 UTC"
 
 
 ARGUMENTS = {"at_epoch": [0.0], "rates": [2.0], "multiples": [[1.0]]}
+VARY = {"body.moments[0]": polhode.vary.uniform(0.9, 1.0)}
 SPINNING = polhode.RotorState([1.0, 0.0, 0.0, 0.0], [0.0, 0.1, 3.0])
 
 
@@ -201,6 +203,17 @@ def no_figures(tmp_path):
             Scenario.build,
             {"time": TIMES, "damper_rate": [0.0, 0.0, 0.0]},
             {"system": public_calls.BODY, "state": public_calls.STATE},
+        ),
+        "ensemble": (
+            polhode.ensemble,
+            {"size": 3, "seed": 1, "quantiles": [0.5]},
+            {"scenario": Scenario.from_text(FREE), "vary": VARY},
+        ),
+        "vary.normal": (polhode.vary.normal, {"sigma": 1.0, "mean": 0.0, "low": 0.0}, {}),
+        "vary.joint_normal": (
+            polhode.vary.joint_normal,
+            {"covariance": [[1.0, 0.0], [0.0, 1.0]], "means": [0.0, 0.0]},
+            {},
         ),
         "ephemeris_time": (
             spice.ephemeris_time,

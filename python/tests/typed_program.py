@@ -102,3 +102,18 @@ assert_type(polhode.CompiledSeries(h).at([[1.0, 0.1, 0.2]]), Union[float, Array]
 assert_type(h(G=1.0, k=0.1, g=times), Union[float, Array])
 transform = polhode.LieTransform(h, polhode.Truncation({"k": 1}, 2), ["g"], resonances=[{"g": 2}])
 assert_type(transform.in_mean(h), polhode.Series)
+
+# an ensemble has arrays by name, and scenarios of its members
+scenario = polhode.Scenario.from_text("""
+schema = 1
+body.moments = [1, 2, 2.5]
+state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0.1, 0.2, 1] }
+time = { stop = 1, step = 1 }
+""")
+uniform = polhode.vary.uniform(0.9, 1.1)
+assert_type(uniform, polhode.vary.Distribution)
+ensemble = polhode.ensemble(scenario, {"body.moments[0]": uniform}, size=3)
+assert_type(ensemble, polhode.EnsembleResults)
+assert_type(ensemble["t"], Array)
+assert_type(ensemble.drawn["body.moments[0]"], Array)
+assert_type(ensemble.member(1), polhode.Scenario)

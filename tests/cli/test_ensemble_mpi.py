@@ -11,16 +11,10 @@ import time
 
 import pytest
 from ensemble_files import COLLOCATION, TORQUE, mark, rows_of
+from open_mpi import ENVIRONMENT
 from slowdown import SLOWDOWN
 
 SECONDS = 120 * SLOWDOWN
-# What a container with root alone, two processors and no ssh asks for.
-ENVIRONMENT = {
-    **os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
-    "OMPI_MCA_plm": "isolated", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
-    "TMPDIR": "/tmp",  # sockets have short names
-}
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -9,7 +9,7 @@
 A script of docs/gallery is what a reader copies: its docstring is the title and the caption, and it
 saves one picture of its own name. What it prints goes into the page that has a place for it,
 between the lines MARK and END. Needs the Python package (build/release/python, or PYTHONPATH),
-matplotlib and MuJoCo; the figures of OTHERS need the C++ library, too."""
+matplotlib, corner and MuJoCo; the figures of OTHERS need the C++ library, too."""
 
 import ast
 import contextlib
@@ -40,6 +40,10 @@ SECTIONS = {
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
     "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],
+    "Ensembles": [
+        "ensemble_fan", "ensemble_regimes", "ensemble_corner", "ensemble_outcomes",
+        "ensemble_poles",
+    ],
     "Perturbation theory": ["normal_form", "mean_rotation", "nutation"],
     "Obliquity over ages": [
         "obliquity_series", "obliquity_spectrum", "obliquity_resonances", "chaotic_zones",

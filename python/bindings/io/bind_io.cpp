@@ -180,6 +180,7 @@ void bind_io(nb::module_& m) {
   bind_objects(c);
   bind_run(m, c);
   bind_map(m, c);
+  bind_ensemble(m, c);
   // (start, stop, step or None) of steps and counts; None of a list
   m.def("_save_at_parts", [](const SaveAt& s) -> nb::object {
     if (s.is_list() || s.size() == 0) return nb::none();

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Maps of scenarios. The loop over the cells is the library's and runs in threads of its own; the
-// thread that called waits for it, and alone runs Python: the function that hears of each cell,
-// and handlers of signals.
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <stdexcept>
-#include <thread>
-
+// Maps of scenarios.
 #include "interface/arrays.hpp"
-#include "interface/gil.hpp"
-#include "interface/signals.hpp"
 #include "io/io_parts.hpp"
+#include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/run/map_run.hpp"
 
 namespace polhode::python {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::milliseconds between_looks(20);
 
 // What a map leaves in memory.
 struct Map {
@@ -35,116 +20,13 @@ struct Map {
   std::int64_t rows_before = 0;  // of an earlier part of the map: in its files only
 };
 
-// Between the loop and the thread that waits for it.
-class Loop {
- public:
-  explicit Loop(nb::handle progress) : progress_(progress.is_none() ? nullptr : progress.ptr()) {}
-
-  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
-  // In the loop: goes on when the function has returned; throws where it has not.
-  void reach(std::int64_t cells) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    reached_ = cells;
-    if (progress_ == nullptr) return;
-    changed_.notify_all();
-    changed_.wait(lock, [&] { return told_ == reached_ || is_stopped(); });
-    if (is_stopped()) throw std::runtime_error("the map was stopped");
-  }
-  void end(std::exception_ptr failure) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    failure_ = std::move(failure);
-    ended_ = true;
-    changed_.notify_all();
-  }
-
-  // In the thread that called, without the GIL, until the loop has ended. What Python raises stops
-  // the loop.
-  void wait(std::int64_t of) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    const auto tells = [&] { return progress_ != nullptr && told_ != reached_ && !is_stopped(); };
-    while (!ended_) {
-      changed_.wait_for(lock, between_looks, [&] { return ended_ || tells(); });
-      if (ended_ || is_stopped()) continue;
-      const bool tell = tells();
-      const std::int64_t cells = reached_;
-      lock.unlock();
-      const std::exception_ptr raised = asked(tell, cells, of);
-      lock.lock();
-      if (tell) told_ = cells;
-      if (raised) {
-        raised_ = raised;
-        stopped_ = true;
-      }
-      changed_.notify_all();
-    }
-  }
-  void raise() const {
-    if (raised_) std::rethrow_exception(raised_);
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  std::exception_ptr asked(bool tell, std::int64_t cells, std::int64_t of) {
-    try {
-      if (tell) {
-        const WithGil acquired;
-        staying_put([&] { return nb::handle(progress_)(cells, of); });
-      }
-      ask_signals();
-    } catch (...) {
-      return std::current_exception();
-    }
-    return nullptr;
-  }
-
-  // By the clock, since the thread also wakes for every cell.
-  void ask_signals() {
-    if (!handles_signals_ || Clock::now() - asked_ < between_looks) return;
-    const WithGil acquired;
-    if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    asked_ = Clock::now();  // the GIL may have been waited for
-  }
-
-  PyObject* progress_;
-  bool handles_signals_ = handles_signals();
-  Clock::time_point asked_ = Clock::now();
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::int64_t reached_ = 0;
-  std::int64_t told_ = 0;
-  std::atomic<bool> stopped_ = false;
-  bool ended_ = false;
-  std::exception_ptr raised_;
-  std::exception_ptr failure_;
-};
-
-MapReport report_of(MapRun& run, Loop& loop, std::int64_t cells) {
-  MapReport report;
-  {
-    const WithoutGil released;
-    std::thread thread([&] {
-      std::exception_ptr failure;
-      try {
-        report = run.run();
-      } catch (...) {
-        failure = std::current_exception();
-      }
-      loop.end(std::move(failure));
-    });
-    loop.wait(cells);
-    thread.join();
-  }
-  loop.raise();
-  return report;
-}
-
 Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool resume,
             bool restart, nb::handle progress) {
   const ScenarioMap map(scenario);
   Map result{{}, map.plan().axes.size() + map.width(), map.groups(), map.plan().axes.size(), {}};
   std::vector<std::string> paths;
   for (const nb::handle path : outputs) paths.push_back(path_text(path));
-  Loop loop(progress);
+  WorkLoop loop("the map was stopped", progress);
   const auto begun = [&](RunBegin begin) {
     MapOptions options;
     options.begin = begin;
@@ -158,7 +40,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   std::unique_ptr<MapRun> run = begun(begin_of("map", resume, restart));
   if (run->is_complete()) run = begun(RunBegin::restart);  // its rows are wanted all the same
   result.rows_before = run->rows();
-  result.report = report_of(*run, loop, map.size());
+  loop.do_work(map.size(), [&] { result.report = run->run(); });
   run.reset();  // closes its files
   if (result.rows_before > 0)
     put_first(result.rows,

@@ -34,6 +34,9 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
 
 // The method map of _Scenario, and what it returns.
 void bind_map(nb::module_& m, nb::class_<Scenario>& scenario);
+
+// The method ensemble of _Scenario, the ensemble that it returns, and _kinds_of_table.
+void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario);
 // What resume and restart ask for, and what messages call them.
 RunBegin begin_of(const char* function, bool resume, bool restart);
 BeginWords begin_words();

@@ -9,18 +9,23 @@ from polhode.figures import style
 from polhode.figures.animation import animation
 from polhode.figures.attitude import BodyPicture, attitude_of_body
 from polhode.figures.chaos import chaos_growth, chaos_map
+from polhode.figures.corner_plot import corner_plot
 from polhode.figures.ellipses import orbit_ellipses
 from polhode.figures.energy_error import energy_error
 from polhode.figures.frames import frames_and_angles
 from polhode.figures.momentum_sphere import momentum_sphere
 from polhode.figures.oblate_planet import OblatePlanet
+from polhode.figures.outcomes import outcomes
 from polhode.figures.overview import overview
 from polhode.figures.phase_plane import phase_plane
+from polhode.figures.pole_cloud import pole_cloud
 from polhode.figures.polhode_curves import (
     herpolhode,
     polhode_and_herpolhode,
     polhode_on_ellipsoid,
 )
+from polhode.figures.quantile_fan import quantile_fan
+from polhode.figures.regime_fractions import regime_fractions
 from polhode.figures.run_data import RunData
 from polhode.figures.section import poincare_section
 from polhode.figures.style import DOUBLE_COLUMN, SINGLE_COLUMN, Look, regime_look, save, series
@@ -39,16 +44,21 @@ __all__ = [
     "attitude_of_body",
     "chaos_growth",
     "chaos_map",
+    "corner_plot",
     "energy_error",
     "frames_and_angles",
     "herpolhode",
     "momentum_sphere",
     "orbit_ellipses",
+    "outcomes",
     "overview",
     "phase_plane",
     "poincare_section",
+    "pole_cloud",
     "polhode_and_herpolhode",
     "polhode_on_ellipsoid",
+    "quantile_fan",
+    "regime_fractions",
     "regime_look",
     "save",
     "series",

@@ -26,9 +26,15 @@ SYMBOLS = {
     **{f"W{k}": rf"\Omega_{k}" for k in (1, 2, 3)},
     **{f"w{k}_rel": rf"\omega_{k}^{{\rm rel}}" for k in (1, 2, 3)},
     **{f"phi_{k}": rf"\varphi_{k}" for k in "lgh"},
+    "phi0": r"\phi_0",
+    "psi0": r"\psi_0",
     "dE": r"\Delta E",
 }
-SUBSCRIPT = {"osc": r"{\rm osc}", "rel": r"{\rm rel}"}
+SUBSCRIPT = {
+    **{word: rf"{{\rm {word}}}" for word in ("osc", "rel", "short", "max")},
+    "phi": r"\phi",
+    "psi": r"\psi",
+}
 
 
 def radians_in(unit: str) -> float | None:

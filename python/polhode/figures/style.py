@@ -222,6 +222,12 @@ def panels(
     return given.reshape(rows, columns)
 
 
+def legend_above(ax: Axes, **keywords: Any) -> None:
+    """A legend above the panel, side by side: for panels that are full."""
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, handlelength=1.6,
+              columnspacing=1.2, borderpad=0.2, **keywords)  # fmt: skip
+
+
 def panel_label(ax: Axes, text: str) -> None:
     """Names a panel, as in (a), outside its upper left corner."""
     family = SETTINGS["font.family"]

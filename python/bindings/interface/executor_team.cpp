@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "interface/executor_team.hpp"
+
+#include <cstdint>
+#include <string>
+
+#include "interface/gil.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+// Exceptions of C++ do not cross the frames of Python: they wait here.
+class Ended {
+ public:
+  // Whether f() returned.
+  template <class F>
+  bool returns(const F& f) {
+    const WithoutGil released;  // whoever hears of progress needs it
+    try {
+      f();
+      return true;
+    } catch (...) {
+      thrown_ = std::current_exception();
+      return false;
+    }
+  }
+  void raise() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  std::exception_ptr thrown_;
+};
+
+}  // namespace
+
+void ExecutorTeam::run(TeamWork&, const TeamStage& stage, const Take& take,
+                       const std::function<void()>& look) {
+  Ended ended;
+  {
+    const WithGil acquired;
+    try {
+      staying_put([&] {
+        const nb::object taker = nb::cpp_function([&](std::int64_t cell, const nb::bytes& bytes) {
+          const std::string from(bytes.c_str(), bytes.size());
+          return ended.returns([&] { take(cell, from); });
+        });
+        const nb::object is_stopped = nb::cpp_function([&] { return !ended.returns(look); });
+        return nb::handle(function_)(nb::bytes(stage.bytes.data(), stage.bytes.size()), stage.first,
+                                     stage.count, taker, is_stopped);
+      });
+    } catch (...) {
+      failure_ = std::current_exception();
+      failed_ = true;
+    }
+  }
+  ended.raise();
+  if (has_failed()) look();  // stops
+}
+
+}  // namespace polhode::python

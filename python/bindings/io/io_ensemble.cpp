@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// Ensembles of scenarios, and the keys of their tables as Python's classes are made of them.
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "interface/arrays.hpp"
+#include "interface/signals.hpp"
+#include "interface/executor_team.hpp"
+#include "io/io_parts.hpp"
+#include "io/work_loop.hpp"
+#include "motion/samples.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/ensemble_run.hpp"
+#include "polhode/run/ensemble_work.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "polhode/text/separated.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+constexpr double most_bytes = 0x1p46;  // AddressSanitizer would end the process
+
+// What an ensemble leaves in memory.
+struct Ensemble {
+  std::vector<double> rows;  // one after the other
+  std::size_t width;
+  EnsembleReport report;
+  bool is_whole = true;   // no rows of an earlier part are in the files alone
+  bool was_done = false;  // nothing was left to do
+};
+
+nb::str schema_text(std::string_view words) { return nb::str(words.data(), words.size()); }
+
+bool is_statistics(const ScenarioEnsemble& ensemble) {
+  return ensemble.plan().keep == EnsembleKeep::statistics;
+}
+
+// Room for all rows of all members, so that what does not fit is known before anything runs. No
+// page of it is touched before its rows come.
+void reserve(const ScenarioEnsemble& ensemble, Ensemble& result) {
+  if (is_statistics(ensemble)) return;
+  const double each = ensemble.plan().keep == EnsembleKeep::final
+                          ? 1.0
+                          : static_cast<double>(row_times(ensemble.scenario())->size());
+  const double numbers =
+      each * static_cast<double>(ensemble.size()) * static_cast<double>(result.width);
+  try {
+    if (numbers * double{sizeof(double)} > most_bytes) throw std::bad_alloc();
+    result.rows.reserve(static_cast<std::size_t>(numbers));
+  } catch (const std::bad_alloc&) {
+    PyErr_Format(PyExc_MemoryError,
+                 "ensemble: rows of %lld members do not fit into memory; expected fewer, or "
+                 "another keep: statistics do not grow with the members",
+                 static_cast<long long>(ensemble.size()));
+    throw nb::python_error();
+  }
+}
+
+// `team`: a function that runs a stage on an executor (executor_team.hpp), or None.
+Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs, int threads,
+                      nb::handle team, bool resume, bool restart, nb::handle progress) {
+  Ensemble result{{}, 0, {}};
+  std::vector<std::string> paths;
+  for (const nb::handle path : outputs) paths.push_back(path_text(path));
+  if (resume && !can_read_rows(ensemble.scenario().output.formats, paths))
+    throw DomainError("ensemble: resume=True reads the rows so far from " +
+                      readable_paths(ensemble.scenario().output.formats) +
+                      "; expected one of them");
+  WorkLoop loop("the ensemble was stopped", progress);
+  ExecutorTeam workers(team);
+  EnsembleOptions options;
+  options.begin = begin_of("ensemble", resume, restart);
+  options.words = begin_words();
+  options.threads = threads;
+  if (!team.is_none()) options.team = &workers;
+  options.stop = [&] { return loop.is_stopped() || workers.has_failed(); };
+  options.progress = [&loop](std::int64_t members) { loop.reach(members); };
+  options.extra_sink = std::make_unique<TableSink>(result.rows);
+  EnsembleRun run(ensemble, paths, std::move(options));
+  result.width = row_width(run.groups());
+  result.was_done = run.is_complete();
+  // statistics come at the end
+  result.is_whole = !result.was_done && (!run.continues() || is_statistics(ensemble));
+  if (result.is_whole) reserve(ensemble, result);
+  try {
+    loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
+  } catch (const EnsembleInterrupted&) {
+    workers.raise();  // what they have done is kept
+    throw;
+  }
+  return result;
+}
+
+// What a worker has: the ensemble, and the stage that it computes cells of.
+struct EnsembleWork {
+  std::unique_ptr<TeamWork> work;
+};
+
+nb::bytes cell_of(const EnsembleWork& of, std::int64_t index) {
+  const Progress signals = signal_check();
+  std::string bytes;
+  {
+    const WithoutGil released;
+    bytes = of.work->cell(index, [&] {
+      if (signals) signals(0.0);
+    });
+  }
+  return nb::bytes(bytes.data(), bytes.size());
+}
+
+nb::object ensemble_table(nb::handle_t<Ensemble> self) {
+  const Ensemble& e = nb::cast<const Ensemble&>(self);
+  return view_of(e.rows.data(), e.rows.size() / e.width, e.width * sizeof(double), {e.width}, self);
+}
+
+nb::list ensemble_failures(const Ensemble& e) {
+  nb::list failures;
+  for (const EnsembleReport::Failure& failure : e.report.failures)
+    failures.append(nb::make_tuple(failure.member, failure.why));
+  return failures;
+}
+
+// [(group, [(column, unit), ...]), ...]
+nb::list ensemble_group_list(const ScenarioEnsemble& ensemble) {
+  nb::list groups;
+  for (const ColumnGroup& group : ensemble_groups(ensemble)) {
+    nb::list columns;
+    for (const Column& column : group.columns)
+      columns.append(nb::make_tuple(column.name, column.unit));
+    groups.append(nb::make_tuple(group.name, columns));
+  }
+  return groups;
+}
+
+// (members, keys): what members begin to end - 1 have.
+FloatArray drawn_by(const ScenarioEnsemble& ensemble, std::int64_t begin, std::int64_t end) {
+  const std::size_t width = ensemble.plan().keys().size();
+  const auto numbers = std::make_shared<std::vector<double>>();
+  {
+    const WithoutGil released;
+    for (std::int64_t k = std::max<std::int64_t>(begin, 0); k < std::min(end, ensemble.size());
+         ++k) {
+      const std::vector<double> drawn = ensemble.plan().numbers(k);
+      numbers->insert(numbers->end(), drawn.begin(), drawn.end());
+    }
+  }
+  return view_of(numbers->data(), numbers->size() / width, width * sizeof(double), {width},
+                 keeper(numbers));
+}
+
+const char* keep_word(const ScenarioEnsemble& ensemble) {
+  switch (ensemble.plan().keep) {
+    case EnsembleKeep::final:
+      return "final";
+    case EnsembleKeep::rows:
+      return "rows";
+    default:
+      return "statistics";
+  }
+}
+
+// The kinds of a table: [(kind, what it is, [(key, help, required, fallback, several), ...]), ...],
+// keys in the order of the schema. `several`: a list of values.
+nb::list kinds_of_table(const std::string& table) {
+  const Schema& schema = scenario_schema();
+  nb::list kinds;
+  for (const KindText& kind : schema.kinds) {
+    if (kind.table != table) continue;
+    nb::list keys;
+    for (const Key* key : keys_of(schema, table)) {
+      if (key_name(key->path) == "kind" || !belongs(*key, kind.kind)) continue;
+      keys.append(nb::make_tuple(schema_text(key_name(key->path)), schema_text(key->help),
+                                 is_required(*key, kind.kind), schema_text(key->fallback),
+                                 key->type == KeyType::key_list));
+    }
+    kinds.append(nb::make_tuple(schema_text(kind.kind), schema_text(kind.text), keys));
+  }
+  return kinds;
+}
+
+}  // namespace
+
+void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
+  nb::class_<Ensemble>(m, "_EnsembleRows")
+      .def_prop_ro("table", ensemble_table)
+      .def_prop_ro("is_whole", [](const Ensemble& e) { return e.is_whole; })
+      .def_prop_ro("was_done", [](const Ensemble& e) { return e.was_done; })
+      .def_prop_ro("failed", [](const Ensemble& e) { return e.report.failed; })
+      .def_prop_ro("failures", ensemble_failures);
+  nb::class_<EnsembleWork>(m, "_EnsembleWork")
+      .def(
+          "begin",
+          [](EnsembleWork& of, const nb::bytes& stage) {
+            of.work->begin(std::string(stage.c_str(), stage.size()));
+          },
+          "stage"_a)
+      .def("cell", cell_of, "index"_a);
+  nb::class_<ScenarioEnsemble>(m, "_Ensemble")
+      .def_prop_ro("size", &ScenarioEnsemble::size)
+      .def_prop_ro("seed", [](const ScenarioEnsemble& e) { return e.plan().seed; })
+      .def_prop_ro("keep", keep_word)
+      .def_prop_ro("keys", [](const ScenarioEnsemble& e) { return e.plan().keys(); })
+      .def_prop_ro("key_units", [](const ScenarioEnsemble& e) { return e.plan().units(); })
+      .def_prop_ro("quantiles", [](const ScenarioEnsemble& e) { return e.plan().quantiles; })
+      .def_prop_ro("groups", ensemble_group_list)
+      .def("drawn", drawn_by, "begin"_a, "end"_a)
+      .def("member_text", &ScenarioEnsemble::member_text, "index"_a)
+      .def(
+          "work", [](const ScenarioEnsemble& e) { return new EnsembleWork{ensemble_work(e)}; },
+          nb::rv_policy::take_ownership, nb::keep_alive<0, 1>())
+      .def("run", run_ensemble, "outputs"_a, "threads"_a, "team"_a.none(), "resume"_a, "restart"_a,
+           "progress"_a.none());
+  scenario.def_prop_ro("has_ensemble", [](const Scenario& s) { return s.ensemble.has_value(); });
+  scenario.def(
+      "ensemble", [](const Scenario& s) { return new ScenarioEnsemble(s); },
+      nb::rv_policy::take_ownership);
+  m.def("_kinds_of_table", kinds_of_table, "table"_a);
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+"""What `polhode ensemble` wrote, read back: CSV by itself, HDF5 with h5py."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass
+from typing import Any
+
+import numpy
+
+from polhode._tables import imported
+
+Groups = list[tuple[str, list[tuple[str, str]]]]  # [(group, [(column, unit), ...]), ...]
+_FIRST = ("member", "t", "members")  # HDF5 has its groups by name
+
+
+@dataclass(frozen=True)
+class EnsembleFile:
+    """The rows of a file, and what it says of where they are from."""
+
+    path: str
+    groups: Groups
+    table: Any
+    texts: dict[str, Any]
+    """Columns that are no numbers, dates; their numbers are NaN."""
+    title: str
+    notes: list[str]
+    scenario: str
+    scenario_name: str
+
+
+def read_file(path: str | os.PathLike[str]) -> EnsembleFile:
+    """OSError for what cannot be read, ValueError for what is no file of an ensemble."""
+    name = os.fsdecode(path)
+    with open(name, "rb") as file:
+        is_hdf5 = file.read(8) == b"\x89HDF\r\n\x1a\n"
+    found = _read_hdf5(name) if is_hdf5 else _read_csv(name)
+    if not any(re.match(r"ensemble: \d+ members", note) for note in found.notes):
+        raise ValueError(f"{name}: no file of an ensemble; expected what polhode ensemble wrote")
+    return found
+
+
+def _read_hdf5(path: str) -> EnsembleFile:
+    h5py = imported("h5py", "EnsembleResults.read of an HDF5 file")
+    with h5py.File(path) as file:
+        said = {name: file.attrs[name] for name in file.attrs}
+        groups, parts, texts = [], [], {}
+        for group in [*(g for g in _FIRST if g in file), *(g for g in file if g not in _FIRST)]:
+            columns = [str(name) for name in file[group].attrs["columns"]]
+            groups.append((group, list(zip(columns, map(str, file[group].attrs["units"])))))
+            data = file[group]
+            if data.dtype.kind == "f":
+                parts.append(data[()].reshape(len(data), len(columns)))
+                continue
+            shown = data.asstr()[()].reshape(len(data), len(columns))
+            texts.update((column, shown[:, k].astype("<U26")) for k, column in enumerate(columns))
+            parts.append(numpy.full(shown.shape, numpy.nan))
+    return EnsembleFile(
+        path, groups, numpy.hstack(parts), texts, str(said.get("title", "")),
+        [str(note) for note in said.get("notes", ())], str(said.get("scenario", "")),
+        str(said.get("scenario_name", "")),
+    )
+
+
+def _read_csv(path: str) -> EnsembleFile:
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    head = [line[2:] for line in lines if line.startswith("#")]
+    scenario = [line[2:] for line in head if line.startswith("|")]
+    said = [line for line in head if not line.startswith("|")]
+    rows = [line for line in lines if not line.startswith("#")]
+    names = rows[0].split(",") if rows else []
+    units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", _said(said, "units: ")))
+    table, texts = _numbers(rows[1:], names)
+    return EnsembleFile(
+        path, [(name, [(name, units.get(name, "1"))]) for name in names], table, texts, "", said,
+        "\n".join(scenario) + "\n" * bool(scenario), _said(said, "scenario: "),
+    )
+
+
+def _said(lines: list[str], begin: str) -> str:
+    return next((line[len(begin) :] for line in lines if line.startswith(begin)), "")
+
+
+def _numbers(rows: list[str], names: list[str]) -> tuple[Any, dict[str, Any]]:
+    """A table, and the columns that are texts."""
+    if not rows:
+        return numpy.empty((0, len(names))), {}
+    try:
+        return numpy.loadtxt(rows, delimiter=",", ndmin=2), {}
+    except ValueError:  # a column of dates
+        cells = [row.split(",") for row in rows]
+    columns, texts = [], {}
+    for k, name in enumerate(names):
+        try:
+            columns.append(numpy.array([float(row[k]) for row in cells]))
+        except ValueError:
+            texts[name] = numpy.array([row[k] for row in cells], dtype="<U26")
+            columns.append(numpy.full(len(cells), numpy.nan))
+    return numpy.column_stack(columns), texts

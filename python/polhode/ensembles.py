@@ -1,0 +1,400 @@
+# SPDX-License-Identifier: MIT
+"""Ensembles: many runs of a scenario with some of its numbers drawn, and what is made of them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from polhode import _core, _ensemble_files, _toml, vary
+from polhode.results import _MissingColumn, _same_bits
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    import numpy
+    import numpy.typing
+    import xarray
+
+    from polhode.scenarios import Path, Scenario
+
+    Array = numpy.typing.NDArray[numpy.float64]
+
+
+class EnsembleResults(Mapping[str, "Array"]):
+    """What an ensemble keeps: `results["P_short_mean"]` is a column, a view without a copy.
+
+    Columns are named and have the units as in the files of `polhode ensemble`. By `keep` a row is a
+    time ("statistics"), a member with what was drawn and its last row ("final"), or one row of a
+    member ("rows"). Made by polhode.ensemble and Scenario.ensemble, or read from a file.
+    """
+
+    def __init__(self, given: Mapping[str, Any]) -> None:
+        self._given = dict(given)
+        self._table = given["table"]
+        self._groups = [(group, list(columns)) for group, columns in given["groups"]]
+        self._where: dict[str, int] = {}
+        self._units: dict[str, str] = {}
+        self._spans: dict[str, slice] = {}
+        for group, columns in self._groups:
+            first = len(self._where)
+            for name, unit in columns:
+                self._where[name] = len(self._where)
+                self._units[name] = unit
+            self._spans[group] = slice(first, len(self._where))
+        self._members: Any = None  # the ensemble of C++, once it is asked for
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> EnsembleResults:
+        """What `polhode ensemble` or a call from Python wrote into a file, CSV or HDF5.
+
+        HDF5 needs the package h5py. A file that is not complete yet, PATH.part, has what is done.
+        OSError for a file that cannot be read, ValueError for one that is not of an ensemble.
+        """
+        file = _ensemble_files.read_file(path)
+        noted = "\n".join(file.notes)
+        sizes = re.search(r"^ensemble: (\d+) members", noted, re.MULTILINE)
+        names = [name for _, columns in file.groups for name, _ in columns]
+        keys = _keys_in(file.notes, names)
+        keep = "statistics" if "member" not in names else "final" if keys else "rows"
+        file.table.flags.writeable = False
+        return cls({
+            "scenario": None, "file": (file.scenario, file.scenario_name, file.path),
+            "title": file.title, "groups": file.groups, "table": file.table, "texts": file.texts,
+            "keep": keep, "size": int(sizes[1]) if sizes else 0, "keys": keys, "failures": None,
+        })
+
+    def __getitem__(self, name: str) -> Array:
+        try:
+            place = self._where[name]
+        except (KeyError, TypeError):
+            raise _MissingColumn(self._missing(name)) from None
+        return self._texts[name] if name in self._texts else self._table[:, place]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._where)
+
+    def __len__(self) -> int:
+        return len(self._where)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._where)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, EnsembleResults):
+            return NotImplemented
+        return self._units == other._units and all(
+            _same_bits(self[name], other[name]) for name in self
+        )
+
+    @property
+    def _texts(self) -> dict[str, Any]:
+        """Columns that are dates, made when they are asked for."""
+        import numpy
+
+        if self._given["texts"] is None:
+            file, texts = self.scenario._file, {}
+            for name in set(file.date_columns) & set(self._where):
+                shown = file.dates(self._table[:, self._where[name]].tolist())
+                texts[name] = numpy.array(shown, dtype="<U26")
+                texts[name].flags.writeable = False
+            self._given["texts"] = texts
+        return self._given["texts"]
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of all columns."""
+        return tuple(self._where)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each column; "1" for pure numbers."""
+        return dict(self._units)
+
+    @property
+    def groups(self) -> dict[str, Array]:
+        """Columns that belong together, as views: "q" is (N, 4), "t" (N,). Of a CSV file, which
+        does not say it, every column by itself."""
+        return {
+            group: self[columns[0][0]] if len(columns) == 1 else self._table[:, self._spans[group]]
+            for group, columns in self._groups
+        }
+
+    @property
+    def keep(self) -> str:
+        """"statistics", "final" or "rows"."""
+        return self._given["keep"]
+
+    @property
+    def size(self) -> int:
+        """How many members there are, those that failed included."""
+        return self._given["size"]
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was run, with its table [ensemble]; of a file, the scenario inside."""
+        if self._given["scenario"] is None:
+            from polhode.scenarios import Scenario
+
+            text, name, path = self._given["file"]
+            beside = os.path.join(os.path.dirname(path), name)
+            self._given["scenario"] = Scenario.from_text(text, beside)
+        return self._given["scenario"]
+
+    @property
+    def failures(self) -> list[tuple[int, str]]:
+        """(member, why) of those that could not be or could not go on, the first 20 of them.
+
+        They have no part in statistics. A file knows how many there are and not why:
+        AttributeError; member(k), or its run, says it.
+        """
+        if self._given["failures"] is None:
+            raise AttributeError(
+                "failures: a file does not say why members failed; results.failed is how many, "
+                "results.member(k), or its run, says it of one"
+            )
+        return list(self._given["failures"])
+
+    @property
+    def failed(self) -> int:
+        """How many members could not be or could not go on."""
+        import numpy
+
+        if self._given["failures"] is not None:
+            return self._given["failed"]
+        if self.keep == "statistics":
+            return self.size - int(self["members"].max(initial=0.0))
+        if self.keep == "final":
+            return int(numpy.count_nonzero(numpy.isnan(self["t"])))
+        return self.size - len(numpy.unique(self["member"]))
+
+    @property
+    def drawn(self) -> dict[str, Array]:
+        """What was drawn for each key that varies: arrays (size,) in the order of the members, in
+        the units that the keys have in the file."""
+        if self.keep == "final" and len(self._table) == self.size:
+            return {key: self[key] for key in self._given["keys"]}
+        ensemble = self._ensemble()
+        numbers = ensemble.drawn(0, self.size)
+        return {key: numbers[:, k] for k, key in enumerate(ensemble.keys)}
+
+    def member(self, index: int) -> Scenario:
+        """The scenario of one member, from 0 on: what `polhode ensemble --member` prints. Its run
+        gives the numbers that the ensemble had, to the last bit. ValueError for another index."""
+        from polhode.scenarios import Scenario
+
+        return Scenario.from_text(self._ensemble().member_text(index), self.scenario._file.path)
+
+    def quantiles(self, column: str) -> dict[float, Array]:
+        """Of statistics: the quantiles of a column against time, by their probability.
+
+        KeyError for a column that has none.
+        """
+        found = quantiles_in(self, column)
+        if not found:
+            raise _MissingColumn(
+                f"no quantiles of \"{column}\"; these results have them of "
+                f"{', '.join(columns_with_quantiles(self)) or 'none'}"
+            )
+        return found
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The columns as an xarray.Dataset; units and what they are as attributes of the variables.
+
+        Statistics lie along t, last rows along member, rows along member and t, NaN where a member
+        has none. Where rows of one number are at different times (an event stopped a member
+        between two rows) the second dimension is `row`, and t a coordinate along both.
+        """
+        from polhode._ensemble_xarray import dataset
+
+        notes = {"title": self._title(), "scenario": self._name(), "size": self.size}
+        keys = self._given["keys"]
+        return dataset(dict(self), self._units, keys, self.keep, self.size, notes)
+
+    def _ensemble(self) -> Any:
+        if self._members is None:
+            self._members = self.scenario._file.ensemble()
+        return self._members
+
+    def _name(self) -> str:
+        named = self._given["scenario"]
+        return self._given["file"][1] if named is None else named.name
+
+    def _title(self) -> str:
+        named = self._given["scenario"]
+        return self._given["title"] if named is None else named.title
+
+    def _missing(self, name: object) -> str:
+        has = f"these results have {', '.join(self._where)}"
+        if not isinstance(name, str):
+            return f"got {name!r}; expected the name of a column: {has}"
+        import difflib
+
+        near = difflib.get_close_matches(name, self._where, n=3)
+        mean = f"did you mean {' or '.join(near)}? " if near else ""
+        return f"no column \"{name}\"; {mean}{has}"
+
+    def __repr__(self) -> str:
+        rows = {
+            "statistics": "statistics at {} times", "final": "last rows of {} members",
+            "rows": "{} rows of the members",
+        }[self.keep].format(len(self._table))
+        columns = [
+            f"{name} [{unit}]" if unit != "1" else name for name, unit in self._units.items()
+        ]
+        shown = ", ".join(columns[:12]) + (", ..." if len(columns) > 12 else "")
+        failed = f"; {self.failed} members failed" if self.failed else ""
+        title = self._title() or self._name()
+        return f"<EnsembleResults: {title}: {self.size} members; {rows}: {shown}{failed}>"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _restored, ({**self._given, "table": self._table.copy()},)
+
+
+def _restored(given: dict[str, Any]) -> EnsembleResults:
+    given["table"].flags.writeable = False
+    return EnsembleResults(given)
+
+
+def _keys_in(notes: Sequence[str], names: Sequence[str]) -> list[str]:
+    """The keys that vary, of those that are columns."""
+    said = [note[8:] for note in notes if note.startswith("varied: ")]
+    of_notes = [key for note in said for key in note.partition(": ")[0].split(", ")]
+    return [key for key in of_notes if key in names]
+
+
+def columns_with_quantiles(columns: Iterable[str]) -> list[str]:
+    """The columns of rows that statistics have quantiles of."""
+    found = (re.fullmatch(r"(.+)_p[0-9.e+-]+", name) for name in columns)
+    return list(dict.fromkeys(match[1] for match in found if match))
+
+
+def quantiles_in(columns: Mapping[str, Any], column: str) -> dict[float, Any]:
+    """Probability -> quantiles of a column, in the order of the probabilities."""
+    found = {}
+    for name in columns:
+        match = re.fullmatch(re.escape(column) + r"_p([0-9.e+-]+)", name)
+        if match:
+            found[float(f"{float(match[1]) / 100:.12g}")] = columns[name]
+    return dict(sorted(found.items()))
+
+
+def with_ensemble(scenario: Scenario, vary_: Any, keys: Mapping[str, Any]) -> Scenario:
+    """See Scenario.with_ensemble."""
+    from polhode.scenarios import Scenario
+
+    given = {key: value for key, value in keys.items() if value is not None}
+    text, table = scenario.text, {}
+    if scenario._file.has_ensemble:
+        table = _toml.data_from(text)["ensemble"]
+        text = _core._changed_text(text, "ensemble", "")
+    table.update(given)
+    if vary_ is not None:
+        table["vary"] = vary.tables_of(vary_)
+    tables = _toml.text_from({"ensemble": table}).strip("\n")
+    return Scenario.from_text(text.rstrip("\n") + "\n\n" + tables + "\n", scenario._file.path)
+
+
+def run_ensemble(
+    scenario: Scenario,
+    paths: Sequence[Path],
+    threads: int | None,
+    executor: Executor | None,
+    resume: bool,
+    restart: bool,
+    progress: Callable[[int, int], object] | None,
+) -> EnsembleResults:
+    """The ensemble of a scenario; see Scenario.ensemble."""
+    ensemble = scenario._file.ensemble()
+    team = None
+    if executor is not None:
+        from polhode._ensemble_team import team_of
+
+        team = team_of(executor, scenario._file)
+    done = ensemble.run(list(paths), threads or 0, team, resume, restart, progress)
+    groups = ensemble.groups
+    # what an earlier part wrote is in its files alone
+    table, texts = (done.table, None) if done.is_whole else _in_files(groups, paths)
+    results = EnsembleResults({
+        "scenario": scenario, "file": None, "title": "", "groups": groups, "table": table,
+        "texts": texts, "keep": ensemble.keep, "size": ensemble.size,
+        "keys": ensemble.keys if ensemble.keep == "final" else [],
+        "failed": done.failed, "failures": None if done.was_done else done.failures,
+    })
+    results._members = ensemble
+    return results
+
+
+def _in_files(groups: Any, paths: Sequence[Path]) -> tuple[Any, dict[str, Any]]:
+    """The rows in the first file that can be read, in the order of these columns; and the texts."""
+    import numpy
+
+    names = [os.fsdecode(path) for path in paths]
+    found = EnsembleResults.read(next(name for name in names if name.endswith((".csv", ".h5"))))
+    order = [found._where[name] for _, columns in groups for name, _ in columns]
+    table = numpy.ascontiguousarray(found._table[:, order])
+    table.flags.writeable = False
+    return table, found._texts
+
+
+def ensemble(
+    scenario: Scenario | Path,
+    vary: Mapping[Any, vary.Distribution] | None = None,
+    outputs: Path | Iterable[Path] = (),
+    *,
+    size: int | None = None,
+    seed: int | None = None,
+    keep: str | None = None,
+    quantiles: Sequence[float] | None = None,
+    threads: int | None = None,
+    executor: Executor | None = None,
+    resume: bool = False,
+    restart: bool = False,
+    progress: Callable[[int, int], object] | None = None,
+    **others: Any,
+) -> EnsembleResults:
+    """Many runs of a scenario with some of its numbers drawn: its members, and what they have in
+    common.
+
+    Parameters
+    ----------
+    scenario : a Scenario, or the path of its file.
+    vary : what is drawn, by key: {"body.moments[0]": polhode.vary.uniform(0.60, 0.63)}. Several
+        keys that are drawn together stand in a tuple, and an array by its name. None: what the
+        table [ensemble] of the scenario says.
+    outputs : PATH.csv or PATH.h5, one or several, as those of Scenario.map.
+    size : how many members.
+    seed : another one draws other members.
+    keep : "statistics" of the members at each time, memory not growing with them; "final", what was
+        drawn and the last row of each member; "rows", all rows of all.
+    quantiles : which ones statistics have, from 0 to 1.
+    threads, executor, resume, restart, progress : as in Scenario.ensemble.
+    others : further keys of the table [ensemble] of scenario files, such as draws="sobol".
+
+    What is None is what the scenario says, or the default of scenario files. The same numbers as
+    `polhode ensemble` gives of the same file, to the last bit, for any number of threads
+    and whoever computes them.
+
+    Returns
+    -------
+    EnsembleResults
+        A mapping of columns. `.failures` are the members that could not be, `.member(k)` is the
+        scenario of one, `.scenario` that of the ensemble, which `polhode ensemble` runs as well.
+
+    ScenarioError for a key that does not exist or cannot vary and for what is no distribution;
+    else as Scenario.ensemble.
+    """
+    from polhode.scenarios import Scenario, load
+
+    of = scenario if isinstance(scenario, Scenario) else load(scenario)
+    keys = {"size": size, "seed": seed, "keep": keep, "quantiles": quantiles, **others}
+    if vary is not None or any(value is not None for value in keys.values()):
+        of = of.with_ensemble(vary, **keys)
+    return of.ensemble(
+        outputs, threads=threads, executor=executor, resume=resume, restart=restart,
+        progress=progress,
+    )
