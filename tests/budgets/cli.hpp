@@ -71,4 +71,12 @@ inline constexpr double ensemble_statistics = 1e-12;
 inline constexpr double ensemble_frechet = 1e-2;
 inline constexpr double ensemble_spreading = 1e-3;
 
+// --- examples of ensembles (tests/cli/test_ensemble_examples.py) ---
+// A clone of Apophis against SciPy's DOP853, 360 h: quaternion, rad/h.
+inline constexpr double apophis_clone = 1e-7;
+// A clone of Mars after 1 Myr against it, on splines through the same elements: deg.
+inline constexpr double mars_clone = 1e-5;
+// Spins of a sphere under eddy currents against their mean decay, of the first.
+inline constexpr double debris_spin = 1e-3;
+
 }  // namespace polhode::budget
