@@ -71,4 +71,11 @@ inline constexpr double ensemble_statistics = 1e-12;
 inline constexpr double ensemble_frechet = 1e-2;
 inline constexpr double ensemble_spreading = 1e-3;
 
+// --- the model of a cluster (tests/tools/test_cluster_cost.py): sums that are exact but for
+// rounding; the leader at its bound, and where it is not; its memory; counts beside draws; sizes
+// and times as measured ---
+inline constexpr double cluster_even = 1e-12, cluster_bound = 0.01, cluster_model = 0.06;
+inline constexpr double cluster_waiting = 0.05, cluster_scatter = 0.05, cluster_counts = 0.02;
+inline constexpr double cluster_size = 0.15, cluster_merge = 0.2;
+
 }  // namespace polhode::budget
