@@ -5,8 +5,10 @@ options they give exist and configure a source distribution."""
 import ast
 import contextlib
 import importlib.util
+import pathlib
 import re
 import shutil
+import subprocess
 import tarfile
 
 import pytest
@@ -117,6 +119,28 @@ def test_spack(root, recipes, needed, source, tmp_path):
     for io in (True, False):
         package.define_from_variant = lambda name, variant, io=io: package.define(name, io)
         configures(source[1], tmp_path / str(io), package.cmake_args())
+
+
+def test_container(root, needed, tmp_path, polhode):
+    """Debian's packages of build and program, and that what is copied is enough to configure."""
+    build, program = (root / "packaging/container/Containerfile").read_text().split("\nFROM ")[1:]
+    installed = [set(part.split("--no-install-recommends")[1].split("&&")[0].split())
+                 for part in (build, program)]
+    assert needed - {"python3-dev"} | {"libopenmpi-dev", "cmake", "ninja-build"} <= installed[0]
+    context = tmp_path / "polhode"
+    context.mkdir()
+    for names, to in re.findall(r"^COPY ([^-\n]+) /polhode/(\S*)$", build, re.MULTILINE):
+        for name in names.split():
+            copy = shutil.copytree if (root / name).is_dir() else shutil.copy
+            copy(root / name, context / to)
+    configures(context, tmp_path / "build", re.findall(r"-D\w+=\w+", build))
+    if not pathlib.Path("/etc/debian_version").read_text().startswith("12"):
+        return  # names of another Debian
+    loaded = subprocess.run(["objdump", "-p", polhode], capture_output=True, text=True, check=True)
+    for library in re.findall(r"NEEDED +(\S+)", loaded.stdout):
+        said = subprocess.run(["dpkg", "-S", library], capture_output=True, text=True, check=True)
+        owners = {line.split(":")[0] for line in said.stdout.splitlines()}
+        assert owners & (installed[1] | {"libc6", "libgcc-s1"}), library  # of every Debian
 
 
 def test_a_release_fills_everything_in(root, recipes, source, tmp_path):
