@@ -71,7 +71,6 @@ inline constexpr double ensemble_statistics = 1e-12;
 inline constexpr double ensemble_frechet = 1e-2;
 inline constexpr double ensemble_spreading = 1e-3;
 
-<<<<<<< HEAD
 // --- examples of ensembles (tests/cli/test_ensemble_examples.py) ---
 // A clone of Apophis against SciPy's DOP853, 360 h: quaternion, rad/h.
 inline constexpr double apophis_clone = 1e-7;
@@ -79,13 +78,12 @@ inline constexpr double apophis_clone = 1e-7;
 inline constexpr double mars_clone = 1e-5;
 // Spins of a sphere under eddy currents against their mean decay, of the first.
 inline constexpr double debris_spin = 1e-3;
-=======
+
 // --- the model of a cluster (tests/tools/test_cluster_cost.py): sums that are exact but for
 // rounding; the leader at its bound, and where it is not; its memory; counts beside draws; sizes
 // and times as measured ---
 inline constexpr double cluster_even = 1e-12, cluster_bound = 0.01, cluster_model = 0.06;
 inline constexpr double cluster_waiting = 0.05, cluster_scatter = 0.05, cluster_counts = 0.02;
 inline constexpr double cluster_size = 0.15, cluster_merge = 0.2;
->>>>>>> cluster
 
 }  // namespace polhode::budget
