@@ -2,11 +2,12 @@
 """The examples of ensembles, small: members against SciPy, closed forms and what was published."""
 
 import math
+import subprocess
+import sys
 
 import budgets
 import numpy
 import pytest
-import tomllib
 from closeness import assert_allclose
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
@@ -40,6 +41,8 @@ def columns(text):
 @pytest.fixture
 def member(run, root, tmp_path):
     """member("NAME", 5) -> its file, read by tomllib, and the columns of its run."""
+
+    tomllib = pytest.importorskip("tomllib")
 
     def go(name, index, **changes):
         path, out = tmp_path / f"{index}.toml", tmp_path / f"{index}.csv"
@@ -186,3 +189,11 @@ def test_fragments_that_are_spheres_slow_down_in_closed_form(ensemble):
         spin = numpy.array([rows[name][of] for name in ("W1", "W2", "W3")])
         expected = spin[:, :1] * numpy.exp(-decay[:, None] * rows["t"][of])
         assert_allclose(spin, expected, atol=budgets.debris_spin * 0.3)
+
+
+def test_the_fragments_are_those_of_the_program(root, tmp_path):
+    subprocess.run([sys.executable, root / "examples/debris-cloud.py"], cwd=tmp_path, check=True,
+                   stdout=subprocess.DEVNULL)
+    made, kept = ((folder / "debris-cloud.csv").read_text(encoding="utf-8")
+                  for folder in (tmp_path, root / "examples"))
+    assert made == kept
