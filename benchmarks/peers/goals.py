@@ -89,6 +89,16 @@ def beside_heyoka(case):
     return found
 
 
+def beside_at_equal_error(goal, theirs):
+    """By the quickest setting that errs no more than three times as much."""
+    def found(medians):
+        for peer in medians.of(goal, theirs):
+            close = [e["value"] for e in medians.of(goal, "polhode...", peer["case"])
+                     if e["error"] <= 3 * peer["error"]]
+            yield from (peer["value"] / t for t in sorted(close)[:1])
+    return found
+
+
 GOALS = (
     Goal("G1", "many times at once, 1300 times as fast as Boost.Math",
          ratios("G1", LANES, BOOST), 1300),
@@ -125,6 +135,11 @@ GOALS = (
          unit="rad"),
     Goal("G10", "a body of eight, 2.5 times as fast as heyoka's batch",
          ratios("G9", "polhode integrate_many of 8, default", "heyoka, batch of 8, 2.2e-16"), 2.5),
+    Goal("ensemble", "64 variants of W1, 8 times as fast as heyoka's ensemble of its integrator, "
+         "at an error up to three times its own",
+         beside_at_equal_error("ensemble", "heyoka ensemble_propagate_until, 2.2e-16"), 8),
+    Goal("ensemble", "2.5 times as fast as its ensemble of the batch",
+         beside_at_equal_error("ensemble", "heyoka ensemble_propagate_until_batch, 2.2e-16"), 2.5),
     Goal("G11", "the axis of one body of many for a Myr, to 1e-7 rad after 100: 0.024 ms",
          quickest("G11", "polhode spin_histories...", 1e-7, 1e3), most=0.024, unit="ms"),
     Goal("G12", "a new body of a million, within 100 turns: 30 ns",

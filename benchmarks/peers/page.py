@@ -48,6 +48,11 @@ orbits: one with moments of mass of degree 3 and e = 0.3, one with a magnetic mo
 a tilted dipole, and one in sunlight that a planet eclipses: heyoka has an integrator each for
 light, penumbra and umbra, and is told when which begins, which polhode finds in the run.""",
      ("G9", "G10")),
+    ("Ensembles", """\
+64 variants of W1, each to its end, as users run them: `polhode ensemble` of a table of starts
+(`keep = "final"`), with the start of the program and its files, heyoka's
+`ensemble_propagate_until` and its batch, and a loop over SciPy. Time is that of a member, on one
+thread; the error is the median over eight of them.""", ("ensemble",)),
     ("Envisat, a year", """\
 [The example](../examples/envisat.md), gravity gradient and eddy currents on an orbit that
 precesses, 1.4 million rad, beside heyoka with the same equations written by hand; the error is the

@@ -15,6 +15,7 @@ import time
 
 import bodies
 import energy
+import ensembles
 import envisat
 import machine
 import mars
@@ -96,6 +97,10 @@ class Report:
         self.curves["Envisat, a year"] = {"points": points, "compilation": {}}
         self._points("G14", "Envisat, a year, tolerance", points)
 
+    def ensembles(self):
+        points = ensembles.measured(self.options, self.miss)
+        self._points("ensemble", f"{ensembles.MEMBERS} variants of W1, tolerance", points)
+
     def steps(self):
         points = steps.measured(self.options, PROGRAMS / "peers_errors", self.miss)
         self.curves["Free rotation over 100 turns"] = {"points": points, "compilation": {}}
@@ -163,7 +168,8 @@ def programs(report):
 
 PARTS = {"native": programs, "bodies": Report.bodies, "perturbed": Report.perturbed,
          "orbits": Report.orbits, "obliquity": Report.obliquity, "envisat": Report.envisat,
-         "steps": Report.steps, "java": Report.torque_free, "alone": Report.alone}
+         "ensembles": Report.ensembles, "steps": Report.steps, "java": Report.torque_free,
+         "alone": Report.alone}
 
 
 def main():

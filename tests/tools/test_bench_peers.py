@@ -3,6 +3,7 @@
 
 import json
 import math
+import subprocess
 import sys
 
 import pytest
@@ -81,6 +82,14 @@ def test_repetitions_are_interleaved(peers):
     assert "".join(order) == "abcabab"
     assert [len(t.seconds) for t in found] == [3, 3, 1]
     assert all(math.isfinite(t.median) and t.median >= 0 for t in found)
+
+
+def test_programs_that_have_ended_are_counted(peers):
+    def run():
+        subprocess.run([sys.executable, "-c", "sum(range(3000000))"], check=True)
+        return 1, None
+    timed, = peers.timing.interleaved([peers.timing.Contender("a program", "", run)], 1)
+    assert timed.median > 0.02  # python alone takes as long to start
 
 
 def test_the_page_says_where_polhode_is_slower(peers, entries):
@@ -166,3 +175,13 @@ def test_the_shadow_of_a_case_is_entered_and_left_in_order(peers):
     assert all(a[0] < b[0] for a, b in zip(moved, moved[1:], strict=False))
     assert 0 < moved[0][0] - edges[0][0] < 1e-5 * (edges[1][0] - edges[0][0])
     assert 0 > moved[1][0] - edges[1][0]
+
+
+def test_ensembles_are_compared_at_equal_error(peers):
+    entries = [median("ensemble", "64", "heyoka e, 1e-15", 8.0, 1e-10),
+               median("ensemble", "64", "polhode ensemble, default", 4.0, 1e-11),
+               median("ensemble", "64", "polhode ensemble, 1e-10", 2.0, 2e-10),
+               median("ensemble", "64", "polhode ensemble, 1e-9", 1.0, 4e-10)]
+    found = peers.goals.beside_at_equal_error("ensemble", "heyoka e, 1e-15")
+    assert list(found(peers.goals.Medians(entries))) == [4.0]
+    assert list(found(peers.goals.Medians([entries[0], entries[3]]))) == []

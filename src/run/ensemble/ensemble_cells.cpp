@@ -175,6 +175,10 @@ void EnsembleCells::begin(const std::string& stage) {
                                                   : ""));
   chunk_files_ = stage_.chunk_files;
   if (stage_.pilots || !frame_) return;
+  // The leader's own: its bins stay those that it merges into, which are then alike at a glance.
+  StateBytes own;
+  frame_->transfer(own);
+  if (own.bytes() == stage_.frame) return;
   StateBytes frame(stage_.frame);
   frame_->transfer(frame);
 }
