@@ -75,12 +75,20 @@ struct EnsembleReport {
   struct Drawn {  // of a key, over all members
     double mean, deviation, least, greatest;
   };
+  struct FirstTimes {  // of an event
+    std::string event;
+    double part;  // of the members that did not fail to which it happened
+    // By when it had happened to so many of them, for each of the quantiles of the plan; NaN where
+    // fewer ever had it. In the unit of time of the file.
+    std::vector<double> times;
+  };
 
   std::int64_t members = 0;
   std::int64_t failed = 0;
   std::vector<Failure> failures;   // the first 20
   std::vector<Drawn> drawn;        // in the order of the keys of the plan
   std::vector<double> statistics;  // the last row of these; empty where other things are kept
+  std::vector<FirstTimes> events;  // beside statistics
 };
 
 class EnsembleRun {

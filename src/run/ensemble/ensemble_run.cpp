@@ -102,6 +102,7 @@ class EnsembleRun::Parts {
       compute();
       if (frame_) waiting_ = statistics_->rows();
       if (frame_) report_.statistics.assign(waiting_.end() - width(), waiting_.end());
+      if (frame_) report_.events = statistics_->first_times();
       push_waiting();
       for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
       outputs_.forget();

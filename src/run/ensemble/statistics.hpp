@@ -3,18 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "polhode/ensemble/attitude_moments.hpp"
 #include "polhode/ensemble/attitude_spread.hpp"
+#include "polhode/ensemble/first_events.hpp"
 #include "polhode/ensemble/fractions.hpp"
 #include "polhode/ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
-#include "polhode/run/ensemble.hpp"
+#include "polhode/run/ensemble_run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
+#include "run/ensemble/member_numbers.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,8 +35,10 @@ struct StatisticsColumns {
   };
   std::vector<Number> numbers;
   std::vector<Attitude> attitudes;
-  std::vector<Number> modes;  // of the regimes of free rotation
+  std::vector<Number> modes;   // of the regimes of free rotation
+  std::vector<Number> events;  // when each first happened
 
+  std::vector<MemberNumber> fractions;  // of the plan
   explicit StatisticsColumns(const ScenarioEnsemble& ensemble);
 };
 
@@ -54,6 +58,13 @@ class StatisticsFrame {
   // A number of a row; an angle within half a turn of that of the base.
   double number(const StatisticsColumns::Number& of, std::size_t epoch, double x) const;
 
+  // Any number of a member of which `rows` stand at these times; NaN where it has none then. When
+  // an event first happened it has on after its end, too.
+  double number(const MemberNumber& of, const EnsembleMember& member, std::size_t rows,
+                std::size_t epoch) const;
+  // Whether a number lies in a fraction of the plan.
+  bool is_in(std::size_t fraction, double x) const;
+
   // Whether every number is kept.
   bool is_exact() const { return exact_ > 0; }
   // The first members, from which bins and references are taken; 0: none are needed.
@@ -64,6 +75,16 @@ class StatisticsFrame {
   void finish_pilots();
 
   Quantiles empty_quantiles(std::size_t number, std::size_t epoch) const;
+  // Of times as they come along a run: see first_time.
+  FirstEvents empty_events() const;
+  // When an event first happened to a member, and the first epoch by which it had; none: never.
+  struct FirstTime {
+    double along;  // in the direction of the run: -t backwards
+    std::size_t epoch;
+  };
+  std::optional<FirstTime> first_time(const StatisticsColumns::Number& event,
+                                      const EnsembleMember& member) const;
+  bool is_backwards() const { return times_.back() < times_.front(); }
   const Quaternion& reference(std::size_t attitude, std::size_t epoch) const {
     return references_[attitude * epochs() + epoch];
   }
@@ -101,11 +122,16 @@ class RowStatistics {
   void merge(const RowStatistics& later);
   // One row of groups() for each epoch.
   std::vector<double> rows() const;
+  // When the events came, over all members.
+  std::vector<EnsembleReport::FirstTimes> first_times() const;
   void transfer(StateBytes& bytes);
 
  private:
   void add_attitudes(std::int64_t first, std::span<const EnsembleMember> members,
                      std::span<const std::size_t> rows);
+  void add_fractions(std::int64_t first, std::span<const EnsembleMember> members,
+                     std::span<const std::size_t> rows);
+  void add_events(std::int64_t first, std::span<const EnsembleMember> members);
 
   const StatisticsFrame* frame_;
   std::vector<std::int64_t> counts_;  // members at each epoch
@@ -113,6 +139,9 @@ class RowStatistics {
   std::vector<Quantiles> quantiles_;
   std::vector<AttitudeSpread> attitudes_;
   std::vector<Fractions> modes_;
+  std::vector<Fractions> parts_;  // without and within
+  std::vector<FirstEvents> events_;
+  std::vector<std::int64_t> happened_;  // by event and epoch: since the epoch before
 };
 
 }  // namespace detail

@@ -57,6 +57,32 @@ constexpr Key keys[] = {
      .help = "Members that are reduced together by one thread. The last digits of statistics "
              "depend on it, and on nothing else of how an ensemble is run. Left out: a 64th of "
              "size, 1 at least and 1024 at most."},
+    {.path = "ensemble.indicators",
+     .type = choices,
+     .allowed = "mean_megno|lyapunov",
+     .example = "[\"mean_megno\", \"lyapunov\"]",
+     .help = "Indicators of chaos, as those of [map]: columns of the rows of each member, from "
+             "t = 0 up to the time of the row. They take two to five times as long as the rest of "
+             "a run. Of kind \"rotation\" without a damper, rows on one side of t = 0."},
+    {.path = "ensemble.fraction[]",
+     .help = "Statistics have a column NAME_part: which part of the members whose column is a "
+             "number has it from low on and below high."},
+    {.path = "ensemble.fraction[].name",
+     .type = name,
+     .presence = required,
+     .example = "\"librating\"",
+     .help = "What outputs call it."},
+    {.path = "ensemble.fraction[].column",
+     .type = text,
+     .presence = required,
+     .example = "\"g\"",
+     .help = "A column of the rows of a member."},
+    {.path = "ensemble.fraction[].low",
+     .type = number,
+     .example = "-90",
+     .help = "In the unit of the column; left out: none. An angle with both bounds lies between "
+             "them if it does so whole turns apart; with one, as its row has it."},
+    {.path = "ensemble.fraction[].high", .type = number, .example = "90", .help = "As low."},
     {.path = "ensemble.vary[]",
      .presence = required,
      .help = "What the members differ in. What is drawn for a key depends on the seed, the keys of "
