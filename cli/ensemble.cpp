@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -35,7 +36,7 @@ struct EnsembleOfFile : ManyRuns {
 
 std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
-// Mean and deviation of each column at the last time.
+// Mean and deviation of the first columns at the last time, and what was asked for by name.
 std::string last_statistics(const std::vector<ColumnGroup>& groups,
                             const std::vector<double>& row) {
   std::string text;
@@ -45,9 +46,15 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
     const double* const numbers = row.data() + place;
     place += columns.size();
     if (group.name == "t") text += fmt::format("at t = {:.10g} {}\n", numbers[0], columns[0].unit);
+    if (columns.size() == 2 && columns[1].name.ends_with("_part"))
+      text +=
+          fmt::format("  {:<15} {:.4g} of {:.0f} members\n", group.name, numbers[1], numbers[0]);
     const bool is_number = columns.size() > 4 && columns[1].name == group.name + "_mean";
     const bool is_mode = columns[0].name == group.name + "_SAM";
-    if ((!is_number && !is_mode) || ++shown > columns_shown) continue;
+    if ((!is_number && !is_mode) || ++shown > columns_shown) {
+      if (shown == columns_shown + 1 && (is_number || is_mode)) text += "  ...\n";
+      continue;
+    }
     if (is_mode)
       text += fmt::format("  {:<15} {:.4g} SAM, {:.4g} LAM, {:.4g} others\n", group.name,
                           numbers[0], numbers[1], numbers[2]);
@@ -56,7 +63,17 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
           fmt::format("  {:<15} {:.10g} +- {:.4g}{}, {:.10g} to {:.10g}\n", group.name, numbers[1],
                       numbers[2], with_unit(columns[1].unit), numbers[3], numbers[4]);
   }
-  return shown > columns_shown ? text + "  ...\n" : text;
+  return text;
+}
+
+// "part 0.87 of the members, 0.05 by 1.2 h, 0.5 by 17 h"
+std::string event_text(const EnsembleReport::FirstTimes& of, const std::vector<double>& quantiles,
+                       const std::string& unit) {
+  std::string text = fmt::format("{}: part {:.4g} of the members", of.event, of.part);
+  for (std::size_t i = 0; i < quantiles.size(); ++i)
+    if (!std::isnan(of.times[i]))
+      text += fmt::format(", {:.10g} by {:.10g} {}", quantiles[i], of.times[i], unit);
+  return text;
 }
 
 // How many members there are, what was drawn, what they have become, and why some have not.
@@ -70,6 +87,11 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
                         d.mean, d.deviation, with_unit(units[i]), d.least, d.greatest);
   }
   if (!report.statistics.empty()) text += last_statistics(groups, report.statistics);
+  for (const EnsembleReport::FirstTimes& event : report.events)
+    text += fmt::format("event             {}\n", event_text(event, ensemble.plan().quantiles,
+                                                             ensemble.scenario().units().time()));
+  for (const EnsembleReport::Histogram& histogram : report.histograms)
+    text += fmt::format("histogram         {}: {}\n", histogram.name, histogram.path);
   if (report.failed == 0) return text;
   text +=
       fmt::format("failed            {}, left out; polhode ensemble FILE --member K runs one:\n",

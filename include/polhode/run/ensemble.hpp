@@ -6,8 +6,11 @@
 // Units       those of the scenario; drawn numbers in the units that their keys have in it.
 // Domain      any kind of experiment with [time]. A member is the scenario with its numbers; which
 //             numbers these are depends on the seed and its index alone. Rows of a member that an
-//             event stops end there.
-// Accuracy    that of the method. rows(k) are those of a run of member_text(k), to the last bit.
+//             event stops end there. Behind the columns of its run they have one for each event:
+//             EVENT_first, when it first happened, NaN before and where it has not; and the
+//             indicators of chaos that the plan asks for.
+// Accuracy    that of the method. What rows have of the run is that of a run of member_text(k), to
+//             the last bit.
 // Errors      ScenarioError for what is no ensemble. A member that cannot be (a chart refuses its
 //             numbers) or cannot go on says why. DomainError for an index outside.
 // Cost        its run, and some 20 us to make the experiment again: text is not read twice, and
@@ -49,6 +52,8 @@ class ScenarioEnsemble {
   std::int64_t size() const { return plan().size; }
   // The columns of the rows of a member, t first.
   const std::vector<ColumnGroup>& row_groups() const;
+  // The names of the events that have a column, in its order.
+  const std::vector<std::string>& events() const;
 
   // From any thread. What `progress` throws passes through.
   EnsembleMember member(std::int64_t index, const Progress& progress = {}) const;

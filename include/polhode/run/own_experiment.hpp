@@ -46,6 +46,8 @@ OwnExperiment own_experiment(std::string kind, const ExperimentContext& at, Mode
     throw DomainError("own_experiment: " + kind + ": got no columns; expected one or more");
   at.require_method(FrozenModel<M>);
   const SaveAt& rows = at.rows();
+  std::vector<std::string> event_names;
+  for (const BasicEvent<S>& event : of.events) event_names.push_back(event.name);
   const BasicProblem<M> problem{std::move(of.model),   of.initial,  0.0,
                                 rows[rows.size() - 1], at.method(), std::move(of.events)};
   const auto write = [columns = of.columns, row = std::move(of.row), units = at.units()](
@@ -69,6 +71,7 @@ OwnExperiment own_experiment(std::string kind, const ExperimentContext& at, Mode
           .method = at.method(),
           .facts = std::move(of.facts),
           .has_events = !problem.events.empty(),
+          .event_names = std::move(event_names),
           .identity = detail::state_bytes(problem.initial),
           .maker = std::make_shared<const detail::RowsMaker>(detail::RowsMaker{std::move(run)})};
 }

@@ -14,10 +14,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "polhode/ensemble/draws.hpp"
+#include "polhode/ensemble/quantiles.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -34,6 +36,30 @@ struct EnsembleVaried {
   double scale = 1.0;  // the length of a vector; the unit of angles in radians
 };
 
+// What one table [[ensemble.fraction]] asks: low <= x < high, an angle modulo a turn where it has
+// both bounds.
+struct EnsembleFraction {
+  std::string name;
+  std::string column;  // of the rows of a member
+  std::optional<double> low, high;
+};
+
+// Columns of the rows of a member that its run does not have
+// (polhode/analysis/chaos_indicator.hpp).
+enum class EnsembleIndicator { mean_megno, lyapunov };
+
+// One table [[ensemble.histogram]].
+struct EnsembleHistogram {
+  struct Axis {
+    std::string column;  // of the rows of a member, or a key that varies
+    std::int64_t bins;
+    std::optional<Bounds> bounds;  // none: taken from the members
+  };
+  std::string name;
+  std::vector<Axis> axes;  // one or two
+  bool at_all_times;       // or at the last one alone
+};
+
 struct EnsemblePlan {
   std::int64_t size;
   std::uint64_t seed;
@@ -42,6 +68,9 @@ struct EnsemblePlan {
   std::int64_t chunk;
   std::vector<double> quantiles;
   std::int64_t bins;
+  std::vector<EnsembleFraction> fractions;
+  std::vector<EnsembleIndicator> indicators;
+  std::vector<EnsembleHistogram> histograms;
   std::vector<EnsembleVaried> varied;  // as the keys of `draws`
   Draws draws;
 

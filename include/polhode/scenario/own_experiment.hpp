@@ -52,6 +52,7 @@ struct OwnExperiment {
   // Further facts, which take time to find: asked for when they are shown.
   std::function<std::vector<OwnFact>()> more_facts = nullptr;
   bool has_events = false;
+  std::vector<std::string> event_names = {};  // where they are known beforehand
   std::string identity = {};  // bytes of the state at t = 0: a run is continued with the same alone
   std::shared_ptr<const detail::RowsMaker> maker = nullptr;
   // In place of a model: the numbers of the columns at a time, in core units.

@@ -10,6 +10,8 @@
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
 #include "run/ensemble/lockstep.hpp"
+#include "run/ensemble/member_columns.hpp"
+#include "run/ensemble/member_numbers.hpp"
 #include "run/ensemble/member_text.hpp"
 #include "scenario/prepared_base.hpp"
 
@@ -54,7 +56,9 @@ struct ScenarioEnsemble::Parts {
       : scenario(std::move(read)),
         keys(scenario.ensemble->keys()),
         base(scenario, keys),
+        added(scenario),
         groups(polhode::row_groups(scenario)) {
+    for (ColumnGroup& group : added.groups()) groups.push_back(std::move(group));
     const bool is_closed = is_closed_form(scenario.experiment);
     if (is_closed || detail::goes_in_lockstep(scenario.experiment))
       layout.emplace(row_layout(scenario));
@@ -68,24 +72,34 @@ struct ScenarioEnsemble::Parts {
     if (!times.empty() && is_closed_form(experiment)) {
       member.rows.resize(times.size() * layout->width());
       layout->write_rows(free_rotation(std::get<Rotation>(experiment)), times, member.rows);
+      added.add(experiment, {}, progress, member);
       return;
     }
     const Scenario own{scenario.document, experiment, scenario.output};
     std::unique_ptr<Sink> sink = std::make_unique<RowSink>(member.rows);
-    const RunReport report = detail::run_rows(own, {&sink, 1}, {.progress = progress});
-    if (!report.outcome.ok()) member.failure = report.outcome.advice;
+    RunReport report;
+    try {
+      report = detail::run_rows(own, {&sink, 1}, {.progress = progress});
+      if (!report.outcome.ok()) member.failure = report.outcome.advice;
+    } catch (const DomainError& error) {
+      member.failure = error.what();
+    }
+    added.add(experiment, report, progress, member);
   }
 
   Scenario scenario;
   std::vector<std::string> keys;
   detail::PreparedBase base;
+  detail::MemberColumns added;
   std::vector<ColumnGroup> groups;
   std::optional<RowLayout> layout;  // of members that are not run one by one as files are
   std::vector<double> times;        // where the motion has a closed form
 };
 
 ScenarioEnsemble::ScenarioEnsemble(Scenario scenario)
-    : parts_(std::make_unique<Parts>(with_ensemble(std::move(scenario)))) {}
+    : parts_(std::make_unique<Parts>(with_ensemble(std::move(scenario)))) {
+  detail::require_known_columns(*this);
+}
 
 ScenarioEnsemble::ScenarioEnsemble(std::string_view text, const std::string& name,
                                    const Kinds& kinds)
@@ -95,6 +109,7 @@ ScenarioEnsemble::~ScenarioEnsemble() = default;
 
 const Scenario& ScenarioEnsemble::scenario() const { return parts_->scenario; }
 const std::vector<ColumnGroup>& ScenarioEnsemble::row_groups() const { return parts_->groups; }
+const std::vector<std::string>& ScenarioEnsemble::events() const { return parts_->added.events(); }
 
 EnsembleMember ScenarioEnsemble::member(std::int64_t index, const Progress& progress) const {
   detail::require_member(*this, index);
@@ -130,6 +145,8 @@ std::vector<EnsembleMember> ScenarioEnsemble::members(std::int64_t begin, std::i
   for (std::size_t k = 0; k < made.size(); ++k)
     going.push_back({&std::get<Rotation>(made[k]), &all[places[k]]});
   detail::run_in_lockstep(going, *parts_->layout, progress);
+  for (std::size_t k = 0; k < made.size(); ++k)
+    parts_->added.add(made[k], {}, progress, all[places[k]]);
   return all;
 }
 

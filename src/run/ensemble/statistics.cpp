@@ -79,6 +79,14 @@ RowStatistics::RowStatistics(const StatisticsFrame& frame) : frame_(&frame) {
   for (std::size_t i = 0; i < columns.attitudes.size(); ++i)
     for (std::size_t e = 0; e < epochs; ++e) attitudes_.emplace_back(frame.reference(i, e));
   modes_.assign(columns.modes.size() * epochs, Fractions(classes));
+  parts_.assign(columns.fractions.size() * epochs, Fractions(2));
+  events_.assign(columns.events.size(), frame.empty_events());
+  happened_.assign(columns.events.size() * epochs, 0);
+  for (std::size_t h = 0; h < columns.histograms.size(); ++h)
+    for (std::size_t k = 0; k < frame.histogram_times(h); ++k) {
+      if (k == 0) histograms_.emplace_back();
+      histograms_[h].push_back(frame.empty_histogram(h, k));
+    }
 }
 
 // Time after time, so that what is kept of one stays near while all members come.
@@ -111,6 +119,39 @@ void RowStatistics::add(std::int64_t first, std::span<const EnsembleMember> memb
         modes_[i * epochs + e].add(member, class_of(mode));
       });
   if (!columns.attitudes.empty()) add_attitudes(first, members, rows);
+  add_fractions(first, members, rows);
+  add_events(first, members);
+  add_to_histograms(first, members, rows);
+}
+
+void RowStatistics::add_fractions(std::int64_t first, std::span<const EnsembleMember> members,
+                                  std::span<const std::size_t> rows) {
+  const std::vector<MemberNumber>& fractions = frame_->columns().fractions;
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+    for (std::size_t e = 0; e < frame_->epochs(); ++e)
+      for (std::size_t m = 0; m < members.size(); ++m) {
+        if (!members[m].failure.empty()) continue;
+        const double x = frame_->number(fractions[i], members[m], rows[m], e);
+        if (std::isnan(x)) continue;
+        parts_[i * frame_->epochs() + e].add(first + static_cast<std::int64_t>(m),
+                                             frame_->is_in(i, x) ? 1 : 0);
+      }
+}
+
+// Members whose run has ended count on: what had not happened to them never does.
+void RowStatistics::add_events(std::int64_t first, std::span<const EnsembleMember> members) {
+  const std::vector<StatisticsColumns::Number>& events = frame_->columns().events;
+  for (std::size_t i = 0; i < events.size(); ++i)
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (!members[m].failure.empty()) continue;
+      const auto time = frame_->first_time(events[i], members[m]);
+      if (!time) {
+        events_[i].add_without();
+        continue;
+      }
+      events_[i].add(first + static_cast<std::int64_t>(m), time->along);
+      ++happened_[i * frame_->epochs() + time->epoch];
+    }
 }
 
 // In the lanes of the processor where all members have all times.
@@ -141,6 +182,11 @@ void RowStatistics::merge(const RowStatistics& later) {
   merge_all(quantiles_, later.quantiles_);
   merge_all(attitudes_, later.attitudes_);
   merge_all(modes_, later.modes_);
+  merge_all(parts_, later.parts_);
+  merge_all(events_, later.events_);
+  for (std::size_t k = 0; k < happened_.size(); ++k) happened_[k] += later.happened_[k];
+  for (std::size_t h = 0; h < histograms_.size(); ++h)
+    merge_all(histograms_[h], later.histograms_[h]);
 }
 
 std::vector<double> RowStatistics::rows() const {
@@ -149,6 +195,7 @@ std::vector<double> RowStatistics::rows() const {
   const Units& units = frame_->ensemble().scenario().units();
   const std::size_t epochs = frame_->epochs();
   std::vector<double> all;
+  std::vector<std::int64_t> happened(events_.size(), 0);  // by now
   for (std::size_t e = 0; e < epochs; ++e) {
     all.insert(all.end(), {frame_->time(e), static_cast<double>(counts_[e])});
     for (std::size_t i = 0; i < columns.attitudes.size(); ++i)
@@ -160,6 +207,32 @@ std::vector<double> RowStatistics::rows() const {
     }
     for (std::size_t i = 0; i < columns.modes.size(); ++i)
       for (int k = 0; k < classes; ++k) all.push_back(modes_[i * epochs + e].fraction(k));
+    for (std::size_t i = 0; i < columns.fractions.size(); ++i) {
+      const Fractions& part = parts_[i * epochs + e];
+      all.insert(all.end(), {static_cast<double>(part.count()), part.fraction(1)});
+    }
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+      happened[i] += happened_[i * epochs + e];
+      all.push_back(static_cast<double>(happened[i]) / static_cast<double>(events_[i].count()));
+    }
+  }
+  return all;
+}
+
+std::vector<EnsembleReport::FirstTimes> RowStatistics::first_times() const {
+  std::vector<EnsembleReport::FirstTimes> all;
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    const FirstEvents& of = events_[i];
+    EnsembleReport::FirstTimes found{
+        frame_->ensemble().events()[i],
+        static_cast<double>(of.times().count()) / static_cast<double>(of.count()),
+        {}};
+    for (const double p : frame_->ensemble().plan().quantiles) {
+      const std::optional<Bounded> time = of.count() > 0 ? of.time_of(p) : std::nullopt;
+      const double t = time ? time->value : nan;
+      found.times.push_back(frame_->is_backwards() ? -t : t);
+    }
+    all.push_back(std::move(found));
   }
   return all;
 }
@@ -170,6 +243,10 @@ void RowStatistics::transfer(StateBytes& bytes) {
   transfer_all(bytes, quantiles_);
   transfer_all(bytes, attitudes_);
   transfer_all(bytes, modes_);
+  transfer_all(bytes, parts_);
+  transfer_all(bytes, events_);
+  bytes(happened_);
+  for (std::vector<MemberHistogram>& of_times : histograms_) transfer_all(bytes, of_times);
 }
 
 }  // namespace detail

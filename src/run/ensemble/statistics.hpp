@@ -3,18 +3,21 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "polhode/ensemble/attitude_moments.hpp"
 #include "polhode/ensemble/attitude_spread.hpp"
+#include "polhode/ensemble/first_events.hpp"
 #include "polhode/ensemble/fractions.hpp"
 #include "polhode/ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
-#include "polhode/run/ensemble.hpp"
+#include "polhode/run/ensemble_run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
+#include "run/ensemble/member_histogram.hpp"
+#include "run/ensemble/member_numbers.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,8 +36,11 @@ struct StatisticsColumns {
   };
   std::vector<Number> numbers;
   std::vector<Attitude> attitudes;
-  std::vector<Number> modes;  // of the regimes of free rotation
+  std::vector<Number> modes;   // of the regimes of free rotation
+  std::vector<Number> events;  // when each first happened
 
+  std::vector<MemberNumber> fractions;                // of the plan
+  std::vector<std::vector<MemberNumber>> histograms;  // the axes of each
   explicit StatisticsColumns(const ScenarioEnsemble& ensemble);
 };
 
@@ -54,6 +60,26 @@ class StatisticsFrame {
   // A number of a row; an angle within half a turn of that of the base.
   double number(const StatisticsColumns::Number& of, std::size_t epoch, double x) const;
 
+  // Any number of a member of which `rows` stand at these times; NaN where it has none then. When
+  // an event first happened it has on after its end, too.
+  double number(const MemberNumber& of, const EnsembleMember& member, std::size_t rows,
+                std::size_t epoch) const;
+  // Whether a number lies in a fraction of the plan.
+  bool is_in(std::size_t fraction, double x) const;
+
+  // A histogram is of so many times; the epoch of each.
+  std::size_t histogram_times(std::size_t histogram) const;
+  std::size_t histogram_epoch(std::size_t histogram, std::size_t time) const {
+    return times_.size() - histogram_times(histogram) + time;
+  }
+  // A number of a member on an axis: an angle whole turns apart, so that it lies in the bins, or
+  // else next to that of the base.
+  double on_axis(std::size_t histogram, std::size_t axis, const EnsembleMember& member,
+                 std::size_t rows, std::size_t epoch) const;
+  MemberHistogram empty_histogram(std::size_t histogram, std::size_t time) const;
+  // The columns of its file.
+  std::vector<ColumnGroup> histogram_groups(std::size_t histogram) const;
+
   // Whether every number is kept.
   bool is_exact() const { return exact_ > 0; }
   // The first members, from which bins and references are taken; 0: none are needed.
@@ -64,6 +90,16 @@ class StatisticsFrame {
   void finish_pilots();
 
   Quantiles empty_quantiles(std::size_t number, std::size_t epoch) const;
+  // Of times as they come along a run: see first_time.
+  FirstEvents empty_events() const;
+  // When an event first happened to a member, and the first epoch by which it had; none: never.
+  struct FirstTime {
+    double along;  // in the direction of the run: -t backwards
+    std::size_t epoch;
+  };
+  std::optional<FirstTime> first_time(const StatisticsColumns::Number& event,
+                                      const EnsembleMember& member) const;
+  bool is_backwards() const { return times_.back() < times_.front(); }
   const Quaternion& reference(std::size_t attitude, std::size_t epoch) const {
     return references_[attitude * epochs() + epoch];
   }
@@ -78,15 +114,21 @@ class StatisticsFrame {
     double least, greatest;
   };
   void require_room() const;
+  double histogram_bytes() const;
+  // Of all histograms and their times; where one begins.
+  std::size_t histogram_axes() const;
+  std::size_t first_axis(std::size_t histogram, std::size_t time) const;
+  void add_to_axes(const EnsembleMember& member);
 
   const ScenarioEnsemble& ensemble_;
   StatisticsColumns columns_;
   std::size_t width_;
-  std::vector<double> times_;  // as rows have them
-  double turn_;                // in the unit of angles
-  std::int64_t exact_;         // numbers that quantiles keep; 0: bins from the start
-  std::vector<double> base_;   // angles of the base, by number and epoch
-  std::vector<Range> ranges_;  // of pilots, by number and epoch
+  std::vector<double> times_;       // as rows have them
+  double turn_;                     // in the unit of angles
+  std::int64_t exact_;              // numbers that quantiles keep; 0: bins from the start
+  std::vector<double> base_;        // angles of the base, by number and epoch
+  std::vector<Range> ranges_;       // of pilots, by number and epoch
+  std::vector<Range> axis_ranges_;  // of pilots, by histogram, time and axis
   std::vector<AttitudeMoments> pilot_attitudes_;
   std::vector<Quaternion> references_;  // by attitude and epoch
   std::vector<Bins> bins_;              // by number and epoch; one of all while all is exact
@@ -101,11 +143,19 @@ class RowStatistics {
   void merge(const RowStatistics& later);
   // One row of groups() for each epoch.
   std::vector<double> rows() const;
+  // When the events came, over all members.
+  std::vector<EnsembleReport::FirstTimes> first_times() const;
+  std::vector<EnsembleReport::Histogram> histograms() const;
   void transfer(StateBytes& bytes);
 
  private:
   void add_attitudes(std::int64_t first, std::span<const EnsembleMember> members,
                      std::span<const std::size_t> rows);
+  void add_fractions(std::int64_t first, std::span<const EnsembleMember> members,
+                     std::span<const std::size_t> rows);
+  void add_events(std::int64_t first, std::span<const EnsembleMember> members);
+  void add_to_histograms(std::int64_t first, std::span<const EnsembleMember> members,
+                         std::span<const std::size_t> rows);
 
   const StatisticsFrame* frame_;
   std::vector<std::int64_t> counts_;  // members at each epoch
@@ -113,6 +163,10 @@ class RowStatistics {
   std::vector<Quantiles> quantiles_;
   std::vector<AttitudeSpread> attitudes_;
   std::vector<Fractions> modes_;
+  std::vector<Fractions> parts_;  // without and within
+  std::vector<FirstEvents> events_;
+  std::vector<std::int64_t> happened_;  // by event and epoch: since the epoch before
+  std::vector<std::vector<MemberHistogram>> histograms_;  // by time
 };
 
 }  // namespace detail

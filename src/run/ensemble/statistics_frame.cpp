@@ -8,38 +8,27 @@
 #include <variant>
 
 #include "polhode/error.hpp"
+#include "run/ensemble/member_columns.hpp"
+#include "run/ensemble/member_histogram.hpp"
 #include "run/ensemble/statistics.hpp"
-#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_exact = 8e6;         // numbers that are kept, of all columns and times
 constexpr double most_bytes = 2147483648;  // of the statistics of one chunk
 constexpr double margin = 0.5;             // of bins, in ranges of the pilots, on either side
 constexpr std::int64_t part_of_pilots = 8;
 constexpr std::int64_t most_for_bins = 1024, most_for_attitudes = 64;  // of them
-
-const char* const axis_pairs[] = {"11", "12", "13", "22", "23", "33"};
+constexpr std::int64_t most_first_times = 1'000'000;                   // of an event, that are kept
+constexpr int event_bins = 10'000;                                     // beyond
 
 bool is_attitude(const ColumnGroup& group) {
   return group.name == "q" || group.name == "q_inertial";
-}
-
-// "P_phi_p5", "P_phi_p97.5"
-std::string quantile_name(const std::string& column, double p) {
-  return column + fmt::format("_p{:.10g}", 100.0 * p);
-}
-
-// Wide enough for doubles to lie between the edges.
-Bins bins_over(double least, double greatest, int count) {
-  const double size = std::max(std::fabs(least), std::fabs(greatest));
-  const double finest = 4.0 * std::numeric_limits<double>::epsilon() * size * count;
-  const double beyond = std::max(margin * (greatest - least), size > 0.0 ? finest : 1.0);
-  return Bins::linear(least - beyond, greatest + beyond, count);
 }
 
 }  // namespace
@@ -49,13 +38,29 @@ StatisticsColumns::StatisticsColumns(const ScenarioEnsemble& ensemble) {
   const bool is_rotation = std::holds_alternative<Rotation>(scenario.experiment);
   const std::string angle = scenario.units().label(Dimension::angle);
   std::size_t place = 0;
+  const auto is_event = [&](const ColumnGroup& group) {
+    return std::ranges::any_of(ensemble.events(), [&](const std::string& event) {
+      return group.name == first_time_name(event);
+    });
+  };
   for (const ColumnGroup& group : ensemble.row_groups()) {
+    if (is_event(group)) {
+      events.push_back({group.columns[0], place++, false});
+      continue;
+    }
     if (is_rotation && is_attitude(group)) attitudes.push_back({group.name, place});
     for (const Column& column : group.columns) {
       const Number one{column, place++, column.unit == angle};
       if (place == 1 || column.is_date || (is_rotation && is_attitude(group))) continue;
       (is_rotation && column.name == "mode" ? modes : numbers).push_back(one);
     }
+  }
+  for (const EnsembleFraction& fraction : ensemble.plan().fractions)
+    fractions.push_back(*member_number(ensemble, fraction.column));
+  for (const EnsembleHistogram& histogram : ensemble.plan().histograms) {
+    std::vector<MemberNumber>& axes = histograms.emplace_back();
+    for (const EnsembleHistogram::Axis& axis : histogram.axes)
+      axes.push_back(*member_number(ensemble, axis.column));
   }
 }
 
@@ -76,6 +81,7 @@ StatisticsFrame::StatisticsFrame(const ScenarioEnsemble& ensemble)
   references_.assign(columns_.attitudes.size() * epochs(), Quaternion{});
   if (pilots() == 0) return;
   ranges_.assign(is_exact() ? 0 : base_.size(), {infinity, -infinity});
+  if (!is_exact()) axis_ranges_.assign(histogram_axes(), {infinity, -infinity});
   pilot_attitudes_.resize(references_.size());
 }
 
@@ -87,7 +93,8 @@ void StatisticsFrame::require_room() const {
       of_number * static_cast<double>(is_exact() ? ensemble_.plan().chunk : ensemble_.plan().bins);
   const double bytes =
       rows * (static_cast<double>(columns_.numbers.size()) * (of_moments + of_quantiles) +
-              static_cast<double>(columns_.attitudes.size()) * of_attitude);
+              static_cast<double>(columns_.attitudes.size()) * of_attitude) +
+      histogram_bytes();
   if (bytes > most_bytes)
     throw DomainError(ensemble_.scenario().document.name + ": ensemble: statistics of " +
                       fmt::format("{:.3g} rows and {} columns take {:.3g} GB for each chunk", rows,
@@ -113,6 +120,26 @@ double StatisticsFrame::number(const StatisticsColumns::Number& of, std::size_t 
   const auto index = static_cast<std::size_t>(&of - columns_.numbers.data());
   const double base = base_[index * epochs() + epoch];
   return std::fabs(x - base) <= 0.5 * turn_ ? x : base + std::remainder(x - base, turn_);
+}
+
+double StatisticsFrame::number(const MemberNumber& of, const EnsembleMember& member,
+                               std::size_t rows, std::size_t epoch) const {
+  using enum MemberNumber::From;
+  if (of.from == drawn) return member.drawn[of.place];
+  if (of.from == event && member.rows.size() >= width_) {
+    const double t = member.rows[member.rows.size() - width_ + of.place];
+    return (is_backwards() ? t >= times_[epoch] : t <= times_[epoch]) ? t : nan;
+  }
+  return epoch < rows ? member.rows[epoch * width_ + of.place] : nan;
+}
+
+bool StatisticsFrame::is_in(std::size_t fraction, double x) const {
+  const EnsembleFraction& of = ensemble_.plan().fractions[fraction];
+  if (columns_.fractions[fraction].is_angle && of.low && of.high) {
+    const double beyond = x - *of.low;
+    return beyond - turn_ * std::floor(beyond / turn_) < *of.high - *of.low;
+  }
+  return (!of.low || x >= *of.low) && (!of.high || x < *of.high);
 }
 
 void StatisticsFrame::set_base(const EnsembleMember& base) {
@@ -145,6 +172,7 @@ void StatisticsFrame::add_pilot(std::int64_t index, const EnsembleMember& member
       pilot_attitudes_[i * epochs() + e].add(index, Quaternion{q[0], q[1], q[2], q[3]});
     }
   }
+  if (!axis_ranges_.empty()) add_to_axes(member);
 }
 
 void StatisticsFrame::finish_pilots() {
@@ -155,7 +183,7 @@ void StatisticsFrame::finish_pilots() {
   bins_.clear();
   if (is_exact()) bins_.push_back(Bins::linear(-1.0, 1.0, 1));
   for (const auto& [least, greatest] : ranges_)
-    bins_.push_back(least <= greatest ? bins_over(least, greatest, count)
+    bins_.push_back(least <= greatest ? bins_over(least, greatest, margin, count)
                                       : Bins::linear(-1.0, 1.0, count));
 }
 
@@ -163,68 +191,33 @@ Quantiles StatisticsFrame::empty_quantiles(std::size_t number, std::size_t epoch
   return {is_exact() ? bins_[0] : bins_[number * epochs() + epoch], exact_};
 }
 
-std::vector<ColumnGroup> StatisticsFrame::groups() const {
-  const EnsemblePlan& plan = ensemble_.plan();
-  const std::string angle = ensemble_.scenario().units().label(Dimension::angle);
-  const std::string squared = angle == "1" ? "1" : angle + "2";
-  std::vector<ColumnGroup> all = {ensemble_.row_groups().front(), {"members", {{"members", "1"}}}};
-  for (const StatisticsColumns::Attitude& attitude : columns_.attitudes) {
-    const std::string& name = attitude.group;
-    ColumnGroup group{name, {{name + "_members", "1"}}};
-    for (const char* part : {"w", "x", "y", "z"})
-      group.columns.push_back({name + "_mean_" + part, "1"});
-    for (const char* pair : axis_pairs) group.columns.push_back({name + "_cov_" + pair, squared});
-    group.columns.push_back({name + "_mean_error", angle});
-    group.columns.push_back({name + "_cov_error", squared});
-    all.push_back(std::move(group));
-  }
-  for (const StatisticsColumns::Number& number : columns_.numbers) {
-    const auto& [name, unit, is_date] = number.column;
-    ColumnGroup group{name, {{name + "_members", "1"}}};
-    for (const char* what : {"_mean", "_deviation", "_least", "_greatest"})
-      group.columns.push_back({name + what, unit});
-    for (const double p : plan.quantiles) group.columns.push_back({quantile_name(name, p), unit});
-    if (!is_exact()) group.columns.push_back({name + "_p_error", unit});
-    all.push_back(std::move(group));
-  }
-  for (const StatisticsColumns::Number& mode : columns_.modes) {
-    ColumnGroup group{mode.column.name, {}};
-    for (const char* what : {"_SAM", "_LAM", "_other"})
-      group.columns.push_back({mode.column.name + what, "1"});
-    all.push_back(std::move(group));
-  }
-  return all;
+FirstEvents StatisticsFrame::empty_events() const {
+  const double a = is_backwards() ? -times_.front() : times_.front();
+  const double b = is_backwards() ? -times_.back() : times_.back();
+  return {Bins::linear(a, b > a ? b : a + 1.0, event_bins), most_first_times};
 }
 
-std::vector<std::string> StatisticsFrame::notes() const {
-  const EnsemblePlan& plan = ensemble_.plan();
-  std::vector<std::string> notes;
-  if (std::any_of(columns_.numbers.begin(), columns_.numbers.end(),
-                  [](const auto& one) { return one.is_angle; }))
-    notes.push_back("angles: within half a turn of those of the file's own run");
-  if (is_exact())
-    notes.push_back("quantiles: of all numbers");
-  else
-    notes.push_back(fmt::format(
-        "quantiles: from {} bins over the range of the first {} members and half of it on either "
-        "side; _p_error bounds the error of those of a row",
-        plan.bins, pilots()));
-  if (!columns_.attitudes.empty())
-    notes.push_back(
-        "attitudes: Frechet mean, covariance of the rotation vectors about it in body axes; "
-        "_mean_error and _cov_error bound what one step leaves, and are infinite where nothing "
-        "bounds it");
-  return notes;
+std::optional<StatisticsFrame::FirstTime> StatisticsFrame::first_time(
+    const StatisticsColumns::Number& event, const EnsembleMember& member) const {
+  if (member.rows.size() < width_) return std::nullopt;
+  const double t = member.rows[member.rows.size() - width_ + event.place];
+  if (std::isnan(t)) return std::nullopt;
+  const auto before = [&](double a, double b) { return is_backwards() ? a > b : a < b; };
+  const auto epoch = std::lower_bound(times_.begin(), times_.end(), t, before);
+  return FirstTime{is_backwards() ? -t : t, static_cast<std::size_t>(epoch - times_.begin())};
 }
 
 void StatisticsFrame::transfer(StateBytes& bytes) {
   bytes.all(base_, references_);
-  std::vector<double> ends;
-  for (const Range& range : ranges_) ends.insert(ends.end(), {range.least, range.greatest});
-  bytes(ends);
+  for (std::vector<Range>* const all : {&ranges_, &axis_ranges_}) {
+    std::vector<double> ends;
+    for (const Range& range : *all) ends.insert(ends.end(), {range.least, range.greatest});
+    bytes(ends);
+    if (!bytes.reads()) continue;
+    if (ends.size() != 2 * all->size()) throw DomainError("a checkpoint of other statistics");
+    for (std::size_t k = 0; k < all->size(); ++k) (*all)[k] = {ends[2 * k], ends[2 * k + 1]};
+  }
   if (!bytes.reads()) return;
-  if (ends.size() != 2 * ranges_.size()) throw DomainError("a checkpoint of other statistics");
-  for (std::size_t k = 0; k < ranges_.size(); ++k) ranges_[k] = {ends[2 * k], ends[2 * k + 1]};
   pilot_attitudes_.clear();
   finish_pilots();
 }

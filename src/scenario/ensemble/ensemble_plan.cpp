@@ -8,6 +8,7 @@
 
 #include "polhode/error.hpp"
 #include "scenario/ensemble/vary.hpp"
+#include "scenario/ensemble/wanted.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 
@@ -143,6 +144,9 @@ EnsemblePlan ensemble_plan(const EnsembleContext& at, const Experiment& experime
           chunk,
           quantiles_of(at),
           whole_in(at, "ensemble.bins", 1, most_bins, "from 1 to 1e6"),
+          wanted_fractions(at),
+          wanted_indicators(at, experiment),
+          wanted_histograms(at),
           std::move(varied),
           std::move(draws)};
 }

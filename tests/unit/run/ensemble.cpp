@@ -107,6 +107,28 @@ TEST(ScenarioEnsemble, AMemberIsTheScenarioOfItsText) {
   }
 }
 
+// Alone, and beside others in lanes.
+TEST(ScenarioEnsemble, AddedColumnsAreThoseOfTheMemberAlone) {
+  std::string wanted = varied;
+  wanted.replace(wanted.find("size"), 4, "indicators = [\"mean_megno\", \"lyapunov\"]\nsize");
+  const std::string event = "[[event]]\nname = \"e\"\ncolumn = \"w1\"\nstops = true\n";
+  for (const std::string& extra : {std::string(), torque, event, torque + event}) {
+    const ScenarioEnsemble ensemble(body + extra + wanted, "e.toml");
+    const std::size_t width = row_width(ensemble.row_groups());
+    EXPECT_EQ(ensemble.events().size(), extra.ends_with(event) ? 1U : 0U);
+    EXPECT_EQ(ensemble.row_groups().back().name, "chaos");
+    const std::vector<EnsembleMember> members = ensemble.members(0, 5);
+    for (const std::int64_t k : {0, 4}) {
+      const EnsembleMember& member = members[static_cast<std::size_t>(k)];
+      EXPECT_EQ(member.failure, "");
+      EXPECT_EQ(member.rows.size() % width, 0U);
+      EXPECT_TRUE(same_bits(member.rows, ensemble.member(k).rows)) << extra;
+      EXPECT_EQ(member.rows[width - 1], 0.0);
+      EXPECT_NE(member.rows.back(), 0.0);
+    }
+  }
+}
+
 TEST(ScenarioEnsemble, WhatIsNoMember) {
   const ScenarioEnsemble ensemble(body + varied, "e.toml");
   EXPECT_THROW(static_cast<void>(ensemble.member(20)), DomainError);
