@@ -14,7 +14,7 @@
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "run/detail/identity.hpp"
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {

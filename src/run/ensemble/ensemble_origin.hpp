@@ -6,7 +6,7 @@
 
 #include "polhode/output/sink.hpp"
 #include "polhode/run/ensemble.hpp"
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {

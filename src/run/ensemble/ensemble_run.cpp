@@ -19,7 +19,7 @@
 #include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/ensemble_origin.hpp"
 #include "run/ensemble/histogram_files.hpp"
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {

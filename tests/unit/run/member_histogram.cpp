@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Histograms of members: chunk by chunk and through numbers the same, kept numbers as in bins.
-#include "run/ensemble/member_histogram.hpp"
+#include "run/ensemble/statistics/member_histogram.hpp"
 
 #include <gtest/gtest.h>
 

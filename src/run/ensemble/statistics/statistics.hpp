@@ -16,8 +16,8 @@
 #include "polhode/ensemble/quantiles.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
-#include "run/ensemble/member_histogram.hpp"
 #include "run/ensemble/member_numbers.hpp"
+#include "run/ensemble/statistics/member_histogram.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/ensemble/member_histogram.hpp"
+#include "run/ensemble/statistics/member_histogram.hpp"
 
 #include <algorithm>
 #include <cmath>

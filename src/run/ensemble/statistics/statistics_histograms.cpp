@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {

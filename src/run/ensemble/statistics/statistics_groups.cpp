@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {

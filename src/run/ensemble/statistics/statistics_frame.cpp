@@ -9,8 +9,8 @@
 
 #include "polhode/error.hpp"
 #include "run/ensemble/member_columns.hpp"
-#include "run/ensemble/member_histogram.hpp"
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/member_histogram.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/ensemble/statistics.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
