@@ -74,9 +74,9 @@ class Cluster:
     threads: int = 1
     start: float = 0.0  # until all ranks have read the file
     message: float = 20e-6  # to hand out a chunk, or to take one from the network
-    number: float = 10e-9  # to read
+    number: float = 11e-9  # to read
     column: float = 300e-9  # to merge a column of a row,
-    cell: float = 6.5e-9  # and each of its bins, full or not: they wait for memory
+    cell: float = 3.5e-9  # and each of its bins, full or not: they wait for memory
     written: float = 15e-9  # a number of a checkpoint
     byte: float = 3e-10  # on the network, and out of it
     rest: float = 1e-3  # a process without news sleeps up to so long

@@ -35,26 +35,24 @@ void send(int to, const Message& message) {
   });
 }
 
-// Only heads are looked for: the bytes follow each, in order.
+// Of any subject: those of one rank come in the order in which it sent them, so that a cell is
+// never seen before the stage that it belongs to. What comes first is a head: the bytes that follow
+// it are received with it.
 std::optional<Message> received() {
-  for (int tag = static_cast<int>(Subject::stage); tag <= static_cast<int>(Subject::dropped);
-       ++tag) {
-    int arrived = 0;
-    MPI_Status status;
-    MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &arrived, &status);
-    if (arrived == 0) continue;
-    Head head{};
-    MPI_Recv(&head, sizeof head, MPI_BYTE, status.MPI_SOURCE, tag, MPI_COMM_WORLD,
-             MPI_STATUS_IGNORE);
-    Message message{status.MPI_SOURCE, Subject{tag}, head.index,
-                    std::string(static_cast<std::size_t>(head.size), '\0')};
-    each_piece(message.bytes.size(), [&](std::size_t begin, int size) {
-      MPI_Recv(message.bytes.data() + begin, size, MPI_BYTE, message.rank, tag_of_bytes,
-               MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    });
-    return message;
-  }
-  return std::nullopt;
+  int arrived = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived, &status);
+  if (arrived == 0) return std::nullopt;
+  Head head{};
+  MPI_Recv(&head, sizeof head, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
+           MPI_STATUS_IGNORE);
+  Message message{status.MPI_SOURCE, Subject{status.MPI_TAG}, head.index,
+                  std::string(static_cast<std::size_t>(head.size), '\0')};
+  each_piece(message.bytes.size(), [&](std::size_t begin, int size) {
+    MPI_Recv(message.bytes.data() + begin, size, MPI_BYTE, message.rank, tag_of_bytes,
+             MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  });
+  return message;
 }
 
 void broadcast(std::string& bytes) {

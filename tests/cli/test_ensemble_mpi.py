@@ -61,6 +61,16 @@ def test_any_number_of_ranks_gives_the_same_files(run, ranks, ensemble, tmp_path
     assert len(marks) == 1
 
 
+def test_stages_that_follow_each_other_at_once_are_told_apart(run, ranks, ensemble, tmp_path):
+    """The first members and the rest are two stages, of cells that take no time here."""
+    path, alone = ensemble("size = 64\nchunk = 4", time="stop = 1\nstep = 1"), tmp_path / "a.csv"
+    assert run("ensemble", path, "--out", alone).returncode == 0
+    for _ in range(6):
+        done = ranks(4, "ensemble", path, "--out", tmp_path / "b.csv", "--restart")
+        assert done.returncode == 0, done.stderr
+        assert mark(tmp_path / "b.csv") == mark(alone)
+
+
 def children(process):
     """The processes that another one has started."""
     found = subprocess.run(["ps", "--no-headers", "-o", "pid", "--ppid", str(process.pid)],

@@ -89,7 +89,7 @@ def test_sizes_are_those_of_the_benchmark(cost):
     assert cost.Ensemble(10 ** 8, rows=1000, columns=0, attitudes=1, **of).numbers == 25260
     of_bins = cost.Ensemble(10 ** 8, rows=1000, **of)
     assert of_bins.numbers == pytest.approx(504266, rel=budgets.cluster_size)
-    assert cost.merge(of_bins, cost.Cluster(1)) == pytest.approx(15.5e-3, rel=budgets.cluster_merge)
+    assert cost.merge(of_bins, cost.Cluster(1)) == pytest.approx(12.4e-3, rel=budgets.cluster_merge)
 
 
 def test_a_table_for_those_that_are_not_refused(root, capsys, monkeypatch, cost):
