@@ -90,6 +90,8 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
   for (const EnsembleReport::FirstTimes& event : report.events)
     text += fmt::format("event             {}\n", event_text(event, ensemble.plan().quantiles,
                                                              ensemble.scenario().units().time()));
+  for (const EnsembleReport::Histogram& histogram : report.histograms)
+    text += fmt::format("histogram         {}: {}\n", histogram.name, histogram.path);
   if (report.failed == 0) return text;
   text +=
       fmt::format("failed            {}, left out; polhode ensemble FILE --member K runs one:\n",

@@ -218,9 +218,17 @@ def frechet(q):
 
 
 def test_quantiles_from_bins_are_within_their_error(run, ensemble, tmp_path):
-    """40,000 members, 50 times and 6 columns are too many numbers to be kept."""
-    vary = "[[ensemble.vary]]\nkind = \"normal\"\nkey = \"state.attitude-rate.omega_body[2]\"\n" \
-           "sigma = 0.05\n"
+    """40,000 members, 50 times and 6 columns are too many numbers to be kept: bins, also those of a
+    histogram, are over the range of the first 1024 members."""
+    vary = """
+[[ensemble.histogram]]
+name = "bins"
+columns = ["L"]
+[[ensemble.vary]]
+kind = "normal"
+key = "state.attitude-rate.omega_body[2]"
+sigma = 0.05
+"""
     out, table = tmp_path / "out.h5", tmp_path / "rows.h5"
     parts = {"columns": '"andoyer"', "time": "stop = 10\ncount = 50"}
     path = ensemble("size = 40000\nchunk = 1000", vary=vary, **parts)
@@ -236,6 +244,13 @@ def test_quantiles_from_bins_are_within_their_error(run, ensemble, tmp_path):
         assert 0 < error < 0.01 * (x.max() - x.min())
         for name, p in (("L_p5", 0.05), ("L_p50", 0.5), ("L_p95", 0.95)):
             assert abs(last[name] - numpy.quantile(x, p)) <= error
+    with h5py.File(tmp_path / "out.bins.h5") as file:
+        low, high = file["L"][:].T
+        first = x[:1024]
+        margin = 0.1 * (first.max() - first.min())
+        assert (low[1], high[-2]) == (first.min() - margin, first.max() + margin)
+        assert (file["members"][1:-1, 0] == numpy.histogram(x, low[1:])[0]).all()
+        assert file["members"][:, 0].sum() == 40000
 
 
 def test_phases_of_free_tumblers_spread_linearly(run, scenario, tmp_path):

@@ -4,6 +4,7 @@ of members that run alone, and fractions, against NumPy's of the rows."""
 
 import math
 
+import budgets
 import numpy
 import pytest
 from ensemble_files import TORQUE, VARY, mark, rows_of
@@ -23,6 +24,7 @@ name = "never"
 column = "w2"
 value = 19
 """
+
 
 def kept(run, ensemble, tmp_path, keep, size=200, **parts):
     """The rows of an ensemble, the same from one and from three threads, and what was printed."""
@@ -263,3 +265,46 @@ def test_what_cannot_be_kept_is_refused_at_its_place(run, ensemble, tmp_path, ta
     done = run("ensemble", path, "--out", tmp_path / "out.csv")
     assert done.returncode == 2 and message in done.stderr, done.stderr
     assert "body.toml:" in done.stderr and not (tmp_path / "out.csv").exists()
+
+
+def test_statistics_of_the_obliquity_of_mars(run, tmp_path, root):
+    text = (root / "examples/mars-obliquity.toml").read_text()
+    text = text[:text.index("[time]")] + """[time]
+at = [-10, -40, -70]
+[output]
+columns = ["obliquity", "precession"]
+[ensemble]
+size = 12
+keep = "rows"
+[[ensemble.fraction]]
+name = "steep"
+column = "obliquity"
+low = 24
+[[ensemble.histogram]]
+name = "obliquity"
+columns = ["planet.pole.dec", "obliquity"]
+bins = 3
+times = "all"
+[[ensemble.vary]]
+kind = "normal"
+key = "planet.pole.dec"
+sigma = 3
+"""
+    path, out = tmp_path / "mars.toml", tmp_path / "out.csv"
+    path.write_text(text)
+    assert run("ensemble", path, "--out", tmp_path / "rows.csv").returncode == 0
+    done = run("ensemble", path, "--set", "ensemble.keep=statistics", "--out", out)
+    assert done.returncode == 0, done.stderr
+    rows, found, table = (rows_of(tmp_path / name)
+                          for name in ("rows.csv", "out.csv", "out.obliquity.csv"))
+    assert found["t"].tolist() == [-10, -40, -70]
+    for k, t in enumerate(found["t"]):
+        x = rows["obliquity"][rows["t"] == t]
+        assert (found["obliquity_least"][k], found["obliquity_greatest"][k]) == (x.min(), x.max())
+        assert abs(found["obliquity_mean"][k] - x.mean()) <= budgets.ensemble_statistics * x.max()
+        assert found["steep_part"][k] == (x >= 24).mean()
+        here = table["t"] == t
+        assert here.sum() == 25 and table["members"][here].sum() == 12
+        assert table["obliquity_high"][here].max() == numpy.inf
+        assert numpy.unique(table["obliquity_low"][here])[[1, -1]].tolist() == [x.min(), x.max()]
+    assert 0 < found["steep_part"][-1] < 1

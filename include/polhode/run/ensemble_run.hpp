@@ -8,9 +8,9 @@
 // Domain      by [ensemble] keep. Statistics: a row for each time of [time], of the members that
 //             have one there. Final: a row for each member, its index, what was drawn, and its
 //             last row. Rows: all of them, with the index in front. A member that failed has a row
-//             of NaN, its rows so far, or no part in statistics. While it goes on,
-//             FIRST_OUTPUT.checkpoint says how to go on, as that of a run does
-//             (polhode/run/scenario_run.hpp).
+//             of NaN, its rows so far, or no part in statistics. Histograms go into files next to
+//             the first output, FIRST.NAME.csv. While it goes on, FIRST_OUTPUT.checkpoint says how
+//             to go on, as that of a run does (polhode/run/scenario_run.hpp).
 // Accuracy    the files do not depend on the number of threads or processes, nor on where an
 //             ensemble was stopped, killed and continued: text files byte for byte, HDF5 with the
 //             same contents (same build of polhode, machines with the same elementary functions).
@@ -82,13 +82,22 @@ struct EnsembleReport {
     // fewer ever had it. In the unit of time of the file.
     std::vector<double> times;
   };
+  struct Histogram {
+    std::string name;
+    // t; the edges of a bin of each column; how many members are in it, and which part of those
+    // that have the numbers. The first and the last bin of a column are open.
+    std::vector<ColumnGroup> groups;
+    std::vector<double> rows;  // bins of the last column side by side
+    std::string path;          // of its file; empty: it has none
+  };
 
   std::int64_t members = 0;
   std::int64_t failed = 0;
-  std::vector<Failure> failures;   // the first 20
-  std::vector<Drawn> drawn;        // in the order of the keys of the plan
-  std::vector<double> statistics;  // the last row of these; empty where other things are kept
-  std::vector<FirstTimes> events;  // beside statistics
+  std::vector<Failure> failures;      // the first 20
+  std::vector<Drawn> drawn;           // in the order of the keys of the plan
+  std::vector<double> statistics;     // the last row of these; empty where other things are kept
+  std::vector<FirstTimes> events;     // beside statistics
+  std::vector<Histogram> histograms;  // beside statistics, in the order of the plan
 };
 
 class EnsembleRun {

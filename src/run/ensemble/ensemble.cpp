@@ -10,9 +10,9 @@
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
 #include "run/ensemble/lockstep.hpp"
-#include "run/ensemble/member_columns.hpp"
-#include "run/ensemble/member_numbers.hpp"
 #include "run/ensemble/member_text.hpp"
+#include "run/ensemble/members/member_columns.hpp"
+#include "run/ensemble/members/member_numbers.hpp"
 #include "scenario/prepared_base.hpp"
 
 namespace polhode {

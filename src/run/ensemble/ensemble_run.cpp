@@ -18,6 +18,7 @@
 #include "run/ensemble/elementary_functions.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/ensemble_origin.hpp"
+#include "run/ensemble/histogram_files.hpp"
 #include "run/ensemble/statistics.hpp"
 #include "text/printable.hpp"
 
@@ -85,6 +86,7 @@ class EnsembleRun::Parts {
                                      : detail::row_groups_of(ensemble)),
         origin_(detail::provenance_of(ensemble, frame_)),
         outputs_(setup_of(ensemble, groups_, detail::ChunkFiles::kept(paths), options_), origin_),
+        histograms_(detail::histogram_paths(ensemble, paths)),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
     require_work_for_all();
     if (outputs_.is_complete()) return;
@@ -103,6 +105,9 @@ class EnsembleRun::Parts {
       if (frame_) waiting_ = statistics_->rows();
       if (frame_) report_.statistics.assign(waiting_.end() - width(), waiting_.end());
       if (frame_) report_.events = statistics_->first_times();
+      if (frame_) report_.histograms = statistics_->histograms();
+      detail::write_histograms(report_.histograms, histograms_, ensemble_.scenario().output.formats,
+                               origin_);
       push_waiting();
       for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
       outputs_.forget();
@@ -259,6 +264,7 @@ class EnsembleRun::Parts {
   std::vector<ColumnGroup> groups_;
   Provenance origin_;
   detail::KeptOutputs outputs_;
+  std::vector<std::string> histograms_;  // paths of their files
   EnsembleReport report_;
   std::vector<NumberMoments> drawn_;  // by key
   std::vector<double> waiting_;       // rows that are not in the outputs

@@ -82,6 +82,11 @@ RowStatistics::RowStatistics(const StatisticsFrame& frame) : frame_(&frame) {
   parts_.assign(columns.fractions.size() * epochs, Fractions(2));
   events_.assign(columns.events.size(), frame.empty_events());
   happened_.assign(columns.events.size() * epochs, 0);
+  for (std::size_t h = 0; h < columns.histograms.size(); ++h)
+    for (std::size_t k = 0; k < frame.histogram_times(h); ++k) {
+      if (k == 0) histograms_.emplace_back();
+      histograms_[h].push_back(frame.empty_histogram(h, k));
+    }
 }
 
 // Time after time, so that what is kept of one stays near while all members come.
@@ -116,6 +121,7 @@ void RowStatistics::add(std::int64_t first, std::span<const EnsembleMember> memb
   if (!columns.attitudes.empty()) add_attitudes(first, members, rows);
   add_fractions(first, members, rows);
   add_events(first, members);
+  add_to_histograms(first, members, rows);
 }
 
 void RowStatistics::add_fractions(std::int64_t first, std::span<const EnsembleMember> members,
@@ -179,6 +185,8 @@ void RowStatistics::merge(const RowStatistics& later) {
   merge_all(parts_, later.parts_);
   merge_all(events_, later.events_);
   for (std::size_t k = 0; k < happened_.size(); ++k) happened_[k] += later.happened_[k];
+  for (std::size_t h = 0; h < histograms_.size(); ++h)
+    merge_all(histograms_[h], later.histograms_[h]);
 }
 
 std::vector<double> RowStatistics::rows() const {
@@ -238,6 +246,7 @@ void RowStatistics::transfer(StateBytes& bytes) {
   transfer_all(bytes, parts_);
   transfer_all(bytes, events_);
   bytes(happened_);
+  for (std::vector<MemberHistogram>& of_times : histograms_) transfer_all(bytes, of_times);
 }
 
 }  // namespace detail

@@ -16,7 +16,8 @@
 #include "polhode/ensemble/quantiles.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
-#include "run/ensemble/member_numbers.hpp"
+#include "run/ensemble/members/member_histogram.hpp"
+#include "run/ensemble/members/member_numbers.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -38,7 +39,8 @@ struct StatisticsColumns {
   std::vector<Number> modes;   // of the regimes of free rotation
   std::vector<Number> events;  // when each first happened
 
-  std::vector<MemberNumber> fractions;  // of the plan
+  std::vector<MemberNumber> fractions;                // of the plan
+  std::vector<std::vector<MemberNumber>> histograms;  // the axes of each
   explicit StatisticsColumns(const ScenarioEnsemble& ensemble);
 };
 
@@ -64,6 +66,19 @@ class StatisticsFrame {
                 std::size_t epoch) const;
   // Whether a number lies in a fraction of the plan.
   bool is_in(std::size_t fraction, double x) const;
+
+  // A histogram is of so many times; the epoch of each.
+  std::size_t histogram_times(std::size_t histogram) const;
+  std::size_t histogram_epoch(std::size_t histogram, std::size_t time) const {
+    return times_.size() - histogram_times(histogram) + time;
+  }
+  // A number of a member on an axis: an angle whole turns apart, so that it lies in the bins, or
+  // else next to that of the base.
+  double on_axis(std::size_t histogram, std::size_t axis, const EnsembleMember& member,
+                 std::size_t rows, std::size_t epoch) const;
+  MemberHistogram empty_histogram(std::size_t histogram, std::size_t time) const;
+  // The columns of its file.
+  std::vector<ColumnGroup> histogram_groups(std::size_t histogram) const;
 
   // Whether every number is kept.
   bool is_exact() const { return exact_ > 0; }
@@ -99,15 +114,21 @@ class StatisticsFrame {
     double least, greatest;
   };
   void require_room() const;
+  double histogram_bytes() const;
+  // Of all histograms and their times; where one begins.
+  std::size_t histogram_axes() const;
+  std::size_t first_axis(std::size_t histogram, std::size_t time) const;
+  void add_to_axes(const EnsembleMember& member);
 
   const ScenarioEnsemble& ensemble_;
   StatisticsColumns columns_;
   std::size_t width_;
-  std::vector<double> times_;  // as rows have them
-  double turn_;                // in the unit of angles
-  std::int64_t exact_;         // numbers that quantiles keep; 0: bins from the start
-  std::vector<double> base_;   // angles of the base, by number and epoch
-  std::vector<Range> ranges_;  // of pilots, by number and epoch
+  std::vector<double> times_;       // as rows have them
+  double turn_;                     // in the unit of angles
+  std::int64_t exact_;              // numbers that quantiles keep; 0: bins from the start
+  std::vector<double> base_;        // angles of the base, by number and epoch
+  std::vector<Range> ranges_;       // of pilots, by number and epoch
+  std::vector<Range> axis_ranges_;  // of pilots, by histogram, time and axis
   std::vector<AttitudeMoments> pilot_attitudes_;
   std::vector<Quaternion> references_;  // by attitude and epoch
   std::vector<Bins> bins_;              // by number and epoch; one of all while all is exact
@@ -124,6 +145,7 @@ class RowStatistics {
   std::vector<double> rows() const;
   // When the events came, over all members.
   std::vector<EnsembleReport::FirstTimes> first_times() const;
+  std::vector<EnsembleReport::Histogram> histograms() const;
   void transfer(StateBytes& bytes);
 
  private:
@@ -132,6 +154,8 @@ class RowStatistics {
   void add_fractions(std::int64_t first, std::span<const EnsembleMember> members,
                      std::span<const std::size_t> rows);
   void add_events(std::int64_t first, std::span<const EnsembleMember> members);
+  void add_to_histograms(std::int64_t first, std::span<const EnsembleMember> members,
+                         std::span<const std::size_t> rows);
 
   const StatisticsFrame* frame_;
   std::vector<std::int64_t> counts_;  // members at each epoch
@@ -142,6 +166,7 @@ class RowStatistics {
   std::vector<Fractions> parts_;  // without and within
   std::vector<FirstEvents> events_;
   std::vector<std::int64_t> happened_;  // by event and epoch: since the epoch before
+  std::vector<std::vector<MemberHistogram>> histograms_;  // by time
 };
 
 }  // namespace detail

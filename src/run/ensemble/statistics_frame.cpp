@@ -8,7 +8,8 @@
 #include <variant>
 
 #include "polhode/error.hpp"
-#include "run/ensemble/member_columns.hpp"
+#include "run/ensemble/members/member_columns.hpp"
+#include "run/ensemble/members/member_histogram.hpp"
 #include "run/ensemble/statistics.hpp"
 
 namespace polhode {
@@ -28,14 +29,6 @@ constexpr int event_bins = 10'000;                                     // beyond
 
 bool is_attitude(const ColumnGroup& group) {
   return group.name == "q" || group.name == "q_inertial";
-}
-
-// Wide enough for doubles to lie between the edges.
-Bins bins_over(double least, double greatest, int count) {
-  const double size = std::max(std::fabs(least), std::fabs(greatest));
-  const double finest = 4.0 * std::numeric_limits<double>::epsilon() * size * count;
-  const double beyond = std::max(margin * (greatest - least), size > 0.0 ? finest : 1.0);
-  return Bins::linear(least - beyond, greatest + beyond, count);
 }
 
 }  // namespace
@@ -64,6 +57,11 @@ StatisticsColumns::StatisticsColumns(const ScenarioEnsemble& ensemble) {
   }
   for (const EnsembleFraction& fraction : ensemble.plan().fractions)
     fractions.push_back(*member_number(ensemble, fraction.column));
+  for (const EnsembleHistogram& histogram : ensemble.plan().histograms) {
+    std::vector<MemberNumber>& axes = histograms.emplace_back();
+    for (const EnsembleHistogram::Axis& axis : histogram.axes)
+      axes.push_back(*member_number(ensemble, axis.column));
+  }
 }
 
 StatisticsFrame::StatisticsFrame(const ScenarioEnsemble& ensemble)
@@ -83,6 +81,7 @@ StatisticsFrame::StatisticsFrame(const ScenarioEnsemble& ensemble)
   references_.assign(columns_.attitudes.size() * epochs(), Quaternion{});
   if (pilots() == 0) return;
   ranges_.assign(is_exact() ? 0 : base_.size(), {infinity, -infinity});
+  if (!is_exact()) axis_ranges_.assign(histogram_axes(), {infinity, -infinity});
   pilot_attitudes_.resize(references_.size());
 }
 
@@ -94,7 +93,8 @@ void StatisticsFrame::require_room() const {
       of_number * static_cast<double>(is_exact() ? ensemble_.plan().chunk : ensemble_.plan().bins);
   const double bytes =
       rows * (static_cast<double>(columns_.numbers.size()) * (of_moments + of_quantiles) +
-              static_cast<double>(columns_.attitudes.size()) * of_attitude);
+              static_cast<double>(columns_.attitudes.size()) * of_attitude) +
+      histogram_bytes();
   if (bytes > most_bytes)
     throw DomainError(ensemble_.scenario().document.name + ": ensemble: statistics of " +
                       fmt::format("{:.3g} rows and {} columns take {:.3g} GB for each chunk", rows,
@@ -125,12 +125,12 @@ double StatisticsFrame::number(const StatisticsColumns::Number& of, std::size_t 
 double StatisticsFrame::number(const MemberNumber& of, const EnsembleMember& member,
                                std::size_t rows, std::size_t epoch) const {
   using enum MemberNumber::From;
+  if (of.from == drawn) return member.drawn[of.place];
   if (of.from == event && member.rows.size() >= width_) {
     const double t = member.rows[member.rows.size() - width_ + of.place];
     return (is_backwards() ? t >= times_[epoch] : t <= times_[epoch]) ? t : nan;
   }
-  if (epoch >= rows) return nan;
-  return of.from == drawn ? member.drawn[of.place] : member.rows[epoch * width_ + of.place];
+  return epoch < rows ? member.rows[epoch * width_ + of.place] : nan;
 }
 
 bool StatisticsFrame::is_in(std::size_t fraction, double x) const {
@@ -172,6 +172,7 @@ void StatisticsFrame::add_pilot(std::int64_t index, const EnsembleMember& member
       pilot_attitudes_[i * epochs() + e].add(index, Quaternion{q[0], q[1], q[2], q[3]});
     }
   }
+  if (!axis_ranges_.empty()) add_to_axes(member);
 }
 
 void StatisticsFrame::finish_pilots() {
@@ -182,7 +183,7 @@ void StatisticsFrame::finish_pilots() {
   bins_.clear();
   if (is_exact()) bins_.push_back(Bins::linear(-1.0, 1.0, 1));
   for (const auto& [least, greatest] : ranges_)
-    bins_.push_back(least <= greatest ? bins_over(least, greatest, count)
+    bins_.push_back(least <= greatest ? bins_over(least, greatest, margin, count)
                                       : Bins::linear(-1.0, 1.0, count));
 }
 
@@ -208,12 +209,15 @@ std::optional<StatisticsFrame::FirstTime> StatisticsFrame::first_time(
 
 void StatisticsFrame::transfer(StateBytes& bytes) {
   bytes.all(base_, references_);
-  std::vector<double> ends;
-  for (const Range& range : ranges_) ends.insert(ends.end(), {range.least, range.greatest});
-  bytes(ends);
+  for (std::vector<Range>* const all : {&ranges_, &axis_ranges_}) {
+    std::vector<double> ends;
+    for (const Range& range : *all) ends.insert(ends.end(), {range.least, range.greatest});
+    bytes(ends);
+    if (!bytes.reads()) continue;
+    if (ends.size() != 2 * all->size()) throw DomainError("a checkpoint of other statistics");
+    for (std::size_t k = 0; k < all->size(); ++k) (*all)[k] = {ends[2 * k], ends[2 * k + 1]};
+  }
   if (!bytes.reads()) return;
-  if (ends.size() != 2 * ranges_.size()) throw DomainError("a checkpoint of other statistics");
-  for (std::size_t k = 0; k < ranges_.size(); ++k) ranges_[k] = {ends[2 * k], ends[2 * k + 1]};
   pilot_attitudes_.clear();
   finish_pilots();
 }

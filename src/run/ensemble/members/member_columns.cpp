@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/ensemble/member_columns.hpp"
+#include "run/ensemble/members/member_columns.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "run/ensemble/member_numbers.hpp"
+#include "run/ensemble/members/member_numbers.hpp"
 
 #include <algorithm>
 #include <string_view>
 #include <vector>
 
-#include "run/ensemble/member_columns.hpp"
+#include "run/ensemble/members/member_columns.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"

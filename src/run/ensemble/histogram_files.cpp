@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "run/ensemble/histogram_files.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "polhode/error.hpp"
+#include "polhode/output/output_format.hpp"
+#include "run/detail/own_files.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t longest_path = 500;
+
+bool is_file(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  return path != "-" &&
+         (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+}
+
+}  // namespace
+
+std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
+                                         const std::vector<std::string>& outputs) {
+  const EnsemblePlan& plan = ensemble.plan();
+  if (outputs.empty() || plan.histograms.empty() || plan.keep != EnsembleKeep::statistics)
+    return {};
+  const Document& file = ensemble.scenario().document;
+  const OutputFormats& formats = ensemble.scenario().output.formats;
+  const std::string& first = outputs.front();
+  const OutputFormat* const format = formats.of_extension(first);
+  if (format == nullptr || !is_file(first))
+    throw DomainError(file.name + ": ensemble.histogram: got " + printable(first, longest_path) +
+                      " as the first output; expected a file, PATH.csv or PATH.h5, since "
+                      "histograms are files of their own next to it");
+  const std::string stem = first.substr(0, first.size() - format->extension.size());
+  std::vector<std::string> paths, all = outputs;
+  for (const EnsembleHistogram& one : plan.histograms)
+    paths.push_back(stem + "." + one.name + format->extension);
+  all.insert(all.end(), paths.begin(), paths.end());
+  require_own_files(file, all);
+  return paths;
+}
+
+void write_histograms(std::vector<EnsembleReport::Histogram>& histograms,
+                      const std::vector<std::string>& paths, const OutputFormats& formats,
+                      Provenance origin) {
+  if (paths.empty()) return;
+  origin.notes.emplace_back(
+      "histogram: from the low edge on and below the high one, the last bin but one with it; the "
+      "first and the last bin of a column are open; part: of the members that have the numbers "
+      "then");
+  for (std::size_t h = 0; h < histograms.size(); ++h) {
+    histograms[h].path = paths[h];
+    const std::unique_ptr<Sink> sink =
+        open_sink(paths[h], histograms[h].groups, origin, std::nullopt, formats);
+    sink->push(histograms[h].rows);
+    sink->finish();
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
