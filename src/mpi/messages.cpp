@@ -12,11 +12,12 @@ namespace detail {
 namespace {
 
 constexpr std::size_t longest_piece = std::size_t{1} << 30;  // MPI counts in ints
-constexpr int tag_of_bytes = 100;                            // subjects are tags below it
+enum Tag { tag_of_heads = 1, tag_of_bytes };
 
 struct Head {
+  Subject subject;
   std::int64_t index;
-  std::int64_t size;
+  std::int64_t size;  // of the bytes that follow
 };
 
 template <class Use>
@@ -28,29 +29,27 @@ void each_piece(std::size_t size, const Use& use) {
 }  // namespace
 
 void send(int to, const Message& message) {
-  const Head head{message.index, static_cast<std::int64_t>(message.bytes.size())};
-  MPI_Send(&head, sizeof head, MPI_BYTE, to, static_cast<int>(message.subject), MPI_COMM_WORLD);
+  const Head head{message.subject, message.index, static_cast<std::int64_t>(message.bytes.size())};
+  MPI_Send(&head, sizeof head, MPI_BYTE, to, tag_of_heads, MPI_COMM_WORLD);
   each_piece(message.bytes.size(), [&](std::size_t begin, int size) {
     MPI_Send(message.bytes.data() + begin, size, MPI_BYTE, to, tag_of_bytes, MPI_COMM_WORLD);
   });
 }
 
-// Of any subject: those of one rank come in the order in which it sent them, so that a cell is
-// never seen before the stage that it belongs to. What comes first is a head: the bytes that follow
-// it are received with it.
+// All heads have one tag: MPI keeps the order of messages that match the same call.
 std::optional<Message> received() {
   int arrived = 0;
   MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived, &status);
+  MPI_Iprobe(MPI_ANY_SOURCE, tag_of_heads, MPI_COMM_WORLD, &arrived, &status);
   if (arrived == 0) return std::nullopt;
+  const int from = status.MPI_SOURCE;
   Head head{};
-  MPI_Recv(&head, sizeof head, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  Message message{status.MPI_SOURCE, Subject{status.MPI_TAG}, head.index,
+  MPI_Recv(&head, sizeof head, MPI_BYTE, from, tag_of_heads, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  Message message{from, head.subject, head.index,
                   std::string(static_cast<std::size_t>(head.size), '\0')};
   each_piece(message.bytes.size(), [&](std::size_t begin, int size) {
-    MPI_Recv(message.bytes.data() + begin, size, MPI_BYTE, message.rank, tag_of_bytes,
-             MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    MPI_Recv(message.bytes.data() + begin, size, MPI_BYTE, from, tag_of_bytes, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
   });
   return message;
 }

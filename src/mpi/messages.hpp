@@ -10,8 +10,15 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What the leader says, and what the others answer.
-enum class Subject : int { stage = 1, cell, drop, end, done, failed, dropped };
+enum class Subject : std::int64_t {
+  stage,    // the leader's: its bytes follow by broadcast()
+  cell,     // compute this one
+  drop,     // none of those that are left is needed
+  end,      // there is nothing more
+  done,     // an answer: the bytes of a cell
+  failed,   // why there are none
+  dropped,  // as was said
+};
 
 struct Message {
   int rank = 0;  // where it comes from
@@ -22,9 +29,10 @@ struct Message {
 
 // Bytes of any length, in pieces that MPI can count.
 void send(int to, const Message& message);
-// The next one that has arrived; none: there is none yet.
+// The next one that has arrived, none where there is none yet. Those of one rank come in the order
+// in which it sent them, whatever their subject: a cell never before the stage that it belongs to.
 std::optional<Message> received();
-// The bytes of rank 0 in all ranks.
+// The bytes of rank 0, in all ranks.
 void broadcast(std::string& bytes);
 
 }  // namespace detail
