@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/mpi/mpi_ranks.hpp"
-
 #include <cstdio>
+
+#include "polhode/mpi/mpi_ranks.hpp"
 
 int main() { std::puts(polhode::mpi_ranks(2) ? "several processes" : "one process"); }
