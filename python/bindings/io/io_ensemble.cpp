@@ -7,7 +7,7 @@
 
 #include "interface/arrays.hpp"
 #include "interface/signals.hpp"
-#include "interface/executor_team.hpp"
+#include "io/executor_team.hpp"
 #include "io/io_parts.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"

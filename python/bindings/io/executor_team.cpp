@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "interface/executor_team.hpp"
+#include "io/executor_team.hpp"
 
 #include <cstdint>
 #include <string>
