@@ -66,6 +66,8 @@ inline constexpr double gallery_run = 1e-8;
 // --- figures (python/tests/test_figures_*.py) ---
 // The extremes of a curve that is drawn by samples, over its size.
 inline constexpr double figure_sampled = 2e-5;
+// Directions on the sky from columns and from attitudes, and tangents of their longitudes.
+inline constexpr double figure_directions = 1e-12;
 // Means of the bands of a long run against the mean of all its rows, over the width of the band:
 // what a bin with a part of a swing at its end leaves.
 inline constexpr double figure_mean = 0.01;
