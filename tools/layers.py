@@ -33,12 +33,12 @@ LAYERS = {
     "analysis": "*",
     "ephemeris": "math orbit frame",
     "ensemble": "*",
-    "mpi": "ensemble",
     "text": "*",
     "tables": "*",
     "output": "*",
     "scenario": "*",
     "run": "*",
+    "mpi": "ensemble",
     "cli": "*",
 }
 # Those of polhode::io, which read and write files.
