@@ -11,6 +11,7 @@ namespace detail {
 namespace {
 
 constexpr std::int64_t waiting_per_thread = 4;
+constexpr std::size_t most_waiting_bytes = std::size_t{1} << 30;
 
 OwnCell of_message(Message message) {
   const auto fate = message.subject == Subject::done     ? OwnCell::Fate::done
@@ -76,7 +77,9 @@ bool Leader::hand_out() {
 
 bool Leader::collect() {
   bool collected = false;
-  while (std::optional<Message> message = received()) {
+  while (!has_enough()) {
+    std::optional<Message> message = received();
+    if (!message) break;
     const int rank = message->rank;
     keep(rank, of_message(std::move(*message)));
     collected = true;
@@ -90,7 +93,8 @@ bool Leader::collect() {
 
 void Leader::keep(int rank, const OwnCell& cell) {
   --under_way_[static_cast<std::size_t>(rank)];
-  if (cell.fate == OwnCell::Fate::dropped) return;
+  if (drops_ || cell.fate == OwnCell::Fate::dropped) return;
+  waiting_bytes_ += cell.bytes.size();
   const bool failed = cell.fate == OwnCell::Fate::failed;
   waiting_.emplace(
       cell.index,
@@ -102,13 +106,21 @@ bool Leader::take_next() {
   if (found == waiting_.end()) return false;
   const Answer answer = std::move(found->second);
   waiting_.erase(found);
+  waiting_bytes_ -= std::min(waiting_bytes_, answer.bytes.size());
   if (answer.is_failure) throw TeamError(answer.bytes);
   take_(taken_, answer.bytes);
   ++taken_;
   return true;
 }
 
+// Never while the next one is missing: it may be the one that would have to wait.
+bool Leader::has_enough() const {
+  return !drops_ && waiting_bytes_ > most_waiting_bytes && waiting_.contains(taken_);
+}
+
 void Leader::drop_all() {
+  drops_ = true;
+  waiting_.clear();
   const auto left = [&] { return std::accumulate(under_way_.begin(), under_way_.end(), 0); };
   if (left() == 0) return;
   own_.drop();

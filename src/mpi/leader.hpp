@@ -36,6 +36,8 @@ class Leader {
   bool hand_out();
   bool collect();
   bool take_next();
+  // Whether so much waits that what arrives has to wait with those who sent it.
+  bool has_enough() const;
   void keep(int rank, const OwnCell& cell);
   void drop_all();
 
@@ -47,6 +49,8 @@ class Leader {
   std::int64_t stop_;                       // before it, where all goes well
   std::vector<int> under_way_;              // by rank
   std::map<std::int64_t, Answer> waiting_;  // for those before them
+  std::size_t waiting_bytes_ = 0;
+  bool drops_ = false;
 };
 
 }  // namespace detail
