@@ -30,14 +30,17 @@ def cells(text: str, path: str, stage: bytes, begin: int, end: int) -> tuple[flo
     """In a worker: cells begin to end - 1 of a stage of the ensemble of a text, and the seconds
     that they took. The ensemble that was last asked for stays."""
     started = time.perf_counter()
+    if getattr(_worker, "of", None) == (text, path) and _worker.stage != stage:
+        try:
+            _worker.work.begin(stage)
+            _worker.stage = stage
+        except ValueError:  # a file that it names has changed since
+            _worker.of = None
     if getattr(_worker, "of", None) != (text, path):
         _worker.of = None
-        file = _core._Scenario.from_text(text.encode("utf-8"), path)
-        _worker.work, _worker.stage, _worker.of = file.ensemble().work(), None, (text, path)
-    if _worker.stage != stage:
-        _worker.stage = None
-        _worker.work.begin(stage)
-        _worker.stage = stage
+        work = _core._Scenario.from_text(text.encode("utf-8"), path).ensemble().work()
+        work.begin(stage)
+        _worker.work, _worker.stage, _worker.of = work, stage, (text, path)
     found = [_worker.work.cell(index) for index in range(begin, end)]
     return time.perf_counter() - started, found
 

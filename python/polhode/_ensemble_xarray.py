@@ -30,6 +30,8 @@ _STATISTICS = (  # as they end, and what they are of X
     ("_cov_error", "most that the covariance of {} may be off"),
     ("_SAM", "part of the members in short-axis mode"),
     ("_LAM", "part of the members in long-axis mode"),
+    ("_other", "part of the members in neither mode"),
+    ("_part", "part of the members: {}"),
 )
 
 

@@ -55,8 +55,13 @@ class EnsembleResults(Mapping[str, "Array"]):
         """
         file = _ensemble_files.read_file(path)
         noted = "\n".join(file.notes)
-        sizes = re.search(r"^ensemble: (\d+) members", noted, re.MULTILINE)
         names = [name for _, columns in file.groups for name, _ in columns]
+        if {"part", "first_member"} & set(names):
+            raise ValueError(
+                f"{file.path}: a histogram, or an index of chunks; expected rows or statistics of "
+                "an ensemble"
+            )
+        sizes = re.search(r"^ensemble: (\d+) members", noted, re.MULTILINE)
         keys = _keys_in(file.notes, names)
         keep = "statistics" if "member" not in names else "final" if keys else "rows"
         file.table.flags.writeable = False
@@ -161,7 +166,8 @@ class EnsembleResults(Mapping[str, "Array"]):
 
     @property
     def failed(self) -> int:
-        """How many members could not be or could not go on."""
+        """How many members could not be or could not go on. Of a file of rows: those that have
+        none."""
         import numpy
 
         if self._given["failures"] is not None:

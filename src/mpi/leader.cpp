@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace polhode {
 inline namespace v0 {
@@ -84,21 +85,20 @@ bool Leader::collect() {
     keep(rank, of_message(std::move(*message)));
     collected = true;
   }
-  while (const std::optional<OwnCell> cell = own_.next()) {
-    keep(0, *cell);
+  while (std::optional<OwnCell> cell = own_.next()) {
+    keep(0, std::move(*cell));
     collected = true;
   }
   return collected;
 }
 
-void Leader::keep(int rank, const OwnCell& cell) {
+void Leader::keep(int rank, OwnCell cell) {
   --under_way_[static_cast<std::size_t>(rank)];
   if (drops_ || cell.fate == OwnCell::Fate::dropped) return;
   waiting_bytes_ += cell.bytes.size();
   const bool failed = cell.fate == OwnCell::Fate::failed;
-  waiting_.emplace(
-      cell.index,
-      Answer{failed, failed ? "rank " + std::to_string(rank) + ": " + cell.bytes : cell.bytes});
+  if (failed) cell.bytes = "rank " + std::to_string(rank) + ": " + cell.bytes;
+  waiting_.emplace(cell.index, Answer{failed, std::move(cell.bytes)});
 }
 
 bool Leader::take_next() {

@@ -36,9 +36,10 @@ class Leader {
   bool hand_out();
   bool collect();
   bool take_next();
-  // Whether so much waits that what arrives has to wait with those who sent it.
+  // Whether so much waits, while the next one is there, that what arrives has to wait with those
+  // who sent it.
   bool has_enough() const;
-  void keep(int rank, const OwnCell& cell);
+  void keep(int rank, OwnCell cell);
   void drop_all();
 
   OwnCells& own_;

@@ -39,6 +39,7 @@ class MpiRanks final : public Ranks {
   ~MpiRanks() override {
     if (leads())
       for (int rank = 1; rank < size_; ++rank) detail::send(rank, {.subject = Subject::end});
+    if (!leads() && !ended_) MPI_Abort(MPI_COMM_WORLD, 1);  // the leader waits for its cells
     MPI_Finalize();
   }
 
@@ -60,7 +61,10 @@ class MpiRanks final : public Ranks {
     detail::Patience patience;
     for (;;) {
       const std::optional<Message> message = detail::received();
-      if (message && message->subject == Subject::end) return;
+      if (message && message->subject == Subject::end) {
+        ended_ = true;
+        return;
+      }
       if (message && message->subject == Subject::stage) failure = begun(make, work);
       if (message && message->subject == Subject::drop) own_.drop();
       if (message && message->subject == Subject::cell) {
@@ -95,6 +99,7 @@ class MpiRanks final : public Ranks {
 
   int rank_ = 0;
   int size_ = 1;
+  bool ended_ = false;  // of one that serves: whether the leader has said so
   detail::OwnCells own_;
 };
 

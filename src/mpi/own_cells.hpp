@@ -35,9 +35,6 @@ class OwnCells {
   OwnCells& operator=(const OwnCells&) = delete;
 
   int threads() const { return threads_; }
-  // How many have been added, and not yet found by next().
-  int unfinished() const { return unfinished_; }
-
   // `work` is there until next() has given the cell back.
   void add(const TeamWork& work, std::int64_t index);
   // One that has come to its end, if there is one.

@@ -76,6 +76,10 @@ inline constexpr double figure_bin = 0.02;
 // Products of lengths in pixels, small compared with where they are.
 inline constexpr double numpy_pixels = 4e-13;
 
+// --- ensembles (python/tests/test_ensembles.py): statistics against NumPy's, relative; a mean of
+// 300 points of Sobol ---
+inline constexpr double ensemble_of_rows = 1e-14, ensemble_middle = 0.02;
+
 // --- instantaneous ellipses (python/tests/test_figures_ellipses.py), in the orbit's own units ---
 // Against other equations of motion, after a revolution.
 inline constexpr double figure_orbit = 1e-13;

@@ -2,9 +2,13 @@
 """Parts of scenarios with [ensemble], and what their outputs hold."""
 
 import hashlib
+import time
 
 import h5py
 import numpy
+from slowdown import SLOWDOWN
+
+SECONDS = 120 * SLOWDOWN
 
 VARY = """
 [[ensemble.vary]]
@@ -51,3 +55,15 @@ def mark(path):
         file.visititems(lambda name, item: digest.update(name.encode() + item[()].tobytes())
                         if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
     return digest.hexdigest()
+
+
+def wait_for_another(checkpoint, before, process):
+    """Until the checkpoint holds something else."""
+    until = time.monotonic() + SECONDS
+    while process.poll() is None and time.monotonic() < until and bytes_of(checkpoint) == before:
+        time.sleep(0.01)
+    assert bytes_of(checkpoint) != before
+
+
+def bytes_of(path):
+    return path.read_bytes() if path.exists() else b""

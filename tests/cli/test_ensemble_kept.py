@@ -233,6 +233,8 @@ REFUSED = [
      'ensemble.fraction[1].name: got "a"; expected a name of its own'),
     (fraction(name="down", column="w3", low=2),
      'ensemble.fraction[0].name: got "down"; expected a name of its own, since an event has'),
+    (fraction(name="w3", column="w3", low=2),
+     'ensemble.fraction[0].name: got "w3"; expected a name of its own, since a column has'),
     (fraction(name="a b", column="w3", low=2), 'ensemble.fraction[0].name: got "a b"; expected'),
     (fraction(column="w3", low=2), "ensemble.fraction[0].name: got nothing; expected"),
     (fraction(name="a", column="w3", low="nan"), "ensemble.fraction[0].low: got "),

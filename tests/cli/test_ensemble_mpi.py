@@ -7,10 +7,16 @@ import pathlib
 import shutil
 import signal
 import subprocess
-import time
 
 import pytest
-from ensemble_files import COLLOCATION, TORQUE, mark, rows_of
+from ensemble_files import (
+    COLLOCATION,
+    TORQUE,
+    bytes_of,
+    mark,
+    rows_of,
+    wait_for_another,
+)
 from open_mpi import ENVIRONMENT
 from slowdown import SLOWDOWN
 
@@ -78,18 +84,6 @@ def children(process):
     return [int(word) for word in found.stdout.split()]
 
 
-def wait_for_another(checkpoint, before, process):
-    """Until the checkpoint holds something else."""
-    until = time.monotonic() + SECONDS
-    while process.poll() is None and time.monotonic() < until and bytes_of(checkpoint) == before:
-        time.sleep(0.01)
-    assert bytes_of(checkpoint) != before
-
-
-def bytes_of(path):
-    return path.read_bytes() if path.exists() else b""
-
-
 def test_killed_ranks_and_another_number_of_them_lose_nothing(run, ranks, command, ensemble,
                                                               tmp_path):
     """First one rank is killed, then mpirun with all of them, then the leader; each time the job
@@ -153,7 +147,7 @@ def test_a_rank_with_another_file_says_so(polhode, ensemble, tmp_path):
     path = ensemble("size = 40\nchunk = 5")
     other = tmp_path / "other"
     other.mkdir()
-    words = [str(polhode), "ensemble", "body.toml", "--out", str(tmp_path / "a.csv")]
+    words = [str(polhode), "ensemble", "body.toml", "--restart", "--out", str(tmp_path / "a.csv")]
     for text, message in ((path.read_text().replace("sigma = 0.05", "sigma = 0.06"),
                            "rank 1: body.toml: is not the ensemble that is run: scenario was "),
                           (None, "rank 1: body.toml: ")):

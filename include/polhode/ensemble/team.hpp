@@ -13,8 +13,8 @@
 // Errors      what a cell or `take` throws ends the stage, after the cells before it: that of the
 //             first index. What another process throws arrives as a TeamError with its message.
 //             What `look` throws ends the stage at once and passes through.
-// Cost        that of the cells and of their bytes. At most four cells for each that is computed at
-//             a time wait for an earlier one.
+// Cost        that of the cells and of their bytes. With MPI at most four cells for each that is
+//             computed at a time wait for an earlier one.
 #pragma once
 
 #include <cstdint>

@@ -179,7 +179,9 @@ RunBegin begin_of(const char* function, bool resume, bool restart) {
   return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
 }
 
-BeginWords begin_words() { return {"resume=True", "restart=True"}; }
+BeginWords begin_words() {
+  return {"resume=True", "restart=True", "polhode ensemble --any-machine"};
+}
 
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<Run>(m, "_Run")

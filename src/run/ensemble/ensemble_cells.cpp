@@ -169,10 +169,11 @@ void EnsembleCells::begin(const std::string& stage) {
   if (any_machine_) take_elementary_functions(stage_.identity, ours);
   const std::string differs = difference(stage_.identity, ours);
   if (!differs.empty())
-    throw DomainError(
-        ensemble_.scenario().document.name + ": is not the ensemble that is run: " + differs +
-        (differs_in_elementary_functions(differs) ? "; expected machines alike, or any_machine"
-                                                  : ""));
+    throw DomainError(ensemble_.scenario().document.name +
+                      ": is not the ensemble that is run: " + differs +
+                      (differs_in_elementary_functions(differs)
+                           ? "; expected machines that are alike, or --any-machine"
+                           : ""));
   chunk_files_ = stage_.chunk_files;
   if (stage_.pilots || !frame_) return;
   // The leader's own: its bins stay those that it merges into, which are then alike at a glance.

@@ -175,6 +175,9 @@ class EnsembleRun::Parts {
           [&](std::int64_t cell) { return cells_.chunk(cells, cell, look); },
           [&](StateBytes& bytes, EnsembleChunk& chunk) { chunk.transfer(bytes, frame_); },
           [&](std::int64_t, const EnsembleChunk& chunk) { take(chunk); });
+    } catch (const TeamError&) {  // of another process: what this one has is whole
+      if (report_.members > members_before_) keep();
+      throw;
     } catch (const Stopped&) {
       if (statistics_ || !frame_) keep();
       if (raised_) std::rethrow_exception(raised_);

@@ -43,6 +43,10 @@ std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
   std::vector<std::string> paths, all = outputs;
   for (const EnsembleHistogram& one : plan.histograms)
     paths.push_back(stem + "." + one.name + format->extension);
+  for (const std::string& path : paths)
+    if (!is_file(path))
+      throw DomainError(printable(path, longest_path) +
+                        ": is no file; expected a place for a histogram");
   all.insert(all.end(), paths.begin(), paths.end());
   require_own_files(file, all);
   return paths;
@@ -53,9 +57,10 @@ void write_histograms(std::vector<EnsembleReport::Histogram>& histograms,
                       Provenance origin) {
   if (paths.empty()) return;
   origin.notes.emplace_back(
-      "histogram: from the low edge on and below the high one, the last bin but one with it; the "
-      "first and the last bin of a column are open; part: of the members that have the numbers "
-      "then");
+      "histogram: a bin has its low edge and not its high one, but the last before the open bin "
+      "has "
+      "both; the first and the last bin of a column are open; part: of the members that have these "
+      "numbers then");
   for (std::size_t h = 0; h < histograms.size(); ++h) {
     histograms[h].path = paths[h];
     const std::unique_ptr<Sink> sink =

@@ -74,6 +74,14 @@ void require_known_columns(const ScenarioEnsemble& ensemble) {
     if (std::ranges::find(ensemble.events(), plan.fractions[i].name) != ensemble.events().end())
       refuse(file.checked->values, path + ".name", file.path,
              "expected a name of its own, since an event has this one");
+    const auto has_this_name = [&](const ColumnGroup& group) {
+      return group.name == plan.fractions[i].name ||
+             std::ranges::find(group.columns, plan.fractions[i].name, &Column::name) !=
+                 group.columns.end();
+    };
+    if (std::ranges::any_of(ensemble.row_groups(), has_this_name))
+      refuse(file.checked->values, path + ".name", file.path,
+             "expected a name of its own, since a column has this one");
   }
   for (std::size_t i = 0; i < plan.histograms.size(); ++i)
     for (const EnsembleHistogram::Axis& axis : plan.histograms[i].axes)

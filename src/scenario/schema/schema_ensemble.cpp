@@ -104,9 +104,10 @@ constexpr Key keys[] = {
     {.path = "ensemble.histogram[].low",
      .type = numbers,
      .example = "[200, 0.5]",
-     .help = "Of each column, in its unit. Left out with high: the range of the members, or, where "
-             "there are too many to keep their numbers, that of the first thousand and a tenth of "
-             "it on either side."},
+     .help =
+         "Of each column, in its unit. Left out with high: the range of the members, or, where "
+         "there are too many to keep their numbers, that of the first 1024 at most and a tenth of "
+         "it on either side."},
     {.path = "ensemble.histogram[].high",
      .type = numbers,
      .example = "[320, 0.7]",

@@ -135,11 +135,16 @@ double StatisticsFrame::number(const MemberNumber& of, const EnsembleMember& mem
 
 bool StatisticsFrame::is_in(std::size_t fraction, double x) const {
   const EnsembleFraction& of = ensemble_.plan().fractions[fraction];
-  if (columns_.fractions[fraction].is_angle && of.low && of.high) {
-    const double beyond = x - *of.low;
-    return beyond - turn_ * std::floor(beyond / turn_) < *of.high - *of.low;
-  }
-  return (!of.low || x >= *of.low) && (!of.high || x < *of.high);
+  const auto lies = [&](double number, double turns) {
+    return (!of.low || number >= *of.low - turns) && (!of.high || number < *of.high - turns);
+  };
+  if (!columns_.fractions[fraction].is_angle || !of.low || !of.high) return lies(x, 0.0);
+  // The bounds go round, not the number: no angle falls between two intervals by rounding.
+  const double within = std::remainder(x, turn_);  // exact
+  const double first = std::ceil((*of.low - within) / turn_);
+  for (const double turns : {first - 1.0, first, first + 1.0})
+    if (lies(within, turns * turn_)) return true;
+  return false;
 }
 
 void StatisticsFrame::set_base(const EnsembleMember& base) {

@@ -33,14 +33,17 @@ std::size_t StatisticsFrame::first_axis(std::size_t histogram, std::size_t time)
 }
 
 double StatisticsFrame::histogram_bytes() const {
-  constexpr double of_cell = 8.0;
+  // a count, and at the end a row of the file: t, two edges of each column, members, part
+  const auto of_cell = [](const EnsembleHistogram& one) {
+    return 8.0 * (4.0 + 2.0 * static_cast<double>(one.axes.size()));
+  };
   const double rows = static_cast<double>(row_times(ensemble_.scenario())->size());
   double bytes = 0.0;
   for (const EnsembleHistogram& one : ensemble_.plan().histograms) {
     double cells = 1.0;
     for (const EnsembleHistogram::Axis& axis : one.axes)
       cells *= static_cast<double>(axis.bins + 2);
-    bytes += of_cell * cells * (one.at_all_times ? rows : 1.0);
+    bytes += of_cell(one) * cells * (one.at_all_times ? rows : 1.0);
   }
   return bytes;
 }
