@@ -265,6 +265,16 @@ def of_figures(tmp_path):
             {"gm": 1.0, "J2_R2": 0.01, "mu": [0.0, 0.0, 0.1]},
             {},
         ),
+        "outcomes": (
+            figures.outcomes,
+            {"limits": [0.0, 1.0], "size": 2.0},
+            {"source": {"a": [0.0, 1.0], "b": [1.0, 2.0]}, "value": "a", "x": "a", "y": "b"},
+        ),
+        "pole_cloud": (
+            figures.pole_cloud,
+            {"limits": [0.0, 1.0], "size": 2.0},
+            {"source": {"pole_ra": [0.0, 1.0], "pole_dec": [0.5, 0.6]}, "value": "pole_dec"},
+        ),
         "overview": (figures.overview, {"span": 0.1}, {"results": run, "body": public_calls.BODY}),
         "phase_plane": (
             figures.phase_plane,
