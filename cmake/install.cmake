@@ -5,46 +5,24 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/polhode)
 
-install(TARGETS polhode_core EXPORT polhode-core
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT polhode-core NAMESPACE polhode:: DESTINATION ${package_dir})
-
-if(TARGET polhode_ephemeris)
-  install(TARGETS polhode_ephemeris EXPORT polhode-ephemeris
+# The component and what else it links, where it is built.
+foreach(component IN ITEMS core ephemeris ensemble mpi io cli)
+  set(target polhode_${component})
+  if(component STREQUAL "cli")
+    set(target polhode_commands)
+  endif()
+  if(NOT TARGET ${target})
+    continue()
+  endif()
+  install(TARGETS ${target} EXPORT polhode-${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT polhode-ephemeris NAMESPACE polhode:: DESTINATION ${package_dir})
-  install(FILES ${PROJECT_SOURCE_DIR}/cmake/ephemeris-dependencies.cmake
-    DESTINATION ${package_dir})
-endif()
-if(TARGET polhode_io)
-  install(TARGETS polhode_io EXPORT polhode-io
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT polhode-io NAMESPACE polhode:: DESTINATION ${package_dir})
-  install(FILES ${PROJECT_SOURCE_DIR}/cmake/io-dependencies.cmake DESTINATION ${package_dir})
-endif()
-if(TARGET polhode_ensemble)
-  install(TARGETS polhode_ensemble EXPORT polhode-ensemble
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT polhode-ensemble NAMESPACE polhode:: DESTINATION ${package_dir})
-  install(FILES ${PROJECT_SOURCE_DIR}/cmake/ensemble-dependencies.cmake DESTINATION ${package_dir})
-endif()
-if(TARGET polhode_mpi)
-  install(TARGETS polhode_mpi EXPORT polhode-mpi
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT polhode-mpi NAMESPACE polhode:: DESTINATION ${package_dir})
-  install(FILES ${PROJECT_SOURCE_DIR}/cmake/mpi-dependencies.cmake DESTINATION ${package_dir})
-endif()
-if(TARGET polhode_commands)
-  install(TARGETS polhode_commands EXPORT polhode-cli
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT polhode-cli NAMESPACE polhode:: DESTINATION ${package_dir})
-endif()
+  install(EXPORT polhode-${component} NAMESPACE polhode:: DESTINATION ${package_dir})
+  set(dependencies ${PROJECT_SOURCE_DIR}/cmake/${component}-dependencies.cmake)
+  if(EXISTS ${dependencies})
+    install(FILES ${dependencies} DESTINATION ${package_dir})
+  endif()
+endforeach()
 if(TARGET polhode)
   install(TARGETS polhode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   if(NOT CMAKE_CROSSCOMPILING)
