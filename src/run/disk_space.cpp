@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "polhode/run/run.hpp"
+#include "run/detail/own_files.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -19,14 +20,6 @@ namespace {
 std::filesystem::path folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return folder.empty() ? "." : folder;
-}
-
-// A file that rows go into, or none yet.
-bool is_file(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::file_status there = std::filesystem::status(path, error);
-  return path != "-" &&
-         (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there));
 }
 
 // What a file of an earlier run holds, which this one overwrites.
@@ -65,7 +58,7 @@ std::vector<DiskNeed> disk_needs(const Scenario& scenario, std::span<const std::
   std::map<dev_t, DiskNeed> disks;
   for (const std::string& path : outputs) {
     const OutputFormat* const format = scenario.output.formats.of_extension(path);
-    if (format == nullptr || format->number_bytes.least == 0 || !is_file(path)) continue;
+    if (format == nullptr || format->number_bytes.least == 0 || !detail::is_file(path)) continue;
     const std::filesystem::path folder = folder_of(path);
     std::error_code error;
     const std::filesystem::space_info space = std::filesystem::space(folder, error);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <utility>
 
 #include "output/part_file.hpp"
@@ -18,8 +17,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view format = "polhode outputs 2";
 constexpr std::size_t hash_bytes = 8;
@@ -85,11 +82,6 @@ KeptOutputs::KeptOutputs(KeptSetup setup, const Provenance& provenance)
 }
 
 bool KeptOutputs::are_files() const {
-  const auto is_file = [](const std::string& path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
-  };
   return !paths_.empty() && std::all_of(paths_.begin(), paths_.end(), is_file);
 }
 

@@ -22,13 +22,13 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
   return !one.empty() && one == other;
 }
 
+}  // namespace
+
 bool is_file(const std::string& path) {
   std::error_code none;
   const fs::file_status status = fs::status(path, none);
   return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
 }
-
-}  // namespace
 
 void require_own_files(const Document& document, std::span<const std::string> paths) {
   const fs::path folder = fs::path(document.name).parent_path();

@@ -11,6 +11,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// Whether a path is a file or can become one: not -, no pipe, device or folder.
+bool is_file(const std::string& path);
+
 // Throws DomainError where one of these paths is a file that the scenario reads, under whatever
 // name, or where two of them are the same file.
 void require_own_files(const Document& document, std::span<const std::string> paths);

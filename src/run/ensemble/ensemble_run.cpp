@@ -19,6 +19,7 @@
 #include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/ensemble_origin.hpp"
 #include "run/ensemble/histogram_files.hpp"
+#include "run/ensemble/statistics/accumulator_bytes.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 #include "text/printable.hpp"
 
@@ -130,12 +131,7 @@ class EnsembleRun::Parts {
     bytes.all(report_.members, report_.failed);
     detail::sized(bytes, report_.failures,
                   [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
-    for (NumberMoments& key : drawn_) {
-      std::vector<double> numbers;
-      if (!bytes.reads()) numbers = key.numbers();
-      bytes(numbers);
-      if (bytes.reads()) key = key.restored(numbers);
-    }
+    detail::transfer_all(bytes, drawn_);
     bytes(waiting_);
     if (!frame_) return;
     frame_->transfer(bytes);

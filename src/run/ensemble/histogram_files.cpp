@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run/ensemble/histogram_files.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -16,13 +15,6 @@ namespace detail {
 namespace {
 
 constexpr std::size_t longest_path = 500;
-
-bool is_file(const std::string& path) {
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  return path != "-" &&
-         (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "polhode/error.hpp"
+#include "run/ensemble/statistics/accumulator_bytes.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -19,17 +20,6 @@ constexpr int classes = 3;  // short axis, long axis, others
 int class_of(double mode) { return mode == 1.0 ? 0 : mode == -1.0 ? 1 : 2; }
 
 Quaternion attitude_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
-
-// Accumulators as one list of numbers: how many each has, then these.
-template <class A>
-void transfer_all(StateBytes& bytes, std::vector<A>& all) {
-  for (A& one : all) {
-    std::vector<double> numbers;
-    if (!bytes.reads()) numbers = one.numbers();
-    bytes(numbers);
-    if (bytes.reads()) one = one.restored(numbers);
-  }
-}
 
 template <class A>
 void merge_all(std::vector<A>& all, const std::vector<A>& later) {
