@@ -68,7 +68,7 @@ test-asan: build/asan/build.ninja ## Part of test-full: C++ and Python tests und
 test-tsan: build/tsan/build.ninja ## Part of test-full: what starts threads, under ThreadSanitizer
 	cmake --build --preset tsan
 	ctest --preset tsan -j $(CORES) --progress
-	tools/sanitized tsan $(PYTEST) tests/cli/test_map.py
+	tools/sanitized tsan $(PYTEST) tests/cli/test_map.py tests/cli/test_ensemble.py
 	tools/sanitized tsan $(PYTEST) python/tests -k "thread or map or ctrl_c"
 
 test-neon: ## Part of test-full: what computes in lanes, for AArch64 (NEON), run by qemu

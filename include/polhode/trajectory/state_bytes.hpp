@@ -5,8 +5,9 @@
 // Equations   none.
 // Units       any.
 // Domain      numbers, texts, vectors, quaternions, arrays, lists, pairs, optional ones of them,
-//             samples and events of any state. To write: visit, then bytes(). To read: visit the
-//             same things in the same order.
+//             samples and events of any state. To write: visit, then bytes(); what is visited
+//             is only read, so other threads may read it too. To read: visit the same things in the
+//             same order.
 // Accuracy    exact: every double is kept as its bits, the lowest byte first on every machine.
 // Errors      DomainError for bytes that end too early.
 // Cost        eight bytes per number.
@@ -63,7 +64,7 @@ class StateBytes {
   void operator()(double& x) {
     std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
     (*this)(bits);
-    x = std::bit_cast<double>(bits);
+    if (reads_) x = std::bit_cast<double>(bits);
   }
   void operator()(std::string& x) {
     std::uint64_t size = x.size();
@@ -104,12 +105,9 @@ class StateBytes {
   void operator()(std::optional<T>& x) {
     bool is_given = x.has_value();
     (*this)(is_given);
-    if (!is_given) {
-      x.reset();
-      return;
-    }
-    if (!x) x.emplace(T{});
-    (*this)(*x);
+    if (!is_given && x) x.reset();
+    if (is_given && !x) x.emplace(T{});
+    if (x) (*this)(*x);
   }
   template <class A, class B>
   void operator()(std::pair<A, B>& x) {
@@ -137,7 +135,7 @@ class StateBytes {
   void as(T& x) {
     Wide wide = static_cast<Wide>(x);
     (*this)(wide);
-    x = static_cast<T>(wide);
+    if (reads_) x = static_cast<T>(wide);
   }
   std::string_view taken(std::uint64_t size) {
     if (size > rest_.size()) throw too_short();
