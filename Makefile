@@ -69,7 +69,7 @@ test-tsan: build/tsan/build.ninja ## Part of test-full: what starts threads, und
 	cmake --build --preset tsan
 	ctest --preset tsan -j $(CORES) --progress
 	tools/sanitized tsan $(PYTEST) tests/cli/test_map.py tests/cli/test_ensemble.py
-	tools/sanitized tsan $(PYTEST) python/tests -k "thread or map or ctrl_c"
+	tools/sanitized tsan $(PYTEST) python/tests -k "(thread or map or ctrl_c) and not mpi"  # Open MPI has races of its own
 
 test-neon: ## Part of test-full: what computes in lanes, for AArch64 (NEON), run by qemu
 	tools/install-deps --neon
