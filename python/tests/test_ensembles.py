@@ -223,7 +223,8 @@ low = 0
 
 
 def counted():
-    scenario = Scenario.from_text(STOPPED).with_columns(["q", "omega"])
+    goes_on = STOPPED.replace("stops = true\n", "")
+    scenario = Scenario.from_text(goes_on).with_columns(["q", "omega"])
     text = scenario.with_ensemble(BOTH, size=40, chunk=16).text
     return Scenario.from_text(text.replace("[[ensemble.vary]]", COUNTED + "[[ensemble.vary]]", 1))
 
