@@ -119,6 +119,18 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
     if (!file) throw OutputError(path + ": cannot be written");
   }
   if (rows.empty()) return;
+  const auto require_done = [&](const std::string& failure) {
+    if (!failure.empty())
+      throw std::runtime_error(fmt::format(
+          "{}: member {} failed: {}", ensemble.scenario().document.name, *options.member, failure));
+  };
+  // what the ensemble knows of it beside the columns of a run
+  if (!ensemble.events().empty() || !ensemble.plan().indicators.empty()) {
+    const MemberReport report =
+        write_member(ensemble, *options.member, rows, options.begin.begin(), begin_words());
+    if (report.was_complete) return print_nothing_to_do(ensemble.scenario().document.name, rows);
+    return require_done(report.failure);
+  }
   const Scenario member = scenario_from_text(text, ensemble.scenario().document.path, kinds);
   RunOptions how;
   how.begin = options.begin.begin();
@@ -127,9 +139,7 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
   ScenarioRun run(member, {rows, {}}, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(member.document.name, rows);
   const RunReport report = run.run();
-  if (!report.outcome.ok())
-    throw std::runtime_error(fmt::format("{}: member {} failed: {}", member.document.name,
-                                         *options.member, report.outcome.advice));
+  require_done(report.outcome.ok() ? std::string() : report.outcome.advice);
 }
 
 // Work together with the ensemble that it is of.
@@ -213,9 +223,11 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
   options->program = typed;
   add_files(*command, *options, kinds);
   command
-      ->add_option("--member", options->member,
-                   "Run this member alone, from 0 on: its rows into --out, its scenario into a "
-                   "PATH.toml among these; without --out, print its scenario")
+      ->add_option(
+          "--member", options->member,
+          "Run this member alone, from 0 on: its rows into --out, first times of events and "
+          "indicators too, its scenario into a PATH.toml among these; without --out, "
+          "print its scenario")
       ->type_name("K")
       ->check(member_index());
   add_work(*command, *options, {"an ensemble", "ensemble", "members", "chunks"});

@@ -7,6 +7,7 @@ Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matpl
 from polhode import _core, elliptic, vary
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
+from polhode._ensemble_histograms import EnsembleHistogram, FirstTimes
 from polhode._notebook import show_tables
 from polhode._signatures import (
     ClassSignature,
@@ -27,7 +28,9 @@ from polhode.scenarios import Citation, Scenario, load
 __all__ = [
     "ArgumentFit",
     "Citation",
+    "EnsembleHistogram",
     "EnsembleResults",
+    "FirstTimes",
     "FreeWobble",
     "HarmonicFit",
     "MapResults",

@@ -42,6 +42,17 @@ def read_file(path: str | os.PathLike[str]) -> EnsembleFile:
     return found
 
 
+def chunk_files(index: str, chunks: Any, last: int) -> list[str]:
+    """The files of these chunks, of `last` + 1, beside their index: it has "index" where they have
+    their number. OSError where there are none."""
+    path, digits = index.removesuffix(".part"), len(str(last))
+    for place in reversed([found.start() for found in re.finditer("index", path)]):
+        files = [f"{path[:place]}{int(k):0{digits}}{path[place + 5 :]}" for k in chunks]
+        if all(map(os.path.exists, files[:1])):
+            return files
+    raise FileNotFoundError(f"{index}: the files of chunks are not beside it")
+
+
 def _read_hdf5(path: str) -> EnsembleFile:
     h5py = imported("h5py", "EnsembleResults.read of an HDF5 file")
     with h5py.File(path) as file:

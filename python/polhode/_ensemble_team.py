@@ -26,26 +26,30 @@ SHORT, MOST = 0.05, 64
 _worker = threading.local()
 
 
-def cells(text: str, path: str, stage: bytes, begin: int, end: int) -> tuple[float, list[bytes]]:
+def cells(
+    text: str, path: str, any_machine: bool, stage: bytes, begin: int, end: int
+) -> tuple[float, list[bytes]]:
     """In a worker: cells begin to end - 1 of a stage of the ensemble of a text, and the seconds
     that they took. The ensemble that was last asked for stays."""
     started = time.perf_counter()
-    if getattr(_worker, "of", None) == (text, path) and _worker.stage != stage:
+    of = (text, path, any_machine)
+    if getattr(_worker, "of", None) == of and _worker.stage != stage:
         try:
             _worker.work.begin(stage)
             _worker.stage = stage
         except ValueError:  # a file that it names has changed since
             _worker.of = None
-    if getattr(_worker, "of", None) != (text, path):
+    if getattr(_worker, "of", None) != of:
         _worker.of = None
-        work = _core._Scenario.from_text(text.encode("utf-8"), path).ensemble().work()
+        scenario = _core._Scenario.from_text(text.encode("utf-8"), path)
+        work = scenario.ensemble().work(any_machine)
         work.begin(stage)
-        _worker.work, _worker.stage, _worker.of = work, stage, (text, path)
+        _worker.work, _worker.stage, _worker.of = work, stage, of
     found = [_worker.work.cell(index) for index in range(begin, end)]
     return time.perf_counter() - started, found
 
 
-def team_of(executor: Any, file: Any) -> Callable[..., None]:
+def team_of(executor: Any, file: Any, any_machine: bool) -> Callable[..., None]:
     """The function that runs a stage of the ensemble of a scenario on an executor."""
     if not isinstance(executor, Executor):
         raise TypeError(
@@ -70,7 +74,7 @@ def team_of(executor: Any, file: Any) -> Callable[..., None]:
                     return
                 while following < count and len(waiting) < most:
                     end = min(following + each, count)
-                    task = executor.submit(cells, text, path, stage, following, end)
+                    task = executor.submit(cells, text, path, any_machine, stage, following, end)
                     waiting.append((following, end, task))
                     following = end
                 begin, end, task = waiting[0]

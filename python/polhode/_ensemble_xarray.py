@@ -58,7 +58,7 @@ def dataset(
     units: Mapping[str, str],
     drawn: Sequence[str],
     keep: str,
-    size: int,
+    members: range,
     notes: Mapping[str, Any],
 ) -> xarray.Dataset:
     """Columns by name; `drawn` are those that were drawn."""
@@ -73,14 +73,14 @@ def dataset(
         }
 
     if keep == "rows":
-        dimension, coordinates, arrays = _by_member(columns, size)
-        members = ("member", numpy.arange(size), attributes["member"])
+        dimension, coordinates, arrays = _by_member(columns, members)
+        numbers = ("member", numpy.array(members, dtype=numpy.int64), attributes["member"])
         times = (*coordinates, attributes["t"])
         return xarray.Dataset(
             variables(("member", dimension), arrays, ("member", "t")),
-            coords={"member": members, "t": times}, attrs=dict(notes),
+            coords={"member": numbers, "t": times}, attrs=dict(notes),
         )
-    along = "t" if keep == "statistics" else "member"
+    along = {"statistics": "t", "final": "member", "chunks": "chunk"}[keep]
     place = columns[along] if along == "t" else columns[along].astype(numpy.int64)
     return xarray.Dataset(
         variables(along, columns, (along,)),
@@ -88,12 +88,13 @@ def dataset(
     )
 
 
-def _by_member(columns: Mapping[str, Any], size: int) -> tuple[str, Any, dict[str, Any]]:
-    """Rows of all members side by side, NaN where a member has none: the second dimension, t with
+def _by_member(columns: Mapping[str, Any], members: range) -> tuple[str, Any, dict[str, Any]]:
+    """Rows of these members side by side, NaN where a member has none: the second dimension, t with
     its own dimensions, and the arrays (size, most rows of a member).
 
     Where every row is at the same time as those of its number, t is the dimension."""
-    member = columns["member"].astype(numpy.int64)
+    size = len(members)
+    member = columns["member"].astype(numpy.int64) - members.start
     counts = numpy.bincount(member, minlength=size)
     within = numpy.arange(len(member)) - numpy.repeat(numpy.cumsum(counts) - counts, counts)
     most = int(counts.max(initial=0))

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from polhode import _core, _ensemble_files, _toml, vary
-from polhode.results import _MissingColumn, _same_bits
+from polhode._columns import Columns, MissingColumn, restored
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -18,83 +18,61 @@ if TYPE_CHECKING:
     import numpy.typing
     import xarray
 
+    from polhode._ensemble_histograms import EnsembleHistogram, FirstTimes
     from polhode.scenarios import Path, Scenario
 
     Array = numpy.typing.NDArray[numpy.float64]
 
+MARK = "{chunk}"
+"""In the name of an output: each chunk has a file of its own."""
 
-class EnsembleResults(Mapping[str, "Array"]):
+
+class EnsembleResults(Columns):
     """What an ensemble keeps: `results["P_short_mean"]` is a column, a view without a copy.
 
     Columns are named and have the units as in the files of `polhode ensemble`. By `keep` a row is a
-    time ("statistics"), a member with what was drawn and its last row ("final"), or one row of a
-    member ("rows"). Made by polhode.ensemble and Scenario.ensemble, or read from a file.
+    time ("statistics"), a member with what was drawn and its last row ("final"), one row of a
+    member ("rows"), or a chunk whose rows are in a file of its own ("chunks"). Made by
+    polhode.ensemble and Scenario.ensemble, or read from a file.
     """
 
     def __init__(self, given: Mapping[str, Any]) -> None:
+        super().__init__(given["groups"], given["table"])
         self._given = dict(given)
-        self._table = given["table"]
-        self._groups = [(group, list(columns)) for group, columns in given["groups"]]
-        self._where: dict[str, int] = {}
-        self._units: dict[str, str] = {}
-        self._spans: dict[str, slice] = {}
-        for group, columns in self._groups:
-            first = len(self._where)
-            for name, unit in columns:
-                self._where[name] = len(self._where)
-                self._units[name] = unit
-            self._spans[group] = slice(first, len(self._where))
         self._members: Any = None  # the ensemble of C++, once it is asked for
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> EnsembleResults:
         """What `polhode ensemble` or a call from Python wrote into a file, CSV or HDF5.
 
-        HDF5 needs the package h5py. A file that is not complete yet, PATH.part, has what is done.
+        Of files of chunks, one of them or their index. HDF5 needs the package h5py. A file that is
+        not complete yet, PATH.part, has what is done.
         OSError for a file that cannot be read, ValueError for one that is not of an ensemble.
         """
         file = _ensemble_files.read_file(path)
         noted = "\n".join(file.notes)
         names = [name for _, columns in file.groups for name, _ in columns]
-        if {"part", "first_member"} & set(names):
+        if "part" in names:
             raise ValueError(
-                f"{file.path}: a histogram, or an index of chunks; expected rows or statistics of "
-                "an ensemble"
+                f"{file.path}: a histogram; expected rows or statistics of an ensemble, whose "
+                "results have it in .histograms"
             )
         sizes = re.search(r"^ensemble: (\d+) members", noted, re.MULTILINE)
+        own = re.search(r"^chunk \d+: members (\d+) to (\d+)$", noted, re.MULTILINE)
         keys = _keys_in(file.notes, names)
         keep = "statistics" if "member" not in names else "final" if keys else "rows"
+        if "first_member" in names:
+            keep = "chunks"
         file.table.flags.writeable = False
         return cls({
             "scenario": None, "file": (file.scenario, file.scenario_name, file.path),
             "title": file.title, "groups": file.groups, "table": file.table, "texts": file.texts,
             "keep": keep, "size": int(sizes[1]) if sizes else 0, "keys": keys, "failures": None,
+            "own": (int(own[1]), int(own[2]) + 1) if own else None, "beside": file.path,
         })
 
-    def __getitem__(self, name: str) -> Array:
-        try:
-            place = self._where[name]
-        except (KeyError, TypeError):
-            raise _MissingColumn(self._missing(name)) from None
+    def _column(self, name: str, place: int) -> Array:
         return self._texts[name] if name in self._texts else self._table[:, place]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._where)
-
-    def __len__(self) -> int:
-        return len(self._where)
-
-    def _ipython_key_completions_(self) -> list[str]:
-        return list(self._where)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, EnsembleResults):
-            return NotImplemented
-        return self._units == other._units and all(
-            _same_bits(self[name], other[name]) for name in self
-        )
 
     @property
     def _texts(self) -> dict[str, Any]:
@@ -111,32 +89,24 @@ class EnsembleResults(Mapping[str, "Array"]):
         return self._given["texts"]
 
     @property
-    def columns(self) -> tuple[str, ...]:
-        """The names of all columns."""
-        return tuple(self._where)
-
-    @property
-    def units(self) -> dict[str, str]:
-        """The unit of each column; "1" for pure numbers."""
-        return dict(self._units)
-
-    @property
     def groups(self) -> dict[str, Array]:
         """Columns that belong together, as views: "q" is (N, 4), "t" (N,). Of a CSV file, which
         does not say it, every column by itself."""
         return {
-            group: self[columns[0][0]] if len(columns) == 1 else self._table[:, self._spans[group]]
-            for group, columns in self._groups
+            group: self[self.columns[span.start]] if span.stop - span.start == 1
+            else self._table[:, span]
+            for group, span in self._spans.items()
         }
 
     @property
     def keep(self) -> str:
-        """"statistics", "final" or "rows"."""
+        """"statistics", "final", "rows" or "chunks"."""
         return self._given["keep"]
 
     @property
     def size(self) -> int:
-        """How many members there are, those that failed included."""
+        """How many members there are, those that failed included; of the file of a chunk, how many
+        the ensemble has."""
         return self._given["size"]
 
     @property
@@ -172,11 +142,62 @@ class EnsembleResults(Mapping[str, "Array"]):
 
         if self._given["failures"] is not None:
             return self._given["failed"]
+        if self.keep == "chunks":
+            return int(self["failed"].sum())
         if self.keep == "statistics":
             return self.size - int(self["members"].max(initial=0.0))
         if self.keep == "final":
             return int(numpy.count_nonzero(numpy.isnan(self["t"])))
-        return self.size - len(numpy.unique(self["member"]))
+        return len(self._own) - len(numpy.unique(self["member"]))
+
+    @property
+    def _own(self) -> range:
+        """The members that rows may be of: of the file of a chunk, those of the chunk."""
+        return range(*(self._given["own"] or (0, self.size)))
+
+    @property
+    def chunk_files(self) -> list[str]:
+        """Of keep "chunks": the paths of the files that EnsembleResults.read opens, one for each
+        row. Else there are none."""
+        if self.keep != "chunks":
+            return []
+        ensemble = self._ensemble()
+        return _ensemble_files.chunk_files(
+            self._given["beside"], self["chunk"], (self.size - 1) // ensemble.chunk
+        )
+
+    @property
+    def first_times(self) -> dict[str, FirstTimes]:
+        """Beside statistics, by event of the scenario: to which part of the members it happened,
+        and by when to so many of them. AttributeError where results come from a file, which has
+        columns EVENT_part against time alone."""
+        from polhode._ensemble_histograms import FirstTimes
+
+        if self.keep != "statistics":
+            return {}
+        if self._given.get("first_times") is None:
+            raise AttributeError(
+                "first_times: a file does not hold them; its columns EVENT_part say which part "
+                "they had happened to by each time"
+            )
+        unit, quantiles = self.units["t"], self._given["quantiles"]
+        return {
+            event: FirstTimes(part, dict(zip(quantiles, times)), unit)
+            for event, part, times in self._given["first_times"]
+        }
+
+    @property
+    def histograms(self) -> dict[str, EnsembleHistogram]:
+        """Beside statistics, the histograms of the scenario by name. Of results from a file, those
+        next to it: OSError for one that is not there."""
+        from polhode import _ensemble_histograms
+
+        if self.keep != "statistics":
+            return {}
+        planned = self._ensemble().histograms
+        if self._given.get("histograms") is None:
+            return _ensemble_histograms.histograms_beside(planned, self._given["beside"])
+        return _ensemble_histograms.histograms_in_memory(planned, self._given["histograms"])
 
     @property
     def drawn(self) -> dict[str, Array]:
@@ -202,7 +223,7 @@ class EnsembleResults(Mapping[str, "Array"]):
         """
         found = quantiles_in(self, column)
         if not found:
-            raise _MissingColumn(
+            raise MissingColumn(
                 f"no quantiles of \"{column}\"; these results have them of "
                 f"{', '.join(columns_with_quantiles(self)) or 'none'}"
             )
@@ -212,14 +233,25 @@ class EnsembleResults(Mapping[str, "Array"]):
         """The columns as an xarray.Dataset; units and what they are as attributes of the variables.
 
         Statistics lie along t, last rows along member, rows along member and t, NaN where a member
-        has none. Where rows of one number are at different times (an event stopped a member
-        between two rows) the second dimension is `row`, and t a coordinate along both.
+        has none, an index along chunk. First times of an event, EVENT_first, lie along quantile;
+        histograms are datasets of their own. Where rows of one number are at different times (an
+        event stopped a member between two rows) the second dimension is `row`, and t a coordinate
+        along both.
         """
         from polhode._ensemble_xarray import dataset
 
         notes = {"title": self._title(), "scenario": self._name(), "size": self.size}
         keys = self._given["keys"]
-        return dataset(dict(self), self._units, keys, self.keep, self.size, notes)
+        table = dataset(dict(self), self._units, keys, self.keep, self._own, notes)
+        if not self._given.get("first_times"):
+            return table
+        return table.assign({
+            f"{event}_first": (
+                "quantile", list(of.times.values()),
+                {"units": of.unit, "long_name": f"by when so many had met {event}"},
+            )
+            for event, of in self.first_times.items()
+        }).assign_coords(quantile=self._given["quantiles"])
 
     def _ensemble(self) -> Any:
         if self._members is None:
@@ -234,20 +266,10 @@ class EnsembleResults(Mapping[str, "Array"]):
         named = self._given["scenario"]
         return self._given["title"] if named is None else named.title
 
-    def _missing(self, name: object) -> str:
-        has = f"these results have {', '.join(self._where)}"
-        if not isinstance(name, str):
-            return f"got {name!r}; expected the name of a column: {has}"
-        import difflib
-
-        near = difflib.get_close_matches(name, self._where, n=3)
-        mean = f"did you mean {' or '.join(near)}? " if near else ""
-        return f"no column \"{name}\"; {mean}{has}"
-
     def __repr__(self) -> str:
         rows = {
             "statistics": "statistics at {} times", "final": "last rows of {} members",
-            "rows": "{} rows of the members",
+            "rows": "{} rows of the members", "chunks": "{} files of chunks",
         }[self.keep].format(len(self._table))
         columns = [
             f"{name} [{unit}]" if unit != "1" else name for name, unit in self._units.items()
@@ -258,12 +280,11 @@ class EnsembleResults(Mapping[str, "Array"]):
         return f"<EnsembleResults: {title}: {self.size} members; {rows}: {shown}{failed}>"
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restored, ({**self._given, "table": self._table.copy()},)
+        return _of_parts, ({**self._given, "table": None}, self._table.copy())
 
 
-def _restored(given: dict[str, Any]) -> EnsembleResults:
-    given["table"].flags.writeable = False
-    return EnsembleResults(given)
+def _of_parts(given: dict[str, Any], table: Any) -> EnsembleResults:
+    return restored(lambda whole: EnsembleResults({**given, "table": whole}), (), table, ())
 
 
 def _keys_in(notes: Sequence[str], names: Sequence[str]) -> list[str]:
@@ -312,34 +333,44 @@ def run_ensemble(
     executor: Executor | None,
     resume: bool,
     restart: bool,
+    any_machine: bool,
     progress: Callable[[int, int], object] | None,
 ) -> EnsembleResults:
     """The ensemble of a scenario; see Scenario.ensemble."""
     ensemble = scenario._file.ensemble()
-    team = None
+    team, names = None, [os.fsdecode(path) for path in paths]
     if executor is not None:
         from polhode._ensemble_team import team_of
 
-        team = team_of(executor, scenario._file)
-    done = ensemble.run(list(paths), threads or 0, team, resume, restart, progress)
-    groups = ensemble.groups
+        team = team_of(executor, scenario._file, any_machine)
+        # workers may be in other folders
+        names = [os.path.abspath(name) if MARK in name else name for name in names]
+    done = ensemble.run(names, threads or 0, team, resume, restart, any_machine, progress)
+    has_index = any(MARK in name for name in names)
+    files = [name.replace(MARK, "index", 1) for name in names]
     # what an earlier part wrote is in its files alone
-    table, texts = (done.table, None) if done.is_whole else _in_files(groups, paths)
+    table, texts = (done.table, None) if done.is_whole else _in_files(done.groups, files)
     results = EnsembleResults({
-        "scenario": scenario, "file": None, "title": "", "groups": groups, "table": table,
-        "texts": texts, "keep": ensemble.keep, "size": ensemble.size,
-        "keys": ensemble.keys if ensemble.keep == "final" else [],
+        "scenario": scenario, "file": None, "title": "", "groups": done.groups, "table": table,
+        "texts": {} if has_index else texts, "keep": "chunks" if has_index else ensemble.keep,
+        "size": ensemble.size,
+        "keys": ensemble.keys if ensemble.keep == "final" and not has_index else [],
         "failed": done.failed, "failures": None if done.was_done else done.failures,
+        "own": None, "beside": files[0] if files else "",
+        "first_times": None if done.was_done else done.first_times,
+        "histograms": None if done.was_done else [
+            (name, groups, table.copy()) for name, groups, table in done.histograms
+        ],
+        "quantiles": ensemble.quantiles,
     })
     results._members = ensemble
     return results
 
 
-def _in_files(groups: Any, paths: Sequence[Path]) -> tuple[Any, dict[str, Any]]:
+def _in_files(groups: Any, names: Sequence[str]) -> tuple[Any, dict[str, Any]]:
     """The rows in the first file that can be read, in the order of these columns; and the texts."""
     import numpy
 
-    names = [os.fsdecode(path) for path in paths]
     found = EnsembleResults.read(next(name for name in names if name.endswith((".csv", ".h5"))))
     order = [found._where[name] for _, columns in groups for name, _ in columns]
     table = numpy.ascontiguousarray(found._table[:, order])
@@ -360,6 +391,7 @@ def ensemble(
     executor: Executor | None = None,
     resume: bool = False,
     restart: bool = False,
+    any_machine: bool = False,
     progress: Callable[[int, int], object] | None = None,
     **others: Any,
 ) -> EnsembleResults:
@@ -372,13 +404,14 @@ def ensemble(
     vary : what is drawn, by key: {"body.moments[0]": polhode.vary.uniform(0.60, 0.63)}. Several
         keys that are drawn together stand in a tuple, and an array by its name. None: what the
         table [ensemble] of the scenario says.
-    outputs : PATH.csv or PATH.h5, one or several, as those of Scenario.map.
+    outputs : PATH.csv or PATH.h5, one or several, as those of Scenario.map; or "rows-{chunk}.h5", a
+        file for each chunk, as in Scenario.ensemble.
     size : how many members.
     seed : another one draws other members.
     keep : "statistics" of the members at each time, memory not growing with them; "final", what was
         drawn and the last row of each member; "rows", all rows of all.
     quantiles : which ones statistics have, from 0 to 1.
-    threads, executor, resume, restart, progress : as in Scenario.ensemble.
+    threads, executor, resume, restart, any_machine, progress : as in Scenario.ensemble.
     others : further keys of the table [ensemble] of scenario files, such as draws="sobol".
 
     What is None is what the scenario says, or the default of scenario files. The same numbers as
@@ -402,5 +435,5 @@ def ensemble(
         of = of.with_ensemble(vary, **keys)
     return of.ensemble(
         outputs, threads=threads, executor=executor, resume=resume, restart=restart,
-        progress=progress,
+        any_machine=any_machine, progress=progress,
     )

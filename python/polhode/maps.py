@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from polhode._columns import Columns, restored
 
 if TYPE_CHECKING:
     import numpy
@@ -15,7 +17,7 @@ if TYPE_CHECKING:
     Array = numpy.typing.NDArray[numpy.float64]
 
 
-class MapResults(Mapping[str, "Array"]):
+class MapResults(Columns):
     """The rows of a map: `results["mean_megno"]` is a column, a read-only view without a copy.
 
     Columns are named and have the units as in the files of `polhode map`: the axes, then the
@@ -31,33 +33,11 @@ class MapResults(Mapping[str, "Array"]):
         cells: Array,
         failures: Sequence[tuple[int, str]],
     ) -> None:
+        super().__init__([(name, [(name, unit)]) for name, unit in columns], table)
         self._scenario = scenario
-        self._columns = list(columns)
         self._axes = axes
-        self._table = table
         self._cells = cells
         self._failures = list(failures)
-        self._where = {name: k for k, (name, _) in enumerate(columns)}
-
-    def __getitem__(self, name: str) -> Array:
-        return self._table[:, self._where[name]]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._where)
-
-    def __len__(self) -> int:
-        return len(self._where)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MapResults):
-            return NotImplemented
-        return (
-            self._columns == other._columns
-            and self._table.shape == other._table.shape
-            and self._table.tobytes() == other._table.tobytes()
-        )
 
     @property
     def scenario(self) -> Scenario:
@@ -68,11 +48,6 @@ class MapResults(Mapping[str, "Array"]):
     def axes(self) -> tuple[str, ...]:
         """The names of the columns that are axes of the grid; the last one runs fastest."""
         return tuple(list(self._where)[: self._axes])
-
-    @property
-    def units(self) -> dict[str, str]:
-        """The unit of each column; "1" for pure numbers."""
-        return dict(self._columns)
 
     @property
     def cell(self) -> numpy.typing.NDArray[numpy.int64]:
@@ -86,24 +61,15 @@ class MapResults(Mapping[str, "Array"]):
 
     def __repr__(self) -> str:
         title = self._scenario.title or self._scenario.name
-        columns = ", ".join(n if u == "1" else f"{n} [{u}]" for n, u in self._columns)
+        columns = ", ".join(n if u == "1" else f"{n} [{u}]" for n, u in self._units.items())
         failed = f"; {len(self._failures)} cells failed" if self._failures else ""
         return f"<MapResults: {title}: {len(self._table)} rows of {columns}{failed}>"
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restored, (
-            self._scenario,
-            self._columns,
-            self._axes,
-            self._table.copy(),
-            self._cells,
-            self._failures,
+        before = (self._scenario, list(self._units.items()), self._axes)
+        return restored, (
+            type(self), before, self._table.copy(), (self._cells, self._failures)
         )
-
-
-def _restored(scenario: Any, columns: Any, axes: int, table: Any, *others: Any) -> MapResults:
-    table.flags.writeable = False
-    return MapResults(scenario, columns, axes, table, *others)
 
 
 def run_map(

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from polhode import _core, _tables
+from polhode._columns import Columns, restored
 from polhode._notebook import html_rows
 from polhode._summary import Summary
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     Array = numpy.typing.NDArray[numpy.float64]
 
 
-class Results(Mapping[str, "Array"]):
+class Results(Columns):
     """The rows of a scenario: `results["theta"]` is a column, a read-only view without a copy.
 
     Columns are named and have the units as in the files of `polhode run`, t first; `results.groups`
@@ -42,8 +43,8 @@ class Results(Mapping[str, "Array"]):
         kept: bool = True,
         end: EventRecord | None = None,
     ) -> None:
+        super().__init__(scenario._file.groups, table)
         self._scenario = scenario
-        self._table = table
         self._outcome = outcome
         self._statistics = statistics
         self._events = list(events)
@@ -51,22 +52,10 @@ class Results(Mapping[str, "Array"]):
         self._kept = kept
         self._end = end  # the last state of an integrated run
         self._dates = frozenset(scenario._file.date_columns)
-        self._where: dict[str, int] = {}
-        self._units: dict[str, str] = {}
-        self._spans: dict[str, slice] = {}
-        for group, columns in scenario._file.groups:
-            first = len(self._where)
-            for name, unit in columns:
-                self._where[name] = len(self._where)
-                self._units[name] = unit
-            self._spans[group] = slice(first, len(self._where))
 
-    def __getitem__(self, name: str) -> Array:
-        try:
-            column = self._table[:, self._where[name]]
-            return self._dated(column) if name in self._dates else column
-        except (KeyError, TypeError):
-            raise _MissingColumn(self._missing(name)) from None
+    def _column(self, name: str, place: int) -> Array:
+        column = self._table[:, place]
+        return self._dated(column) if name in self._dates else column
 
     def _dated(self, times: Array) -> Array:
         import numpy
@@ -75,36 +64,10 @@ class Results(Mapping[str, "Array"]):
         dates.flags.writeable = False
         return dates
 
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._where)
-
-    def __len__(self) -> int:
-        return len(self._where)
-
-    def _ipython_key_completions_(self) -> list[str]:
-        return list(self._where)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Results):
-            return NotImplemented
-        return self._units == other._units and _same_bits(self._table, other._table)
-
     @property
     def t(self) -> Array:
         """(N,): the times of the rows."""
         return self["t"]
-
-    @property
-    def columns(self) -> tuple[str, ...]:
-        """The names of all columns, t first."""
-        return tuple(self._where)
-
-    @property
-    def units(self) -> dict[str, str]:
-        """The unit of each column; "1" for pure numbers."""
-        return dict(self._units)
 
     @property
     def groups(self) -> dict[str, Array]:
@@ -188,20 +151,17 @@ class Results(Mapping[str, "Array"]):
         return {**notes, "outcome": _text_of(self._outcome, scenario)}
 
     def _missing(self, name: object) -> str:
-        has = f"these results have {', '.join(self._where)}"
         if not isinstance(name, str):
-            return f"got {name!r}; expected the name of a column: {has}"
+            return super()._missing(name)
         if name in self._spans:
             names = ", ".join(list(self._where)[self._spans[name]])
             return f"\"{name}\" is a group of columns: results.groups[\"{name}\"], or {names}"
         known = [*_core._column_names(), *_core._column_group_names()]
+        remedy = "[output] columns must name it; "
         if name in known:
-            return f"no column \"{name}\": [output] columns must name it; {has}"
-        import difflib
-
-        near = difflib.get_close_matches(name, known, n=3)
-        mean = f"did you mean {' or '.join(near)}? " if near else ""
-        return f"no column \"{name}\"; {mean}[output] columns must name it; {has}"
+            has = f"these results have {', '.join(self._where)}"
+            return f"no column \"{name}\": {remedy}{has}"
+        return self._missing_among(name, known, remedy)
 
     def _head(self) -> tuple[str, str, str]:
         title = self._scenario.title or self._scenario.name
@@ -245,26 +205,13 @@ class Results(Mapping[str, "Array"]):
         return f"<p><b>{title}</b><br>{rows}<br>{end}</p>{table}"
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restored, (
-            self._scenario, self._table.copy(), self._outcome, self._statistics, self._events,
-            self._energy_change, self._kept, self._end,
+        return restored, (
+            type(self), (self._scenario,), self._table.copy(),
+            (
+                self._outcome, self._statistics, self._events, self._energy_change, self._kept,
+                self._end,
+            ),
         )
-
-
-class _MissingColumn(KeyError):
-    """KeyError shows the repr of its message; this one is a sentence."""
-
-    def __str__(self) -> str:
-        return self.args[0]
-
-
-def _same_bits(a: Array, b: Array) -> bool:
-    return a.shape == b.shape and a.tobytes() == b.tobytes()
-
-
-def _restored(scenario: Scenario, table: Any, *others: Any) -> Results:
-    table.flags.writeable = False
-    return Results(scenario, table, *others)
 
 
 def _text_of(outcome: Outcome, scenario: Scenario) -> str:

@@ -322,6 +322,7 @@ class Scenario:
         executor: Executor | None = None,
         resume: bool = False,
         restart: bool = False,
+        any_machine: bool = False,
         progress: Callable[[int, int], object] | None = None,
     ) -> EnsembleResults:
         """Every member of [ensemble]: runs of this scenario with some of its numbers drawn.
@@ -332,7 +333,9 @@ class Scenario:
         ----------
         outputs : PATH.csv or PATH.h5, one or several: the files that `polhode ensemble` writes,
             byte for byte. As those of run they are PATH.part until they are complete, with a
-            checkpoint.
+            checkpoint. With {chunk} in the name of the one output, each chunk of "final" or "rows"
+            goes into a file of its own, written by whoever computes it, on a disk that all share;
+            what comes back is their index.
         threads : how many members at a time; None: one on each processor. The result does not
             depend on it.
         executor : a concurrent.futures.Executor in place of these threads: ProcessPoolExecutor,
@@ -343,6 +346,8 @@ class Scenario:
         resume : continues an ensemble that was stopped or killed, from its PATH.checkpoint; begins
             anew without one. Of one that is complete the files are read.
         restart : begins anew where an unfinished ensemble is, which is an error otherwise.
+        any_machine : whether workers may work together, or an ensemble go on, on machines whose
+            sines and logarithms differ in last digits: so does the result.
         progress : called with the number of members so far and that of all, after each chunk of
             them; what it raises ends the ensemble.
 
@@ -360,17 +365,13 @@ class Scenario:
         """
         paths = _several(outputs, "ensemble")
         _require_files(paths, "ensemble")
-        for path in paths:
-            if "{chunk}" in os.fsdecode(path):
-                raise ValueError(
-                    f"ensemble: {os.fsdecode(path)}: a file for each chunk is what polhode "
-                    "ensemble writes; expected one file for all"
-                )
         if threads is not None and threads < 1:
             raise ValueError(f"ensemble: threads: got {threads!r}; expected a whole number from 1")
         if threads is not None and executor is not None:
             raise ValueError("ensemble: got threads and an executor; expected one of them")
-        return run_ensemble(self, paths, threads, executor, resume, restart, progress)
+        return run_ensemble(
+            self, paths, threads, executor, resume, restart, any_machine, progress
+        )
 
     @property
     def text(self) -> str:

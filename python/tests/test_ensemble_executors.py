@@ -58,6 +58,18 @@ def test_processes_give_the_bits_of_threads(keep, processes, tmp_path):
     assert told == sorted(told) and told[-1] == 300
 
 
+def test_processes_write_a_file_for_each_chunk(processes, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # the processes stay where they were
+    of = scenario("rows", size=60)
+    (tmp_path / "t").mkdir()
+    found = of.ensemble("p-{chunk}.csv", executor=processes, any_machine=True)
+    threads = of.ensemble("t/p-{chunk}.csv", threads=2)
+    assert found == threads and found.failures == threads.failures
+    assert len(found.chunk_files) == 4
+    for ours, theirs in zip(found.chunk_files, threads.chunk_files):
+        assert pathlib.Path(ours).read_bytes() == pathlib.Path(theirs).read_bytes()
+
+
 def test_threads_of_an_executor_do_too():
     of = scenario(quantiles=[0.5], bins=8)
     with concurrent.futures.ThreadPoolExecutor(3) as executor:

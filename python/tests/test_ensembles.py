@@ -204,6 +204,102 @@ def test_dates_are_texts(tmp_path):
     assert found.to_xarray()["date"].dtype.kind == "U"
 
 
+COUNTED = """[[ensemble.histogram]]
+name = "one"
+columns = ["w2"]
+bins = 4
+times = "all"
+[[ensemble.histogram]]
+name = "two"
+columns = ["w3", "body.moments[0]"]
+bins = 3
+low = [0, 0.9]
+high = [2, 1.1]
+[[ensemble.fraction]]
+name = "up"
+column = "w2"
+low = 0
+"""
+
+
+def counted():
+    goes_on = STOPPED.replace("stops = true\n", "")
+    scenario = Scenario.from_text(goes_on).with_columns(["q", "omega"])
+    text = scenario.with_ensemble(BOTH, size=40, chunk=16).text
+    return Scenario.from_text(text.replace("[[ensemble.vary]]", COUNTED + "[[ensemble.vary]]", 1))
+
+
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_histograms_and_first_times_are_those_of_the_command_line(extension, tmp_path):
+    scenario, toml = counted(), tmp_path / "s.toml"
+    scenario.save(toml)
+    out = tmp_path / f"theirs.{extension}"
+    said = command_line("ensemble", toml, "--out", out)
+    found, theirs = scenario.ensemble(), EnsembleResults.read(out)
+    assert found == theirs and list(found.histograms) == ["one", "two"]
+    assert found.histograms == theirs.histograms == pickle.loads(pickle.dumps(found)).histograms
+    one, two = found.histograms.values()
+    assert (one.columns, two.columns) == (("w2",), ("w3", MOMENT))
+    assert one.members.shape == (21, 6) and two.members.shape == (1, 5, 5)
+    assert_array_equal(one.members.sum(1), found["members"])
+    assert_array_equal(two.edges[MOMENT][0, [0, 1, -2, -1]], [-np.inf, 0.9, 1.1, np.inf])
+    table = two.to_xarray()
+    assert table["members"].dims == ("t", "w3", MOMENT)
+    assert table["w3_low"].attrs["units"] == two.units["w3"] == "rad/s"
+    assert_array_equal(table["w3_high"], two.edges["w3"][:, 1:])
+    rows = scenario.with_ensemble(keep="rows").ensemble()
+    own = rows["w2"][rows["t"] == one.t[3]]
+    assert_array_equal(one.members[3, 1:-1], np.histogram(own, one.edges["w2"][3, 1:-1])[0])
+    event, = found.first_times
+    first = found.first_times[event]
+    assert first.part == found[f"{event}_part"][-1] and first.unit == "s"
+    shown = [f", {q:.10g} by {t:.10g} s" for q, t in first.times.items() if not np.isnan(t)]
+    assert shown and f"{event}: part {first.part:.4g} of the members" + "".join(shown) in said
+    along = found.to_xarray()[f"{event}_first"]
+    assert along.dims == ("quantile",) and along.attrs["units"] == "s"
+    assert_array_equal(along, list(first.times.values()))
+    assert found.to_xarray()["up_part"].dims == ("t",)
+    with pytest.raises(AttributeError, match="first_times: a file does not hold them"):
+        theirs.first_times  # noqa: B018
+    done = scenario.ensemble(out, resume=True)  # nothing to do
+    assert done == found and done.histograms == found.histograms
+    gone = tmp_path / f"theirs.two.{extension}"
+    gone.unlink()
+    with pytest.raises(ValueError, match=r"theirs.two.* is not there.*restart=True runs this one"):
+        scenario.ensemble(out, resume=True)
+    with pytest.raises(OSError, match="theirs.two"):
+        theirs.histograms  # noqa: B018
+
+
+@pytest.mark.parametrize("keep", ["final", "rows"])
+@pytest.mark.parametrize("extension", ["csv", "h5"])
+def test_each_chunk_may_have_a_file_of_its_own(keep, extension, tmp_path):
+    vary_ = {MOMENT: vary.uniform(1, 6)}  # beyond 4.5 there is no such body
+    scenario = FEW.with_ensemble(vary_, size=40, chunk=16, keep=keep)
+    whole, out = scenario.ensemble(), tmp_path / f"rows-{{chunk}}.{extension}"
+    found = scenario.ensemble(out)
+    index = tmp_path / f"rows-index.{extension}"
+    names = [tmp_path / f"rows-{k}.{extension}" for k in range(3)]
+    assert sorted(tmp_path.iterdir()) == [*names, index]
+    for results in (found, EnsembleResults.read(index), scenario.ensemble(out, resume=True)):
+        assert results == found and results.keep == "chunks" and results.size == 40
+        assert results.chunk_files == [str(name) for name in names]
+        assert results.failed == whole.failed > 0
+        assert_array_equal(results["first_member"], [0, 16, 32])
+        assert results.to_xarray()["rows"].dims == ("chunk",)
+        assert_array_equal(results.drawn[MOMENT], whole.drawn[MOMENT])
+    parts = [EnsembleResults.read(name) for name in found.chunk_files]
+    for name in whole:
+        assert_array_equal(np.concatenate([part[name] for part in parts]), whole[name])
+    assert [part.failed for part in parts] == list(found["failed"])
+    assert parts[2].to_xarray()["member"].values.tolist() == list(range(32, 40))
+    names[1].unlink()
+    with pytest.raises(ValueError, match="rows-1.* is not there.*restart=True runs this one anew"):
+        scenario.ensemble(out, resume=True)
+    with pytest.raises(ValueError, match='expected ensemble.keep = "rows" or "final"'):
+        scenario.with_ensemble(keep="statistics").ensemble(out)
+
+
 class Enough(Exception):
     """What a listener raises."""
 

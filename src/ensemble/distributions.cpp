@@ -90,8 +90,15 @@ TruncatedNormal::TruncatedNormal(double mean, double sigma, double low, double h
   const std::string name = "TruncatedNormal";
   require_finite(name, "mean", mean);
   require_finite(name, "sigma", sigma);
-  if (!(sigma > 0.0)) refuse(name, "sigma", sigma, "must be positive");
+  if (sigma < 0.0) refuse(name, "sigma", sigma, "must not be negative");
   require_order(name, low, high);
+  if (sigma == 0.0) {
+    if (low > mean) refuse(name, "low", low, "must be at most the mean, where sigma is 0");
+    if (high < mean) refuse(name, "high", high, "must be at least the mean, where sigma is 0");
+    below_ = above_ = 0.0;
+    within_ = 1.0;
+    return;
+  }
   if (low > mean + reach * sigma)
     refuse(name, "low", low, "must be at most 37 sigma above the mean");
   if (high < mean - reach * sigma)

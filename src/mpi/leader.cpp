@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
+
+#include "mpi/messages.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -13,13 +16,6 @@ namespace {
 
 constexpr std::int64_t waiting_per_thread = 4;
 constexpr std::size_t most_waiting_bytes = std::size_t{1} << 30;
-
-OwnCell of_message(Message message) {
-  const auto fate = message.subject == Subject::done     ? OwnCell::Fate::done
-                    : message.subject == Subject::failed ? OwnCell::Fate::failed
-                                                         : OwnCell::Fate::dropped;
-  return {message.index, fate, std::move(message.bytes)};
-}
 
 }  // namespace
 
@@ -68,7 +64,7 @@ bool Leader::hand_out() {
       if (rank == 0)
         own_.add(work_, next_);
       else
-        send(static_cast<int>(rank), {.subject = Subject::cell, .index = next_});
+        send(static_cast<int>(rank), {.subject = Subject::cell, .cell = {next_}});
       ++under_way_[rank];
       ++next_;
       handed = true;
@@ -81,34 +77,33 @@ bool Leader::collect() {
   while (!has_enough()) {
     std::optional<Message> message = received();
     if (!message) break;
-    const int rank = message->rank;
-    keep(rank, of_message(std::move(*message)));
+    keep(message->rank, std::move(message->cell));
     collected = true;
   }
-  while (std::optional<OwnCell> cell = own_.next()) {
+  while (std::optional<Cell> cell = own_.next()) {
     keep(0, std::move(*cell));
     collected = true;
   }
   return collected;
 }
 
-void Leader::keep(int rank, OwnCell cell) {
+void Leader::keep(int rank, Cell cell) {
   --under_way_[static_cast<std::size_t>(rank)];
-  if (drops_ || cell.fate == OwnCell::Fate::dropped) return;
+  if (drops_ || cell.fate == Cell::Fate::dropped) return;
   waiting_bytes_ += cell.bytes.size();
-  const bool failed = cell.fate == OwnCell::Fate::failed;
-  if (failed) cell.bytes = "rank " + std::to_string(rank) + ": " + cell.bytes;
-  waiting_.emplace(cell.index, Answer{failed, std::move(cell.bytes)});
+  if (cell.fate == Cell::Fate::failed)
+    cell.bytes = "rank " + std::to_string(rank) + ": " + cell.bytes;
+  waiting_.emplace(cell.index, std::move(cell));
 }
 
 bool Leader::take_next() {
   const auto found = waiting_.find(taken_);
   if (found == waiting_.end()) return false;
-  const Answer answer = std::move(found->second);
+  const Cell cell = std::move(found->second);
   waiting_.erase(found);
-  waiting_bytes_ -= std::min(waiting_bytes_, answer.bytes.size());
-  if (answer.is_failure) throw TeamError(answer.bytes);
-  take_(taken_, answer.bytes);
+  waiting_bytes_ -= std::min(waiting_bytes_, cell.bytes.size());
+  if (cell.fate == Cell::Fate::failed) throw TeamError(cell.bytes);
+  take_(taken_, cell.bytes);
   ++taken_;
   return true;
 }

@@ -3,12 +3,13 @@
 // computes some itself, and takes what comes back in order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
-#include <string>
 #include <vector>
 
-#include "mpi/messages.hpp"
+#include "mpi/cell.hpp"
 #include "mpi/own_cells.hpp"
 #include "polhode/ensemble/team.hpp"
 
@@ -27,10 +28,6 @@ class Leader {
   void run(const std::function<void()>& look);
 
  private:
-  struct Answer {
-    bool is_failure;
-    std::string bytes;
-  };
   void go_on(const std::function<void()>& look);
   // Whether something was there to be done.
   bool hand_out();
@@ -39,17 +36,17 @@ class Leader {
   // Whether so much waits, while the next one is there, that what arrives has to wait with those
   // who sent it.
   bool has_enough() const;
-  void keep(int rank, OwnCell cell);
+  void keep(int rank, Cell cell);
   void drop_all();
 
   OwnCells& own_;
   const TeamWork& work_;
   const Team::Take& take_;
-  std::int64_t next_;                       // to be handed out
-  std::int64_t taken_;                      // all before it are
-  std::int64_t stop_;                       // before it, where all goes well
-  std::vector<int> under_way_;              // by rank
-  std::map<std::int64_t, Answer> waiting_;  // for those before them
+  std::int64_t next_;                     // to be handed out
+  std::int64_t taken_;                    // all before it are
+  std::int64_t stop_;                     // before it, where all goes well
+  std::vector<int> under_way_;            // by rank
+  std::map<std::int64_t, Cell> waiting_;  // for those before them
   std::size_t waiting_bytes_ = 0;
   bool drops_ = false;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace polhode {
 inline namespace v0 {
@@ -17,6 +18,7 @@ enum Tag { tag_of_heads = 1, tag_of_bytes };
 struct Head {
   Subject subject;
   std::int64_t index;
+  Cell::Fate fate;
   std::int64_t size;  // of the bytes that follow
 };
 
@@ -29,10 +31,12 @@ void each_piece(std::size_t size, const Use& use) {
 }  // namespace
 
 void send(int to, const Message& message) {
-  const Head head{message.subject, message.index, static_cast<std::int64_t>(message.bytes.size())};
+  const std::string& bytes = message.cell.bytes;
+  const Head head{message.subject, message.cell.index, message.cell.fate,
+                  static_cast<std::int64_t>(bytes.size())};
   MPI_Send(&head, sizeof head, MPI_BYTE, to, tag_of_heads, MPI_COMM_WORLD);
-  each_piece(message.bytes.size(), [&](std::size_t begin, int size) {
-    MPI_Send(message.bytes.data() + begin, size, MPI_BYTE, to, tag_of_bytes, MPI_COMM_WORLD);
+  each_piece(bytes.size(), [&](std::size_t begin, int size) {
+    MPI_Send(bytes.data() + begin, size, MPI_BYTE, to, tag_of_bytes, MPI_COMM_WORLD);
   });
 }
 
@@ -45,13 +49,12 @@ std::optional<Message> received() {
   const int from = status.MPI_SOURCE;
   Head head{};
   MPI_Recv(&head, sizeof head, MPI_BYTE, from, tag_of_heads, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  Message message{from, head.subject, head.index,
-                  std::string(static_cast<std::size_t>(head.size), '\0')};
-  each_piece(message.bytes.size(), [&](std::size_t begin, int size) {
-    MPI_Recv(message.bytes.data() + begin, size, MPI_BYTE, from, tag_of_bytes, MPI_COMM_WORLD,
+  std::string bytes(static_cast<std::size_t>(head.size), '\0');
+  each_piece(bytes.size(), [&](std::size_t begin, int size) {
+    MPI_Recv(bytes.data() + begin, size, MPI_BYTE, from, tag_of_bytes, MPI_COMM_WORLD,
              MPI_STATUS_IGNORE);
   });
-  return message;
+  return Message{from, head.subject, {head.index, head.fate, std::move(bytes)}};
 }
 
 void broadcast(std::string& bytes) {

@@ -6,25 +6,24 @@
 #include <optional>
 #include <string>
 
+#include "mpi/cell.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
 enum class Subject : std::int64_t {
-  stage,    // the leader's: its bytes follow by broadcast()
-  cell,     // compute this one
-  drop,     // none of those that are left is needed
-  end,      // there is nothing more
-  done,     // an answer: the bytes of a cell
-  failed,   // why there are none
-  dropped,  // as was said
+  stage,   // the leader's: its bytes follow by broadcast()
+  cell,    // compute this one
+  drop,    // none of those that are left is needed
+  end,     // there is nothing more
+  answer,  // what has become of a cell
 };
 
 struct Message {
   int rank = 0;  // where it comes from
   Subject subject = Subject::end;
-  std::int64_t index = 0;  // of a cell
-  std::string bytes = {};
+  Cell cell = {};
 };
 
 // Bytes of any length, in pieces that MPI can count.

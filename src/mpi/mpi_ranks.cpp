@@ -17,16 +17,11 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+using detail::Cell;
 using detail::Message;
-using detail::OwnCell;
 using detail::Subject;
 
-Message answer_of(OwnCell cell) {
-  const Subject subject = cell.fate == OwnCell::Fate::done     ? Subject::done
-                          : cell.fate == OwnCell::Fate::failed ? Subject::failed
-                                                               : Subject::dropped;
-  return {.subject = subject, .index = cell.index, .bytes = std::move(cell.bytes)};
-}
+void answer(Cell cell) { detail::send(0, {.subject = Subject::answer, .cell = std::move(cell)}); }
 
 class MpiRanks final : public Ranks {
  public:
@@ -69,12 +64,12 @@ class MpiRanks final : public Ranks {
       if (message && message->subject == Subject::drop) own_.drop();
       if (message && message->subject == Subject::cell) {
         if (failure.empty())
-          own_.add(*work, message->index);
+          own_.add(*work, message->cell.index);
         else
-          detail::send(0, {.subject = Subject::failed, .index = message->index, .bytes = failure});
+          answer({message->cell.index, Cell::Fate::failed, failure});
       }
-      const std::optional<OwnCell> cell = own_.next();
-      if (cell) detail::send(0, answer_of(*cell));
+      const std::optional<Cell> cell = own_.next();
+      if (cell) answer(*cell);
       if (message || cell)
         patience.renew();
       else

@@ -35,26 +35,26 @@ void OwnCells::add(const TeamWork& work, std::int64_t index) {
   arena_.enqueue([this, &work, index] { ended_.push(computed(work, index)); });
 }
 
-std::optional<OwnCell> OwnCells::next() {
-  OwnCell cell;
+std::optional<Cell> OwnCells::next() {
+  Cell cell;
   if (!ended_.try_pop(cell)) return std::nullopt;
   --unfinished_;
   return cell;
 }
 
-OwnCell OwnCells::computed(const TeamWork& work, std::int64_t index) const {
+Cell OwnCells::computed(const TeamWork& work, std::int64_t index) const {
   const auto look = [this] {
     if (drops_) throw Dropped();
   };
   try {
     look();
-    return {index, OwnCell::Fate::done, work.cell(index, look)};
+    return {index, Cell::Fate::done, work.cell(index, look)};
   } catch (const Dropped&) {
-    return {index, OwnCell::Fate::dropped, {}};
+    return {index, Cell::Fate::dropped, {}};
   } catch (const std::bad_alloc&) {
-    return {index, OwnCell::Fate::failed, "out of memory"};
+    return {index, Cell::Fate::failed, "out of memory"};
   } catch (const std::exception& error) {
-    return {index, OwnCell::Fate::failed, error.what()};
+    return {index, Cell::Fate::failed, error.what()};
   }
 }
 

@@ -10,21 +10,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 
+#include "mpi/cell.hpp"
 #include "polhode/ensemble/team.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// What has become of a cell.
-struct OwnCell {
-  enum class Fate { done, failed, dropped };
-  std::int64_t index = 0;
-  Fate fate = Fate::dropped;
-  std::string bytes = {};  // of the result, or why there is none
-};
 
 class OwnCells {
  public:
@@ -38,18 +30,18 @@ class OwnCells {
   // `work` is there until next() has given the cell back.
   void add(const TeamWork& work, std::int64_t index);
   // One that has come to its end, if there is one.
-  std::optional<OwnCell> next();
+  std::optional<Cell> next();
   // Those that wait are not computed, and those that are look and stop; until resume().
   void drop() { drops_ = true; }
   void resume() { drops_ = false; }
 
  private:
-  OwnCell computed(const TeamWork& work, std::int64_t index) const;
+  Cell computed(const TeamWork& work, std::int64_t index) const;
 
   int threads_;
   int unfinished_ = 0;
   std::atomic<bool> drops_ = false;
-  tbb::concurrent_queue<OwnCell> ended_;
+  tbb::concurrent_queue<Cell> ended_;
   tbb::global_control allowed_;  // as many as asked for, even beyond the processors
   tbb::task_arena arena_;
 };

@@ -381,6 +381,8 @@ REFUSED = [
      "ensemble.vary[0].sigma: got -1; expected a number that is not negative"),
     ("size = 5", one("normal", OMEGA + "[0]", "sigma = 1\nlow = 3\nhigh = 2"),
      "ensemble.vary[0].low: got 3; "),
+    ("size = 5", one("normal", OMEGA + "[0]", "mean = 1\nsigma = 0\nlow = 2"),
+     "ensemble.vary[0].low: got 2; "),
     ("size = 5", one("uniform", OMEGA + "[0]", "low = 3\nhigh = 2"),
      "ensemble.vary[0].low: got 3; "),
     ("size = 5", one("uniform", OMEGA + "[0]", "low = 3"), "ensemble.vary[0].high: got nothing"),

@@ -140,6 +140,11 @@ def test_histograms_survive_kills(polhode, run, ensemble, tmp_path):
         assert (tmp_path / f"part{name}.csv").read_bytes() == (
             tmp_path / f"whole{name}.csv").read_bytes()
     assert len(list(tmp_path.iterdir())) == 7
+    assert "nothing to do" in run(*command).stdout
+    (tmp_path / "part.own.csv").unlink()
+    done = run(*command)
+    assert done.returncode == 2
+    assert "part.own.csv: is not there, and what it belongs to is done with it" in done.stderr
 
 
 REFUSED = [

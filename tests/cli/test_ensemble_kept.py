@@ -71,6 +71,23 @@ def test_first_times_are_those_of_the_members_alone(run, ensemble, tmp_path):
                 numpy.testing.assert_array_equal(rows[f"{name}_first"][here], expected)
 
 
+def test_a_member_alone_has_what_the_ensemble_keeps_of_it(run, ensemble, tmp_path):
+    vary = VARY.replace("[[", 'indicators = ["mean_megno", "lyapunov"]\n[[', 1)
+    parts = {"extra": TORQUE + EVENTS, "vary": vary, "time": "stop = 4\nstep = 0.5"}
+    rows, _ = kept(run, ensemble, tmp_path, "rows", size=20, **parts)
+    path, out = ensemble("size = 20", **parts), tmp_path / "alone.csv"
+    for member in (3, 11):
+        assert run("ensemble", path, "--member", member, "--out", out).returncode == 0
+        alone, here = rows_of(out), rows["member"] == member
+        assert list(alone) == list(rows)[1:] and "down_first" in alone and "lyapunov" in alone
+        for name, column in alone.items():
+            numpy.testing.assert_array_equal(column, rows[name][here])
+    done = run("ensemble", path, "--member", 11, "--out", out, "--resume")
+    assert done.returncode == 0 and "nothing to do" in done.stdout
+    done = run("ensemble", path, "--member", 3, "--out", out, "--resume")
+    assert done.returncode == 2 and "alone.csv: is there" in done.stderr
+
+
 def test_parts_count_members_that_an_event_has_stopped(run, ensemble, tmp_path):
     for time in ("stop = 4\nstep = 0.5", "stop = -4\nstep = -0.5"):
         final, _ = kept(run, ensemble, tmp_path, "final", extra=EVENTS, time=time)

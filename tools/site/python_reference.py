@@ -11,6 +11,7 @@ entry being `name : what it is`."""
 import importlib
 import inspect
 import re
+from collections.abc import Mapping
 
 import stubs
 from inventories import short_names
@@ -40,6 +41,8 @@ class Names(SphinxDirective):
         for name in " ".join(self.content).split():
             thing = getattr(importlib.import_module(module), name)
             members = ["   :members:"] if inspect.isclass(thing) else []
+            if inspect.isclass(thing) and issubclass(thing, Mapping):  # what results share
+                members.append("   :inherited-members: Mapping")
             lines += [f".. {kind(thing)}:: {module}.{name}", *members, ""]
         return self.parse_text_to_nodes("```{eval-rst}\n" + "\n".join(lines) + "\n```\n")
 

@@ -8,8 +8,8 @@
 //             pi u1. Attitude (Haar's measure): Shoemake (1992).
 // Units       those of the arguments; a direction is a unit vector, an attitude a unit quaternion.
 // Domain      u in the open interval (0, 1). Bounds of TruncatedNormal may be infinite; the
-//             interval must reach within 37 sigma of the mean. Of several normal numbers, variances
-//             may be 0 and correlations 1: what is fixed by others is given so.
+//             interval must reach within 37 sigma of the mean. A sigma of 0 is a fixed number. Of
+//             several, variances may be 0 and correlations 1: what others fix is given so.
 // Accuracy    budgets normal_quantile_ulp, truncated_normal and others of
 //             tests/budgets/ensemble.hpp. Bits are those of plain arithmetic and square roots, the
 //             same on any machine.

@@ -10,13 +10,15 @@
 //             last row. Rows: all of them, with the index in front. A member that failed has a row
 //             of NaN, its rows so far, or no part in statistics. Histograms go into files next to
 //             the first output, FIRST.NAME.csv. While it goes on, FIRST_OUTPUT.checkpoint says how
-//             to go on, as that of a run does (polhode/run/scenario_run.hpp).
+//             to go on, as that of a run does (polhode/run/scenario_run.hpp). An ensemble is
+//             complete when all of these files are there.
 // Accuracy    the files do not depend on the number of threads or processes, nor on where an
 //             ensemble was stopped, killed and continued: text files byte for byte, HDF5 with the
 //             same contents (same build of polhode, machines with the same elementary functions).
 //             Last digits of statistics depend on the chunk of the file.
 // Errors      the constructor throws DomainError as that of ScenarioRun, for statistics that do not
-//             fit into memory, and for a team with more processes than chunks. run() throws
+//             fit into memory, for a team with more processes than chunks, and for histograms or
+//             files of chunks that are gone from what goes on or is complete. run() throws
 //             OutputError, TeamError, and EnsembleInterrupted when `stop` said so. What `progress`
 //             throws ends it and passes through; what is done is kept.
 // Cost        that of the members, and some 80 ns a number in statistics, most of which waits for
@@ -126,6 +128,18 @@ class EnsembleRun {
 
 // The columns that the outputs of an ensemble have.
 std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble);
+
+// Of a member that was written alone.
+struct MemberReport {
+  bool was_complete = false;  // its files were there: nothing was done
+  std::string failure = {};   // why it could not go on; its files are left as PATH.part
+};
+// The rows of a member with all columns that the ensemble knows of it, those of row_groups(), into
+// files that say the scenario of the member. They are kept in memory, without checkpoints. Throws
+// as the constructor of EnsembleRun, and ScenarioError for a member that cannot be.
+MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
+                          const std::vector<std::string>& outputs, RunBegin begin = RunBegin::anew,
+                          const BeginWords& words = {});
 
 }  // namespace v0
 }  // namespace polhode

@@ -28,8 +28,12 @@ struct Ensemble {
   std::vector<double> rows;  // one after the other
   std::size_t width;
   EnsembleReport report;
-  bool is_whole = true;   // no rows of an earlier part are in the files alone
-  bool was_done = false;  // nothing was left to do
+  std::vector<ColumnGroup> groups = {};  // of the rows
+  bool is_whole = true;                  // no rows of an earlier part are in the files alone
+  bool was_done = false;                 // nothing was left to do
+
+  // Rows of the index of files of chunks.
+  bool has_index() const { return groups.front().name == "chunk"; }
 };
 
 nb::str schema_text(std::string_view words) { return nb::str(words.data(), words.size()); }
@@ -41,7 +45,7 @@ bool is_statistics(const ScenarioEnsemble& ensemble) {
 // Room for all rows of all members, so that what does not fit is known before anything runs. No
 // page of it is touched before its rows come.
 void reserve(const ScenarioEnsemble& ensemble, Ensemble& result) {
-  if (is_statistics(ensemble)) return;
+  if (is_statistics(ensemble) || result.has_index()) return;
   const double each = ensemble.plan().keep == EnsembleKeep::final
                           ? 1.0
                           : static_cast<double>(row_times(ensemble.scenario())->size());
@@ -61,7 +65,8 @@ void reserve(const ScenarioEnsemble& ensemble, Ensemble& result) {
 
 // `team`: a function that runs a stage on an executor (executor_team.hpp), or None.
 Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs, int threads,
-                      nb::handle team, bool resume, bool restart, nb::handle progress) {
+                      nb::handle team, bool resume, bool restart, bool any_machine,
+                      nb::handle progress) {
   Ensemble result{{}, 0, {}};
   std::vector<std::string> paths;
   for (const nb::handle path : outputs) paths.push_back(path_text(path));
@@ -75,12 +80,14 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
   options.begin = begin_of("ensemble", resume, restart);
   options.words = begin_words();
   options.threads = threads;
+  options.any_machine = any_machine;
   if (!team.is_none()) options.team = &workers;
   options.stop = [&] { return loop.is_stopped() || workers.has_failed(); };
   options.progress = [&loop](std::int64_t members) { loop.reach(members); };
   options.extra_sink = std::make_unique<TableSink>(result.rows);
   EnsembleRun run(ensemble, paths, std::move(options));
-  result.width = row_width(run.groups());
+  result.groups = run.groups();
+  result.width = row_width(result.groups);
   result.was_done = run.is_complete();
   // statistics come at the end
   result.is_whole = !result.was_done && (!run.continues() || is_statistics(ensemble));
@@ -124,15 +131,47 @@ nb::list ensemble_failures(const Ensemble& e) {
 }
 
 // [(group, [(column, unit), ...]), ...]
-nb::list ensemble_group_list(const ScenarioEnsemble& ensemble) {
+nb::list group_list(const std::vector<ColumnGroup>& of) {
   nb::list groups;
-  for (const ColumnGroup& group : ensemble_groups(ensemble)) {
+  for (const ColumnGroup& group : of) {
     nb::list columns;
     for (const Column& column : group.columns)
       columns.append(nb::make_tuple(column.name, column.unit));
     groups.append(nb::make_tuple(group.name, columns));
   }
   return groups;
+}
+
+// [(event, part, times of the quantiles), ...]
+nb::list first_times_list(const Ensemble& e) {
+  nb::list events;
+  for (const EnsembleReport::FirstTimes& one : e.report.events)
+    events.append(nb::make_tuple(one.event, one.part, one.times));
+  return events;
+}
+
+// [(name, groups, rows), ...]
+nb::list histogram_list(nb::handle_t<Ensemble> self) {
+  nb::list histograms;
+  for (const EnsembleReport::Histogram& one : nb::cast<const Ensemble&>(self).report.histograms) {
+    const std::size_t width = row_width(one.groups);
+    histograms.append(nb::make_tuple(
+        one.name, group_list(one.groups),
+        view_of(one.rows.data(), one.rows.size() / width, width * sizeof(double), {width}, self)));
+  }
+  return histograms;
+}
+
+// [(name, columns), ...] of the histograms that an ensemble makes.
+nb::list planned_histograms(const ScenarioEnsemble& ensemble) {
+  nb::list histograms;
+  if (!is_statistics(ensemble)) return histograms;
+  for (const EnsembleHistogram& one : ensemble.plan().histograms) {
+    nb::list columns;
+    for (const EnsembleHistogram::Axis& axis : one.axes) columns.append(nb::cast(axis.column));
+    histograms.append(nb::make_tuple(one.name, columns));
+  }
+  return histograms;
 }
 
 // (members, keys): what members begin to end - 1 have.
@@ -188,6 +227,9 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("table", ensemble_table)
       .def_prop_ro("is_whole", [](const Ensemble& e) { return e.is_whole; })
       .def_prop_ro("was_done", [](const Ensemble& e) { return e.was_done; })
+      .def_prop_ro("groups", [](const Ensemble& e) { return group_list(e.groups); })
+      .def_prop_ro("first_times", first_times_list)
+      .def_prop_ro("histograms", histogram_list)
       .def_prop_ro("failed", [](const Ensemble& e) { return e.report.failed; })
       .def_prop_ro("failures", ensemble_failures);
   nb::class_<EnsembleWork>(m, "_EnsembleWork")
@@ -201,18 +243,24 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<ScenarioEnsemble>(m, "_Ensemble")
       .def_prop_ro("size", &ScenarioEnsemble::size)
       .def_prop_ro("seed", [](const ScenarioEnsemble& e) { return e.plan().seed; })
+      .def_prop_ro("chunk", [](const ScenarioEnsemble& e) { return e.plan().chunk; })
       .def_prop_ro("keep", keep_word)
       .def_prop_ro("keys", [](const ScenarioEnsemble& e) { return e.plan().keys(); })
       .def_prop_ro("key_units", [](const ScenarioEnsemble& e) { return e.plan().units(); })
       .def_prop_ro("quantiles", [](const ScenarioEnsemble& e) { return e.plan().quantiles; })
-      .def_prop_ro("groups", ensemble_group_list)
+      .def_prop_ro("groups",
+                   [](const ScenarioEnsemble& e) { return group_list(ensemble_groups(e)); })
+      .def_prop_ro("histograms", planned_histograms)
       .def("drawn", drawn_by, "begin"_a, "end"_a)
       .def("member_text", &ScenarioEnsemble::member_text, "index"_a)
       .def(
-          "work", [](const ScenarioEnsemble& e) { return new EnsembleWork{ensemble_work(e)}; },
-          nb::rv_policy::take_ownership, nb::keep_alive<0, 1>())
+          "work",
+          [](const ScenarioEnsemble& e, bool any_machine) {
+            return new EnsembleWork{ensemble_work(e, any_machine)};
+          },
+          nb::rv_policy::take_ownership, nb::keep_alive<0, 1>(), "any_machine"_a)
       .def("run", run_ensemble, "outputs"_a, "threads"_a, "team"_a.none(), "resume"_a, "restart"_a,
-           "progress"_a.none());
+           "any_machine"_a, "progress"_a.none());
   scenario.def_prop_ro("has_ensemble", [](const Scenario& s) { return s.ensemble.has_value(); });
   scenario.def(
       "ensemble", [](const Scenario& s) { return new ScenarioEnsemble(s); },

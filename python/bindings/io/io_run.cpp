@@ -179,9 +179,7 @@ RunBegin begin_of(const char* function, bool resume, bool restart) {
   return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
 }
 
-BeginWords begin_words() {
-  return {"resume=True", "restart=True", "polhode ensemble --any-machine"};
-}
+BeginWords begin_words() { return {"resume=True", "restart=True", "any_machine=True"}; }
 
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<Run>(m, "_Run")

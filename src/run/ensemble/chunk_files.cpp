@@ -60,13 +60,17 @@ std::vector<ColumnGroup> ChunkFiles::index_groups() {
 ChunkFiles::ChunkFiles(const ScenarioEnsemble& ensemble, std::string pattern)
     : ensemble_(ensemble), pattern_(std::move(pattern)) {}
 
-std::unique_ptr<Sink> ChunkFiles::open(std::int64_t first, std::int64_t end) const {
+std::string ChunkFiles::path(std::int64_t first) const {
   const std::int64_t each = ensemble_.plan().chunk, last = (ensemble_.size() - 1) / each;
   const std::size_t digits = std::to_string(last).size();  // names in the order of the chunks
+  return with(pattern_, fmt::format("{:0{}}", first / each, digits));
+}
+
+std::unique_ptr<Sink> ChunkFiles::open(std::int64_t first, std::int64_t end) const {
   Provenance origin = provenance_of(ensemble_, nullptr);
-  origin.notes.push_back(fmt::format("chunk {}: members {} to {}", first / each, first, end - 1));
-  return open_sink(with(pattern_, fmt::format("{:0{}}", first / each, digits)),
-                   row_groups_of(ensemble_), origin, std::nullopt,
+  origin.notes.push_back(
+      fmt::format("chunk {}: members {} to {}", first / ensemble_.plan().chunk, first, end - 1));
+  return open_sink(path(first), row_groups_of(ensemble_), origin, std::nullopt,
                    ensemble_.scenario().output.formats);
 }
 

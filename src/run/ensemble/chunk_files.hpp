@@ -27,6 +27,8 @@ class ChunkFiles {
   static std::vector<ColumnGroup> index_groups();
 
   ChunkFiles(const ScenarioEnsemble& ensemble, std::string pattern);
+  // Of the file of the chunk that begins with this member.
+  std::string path(std::int64_t first) const;
   // The file of members `first` to `end` - 1, complete when it is finished.
   std::unique_ptr<Sink> open(std::int64_t first, std::int64_t end) const;
 

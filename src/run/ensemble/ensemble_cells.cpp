@@ -54,9 +54,19 @@ EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine,
     : ensemble_(ensemble),
       any_machine_(any_machine),
       chunk_files_(std::move(chunk_files)),
+      identity_(identity_of_ensemble(ensemble)),
       frame_(ensemble.plan().keep == EnsembleKeep::statistics
                  ? std::make_unique<StatisticsFrame>(ensemble)
                  : nullptr) {}
+
+std::vector<std::string> EnsembleCells::files_before(std::int64_t member) const {
+  std::vector<std::string> paths;
+  if (!has_files()) return paths;
+  const ChunkFiles files(ensemble_, chunk_files_);
+  for (std::int64_t first = 0; first < member; first += ensemble_.plan().chunk)
+    paths.push_back(files.path(first));
+  return paths;
+}
 
 std::int64_t EnsembleCells::members_at_a_time() const {
   const double numbers = static_cast<double>(row_times(ensemble_.scenario())->size()) *
@@ -146,7 +156,7 @@ void EnsembleCells::Stage::transfer(StateBytes& bytes) {
 }
 
 std::string EnsembleCells::stage_bytes(bool pilots, const CellsOfMembers& cells) const {
-  Stage stage{pilots, cells, identity_of_ensemble(ensemble_), chunk_files_, {}};
+  Stage stage{pilots, cells, identity_, chunk_files_, {}};
   if (!pilots && frame_) {
     StateBytes frame;
     frame_->transfer(frame);
@@ -165,14 +175,14 @@ std::string EnsembleCells::member_stage(std::int64_t from) const {
 void EnsembleCells::begin(const std::string& stage) {
   StateBytes bytes(stage);
   stage_.transfer(bytes);
-  const Identity ours = identity_of_ensemble(ensemble_);
-  if (any_machine_) take_elementary_functions(stage_.identity, ours);
-  const std::string differs = difference(stage_.identity, ours);
+  if (any_machine_) take_elementary_functions(stage_.identity, identity_);
+  const std::string differs = difference(stage_.identity, identity_);
   if (!differs.empty())
     throw DomainError(ensemble_.scenario().document.name +
                       ": is not the ensemble that is run: " + differs +
                       (differs_in_elementary_functions(differs)
-                           ? "; expected machines that are alike, or --any-machine"
+                           ? "; expected machines that are alike, or --any-machine "
+                             "(any_machine=True from Python)"
                            : ""));
   chunk_files_ = stage_.chunk_files;
   if (stage_.pilots || !frame_) return;

@@ -54,6 +54,8 @@ class EnsembleCells final : public TeamWork {
   // None where rows are kept.
   StatisticsFrame* frame() const { return frame_.get(); }
   bool has_files() const { return !chunk_files_.empty(); }
+  // Of the chunks before this member, if each has one.
+  std::vector<std::string> files_before(std::int64_t member) const;
   // Whether a cell is a chunk of the plan.
   bool is_by_chunks() const { return frame_ || has_files(); }
   CellsOfMembers pilot_cells() const;
@@ -88,6 +90,7 @@ class EnsembleCells final : public TeamWork {
   const ScenarioEnsemble& ensemble_;
   bool any_machine_;
   std::string chunk_files_;
+  Identity identity_;  // of the ensemble
   std::unique_ptr<StatisticsFrame> frame_;
   Stage stage_;  // the last one begun
 };

@@ -90,10 +90,15 @@ class EnsembleRun::Parts {
         histograms_(detail::histogram_paths(ensemble, paths)),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
     require_work_for_all();
-    if (outputs_.is_complete()) return;
+    if (outputs_.is_complete()) {
+      detail::require_there(histograms_, options_.words);
+      detail::require_there(cells_.files_before(ensemble.size()), options_.words);
+      return;
+    }
     if (outputs_.continues()) {
       StateBytes bytes(outputs_.state());
       transfer(bytes);
+      detail::require_there(cells_.files_before(report_.members), options_.words);
     }
     outputs_.with_remedy([&] { open(); });
     members_before_ = report_.members;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "run/ensemble/histogram_files.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include "polhode/error.hpp"
 #include "polhode/output/output_format.hpp"
@@ -42,6 +44,14 @@ std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
   all.insert(all.end(), paths.begin(), paths.end());
   require_own_files(file, all);
   return paths;
+}
+
+void require_there(const std::vector<std::string>& paths, const BeginWords& words) {
+  for (const std::string& path : paths)
+    if (std::error_code failed; !std::filesystem::exists(path, failed))
+      throw DomainError(printable(path, longest_path) +
+                        ": is not there, and what it belongs to is done with it; put it back, or " +
+                        words.restart + " runs this one anew");
 }
 
 void write_histograms(std::vector<EnsembleReport::Histogram>& histograms,

@@ -16,6 +16,10 @@ namespace detail {
 std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
                                          const std::vector<std::string>& outputs);
 
+// Files that an earlier part has completed, these or those of chunks, and that are not written
+// again: DomainError for one that is gone.
+void require_there(const std::vector<std::string>& paths, const BeginWords& words);
+
 // Written as PATH.part, then renamed; each says its path. OutputError.
 void write_histograms(std::vector<EnsembleReport::Histogram>& histograms,
                       const std::vector<std::string>& paths, const OutputFormats& formats,

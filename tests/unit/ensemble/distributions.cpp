@@ -143,6 +143,14 @@ TEST(TruncatedNormal, InvertsItsDistributionFunction) {
   EXPECT_LE(worst.value(), budget::truncated_normal) << worst.where();
 }
 
+TEST(TruncatedNormal, OfSigmaZeroIsItsMean) {
+  for (const double u : {1e-300, 0.2, 0.5, 0.8, 1.0 - 0x1p-53}) {
+    EXPECT_EQ(Normal(0.3, 0.0).from_uniform(u), 0.3);
+    EXPECT_EQ(TruncatedNormal(0.3, 0.0, -1.0, infinity).from_uniform(u), 0.3);
+    EXPECT_EQ(TruncatedNormal(0.3, 0.0, 0.3, 1.0).from_uniform(u), 0.3);
+  }
+}
+
 TEST(TruncatedNormal, IsScaledAndTheNormalOneWithoutBounds) {
   const TruncatedNormal all(2.0, 3.0, -infinity, infinity);
   for (const double u : {1e-9, 0.2, 0.5, 0.9})
@@ -214,8 +222,12 @@ TEST(Distributions, WhatIsNoneIsRefused) {
             "LogUniform: high / low inf must be at most 1e300");
   EXPECT_EQ(message_of([] { Normal(std::nan(""), 1.0); }), "Normal: mean nan must be finite");
   EXPECT_EQ(message_of([] { Normal(0.0, -1.0); }), "Normal: sigma -1 must not be negative");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 0.0, -1.0, 1.0); }),
-            "TruncatedNormal: sigma 0 must be positive");
+  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, -1.0, -1.0, 1.0); }),
+            "TruncatedNormal: sigma -1 must not be negative");
+  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 0.0, 1.0, 2.0); }),
+            "TruncatedNormal: low 1 must be at most the mean, where sigma is 0");
+  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 0.0, -2.0, -1.0); }),
+            "TruncatedNormal: high -1 must be at least the mean, where sigma is 0");
   EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 1.0, 1.0, -1.0); }),
             "TruncatedNormal: low 1 must be below high, which is -1");
   EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 1.0, std::nan(""), 1.0); }),
