@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/tables/alcdef.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "tables/detail/kvn_reader.hpp"
+#include "tables/detail/light_sessions.hpp"
+#include "tables/detail/light_times.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::KvnLine;
+
+constexpr std::size_t longest_path = 500;
+constexpr double day_in_s = 86400.0;
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+class AlcdefReader {
+ public:
+  AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch)
+      : lines_(text, shown), times_(TimeScale::UTC, epoch) {
+    result_.file = shown;
+  }
+
+  LightCurveFile read() {
+    std::optional<KvnLine> line = lines_.next();
+    if (!line) lines_.fail("has no session; expected STARTMETADATA");
+    while (line) {
+      if (!is_word(*line, "STARTMETADATA")) unexpected(*line, "STARTMETADATA");
+      LightSession session;
+      session.line = lines_.line_number();
+      read_metadata(session);
+      require_same_object(session);
+      declare(session);
+      line = read_rows(session);
+      detail::take_magnitudes(session);
+      result_.sessions.push_back(std::move(session));
+    }
+    result_.epoch = times_.epoch();
+    return std::move(result_);
+  }
+
+ private:
+  static bool is_word(const KvnLine& line, std::string_view word) {
+    return line.kind == KvnLine::Kind::word && line.key == word;
+  }
+  [[noreturn]] void unexpected(const KvnLine& line, const std::string& expected) const {
+    lines_.fail("got \"" + detail::printable(line.key.empty() ? line.value : line.key) +
+                "\"; expected " + expected);
+  }
+  [[noreturn]] void refuse(std::string_view key, std::string_view value,
+                           const std::string& expected) const {
+    lines_.fail(std::string(key) + ": got \"" + detail::printable(value) + "\"; expected " +
+                expected);
+  }
+
+  void read_metadata(LightSession& session) {
+    while (const std::optional<KvnLine> line = lines_.next()) {
+      if (is_word(*line, "ENDMETADATA")) return;
+      if (line->kind == KvnLine::Kind::comment) {
+        session.notes.emplace_back("COMMENT", line->value.substr(line->value.starts_with('=')));
+        continue;
+      }
+      if (line->kind != KvnLine::Kind::pair) unexpected(*line, "KEYWORD=VALUE or ENDMETADATA");
+      std::string key = upper(line->key);
+      if (note(session, key) != nullptr) lines_.fail(detail::printable(key) + " is there twice");
+      session.notes.emplace_back(std::move(key), line->value);
+    }
+    lines_.fail("the file ends before ENDMETADATA");
+  }
+
+  // The value of a keyword, null where it is not there.
+  static const std::string* note(const LightSession& session, std::string_view key) {
+    const auto found = std::find_if(session.notes.begin(), session.notes.end(),
+                                    [&](const auto& pair) { return pair.first == key; });
+    return found == session.notes.end() ? nullptr : &found->second;
+  }
+  static std::string value(const LightSession& session, std::string_view key) {
+    const std::string* const found = note(session, key);
+    return found == nullptr ? std::string() : *found;
+  }
+
+  // One object a file, as far as the sessions name it.
+  void require_same_object(const LightSession& session) {
+    std::string number = value(session, "OBJECTNUMBER");
+    if (number == "0") number.clear();
+    std::string name = value(session, "OBJECTNAME");
+    if (result_.sessions.empty()) {
+      const std::string known = name.empty() ? value(session, "MPCDESIG") : name;
+      result_.object = number + (number.empty() || known.empty() ? "" : " ") + known;
+      number_ = std::move(number);
+      name_ = std::move(name);
+      return;
+    }
+    const std::string as = ", as in the first session: one object a file";
+    if (!number.empty() && !number_.empty()) {
+      if (number != number_) refuse("OBJECTNUMBER", number, detail::printable(number_) + as);
+    } else if (!name.empty() && !name_.empty() && name != name_) {
+      refuse("OBJECTNAME", name, detail::printable(name_) + as);
+    }
+  }
+
+  // Lines DATA of a session. Gives what begins the next one, if there is one.
+  std::optional<KvnLine> read_rows(LightSession& session) {
+    const std::string delimiter = upper(value(session, "DELIMITER"));
+    if (delimiter != "PIPE" && delimiter != "TAB") refuse("DELIMITER", delimiter, "PIPE or TAB");
+    std::optional<KvnLine> line;
+    while ((line = lines_.next())) {
+      const bool is_row = line->kind == KvnLine::Kind::pair && line->key == "DATA";
+      if (is_row) {
+        read_row(session, line->value, delimiter == "TAB" ? '\t' : '|');
+        continue;
+      }
+      if (is_word(*line, "ENDDATA"))
+        line = lines_.next();
+      else if (!is_word(*line, "STARTMETADATA"))
+        unexpected(*line, "DATA=..., ENDDATA or STARTMETADATA");
+      break;
+    }
+    if (session.curve.points.empty())
+      lines_.fail("the session of line " + std::to_string(session.line) +
+                  " has no points; expected DATA=...");
+    return line;
+  }
+
+  void read_row(LightSession& session, std::string_view rest, char delimiter) {
+    std::vector<std::string_view> fields;
+    for (bool more = true; more;) {
+      const std::size_t end = std::min(rest.find(delimiter), rest.size());
+      fields.push_back(trimmed(rest.substr(0, end)));
+      more = end < rest.size();
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (fields.size() < 2 || fields.size() > 4)
+      lines_.fail("got " + std::to_string(fields.size()) +
+                  " fields; expected DATA=JD, magnitude, its error and airmass, of which the last "
+                  "two may be missing");
+    LightPoint p;
+    try {
+      p.t = times_.of_julian_date(fields[0]);
+    } catch (const DomainError& error) {
+      lines_.fail("\"" + detail::printable(fields[0]) + "\" " + error.what());
+    }
+    p.flux = lines_.number(fields[1], "magnitude");
+    if (const std::string flaw = detail::magnitude_flaw(p.flux); !flaw.empty()) lines_.fail(flaw);
+    if (fields.size() > 2 && !fields[2].empty())
+      p.sigma = lines_.number(fields[2], "error of the magnitude");
+    session.curve.points.push_back(p);
+    session.lines.push_back(lines_.line_number());
+  }
+
+  // What the keywords say, and no more.
+  void declare(LightSession& session) const {
+    const auto word = [&](std::string_view key) { return upper(value(session, key)); };
+    const std::string differ = word("DIFFERMAGS"), standard = word("STANDARD");
+    if (!differ.empty() && differ != "TRUE" && differ != "FALSE")
+      refuse("DIFFERMAGS", differ, "TRUE or FALSE");
+    session.curve.is_calibrated =
+        differ == "FALSE" && !standard.empty() && standard != "NONE" && standard != "INTERNAL";
+    const auto is_applied = [](const std::string& way) {
+      return way == "AVERAGE" || way == "POINT";
+    };
+    const std::string applied = word("LTCAPP"), reduced = word("REDUCEDMAGS");
+    if (applied == "NONE") session.times = LightTime::at_observer;
+    if (is_applied(applied)) session.times = LightTime::at_body;
+    if (reduced == "NONE") session.distances = Distances::of_the_time;
+    if (is_applied(reduced)) session.distances = Distances::unit;
+    if (const std::string days = value(session, "LTCDAYS"); !days.empty()) {
+      const double correction = lines_.number(days, "LTCDAYS");
+      if (correction != 0.0) session.light_time = -correction * day_in_s;
+    }
+    session.band = value(session, "MAGBAND");
+    if (session.band.empty()) session.band = value(session, "FILTER");
+    std::string name;
+    for (const char* key : {"SESSIONDATE", "SESSIONTIME", "FILTER"}) {
+      const std::string part = detail::printable(value(session, key));
+      if (!part.empty()) name += (name.empty() ? "" : " ") + part;
+    }
+    session.curve.name = name.empty() ? std::to_string(result_.sessions.size() + 1) : name;
+  }
+
+  detail::KvnReader lines_;
+  detail::LightTimes times_;
+  LightCurveFile result_;
+  std::string number_;
+  std::string name_;
+};
+
+}  // namespace
+
+LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
+                                const std::optional<Date>& epoch) {
+  const std::string shown = detail::printable(name, longest_path);
+  detail::require_size(text, shown);
+  return AlcdefReader(text, shown, epoch).read();
+}
+
+LightCurveFile read_alcdef(const std::string& path, const std::optional<Date>& epoch) {
+  return alcdef_from_text(detail::text_of_file(path, detail::largest_light_file), path, epoch);
+}
+
+}  // namespace v0
+}  // namespace polhode

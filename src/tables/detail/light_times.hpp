@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Dates of a light curve as seconds of TT from an epoch.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "polhode/ephemeris/date.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+class LightTimes {
+ public:
+  // Without an epoch: midnight before the first date that comes. Throws DomainError with the reason
+  // alone, as all of its functions do.
+  LightTimes(TimeScale scale, const std::optional<Date>& epoch, double julian_zero = 0.0);
+
+  double of_julian_date(std::string_view field);
+  double of_date(std::string_view field);
+  // None before the first date.
+  const std::optional<Date>& epoch() const { return epoch_; }
+
+ private:
+  double seconds(const Date& date);
+
+  TimeScale scale_;
+  double julian_zero_;
+  std::optional<Date> epoch_;
+  std::optional<Date> epoch_in_tt_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/tables/light_curve_file.hpp"
+
+#include <cmath>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+#include "polhode/light/magnitudes.hpp"
+#include "tables/detail/light_sessions.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr double faintest = 100.0;
+
+[[noreturn]] void fail(const LightCurveFile& file, std::size_t line, const std::string& text) {
+  throw DomainError(file.file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + text);
+}
+
+const char* in_words(Distances distances) {
+  return distances == Distances::unit ? "at unit distances" : "at the distances of the time";
+}
+
+// What calibrated fluxes are must be the same in all sessions.
+void require_one_scale(const LightCurveFile& file) {
+  const LightSession* first = nullptr;
+  for (const LightSession& session : file.sessions) {
+    if (!session.curve.is_calibrated) continue;
+    if (first == nullptr) first = &session;
+    const std::string there = " of the session of line " + std::to_string(first->line);
+    if (session.band != first->band)
+      fail(file, session.line,
+           "calibrated fluxes in the band \"" + detail::printable(session.band) +
+               "\" have no scale in common with \"" + detail::printable(first->band) + "\"" +
+               there + "; expected one band, or relative sessions");
+    if (session.distances != first->distances && session.distances != Distances::unknown &&
+        first->distances != Distances::unknown)
+      fail(file, session.line,
+           std::string("calibrated fluxes ") + in_words(session.distances) + ", those" + there +
+               " are " + in_words(first->distances) + "; expected the same");
+  }
+}
+
+}  // namespace
+
+std::vector<LightCurve> light_curves(const LightCurveFile& file) {
+  std::vector<LightCurve> curves;
+  curves.reserve(file.sessions.size());
+  for (const LightSession& session : file.sessions) curves.push_back(session.curve);
+  return curves;
+}
+
+void require_sound(const LightCurveFile& file, const LightCurveNeeds& needs) {
+  const std::vector<LightCurve> curves = light_curves(file);
+  if (const std::optional<LightCurveFlaw> flaw = first_flaw(curves, needs)) {
+    const LightSession& session = file.sessions[flaw->curve];
+    const std::string which = "light curve " + std::to_string(flaw->curve + 1);
+    const bool has_line = flaw->point && *flaw->point < session.lines.size();
+    if (flaw->point)
+      fail(file, has_line ? session.lines[*flaw->point] : session.line,
+           which + ", point " + std::to_string(*flaw->point + 1) + ": " + flaw->text);
+    fail(file, session.line, which + " " + flaw->text);
+  }
+  require_one_scale(file);
+}
+
+namespace detail {
+
+void require_size(std::string_view text, const std::string& shown) {
+  if (text.size() > largest_light_file)
+    throw DomainError(shown + ": has more than " + std::to_string(largest_light_file >> 20) +
+                      " MiB");
+}
+
+std::string magnitude_flaw(double magnitude) {
+  if (std::abs(magnitude) <= faintest) return {};
+  return "magnitude " + number_text(magnitude) + "; expected one from -100 to 100";
+}
+
+void take_magnitudes(LightSession& session) {
+  std::vector<LightPoint>& points = session.curve.points;
+  double zero = 0.0;
+  if (!session.curve.is_calibrated && !points.empty()) {
+    const auto count = static_cast<double>(points.size());
+    for (const LightPoint& p : points) zero += p.flux / count;
+    double mean = 0.0;
+    for (const LightPoint& p : points) mean += flux_of({p.flux, 0.0}, zero).value / count;
+    zero -= 2.5 * std::log10(mean);
+  }
+  for (LightPoint& p : points) {
+    const Flux flux = flux_of({p.flux, p.sigma}, zero);
+    p.flux = flux.value;
+    p.sigma = flux.sigma;
+  }
+  session.zero_magnitude = zero;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
