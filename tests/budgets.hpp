@@ -11,6 +11,7 @@
 #include "budgets/frame.hpp"
 #include "budgets/free.hpp"
 #include "budgets/io.hpp"
+#include "budgets/light.hpp"
 #include "budgets/math.hpp"
 #include "budgets/ode.hpp"
 #include "budgets/orbit.hpp"

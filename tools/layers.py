@@ -25,6 +25,7 @@ LAYERS = {
     "free": "math elliptic rotor",
     "frame": "math orbit",
     "shape": "math rotor",
+    "light": "math rotor shape",
     "perturb": "math rotor orbit frame shape",
     "system": "math rotor free frame perturb",
     "trajectory": "math rotor",
