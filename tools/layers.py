@@ -55,6 +55,7 @@ THIRD_PARTY = {
     "series": r"boost/multiprecision/",
     "rotor": r"Eigen/",
     "perturb": r"Eigen/",
+    "light": r"Eigen/",
     "analysis": r"(unsupported/)?Eigen/",
     "ephemeris": r"erfa\.h",
     "ensemble": r"tbb/|Random123/|Eigen/|boost/random/sobol\.hpp",

@@ -2,9 +2,29 @@
 // Tolerances of tests: how bright a body looks.
 #pragma once
 
-namespace polhode::budget {}  // namespace polhode::budget
-
 namespace polhode::budget {
+
+// --- ellipsoids (tests/unit/light/ellipsoid.cpp), axes up to 5 : 1, at any phase angle ---
+inline constexpr double light_ellipsoid = 1e-14;
+inline constexpr double light_ellipsoid_gradient = 1e-12;
+inline constexpr double light_lambert_16 = 1e-7;
+inline constexpr double light_lambert_32 = 1e-7;
+inline constexpr double light_lambert_sphere = 1e-9;
+inline constexpr double light_lambert_differences = 1e-6;
+inline constexpr double light_semi_axes = 4e-15;
+
+// --- convex bodies by facets (tests/unit/light/facets.cpp): 3200 facets, relative ---
+inline constexpr double light_harmonics = 1e-14;
+inline constexpr double light_solid_angle = 1e-13;
+inline constexpr double light_facets = 3e-3;
+inline constexpr double light_closure = 1e-3;
+inline constexpr double light_series_back = 1e-13;
+inline constexpr double light_facet_gradient = 1e-13;
+
+// --- meshes (tests/unit/light/shaded_mesh.cpp): some 2000 facets ---
+inline constexpr double light_mesh = 2e-2;
+inline constexpr double light_two_balls = 3e-2;
+inline constexpr double light_wall = 1e-14;
 
 // --- light curves (tests/unit/light/light_curve.cpp) ---
 inline constexpr double light_flux = 1e-14;       // relative

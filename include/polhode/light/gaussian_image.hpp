@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// GaussianImage: a convex body by the areas of its facets on fixed normals, positive whatever their
+// coefficients are.
+//
+// Equations   A_j = w_j exp(sum over l <= degree, m of c_lm Y_lm(n_j)) (Kaasalainen & Torppa 2001,
+//             Icarus 153, 24), w_j the solid angle of normal n_j, so that coefficients do not
+//             depend on the number of normals. By Minkowski's theorem such areas are those of one
+//             convex body if sum of A_j n_j = 0: `closure`, with its derivatives, is to be fitted
+//             to 0. Y_lm: real, of mean square 1 over the sphere, sin(|m| phi) for m < 0; c_lm at
+//             place l^2 + l + m.
+// Units       areas in any unit of length squared; a sphere of radius r has c_00 = 2 ln r alone.
+// Domain      normals: those of an octahedron whose faces are divided into rows^2 triangles each,
+//             as projected onto the sphere: 8 rows^2. degree 0 .. 40, rows 1 .. 200.
+// Accuracy    budget light_harmonics: of Y_lm.
+// Errors      DomainError naming a degree, rows or a number of coefficients or areas that does not
+//             fit.
+// Cost        areas: an exponential and (degree + 1)^2 flops a normal. Copies share the basis.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "polhode/light/facet_brightness.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+class GaussianImage {
+ public:
+  GaussianImage(int degree, int rows);
+
+  int degree() const { return basis_->degree; }
+  std::size_t coefficient_count() const { return basis_->count; }
+  std::span<const Vec3> normals() const { return basis_->normals; }
+  std::span<const double> solid_angles() const { return basis_->solid_angles; }
+  // Y of normal j, in the order of the coefficients.
+  std::span<const double> harmonics(std::size_t j) const {
+    return std::span<const double>(basis_->harmonics).subspan(j * basis_->count, basis_->count);
+  }
+
+  std::vector<double> areas(std::span<const double> coefficients) const;
+  // The series that is nearest to the logarithms of areas / solid angles, all > 0, by least squares
+  // over the sphere: a start from a body that is known.
+  std::vector<double> coefficients(std::span<const double> areas) const;
+  // Areas / solid angles of an ellipsoid: (abc)^2 / (a^2 n_x^2 + b^2 n_y^2 + c^2 n_z^2)^2.
+  std::vector<double> coefficients(const Ellipsoid& body) const;
+
+  // sum of A_j n_j, in units of area.
+  Vec3 closure(std::span<const double> areas) const;
+  // Its derivative by each coefficient.
+  std::vector<Vec3> closure_gradient(std::span<const double> areas) const;
+  // l (l + 1) for each coefficient: times the coefficient, a residual whose sum of squares is the
+  // mean square of the Laplacian of ln(A / w), 0 for a sphere.
+  std::vector<double> roughness() const;
+
+  // Derivatives of a sum over facets by the coefficients, from those by the areas.
+  std::vector<double> by_coefficients(std::span<const double> by_areas,
+                                      std::span<const double> areas) const;
+
+ private:
+  struct Basis {
+    int degree = 0;
+    std::size_t count = 0;
+    std::vector<Vec3> normals;
+    std::vector<double> solid_angles;
+    std::vector<double> harmonics;
+  };
+  std::shared_ptr<const Basis> basis_;
+};
+
+}  // namespace v0
+}  // namespace polhode
