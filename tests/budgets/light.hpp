@@ -7,9 +7,9 @@ namespace polhode::budget {
 // --- ellipsoids (tests/unit/light/ellipsoid.cpp), axes up to 5 : 1, at any phase angle ---
 inline constexpr double light_ellipsoid = 1e-14;
 inline constexpr double light_ellipsoid_gradient = 1e-12;
-inline constexpr double light_lambert_16 = 1e-7;
-inline constexpr double light_lambert_32 = 1e-7;
-inline constexpr double light_lambert_sphere = 1e-9;
+inline constexpr double light_lambert_16 = 4e-6;
+inline constexpr double light_lambert_32 = 4e-8;
+inline constexpr double light_lambert_sphere = 4e-14;
 inline constexpr double light_lambert_differences = 1e-6;
 inline constexpr double light_semi_axes = 4e-15;
 

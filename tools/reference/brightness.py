@@ -90,7 +90,7 @@ def main():
         values = (brightness(axes, sun, observer, lambda mu, mu0: mu * mu0 / (mu + mu0)),
                   brightness(axes, sun, observer, lambda mu, mu0: mu * mu0))
         vectors = ", ".join("{" + ", ".join(map(repr, v)) + "}" for v in (axes, sun, observer))
-        lines.append(f"    {{{vectors}, {float(values[0])!r}, {float(values[1])!r}}},")
+        lines.append(f"    {{{vectors},\n     {float(values[0])!r}, {float(values[1])!r}}},")
     path = pathlib.Path(__file__).resolve().parents[2] / "tests/unit/light/typed_values.hpp"
     path.write_text(TYPED.replace("COUNT", str(len(lines))).replace("ROWS", "\n".join(lines)))
     return 0

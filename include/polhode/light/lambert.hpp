@@ -12,7 +12,7 @@
 // Domain      as lommel_seeliger.hpp. `points` is 8, 16, 32 or 64: along each of two directions.
 //             Dual numbers give first derivatives, not second: the border moves.
 // Accuracy    budgets light_lambert_16 for axes within 2 : 1 and light_lambert_32 within 4 : 1,
-//             relative to the area; a sphere to rounding.
+//             relative to (abc)^(2/3); light_lambert_sphere: a sphere, with 16.
 // Errors      none; NaN in, NaN out.
 // Cost        points^2 evaluations of some ns (benchmarks/brightness.cpp).
 #pragma once
