@@ -7,13 +7,14 @@
 #include <limits>
 
 #include "fit/detail/stacked_numbers.hpp"
+#include "fit/detail/unit_columns.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using detail::RowByRow;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Singular values over the greatest, of columns of length 1: below the first nothing but rounding
@@ -74,10 +75,7 @@ UnknownsCovariance covariance(const LeastSquares& problem, const LeastSquaresRes
     found.matrix.assign(static_cast<std::size_t>(n * n), std::numeric_limits<double>::quiet_NaN());
     return found;
   }
-  const Eigen::VectorXd lengths = J.colwise().norm();
-  const Eigen::VectorXd scales =
-      lengths.unaryExpr([](double length) { return length > 0.0 ? length : 1.0; });
-  J = J * scales.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd scales = detail::to_unit_columns(J);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd& s = svd.singularValues();
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);

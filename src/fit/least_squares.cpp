@@ -8,6 +8,7 @@
 #include "fit/detail/change_of_variable.hpp"
 #include "fit/detail/levenberg_marquardt.hpp"
 #include "fit/detail/stacked_numbers.hpp"
+#include "fit/detail/unit_columns.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -16,7 +17,7 @@ inline namespace v0 {
 namespace {
 
 using End = LeastSquaresResult::End;
-using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using detail::RowByRow;
 
 // How near the least of the linear problem has to be: in standard errors, or of the sum of squares.
 constexpr double near_errors = 1e-3, near_cost = 1e-9;
@@ -123,10 +124,9 @@ class Solver {
     if (free_.empty()) return true;
     RowByRow of_free(jacobian.rows(), std::ssize(free_));
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      const Eigen::VectorXd column = jacobian.col(static_cast<Eigen::Index>(free_[k]));
-      const double length = column.norm();
-      of_free.col(static_cast<Eigen::Index>(k)) = column / (length > 0.0 ? length : 1.0);
+      of_free.col(static_cast<Eigen::Index>(k)) = jacobian.col(static_cast<Eigen::Index>(free_[k]));
     }
+    detail::to_unit_columns(of_free);
     const Eigen::ColPivHouseholderQR<RowByRow> qr(of_free);
     const Eigen::VectorXd turned = qr.matrixQ().adjoint() * numbers;
     const double step2 = turned.head(qr.rank()).squaredNorm();
@@ -206,10 +206,7 @@ double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult&
   if (!numbers.at(result.x, f.data(), J.data(), detail::StackedNumbers::Derivatives::weighted)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const double length = J.col(j).norm();
-    if (length > 0.0) J.col(j) /= length;
-  }
+  detail::to_unit_columns(J);
   // tr of the part of the hat matrix that belongs to the data: rows of an orthonormal basis.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU);
   const auto data = static_cast<Eigen::Index>(numbers.data());
