@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A spin state at many times, with derivatives by every parameter that it may have.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "polhode/fit/spin_fit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// dtheta_F at t0; w_F; Ixx, Iyy, Ixy, Iyz, Ixz over Izz.
+inline constexpr std::size_t spin_parameters = 11;
+inline constexpr std::size_t first_rate = 3, first_ratio = 6, first_product = 8;
+
+struct MotionPoint {
+  Quaternion q;  // F to inertial
+  Vec3 w_F;
+  // By each parameter: the rotation vector of the attitude in body axes F, and the change of w_F.
+  std::array<Vec3, spin_parameters> turn;
+  std::array<Vec3, spin_parameters> rate;
+};
+
+// Free rotation. False where the state is none that a body may have, or derivatives are not
+// numbers. Derivatives of products and of principal axes that turn with them: only where asked.
+struct Asked {
+  bool derivatives = false;
+  bool products = false;
+};
+bool free_motion(const SpinState& s, const std::vector<double>& times, Asked asked,
+                 std::vector<MotionPoint>& points);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Columns of derivatives at length 1, whatever the units of their unknowns.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Of the longest column: what is shorter is the rounding of a derivative that is 0.
+inline constexpr double empty_column = 1e-14;
+
+// Divides each column by its length, and returns the lengths; a column that is empty becomes 0, and
+// its length 1.
+inline Eigen::VectorXd to_unit_columns(RowByRow& jacobian) {
+  Eigen::VectorXd lengths = jacobian.colwise().norm();
+  const double least = lengths.size() == 0 ? 0.0 : empty_column * lengths.maxCoeff();
+  for (Eigen::Index j = 0; j < lengths.size(); ++j) {
+    if (lengths[j] > least) {
+      jacobian.col(j) /= lengths[j];
+    } else {
+      jacobian.col(j).setZero();
+      lengths[j] = 1.0;
+    }
+  }
+  return lengths;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

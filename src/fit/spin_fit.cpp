@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/fit/spin_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/detail/rotation_vector.hpp"
+#include "fit/detail/snapshot_residuals.hpp"
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+#include "polhode/rotor/body.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// Beyond this the vector of a turn is taken about the attitude that was found, and the fit goes on.
+constexpr double far_turn = 1.0;
+constexpr int most_recentrings = 20;
+
+double parameter_of(const SpinState& s, std::size_t p) {
+  const Mat3& T = s.inertia_F;
+  const double unit = T(2, 2);
+  switch (p) {
+    case 6:
+      return T(0, 0) / unit;
+    case 7:
+      return T(1, 1) / unit;
+    case 8:
+      return T(0, 1) / unit;
+    case 9:
+      return T(1, 2) / unit;
+    case 10:
+      return T(0, 2) / unit;
+    default:
+      return p < detail::first_rate ? 0.0 : s.w_F[static_cast<int>(p - detail::first_rate)];
+  }
+}
+
+void require_start(const SpinFit& fit) {
+  const SpinState& s = fit.start;
+  const double size = std::hypot(std::hypot(s.q.w, s.q.x), std::hypot(s.q.y, s.q.z));
+  if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0)) {
+    throw DomainError("fit_spin: the start, t0 = " + detail::number_text(s.t0) +
+                      " and quaternion " + detail::tuple_text({s.q.w, s.q.x, s.q.y, s.q.z}) +
+                      ", must be finite, the quaternion not 0");
+  }
+  const double rate = norm(s.w_F);
+  if (!std::isfinite(rate) || !(rate > 0.0)) {
+    throw DomainError("fit_spin: the rate at the start, " +
+                      detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
+                      ", must be finite and not 0");
+  }
+  static_cast<void>(Body::from_tensor(s.inertia_F));  // says what is wrong with it
+  for (const NormalPrior& prior : fit.priors) {
+    for (const std::string& name : prior.unknowns) {
+      if (name.starts_with("turn_")) {
+        throw DomainError("fit_spin: a prior of " + name +
+                          "; that of the attitude is given as attitude_prior");
+      }
+    }
+  }
+  if (!fit.attitude_prior) return;
+  if (!fit.unknowns.attitude) {
+    throw DomainError("fit_spin: a prior of the attitude, which is not an unknown of this fit");
+  }
+  ObservedAttitude prior = *fit.attitude_prior;
+  prior.t = s.t0;
+  check(Snapshots{{prior}, {}, {}});
+}
+
+LeastSquares problem_of(const SpinFit& fit) {
+  const std::vector<std::size_t> parameters = detail::parameters_of(fit.unknowns);
+  if (parameters.empty()) {
+    throw DomainError("fit_spin: nothing is unknown; expected attitude, rate or moments");
+  }
+  LeastSquares p;
+  for (const std::size_t k : parameters) {
+    Unknown u;
+    u.name = detail::parameter_name(k);
+    u.start = parameter_of(fit.start, k);
+    if (k == detail::first_ratio) p.triangle = {p.unknowns.size(), p.unknowns.size() + 1};
+    p.unknowns.push_back(u);
+  }
+  const detail::SnapshotResiduals residuals(fit);
+  p.residuals.data = fit.seen.numbers();
+  p.residuals.prior = fit.attitude_prior ? 3 : 0;
+  p.residuals.blocks = residuals.blocks();
+  p.residuals.at = [residuals](std::span<const double> x, std::span<double> numbers,
+                               std::span<double> jacobian) {
+    return residuals.at(x, numbers, jacobian);
+  };
+  p.priors = fit.priors;
+  p.loss = fit.loss;
+  p.error_factor = fit.error_factor;
+  p.most_iterations = fit.most_iterations;
+  return p;
+}
+
+double size_of_turn(const SpinFit& fit, const std::vector<double>& x) {
+  return fit.unknowns.attitude ? norm(Vec3{x[0], x[1], x[2]}) : 0.0;
+}
+
+}  // namespace
+
+SpinSolution fit_spin(const SpinFit& fit) {
+  check(fit.seen);
+  require_start(fit);
+  SpinFit about = fit;
+  const std::vector<std::size_t> parameters = detail::parameters_of(fit.unknowns);
+  SpinSolution found;
+  int iterations = 0, evaluations = 0;
+  LeastSquares problem;
+  for (int round = 0; round < most_recentrings; ++round) {
+    problem = problem_of(about);
+    found.result = fit.scales_errors ? solve_scaled(problem) : solve(problem);
+    iterations += found.result.iterations;
+    evaluations += found.result.evaluations;
+    about.start = detail::state_at(about.start, parameters, found.result.x);
+    about.error_factor = problem.error_factor;
+    // On a bound there is no start for another round.
+    const bool is_far = size_of_turn(fit, found.result.x) > far_turn;
+    if (!is_far || !found.result.bound.empty() ||
+        found.result.end == LeastSquaresResult::End::no_value) {
+      break;
+    }
+  }
+  found.result.iterations = iterations;
+  found.result.evaluations = evaluations;
+  found.state = about.start;
+  found.error_factor = problem.error_factor;
+  // The same numbers with turns about what was found.
+  const detail::SnapshotResiduals residuals(about);
+  problem.residuals.at = [residuals](std::span<const double> x, std::span<double> numbers,
+                                     std::span<double> jacobian) {
+    return residuals.at(x, numbers, jacobian);
+  };
+  if (fit.unknowns.attitude) std::fill_n(found.result.x.begin(), 3, 0.0);
+  found.covariance = covariance(problem, found.result);
+  found.degrees_of_freedom = degrees_of_freedom(problem, found.result);
+  found.attitude_rms = residuals.attitude_rms(found.state);
+  found.notes = repeated(fit.seen);
+  for (const auto& weak : found.covariance.weak) found.notes.push_back(weak.sentence);
+  return found;
+}
+
+std::vector<double> unknowns_at(const SpinFit& fit, const SpinState& about,
+                                const SpinState& state) {
+  const Vec3 turn = attitude_residual(about.q, state.q);
+  std::vector<double> x;
+  for (const std::size_t p : detail::parameters_of(fit.unknowns)) {
+    x.push_back(p < detail::first_rate ? turn[static_cast<int>(p)] : parameter_of(state, p));
+  }
+  return x;
+}
+
+std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinSolution& solution,
+                                         std::span<const double> times) {
+  const std::vector<std::size_t> parameters = detail::parameters_of(fit.unknowns);
+  std::vector<detail::MotionPoint> points;
+  const std::vector<double> at(times.begin(), times.end());
+  if (!detail::free_motion(solution.state, at, {true, fit.unknowns.products}, points)) {
+    throw DomainError(
+        "predicted: the state of the solution is none that a body may have, or its "
+        "motion has no derivatives");
+  }
+  const std::size_t n = parameters.size();
+  std::vector<PredictedAttitude> found;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    Mat3 c;
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec3 &a = points[i].turn[parameters[j]], &b = points[i].turn[parameters[k]];
+        const double weight = solution.covariance.matrix[j * n + k];
+        for (int r = 0; r < 3; ++r) {
+          for (int s = 0; s < 3; ++s) c(r, s) += weight * a[r] * b[s];
+        }
+      }
+    }
+    found.push_back({at[i], points[i].q, points[i].w_F, c});
+  }
+  return found;
+}
+
+}  // namespace v0
+}  // namespace polhode

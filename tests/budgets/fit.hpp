@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Tolerances of tests: fits.
+#pragma once
+
+namespace polhode::budget {
+
+// --- losses (tests/unit/fit): their values and slopes, of the value ---
+inline constexpr double loss = 1e-14;
+
+// --- least squares: a straight line, and what is on a bound or near one ---
+inline constexpr double fit_line = 1e-9, fit_bounded = 1e-7;
+inline constexpr double fit_narrow_prior = 1e-4;  // what the other unknown leaves to it
+inline constexpr double fit_robust = 0.15, fit_robust_gradient = 1e-4;
+
+// --- the motion and its derivatives against 50 digits: rad and of |w|, of a column; beside a
+// degenerate form by 1e-8 ---
+inline constexpr double fit_motion = 4e-15, fit_derivatives = 1e-12;
+inline constexpr double fit_derivatives_aside = 3e-7, fit_least_column = 0.1;
+// rotation vectors and their derivatives; differences in double
+inline constexpr double fit_rotation = 1e-14, fit_rotation_difference = 1e-10;
+inline constexpr double fit_difference = 1e-6;  // of residuals of some hundred
+
+// --- spin states from exact observations; a probability over fixed seeds ---
+inline constexpr double fit_exact = 1e-9, fit_improbable = 1e-2;
+
+// --- Toutatis 1992: half a unit of the last digit of an independent fit and a little more; deg ---
+inline constexpr double toutatis_free = 0.011, toutatis_prior = 0.0011, toutatis_rms = 0.06;
+inline constexpr double fit_freedom = 1e-9;
+// deg: the published state misses until 2004 and in 2008, and without products of inertia
+inline constexpr double toutatis_until_2004 = 15.0, toutatis_in_2008 = 60.0;
+inline constexpr double toutatis_without_products = 55.0;
+inline constexpr double toutatis_reach = 200.0;  // what the fit of 1992 predicts as its error
+
+}  // namespace polhode::budget

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// The core of fits: known minima, bounds, priors, losses, covariances, and bad input.
+#include "polhode/fit/least_squares.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/fit/covariance.hpp"
+
+namespace {
+using namespace polhode;
+using testing::HasSubstr;
+using End = LeastSquaresResult::End;
+
+// y = a + b t at these times, every error 1.
+const std::vector<double> times{0.0, 1.0, 2.0, 3.0, 4.0};
+
+LeastSquares line(const std::vector<double>& y) {
+  LeastSquares p;
+  p.unknowns = {{"a", 0.1}, {"b", 0.1}};
+  p.residuals.data = y.size();
+  p.residuals.at = [y](std::span<const double> x, std::span<double> r, std::span<double> J) {
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      r[i] = x[0] + x[1] * times[i] - y[i];
+      if (!J.empty()) {
+        J[2 * i] = 1.0;
+        J[2 * i + 1] = times[i];
+      }
+    }
+    return true;
+  };
+  return p;
+}
+
+TEST(Solve, FindsTheLineAndItsErrors) {
+  const LeastSquares p = line({1.1, 2.9, 5.2, 6.8, 9.0});
+  const LeastSquaresResult r = solve(p);
+  ASSERT_TRUE(r.is_converged()) << r.sentence;
+  // by hand: b = S_ty / S_tt, a = mean(y) - 2 b
+  EXPECT_NEAR(r.x[1], 1.97, budget::fit_line);
+  EXPECT_NEAR(r.x[0], 1.06, budget::fit_line);
+  EXPECT_NEAR(r.chi_square, 0.091, budget::fit_line);
+  EXPECT_NEAR(degrees_of_freedom(p, r), 3.0, budget::fit_line);
+  const UnknownsCovariance c = covariance(p, r);
+  EXPECT_NEAR(c.error(1), std::sqrt(0.1), budget::fit_line);
+  EXPECT_NEAR(c.error(0), std::sqrt(0.6), budget::fit_line);
+  EXPECT_NEAR(c.correlation(0, 1), -0.2 / std::sqrt(0.06), budget::fit_line);
+  EXPECT_NEAR(mahalanobis(c, r.x, std::vector<double>{1.06, 2.97}), 30.0, budget::fit_line * 1e3);
+  EXPECT_TRUE(c.weak.empty());
+}
+
+TEST(Solve, ScalesErrorsOfDataAlone) {
+  LeastSquares p = line({1.1, 2.9, 5.2, 6.8, 9.0});
+  const LeastSquaresResult free = solve_scaled(p);
+  ASSERT_TRUE(free.is_converged()) << free.sentence;
+  EXPECT_NEAR(p.error_factor, std::sqrt(0.091 / 3.0), budget::fit_line);
+  EXPECT_NEAR(covariance(p, free).error(1), std::sqrt(0.1 * 0.091 / 3.0), budget::fit_line);
+  // A prior far narrower than the data keeps its width, and takes an unknown from the data.
+  p = line({1.1, 2.9, 5.2, 6.8, 9.0});
+  p.priors = {{{"b"}, {1.97}, {1e-12}}};
+  const LeastSquaresResult held = solve_scaled(p);
+  EXPECT_NEAR(covariance(p, held).error(1), 1e-6, 1e-6 * budget::fit_narrow_prior);
+  EXPECT_NEAR(p.error_factor, std::sqrt(0.091 / 4.0), budget::fit_narrow_prior);
+}
+
+TEST(Solve, TakesPriorsThatAreCorrelated) {
+  LeastSquares p = line({});
+  p.residuals.prior = 0;
+  p.priors = {{{"b", "a"}, {2.0, -1.0}, {0.04, 0.03, 0.03, 0.09}}};
+  const LeastSquaresResult r = solve(p);
+  ASSERT_TRUE(r.is_converged()) << r.sentence;
+  EXPECT_NEAR(r.x[0], -1.0, budget::fit_line);
+  EXPECT_NEAR(r.x[1], 2.0, budget::fit_line);
+  const UnknownsCovariance c = covariance(p, r);
+  EXPECT_NEAR(c.variance(0), 0.09, budget::fit_line);
+  EXPECT_NEAR(c.correlation(0, 1), 0.5, budget::fit_line);
+}
+
+TEST(Solve, PutsOnItsBoundWhatIsPressedAgainstIt) {
+  LeastSquares p = line({1.1, 2.9, 5.2, 6.8, 9.0});
+  for (const double high : {1.5, std::numeric_limits<double>::infinity()}) {
+    // b in [0.2, 1.5], then b >= 2.5: the least is outside both.
+    p.unknowns[1] = high == 1.5 ? Unknown{"b", 0.5, 0.2, high} : Unknown{"b", 3.5, 2.5, high};
+    const double bound = high == 1.5 ? 1.5 : 2.5;
+    const LeastSquaresResult r = solve(p);
+    ASSERT_TRUE(r.is_converged()) << r.sentence;
+    EXPECT_EQ(r.x[1], bound);
+    EXPECT_NEAR(r.x[0], 5.0 - 2.0 * bound, budget::fit_bounded);
+    EXPECT_EQ(r.bound, std::vector<std::size_t>{1});
+    EXPECT_THAT(r.sentence, HasSubstr("b is on its bound"));
+  }
+  p.unknowns[1] = {"b", 0.5, -10.0, 10.0};
+  EXPECT_NEAR(solve(p).x[1], 1.97, budget::fit_bounded);
+  p.unknowns[1] = {"b", 0.5, -std::numeric_limits<double>::infinity(), 10.0};
+  EXPECT_NEAR(solve(p).x[1], 1.97, budget::fit_bounded);
+}
+
+// Two numbers that say a = wanted[0] and b = wanted[1], under the triangle inequality with 1.
+TEST(Solve, KeepsTheTriangleInequality) {
+  const auto nearest = [](double a, double b) {
+    LeastSquares p;
+    p.unknowns = {{"I1/I3", 1.3}, {"I2/I3", 1.1}};
+    p.triangle = TriangleBound{0, 1};
+    p.residuals.data = 2;
+    p.residuals.at = [a, b](std::span<const double> x, std::span<double> r, std::span<double> J) {
+      r[0] = x[0] - a;
+      r[1] = x[1] - b;
+      if (!J.empty()) J[0] = J[3] = 1.0, J[1] = J[2] = 0.0;
+      return true;
+    };
+    return solve(p);
+  };
+  const LeastSquaresResult inside = nearest(2.9, 3.3);
+  EXPECT_NEAR(inside.x[0], 2.9, budget::fit_bounded);
+  EXPECT_NEAR(inside.x[1], 3.3, budget::fit_bounded);
+  EXPECT_TRUE(inside.bound.empty());
+  const LeastSquaresResult flat = nearest(3.0, 1.0);  // the nearest on I1 = 1 + I2
+  ASSERT_TRUE(flat.is_converged()) << flat.sentence;
+  EXPECT_NEAR(flat.x[0], 2.5, budget::fit_bounded);
+  EXPECT_NEAR(flat.x[1], 1.5, budget::fit_bounded);
+  EXPECT_THAT(flat.sentence, HasSubstr("I1/I3 is on its bound, 1 + I2/I3"));
+  const LeastSquaresResult rod = nearest(0.4, 0.4);  // the nearest on I1 + I2 = 1
+  EXPECT_NEAR(rod.x[0], 0.5, budget::fit_bounded);
+  EXPECT_NEAR(rod.x[1], 0.5, budget::fit_bounded);
+  EXPECT_THAT(rod.sentence, HasSubstr("I1/I3 + I2/I3 is on its bound, 1"));
+}
+
+TEST(Solve, RobustLossesLeaveABadPointOut) {
+  for (const auto kind : {Loss::Kind::huber, Loss::Kind::soft_l1, Loss::Kind::cauchy}) {
+    LeastSquares p = line({1.0, 3.0, 5.0, 7.0, 39.0});
+    p.loss = {kind, 0.1};
+    const LeastSquaresResult r = solve(p);
+    ASSERT_TRUE(r.is_converged()) << r.sentence;
+    EXPECT_NEAR(r.x[1], 2.0, budget::fit_robust) << int(kind);
+    EXPECT_NEAR(r.x[0], 1.0, budget::fit_robust) << int(kind);
+    // The gradient of the loss vanishes: weights of covariance times residuals times rows.
+    double by_a = 0.0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double residual = r.numbers[i];
+      by_a += value(p.loss, residual * residual / 0.01).weight * residual;
+    }
+    EXPECT_NEAR(by_a, 0.0, budget::fit_robust_gradient);
+  }
+}
+
+TEST(Covariance, SaysWhatIsNotDetermined) {
+  LeastSquares p = line({1.0, 3.0, 5.0});
+  p.residuals.at = [](std::span<const double> x, std::span<double> r, std::span<double> J) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      r[i] = (x[0] - 2.0 * x[1]) * double(i + 1);
+      if (!J.empty()) {
+        J[2 * i] = double(i + 1);
+        J[2 * i + 1] = -2.0 * double(i + 1);
+      }
+    }
+    return true;
+  };
+  const LeastSquaresResult r = solve(p);
+  const UnknownsCovariance c = covariance(p, r);
+  ASSERT_EQ(c.weak.size(), 1u);
+  EXPECT_EQ(c.weak[0].sentence, "the data do not determine a and b apart: they grow together");
+  EXPECT_TRUE(std::isinf(c.error(0)));
+  EXPECT_TRUE(std::isinf(c.error(1)));
+  p.priors = {{{"a"}, {1.0}, {1e-4}}};
+  const UnknownsCovariance held = covariance(p, solve(p));
+  EXPECT_TRUE(std::isfinite(held.error(1)));
+  EXPECT_NEAR(held.error(0), 1e-2, budget::fit_line);
+}
+
+TEST(Solve, SaysHowItEnded) {
+  LeastSquares p = line({1.1, 2.9, 5.2, 6.8, 9.0});
+  const auto rosenbrock = [](std::span<const double> x, std::span<double> r, std::span<double> J) {
+    r[0] = 1e3 * (x[1] - x[0] * x[0]);
+    r[1] = 1.0 - x[0];
+    if (!J.empty()) J[0] = -2e3 * x[0], J[1] = 1e3, J[2] = -1.0, J[3] = 0.0;
+    return true;
+  };
+  p.residuals.data = 2;
+  p.residuals.at = rosenbrock;
+  p.unknowns = {{"a", -1.2}, {"b", 1.0}};
+  LeastSquaresResult r = solve(p);
+  EXPECT_EQ(r.end, End::converged) << r.sentence;
+  EXPECT_NEAR(r.x[0], 1.0, budget::fit_line);
+  p.most_iterations = 3;
+  r = solve(p);
+  EXPECT_EQ(r.end, End::iteration_limit);
+  EXPECT_THAT(r.sentence, HasSubstr("the most allowed"));
+  p.most_iterations = 200;
+  p.residuals.at = [](std::span<const double>, std::span<double> numbers, std::span<double> J) {
+    for (double& x : numbers) x = 1.0;  // wrong derivatives: no step helps
+    for (double& x : J) x = 1.0;
+    return true;
+  };
+  EXPECT_EQ(solve(p).end, End::no_descent);
+  p.residuals.at = [](std::span<const double>, std::span<double> numbers, std::span<double>) {
+    for (double& x : numbers) x = std::nan("");
+    return true;
+  };
+  r = solve(p);
+  EXPECT_EQ(r.end, End::no_value);
+  EXPECT_THAT(r.sentence, HasSubstr("not numbers at a = -1.2, b = 1"));
+}
+
+TEST(Solve, RefusesWhatMakesNoSense) {
+  LeastSquares p = line({1.0, 2.0, 3.0});
+  const auto refusal = [&p](const auto& change) {
+    LeastSquares changed = p;
+    change(changed);
+    return test::message_of([&] { solve(changed); });
+  };
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.residuals.data = 1; }),
+              HasSubstr("2 unknowns (a, b) and 1 numbers"));
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns.clear(); }), HasSubstr("no unknowns"));
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns[1].name = "a"; }), HasSubstr("twice"));
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns[0].low = 0.1; }),
+              HasSubstr("the start of a, 0.1, must lie between its bounds"));
+  EXPECT_THAT(refusal([](LeastSquares& q) {
+                q.unknowns[0] = {"a", 1.0, 3.0, 2.0};
+              }),
+              HasSubstr("the bounds of a, 3 and 2, must leave room"));
+  EXPECT_THAT(refusal([](LeastSquares& q) {
+                q.priors = {{{"c"}, {0.0}, {1.0}}};
+              }),
+              HasSubstr("a prior is of c"));
+  EXPECT_THAT(refusal([](LeastSquares& q) {
+                q.priors = {{{"a"}, {0.0}, {0.0}}};
+              }),
+              HasSubstr("positive definite"));
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.loss.scale = -1.0; }), HasSubstr("positive"));
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.residuals.blocks = {3, 3}; }), HasSubstr("blocks"));
+  EXPECT_THAT(refusal([](LeastSquares& q) {
+                q.triangle = TriangleBound{0, 1};
+              }),
+              HasSubstr("triangle inequality"));
+}
+
+}  // namespace

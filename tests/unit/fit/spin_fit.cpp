@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Snapshots of bodies whose truth is known: recovery, coverage, every kind of observation, bad
+// input.
+#include "polhode/fit/spin_fit.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+#include <limits>
+
+#include "budgets.hpp"
+#include "fit/detail/rotation_vector.hpp"
+#include "fit/detail/snapshot_residuals.hpp"
+#include "message_of.hpp"
+#include "oracle/random_draw.hpp"
+
+namespace {
+using namespace polhode;
+using testing::HasSubstr;
+
+Vec3 normal(oracle::Draw& draw, double sigma) {
+  return {sigma * draw.normal(), sigma * draw.normal(), sigma * draw.normal()};
+}
+
+SpinState spun(double Ixx, double Iyy, const Vec3& w) {
+  SpinState s{1.0, {0.5, 0.1, -0.7, 0.5}, w, Mat3::identity()};
+  s.inertia_F(0, 0) = Ixx;
+  s.inertia_F(1, 1) = Iyy;
+  return s;
+}
+
+// Twenty attitudes over some turns.
+SpinFit seen_of(const SpinState& truth, oracle::Draw& draw, double sigma) {
+  SpinFit fit;
+  std::vector<detail::MotionPoint> points;
+  std::vector<double> times;
+  for (int i = 0; i < 20; ++i) times.push_back(1.3 * i + draw.uniform(0.0, 1.0));
+  detail::free_motion(truth, times, {}, points);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Quaternion q = points[i].q * detail::turn_by(normal(draw, sigma));
+    fit.seen.attitudes.push_back({times[i], q, covariance_of(sigma)});
+  }
+  fit.start = truth;
+  fit.start.q = truth.q * detail::turn_by(normal(draw, 0.05));
+  fit.start.w_F = truth.w_F + normal(draw, 0.01 * norm(truth.w_F));
+  fit.start.inertia_F(0, 0) *= 1.0 + 0.02 * draw.normal();
+  fit.start.inertia_F(1, 1) *= 1.0 + 0.02 * draw.normal();
+  return fit;
+}
+
+const std::vector<SpinState>& truths() {
+  static const std::vector<SpinState> all{
+      spun(3.1, 3.25, {0.15, 0.3, -0.9}),  // LAM
+      spun(0.5, 0.8, {0.2, -0.1, 0.9}),    // SAM
+      spun(1.7, 1.71, {0.4, 0.5, 0.6}),    // nearly symmetric
+  };
+  return all;
+}
+
+TEST(FitSpin, FindsWhatIsExact) {
+  for (const SpinState& truth : truths()) {
+    oracle::Draw draw(19, 0);
+    SpinFit fit = seen_of(truth, draw, 1e-12);
+    for (ObservedAttitude& a : fit.seen.attitudes) a.covariance = covariance_of(1e-3);
+    std::ranges::reverse(fit.seen.attitudes);  // times in any order
+    const SpinSolution s = fit_spin(fit);
+    ASSERT_TRUE(s.is_found()) << s.result.sentence;
+    EXPECT_LE(norm(attitude_residual(truth.q, s.state.q)), budget::fit_exact);
+    EXPECT_LE(norm(s.state.w_F - truth.w_F), budget::fit_exact);
+    EXPECT_NEAR(s.state.inertia_F(0, 0), truth.inertia_F(0, 0), budget::fit_exact);
+    EXPECT_NEAR(s.state.inertia_F(1, 1), truth.inertia_F(1, 1), budget::fit_exact);
+  }
+}
+
+TEST(FitSpin, ErrorsAreWhatTheySay) {
+  double distance = 0.0, freedom = 0.0;
+  for (std::size_t k = 0; k < 30; ++k) {
+    const SpinState& truth = truths()[k % truths().size()];
+    oracle::Draw draw(1992, k);
+    const SpinFit fit = seen_of(truth, draw, 0.01);
+    const SpinSolution s = fit_spin(fit);
+    ASSERT_TRUE(s.is_found()) << s.result.sentence;
+    const std::vector<double> x = unknowns_at(fit, s.state, s.state);
+    const std::vector<double> t = unknowns_at(fit, s.state, truth);
+    distance += mahalanobis(s.covariance, x, t);
+    freedom += 8.0;
+  }
+  const double above = boost::math::gamma_q(0.5 * freedom, 0.5 * distance);
+  EXPECT_GT(above, budget::fit_improbable) << distance << " on " << freedom;
+  EXPECT_LT(above, 1.0 - budget::fit_improbable) << distance << " on " << freedom;
+}
+
+TEST(FitSpin, TakesDirectionsAndRates) {
+  const SpinState& truth = truths()[1];
+  std::vector<double> times;
+  for (int i = 0; i < 12; ++i) times.push_back(0.9 * i);
+  std::vector<detail::MotionPoint> points;
+  ASSERT_TRUE(detail::free_motion(truth, times, {}, points));
+  SpinFit fit;
+  fit.start = truth;
+  fit.start.w_F = 1.01 * truth.w_F;
+  fit.start.q = truth.q * detail::turn_by({0.1, 0.02, -0.05});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Vec3 axis = i % 2 == 0 ? Vec3{0.0, 0.0, 2.0} : Vec3{1.0, 1.0, 0.0};
+    fit.seen.directions.push_back({times[i], axis, rotate(points[i].q, axis), 0.01});
+    fit.seen.rates.push_back({times[i], points[i].w_F, covariance_of(Vec3{0.01, 0.02, 0.03})});
+  }
+  const SpinSolution s = fit_spin(fit);
+  ASSERT_TRUE(s.is_found()) << s.result.sentence;
+  EXPECT_LE(norm(attitude_residual(truth.q, s.state.q)), budget::fit_exact);
+  EXPECT_NEAR(s.state.inertia_F(0, 0), 0.5, budget::fit_exact);
+  EXPECT_TRUE(std::isnan(s.attitude_rms));
+  // Derivatives of these residuals, by differences.
+  const detail::SnapshotResiduals residuals(fit);
+  const std::size_t n = 8, m = fit.seen.numbers();
+  const std::vector<double> x = [&] {
+    std::vector<double> at = unknowns_at(fit, fit.start, fit.start);
+    at[0] = 0.3;
+    return at;
+  }();
+  std::vector<double> r(m), J(m * n);
+  ASSERT_TRUE(residuals.at(x, r, J));
+  for (std::size_t k = 0; k < n; ++k) {
+    const double h = 1e-3;
+    const auto moved = [&](double by) {
+      std::vector<double> at = x, found(m);
+      at[k] += by;
+      residuals.at(at, found, {});
+      return found;
+    };
+    const auto a = moved(h), b = moved(-h), c = moved(2 * h), d = moved(-2 * h);
+    for (std::size_t i = 0; i < m; ++i) {
+      const double slope = (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * h);
+      EXPECT_NEAR(J[i * n + k], slope, budget::fit_difference) << i << " by " << k;
+    }
+  }
+}
+
+TEST(FitSpin, PredictsWithErrors) {
+  oracle::Draw draw(7, 7);
+  const SpinFit fit = seen_of(truths()[0], draw, 0.01);
+  const SpinSolution s = fit_spin(fit);
+  const std::vector<double> times{s.state.t0, 300.0};
+  const auto p = predicted(fit, s, times);
+  EXPECT_LE(norm(attitude_residual(p[0].q, s.state.q)), budget::fit_rotation);
+  EXPECT_NEAR(p[0].covariance(0, 0), s.covariance.variance(0),
+              budget::fit_rotation * s.covariance.variance(0) * 1e3);
+  EXPECT_GT(p[1].covariance(2, 2), p[0].covariance(2, 2));
+}
+
+TEST(FitSpin, ReportsWhatComesTwiceAndWhatIsNotDetermined) {
+  oracle::Draw draw(3, 1);
+  SpinFit fit = seen_of(truths()[0], draw, 0.01);
+  fit.seen.attitudes.push_back(fit.seen.attitudes[2]);
+  EXPECT_THAT(fit_spin(fit).notes, testing::Contains(HasSubstr("attitude 20 repeats 2")));
+  // One axis alone, and nothing of turns about it at one time only.
+  fit.seen = {};
+  fit.unknowns = {true, false, false, false};
+  fit.seen.directions = {
+      {1.0, {0.0, 0.0, 1.0}, rotate(normalized(fit.start.q), Vec3{0.0, 0.0, 1.0}), 0.01},
+      {1.0, {0.0, 0.0, 1.0}, rotate(normalized(fit.start.q), Vec3{0.0, 0.0, 1.0}), 0.01}};
+  const SpinSolution s = fit_spin(fit);
+  EXPECT_THAT(s.notes, testing::Contains("the data do not determine turn_z"));
+  EXPECT_TRUE(std::isinf(s.covariance.error(2)));
+}
+
+TEST(FitSpin, RefusesWhatMakesNoSense) {
+  oracle::Draw draw(5, 5);
+  const SpinFit good = seen_of(truths()[0], draw, 0.01);
+  const auto refusal = [&good](const auto& change) {
+    SpinFit changed = good;
+    change(changed);
+    return test::message_of([&] { fit_spin(changed); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal([](SpinFit& f) { f.seen.attitudes[3].covariance = covariance_of(0.0); }),
+              HasSubstr("attitude 3: variances (0, 0, 0)"));
+  EXPECT_THAT(refusal([nan](SpinFit& f) { f.seen.attitudes[1].t = nan; }),
+              HasSubstr("attitude 1: t = nan must be finite"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.seen.attitudes[1].q = {0.0, 0.0, 0.0, 0.0};
+              }),
+              HasSubstr("must be finite and not 0"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.seen.directions = {{0.0, {}, {1.0, 0.0, 0.0}, 0.1}};
+              }),
+              HasSubstr("direction 0: axis_F = (0, 0, 0)"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.seen.directions = {{0.0, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0}};
+              }),
+              HasSubstr("sigma = 0 must be positive"));
+  EXPECT_THAT(refusal([nan](SpinFit& f) {
+                f.seen.rates = {{0.0, {nan, 0.0, 0.0}}};
+              }),
+              HasSubstr("rate 0"));
+  EXPECT_THAT(refusal([](SpinFit& f) { f.seen.attitudes.resize(2); }), HasSubstr("8 unknowns"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.unknowns = {false, false, false, false};
+              }),
+              HasSubstr("nothing is unknown"));
+  EXPECT_THAT(refusal([](SpinFit& f) { f.start.w_F = {}; }), HasSubstr("the rate at the start"));
+  EXPECT_THAT(refusal([](SpinFit& f) { f.start.inertia_F(0, 0) = 9.0; }), HasSubstr("break"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.priors = {{{"turn_x"}, {0.0}, {1.0}}};
+              }),
+              HasSubstr("attitude_prior"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.unknowns.attitude = false;
+                f.attitude_prior = ObservedAttitude{};
+              }),
+              HasSubstr("not an unknown"));
+}
+
+}  // namespace
