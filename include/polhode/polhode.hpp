@@ -58,6 +58,7 @@
 #include "polhode/free/states_at.hpp"
 #include "polhode/free/states_on_grid.hpp"
 #include "polhode/free/tumbler.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/error_free.hpp"
