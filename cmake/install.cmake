@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/polhode)
 
 # The component and what else it links, where it is built.
-foreach(component IN ITEMS core ephemeris ensemble mpi io cli)
+foreach(component IN ITEMS core ephemeris ensemble fit mpi io cli)
   set(target polhode_${component})
   if(component STREQUAL "cli")
     set(target polhode_commands)

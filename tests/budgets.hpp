@@ -8,6 +8,7 @@
 #include "budgets/elliptic.hpp"
 #include "budgets/ensemble.hpp"
 #include "budgets/ephemeris.hpp"
+#include "budgets/fit.hpp"
 #include "budgets/frame.hpp"
 #include "budgets/free.hpp"
 #include "budgets/io.hpp"

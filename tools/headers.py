@@ -15,7 +15,8 @@ LABELS = ["Equations", "Corrections", "Units", "Domain", "Accuracy", "Errors", "
 OPTIONAL = {"Corrections"}
 NO_LABELS = {"polhode/error.hpp"}
 # Layers of other targets: a program that takes text, files or threads names their headers itself.
-NOT_IN_UMBRELLA = {"text", "tables", "output", "scenario", "run", "cli", "ensemble", "mpi"}
+NOT_IN_UMBRELLA = {"text", "tables", "output", "scenario", "run", "cli", "ensemble", "fit",
+                   "mpi"}
 
 
 def label_errors(path):

@@ -127,8 +127,8 @@ def compile_command(build, source, executable):
     if OF_IO.search(Path(source).read_text(encoding="utf-8")):
         flags = subprocess.run(["pkg-config", "--libs", "hdf5-serial", "udunits", "fmt"],
                                stdout=subprocess.PIPE, text=True, check=True).stdout
-        libraries = [build / "src/libpolhode_io.a", build / "src/libpolhode_ensemble.a",
-                     *libraries, *flags.split()]
+        libraries = [build / "src/libpolhode_io.a", build / "src/libpolhode_fit.a",
+                     build / "src/libpolhode_ensemble.a", *libraries, *flags.split()]
     return [os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-ffp-contract=off",
             "-I", ROOT / "include", source, "-o", executable, *libraries]
 

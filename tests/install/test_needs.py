@@ -135,7 +135,7 @@ def found(prefix, folder, call, status=0):
 
 def test_an_unknown_component_says_which_there_are(prefix, tmp_path):
     said = found(prefix, tmp_path / "a", "find_package(polhode REQUIRED COMPONENTS io graphics)", 1)
-    assert ('got component "graphics"; expected one of: core, ephemeris, ensemble, mpi, io, cli'
+    assert ('got component "graphics"; expected one of: core, ephemeris, ensemble, fit, mpi, io, cli'
             in said)
     said = found(prefix, tmp_path / "b", "find_package(polhode OPTIONAL_COMPONENTS graphics)")
     assert "found: 1" in said
@@ -146,7 +146,8 @@ def test_an_unknown_component_says_which_there_are(prefix, tmp_path):
 def test_a_component_that_was_not_installed_says_which_were(root, tmp_path):
     """A library without files and units."""
     configured(root, tmp_path / "core", "-DPOLHODE_IO=OFF", "-DPOLHODE_CLI=OFF",
-               "-DPOLHODE_TESTS=OFF", "-DPOLHODE_EPHEMERIS=OFF", "-DPOLHODE_ENSEMBLE=OFF")
+               "-DPOLHODE_TESTS=OFF", "-DPOLHODE_EPHEMERIS=OFF", "-DPOLHODE_ENSEMBLE=OFF",
+               "-DPOLHODE_FIT=OFF")
     package = tmp_path / "prefix/lib/cmake/polhode"
     package.mkdir(parents=True)
     for name in ("polhode-config.cmake", "polhode-config-version.cmake"):

@@ -232,6 +232,7 @@ TARGETS = (
     ("polhode::polhode", BLUE, "no library but the standard one"),
     ("polhode::ephemeris", GREEN, "ERFA"),
     ("polhode::ensemble", GREEN, "oneTBB"),
+    ("polhode::fit", GREEN, "Eigen (headers)"),
     ("polhode::mpi", GREEN, "MPI"),
     ("polhode::io", VERMILLION, "HDF5, UDUNITS-2, toml++, fmt"),
     ("polhode::cli", GREY, "CLI11"),
@@ -239,7 +240,7 @@ TARGETS = (
 
 
 def target_of(layer):
-    if layer in ("ephemeris", "ensemble", "mpi", "cli"):
+    if layer in ("ephemeris", "ensemble", "fit", "mpi", "cli"):
         return f"polhode::{layer}"
     return "polhode::io" if layer in IO else "polhode::polhode"
 

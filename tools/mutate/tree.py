@@ -71,7 +71,8 @@ class Tree:
                  f"-DCMAKE_CXX_FLAGS_RELEASE={self.release_flags()}",
                  f"-DCMAKE_CXX_FLAGS=-std=c++20 -w -include {self.source / 'active.hpp'}",
                  "-DPOLHODE_WERROR=OFF", "-DPOLHODE_IO=OFF", "-DPOLHODE_EPHEMERIS=OFF",
-                 "-DPOLHODE_ENSEMBLE=OFF", "-DPOLHODE_CLI=OFF", "-DPOLHODE_INSTALL=OFF"],
+                 "-DPOLHODE_ENSEMBLE=OFF", "-DPOLHODE_FIT=OFF", "-DPOLHODE_CLI=OFF",
+                 "-DPOLHODE_INSTALL=OFF"],
                 check=True, stdout=subprocess.DEVNULL)
         # The library first: it is quick, and finds most of what does not compile.
         for targets in (["polhode_core"], self.programs):
