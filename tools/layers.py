@@ -60,7 +60,7 @@ THIRD_PARTY = {
     "analysis": r"(unsupported/)?Eigen/",
     "ephemeris": r"erfa\.h",
     "ensemble": r"tbb/|Random123/|Eigen/|boost/random/sobol\.hpp",
-    "fit": r"(unsupported/)?Eigen/",
+    "fit": r"(unsupported/)?Eigen/|boost/math/tools/",
     "mpi": r"mpi\.h|tbb/",
     "text": r"udunits2\.h",
     "tables": r"zlib\.h",

@@ -52,7 +52,8 @@ def errors_of(library):
 def main():
     built = ROOT / "build/release/src"
     libraries = [pathlib.Path(name) for name in sys.argv[1:]] or [
-        built / "libpolhode.a", built / "libpolhode_ensemble.a"]  # fmt: skip
+        built / f"libpolhode{part}.a" for part in ("", "_ensemble", "_fit")
+    ]
     errors = [error for library in libraries for error in errors_of(library)]
     print("\n".join(errors), end="\n" if errors else "")
     return 1 if errors else 0

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/fit/fourier_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fit/detail/fourier_checks.hpp"
+#include "fit/detail/scan_task.hpp"
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// Pairs that are computed in one go: functions of f1 are shared by a row, those of f2 by a column,
+// and what a block keeps of both stays in the cache of a processor.
+constexpr std::size_t block_rows = 8, block_pairs = 512;
+
+void scan_block(const detail::ScanBlock& block, [[maybe_unused]] InstructionSet set) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return detail::scan_in_lanes<InstructionSet::avx512>(block);
+  if (set == InstructionSet::avx2) return detail::scan_in_lanes<InstructionSet::avx2>(block);
+#endif
+  return detail::scan_in_lanes<InstructionSet::baseline>(block);
+}
+
+std::vector<double> frequencies(const FrequencyGrid& grid, std::size_t first, std::size_t count) {
+  std::vector<double> f(count);
+  for (std::size_t i = 0; i < count; ++i) f[i] = grid.at(first + i);
+  return f;
+}
+
+void check(const std::string& who, const FrequencyGrid& grid) {
+  if (grid.count == 0) throw DomainError(who + ": a grid has no frequencies");
+  if (!(grid.first > 0.0) || !std::isfinite(grid.at(grid.count - 1)))
+    throw DomainError(who + ": frequency " + std::to_string(grid.first) + " must be positive");
+  if (!(grid.step > 0.0) && grid.count > 1)
+    throw DomainError(who + ": step " + std::to_string(grid.step) + " must be positive");
+}
+
+struct BlockResult {
+  std::size_t row, column, rows, columns, again;
+  std::vector<double> chi_square;
+};
+
+class Scan {
+ public:
+  Scan(const ScanPoints& points, const Landscape& of, InstructionSet set)
+      : points_(points),
+        of_(of),
+        set_(set),
+        rows_(std::min(block_rows, of.first.count)),
+        columns_(block_pairs / rows_ / 8 * 8),
+        across_((of.second.count + columns_ - 1) / columns_) {}
+
+  std::int64_t blocks() const {
+    const std::size_t down = (of_.first.count + rows_ - 1) / rows_;
+    return static_cast<std::int64_t>(down * across_);
+  }
+
+  BlockResult block(std::size_t index) const {
+    BlockResult r{.row = index / across_ * rows_,
+                  .column = index % across_ * columns_,
+                  .rows = 0,
+                  .columns = 0,
+                  .again = 0,
+                  .chi_square = {}};
+    r.rows = std::min(rows_, of_.first.count - r.row);
+    r.columns = std::min(columns_, of_.second.count - r.column);
+    r.chi_square.resize(r.rows * r.columns);
+    const std::vector<double> first = frequencies(of_.first, r.row, r.rows);
+    const std::vector<double> second = frequencies(of_.second, r.column, (r.columns + 7) / 8 * 8);
+    std::vector<std::uint8_t> suspect(r.chi_square.size());
+    scan_block({.points = &points_.table(),
+                .first_order = of_.orders.first,
+                .second_order = of_.orders.second,
+                .first = first.data(),
+                .rows = r.rows,
+                .second = second.data(),
+                .columns = r.columns,
+                .floor = scan_floor,
+                .chi_square = r.chi_square.data(),
+                .suspect = suspect.data()},
+               set_);
+    for (std::size_t i = 0; i < suspect.size(); ++i) {
+      if (suspect[i] == 0) continue;
+      ++r.again;
+      r.chi_square[i] =
+          fourier_fit(points_, first[i / r.columns], second[i % r.columns], of_.orders).chi_square;
+    }
+    return r;
+  }
+
+ private:
+  const ScanPoints& points_;
+  const Landscape& of_;
+  InstructionSet set_;
+  std::size_t rows_, columns_, across_;
+};
+
+Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of,
+                  const ScanOptions& options) {
+  check(who, of.first);
+  check(who, of.second);
+  if (options.order == 0) throw DomainError(who + ": order 0: it must be 1 to 9");
+  detail::check_orders(who, points, of.orders);
+  of.chi_square.resize(of.first.count * of.second.count);
+  const Scan scan(points, of, options.set);
+  run_cells(
+      0, scan.blocks(), options.threads,
+      [&](std::int64_t k) { return scan.block(static_cast<std::size_t>(k)); },
+      [&](std::int64_t, const BlockResult& r) {
+        for (std::size_t i = 0; i < r.rows; ++i)
+          std::copy_n(r.chi_square.data() + i * r.columns, r.columns,
+                      of.chi_square.data() + (r.row + i) * of.second.count + r.column);
+        of.again += r.again;
+      });
+  return of;
+}
+
+}  // namespace
+
+FrequencyGrid FrequencyGrid::between(double least, double most, double step) {
+  if (!(step > 0.0) || !(least > 0.0) || !(most >= least) || !std::isfinite(most))
+    throw DomainError("FrequencyGrid: from " + std::to_string(least) + " to " +
+                      std::to_string(most) + " by " + std::to_string(step) +
+                      ": it must rise from a positive frequency by a positive step");
+  const double steps = std::floor((most - least) / step * (1.0 + 1e-12));
+  if (steps > 1e9)
+    throw DomainError("FrequencyGrid: " + std::to_string(steps) +
+                      " steps: there may be no more than 1e9");
+  return {least, step, static_cast<std::size_t>(steps) + 1};
+}
+
+Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& first,
+                     const FrequencyGrid& second, const ScanOptions& options) {
+  return scanned("scan_pairs", points, {first, second, FourierOrders::pair(options.order), {}, 0},
+                 options);
+}
+
+Landscape scan_periods(const ScanPoints& points, const FrequencyGrid& grid,
+                       const ScanOptions& options) {
+  return scanned("scan_periods", points,
+                 {{grid.first, grid.step, 1}, grid, FourierOrders::single(options.order), {}, 0},
+                 options);
+}
+
+}  // namespace v0
+}  // namespace polhode

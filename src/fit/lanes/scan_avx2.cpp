@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The Fourier scan in the lanes of InstructionSet::avx2.
+#if defined(__x86_64__)
+
+#include "fit/detail/scan_kernel.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template void scan_in_lanes<InstructionSet::avx2>(const ScanBlock&);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
+
+#endif

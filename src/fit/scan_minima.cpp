@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/fit/scan_minima.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "polhode/ensemble/cells.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+bool is_minimum(const Landscape& of, std::size_t row, std::size_t column) {
+  const double here = of.at(row, column);
+  const std::size_t top = row == 0 ? 0 : row - 1, left = column == 0 ? 0 : column - 1;
+  const std::size_t bottom = std::min(row + 2, of.first.count);
+  const std::size_t right = std::min(column + 2, of.second.count);
+  for (std::size_t r = top; r < bottom; ++r)
+    for (std::size_t c = left; c < right; ++c) {
+      const bool before = r < row || (r == row && c < column);
+      if (before ? !(here < of.at(r, c)) : here > of.at(r, c)) return false;
+    }
+  return true;
+}
+
+bool at_end(std::size_t i, const FrequencyGrid& grid) {
+  return grid.count > 1 && (i == 0 || i + 1 == grid.count);
+}
+
+bool is_same(const Landscape& of, const RefinedPair& a, const RefinedPair& b) {
+  const auto near = [](double x, double y, double step) { return std::abs(x - y) < 0.01 * step; };
+  if (of.orders.first == 0) return near(a.fit.f2, b.fit.f2, of.second.step);
+  const double step = std::max(of.first.step, of.second.step);
+  return (near(a.fit.f1, b.fit.f1, step) && near(a.fit.f2, b.fit.f2, step)) ||
+         (near(a.fit.f1, b.fit.f2, step) && near(a.fit.f2, b.fit.f1, step));
+}
+
+}  // namespace
+
+std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& of,
+                                     const MinimaOptions& options) {
+  std::vector<std::pair<std::size_t, std::size_t>> cells;
+  for (std::size_t r = 0; r < of.first.count; ++r)
+    for (std::size_t c = 0; c < of.second.count; ++c)
+      if (is_minimum(of, r, c)) cells.emplace_back(r, c);
+  std::stable_sort(cells.begin(), cells.end(), [&](const auto& a, const auto& b) {
+    return of.at(a.first, a.second) < of.at(b.first, b.second);
+  });
+  if (cells.size() > options.most) cells.resize(options.most);
+
+  const double reach =
+      of.orders.first == 0 ? of.second.step : std::min(of.first.step, of.second.step);
+  std::vector<ScanMinimum> found;
+  run_cells(
+      0, static_cast<std::int64_t>(cells.size()), options.threads,
+      [&](std::int64_t k) {
+        const auto [r, c] = cells[static_cast<std::size_t>(k)];
+        return refined_pair(points, of.first.at(r), of.second.at(c), of.orders, reach);
+      },
+      [&](std::int64_t k, const RefinedPair& refined) {
+        const auto [r, c] = cells[static_cast<std::size_t>(k)];
+        const bool known = std::any_of(found.begin(), found.end(), [&](const ScanMinimum& m) {
+          return is_same(of, m.refined, refined);
+        });
+        if (known) return;
+        const bool edge = at_end(r, of.first) || at_end(c, of.second);
+        const bool resolved =
+            refined.fit.rank == refined.fit.unknowns && refined.fit.condition <= resolved_condition;
+        found.push_back({r, c, of.at(r, c), edge, resolved, refined});
+      });
+  std::stable_sort(found.begin(), found.end(), [](const ScanMinimum& a, const ScanMinimum& b) {
+    return a.refined.fit.chi_square < b.refined.fit.chi_square;
+  });
+  return found;
+}
+
+}  // namespace v0
+}  // namespace polhode

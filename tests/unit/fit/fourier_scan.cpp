@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Fourier scans against plain least squares in long double, and what they must not depend on.
+#include "polhode/fit/fourier_scan.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/error.hpp"
+#include "worst.hpp"
+
+namespace {
+using namespace polhode;
+using polhode::test::message_of;
+using polhode::test::Worst;
+using Column = std::vector<long double>;
+
+constexpr long double two_pi = 6.283185307179586476925286766559L;
+
+// A few harmonics of 1.7 and 2.9 with noise, over ten units of time, in so many sessions of which
+// each has a factor of its own.
+std::vector<LightCurve> light_curves(std::size_t sessions, std::size_t count, bool is_calibrated) {
+  std::mt19937_64 engine(11);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(engine() >> 11U), -53); };
+  std::vector<LightCurve> curves(sessions,
+                                 {.name = "night", .is_calibrated = is_calibrated, .points = {}});
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t s = i * sessions / count;
+    const double t = 10.0 * (static_cast<double>(i) + uniform()) / static_cast<double>(count);
+    const double turn = 6.283185307179586 * t;
+    const double flux = 5.0 + std::cos(3.4 * turn) + 0.6 * std::sin(4.6 * turn + 1.0) +
+                        0.3 * std::sin(1.2 * turn) + 0.1 * (uniform() - 0.5);
+    const double factor = is_calibrated ? 1.0 : 1.0 + 0.3 * static_cast<double>(s);
+    curves[s].points.push_back({t, factor * flux, factor * 0.03 * (1.0 + uniform()), {}, {}});
+  }
+  return curves;
+}
+
+// Chi-square over the total, by orthogonal columns, each made so twice.
+long double plain(const std::vector<LightCurve>& curves, double f1, double f2, FourierOrders of) {
+  std::vector<Column> columns;
+  Column rest;
+  const bool one = curves.front().is_calibrated;
+  std::vector<long double> scale(curves.size());
+  long double all = 0.0L, count = 0.0L;
+  for (std::size_t s = 0; s < curves.size(); ++s) {
+    for (const LightPoint& p : curves[s].points) scale[s] += p.flux;
+    all += scale[s];
+    count += curves[s].points.size();
+    scale[s] /= curves[s].points.size();
+  }
+  if (one) std::fill(scale.begin(), scale.end(), all / count);
+  const auto add = [&](const auto& function) {
+    Column c;
+    for (std::size_t s = 0; s < curves.size(); ++s)
+      for (const LightPoint& p : curves[s].points) c.push_back(function(s, p) * scale[s] / p.sigma);
+    columns.push_back(std::move(c));
+  };
+  for (std::size_t s = 0; s < (one ? 1 : curves.size()); ++s)
+    add([&](std::size_t at, const LightPoint&) { return one || at == s ? 1.0L : 0.0L; });
+  const int m1 = static_cast<int>(of.first), m2 = static_cast<int>(of.second);
+  for (int j = 0; j <= m1; ++j)
+    for (int k = j == 0 ? 1 : -m2; k <= m2; ++k) {
+      const long double f = j * static_cast<long double>(f1) + k * static_cast<long double>(f2);
+      add([&](std::size_t, const LightPoint& p) { return std::cos(two_pi * f * p.t); });
+      add([&](std::size_t, const LightPoint& p) { return std::sin(two_pi * f * p.t); });
+    }
+  const std::size_t constants = one ? 1 : curves.size();
+  add([&](std::size_t s, const LightPoint& p) { return p.flux / scale[s]; });
+  rest = columns.back();
+  columns.pop_back();
+  const auto dot = [](const Column& a, const Column& b) {
+    long double sum = 0.0L;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+  };
+  std::vector<Column> basis;
+  long double total = 0.0L;
+  for (std::size_t c = 0; c <= columns.size(); ++c) {
+    if (c == constants) total = dot(rest, rest);
+    if (c == columns.size()) break;
+    Column& x = columns[c];
+    for (int pass = 0; pass < 2; ++pass)
+      for (const Column& b : basis) {
+        const long double part = dot(b, x);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] -= part * b[i];
+      }
+    const long double size = std::sqrt(dot(x, x)), part = dot(x, rest) / size;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] /= size;
+      rest[i] -= part * x[i];
+    }
+    basis.push_back(x);
+  }
+  return dot(rest, rest) / total;
+}
+
+double worst_of(const std::vector<LightCurve>& curves, const ScanOptions& options) {
+  const ScanPoints points(curves);
+  const FrequencyGrid first{0.31, 0.57, 5}, second{0.45, 0.391, 9};
+  const Landscape found = scan_pairs(points, first, second, options);
+  Worst worst;
+  int compared = 0;
+  for (std::size_t r = 0; r < first.count; ++r)
+    for (std::size_t c = 0; c < second.count; ++c) {
+      const FourierFit fit = fourier_fit(points, first.at(r), second.at(c), found.orders);
+      if (fit.rank < fit.unknowns) continue;  // to the digits of double, dependent
+      ++compared;
+      const auto want =
+          plain(curves, first.at(r), second.at(c), FourierOrders::pair(options.order));
+      worst.add(std::abs(static_cast<double>(found.at(r, c) / points.total() - want)));
+    }
+  EXPECT_GT(compared, 40);
+  return worst.value();
+}
+
+TEST(FourierScan, IsLeastSquaresAtEveryPair) {
+  for (const std::size_t order : {1U, 2U, 3U}) {
+    for (const std::size_t sessions : {1U, 3U}) {
+      SCOPED_TRACE(::testing::Message() << order << " " << sessions);
+      EXPECT_LE(worst_of(light_curves(sessions, 240, false), {.order = order}),
+                budget::fourier_scan);
+      EXPECT_LE(worst_of(light_curves(sessions, 240, true), {.order = order}),
+                budget::fourier_scan);
+    }
+  }
+}
+
+TEST(FourierScan, OfOnePeriodIsLeastSquares) {
+  const auto curves = light_curves(2, 90, false);
+  const ScanPoints points(curves);
+  const FrequencyGrid grid{0.2, 0.0937, 70};
+  for (const std::size_t order : {1U, 4U}) {
+    const Landscape found = scan_periods(points, grid, {.order = order});
+    for (std::size_t c = 0; c < grid.count; ++c)
+      EXPECT_NEAR(found.at(0, c) / points.total(),
+                  static_cast<double>(plain(curves, 1.0, grid.at(c), FourierOrders::single(order))),
+                  budget::fourier_scan);
+  }
+}
+
+TEST(FourierScan, HasTheBitsOfOneThreadOfAnyProcessorAndOfAnyGrid) {
+  const ScanPoints points(light_curves(2, 150, false));
+  const FrequencyGrid first{0.4, 0.111, 19}, second{0.3, 0.0517, 77};
+  const Landscape one = scan_pairs(points, first, second, {.order = 2});
+  EXPECT_GT(one.again, 0U);
+  EXPECT_LT(one.again, one.chi_square.size() / 4);
+  for (const InstructionSet set : supported_instruction_sets())
+    for (const int threads : {1, 3})
+      EXPECT_EQ(scan_pairs(points, first, second, {2, threads, set}).chi_square, one.chi_square)
+          << instruction_set_name(set) << " " << threads;
+  for (const std::size_t r : {0U, 7U, 18U})
+    for (const std::size_t c : {0U, 13U, 76U}) {
+      const FrequencyGrid row{first.at(r), 1.0, 1}, column{second.at(c), 1.0, 1};
+      EXPECT_EQ(scan_pairs(points, row, column, {.order = 2}).at(0, 0), one.at(r, c));
+    }
+}
+
+TEST(FourierScan, DoesNotKnowWhenTimeBeginsNorTheUnits) {
+  auto curves = light_curves(1, 150, false);
+  const FrequencyGrid grid{0.4, 0.5, 6};
+  const Landscape before = scan_pairs(ScanPoints(curves), grid, grid, {.order = 2});
+  for (LightPoint& p : curves.front().points) {
+    p.t += 1024.0;
+    p.flux *= 7.0;
+    p.sigma *= 7.0;
+  }
+  const ScanPoints points(curves);
+  const Landscape after = scan_pairs(points, grid, grid, {.order = 2});
+  for (std::size_t i = 0; i < before.chi_square.size(); ++i)
+    EXPECT_NEAR(after.chi_square[i], before.chi_square[i], budget::fourier_shift * points.total());
+}
+
+TEST(FourierScan, OfDependentColumnsHasTheChiSquareOfTheirSpan) {
+  const ScanPoints points(light_curves(1, 150, false));
+  for (const double f : {0.7, 1.3, 2.1}) {
+    const auto pair = [&](double f2) {
+      return scan_pairs(points, {f, 1.0, 1}, {f2, 1.0, 1}, {.order = 2});
+    };
+    const auto single = [&](std::size_t order) {
+      return scan_periods(points, {f, 1.0, 1}, {.order = order}).at(0, 0);
+    };
+    EXPECT_EQ(pair(f).again, 1U);
+    EXPECT_NEAR(pair(f).at(0, 0), single(4), budget::fourier_scan * points.total());
+    EXPECT_NEAR(pair(2.0 * f).at(0, 0), single(6), budget::fourier_scan * points.total());
+    const FourierFit fit = fourier_fit(points, f, f, FourierOrders::pair(2));
+    EXPECT_EQ(fit.rank, 9U);
+    EXPECT_EQ(fit.unknowns, 25U);
+    EXPECT_EQ(fit.degrees_of_freedom, 141U);
+  }
+}
+
+TEST(FourierScan, OfLogarithmsTakesFactorsOutExactly) {
+  auto curves = light_curves(3, 150, false);
+  const FrequencyGrid grid{0.4, 0.5, 6};
+  const ScanPoints first(curves, ScanQuantity::log_flux);
+  const Landscape before = scan_pairs(first, grid, grid, {.order = 2});
+  for (std::size_t s = 0; s < 3; ++s)
+    for (LightPoint& p : curves[s].points) {
+      p.flux *= 2.0 + static_cast<double>(s);
+      p.sigma *= 2.0 + static_cast<double>(s);
+    }
+  const Landscape after =
+      scan_pairs(ScanPoints(curves, ScanQuantity::log_flux), grid, grid, {.order = 2});
+  for (std::size_t i = 0; i < before.chi_square.size(); ++i)
+    EXPECT_NEAR(after.chi_square[i], before.chi_square[i], budget::fourier_shift * first.total());
+}
+
+TEST(FourierScan, RefusesWhatHasNoAnswer) {
+  const ScanPoints points(light_curves(1, 40, false));
+  const FrequencyGrid grid{0.4, 0.5, 6};
+  EXPECT_THAT(message_of([&] { scan_pairs(points, grid, grid); }),
+              ::testing::HasSubstr("40 points do not determine 49 coefficients"));
+  EXPECT_THROW(scan_pairs(points, grid, grid, {.order = 0}), DomainError);
+  EXPECT_THROW(scan_pairs(points, grid, grid, {.order = 10}), DomainError);
+  EXPECT_THROW(scan_pairs(points, {0.0, 0.5, 6}, grid, {.order = 1}), DomainError);
+  EXPECT_THROW(scan_pairs(points, {0.4, 0.0, 6}, grid, {.order = 1}), DomainError);
+  EXPECT_THROW(scan_pairs(points, {0.4, 0.5, 0}, grid, {.order = 1}), DomainError);
+  EXPECT_THROW(scan_pairs(points, grid, grid, {.order = 1, .threads = 0}), DomainError);
+  EXPECT_THROW(FrequencyGrid::between(2.0, 1.0, 0.1), DomainError);
+  EXPECT_EQ(FrequencyGrid::between(1.0, 2.0, 0.1).count, 11U);
+}
+
+}  // namespace
