@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/real.hpp"
 
@@ -24,9 +25,9 @@ void check(const TumblerPeriods& p, double tilt) {
     throw DomainError(who + "the mode must be short_axis or long_axis");
   for (const double period : {p.precession_period, p.rotation_period})
     if (!(period > 0.0) || !std::isfinite(period))
-      throw DomainError(who + "period " + std::to_string(period) + " must be positive");
+      throw DomainError(who + "period " + detail::number_text(period) + " must be positive");
   if (!(tilt > 0.0) || !(tilt < quarter_turn))
-    throw DomainError(who + "tilt " + std::to_string(tilt) + " must be between 0 and pi/2");
+    throw DomainError(who + "tilt " + detail::number_text(tilt) + " must be between 0 and pi/2");
 }
 
 // Where the axis of circulation leans most, the momentum has no part along the third of the axes
@@ -96,16 +97,16 @@ TumblingBody scaled(const TumblerPeriods& p, double tilt, double least, double m
 TumblingBody body_with_periods(const TumblerPeriods& p, double tilt, double middle) {
   check(p, tilt);
   if (!(middle > 0.5) || !(middle < 1.0))
-    throw DomainError("body_with_periods: I2/I3 " + std::to_string(middle) +
+    throw DomainError("body_with_periods: I2/I3 " + detail::number_text(middle) +
                       " must be between 1/2 and 1");
   const Ends ends = ends_of(p.mode, tilt, middle);
   const std::optional<double> least = least_moment(p, tilt, middle, ends);
   if (!least)
-    throw DomainError("body_with_periods: P_psi/P_phi " +
-                      std::to_string(p.rotation_period / p.precession_period) +
-                      ": bodies with tilt " + std::to_string(tilt) + " and I2/I3 " +
-                      std::to_string(middle) + " have " + std::to_string(1.0 / ends.flat) + " to " +
-                      std::to_string(1.0 / ends.round));
+    throw DomainError(
+        "body_with_periods: P_psi/P_phi " +
+        detail::number_text(p.rotation_period / p.precession_period) + ": bodies with tilt " +
+        detail::number_text(tilt) + " and I2/I3 " + detail::number_text(middle) + " have " +
+        detail::number_text(1.0 / ends.flat) + " to " + detail::number_text(1.0 / ends.round));
   return scaled(p, tilt, *least, middle);
 }
 

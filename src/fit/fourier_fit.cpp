@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fit/detail/fourier_checks.hpp"
 #include "fit/detail/scan_task.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/real.hpp"
 
@@ -122,7 +124,7 @@ class Series {
 void check(const char* who, const ScanPoints& points, double f1, double f2, FourierOrders orders) {
   for (const double f : {f1, f2})
     if (!std::isfinite(f))
-      throw DomainError(std::string(who) + ": frequency " + std::to_string(f) +
+      throw DomainError(std::string(who) + ": frequency " + detail::number_text(f) +
                         " is no finite number");
   detail::check_orders(who, points, orders);
 }
@@ -143,6 +145,21 @@ struct Normal {
   double determinant(double more) const { return a11 * a22 * more * more - a12 * a12; }
 };
 
+double scale_of(const FourierFit& fit) {
+  return std::sqrt(fit.chi_square / static_cast<double>(fit.degrees_of_freedom));
+}
+
+RefinedPair undetermined(const FourierFit& fit, bool both, int iterations) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return {.fit = fit,
+          .converged = false,
+          .sigma_f1 = both ? unknown : 0.0,
+          .sigma_f2 = unknown,
+          .correlation = both ? std::numeric_limits<double>::quiet_NaN() : 0.0,
+          .scale = scale_of(fit),
+          .iterations = iterations};
+}
+
 }  // namespace
 
 FourierFit fourier_fit(const ScanPoints& points, double f1, double f2, FourierOrders orders) {
@@ -154,22 +171,22 @@ RefinedPair refined_pair(const ScanPoints& points, double f1, double f2, Fourier
                          double reach) {
   check("refined_pair", points, f1, f2, orders);
   if (!(reach > 0.0))
-    throw DomainError("refined_pair: reach " + std::to_string(reach) + " must be positive");
+    throw DomainError("refined_pair: reach " + detail::number_text(reach) + " must be positive");
   constexpr int most_iterations = 60;
   const bool both = orders.first > 0;
   // a step that turns no phase by more
   const double settled =
       1e-9 / (points.time_base() * static_cast<double>(std::max(orders.first, orders.second)));
-  Series now(points, f1, f2, orders);
+  std::optional<Series> now(std::in_place, points, f1, f2, orders);
   double damping = 1e-3;
   bool converged = false;
   int iterations = 0;
   while (iterations < most_iterations && !converged) {
-    const Normal n(now, both);
+    const Normal n(*now, both);
     double step = 0.0;
     for (bool better = false; !better && !converged && iterations < most_iterations; ++iterations) {
       const double more = 1.0 + damping, determinant = n.determinant(more);
-      if (!(determinant > 0.0)) return {now.fit(), false, 0.0, 0.0, 0.0, 0.0, iterations};
+      if (!(determinant > 0.0)) return undetermined(now->fit(), both, iterations);
       const double d1 =
           both ? std::clamp((n.a22 * more * n.b1 - n.a12 * n.b2) / determinant, -reach, reach)
                : 0.0;
@@ -178,22 +195,22 @@ RefinedPair refined_pair(const ScanPoints& points, double f1, double f2, Fourier
       step = std::max(std::abs(d1), std::abs(d2));
       converged = step <= settled;
       Series next(points, f1 + d1, f2 + d2, orders);
-      better = next.chi_square() < now.chi_square();
+      better = next.chi_square() < now->chi_square();
       damping *= better ? 0.1 : 10.0;
       if (!better) continue;
       f1 += d1;
       f2 += d2;
-      std::destroy_at(&now);
-      std::construct_at(&now, std::move(next));
+      now.emplace(std::move(next));
     }
   }
-  const Normal n(now, both);
+  const Normal n(*now, both);
   const double determinant = n.determinant(1.0);
-  RefinedPair found{now.fit(), converged, 0.0, 0.0, 0.0, 0.0, iterations};
+  if (!(determinant > 0.0)) return undetermined(now->fit(), both, iterations);
+  RefinedPair found{now->fit(), converged, 0.0, 0.0, 0.0, 0.0, iterations};
   found.sigma_f1 = both ? std::sqrt(n.a22 / determinant) : 0.0;
   found.sigma_f2 = std::sqrt(n.a11 / determinant);
   found.correlation = both ? -n.a12 / std::sqrt(n.a11 * n.a22) : 0.0;
-  found.scale = std::sqrt(found.fit.chi_square / static_cast<double>(found.fit.degrees_of_freedom));
+  found.scale = scale_of(found.fit);
   return found;
 }
 

@@ -9,6 +9,7 @@
 
 #include "fit/detail/fourier_checks.hpp"
 #include "fit/detail/scan_task.hpp"
+#include "math/number_text.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
 
@@ -36,10 +37,12 @@ std::vector<double> frequencies(const FrequencyGrid& grid, std::size_t first, st
 
 void check(const std::string& who, const FrequencyGrid& grid) {
   if (grid.count == 0) throw DomainError(who + ": a grid has no frequencies");
-  if (!(grid.first > 0.0) || !std::isfinite(grid.at(grid.count - 1)))
-    throw DomainError(who + ": frequency " + std::to_string(grid.first) + " must be positive");
+  for (const double f : {grid.first, grid.at(grid.count - 1)})
+    if (!(f > 0.0) || !std::isfinite(f))
+      throw DomainError(who + ": frequency " + detail::number_text(f) +
+                        " must be positive and finite");
   if (!(grid.step > 0.0) && grid.count > 1)
-    throw DomainError(who + ": step " + std::to_string(grid.step) + " must be positive");
+    throw DomainError(who + ": step " + detail::number_text(grid.step) + " must be positive");
 }
 
 struct BlockResult {
@@ -106,6 +109,9 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
                   const ScanOptions& options) {
   check(who, of.first);
   check(who, of.second);
+  if (!supports(options.set))
+    throw DomainError(who + ": got " + std::string(instruction_set_name(options.set)) +
+                      "; expected instructions that this processor has");
   if (options.order == 0) throw DomainError(who + ": order 0: it must be 1 to 9");
   detail::check_orders(who, points, of.orders);
   of.chi_square.resize(of.first.count * of.second.count);
@@ -126,8 +132,8 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
 
 FrequencyGrid FrequencyGrid::between(double least, double most, double step) {
   if (!(step > 0.0) || !(least > 0.0) || !(most >= least) || !std::isfinite(most))
-    throw DomainError("FrequencyGrid: from " + std::to_string(least) + " to " +
-                      std::to_string(most) + " by " + std::to_string(step) +
+    throw DomainError("FrequencyGrid: from " + detail::number_text(least) + " to " +
+                      detail::number_text(most) + " by " + detail::number_text(step) +
                       ": it must rise from a positive frequency by a positive step");
   const double steps = std::floor((most - least) / step * (1.0 + 1e-12));
   if (steps > 1e9)

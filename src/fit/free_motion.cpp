@@ -52,7 +52,6 @@ void step_aside(PrincipalState& b) {
     if (b.moments[i] > b.moments[largest]) largest = i;
     if (b.moments[i] <= b.moments[least]) least = i;
   }
-  if (largest == least) largest = (least + 1) % 3;  // a sphere
   b.moments[largest] *= 1.0 - 2.0 * aside;
   b.moments[3 - largest - least] *= 1.0 - aside;
   b.g = b.g + aside * norm(b.g) * Vec3{0.6, -0.64, 0.48};

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/detail/change_of_variable.hpp"
 #include "fit/detail/levenberg_marquardt.hpp"
@@ -24,6 +25,8 @@ constexpr double near_errors = 1e-3, near_cost = 1e-9;
 // How often errors are scaled until their factor stays to 1e-6, and by how much it may change.
 constexpr int most_scalings = 50;
 constexpr double same_factor = 1e-6;
+// Degrees of freedom that are rounding: no data are left over to find errors from.
+constexpr double no_freedom = 1e-6;
 
 class Solver {
  public:
@@ -141,6 +144,7 @@ class Solver {
       result.chi_square += result.numbers[i] * result.numbers[i];
     }
     for (const double x : numbers) result.cost += x * x;
+    if (!has_value) result.chi_square = result.cost = std::numeric_limits<double>::quiet_NaN();
     if (end == detail::Descent::End::no_value || !has_value || !std::isfinite(result.cost)) {
       result.end = End::no_value;
     } else if (is_least()) {
@@ -201,6 +205,10 @@ LeastSquaresResult solve(const LeastSquares& problem) {
 double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult& result) {
   const detail::StackedNumbers numbers(problem);
   const auto n = std::ssize(problem.unknowns);
+  if (std::ssize(result.x) != n) {
+    throw DomainError("degrees_of_freedom: a result of " + std::to_string(result.x.size()) +
+                      " unknowns for a problem of " + std::to_string(n));
+  }
   Eigen::VectorXd f(static_cast<Eigen::Index>(numbers.size()));
   RowByRow J(f.size(), n);
   if (!numbers.at(result.x, f.data(), J.data(), detail::StackedNumbers::Derivatives::weighted)) {
@@ -217,6 +225,24 @@ double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult&
   return static_cast<double>(data) - determined;
 }
 
+namespace {
+
+// A start on a bound would be none: what is there, and what the triangle mixes with it, starts as
+// before.
+void start_from(const LeastSquaresResult& result, LeastSquares& problem) {
+  const auto is_on_bound = [&](std::size_t i) {
+    return std::ranges::find(result.bound, i) != result.bound.end();
+  };
+  const std::optional<TriangleBound>& sides = problem.triangle;
+  const bool holds_sides = sides && (is_on_bound(sides->a) || is_on_bound(sides->b));
+  for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
+    const bool is_side = sides && (i == sides->a || i == sides->b);
+    if (is_side ? !holds_sides : !is_on_bound(i)) problem.unknowns[i].start = result.x[i];
+  }
+}
+
+}  // namespace
+
 LeastSquaresResult solve_scaled(LeastSquares& problem) {
   if (problem.loss.kind != Loss::Kind::squared) {
     throw DomainError(
@@ -225,21 +251,29 @@ LeastSquaresResult solve_scaled(LeastSquares& problem) {
   }
   LeastSquaresResult result;
   int iterations = 0, evaluations = 0;
-  for (int k = 0; k < most_scalings; ++k) {
+  bool is_settled = false;
+  for (int k = 0; k < most_scalings && !is_settled; ++k) {
     result = solve(problem);
     iterations += result.iterations;
     evaluations += result.evaluations;
     const double freedom = degrees_of_freedom(problem, result);
-    if (!result.is_converged() || !(freedom > 0.0) || !(result.chi_square > 0.0)) break;
-    const double factor = std::sqrt(result.chi_square / freedom);
-    const bool is_same = std::abs(factor / problem.error_factor - 1.0) <= same_factor;
-    problem.error_factor = factor;
-    if (is_same) break;
-    for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
-      if (std::ranges::find(result.bound, i) == result.bound.end()) {
-        problem.unknowns[i].start = result.x[i];
-      }
+    if (!result.is_converged()) break;
+    if (!(freedom > no_freedom) || !(result.chi_square > 0.0)) {
+      result.sentence += "; errors are as given: they cannot be found from data that leave " +
+                         detail::rounded_text(std::max(freedom, 0.0)) +
+                         " degrees of freedom and chi-square " +
+                         detail::rounded_text(result.chi_square);
+      break;
     }
+    const double factor = std::sqrt(result.chi_square / freedom);
+    is_settled = std::abs(factor / problem.error_factor - 1.0) <= same_factor;
+    problem.error_factor = factor;
+    if (is_settled) break;
+    if (k + 1 == most_scalings) {
+      result.sentence += "; the factor of errors did not settle: it is " +
+                         detail::rounded_text(factor) + " or near it";
+    }
+    start_from(result, problem);
   }
   result.iterations = iterations;
   result.evaluations = evaluations;

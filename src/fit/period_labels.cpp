@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/tumbler.hpp"
 
@@ -48,7 +49,7 @@ int weakness(const PeriodLabel& label) {
 std::vector<PeriodLabel> period_labels(double f1, double f2, int most) {
   for (const double f : {f1, f2})
     if (!(f > 0.0) || !std::isfinite(f))
-      throw DomainError("period_labels: frequency " + std::to_string(f) + " must be positive");
+      throw DomainError("period_labels: frequency " + detail::number_text(f) + " must be positive");
   if (most < 1 || most > 9)
     throw DomainError("period_labels: most " + std::to_string(most) + ": it must be 1 to 9");
   std::vector<PeriodLabel> labels;

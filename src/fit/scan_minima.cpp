@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,11 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
   });
   if (cells.size() > options.most) cells.resize(options.most);
 
-  const double reach =
-      of.orders.first == 0 ? of.second.step : std::min(of.first.step, of.second.step);
+  // a cell of the grid; of one frequency alone, what the time base tells apart
+  double reach = std::numeric_limits<double>::infinity();
+  if (of.orders.first > 0 && of.first.count > 1) reach = of.first.step;
+  if (of.second.count > 1) reach = std::min(reach, of.second.step);
+  if (!std::isfinite(reach)) reach = 1.0 / points.time_base();
   std::vector<ScanMinimum> found;
   run_cells(
       0, static_cast<std::int64_t>(cells.size()), options.threads,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/detail/scan_task.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/number.hpp"
 
@@ -21,16 +22,19 @@ using detail::ScanTable;
 
 void check(const LightCurve& session, ScanQuantity quantity) {
   const auto refuse_point = [&](std::size_t i, const std::string& what) {
-    refuse("point " + std::to_string(i) + " of session \"" + session.name + "\" has " + what);
+    refuse("point " + std::to_string(i + 1) + " of session \"" + session.name + "\" has " + what);
   };
   for (std::size_t i = 0; i < session.points.size(); ++i) {
     const LightPoint& p = session.points[i];
-    if (!std::isfinite(p.t)) refuse_point(i, "a time that is no finite number");
-    if (!std::isfinite(p.flux)) refuse_point(i, "a flux that is no finite number");
+    if (!std::isfinite(p.t))
+      refuse_point(i, "time " + detail::number_text(p.t) + ": it must be finite");
+    if (!std::isfinite(p.flux))
+      refuse_point(i, "flux " + detail::number_text(p.flux) + ": it must be finite");
     if (!(p.sigma > 0.0) || !std::isfinite(p.sigma))
-      refuse_point(i, "sigma " + std::to_string(p.sigma) + ": an error must be positive");
+      refuse_point(i, "sigma " + detail::number_text(p.sigma) + ": an error must be positive");
     if (quantity == ScanQuantity::log_flux && !(p.flux > 0.0))
-      refuse_point(i, "flux " + std::to_string(p.flux) + ", which has no logarithm: scan the flux");
+      refuse_point(
+          i, "flux " + detail::number_text(p.flux) + ", which has no logarithm: scan the flux");
   }
 }
 
@@ -64,7 +68,7 @@ double mean_flux(const Group& group) {
     }
   if (!(sum > 0.0))
     refuse("the mean flux of session \"" + group.front()->name + "\" is " +
-           std::to_string(sum / count) + ": it must be positive");
+           detail::number_text(sum / count) + ": it must be positive");
   return sum / count;
 }
 
@@ -107,7 +111,7 @@ ScanPoints::ScanPoints(std::span<const LightCurve> sessions, ScanQuantity quanti
   }
   const std::vector<Group> groups = groups_of(sessions);
   if (groups.empty()) refuse("there are no points");
-  if (!(last > first)) refuse("all points have the same time " + std::to_string(first));
+  if (!(last > first)) refuse("all points have the same time " + detail::number_text(first));
   epoch_ = 0.5 * first + 0.5 * last;
   time_base_ = last - first;
 

@@ -16,7 +16,7 @@ bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 std::string name(const char* kind, std::size_t i) {
-  return "Snapshots: " + std::string(kind) + " " + std::to_string(i);
+  return "Snapshots: " + std::string(kind) + " " + std::to_string(i + 1);
 }
 
 void require_time(const std::string& what, double t) {
@@ -56,8 +56,8 @@ void add_repeated(std::vector<std::string>& found, const char* kind, const std::
   for (std::size_t i = 0; i < seen.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (seen[i].t == seen[j].t && same(seen[i], seen[j])) {
-        found.push_back(std::string(kind) + " " + std::to_string(i) + " repeats " +
-                        std::to_string(j) + ", at t = " + detail::number_text(seen[i].t) +
+        found.push_back(std::string(kind) + " " + std::to_string(i + 1) + " repeats " +
+                        std::to_string(j + 1) + ", at t = " + detail::number_text(seen[i].t) +
                         ": counted as two independent ones");
         break;
       }

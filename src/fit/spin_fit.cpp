@@ -17,6 +17,8 @@ namespace {
 // Beyond this the vector of a turn is taken about the attitude that was found, and the fit goes on.
 constexpr double far_turn = 1.0;
 constexpr int most_recentrings = 20;
+// Moments nearer than this have no axes of their own.
+constexpr double equal_moments = 1e-12;
 
 double parameter_of(const SpinState& s, std::size_t p) {
   const Mat3& T = s.inertia_F;
@@ -37,6 +39,22 @@ double parameter_of(const SpinState& s, std::size_t p) {
   }
 }
 
+// Principal axes that turn with the tensor have derivatives where no moments are equal.
+void require_axes(const SpinFit& fit, const Vec3& moments) {
+  const Mat3& T = fit.start.inertia_F;
+  const bool is_turned = T(0, 1) != 0.0 || T(1, 2) != 0.0 || T(0, 2) != 0.0;
+  if (!fit.unknowns.products && !(fit.unknowns.moment_ratios && is_turned)) return;
+  for (int i = 0; i < 3; ++i) {
+    const double a = moments[i], b = moments[(i + 1) % 3];
+    if (std::abs(a - b) > equal_moments * std::max(a, b)) continue;
+    throw DomainError(
+        "fit_spin: the start has the principal moments " + detail::number_text(a) + " and " +
+        detail::number_text(b) +
+        ", too near to each other for unknown products of inertia: their axes have no "
+        "derivative; start from different moments, or fix the products at 0");
+  }
+}
+
 void require_start(const SpinFit& fit) {
   const SpinState& s = fit.start;
   const double size = std::hypot(std::hypot(s.q.w, s.q.x), std::hypot(s.q.y, s.q.z));
@@ -51,7 +69,7 @@ void require_start(const SpinFit& fit) {
                       detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
                       ", must be finite and not 0");
   }
-  static_cast<void>(Body::from_tensor(s.inertia_F));  // says what is wrong with it
+  require_axes(fit, Body::from_tensor(s.inertia_F).moments());  // says what is wrong with it
   for (const NormalPrior& prior : fit.priors) {
     for (const std::string& name : prior.unknowns) {
       if (name.starts_with("turn_")) {

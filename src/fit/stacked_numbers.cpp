@@ -2,6 +2,7 @@
 #include "fit/detail/stacked_numbers.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -52,6 +53,15 @@ StackedNumbers::StackedNumbers(const LeastSquares& problem) : problem_(&problem)
     throw DomainError("solve: error_factor = " + number_text(problem.error_factor) +
                       " must be positive and finite");
   }
+  if (!residuals.at) throw DomainError("solve: there is no function of residuals");
+  if (problem.triangle) {
+    const auto [a, b] = *problem.triangle;
+    if (a == b || std::max(a, b) >= problem.unknowns.size()) {
+      throw DomainError("solve: the triangle has unknowns " + std::to_string(a) + " and " +
+                        std::to_string(b) + "; expected two different ones of " +
+                        std::to_string(problem.unknowns.size()));
+    }
+  }
   std::set<std::string> names;
   for (const Unknown& u : problem.unknowns) {
     if (!names.insert(u.name).second) {
@@ -91,6 +101,10 @@ void StackedNumbers::add_prior(const NormalPrior& prior) {
     if (i == unknowns()) {
       throw DomainError("solve: a prior is of " + prior.unknowns[k] +
                         ", which is not an unknown of this fit");
+    }
+    if (std::ranges::find(found.unknowns, i) != found.unknowns.end()) {
+      throw DomainError("solve: the prior of " + list_text(prior.unknowns) + " names " +
+                        prior.unknowns[k] + " twice");
     }
     found.unknowns.push_back(i);
   }

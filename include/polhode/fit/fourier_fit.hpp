@@ -58,8 +58,9 @@ FourierFit fourier_fit(const ScanPoints& points, double f1, double f2, FourierOr
 struct RefinedPair {
   FourierFit fit;
   bool converged;
-  double sigma_f1, sigma_f2, correlation;  // raw: of the sigmas of the points
-  double scale;                            // sqrt(chi-square / degrees of freedom)
+  // Raw: of the sigmas of the points. Infinite, and NaN, where the points do not determine them.
+  double sigma_f1, sigma_f2, correlation;
+  double scale;  // sqrt(chi-square / degrees of freedom), frequencies not counted as unknowns
   int iterations;
 };
 

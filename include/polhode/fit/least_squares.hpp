@@ -14,7 +14,7 @@
 //             (data and priors) as unknowns. A step to where the residuals have no value is not
 //             taken.
 // Accuracy    is_converged says: the least of the linear problem is nearer than 1e-3 standard
-//             errors. Derivatives are those that are given.
+//             errors, or lower by less than 1e-9 of the cost. Derivatives are those that are given.
 // Errors      DomainError for bounds without a room between them, a start outside, fewer numbers
 //             than unknowns, covariances that are not positive definite, names that come twice.
 //             What a residual function throws passes through.
@@ -99,11 +99,12 @@ LeastSquaresResult solve(const LeastSquares& problem);
 
 // The same with the factor of errors found from the residuals: chi-square per degree of freedom
 // becomes 1, where what priors determine does not count as a degree that data lost. Ends with the
-// factor in `problem`. Exact for the squared loss.
+// factor in `problem`. For the squared loss alone. Where the data leave no degree of freedom errors
+// stay as given, and the sentence says so.
 LeastSquaresResult solve_scaled(LeastSquares& problem);
 
-// Numbers of data less the unknowns that they determine: n - tr(C_post C_prior^-1), C_post with the
-// present factor.
+// Numbers of data less the unknowns that they determine: n_data - p + tr(C_post C_prior^-1), C_post
+// with the present factor, p unknowns.
 double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult& result);
 
 }  // namespace v0

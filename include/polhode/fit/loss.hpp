@@ -10,7 +10,7 @@
 // Corrections none.
 // Units       residuals are in units of their standard errors, and so is scale.
 // Domain      scale > 0; any residual. As z -> 0 every loss is the square.
-// Accuracy    budget loss_* in tests/budgets/fit.hpp.
+// Accuracy    budget loss in tests/budgets/fit.hpp.
 // Errors      DomainError for a scale that is not positive and finite.
 // Cost        a few dozen flops.
 #pragma once

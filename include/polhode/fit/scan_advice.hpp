@@ -4,7 +4,7 @@
 //
 // Equations   over the time base T a frequency that is off by d/2, d the step of the grid, turns
 //             the phase of harmonic 2 m (m of each frequency) by 2 pi m d T / 2 at either end: an
-//             eighth of a turn for d = 1 / (4 m T). The longest line that is not taken for a slower
+//             eighth of a turn for d = 1 / (4 m T). The fastest line that is not taken for a slower
 //             one is that of half the typical time from point to point; main lines of tumblers are
 //             at twice a frequency (Kaasalainen 2001). Window |sum exp(2 pi i f t)|^2 / n^2: a line
 //             at f0 shows at f0 +- f of its peaks, too (a day's turn for one site).

@@ -10,7 +10,7 @@
 //             huge amplitudes that cancel can follow any slow change, and a low chi-square means
 //             little; the condition of the columns is then beyond resolved_condition.
 // Accuracy    that of refined_pair.
-// Errors      DomainError for points that are not those of the landscape: no more than unknowns.
+// Errors      DomainError for fewer points than the landscape's orders have unknowns.
 // Cost        some ten fits a minimum.
 #pragma once
 

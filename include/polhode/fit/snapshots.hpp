@@ -10,7 +10,7 @@
 // Domain      times finite, in any order; several observations may have the same time, and are
 //             independent. Quaternions and vectors of any length but 0.
 // Accuracy    values are kept as given.
-// Errors      check: DomainError that names the observation (counted from 0), its value and what is
+// Errors      check: DomainError that names the observation (counted from 1), its value and what is
 //             expected: finite numbers, covariances symmetric and positive definite.
 // Cost        a few numbers each.
 #pragma once

@@ -14,7 +14,8 @@
 //             may have. Moment ratios keep the triangle inequality of the diagonal as bounds; a
 //             step to a tensor that no body has is not taken. Where the form of the motion differs
 //             for neighbours (equal moments, spin about an axis, separatrix), derivatives are those
-//             1e-8 beside it. Products of inertia are no unknowns of a tensor with equal moments.
+//             1e-8 beside it. Products of inertia, and ratios where there are products, are no
+//             unknowns of a tensor with equal moments.
 // Accuracy    derivatives: budgets fit_derivatives* in tests/budgets/fit.hpp; errors:
 //             covariance.hpp.
 // Errors      DomainError as solve() and check(Snapshots); for no unknowns, a start that no body

@@ -66,6 +66,14 @@ TEST(Solve, ScalesErrorsOfDataAlone) {
   EXPECT_NEAR(p.error_factor, std::sqrt(0.091 / 4.0), budget::fit_narrow_prior);
 }
 
+TEST(Solve, DoesNotFindErrorsFromDataThatLeaveNoFreedom) {
+  LeastSquares p = line({1.1, 2.9});
+  const LeastSquaresResult r = solve_scaled(p);
+  ASSERT_TRUE(r.is_converged()) << r.sentence;
+  EXPECT_EQ(p.error_factor, 1.0);
+  EXPECT_THAT(r.sentence, HasSubstr("errors are as given"));
+}
+
 TEST(Solve, TakesPriorsThatAreCorrelated) {
   LeastSquares p = line({});
   p.residuals.prior = 0;
@@ -96,6 +104,26 @@ TEST(Solve, PutsOnItsBoundWhatIsPressedAgainstIt) {
   EXPECT_NEAR(solve(p).x[1], 1.97, budget::fit_bounded);
   p.unknowns[1] = {"b", 0.5, -std::numeric_limits<double>::infinity(), 10.0};
   EXPECT_NEAR(solve(p).x[1], 1.97, budget::fit_bounded);
+}
+
+TEST(Solve, ScalesErrorsOnTheTriangleInequality) {
+  LeastSquares p;
+  p.unknowns = {{"I1/I3", 0.6}, {"I2/I3", 0.5}};
+  p.triangle = TriangleBound{0, 1};
+  p.residuals.data = 4;
+  p.residuals.at = [](std::span<const double> x, std::span<double> r, std::span<double> J) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      r[i] = x[i % 2] - (i < 2 ? 0.39 : 0.41);
+      if (J.empty()) continue;
+      J[2 * i + i % 2] = 1.0;
+      J[2 * i + 1 - i % 2] = 0.0;
+    }
+    return true;
+  };
+  const LeastSquaresResult rod = solve_scaled(p);  // nearest to (0.4, 0.4) on I1 + I2 = 1
+  ASSERT_TRUE(rod.is_converged()) << rod.sentence;
+  EXPECT_NEAR(rod.x[0], 0.5, budget::fit_bounded);
+  EXPECT_NEAR(rod.x[1], 0.5, budget::fit_bounded);
 }
 
 // Two numbers that say a = wanted[0] and b = wanted[1], under the triangle inequality with 1.
@@ -225,6 +253,15 @@ TEST(Solve, RefusesWhatMakesNoSense) {
                 q.priors = {{{"c"}, {0.0}, {1.0}}};
               }),
               HasSubstr("a prior is of c"));
+  EXPECT_THAT(refusal([](LeastSquares& q) {
+                q.priors = {{{"a", "a"}, {0.0, 0.0}, {1.0, 0.0, 0.0, 1.0}}};
+              }),
+              HasSubstr("names a twice"));
+  EXPECT_THAT(refusal([](LeastSquares& q) {
+                q.triangle = TriangleBound{0, 2};
+              }),
+              HasSubstr("unknowns 0 and 2; expected two different ones of 2"));
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.residuals.at = nullptr; }), HasSubstr("no function"));
   EXPECT_THAT(refusal([](LeastSquares& q) {
                 q.priors = {{{"a"}, {0.0}, {0.0}}};
               }),

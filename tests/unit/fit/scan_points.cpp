@@ -34,11 +34,11 @@ TEST(ScanPoints, RefusesWithASentence) {
   EXPECT_THAT(refusal({session({{1.0, 1.0, 0.1, {}, {}}, {1.0, 2.0, 0.1, {}, {}}})}),
               HasSubstr("all points have the same time"));
   EXPECT_THAT(refusal({session({{1.0, 1.0, 0.0, {}, {}}, {2.0, 2.0, 0.1, {}, {}}})}),
-              HasSubstr("point 0 of session \"night\" has sigma 0"));
+              HasSubstr("point 1 of session \"night\" has sigma 0"));
   EXPECT_THAT(refusal({session({{1.0, 1.0, 0.1, {}, {}}, {nan, 2.0, 0.1, {}, {}}})}),
-              HasSubstr("point 1 of session \"night\" has a time"));
+              HasSubstr("point 2 of session \"night\" has time nan"));
   EXPECT_THAT(refusal({session({{1.0, nan, 0.1, {}, {}}, {2.0, 2.0, 0.1, {}, {}}})}),
-              HasSubstr("has a flux"));
+              HasSubstr("has flux nan"));
   EXPECT_THAT(refusal({session({{1.0, -3.0, 0.1, {}, {}}, {2.0, 2.0, 0.1, {}, {}}})}),
               HasSubstr("mean flux of session \"night\" is -0.5"));
   EXPECT_THAT(refusal({session({{1.0, -3.0, 0.1, {}, {}}, {2.0, 2.0, 0.1, {}, {}}})},

@@ -154,7 +154,7 @@ TEST(FitSpin, ReportsWhatComesTwiceAndWhatIsNotDetermined) {
   oracle::Draw draw(3, 1);
   SpinFit fit = seen_of(truths()[0], draw, 0.01);
   fit.seen.attitudes.push_back(fit.seen.attitudes[2]);
-  EXPECT_THAT(fit_spin(fit).notes, testing::Contains(HasSubstr("attitude 20 repeats 2")));
+  EXPECT_THAT(fit_spin(fit).notes, testing::Contains(HasSubstr("attitude 21 repeats 3")));
   // One axis alone, and nothing of turns about it at one time only.
   fit.seen = {};
   fit.unknowns = {true, false, false, false};
@@ -176,9 +176,9 @@ TEST(FitSpin, RefusesWhatMakesNoSense) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refusal([](SpinFit& f) { f.seen.attitudes[3].covariance = covariance_of(0.0); }),
-              HasSubstr("attitude 3: variances (0, 0, 0)"));
+              HasSubstr("attitude 4: variances (0, 0, 0)"));
   EXPECT_THAT(refusal([nan](SpinFit& f) { f.seen.attitudes[1].t = nan; }),
-              HasSubstr("attitude 1: t = nan must be finite"));
+              HasSubstr("attitude 2: t = nan must be finite"));
   EXPECT_THAT(refusal([](SpinFit& f) {
                 f.seen.attitudes[1].q = {0.0, 0.0, 0.0, 0.0};
               }),
@@ -186,7 +186,7 @@ TEST(FitSpin, RefusesWhatMakesNoSense) {
   EXPECT_THAT(refusal([](SpinFit& f) {
                 f.seen.directions = {{0.0, {}, {1.0, 0.0, 0.0}, 0.1}};
               }),
-              HasSubstr("direction 0: axis_F = (0, 0, 0)"));
+              HasSubstr("direction 1: axis_F = (0, 0, 0)"));
   EXPECT_THAT(refusal([](SpinFit& f) {
                 f.seen.directions = {{0.0, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0}};
               }),
@@ -194,7 +194,7 @@ TEST(FitSpin, RefusesWhatMakesNoSense) {
   EXPECT_THAT(refusal([nan](SpinFit& f) {
                 f.seen.rates = {{0.0, {nan, 0.0, 0.0}}};
               }),
-              HasSubstr("rate 0"));
+              HasSubstr("rate 1"));
   EXPECT_THAT(refusal([](SpinFit& f) { f.seen.attitudes.resize(2); }), HasSubstr("8 unknowns"));
   EXPECT_THAT(refusal([](SpinFit& f) {
                 f.unknowns = {false, false, false, false};
@@ -202,6 +202,11 @@ TEST(FitSpin, RefusesWhatMakesNoSense) {
               HasSubstr("nothing is unknown"));
   EXPECT_THAT(refusal([](SpinFit& f) { f.start.w_F = {}; }), HasSubstr("the rate at the start"));
   EXPECT_THAT(refusal([](SpinFit& f) { f.start.inertia_F(0, 0) = 9.0; }), HasSubstr("break"));
+  EXPECT_THAT(refusal([](SpinFit& f) {
+                f.start.inertia_F = Mat3::identity();
+                f.unknowns.products = true;
+              }),
+              HasSubstr("the principal moments 1 and 1, too near"));
   EXPECT_THAT(refusal([](SpinFit& f) {
                 f.priors = {{{"turn_x"}, {0.0}, {1.0}}};
               }),

@@ -149,11 +149,13 @@ TEST(PeriodLabels, BoundsAreThoseOfEllipsoids) {
 }
 
 TEST(BodiesWithPeriods, HaveThem) {
-  for (const Regime mode : {Regime::long_axis, Regime::short_axis})
+  for (const Regime mode : {Regime::long_axis, Regime::short_axis}) {
+    std::size_t bodies = 0;
     for (const double ratio : {1.2, 2.3, 5.0})
       for (const double tilt : {0.1, 0.7, 1.3}) {
         const TumblerPeriods periods{mode, 3.0, 3.0 * ratio};
         for (const TumblingBody& b : bodies_with_periods(periods, tilt, 20)) {
+          ++bodies;
           const FreeRotation motion(b.body, b.state);
           EXPECT_EQ(motion.regime(), mode);
           const double eps = budget::periods_of_body * epsilon<double>();
@@ -166,6 +168,8 @@ TEST(BodiesWithPeriods, HaveThem) {
           EXPECT_NEAR(inertial_momentum(b.state).y, 0.0, budget::moments_of_body);
         }
       }
+    EXPECT_GT(bodies, 30U);
+  }
 }
 
 TEST(BodiesWithPeriods, GiveABodyBack) {
