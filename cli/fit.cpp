@@ -53,8 +53,8 @@ void fit_file(const FitCommand& options, const Kinds& kinds) {
   std::optional<ProgressLine> progress;
   FitOptions how;
   how.stop = [] { return StopSignals::came() != 0; };
-  if (scenario.fit && scenario.fit->starts > 1) {
-    progress.emplace(scenario.fit->starts, "starts", 0);
+  if (const FitPlan* const plan = fit_plan(scenario); plan != nullptr && plan->starts > 1) {
+    progress.emplace(plan->starts, "starts", 0);
     how.progress = [&progress](std::int64_t starts) { (*progress)(static_cast<double>(starts)); };
   }
   FitReport report;

@@ -92,14 +92,13 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   std::optional<EnsemblePlan> ensemble;
   if (has(read.values, "ensemble"))
     ensemble = detail::ensemble_plan({read.values, document.units, path}, made->experiment);
-  std::optional<FitPlan> fit;
   if (document.kind == "fit")
-    fit = detail::fit_plan({read.values, document.units, path},
-                           detail::rotation_of(made->experiment));
+    read.fit = std::make_shared<const FitPlan>(detail::fit_plan(
+        {read.values, document.units, path}, detail::rotation_of(made->experiment)));
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
-  return {std::move(document), made->experiment,    std::move(output),
-          std::move(map),      std::move(ensemble), std::move(fit)};
+  return {std::move(document), made->experiment, std::move(output), std::move(map),
+          std::move(ensemble)};
 }
 
 Scenario read_scenario(const std::string& path, const Kinds& kinds,

@@ -23,6 +23,7 @@
 
 #include "polhode/fit/spin_fit.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace polhode {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "polhode/fit/snapshots.hpp"
+#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace polhode {

@@ -38,6 +38,11 @@ struct FitPlan {
   std::uint64_t noise = 1;   // the seed of what simulations add
 };
 
+// That of a scenario of kind "fit"; null of any other.
+const FitPlan* fit_plan(const Scenario& scenario);
+// The same; DomainError where the kind is another.
+const FitPlan& require_fit(const Scenario& scenario);
+
 // The state at t = 0 in the body axes that the file gives vectors in, relative to inertial axes.
 SpinState spin_state(const Rotation& rotation);
 

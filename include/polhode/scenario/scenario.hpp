@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Scenario: a TOML file that has been read and checked completely. The file (Document), what is run
-// (Experiment, of the kind that the file names), what is written (OutputPlan), the tables [map]
-// and [ensemble] where one wraps it, and what a fit asks. The keys are in
-// polhode/scenario/schema.hpp.
+// (Experiment, of the kind that the file names), what is written (OutputPlan), and the tables [map]
+// and [ensemble] where one wraps it. The keys are in polhode/scenario/schema.hpp.
 //
 // Equations   none of its own.
 // Units       numbers are in core units (polhode/text/units.hpp).
 // Domain      schema 1; kind "rotation", which is what a file without the key describes,
-//             "fit", a rotation with what was observed of it, "obliquity", or one from outside (polhode/scenario/experiment_kind.hpp).
+//             "obliquity", or one from outside (polhode/scenario/experiment_kind.hpp).
 // Accuracy    as polhode/scenario/document.hpp and rotation.hpp.
 // Errors      ScenarioError (polhode/scenario/document.hpp). What a chart or body refuses is
 //             reported there too.
@@ -24,7 +23,6 @@
 #include "polhode/scenario/changes.hpp"
 #include "polhode/scenario/document.hpp"
 #include "polhode/scenario/ensemble_plan.hpp"
-#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
 #include "polhode/scenario/obliquity.hpp"
@@ -43,7 +41,6 @@ struct Scenario {
   OutputPlan output;
   std::optional<MapPlan> map = std::nullopt;
   std::optional<EnsemblePlan> ensemble = std::nullopt;
-  std::optional<FitPlan> fit = std::nullopt;  // of kind "fit"
 
   const Units& units() const { return document.units; }
   // DomainError where the kind is another than "rotation".

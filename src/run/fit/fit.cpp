@@ -23,16 +23,14 @@ constexpr double least_freedom = 0.5;
 }
 
 const FitPlan& plan_of(const Scenario& scenario) {
-  if (!scenario.fit)
-    throw DomainError(scenario.document.name + ": kind: got \"" + scenario.document.kind +
-                      "\"; expected \"fit\"");
+  const FitPlan& plan = require_fit(scenario);
   const Rotation& rotation = scenario.rotation();
   if (!rotation.kinds.empty())
     refuse(scenario, "perturbation[0].kind",
            "expected no perturbation: a fit is one of free rotation");
   if (!rotation.frame.is_inertial())
     refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
-  return *scenario.fit;
+  return plan;
 }
 
 SpinFit problem_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {

@@ -165,8 +165,8 @@ void write_residuals(const Scenario& scenario, const FitReport& report, std::siz
     for (int i = 0; i < 3; ++i) rows.push_back(one.sigmas[i]);
   }
   std::vector<std::string> notes;
-  for (std::size_t i = 0; i < scenario.fit->observations.size(); ++i) {
-    const Observation& of = scenario.fit->observations[i];
+  for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i) {
+    const Observation& of = require_fit(scenario).observations[i];
     notes.push_back("table " + std::to_string(i + 1) + ": " + std::string(kind_word(of.kind)) +
                     ", " + detail::printable(of.shown(), 500));
   }
@@ -215,7 +215,7 @@ std::string solution_text(const Scenario& scenario, const FitReport& report, std
   const SpinState& state = report.solutions.at(solution).raw.state;
   std::vector<ScenarioChange> changes = {{"kind", ""},     {"free", ""}, {"fit", ""},
                                          {"simulate", ""}, {"map", ""},  {"ensemble", ""}};
-  for (std::size_t i = scenario.fit->observations.size(); i-- > 0;)
+  for (std::size_t i = require_fit(scenario).observations.size(); i-- > 0;)
     changes.push_back({"observation[" + std::to_string(i) + "]", ""});
   add_body(scenario, report, state, changes);
   add_state(scenario, state, changes);

@@ -34,7 +34,7 @@ std::string observed_text(const Scenario& scenario, const FitReport& report) {
   add(seen.directions.size(), "direction", "directions");
   add(seen.rates.size(), "rate", "rates");
   return text + fmt::format(" ({} numbers) of ", seen.numbers()) +
-         count(scenario.fit->observations.size(), "table", "tables");
+         count(require_fit(scenario).observations.size(), "table", "tables");
 }
 
 std::string number_or_dash(const std::optional<double>& x, const char* form) {

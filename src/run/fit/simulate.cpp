@@ -32,14 +32,13 @@ struct Seen {
 
 const FitPlan& plan_of(const Scenario& scenario) {
   const std::string& name = scenario.document.name;
-  if (!scenario.fit)
-    throw DomainError(name + ": kind: got \"" + scenario.document.kind + "\"; expected \"fit\"");
+  const FitPlan& plan = require_fit(scenario);
   if (!row_times(scenario))
     throw DomainError(name + ": time: got nothing; expected [time], when to observe");
   if (!scenario.rotation().frame.is_inertial())
     detail::refuse(scenario.document.checked->values, "frame", scenario.document.path,
                    "expected none: observations are relative to inertial axes");
-  return *scenario.fit;
+  return plan;
 }
 
 std::vector<Seen> motion_of(const Scenario& scenario) {
@@ -131,9 +130,9 @@ Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen
 std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
   return {"simulated by polhode " + std::string(version()) + " from " +
               detail::printable(scenario.document.name, longest_path) + ", seed " +
-              std::to_string(scenario.fit->noise),
+              std::to_string(require_fit(scenario).noise),
           "observation " + std::to_string(table + 1) + ": " +
-              std::string(kind_word(scenario.fit->observations[table].kind))};
+              std::string(kind_word(require_fit(scenario).observations[table].kind))};
 }
 
 void require_free(const std::vector<std::string>& paths, const Scenario& scenario,

@@ -10,6 +10,7 @@
 #include "polhode/rotor/body.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -152,6 +153,14 @@ FitPlan fit_plan(const FitContext& at, const Rotation& rotation) {
 }
 
 }  // namespace detail
+
+const FitPlan* fit_plan(const Scenario& scenario) { return scenario.document.checked->fit.get(); }
+
+const FitPlan& require_fit(const Scenario& scenario) {
+  if (const FitPlan* const plan = fit_plan(scenario)) return *plan;
+  throw DomainError(scenario.document.name + ": kind: got \"" + scenario.document.kind +
+                    "\"; expected \"fit\"");
+}
 
 SpinState spin_state(const Rotation& rotation) {
   const RotorState s = initial_state(rotation);

@@ -55,7 +55,7 @@ Quaternion axes_turn(const Observation& of, const std::string& state_axes) {
 // `path` must outlive the table.
 Table table_of(const Scenario& scenario, std::size_t index, const std::string& path) {
   const Document& file = scenario.document;
-  const Observation& of = scenario.fit->observations.at(index);
+  const Observation& of = require_fit(scenario).observations.at(index);
   const detail::Values& values = file.checked->values;
   Table table{.scenario = scenario,
               .of = of,
@@ -277,17 +277,11 @@ void require_names(const Table& of) {
                    "expected sigma or sigmas: a simulation has no file to take errors from");
 }
 
-const FitPlan& plan_of(const Scenario& scenario) {
-  if (scenario.fit) return *scenario.fit;
-  throw DomainError(scenario.document.name + ": kind: got \"" + scenario.document.kind +
-                    "\"; expected \"fit\"");
-}
-
 }  // namespace
 
 ReadObservations read_observations(const Scenario& scenario) {
   ReadObservations all;
-  for (std::size_t i = 0; i < plan_of(scenario).observations.size(); ++i) {
+  for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i) {
     const std::string path = path_of(i);
     read_table(table_of(scenario, i, path), i, all);
   }
@@ -296,7 +290,7 @@ ReadObservations read_observations(const Scenario& scenario) {
 
 std::string observation_text(const Scenario& scenario, std::size_t index, const Snapshots& rows,
                              std::span<const std::string> notes) {
-  static_cast<void>(plan_of(scenario));
+  static_cast<void>(require_fit(scenario));
   const std::string path = path_of(index);
   const Table of = table_of(scenario, index, path);
   require_names(of);

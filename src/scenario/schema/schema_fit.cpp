@@ -153,6 +153,7 @@ constexpr Key keys[] = {
 constexpr Alternatives alternatives[] = {{"free.prior[]", "sigmas|euler_sigmas", "attitude"}};
 
 constexpr KindText kinds[] = {
+    {"", "fit", "A rotation, what was observed of it, and what of it is unknown."},
     {"free.prior[]", "attitude", "The attitude at t = 0."},
     {"free.prior[]", "rate", "The angular velocity at t = 0 along the body axes."},
     {"free.prior[]", "moments", "The ratios of moments Ixx/Izz and Iyy/Izz."},
