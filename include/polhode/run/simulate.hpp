@@ -9,7 +9,8 @@
 //             depends on simulate.seed, the places of table and row, and nothing else.
 // Accuracy    that of the motion; numbers are written with all their digits.
 // Errors      DomainError without [time]; ScenarioError for columns without names and for errors
-//             that are columns; write_simulation: DomainError for a file that is there, OutputError.
+//             that are columns. write_simulation: DomainError for a file that is there, and
+//             OutputError.
 // Cost        that of the run and a microsecond a row.
 #pragma once
 

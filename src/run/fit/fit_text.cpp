@@ -104,7 +104,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
   const Units& units = scenario.units();
   text += "\n";
   add_line(text, fmt::format("solution {} of {}", place + 1, report.solutions.size()),
-           raw.result.sentence + (report.starts > 1 ? fmt::format(" From {} of {} starts.",
+           raw.result.sentence + (report.starts > 1 ? fmt::format(", from {} of {} starts",
                                                                   found.starts, report.starts)
                                                     : ""));
   add_line(text, "chi-square",
@@ -180,7 +180,9 @@ std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& re
   const auto at = [&](const SpinState& state) {
     return unknowns_at(problem, problem.start, state);
   };
-  const std::vector<double> start = at(problem.start), raw = at(found.raw.state);
+  const std::vector<double> raw = at(found.raw.state);
+  std::vector<double> start = at(problem.start);
+  if (problem.unknowns.attitude) std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   const std::vector<double> scaled =
       found.scaled ? at(found.scaled->state) : std::vector<double>(raw.size());
   std::vector<FitNumber> numbers;
