@@ -112,7 +112,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
                        raw.degrees_of_freedom));
   if (std::isfinite(raw.attitude_rms))
     add_line(text, "rms of attitudes",
-             fmt::format("{:.4g} {} about each axis",
+             fmt::format("{:.3g} {} about each axis",
                          units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
   if (found.scaled)
     add_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
