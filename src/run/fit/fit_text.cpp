@@ -87,8 +87,8 @@ void add_correlations(std::string& text, const UnknownsCovariance& c) {
     text += fmt::format("{:<9}", c.names[i]);
     for (std::size_t j = 0; j < i; ++j) {
       const double r = c.correlation(i, j);
-      text +=
-          std::isfinite(r) ? fmt::format("{:>9.0f}", 100.0 * r + 0.0) : fmt::format("{:>9}", "-");
+      text += std::isfinite(r) ? fmt::format("{:>9.0f}", std::round(100.0 * r) + 0.0)
+                               : fmt::format("{:>9}", "-");
     }
     text += "\n";
   }
