@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "run/detail/experiment_parts.hpp"
 
@@ -141,6 +142,10 @@ constexpr Paper papers[] = {
      "Joe, S., Kuo, F. Y. (2008). Constructing Sobol sequences with better two-dimensional "
      "projections. SIAM Journal on Scientific Computing 30, 2635-2654.",
      "Sobol's points", "sobol"},
+    {"more1978",
+     "More, J. J. (1978). The Levenberg-Marquardt algorithm: implementation and theory. Lecture "
+     "Notes in Mathematics 630, 105-116.",
+     "the fit", "fit"},
     of_kind("mignard1979"),
     of_kind("hut1981"),
     of_kind("burns1973"),
@@ -177,6 +182,7 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
     if (chart_named(group, scenario.document.kinds->charts()) == nullptr) parts.push_back(group);
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
   if (scenario.ensemble) parts.push_back("ensemble");
+  if (fit_plan(scenario) != nullptr) parts.push_back("fit");
   if (scenario.ensemble && scenario.ensemble->source == DrawSource::sobol) parts.push_back("sobol");
   return parts;
 }

@@ -65,6 +65,15 @@ ExperimentRow rotation_row(const DescribedParts& described) {
            described.perturbations, surface_keys(), described.methods, event_keys(), time_keys()}};
 }
 
+// A rotation, and what was observed of it.
+ExperimentRow fit_row(const DescribedParts& described) {
+  ExperimentRow row = rotation_row(described);
+  row.name = "fit";
+  row.parts.push_back(observation_keys());
+  row.parts.push_back(fit_keys());
+  return row;
+}
+
 ExperimentRow obliquity_row(const DescribedParts& described) {
   return {"obliquity",
           {planet_keys(), orbit_keys(), described.orbits, described.methods, time_keys()}};
@@ -76,7 +85,8 @@ ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
 }
 
 MadeExperiment made_experiment(const KindContext& at) {
-  if (word(at.values, "kind") == "rotation") return made_rotation_of(at);
+  if (word(at.values, "kind") == "rotation" || word(at.values, "kind") == "fit")
+    return made_rotation_of(at);
   if (word(at.values, "kind") == "obliquity") return made_obliquity_of(at);
   return {made_own(at), [](const KindContext& of, const std::vector<std::string>&) {
             return Remake([of](const Values& values) {

@@ -13,6 +13,7 @@
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
+#include "scenario/fit/fit_plan.hpp"
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
@@ -91,6 +92,9 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   std::optional<EnsemblePlan> ensemble;
   if (has(read.values, "ensemble"))
     ensemble = detail::ensemble_plan({read.values, document.units, path}, made->experiment);
+  if (document.kind == "fit")
+    read.fit = std::make_shared<const FitPlan>(detail::fit_plan(
+        {read.values, document.units, path}, detail::rotation_of(made->experiment)));
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
   return {std::move(document), made->experiment, std::move(output), std::move(map),

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+struct FitPlan;
 namespace detail {
 
 struct Refusal {
@@ -31,6 +32,7 @@ struct ReadFile {
   Units units;
   // What was made of the values, for those who make it again with other numbers.
   std::shared_ptr<const MadeExperiment> made = nullptr;
+  std::shared_ptr<const FitPlan> fit = nullptr;  // of kind "fit"
 };
 // Everything wrong goes to `diagnostics`; what is right is in the result.
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);

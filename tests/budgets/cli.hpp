@@ -23,6 +23,12 @@ inline constexpr double cli_printed_digits = 1e-9;
 inline constexpr double cli_flip_ulps = 3.0;
 inline constexpr double cli_half_period_ulps = 2.0;
 inline constexpr double cli_half_period = 1e-14;
+// Chi-square of a fit from two starts, relative: each stops within 1e-3 standard errors.
+inline constexpr double cli_fit_starts = 1e-6;
+// Unknowns of a fit of exact attitudes, deg, deg/h and ratios.
+inline constexpr double cli_fit_exact = 1e-8;
+// Numbers of a published or independent fit that are told to three decimals.
+inline constexpr double cli_published = 1e-3;
 // Where the numbers of a chart hold half the digits of the state.
 inline constexpr double cli_half_the_digits = 1e-7;
 // Every method against double-double, at the steps of that test.

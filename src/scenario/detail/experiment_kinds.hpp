@@ -49,6 +49,7 @@ struct ExperimentRow {
 };
 
 ExperimentRow rotation_row(const DescribedParts& described);
+ExperimentRow fit_row(const DescribedParts& described);
 ExperimentRow obliquity_row(const DescribedParts& described);
 // Of a kind from outside, whose own table is `own`.
 ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,

@@ -32,6 +32,8 @@ SchemaPart time_keys();
 SchemaPart map_keys();
 SchemaPart ensemble_keys();
 SchemaPart planet_keys();
+SchemaPart observation_keys();
+SchemaPart fit_keys();
 
 }  // namespace detail
 }  // namespace v0

@@ -216,6 +216,7 @@ std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentK
                                                    const std::deque<detail::OwnTable>& own,
                                                    const detail::DescribedParts& described) {
   std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described),
+                                             detail::fit_row(described),
                                              detail::obliquity_row(described)};
   for (std::size_t i = 0; i < kinds.size(); ++i)
     rows.push_back(detail::row_of(kinds[i], own[i].part(), described));

@@ -111,6 +111,8 @@ std::string example_value(const Schema& schema, const Key& key) {
 constexpr std::string_view obliquity = "obliquity";
 constexpr std::string_view planet_table = "planet";
 constexpr std::string_view surface_table = "surface[]";
+constexpr std::string_view observation_table = "observation[]";
+constexpr std::string_view free_table = "free";
 constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
                                               "surface[]", "method", "event[]"};
 
@@ -120,7 +122,13 @@ bool is_motion(std::string_view table) {
          std::end(motion_tables);
 }
 
-bool is_rotation(const TemplateSubject& subject) { return subject.experiment == "rotation"; }
+// Tables of a kind each, whose keys that may be left out are comments.
+bool is_of_kinds(std::string_view table) { return is_motion(table) || table == observation_table; }
+
+// A fit is a rotation with what was observed of it.
+bool is_rotation(const TemplateSubject& subject) {
+  return subject.experiment == "rotation" || subject.experiment == "fit";
+}
 
 std::string_view without_quotes(std::string_view text) { return text.substr(1, text.size() - 2); }
 
@@ -130,7 +138,7 @@ bool is_shown(const Schema& schema, const Key& key, std::string_view kind) {
   const bool may_be_left_out =
       key.presence == Presence::optional && !is_required(key, kind) && !key.in_template;
   return stands(schema, key, kind) &&
-         !((is_motion(path) || path == "body" || path == planet_table) && may_be_left_out);
+         !((is_of_kinds(path) || path == "body" || path == planet_table) && may_be_left_out);
 }
 
 bool is_orbit_name(const Schema& schema, const Key& key, const TemplateSubject& subject) {
@@ -358,11 +366,12 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     // [output.aem] names an object: what is not the user's own must not slip into their files
     const bool table_line =
         key->type == KeyType::table &&
-        (table == nullptr || is_motion(path) || path == state_table || path == output_table);
+        (table == nullptr || is_motion(path) || path == state_table || path == output_table ||
+         path == free_table);
     if (table_line || !belongs(*key, kind)) continue;
     std::string value = value_in(schema, *key, subject);
     std::string_view text;
-    if ((table == nullptr || is_motion(path)) && key_name(key->path) == "kind") {
+    if ((table == nullptr || is_of_kinds(path)) && key_name(key->path) == "kind") {
       kind = kind_in(*key, subject);
       value = in_quotes(kind);
       text = kind_text(schema, path, kind);

@@ -149,7 +149,7 @@ TEST(Schema, TemplatesOfPerturbationsRunIntoRows) {
 // Those of orbits that are read from files name these files, and are the user's to fill in.
 TEST(Schema, TemplatesOfOrbitsFramesAndMethodsAreScenarios) {
   EXPECT_THAT(words_of("chart"), ElementsAreArray(state_charts()));
-  EXPECT_THAT(words_of("experiment"), ElementsAre("obliquity", "nutation"));
+  EXPECT_THAT(words_of("experiment"), ElementsAre("fit", "obliquity", "nutation"));
   EXPECT_THAT(words_of("orbit"), ElementsAre("kepler", "state", "table", "ephemeris", "elements",
                                              "series", "shipped"));
   for (const char* orbit : {"kepler", "state", "table", "ephemeris"}) {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+#include "polhode/run/simulate.hpp"
+#include "progress.hpp"
+#include "stop_signals.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct FitCommand {
+  std::string scenario;
+  std::vector<std::string> set, residuals, covariance;
+  std::string solution;
+  bool json = false;
+};
+
+// PATH.toml of the first solution, then PATH-2.toml and so on; also of .csv and .h5.
+std::string numbered(const std::string& path, std::size_t place) {
+  if (place == 0 || path == "-") return path;
+  const std::size_t slash = path.rfind('/'), dot = path.rfind('.');
+  const bool has_extension =
+      dot != std::string::npos && (slash == std::string::npos || dot > slash);
+  const std::size_t end = has_extension ? dot : path.size();
+  return path.substr(0, end) + "-" + std::to_string(place + 1) + path.substr(end);
+}
+
+void write_files(const FitCommand& options, const Scenario& scenario, const FitReport& report) {
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) {
+    for (const std::string& path : options.residuals)
+      write_residuals(scenario, report, i, numbered(path, i));
+    for (const std::string& path : options.covariance)
+      write_covariance(scenario, report, i, numbered(path, i));
+    if (!options.solution.empty())
+      write_solution(scenario, report, i, numbered(options.solution, i));
+  }
+}
+
+void fit_file(const FitCommand& options, const Kinds& kinds) {
+  const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
+  const StopSignals signals;
+  std::optional<ProgressLine> progress;
+  FitOptions how;
+  how.stop = [] { return StopSignals::came() != 0; };
+  if (const FitPlan* const plan = fit_plan(scenario); plan != nullptr && plan->starts > 1) {
+    progress.emplace(plan->starts, "starts", 0);
+    how.progress = [&progress](std::int64_t starts) { (*progress)(static_cast<double>(starts)); };
+  }
+  FitReport report;
+  try {
+    report = fit_scenario(scenario, how);
+  } catch (const FitStopped& stopped) {
+    progress.reset();
+    throw Interrupted(StopSignals::came(), stopped.what());
+  }
+  progress.reset();
+  if (!report.is_found())
+    throw std::runtime_error(
+        fmt::format("{}: no solution: from {} the fit did not converge: {}", scenario.document.name,
+                    report.starts == 1 ? std::string("its start")
+                                       : fmt::format("each of {} starts", report.starts),
+                    report.failure));
+  write_files(options, scenario, report);
+  const bool is_taken = std::count(options.residuals.begin(), options.residuals.end(), "-") +
+                            std::count(options.covariance.begin(), options.covariance.end(), "-") >
+                        0;
+  if (!is_taken) print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app, const Kinds& kinds) {
+  CLI::App* command = app.add_subcommand(
+      "fit", "Find the spin state that was observed, with its uncertainty: kind = \"fit\"");
+  const auto options = std::make_shared<FitCommand>();
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
+      ->required();
+  add_set_option(*command, options->set);
+  command
+      ->add_option("--residuals", options->residuals,
+                   "Residuals of each observation, PATH.csv or PATH.h5; of a second solution "
+                   "PATH-2.csv and so on. Any number of them")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--covariance", options->covariance,
+                   "Covariance of the unknowns, as --residuals")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--solution", options->solution,
+                   "A scenario that begins at the solution, for polhode run; of a second solution "
+                   "PATH-2.toml and so on")
+      ->type_name("PATH.toml");
+  command->add_flag("--json", options->json, "For programs: every digit");
+  command->footer("Example:\n  " + full_name(*command) +
+                  " examples/toutatis-1992.toml --solution fitted.toml");
+  command->callback([options, kinds] { fit_file(*options, kinds); });
+}
+
+void add_simulate(CLI::App& app, const Kinds& kinds) {
+  struct Options {
+    std::string scenario, folder;
+    std::vector<std::string> set;
+    bool may_replace = false;
+  };
+  CLI::App* command = app.add_subcommand(
+      "simulate", "Write what a file of kind \"fit\" would observe at its [time], with noise");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
+      ->required();
+  add_set_option(*command, options->set);
+  command
+      ->add_option("--into", options->folder,
+                   "Folder for the files that [[observation]] names; it is made")
+      ->type_name("FOLDER")
+      ->required();
+  command->add_flag("--replace", options->may_replace, "Replace files that are there");
+  command->footer("Example:\n  " + full_name(*command) +
+                  " examples/toutatis-1992.toml --set simulate.seed=2 --into synthetic");
+  command->callback([options, kinds] {
+    const Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
+    for (const std::string& path :
+         write_simulation(scenario, options->folder, options->may_replace))
+      print(path + "\n");
+  });
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// FitPlan: what the tables [[observation]], [free], [fit] and [simulate] of a scenario of kind
+// "fit" say: what was observed, which numbers of the rotation are unknown, and how they are looked
+// for.
+//
+// Equations   those of fit_spin (polhode/fit/spin_fit.hpp).
+// Units       core units (polhode/text/units.hpp).
+// Domain      unknowns in groups: attitude, rate, ratios of moments, products of inertia, about the
+//             state at t = 0 in the body axes that the file gives vectors in. Means of priors that
+//             are left out are the start's.
+// Accuracy    a prior of Euler angles is taken to first order about the start.
+// Errors      none; what is no plan is refused when the file is read.
+// Cost        plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "polhode/fit/spin_fit.hpp"
+#include "polhode/scenario/observation.hpp"
+#include "polhode/scenario/rotation.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct FitPlan {
+  std::vector<Observation> observations;
+  SpinUnknowns unknowns;
+  std::vector<NormalPrior> priors;
+  std::optional<ObservedAttitude> attitude_prior;
+  Loss loss;
+  int most_iterations = 200;
+  std::int64_t starts = 1;   // the file's own first
+  double rate_spread = 0.0;  // of the rates of the others, about that of the file
+  double within = 0.0;       // chi-square above the least up to which solutions are reported
+  std::uint64_t seed = 1;    // of starts
+  std::uint64_t noise = 1;   // the seed of what simulations add
+};
+
+// That of a scenario of kind "fit"; null of any other.
+const FitPlan* fit_plan(const Scenario& scenario);
+// The same; DomainError where the kind is another.
+const FitPlan& require_fit(const Scenario& scenario);
+
+// The state at t = 0 in the body axes that the file gives vectors in, relative to inertial axes.
+SpinState spin_state(const Rotation& rotation);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/fit.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/error.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// Nearer than this two solutions are one.
+constexpr double same_distance = 1.0;
+// Fewer degrees of freedom say nothing of errors.
+constexpr double least_freedom = 0.5;
+
+[[noreturn]] void refuse(const Scenario& scenario, const char* path, const std::string& text) {
+  detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
+}
+
+const FitPlan& plan_of(const Scenario& scenario) {
+  const FitPlan& plan = require_fit(scenario);
+  const Rotation& rotation = scenario.rotation();
+  if (!rotation.kinds.empty())
+    refuse(scenario, "perturbation[0].kind",
+           "expected no perturbation: a fit is one of free rotation");
+  if (!rotation.frame.is_inertial())
+    refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
+  return plan;
+}
+
+SpinFit problem_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {
+  SpinFit problem;
+  problem.start = spin_state(scenario.rotation());
+  problem.seen = seen;
+  problem.unknowns = plan.unknowns;
+  problem.priors = plan.priors;
+  problem.attitude_prior = plan.attitude_prior;
+  problem.loss = plan.loss;
+  problem.most_iterations = plan.most_iterations;
+  return problem;
+}
+
+// The start of this place: the file's own, or one that is drawn.
+SpinState start_of(const FitPlan& plan, const SpinState& own, std::int64_t place) {
+  if (place == 0) return own;
+  SpinState start = own;
+  const auto member = static_cast<std::uint64_t>(place);
+  const CounterRandom attitudes(plan.seed, key_of("fit.starts attitude"));
+  const CounterRandom rates(plan.seed, key_of("fit.starts rate"));
+  if (plan.unknowns.attitude)
+    start.q = normalized(Quaternion{attitudes.normal(member, 0), attitudes.normal(member, 1),
+                                    attitudes.normal(member, 2), attitudes.normal(member, 3)});
+  if (plan.unknowns.rate)
+    for (int i = 0; i < 3; ++i)
+      start.w_F[i] += plan.rate_spread * rates.normal(member, static_cast<std::uint64_t>(i));
+  return start;
+}
+
+bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSolution& found) {
+  return mahalanobis(kept.covariance, unknowns_at(problem, kept.state, found.state),
+                     unknowns_at(problem, kept.state, kept.state)) <= same_distance;
+}
+
+// The solutions so far, each once.
+class Solutions {
+ public:
+  Solutions(const SpinFit& problem, FitReport& report) : problem_(problem), report_(report) {}
+
+  void add(SpinSolution found, std::int64_t start) {
+    if (!found.is_found()) {
+      ++report_.failed;
+      if (report_.failure.empty()) report_.failure = found.result.sentence;
+      return;
+    }
+    for (FoundSpin& kept : report_.solutions) {
+      if (!are_same(problem_, kept.raw, found)) continue;
+      ++kept.starts;
+      if (found.result.cost < kept.raw.result.cost) kept.raw = std::move(found);
+      return;
+    }
+    report_.solutions.push_back({std::move(found), std::nullopt, start, 1});
+  }
+
+  // In order, those near the best.
+  void finish(double within) {
+    std::vector<FoundSpin>& all = report_.solutions;
+    std::stable_sort(all.begin(), all.end(), [](const FoundSpin& a, const FoundSpin& b) {
+      return a.raw.result.cost < b.raw.result.cost;
+    });
+    if (all.empty()) return;
+    const double most = all.front().raw.result.cost + within;
+    std::erase_if(all, [&](const FoundSpin& one) { return one.raw.result.cost > most; });
+    for (FoundSpin& one : all) one.scaled = scaled(one.raw);
+  }
+
+ private:
+  std::optional<SpinSolution> scaled(const SpinSolution& raw) const {
+    if (!(raw.degrees_of_freedom >= least_freedom) || !(raw.result.chi_square > 0.0))
+      return std::nullopt;
+    SpinFit again = problem_;
+    again.start = raw.state;
+    again.scales_errors = true;
+    SpinSolution found = fit_spin(again);
+    if (!found.is_found()) return std::nullopt;
+    return found;
+  }
+
+  const SpinFit& problem_;
+  FitReport& report_;
+};
+
+}  // namespace
+
+FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
+  const FitPlan& plan = plan_of(scenario);
+  FitReport report;
+  report.observed = read_observations(scenario);
+  report.problem = problem_of(scenario, plan, report.observed.seen);
+  Solutions solutions(report.problem, report);
+  for (report.starts = 0; report.starts < plan.starts; ++report.starts) {
+    if (options.stop && options.stop())
+      throw FitStopped(scenario.document.name + ": stopped after " + std::to_string(report.starts) +
+                       " of " + std::to_string(plan.starts) + " starts");
+    SpinFit one = report.problem;
+    one.start = start_of(plan, report.problem.start, report.starts);
+    solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
+                                scenario.document.path, [&] { return fit_spin(one); }),
+                  report.starts);
+    if (options.progress) options.progress(report.starts + 1);
+  }
+  solutions.finish(plan.within);
+  return report;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// What a fit leaves on the disk: residuals, covariance, and scenarios that go on from a solution.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "output/part_file.hpp"
+#include "polhode/output/output_format.hpp"
+#include "polhode/run/fit.hpp"
+#include "polhode/run/run.hpp"
+#include "run/detail/own_files.hpp"
+#include "text/number_text.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t rows_without_time = 101;
+
+using detail::number_text;
+
+void write_rows(const Scenario& scenario, const std::vector<ColumnGroup>& groups,
+                std::span<const double> rows, const std::vector<std::string>& notes,
+                const std::string& path) {
+  const std::string paths[] = {path};
+  detail::require_own_files(scenario.document, paths);
+  Provenance origin = provenance(scenario);
+  origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
+  const std::unique_ptr<Sink> sink =
+      open_sink(path, groups, origin, std::nullopt, scenario.output.formats);
+  sink->push(rows);
+  sink->finish();
+}
+
+// One row of residuals.
+struct Residual {
+  double t;
+  ObservedRow place;
+  Vec3 turn{none, none, none}, rate{none, none, none}, sigmas{none, none, none};
+};
+
+std::vector<double> times_of(const Snapshots& seen) {
+  std::vector<double> times;
+  for (const ObservedAttitude& one : seen.attitudes) times.push_back(one.t);
+  for (const ObservedDirection& one : seen.directions) times.push_back(one.t);
+  for (const ObservedRate& one : seen.rates) times.push_back(one.t);
+  return times;
+}
+
+// The smallest rotation, in body axes, that takes the direction that is predicted to the one seen.
+Vec3 turn_to(const Vec3& predicted, const Vec3& seen) {
+  const Vec3 across = cross(seen, predicted);
+  const double sine = norm(across);
+  return sine > 0.0 ? (std::atan2(sine, dot(seen, predicted)) / sine) * across : Vec3{};
+}
+
+std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& found) {
+  const ReadObservations& observed = report.observed;
+  const Snapshots& seen = observed.seen;
+  const std::vector<double> times = times_of(seen);
+  const std::vector<PredictedAttitude> at = predicted(report.problem, found, times);
+  std::vector<Residual> all;
+  std::size_t k = 0, number = 0;
+  const auto add = [&](const ObservedRow& place, std::size_t size) -> Residual& {
+    Residual& one = all.emplace_back(Residual{times[k++], place});
+    for (std::size_t i = 0; i < size; ++i)
+      one.sigmas[static_cast<int>(i)] = found.result.numbers.at(number++);
+    return one;
+  };
+  for (std::size_t i = 0; i < seen.attitudes.size(); ++i) {
+    const Quaternion& q = at[k].q;
+    add(observed.attitudes[i], 3).turn = attitude_residual(seen.attitudes[i].q, q);
+  }
+  for (std::size_t i = 0; i < seen.directions.size(); ++i) {
+    const ObservedDirection& one = seen.directions[i];
+    const Vec3 in_body = rotate(conj(at[k].q), one.direction_I);
+    const Vec3 turn = turn_to(one.axis_F, in_body);
+    add(observed.directions[i], 2).turn = turn;
+  }
+  for (std::size_t i = 0; i < seen.rates.size(); ++i) {
+    const Vec3 rate = at[k].w_F - seen.rates[i].w_F;
+    add(observed.rates[i], 3).rate = rate;
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Residual& a, const Residual& b) {
+    return std::pair(a.place.table, a.place.line) < std::pair(b.place.table, b.place.line);
+  });
+  return all;
+}
+
+std::string value_in(double number, const std::string& unit) {
+  return "{ value = " + number_text(number) + ", unit = \"" + unit + "\" }";
+}
+
+std::string row_text(double a, double b, double c) {
+  return "[" + number_text(a) + ", " + number_text(b) + ", " + number_text(c) + "]";
+}
+
+void add_body(const Scenario& scenario, const FitReport& report, const SpinState& state,
+              std::vector<ScenarioChange>& changes) {
+  const SpinUnknowns& unknowns = report.problem.unknowns;
+  if (!unknowns.moment_ratios && !unknowns.products) return;
+  const Mat3& T = state.inertia_F;
+  const bool has_moments =
+      scenario.rotation().shape == nullptr && scenario.rotation().q_file == Quaternion{};
+  const bool is_diagonal = T(0, 1) == 0.0 && T(0, 2) == 0.0 && T(1, 2) == 0.0;
+  for (const char* const key : {"moments", "tensor", "shape", "density", "scale", "column_axes"})
+    changes.push_back({std::string("body.") + key, ""});
+  if (has_moments && is_diagonal && !unknowns.products)
+    changes.push_back({"body.moments", row_text(T(0, 0), T(1, 1), T(2, 2))});
+  else
+    changes.push_back({"body.tensor", "[" + row_text(T(0, 0), T(0, 1), T(0, 2)) + ", " +
+                                          row_text(T(0, 1), T(1, 1), T(1, 2)) + ", " +
+                                          row_text(T(0, 2), T(1, 2), T(2, 2)) + "]"});
+}
+
+// In radians per unit of time of the file: these read back as they are.
+void add_state(const Scenario& scenario, const SpinState& state,
+               std::vector<ScenarioChange>& changes) {
+  const Quaternion& q = state.q;
+  const std::string rate = "rad/" + scenario.units().time();
+  changes.push_back({"state." + scenario.rotation().chart, ""});
+  changes.push_back({"state.attitude-rate", "{ quaternion = [" + number_text(q.w) + ", " +
+                                                number_text(q.x) + ", " + number_text(q.y) + ", " +
+                                                number_text(q.z) + "], omega_body = { value = " +
+                                                row_text(state.w_F.x, state.w_F.y, state.w_F.z) +
+                                                ", unit = \"" + rate + "\" } }"});
+}
+
+void add_time(const Scenario& scenario, const FitReport& report,
+              std::vector<ScenarioChange>& changes) {
+  if (row_times(scenario)) return;
+  const std::vector<double> times = times_of(report.observed.seen);
+  const auto [first, last] = std::minmax_element(times.begin(), times.end());
+  const std::string& unit = scenario.units().time();
+  if (!(*first < *last)) return changes.push_back({"time", "{ at = [0] }"});
+  changes.push_back({"time", "{ start = " + value_in(*first, unit) +
+                                 ", stop = " + value_in(*last, unit) +
+                                 ", count = " + std::to_string(rows_without_time) + " }"});
+}
+
+}  // namespace
+
+void write_residuals(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                     const std::string& path) {
+  const Units& units = scenario.units();
+  const std::string angle = units.label(Dimension::angle), rate = units.label(Dimension::rate);
+  const std::vector<ColumnGroup> groups = {
+      {"t", {{"t", units.time()}}},
+      {"observation", {{"table", "1"}, {"line", "1"}}},
+      {"turn", {{"turn_x", angle}, {"turn_y", angle}, {"turn_z", angle}}},
+      {"rate", {{"dw_x", rate}, {"dw_y", rate}, {"dw_z", rate}}},
+      {"sigmas", {{"r1", "1"}, {"r2", "1"}, {"r3", "1"}}}};
+  std::vector<double> rows;
+  for (const Residual& one : residuals_of(report, report.solutions.at(solution).raw)) {
+    rows.insert(rows.end(),
+                {units.from_core(one.t, Dimension::time), static_cast<double>(one.place.table + 1),
+                 static_cast<double>(one.place.line)});
+    for (int i = 0; i < 3; ++i) rows.push_back(units.from_core(one.turn[i], Dimension::angle));
+    for (int i = 0; i < 3; ++i) rows.push_back(units.from_core(one.rate[i], Dimension::rate));
+    for (int i = 0; i < 3; ++i) rows.push_back(one.sigmas[i]);
+  }
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i) {
+    const Observation& of = require_fit(scenario).observations[i];
+    notes.push_back("table " + std::to_string(i + 1) + ": " + std::string(kind_word(of.kind)) +
+                    ", " + detail::printable(of.shown(), 500));
+  }
+  notes.emplace_back(
+      "residuals: from what was seen to the solution, in body axes; r1, r2, r3 in standard errors "
+      "as given");
+  write_rows(scenario, groups, rows, notes, path);
+}
+
+void write_covariance(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                      const std::string& path) {
+  const FoundSpin& found = report.solutions.at(solution);
+  const std::vector<FitNumber> numbers = fit_numbers(scenario, report, solution);
+  const UnknownsCovariance& c = found.raw.covariance;
+  const std::size_t n = numbers.size();
+  // what one unit of each unknown is in those of the file
+  std::vector<double> factor;
+  for (std::size_t i = 0; i < n; ++i)
+    factor.push_back(numbers[i].unit == "1"
+                         ? 1.0
+                         : scenario.units().from_core(1.0, c.names[i].starts_with("turn_")
+                                                               ? Dimension::angle
+                                                               : Dimension::rate));
+  std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
+  std::string notes = "unknowns:";
+  for (std::size_t i = 0; i < n; ++i) {
+    groups.push_back({numbers[i].name, {{numbers[i].name, numbers[i].unit}}});
+    notes += " " + std::to_string(i + 1) + " " + numbers[i].name;
+  }
+  groups.push_back({"errors", {{"error", "1"}, {"scaled_error", "1"}}});
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    rows.push_back(static_cast<double>(i + 1));
+    for (std::size_t j = 0; j < n; ++j) rows.push_back(factor[i] * factor[j] * c.matrix[i * n + j]);
+    rows.push_back(numbers[i].error);
+    rows.push_back(numbers[i].scaled_error.value_or(none));
+  }
+  write_rows(scenario, groups, rows,
+             {notes,
+              "covariance with errors as given, in products of the units of the columns; "
+              "error and scaled_error in the unit of the unknown of the row"},
+             path);
+}
+
+std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
+  const SpinState& state = report.solutions.at(solution).raw.state;
+  std::vector<ScenarioChange> changes = {{"kind", ""},     {"free", ""}, {"fit", ""},
+                                         {"simulate", ""}, {"map", ""},  {"ensemble", ""}};
+  for (std::size_t i = require_fit(scenario).observations.size(); i-- > 0;)
+    changes.push_back({"observation[" + std::to_string(i) + "]", ""});
+  add_body(scenario, report, state, changes);
+  add_state(scenario, state, changes);
+  add_time(scenario, report, changes);
+  return "# Solution " + std::to_string(solution + 1) + " of " +
+         std::to_string(report.solutions.size()) + " of a fit of " +
+         detail::printable(scenario.document.name, 200) + "\n" +
+         changed_text(scenario.document.text, changes);
+}
+
+void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                    const std::string& path) {
+  const std::string paths[] = {path};
+  detail::require_own_files(scenario.document, paths);
+  detail::PartFile file(path);
+  file.write(solution_text(scenario, report, solution));
+  file.commit();
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// The solutions of a fit for people and for programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/run/fit.hpp"
+#include "polhode/run/summary.hpp"
+#include "text/json.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+Dimension dimension_of(std::string_view unknown) {
+  if (unknown.starts_with("turn_")) return Dimension::angle;
+  return unknown.starts_with("w_") ? Dimension::rate : Dimension::number;
+}
+
+std::string count(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string observed_text(const Scenario& scenario, const FitReport& report) {
+  const Snapshots& seen = report.observed.seen;
+  std::string text;
+  const auto add = [&](std::size_t n, const char* one, const char* many) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + count(n, one, many);
+  };
+  add(seen.attitudes.size(), "attitude", "attitudes");
+  add(seen.directions.size(), "direction", "directions");
+  add(seen.rates.size(), "rate", "rates");
+  return text + fmt::format(" ({} numbers) of ", seen.numbers()) +
+         count(require_fit(scenario).observations.size(), "table", "tables");
+}
+
+std::string number_or_dash(const std::optional<double>& x, const char* form) {
+  return x ? fmt::format(fmt::runtime(form), *x) : std::string("-");
+}
+
+void add_line(std::string& text, std::string_view label, const std::string& value) {
+  text += fmt::format("{:<18}{}\n", label, value);
+}
+
+// What a reader knows a spin state by, from the scenario of the solution.
+constexpr std::string_view shown_lines[] = {"mode", "precession_period", "rotation_period",
+                                            "short_axis_period", "pole"};
+
+std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& report,
+                                     std::size_t solution) {
+  const Scenario made = scenario_from_text(solution_text(scenario, report, solution),
+                                           scenario.document.path, *scenario.document.kinds);
+  std::vector<SummaryLine> lines = summary(made);
+  std::erase_if(lines, [](const SummaryLine& line) {
+    return std::find(std::begin(shown_lines), std::end(shown_lines), line.key) ==
+           std::end(shown_lines);
+  });
+  return lines;
+}
+
+std::string euler_text(const Scenario& scenario, const Quaternion& q) {
+  const EulerAngles e = euler_angles(q);
+  const Units& units = scenario.units();
+  const auto angle = [&](double x) { return units.from_core(x, Dimension::angle); };
+  const double turn = 2.0 * std::acos(-1.0);
+  const auto positive = [&](double x) { return angle(x < 0.0 ? x + turn : x); };
+  return fmt::format("{:.6g}, {:.6g}, {:.6g} {}", positive(e.phi), angle(e.theta), positive(e.psi),
+                     units.angle());
+}
+
+void add_table(std::string& text, const std::vector<FitNumber>& numbers) {
+  text += fmt::format("\n{:<9}{:<9}{:>13}{:>13}{:>11}{:>13}{:>11}\n", "unknown", "unit", "start",
+                      "value", "error", "scaled", "error");
+  for (const FitNumber& one : numbers)
+    text += fmt::format("{:<9}{:<9}{:>13.6g}{:>13.6g}{:>11.3g}{:>13}{:>11}\n", one.name, one.unit,
+                        one.start, one.value, one.error, number_or_dash(one.scaled_value, "{:.6g}"),
+                        number_or_dash(one.scaled_error, "{:.3g}"));
+}
+
+void add_correlations(std::string& text, const UnknownsCovariance& c) {
+  if (c.names.size() < 2) return;
+  text += "\ncorrelations, in hundredths\n";
+  for (std::size_t i = 1; i < c.names.size(); ++i) {
+    text += fmt::format("{:<9}", c.names[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double r = c.correlation(i, j);
+      text += std::isfinite(r) ? fmt::format("{:>9.0f}", std::round(100.0 * r) + 0.0)
+                               : fmt::format("{:>9}", "-");
+    }
+    text += "\n";
+  }
+  text += fmt::format("{:<9}", "");
+  for (std::size_t j = 0; j + 1 < c.names.size(); ++j) text += fmt::format("{:>9}", c.names[j]);
+  text += "\n";
+}
+
+void add_solution(std::string& text, const Scenario& scenario, const FitReport& report,
+                  std::size_t place) {
+  const FoundSpin& found = report.solutions[place];
+  const SpinSolution& raw = found.raw;
+  const Units& units = scenario.units();
+  text += "\n";
+  add_line(text, fmt::format("solution {} of {}", place + 1, report.solutions.size()),
+           raw.result.sentence + (report.starts > 1 ? fmt::format(", from {} of {} starts",
+                                                                  found.starts, report.starts)
+                                                    : ""));
+  add_line(text, "chi-square",
+           fmt::format("{:.4g} on {:.4g} degrees of freedom", raw.result.chi_square,
+                       raw.degrees_of_freedom));
+  if (std::isfinite(raw.attitude_rms))
+    add_line(text, "rms of attitudes",
+             fmt::format("{:.3g} {} about each axis",
+                         units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
+  if (found.scaled)
+    add_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
+  add_line(text, "phi, theta, psi", euler_text(scenario, raw.state.q));
+  text += summary_table(state_lines(scenario, report, place));
+  add_table(text, fit_numbers(scenario, report, place));
+  add_correlations(text, raw.covariance);
+  for (const std::string& note : raw.notes) text += "note: " + note + "\n";
+}
+
+// null for what is infinite or unknown
+void add_values(detail::JsonWriter& json, const FitNumber& one) {
+  json.begin_object();
+  json.key("unit").value(one.unit).key("start").value(one.start);
+  json.key("value").value(one.value).key("error").value(one.error);
+  if (one.scaled_value) json.key("scaled_value").value(*one.scaled_value);
+  if (one.scaled_error) json.key("scaled_error").value(*one.scaled_error);
+  json.end_object();
+}
+
+void add_matrix(detail::JsonWriter& json, const std::vector<double>& matrix, std::size_t n) {
+  json.begin_array();
+  for (std::size_t i = 0; i < n; ++i) {
+    json.begin_array();
+    for (std::size_t j = 0; j < n; ++j) json.value(matrix[i * n + j]);
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitReport& report,
+                  std::size_t place) {
+  const FoundSpin& found = report.solutions[place];
+  const SpinSolution& raw = found.raw;
+  json.begin_object();
+  json.key("converged").value(true).key("sentence").value(raw.result.sentence);
+  json.key("starts")
+      .value(found.starts)
+      .key("iterations")
+      .value(static_cast<std::int64_t>(raw.result.iterations));
+  json.key("chi_square").value(raw.result.chi_square);
+  json.key("degrees_of_freedom").value(raw.degrees_of_freedom);
+  json.key("cost").value(raw.result.cost);
+  json.key("attitude_rms").value(scenario.units().from_core(raw.attitude_rms, Dimension::angle));
+  if (found.scaled) json.key("error_factor").value(found.scaled->error_factor);
+  const Quaternion& q = raw.state.q;
+  json.key("quaternion").begin_array().value(q.w).value(q.x).value(q.y).value(q.z).end_array();
+  json.key("unknowns").begin_object();
+  for (const FitNumber& one : fit_numbers(scenario, report, place))
+    add_values(json.key(one.name), one);
+  json.end_object();
+  json.key("covariance_core");
+  add_matrix(json, raw.covariance.matrix, raw.covariance.names.size());
+  json.key("notes").begin_array();
+  for (const std::string& note : raw.notes) json.value(note);
+  json.end_array().end_object();
+}
+
+}  // namespace
+
+std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& report,
+                                   std::size_t solution) {
+  const FoundSpin& found = report.solutions.at(solution);
+  const SpinFit& problem = report.problem;
+  const auto at = [&](const SpinState& state) {
+    return unknowns_at(problem, problem.start, state);
+  };
+  const std::vector<double> raw = at(found.raw.state);
+  std::vector<double> start = at(problem.start);
+  if (problem.unknowns.attitude) std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
+  const std::vector<double> scaled =
+      found.scaled ? at(found.scaled->state) : std::vector<double>(raw.size());
+  std::vector<FitNumber> numbers;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    const std::string& name = found.raw.covariance.names[i];
+    const Dimension dimension = dimension_of(name);
+    const auto shown = [&](double x) { return scenario.units().from_core(x, dimension); };
+    FitNumber one{name,          scenario.units().label(dimension),    shown(start[i]),
+                  shown(raw[i]), shown(found.raw.covariance.error(i)), std::nullopt,
+                  std::nullopt};
+    if (found.scaled) {
+      one.scaled_value = shown(scaled[i]);
+      one.scaled_error = shown(found.scaled->covariance.error(i));
+    }
+    numbers.push_back(std::move(one));
+  }
+  return numbers;
+}
+
+std::string fit_text(const Scenario& scenario, const FitReport& report) {
+  std::string text;
+  if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
+  add_line(text, "observed", observed_text(scenario, report));
+  if (report.starts > 1)
+    add_line(text, "starts",
+             fmt::format("{}, of which {} did not converge", report.starts, report.failed));
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(text, scenario, report, i);
+  if (!report.is_found()) add_line(text, "solutions", "none: " + report.failure);
+  return text;
+}
+
+std::string fit_json(const Scenario& scenario, const FitReport& report) {
+  detail::JsonWriter json;
+  const Snapshots& seen = report.observed.seen;
+  json.begin_object();
+  json.key("scenario").value(scenario.document.name);
+  json.key("attitudes").value(static_cast<std::int64_t>(seen.attitudes.size()));
+  json.key("directions").value(static_cast<std::int64_t>(seen.directions.size()));
+  json.key("rates").value(static_cast<std::int64_t>(seen.rates.size()));
+  json.key("starts").value(report.starts).key("failed").value(report.failed);
+  if (!report.failure.empty()) json.key("failure").value(report.failure);
+  json.key("solutions").begin_array();
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(json, scenario, report, i);
+  json.end_array().end_object();
+  return json.text();
+}
+
+}  // namespace v0
+}  // namespace polhode

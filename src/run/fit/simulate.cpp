@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulate.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "output/part_file.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/error.hpp"
+#include "polhode/version.hpp"
+#include "run/detail/own_files.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_path = 500;
+
+struct Seen {
+  double t;
+  Quaternion q;  // body axes of the file to inertial ones
+  Vec3 w;        // along these body axes
+};
+
+const FitPlan& plan_of(const Scenario& scenario) {
+  const std::string& name = scenario.document.name;
+  const FitPlan& plan = require_fit(scenario);
+  if (!row_times(scenario))
+    throw DomainError(name + ": time: got nothing; expected [time], when to observe");
+  if (!scenario.rotation().frame.is_inertial())
+    detail::refuse(scenario.document.checked->values, "frame", scenario.document.path,
+                   "expected none: observations are relative to inertial axes");
+  return plan;
+}
+
+std::vector<Seen> motion_of(const Scenario& scenario) {
+  const Rotation& rotation = scenario.rotation();
+  const Quaternion f = rotation.q_file;
+  std::vector<Seen> all;
+  if (!propagation_method(rotation)) {
+    const FreeRotation motion = free_rotation(rotation);
+    const SaveAt& times = *rotation.time;
+    for (std::int64_t k = 0; k < times.size(); ++k) {
+      const RotorState s = motion.at(times[k]);
+      all.push_back(
+          {times[k], normalized(s.q * conj(f)), rotate(f, angular_velocity(motion.body(), s))});
+    }
+    return all;
+  }
+  const DampedProblem problem = rotor_problem(rotation);
+  const System& system = problem.system;
+  const DampedTrajectory end =
+      integrate(problem, *rotation.time, [&](std::span<const DampedSample> samples) {
+        for (const DampedSample& one : samples)
+          all.push_back({one.t, normalized(one.s.rotor.q * conj(f)),
+                         rotate(f, angular_velocity(system, one.t, one.s.rotor).inertial)});
+      });
+  if (end.outcome().status == Outcome::Status::failed)
+    throw DomainError(scenario.document.name + ": the run failed: " + end.outcome().advice);
+  return all;
+}
+
+// q exp(turn / 2)
+Quaternion turned(const Quaternion& q, const Vec3& turn) {
+  const double angle = norm(turn), half = 0.5 * angle;
+  const double k = angle > 0.0 ? std::sin(half) / angle : 0.5;
+  return normalized(q * Quaternion{std::cos(half), k * turn.x, k * turn.y, k * turn.z});
+}
+
+class Noise {
+ public:
+  Noise(std::uint64_t seed, std::size_t table)
+      : random_(seed, key_of("observation[" + std::to_string(table) + "]")) {}
+
+  Vec3 at(std::size_t row, const Vec3& sigma) const {
+    Vec3 x;
+    for (int i = 0; i < 3; ++i)
+      x[i] = sigma[i] * random_.normal(row, static_cast<std::uint64_t>(i));
+    return x;
+  }
+
+ private:
+  CounterRandom random_;
+};
+
+Vec3 sigma_of(const Observation& of) {
+  if (of.sigma) return {*of.sigma, *of.sigma, *of.sigma};
+  return of.sigmas.value_or(Vec3{});
+}
+
+void add(Snapshots& rows, const Observation& of, const Seen& seen, const Vec3& noise,
+         const Vec3& sigma) {
+  switch (of.kind) {
+    case Observation::Kind::attitude:
+      rows.attitudes.push_back({seen.t, turned(seen.q, noise), covariance_of(sigma)});
+      break;
+    case Observation::Kind::direction: {
+      const Vec3 axis = (1.0 / norm(of.axis)) * of.axis;
+      const Vec3 other = std::fabs(axis.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+      const Vec3 across = cross(axis, other);
+      const Vec3 e = (1.0 / norm(across)) * across;
+      const Quaternion q = turned(seen.q, noise.x * e + noise.y * cross(axis, e));
+      rows.directions.push_back({seen.t, of.axis, rotate(q, axis), sigma.x});
+      break;
+    }
+    case Observation::Kind::rate:
+      rows.rates.push_back({seen.t, seen.w + noise, covariance_of(sigma)});
+      break;
+  }
+}
+
+Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen>& motion) {
+  const Observation& of = plan.observations.at(table);
+  const Noise noise(plan.noise, table);
+  const Vec3 sigma = sigma_of(of);
+  Snapshots rows;
+  for (std::size_t k = 0; k < motion.size(); ++k)
+    add(rows, of, motion[k], noise.at(k, sigma), sigma);
+  return rows;
+}
+
+std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
+  return {"simulated by polhode " + std::string(version()) + " from " +
+              detail::printable(scenario.document.name, longest_path) + ", seed " +
+              std::to_string(require_fit(scenario).noise),
+          "observation " + std::to_string(table + 1) + ": " +
+              std::string(kind_word(require_fit(scenario).observations[table].kind))};
+}
+
+void require_free(const std::vector<std::string>& paths, const Scenario& scenario,
+                  bool may_replace) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const std::string shown = detail::printable(paths[i], longest_path);
+    std::error_code ignored;
+    if (fs::exists(paths[i], ignored) && !may_replace)
+      throw DomainError(shown + ": is there; expected another folder, since it may be real data");
+    for (std::size_t k = 0; k < i; ++k)
+      if (paths[k] == paths[i])
+        throw DomainError(scenario.document.name + ": observation[" + std::to_string(i) +
+                          "].file: got the file of observation[" + std::to_string(k) +
+                          "]; expected one of its own to simulate");
+  }
+}
+
+}  // namespace
+
+Snapshots simulated(const Scenario& scenario, std::size_t table) {
+  return rows_of(plan_of(scenario), table, motion_of(scenario));
+}
+
+std::vector<std::string> write_simulation(const Scenario& scenario, const std::string& folder,
+                                          bool may_replace) {
+  const FitPlan& plan = plan_of(scenario);
+  std::vector<std::string> paths, texts;
+  for (const Observation& of : plan.observations)
+    paths.push_back((fs::path(folder) / of.file).string());
+  require_free(paths, scenario, may_replace);
+  const std::vector<Seen> motion = motion_of(scenario);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    texts.push_back(observation_text(scenario, i, rows_of(plan, i, motion), notes_of(scenario, i)));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const fs::path parent = fs::path(paths[i]).parent_path();
+    std::error_code failed;
+    if (!parent.empty()) fs::create_directories(parent, failed);
+    detail::PartFile file(paths[i]);
+    file.write(texts[i]);
+    file.commit();
+  }
+  return paths;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From the values of a file of kind "fit" to its plan.
+#pragma once
+
+#include <string>
+
+#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/scenario/key_values.hpp"
+#include "scenario/values.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct FitContext {
+  const Values& values;
+  const Units& units;
+  const std::string& name;  // of the file, for messages
+};
+// Throws a ScenarioError at the place of what is wrong.
+FitPlan fit_plan(const FitContext& at, const Rotation& rotation);
+
+// What one table says; the keys are those of its kind.
+Observation observation_of(const KeyValues& table);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

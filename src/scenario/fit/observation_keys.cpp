@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// The keys of each kind of [[observation]], and what a table of them says.
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/scenario/kind_key.hpp"
+#include "scenario/detail/kind_rows.hpp"
+#include "scenario/detail/schema_parts.hpp"
+#include "scenario/fit/fit_plan.hpp"
+#include "scenario/value_access.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using O = Observation;
+using ObservationKey = KindKey<Observation>;
+
+constexpr Key table_key = {
+    .path = "observation[]",
+    .presence = Presence::required,
+    .help =
+        "What was seen of the body: a file of rows each. Files are read by `polhode fit` alone; "
+        "`polhode simulate` writes such."};
+constexpr Key kind_key = {.path = "observation[].kind",
+                          .type = KeyType::choice,
+                          .presence = Presence::required,
+                          .example = "\"attitude\"",
+                          .help = "What its rows are."};
+
+constexpr std::array shared = {
+    name_key<&O::name>("name", "What tables call it; left out, its file."),
+    file_key<&O::file>("file",
+                       "Its rows, CSV or separated by blanks, .gz or not, in order of time; the "
+                       "path is from the folder of this file.")
+        .required()
+        .example("\"attitudes.csv\""),
+    choice_key<&O::times, LightTime::at_body, LightTime::at_observer>(
+        "times", "at-body|at-observer",
+        "Whose times rows have: when light left the body, or when it arrived.")
+        .required()
+        .example("\"at-body\""),
+    quantity_key<&O::light_time>("light_time", Dimension::time,
+                                 "From the body to the observer, of times at the observer.")
+        .not_negative()
+        .example("\"30 s\""),
+    choice_key<&O::time_format, O::TimeFormat::number, O::TimeFormat::julian,
+               O::TimeFormat::modified_julian, O::TimeFormat::date>(
+        "time_format", "number|JD|MJD|date",
+        "What the column of times holds: time from t = 0, Julian dates, modified ones, or dates "
+        "like 2013-01-05T18:30:00. All but the first need `state.epoch`.")
+        .otherwise("\"number\""),
+    choice_key<&O::time_scale, TimeScale::UTC, TimeScale::TAI, TimeScale::TT, TimeScale::TDB>(
+        "time_scale", "UTC|TAI|TT|TDB", "Time scale of dates, which need one.")
+        .example("\"UTC\""),
+    unit_key<&O::time_unit>("time_unit", "Unit of times that are numbers; left out, `units.time`.")
+        .example("\"d\""),
+};
+constexpr std::array of_the_sky = {
+    choice_key<&O::axes, O::Axes::inertial, O::Axes::ecliptic, O::Axes::equator>(
+        "axes", "inertial|ecliptic-J2000|equator-J2000",
+        "The axes that it refers to; left out, those of `state.axes`.")
+        .example("\"ecliptic-J2000\""),
+    unit_key<&O::value_unit>("angle_unit",
+                             "Unit of angles and of errors in columns; left out, `units.angle`.")
+        .example("\"deg\""),
+};
+
+constexpr std::array attitude_own = {
+    choice_key<&O::form, O::Form::quaternion, O::Form::euler, O::Form::matrix>(
+        "form", "quaternion|euler|matrix",
+        "What the columns after the time are: a quaternion w, x, y, z, body axes to inertial ones; "
+        "Euler's angles phi, theta, psi (3-1-3); or the nine numbers of the matrix from inertial "
+        "to body components, row by row. States in other charts become such by `polhode convert`.")
+        .otherwise("\"quaternion\""),
+    columns_key<&O::columns>("columns",
+                             "The column of times, then those of the form, by name or by number "
+                             "from 1. Left out: t, and qw, qx, qy, qz or phi, theta, psi or R11, "
+                             "R12, ... R33.")
+        .example("[\"t\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
+    quantity_key<&O::sigma>("sigma", Dimension::angle,
+                            "Its standard error about each body axis, one number for all.")
+        .alternative()
+        .positive()
+        .example("\"2 deg\""),
+    quantity_key<&O::sigmas>("sigmas", Dimension::angle, "The same for the three body axes.")
+        .alternative()
+        .positive()
+        .example("[2, 2, 5]"),
+    columns_key<&O::sigma_columns>("sigma_columns",
+                                   "The column of the error, or one for each body axis.")
+        .alternative()
+        .example("[\"sigma\"]"),
+};
+constexpr std::array direction_own = {
+    quantity_key<&O::axis>("axis", Dimension::number,
+                           "The body axis whose direction was seen, of any length.")
+        .otherwise("[0, 0, 1]"),
+    choice_key<&O::form, O::Form::vector, O::Form::angles>(
+        "form", "vector|angles",
+        "What the columns after the time are: a vector of any length, or longitude and latitude "
+        "(right ascension and declination along the axes of an equator).")
+        .otherwise("\"vector\""),
+    columns_key<&O::columns>("columns",
+                             "The column of times, then those of the form, by name or by number "
+                             "from 1. Left out: t, and x, y, z or lon, lat.")
+        .example("[\"t\", \"x\", \"y\", \"z\"]"),
+    quantity_key<&O::sigma>("sigma", Dimension::angle,
+                            "Its standard error in each of two directions across it.")
+        .alternative()
+        .positive()
+        .example("\"2 deg\""),
+    columns_key<&O::sigma_columns>("sigma_columns", "The column of the error, one name.")
+        .alternative()
+        .example("[\"sigma\"]"),
+};
+constexpr std::array rate_own = {
+    columns_key<&O::columns>("columns",
+                             "The column of times, then the angular velocity along the body axes, "
+                             "by name or by number from 1. Left out: t, w1, w2, w3.")
+        .example("[\"t\", \"w1\", \"w2\", \"w3\"]"),
+    unit_key<&O::value_unit>("rate_unit",
+                             "Unit of rates and of errors in columns; left out, that of this file.")
+        .example("\"deg/d\""),
+    quantity_key<&O::sigma>("sigma", Dimension::rate,
+                            "Its standard error along each body axis, one number for all.")
+        .alternative()
+        .positive()
+        .example("\"0.1 deg/h\""),
+    quantity_key<&O::sigmas>("sigmas", Dimension::rate, "The same for the three body axes.")
+        .alternative()
+        .positive()
+        .example("[0.1, 0.1, 0.5]"),
+    columns_key<&O::sigma_columns>("sigma_columns",
+                                   "The column of the error, or one for each body axis.")
+        .alternative()
+        .example("[\"sigma\"]"),
+};
+constexpr auto attitude_keys = joined(joined(shared, of_the_sky), attitude_own);
+constexpr auto direction_keys = joined(joined(shared, of_the_sky), direction_own);
+constexpr auto rate_keys = joined(shared, rate_own);
+
+struct Row {
+  std::string_view word, help, sets;
+  std::span<const ObservationKey> keys;
+};
+// In the order of Observation::Kind. A kind more is a row here and its numbers in
+// observation_rows.cpp.
+constexpr Row rows[] = {
+    {"attitude", "Attitudes.", "sigma|sigmas|sigma_columns", attitude_keys},
+    {"direction", "Directions of a body axis.", "sigma|sigma_columns", direction_keys},
+    {"rate", "Angular velocities along the body axes.", "sigma|sigmas|sigma_columns", rate_keys},
+};
+
+std::vector<KindOfTable> made_rows() {
+  static const std::vector<std::vector<Key>> keys = [] {
+    std::vector<std::vector<Key>> all;
+    for (const Row& row : rows) all.push_back(keys_of(row.keys));
+    return all;
+  }();
+  std::vector<KindOfTable> kinds;
+  for (std::size_t i = 0; i < std::size(rows); ++i)
+    kinds.push_back({{{}, rows[i].word, rows[i].help}, keys[i], rows[i].sets});
+  return kinds;
+}
+
+std::vector<std::string> usual_columns(const Observation& o) {
+  using enum Observation::Form;
+  if (o.kind == Observation::Kind::rate) return {"t", "w1", "w2", "w3"};
+  switch (o.form) {
+    case quaternion:
+      return {"t", "qw", "qx", "qy", "qz"};
+    case euler:
+      return {"t", "phi", "theta", "psi"};
+    case matrix:
+      return {"t", "R11", "R12", "R13", "R21", "R22", "R23", "R31", "R32", "R33"};
+    case vector:
+      return {"t", "x", "y", "z"};
+    case angles:
+      return {"t", "lon", "lat"};
+  }
+  return {};
+}
+
+void require_columns(const Observation& o, const KeyValues& table) {
+  const std::size_t wanted = usual_columns(o).size();
+  if (o.columns.size() != wanted)
+    table.refuse("columns", "expected " + std::to_string(wanted) + " columns, the time and " +
+                                std::to_string(wanted - 1) + " numbers");
+  if (o.sigma_columns.empty()) return;
+  const bool is_direction = o.kind == Observation::Kind::direction;
+  if (o.sigma_columns.size() != 1 && (is_direction || o.sigma_columns.size() != 3))
+    table.refuse("sigma_columns",
+                 is_direction ? "expected one column" : "expected one column, or 3");
+}
+
+void require_clock(const Observation& o, const KeyValues& table) {
+  const bool is_at_observer = o.times == LightTime::at_observer;
+  if (is_at_observer && !table.has("light_time"))
+    table.refuse("times", "expected a key light_time as well; or times at the body");
+  if (!is_at_observer && table.has("light_time"))
+    table.refuse("light_time", "expected none of times at the body");
+  const bool is_dated = o.time_format != Observation::TimeFormat::number;
+  if (is_dated && !o.time_scale)
+    table.refuse("time_format", "expected a key time_scale as well, that of the dates");
+  if (is_dated && table.has("time_unit"))
+    table.refuse("time_unit", "expected no unit together with dates");
+  if (!is_dated && o.time_scale)
+    table.refuse("time_scale", "expected a time_format of dates as well");
+  if (is_dated && !has(table.values(), "state.epoch"))
+    table.refuse("time_format", "expected a key state.epoch, the date of t = 0");
+  static_cast<void>(table.unit("time_unit", Dimension::time));
+}
+
+void require_axes(const Observation& o, const KeyValues& table) {
+  const bool is_rate = o.kind == Observation::Kind::rate;
+  static_cast<void>(is_rate ? table.unit("rate_unit", Dimension::rate)
+                            : table.unit("angle_unit", Dimension::angle));
+  if (is_rate || !o.axes) return;
+  const bool state_is_inertial = word(table.values(), "state.axes") == "inertial";
+  if ((*o.axes == Observation::Axes::inertial) != state_is_inertial)
+    table.refuse("axes", state_is_inertial
+                             ? "expected \"inertial\", as state.axes is; or axes of the sky there"
+                             : "expected axes of the sky, as those of state.axes");
+}
+
+}  // namespace
+
+SchemaPart observation_keys() {
+  static const KindRows all(table_key, kind_key, made_rows());
+  return all.part();
+}
+
+Observation observation_of(const KeyValues& table) {
+  const std::size_t kind = table.choice("kind");
+  Observation o = arguments<Observation>(rows[kind].keys, table);
+  o.kind = static_cast<Observation::Kind>(kind);
+  if (o.kind == Observation::Kind::direction && !(norm(o.axis) > 0.0))
+    table.refuse("axis", "expected a vector that is not 0");
+  if (o.columns.empty()) o.columns = usual_columns(o);
+  require_columns(o, table);
+  require_clock(o, table);
+  require_axes(o, table);
+  return o;
+}
+
+}  // namespace detail
+
+std::string_view kind_word(Observation::Kind kind) {
+  return detail::rows[static_cast<std::size_t>(kind)].word;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The table of scenario keys: what of a file of kind "fit" is unknown, how it is looked for, and
+// what simulations add. Observations: scenario/fit/observation_keys.cpp.
+#include "scenario/detail/schema_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using enum KeyType;
+using enum Presence;
+
+constexpr std::string_view of_any = "attitude|rate|moments|products";
+
+constexpr Key keys[] = {
+    {.path = "free", .presence = required, .help = "What `polhode fit` looks for; all else stays."},
+    {.path = "free.unknowns",
+     .type = choices,
+     .presence = required,
+     .allowed = "attitude|rate|moments|products",
+     .example = "[\"attitude\", \"rate\", \"moments\"]",
+     .help = "Attitude and angular velocity at t = 0, the ratios Ixx/Izz and Iyy/Izz, and the "
+             "products of inertia over Izz, in the body axes that this file gives vectors in. Of "
+             "free rotation only ratios matter: Izz stays."},
+    {.path = "free.prior[]", .help = "What is known of unknowns beforehand, as normal numbers."},
+    {.path = "free.prior[].kind",
+     .type = choice,
+     .presence = required,
+     .allowed = of_any,
+     .example = "\"rate\"",
+     .help = "Of which unknowns."},
+    {.path = "free.prior[].mean",
+     .type = numbers,
+     .dimension = Dimension::rate,
+     .length = 3,
+     .example = "[14.5, 33.5, -98.7]",
+     .help = "Of the angular velocity along the body axes; left out, that of the start.",
+     .kinds = "rate"},
+    {.path = "free.prior[].mean",
+     .type = numbers,
+     .length = 2,
+     .example = "[3.1, 3.2]",
+     .help = "Of Ixx/Izz and Iyy/Izz; left out, those of the start.",
+     .kinds = "moments"},
+    {.path = "free.prior[].mean",
+     .type = numbers,
+     .length = 3,
+     .example = "[0, 0, 0]",
+     .help = "Of Ixy/Izz, Iyz/Izz, Ixz/Izz; left out, those of the start.",
+     .kinds = "products"},
+    {.path = "free.prior[].sigmas",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::angle,
+     .length = 3,
+     .example = "[15, 15, 15]",
+     .help = "Standard errors of the attitude of the start about the body axes.",
+     .kinds = "attitude",
+     .range = Range::positive},
+    {.path = "free.prior[].euler_sigmas",
+     .type = numbers,
+     .presence = alternative,
+     .dimension = Dimension::angle,
+     .length = 3,
+     .example = "[15, 15, 15]",
+     .help = "Standard errors of its Euler angles phi, theta, psi.",
+     .kinds = "attitude",
+     .range = Range::positive},
+    {.path = "free.prior[].sigmas",
+     .type = numbers,
+     .presence = required,
+     .dimension = Dimension::rate,
+     .length = 3,
+     .example = "[0.1, 0.1, 0.1]",
+     .help = "Standard errors along the body axes.",
+     .kinds = "rate",
+     .range = Range::positive},
+    {.path = "free.prior[].sigmas",
+     .type = numbers,
+     .presence = required,
+     .length = 2,
+     .example = "[0.1, 0.1]",
+     .help = "Standard errors of the two ratios.",
+     .kinds = "moments",
+     .range = Range::positive},
+    {.path = "free.prior[].sigmas",
+     .type = numbers,
+     .presence = required,
+     .length = 3,
+     .example = "[0.01, 0.01, 0.01]",
+     .help = "Standard errors of the three.",
+     .kinds = "products",
+     .range = Range::positive},
+
+    {.path = "fit",
+     .fallback = "{}",
+     .help =
+         "How `polhode fit` looks: least squares by Levenberg and Marquardt's method, with exact "
+         "derivatives."},
+    {.path = "fit.loss",
+     .type = choice,
+     .allowed = "squared|huber|soft-l1|cauchy",
+     .fallback = "\"squared\"",
+     .example = "\"squared\"",
+     .help = "What an observation costs: the square of its residual, or less where it is far out."},
+    {.path = "fit.loss_scale",
+     .type = number,
+     .fallback = "1",
+     .example = "1",
+     .help = "From how many standard errors on; of the squared loss nothing.",
+     .range = Range::positive},
+    {.path = "fit.iterations",
+     .type = integer,
+     .fallback = "200",
+     .example = "200",
+     .help = "At most, for each start."},
+    {.path = "fit.starts",
+     .type = integer,
+     .fallback = "1",
+     .example = "1",
+     .help = "From how many states it begins, up to 1e6: that of the file, then others with any "
+             "attitude and a rate about that of the file, where these are unknown."},
+    {.path = "fit.rate_spread",
+     .type = number,
+     .dimension = Dimension::rate,
+     .fallback = "0",
+     .example = "0",
+     .help = "Standard deviation of each component of these rates.",
+     .range = Range::not_negative},
+    {.path = "fit.within",
+     .type = number,
+     .fallback = "20",
+     .example = "20",
+     .help = "Solutions are reported up to this much above the least chi-square.",
+     .range = Range::not_negative},
+    {.path = "fit.seed",
+     .type = integer,
+     .fallback = "1",
+     .example = "1",
+     .help = "Another seed draws other starts."},
+
+    {.path = "simulate",
+     .fallback = "{}",
+     .help = "What `polhode simulate` adds to what would be seen at the times of [time]."},
+    {.path = "simulate.seed",
+     .type = integer,
+     .fallback = "1",
+     .example = "1",
+     .help = "Another seed draws other noise."},
+};
+
+constexpr Alternatives alternatives[] = {{"free.prior[]", "sigmas|euler_sigmas", "attitude"}};
+
+constexpr KindText kinds[] = {
+    {"", "fit", "A rotation, what was observed of it, and what of it is unknown."},
+    {"free.prior[]", "attitude", "The attitude at t = 0."},
+    {"free.prior[]", "rate", "The angular velocity at t = 0 along the body axes."},
+    {"free.prior[]", "moments", "The ratios of moments Ixx/Izz and Iyy/Izz."},
+    {"free.prior[]", "products", "The products of inertia over Izz."},
+};
+
+}  // namespace
+
+SchemaPart fit_keys() { return {keys, alternatives, kinds}; }
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
