@@ -17,7 +17,6 @@ namespace {
 
 // Beyond this the vector of a turn is taken about the attitude that was found, and the fit goes on.
 constexpr double far_turn = 1.0;
-constexpr int most_recentrings = 20;
 const char* const who = "fit_light: ";
 
 void require_shape(const BrightEllipsoid& body) {
@@ -109,17 +108,18 @@ LightSolution fit_light(const LightFit& fit) {
   LightSolution found;
   found.body = fit.start;
   int iterations = 0, evaluations = 0;
-  for (int round = 0; round < most_recentrings; ++round) {
+  // each round has one iteration at least
+  while (iterations < fit.most_iterations) {
     const detail::LightResiduals residuals(fit.curves, fit.unknowns, found.body);
     require_enough(residuals);
-    found.result = solve(
-        detail::light_problem(residuals, fit.unknowns, found.body, fit.loss, fit.most_iterations));
+    found.result = solve(detail::light_problem(residuals, fit.unknowns, found.body, fit.loss,
+                                               fit.most_iterations - iterations));
     iterations += found.result.iterations;
     evaluations += found.result.evaluations;
     found.body = residuals.body_at(found.result.x);
     const std::vector<double>& x = found.result.x;
     if (norm(Vec3{x[0], x[1], x[2]}) <= far_turn || !found.result.bound.empty() ||
-        found.result.end == LeastSquaresResult::End::no_value)
+        found.result.iterations == 0 || found.result.end == LeastSquaresResult::End::no_value)
       break;
   }
   found.result.iterations = iterations;

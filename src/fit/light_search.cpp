@@ -178,7 +178,7 @@ std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima
   };
   std::size_t pairs = 0;
   for (const ScanMinimum& m : minima) {
-    if (!m.resolved) continue;
+    if (!m.resolved || !m.refined.converged || m.at_edge) continue;
     if (pairs++ == choice.pairs) break;
     std::size_t taken = 0;
     for (const PeriodLabel& l : period_labels(m.refined.fit.f1, m.refined.fit.f2)) {

@@ -49,8 +49,10 @@ BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Ve
 BrightEllipsoid nearest_of_same(const BrightEllipsoid& about, const BrightEllipsoid& body);
 
 struct LabelChoice {
-  std::size_t pairs = 5;    // the lowest minima of a scan, those that are not resolved left out
-  std::size_t labels = 12;  // of each, the most likely ones of ellipsoids
+  // The lowest minima of a scan; those that are not resolved, not converged or at the edge of the
+  // grid are left out.
+  std::size_t pairs = 5;
+  std::size_t labels = 60;  // of each, the most likely ones of ellipsoids
 };
 
 // Periods that minima of a scan may be; those that are the same to 1e-3 once.
@@ -63,12 +65,12 @@ struct LightSearch {
   std::size_t starts = 1000;  // in all, taken by the pairs of periods in turn
   std::size_t tries = 30;
   int short_iterations = 8;
-  std::size_t finalists = 6;  // of each pair of periods
+  std::size_t finalists = 4;  // of each pair of periods
   double within = 1.5;        // chi-square over the lowest, up to which solutions are reported
   LightUnknowns unknowns;
   Scattering law;
   Loss loss;
-  int most_iterations = 200;
+  int most_iterations = 60;  // of a finalist
   std::uint64_t seed = 0;
   int threads = 1;
 };
