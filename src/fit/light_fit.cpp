@@ -33,6 +33,9 @@ void require_shape(const BrightEllipsoid& body) {
 }
 
 void require_start(const LightFit& fit) {
+  if (fit.most_iterations < 1)
+    throw DomainError(who + ("most_iterations = " + std::to_string(fit.most_iterations)) +
+                      " must be 1 or more");
   const SpinState& s = fit.start.spin;
   const double size = s.q.w * s.q.w + s.q.x * s.q.x + s.q.y * s.q.y + s.q.z * s.q.z;
   if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0))

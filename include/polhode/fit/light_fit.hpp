@@ -17,7 +17,7 @@
 //             one; errors: covariance.hpp, of factors that follow.
 // Errors      DomainError as require_sound and solve; a start that no body has; fewer points than
 //             unknowns and factors.
-// Cost        benchmarks/fit_light_curves.cpp: about 1 us a point and iteration.
+// Cost        benchmarks/fit_light_curves.cpp: some 2 us a point and iteration.
 #pragma once
 
 #include <span>
