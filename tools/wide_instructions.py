@@ -22,7 +22,9 @@ def shared(listing, isa):
     """Of what nm lists, the functions that others may share, without the set in their name."""
     for line in listing.splitlines():
         match = SYMBOL.match(line)
-        if match and match[1] in "TWVuBD" and SETS[isa] not in match[2]:
+        # DW.ref.*: the address of a function of the C++ library, no code
+        if match and match[1] in "TWVuBD" and not match[2].startswith("DW.ref.") \
+                and SETS[isa] not in match[2]:  # fmt: skip
             yield match[2]
 
 

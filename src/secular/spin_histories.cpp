@@ -25,7 +25,7 @@ using detail::SpinBlock;
 using detail::SpinBlockModel;
 using Turned = decltype(&detail::turned_in_lanes<InstructionSet::baseline>);
 
-Turned turned_by(InstructionSet set) {
+Turned turned_by([[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return &detail::turned_in_lanes<InstructionSet::avx512>;
   if (set == InstructionSet::avx2) return &detail::turned_in_lanes<InstructionSet::avx2>;

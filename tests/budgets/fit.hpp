@@ -15,7 +15,7 @@ inline constexpr double fit_robust = 0.15, fit_robust_gradient = 1e-4;
 // --- the motion and its derivatives against 50 digits: rad and of |w|, of a column; beside a
 // degenerate form by 1e-8 ---
 inline constexpr double fit_motion = 4e-15, fit_derivatives = 1e-12;
-inline constexpr double fit_derivatives_aside = 3e-7, fit_least_column = 0.1;
+inline constexpr double fit_derivatives_aside = 1e-6, fit_least_column = 0.1;
 // rotation vectors and their derivatives; differences in double
 inline constexpr double fit_rotation = 1e-14, fit_rotation_difference = 1e-10;
 inline constexpr double fit_difference = 1e-6;  // of residuals of some hundred

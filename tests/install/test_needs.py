@@ -135,8 +135,8 @@ def found(prefix, folder, call, status=0):
 
 def test_an_unknown_component_says_which_there_are(prefix, tmp_path):
     said = found(prefix, tmp_path / "a", "find_package(polhode REQUIRED COMPONENTS io graphics)", 1)
-    assert ('got component "graphics"; expected one of: core, ephemeris, ensemble, fit, mpi, io, cli'
-            in said)
+    assert ('got component "graphics"; expected one of: core, ephemeris, ensemble, fit, mpi, io, '
+            'cli') in said
     said = found(prefix, tmp_path / "b", "find_package(polhode OPTIONAL_COMPONENTS graphics)")
     assert "found: 1" in said
     said = found(prefix, tmp_path / "c", "find_package(polhode QUIET COMPONENTS graphics)")

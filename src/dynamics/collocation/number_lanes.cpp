@@ -9,7 +9,7 @@ namespace detail {
 template <InstructionSet isa>
 NumberLanes number_kernels(std::size_t stages);
 
-NumberLanes number_lanes(std::size_t stages, InstructionSet set) {
+NumberLanes number_lanes(std::size_t stages, [[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return number_kernels<InstructionSet::avx512>(stages);
   if (set == InstructionSet::avx2) return number_kernels<InstructionSet::avx2>(stages);

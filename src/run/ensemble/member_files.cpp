@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A member of an ensemble alone, into files.
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/run.hpp"
@@ -25,11 +27,13 @@ MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
   if (kept.is_complete()) return {.was_complete = true};
   const EnsembleMember member = ensemble.member(index);
   kept.with_remedy([&] {
-    for (const std::unique_ptr<Sink>& sink : detail::opened_tables(kept, alone, groups, origin)) {
+    const std::vector<std::unique_ptr<Sink>> sinks =
+        detail::opened_tables(kept, alone, groups, origin);
+    for (const std::unique_ptr<Sink>& sink : sinks) {
       sink->push(member.rows);
       if (member.failure.empty()) sink->finish();
     }
-    kept.forget();
+    kept.forget();  // which asks the sinks
   });
   return {.failure = member.failure};
 }

@@ -122,7 +122,9 @@ TEST(PeriodLabels, AreAllCombinationsThatPhysicsAllows) {
   for (const PeriodLabel& label : period_labels(1.0, 1.7, 3)) {
     EXPECT_GT(label.precession_period, 0.0);
     EXPECT_GT(label.rotation_period, 0.0);
-    if (label.mode == Regime::short_axis) EXPECT_GT(label.rotation_period, label.precession_period);
+    if (label.mode == Regime::short_axis) {
+      EXPECT_GT(label.rotation_period, label.precession_period);
+    }
   }
   const PeriodLabel first = period_labels(2.0, 3.0).front();
   EXPECT_TRUE(first.of_ellipsoid);
