@@ -18,6 +18,8 @@ constexpr std::size_t first_turn = 0;
 constexpr double inside = 1e-3;
 // The weight of Lambert's law that a fit starts with where none is given (Kaasalainen et al. 2001).
 constexpr double usual_multiple = 0.1;
+// Not 0: Lambert's law would not be computed there, and the fit would see no slope.
+constexpr double least_multiple = 1e-9;
 
 Mat3 diagonal(double x, double y) {
   Mat3 m = Mat3::identity();
@@ -68,8 +70,9 @@ std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightE
   }
   if (unknowns.multiple) {
     const double given = start.law.multiple / start.law.single;
-    found.push_back(
-        {.name = "multiple", .start = given > 0.0 ? given : usual_multiple, .low = 0.0});
+    found.push_back({.name = "multiple",
+                     .start = given > least_multiple ? given : usual_multiple,
+                     .low = least_multiple});
   }
   return found;
 }
