@@ -21,10 +21,8 @@
 // Cost        benchmarks/fit_light_curves.cpp: ms a start.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
