@@ -51,4 +51,9 @@ inline constexpr double scan_times = 1e-9, window_peak = 0.1;
 // those put in ---
 inline constexpr double periods_of_body = 8.0, moments_of_body = 1e-12;
 
+// --- residuals of light curves: derivatives against differences in double-double, of a column ---
+inline constexpr double light_derivatives = 1e-12;
+// Mahalanobis' distance squared of the truth, 8 unknowns: 1 in 1000 is beyond, over fixed seeds
+inline constexpr double light_distance = 26.1;
+
 }  // namespace polhode::budget

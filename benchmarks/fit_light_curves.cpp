@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Searches of a light curve of 350 points with an ellipsoid, on one thread, by the two periods of
+// the truth: processor time a start, all of the search in it, beside what the best solution lacks
+// in chi-square per degree of freedom; one evaluation of the residuals with their derivatives.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "fit/detail/light_residuals.hpp"
+#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/fit/light_search.hpp"
+
+namespace {
+using namespace polhode;
+
+BrightEllipsoid tumbler() {
+  return BrightEllipsoid::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}),
+                                      {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
+}
+
+// Times of 60 units, with 2 % of noise.
+std::vector<LightCurve> night() {
+  LightCurve curve{.name = "night", .is_calibrated = false, .points = {}};
+  for (int i = 0; i < 350; ++i)
+    curve.points.push_back({0.17 * i, 1.0, 0.02, {1.0, 0.2, 0.3}, {0.8, 0.6, 0.1}});
+  std::vector<LightCurve> curves{curve};
+  const std::vector<double> flux = model_fluxes(tumbler(), curves).front();
+  const CounterRandom random(1, key_of("night"));
+  for (std::size_t i = 0; i < flux.size(); ++i) {
+    LightPoint& p = curves[0].points[i];
+    p.flux = flux[i] * (1.0 + 0.02 * random.normal(i, 0));
+    p.sigma = 0.02 * flux[i];
+  }
+  return curves;
+}
+
+void search_of_a_start(benchmark::State& state) {
+  LightFit fit{night(), tumbler(), {}, {}, 100};
+  LightSearch search;
+  search.curves = fit.curves;
+  search.periods = {fit_light(fit).periods};
+  search.starts = 100;
+  LightSearchResult found;
+  for (auto _ : state) {
+    found = search_light(search);
+    benchmark::DoNotOptimize(found);
+  }
+  const LightSolution& best = found.solutions.at(0).solution;
+  const double starts = static_cast<double>(search.starts);
+  state.counters["s/start"] = benchmark::Counter(
+      starts, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["error"] = std::abs(best.result.chi_square / best.degrees_of_freedom - 1.0);
+}
+BENCHMARK(search_of_a_start)->Unit(benchmark::kMillisecond);
+
+void residuals_with_derivatives(benchmark::State& state) {
+  const detail::LightResiduals residuals(night(), {}, tumbler());
+  const std::vector<double> x = light_unknowns_at({}, tumbler(), tumbler());
+  std::vector<double> numbers(residuals.points()), jacobian(numbers.size() * x.size());
+  for (auto _ : state) {
+    bool has_value = residuals.at(x, numbers, jacobian);
+    benchmark::DoNotOptimize(has_value);
+  }
+}
+BENCHMARK(residuals_with_derivatives)->Unit(benchmark::kMicrosecond);
+
+}  // namespace

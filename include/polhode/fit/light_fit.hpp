@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// fit_light(): light curves of a tumbling ellipsoid to its spin state and shape, from one start.
+//
+// Equations   flux = f B(shape, law; q* s q, q* o q) in free rotation (polhode/free/), B of
+//             light/lambert.hpp. f is one factor for each relative session and one for all
+//             calibrated ones, the least-squares one at every trial: f = sum(w F B) / sum(w B^2)
+//             (variable projection), whose change is part of the derivatives. Motion by dual
+//             numbers as fit_spin has it; brightness by brightness_gradient. Unknowns: the attitude
+//             at t0 as a rotation vector, w_F, b/a and c/b, and what LightUnknowns names.
+// Corrections none.
+// Units       t that of the light curves, w rad per unit of time; fluxes at unit distances
+//             (at_unit_distances in light/aspect.hpp), in any unit; moments in units of Izz.
+// Domain      axes F are those of the ellipsoid and principal. Moments of an even filling: 1 >= b/a
+//             >= 0.05, 1 >= c/b >= 0.05, so that a is about the axis of the least moment; other
+//             moments: both between 0.05 and 20. Times are free of light time.
+// Accuracy    budget light_derivatives in tests/budgets/fit.hpp, where the motion is no degenerate
+//             one; errors: covariance.hpp, of factors that follow.
+// Errors      DomainError as require_sound and solve; a start that no body has; fewer points than
+//             unknowns and factors.
+// Cost        benchmarks/fit_light_curves.cpp: some 2 us a point and iteration.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/fit/bodies_with_periods.hpp"
+#include "polhode/fit/spin_fit.hpp"
+#include "polhode/light/ellipsoid.hpp"
+#include "polhode/light/light_curve.hpp"
+#include "polhode/light/scattering.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Where moments of inertia come from: those of the ellipsoid filled evenly, those of the start, or
+// unknowns Ixx/Izz and Iyy/Izz.
+enum class MomentSource { shape, start, fit };
+
+struct LightUnknowns {
+  bool shape = true;  // b/a, c/b
+  MomentSource moments = MomentSource::shape;
+  bool multiple = false;  // the weight of Lambert's law, that of Lommel and Seeliger's being 1
+};
+
+struct BrightEllipsoid {
+  SpinState spin;  // inertia_F is diagonal
+  Ellipsoid shape;
+  Scattering law;
+
+  // With the moments of an even filling.
+  static BrightEllipsoid homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
+                                     const Ellipsoid& shape, const Scattering& law = {});
+};
+
+struct LightFit {
+  std::vector<LightCurve> curves;
+  BrightEllipsoid start;
+  LightUnknowns unknowns;
+  Loss loss;
+  int most_iterations = 200;
+};
+
+struct LightSolution {
+  BrightEllipsoid body;  // a = 1
+  LeastSquaresResult result;
+  UnknownsCovariance covariance;  // of errors as they are given; turns about `body`
+  std::vector<double> factors;    // of each session
+  double degrees_of_freedom = 0.0;
+  // How the body tumbles: periods are 0 where the regime has none.
+  TumblerPeriods periods{};
+  Vec3 pole;  // direction of the momentum, along I
+  std::vector<std::string> notes;
+
+  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals.
+  double error_factor() const;
+  // Nothing that did not converge counts as found.
+  bool is_found() const { return result.is_converged(); }
+};
+
+LightSolution fit_light(const LightFit& fit);
+
+// The unknowns of a body, in the order of the covariance of a fit from `about`.
+std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const BrightEllipsoid& about,
+                                      const BrightEllipsoid& body);
+
+// Fluxes of the model at all points, session by session, with the best factor of each.
+std::vector<std::vector<double>> model_fluxes(const BrightEllipsoid& body,
+                                              std::span<const LightCurve> curves);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// search_light(): light curves of a tumbler to all its spin states and shapes that fit, from many
+// starts.
+//
+// Equations   a start takes one pair of periods, a tilt and a ratio of moments
+//             (bodies_with_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
+//             fits best; then fit_light in a few iterations. Of each pair of periods the best and
+//             those that differ most are fitted to the end, whatever the other pairs reach. What
+//             comes to one state, up to half turns about the axes of the ellipsoid, is one
+//             solution. Each that is within is started from its images, too: turned by pi about the
+//             normal of the plane of Sun and observer, about their bisector, and about the
+//             difference of their directions (see LightImage).
+// Corrections none.
+// Units       as fit_light.
+// Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
+//             alias as well as the truth at times: solutions are all that there are, the lowest
+//             chi-square is no proof.
+// Accuracy    the bits do not depend on threads: a start is drawn by its number.
+// Errors      DomainError as fit_light; no periods, periods that are not positive, fewer than one
+//             start, try, iteration, finalist or thread, `within` below 1.
+// Cost        benchmarks/fit_light_curves.cpp: ms a start.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/fit/bodies_with_periods.hpp"
+#include "polhode/fit/light_fit.hpp"
+#include "polhode/fit/scan_minima.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Inertial half turns after which light is the same, for an ellipsoid that is lit and seen from
+// fixed directions: an ellipsoid looks the same from the opposite direction (normal), and laws that
+// do not change when Sun and observer are exchanged give the others.
+enum class LightImage { none, normal, bisector, difference };
+
+BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Vec3& to_sun,
+                         const Vec3& to_observer);
+
+// Whether two states are one up to half turns about the axes of the ellipsoid, and if so, the
+// second as it is next to the first.
+BrightEllipsoid nearest_of_same(const BrightEllipsoid& about, const BrightEllipsoid& body);
+
+struct LabelChoice {
+  // The lowest minima of a scan; those that are not resolved, not converged or at the edge of the
+  // grid are left out.
+  std::size_t pairs = 5;
+  std::size_t labels = 60;  // of each, the most likely ones of ellipsoids
+};
+
+// Periods that minima of a scan may be; those that are the same to 1e-3 once.
+std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima,
+                                             const LabelChoice& choice = {});
+
+struct LightSearch {
+  std::vector<LightCurve> curves;
+  std::vector<TumblerPeriods> periods;
+  std::size_t starts = 1000;  // in all, taken by the pairs of periods in turn
+  std::size_t tries = 30;
+  int short_iterations = 8;
+  std::size_t finalists = 4;  // of each pair of periods
+  double within = 1.5;        // chi-square over the lowest, up to which solutions are reported
+  LightUnknowns unknowns;
+  Scattering law;
+  Loss loss;
+  int most_iterations = 60;  // of a finalist
+  std::uint64_t seed = 0;
+  int threads = 1;
+};
+
+struct FoundLight {
+  LightSolution solution;
+  std::size_t periods = 0;  // the place of those that it was started from
+  std::size_t starts = 0;   // finalists that came to it
+  // What it is beside the first solution that it resembles: its place, and in which way.
+  enum class Beside { first, image, alias, other_mode, other_pole };
+  Beside beside = Beside::first;
+  LightImage image = LightImage::none;
+  std::size_t of = 0;
+  std::string sentence;
+};
+
+struct LightSearchResult {
+  // By chi-square, within the limit alone; all converged.
+  std::vector<FoundLight> solutions;
+  // The lowest chi-square that each pair of periods came to, infinite where no body has them.
+  std::vector<double> chi_square_of_periods;
+  std::size_t starts = 0;     // that had a body
+  std::size_t finalists = 0;  // fitted to the end, images included
+  std::size_t converged = 0;
+  std::vector<std::string> notes;
+};
+
+LightSearchResult search_light(const LightSearch& search);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "fit/detail/light_relations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "math/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// States this near are alike: in rad, of the rate, and of ratios of axes.
+constexpr double alike_turn = 0.25, alike_rate = 0.03, alike_ratio = 0.1;
+// What two fits to one least differ by at most, where errors are small.
+constexpr double same_turn = 1e-3, same_rate = 1e-5, same_ratio = 1e-3;
+// Turns over the time base by which frequencies are told apart.
+constexpr double apart = 0.25;
+
+const char* mode_text(Regime mode) {
+  switch (mode) {
+    case Regime::long_axis:
+      return "long-axis mode";
+    case Regime::short_axis:
+      return "short-axis mode";
+    default:
+      return "no tumbling";
+  }
+}
+
+const char* image_text(LightImage image) {
+  switch (image) {
+    case LightImage::normal:
+      return "the normal of the plane of Sun and observer (the mirror pole)";
+    case LightImage::bisector:
+      return "the bisector of Sun and observer";
+    default:
+      return "the difference of the directions to Sun and observer";
+  }
+}
+
+double turns_apart(double period, double other, double time_base) {
+  if (!(period > 0.0) || !(other > 0.0)) return period == other ? 0.0 : apart * 2.0;
+  return std::abs(1.0 / period - 1.0 / other) * time_base;
+}
+
+bool same_periods(const TumblerPeriods& a, const TumblerPeriods& b, double time_base) {
+  return turns_apart(a.precession_period, b.precession_period, time_base) < apart &&
+         turns_apart(a.rotation_period, b.rotation_period, time_base) < apart;
+}
+
+// Images come before everything else that a solution may be.
+bool is_image(const BrightEllipsoid& of, const BrightEllipsoid& body, const LightGeometry& g,
+              LightImage& image) {
+  for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
+    if (!are_alike(image_of(of, i, g.to_sun, g.to_observer), body)) continue;
+    image = i;
+    return true;
+  }
+  return false;
+}
+
+std::string motion_text(const LightSolution& s) {
+  std::string text = mode_text(s.periods.mode);
+  if (s.periods.precession_period > 0.0)
+    text += ", P_phi " + rounded_text(s.periods.precession_period) + ", P_psi " +
+            rounded_text(s.periods.rotation_period);
+  return text;
+}
+
+std::string beside_text(const FoundLight& f) {
+  const std::string of = "solution " + std::to_string(f.of + 1);
+  switch (f.beside) {
+    case FoundLight::Beside::image:
+      return of + ", turned by pi about " + image_text(f.image);
+    case FoundLight::Beside::alias:
+      return "other periods than " + of + " in the same mode: one of them is an alias";
+    case FoundLight::Beside::other_mode:
+      return "the other mode than " + of;
+    case FoundLight::Beside::other_pole:
+      return "the periods of " + of + " with another attitude or shape";
+    default:
+      return "the lowest chi-square";
+  }
+}
+
+}  // namespace
+
+LightGeometry geometry_of(std::span<const LightCurve> curves) {
+  LightGeometry g{{}, {}, 0.0};
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const LightCurve& curve : curves) {
+    for (const LightPoint& p : curve.points) {
+      g.to_sun = g.to_sun + (1.0 / norm(p.to_sun)) * p.to_sun;
+      g.to_observer = g.to_observer + (1.0 / norm(p.to_observer)) * p.to_observer;
+      first = std::min(first, p.t);
+      last = std::max(last, p.t);
+    }
+  }
+  g.time_base = last - first;
+  return g;
+}
+
+bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& other) {
+  const BrightEllipsoid b = nearest_of_same(a, other);
+  const double rate = norm(a.spin.w_F);
+  return norm(attitude_residual(a.spin.q, b.spin.q)) < alike_turn &&
+         norm(b.spin.w_F - a.spin.w_F) < alike_rate * rate &&
+         std::abs(a.shape.b / a.shape.a - b.shape.b / b.shape.a) < alike_ratio &&
+         std::abs(a.shape.c / a.shape.b - b.shape.c / b.shape.b) < alike_ratio;
+}
+
+bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns) {
+  const std::vector<double> x = light_unknowns_at(unknowns, a.body, a.body);
+  const std::vector<double> y =
+      light_unknowns_at(unknowns, a.body, nearest_of_same(a.body, b.body));
+  const double rate = norm(a.body.spin.w_F), factor = std::max(1.0, a.error_factor());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double error = factor * a.covariance.error(i);
+    const double least = i < 3 ? same_turn : i < 6 ? same_rate * rate : same_ratio;
+    // an unknown that the data do not determine may be anything
+    if (error == std::numeric_limits<double>::infinity()) continue;
+    if (!(std::abs(y[i] - x[i]) <= (error > least ? error : least))) return false;
+  }
+  return true;
+}
+
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry) {
+  using Beside = FoundLight::Beside;
+  for (std::size_t j = 0; j < solutions.size(); ++j) {
+    FoundLight& f = solutions[j];
+    f.beside = Beside::first;
+    f.of = 0;
+    for (std::size_t k = 0; k < j && f.beside != Beside::image; ++k) {
+      if (!is_image(solutions[k].solution.body, f.solution.body, geometry, f.image)) continue;
+      f.beside = Beside::image;
+      f.of = k;
+    }
+    for (std::size_t k = 0; k < j && f.beside == Beside::first; ++k) {
+      const TumblerPeriods &a = solutions[k].solution.periods, &b = f.solution.periods;
+      if (a.mode != b.mode || !same_periods(a, b, geometry.time_base)) continue;
+      f.beside = Beside::other_pole;
+      f.of = k;
+    }
+    if (j > 0 && f.beside == Beside::first) {
+      const bool same = solutions[0].solution.periods.mode == f.solution.periods.mode;
+      f.beside = same ? Beside::alias : Beside::other_mode;
+    }
+    f.sentence = motion_text(f.solution) + ": " + beside_text(f);
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "fit/detail/light_residuals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "fit/detail/rotation_vector.hpp"
+#include "polhode/light/lambert.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr std::size_t first_turn = 0;
+// A start on a bound has no slope by the inner variable.
+constexpr double inside = 1e-3;
+// The weight of Lambert's law that a fit starts with where none is given (Kaasalainen et al. 2001).
+constexpr double usual_multiple = 0.1;
+// Not 0: Lambert's law would not be computed there, and the fit would see no slope.
+constexpr double least_multiple = 1e-9;
+
+Mat3 diagonal(double x, double y) {
+  Mat3 m = Mat3::identity();
+  m(0, 0) = x;
+  m(1, 1) = y;
+  return m;
+}
+
+Mat3 homogeneous_tensor(const Ellipsoid& shape) {
+  const Vec3 I = homogeneous_moments(shape, 1.0);
+  return diagonal(I.x / I.z, I.y / I.z);
+}
+
+}  // namespace
+
+LightPlaces::LightPlaces(const LightUnknowns& unknowns) {
+  const auto take = [this](bool wanted, std::size_t& place, std::size_t numbers) {
+    if (!wanted) return;
+    place = count;
+    count += numbers;
+  };
+  take(unknowns.shape, shape, 2);
+  take(unknowns.moments == MomentSource::fit, moments, 2);
+  take(unknowns.multiple, multiple, 1);
+}
+
+std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightEllipsoid& start) {
+  std::vector<Unknown> found;
+  for (const char* name : {"turn_x", "turn_y", "turn_z"}) found.push_back({.name = name});
+  const Vec3& w = start.spin.w_F;
+  found.push_back({.name = "w_x", .start = w.x});
+  found.push_back({.name = "w_y", .start = w.y});
+  found.push_back({.name = "w_z", .start = w.z});
+  const auto ratio = [&](const char* name, double value) {
+    const double high = unknowns.moments == MomentSource::shape ? 1.0 : 1.0 / least_axis_ratio;
+    const double room = inside * (high - least_axis_ratio);
+    found.push_back(
+        {name, std::clamp(value, least_axis_ratio + room, high - room), least_axis_ratio, high});
+  };
+  if (unknowns.shape) {
+    ratio("b/a", start.shape.b / start.shape.a);
+    ratio("c/b", start.shape.c / start.shape.b);
+  }
+  if (unknowns.moments == MomentSource::fit) {
+    const Mat3& T = start.spin.inertia_F;
+    found.push_back({.name = "Ixx/Izz", .start = T(0, 0) / T(2, 2)});
+    found.push_back({.name = "Iyy/Izz", .start = T(1, 1) / T(2, 2)});
+  }
+  if (unknowns.multiple) {
+    const double given = start.law.multiple / start.law.single;
+    found.push_back({.name = "multiple",
+                     .start = given > least_multiple ? given : usual_multiple,
+                     .low = least_multiple});
+  }
+  return found;
+}
+
+LightResiduals::LightResiduals(std::span<const LightCurve> curves, const LightUnknowns& unknowns,
+                               const BrightEllipsoid& start)
+    : unknowns_(unknowns), start_(start), places_(unknowns) {
+  std::size_t calibrated = LightPlaces::none;
+  for (const LightCurve& curve : curves) {
+    const bool has_group = curve.is_calibrated && calibrated != LightPlaces::none;
+    const std::size_t group = has_group ? calibrated : groups_++;
+    if (curve.is_calibrated) calibrated = group;
+    for (const LightPoint& p : curve.points) {
+      times_.push_back(p.t);
+      points_.push_back({p.flux, 1.0 / p.sigma, p.to_sun, p.to_observer, group});
+    }
+  }
+}
+
+BrightEllipsoid LightResiduals::body_at(std::span<const double> x) const {
+  BrightEllipsoid body = start_;
+  body.spin.q = normalized(start_.spin.q) * turn_by({x[0], x[1], x[2]});
+  body.spin.w_F = {x[3], x[4], x[5]};
+  const Ellipsoid& s = start_.shape;
+  body.shape = {1.0, s.b / s.a, s.c / s.a};
+  if (places_.shape != LightPlaces::none) {
+    const double b = x[places_.shape];
+    body.shape = {1.0, b, b * x[places_.shape + 1]};
+  }
+  if (unknowns_.moments == MomentSource::shape) {
+    body.spin.inertia_F = homogeneous_tensor(body.shape);
+  } else if (places_.moments != LightPlaces::none) {
+    body.spin.inertia_F = diagonal(x[places_.moments], x[places_.moments + 1]);
+  }
+  if (places_.multiple != LightPlaces::none) body.law = {1.0, x[places_.multiple]};
+  return body;
+}
+
+bool LightResiduals::brightness_of(const BrightEllipsoid& body, std::span<const MotionPoint> motion,
+                                   std::span<double> found) const {
+  bool is_sound = true;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Quaternion back = conj(motion[i].q);
+    found[i] = brightness(body.shape, body.law, rotate(back, points_[i].to_sun),
+                          rotate(back, points_[i].to_observer));
+    is_sound = is_sound && std::isfinite(found[i]);
+  }
+  return is_sound;
+}
+
+std::vector<double> LightResiduals::factors(std::span<const double> brightness) const {
+  std::vector<double> up(groups_, 0.0), down(groups_, 0.0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const WeighedPoint& p = points_[i];
+    const double m = p.weight * brightness[i];
+    up[p.group] += p.weight * p.flux * m;
+    down[p.group] += m * m;
+  }
+  for (std::size_t g = 0; g < groups_; ++g) up[g] /= down[g];
+  return up;
+}
+
+double LightResiduals::chi_square(std::span<const double> brightness) const {
+  const std::vector<double> f = factors(brightness);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const WeighedPoint& p = points_[i];
+    const double r = p.weight * (p.flux - f[p.group] * brightness[i]);
+    sum += r * r;
+  }
+  return sum;
+}
+
+// A rotation d in body axes turns v into v + v x d: the brightness changes by d . (by_sun x s +
+// by_observer x o).
+void LightResiduals::row_at(const BrightEllipsoid& body, const Mat3& turn,
+                            const MotionPoint& motion, const WeighedPoint& p, double& value,
+                            double* row) const {
+  const Quaternion back = conj(motion.q);
+  const Vec3 s = rotate(back, p.to_sun), o = rotate(back, p.to_observer);
+  const EllipsoidGradient g = brightness_gradient(body.shape, body.law, s, o);
+  value = g.value;
+  const Vec3 by_turn = cross(g.by_sun, s) + cross(g.by_observer, o);
+  Vec3 at_epoch;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at_epoch[static_cast<int>(k)] = dot(by_turn, motion.turn[first_turn + k]);
+    row[first_rate + k] = dot(by_turn, motion.turn[first_rate + k]);
+  }
+  for (int k = 0; k < 3; ++k)
+    row[k] = at_epoch.x * turn(0, k) + at_epoch.y * turn(1, k) + at_epoch.z * turn(2, k);
+  const double by_Ixx = dot(by_turn, motion.turn[first_ratio]);
+  const double by_Iyy = dot(by_turn, motion.turn[first_ratio + 1]);
+  if (places_.shape != LightPlaces::none) {
+    const double b = body.shape.b, c = body.shape.c;
+    double by_b = g.by_axes.y, by_c = g.by_axes.z;
+    if (unknowns_.moments == MomentSource::shape) {
+      // Ixx/Izz = (b^2 + c^2) / (1 + b^2), Iyy/Izz = (1 + c^2) / (1 + b^2)
+      const double inverse = 2.0 / (1.0 + b * b);
+      const double X = body.spin.inertia_F(0, 0), Y = body.spin.inertia_F(1, 1);
+      by_b += inverse * b * ((1.0 - X) * by_Ixx - Y * by_Iyy);
+      by_c += inverse * c * (by_Ixx + by_Iyy);
+    }
+    row[places_.shape] = by_b + c / b * by_c;
+    row[places_.shape + 1] = b * by_c;
+  }
+  if (places_.moments != LightPlaces::none) {
+    row[places_.moments] = by_Ixx;
+    row[places_.moments + 1] = by_Iyy;
+  }
+  if (places_.multiple != LightPlaces::none) row[places_.multiple] = g.by_multiple;
+}
+
+bool LightResiduals::at(std::span<const double> x, std::span<double> numbers,
+                        std::span<double> jacobian) const {
+  const BrightEllipsoid body = body_at(x);
+  const std::size_t n = places_.count, count = points_.size();
+  const bool derivatives = !jacobian.empty();
+  std::vector<MotionPoint> motion;
+  if (!free_motion(body.spin, times_, {derivatives, false}, motion)) return false;
+  std::vector<double> B(count);
+  if (derivatives) {
+    const Mat3 turn = exp_derivative({x[0], x[1], x[2]});
+    for (std::size_t i = 0; i < count; ++i)
+      row_at(body, turn, motion[i], points_[i], B[i], jacobian.data() + i * n);
+  } else if (!brightness_of(body, motion, B)) {
+    return false;
+  }
+  const std::vector<double> f = factors(B);
+  bool is_sound = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const WeighedPoint& p = points_[i];
+    numbers[i] = p.weight * (p.flux - f[p.group] * B[i]);
+    is_sound = is_sound && std::isfinite(numbers[i]);
+  }
+  if (!derivatives || !is_sound) return is_sound;
+  // df = sum(w^2 (F - 2 f B) dB) / sum(w^2 B^2)
+  std::vector<double> by(groups_ * n, 0.0), squares(groups_, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const WeighedPoint& p = points_[i];
+    const double w2 = p.weight * p.weight;
+    squares[p.group] += w2 * B[i] * B[i];
+    const double k = w2 * (p.flux - 2.0 * f[p.group] * B[i]);
+    for (std::size_t j = 0; j < n; ++j) by[p.group * n + j] += k * jacobian[i * n + j];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const WeighedPoint& p = points_[i];
+    const double k = B[i] / squares[p.group];
+    for (std::size_t j = 0; j < n; ++j) {
+      double& entry = jacobian[i * n + j];
+      entry = -p.weight * (f[p.group] * entry + k * by[p.group * n + j]);
+    }
+  }
+  return true;
+}
+
+LeastSquares light_problem(const LightResiduals& residuals, const LightUnknowns& unknowns,
+                           const BrightEllipsoid& start, const Loss& loss, int most_iterations) {
+  LeastSquares p;
+  p.unknowns = light_unknowns(unknowns, start);
+  if (residuals.places().moments != LightPlaces::none)
+    p.triangle = {residuals.places().moments, residuals.places().moments + 1};
+  p.residuals.data = residuals.points();
+  // one copy for all copies of the function
+  const auto shared = std::make_shared<const LightResiduals>(residuals);
+  p.residuals.at = [shared](std::span<const double> x, std::span<double> numbers,
+                            std::span<double> jacobian) {
+    return shared->at(x, numbers, jacobian);
+  };
+  p.loss = loss;
+  p.most_iterations = most_iterations;
+  return p;
+}
+
+}  // namespace detail
+
+BrightEllipsoid BrightEllipsoid::homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
+                                             const Ellipsoid& shape, const Scattering& law) {
+  return {{t0, q, w_F, detail::homogeneous_tensor(shape)}, shape, law};
+}
+
+}  // namespace v0
+}  // namespace polhode

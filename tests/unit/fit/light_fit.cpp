@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Light curves of tumbling ellipsoids: derivatives of residuals against differences in
+// double-double, and solutions from a cold start.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "budgets.hpp"
+#include "fit/detail/light_residuals.hpp"
+#include "message_of.hpp"
+#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/error.hpp"
+#include "polhode/fit/light_search.hpp"
+#include "polhode/fit/scan_advice.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/light/lommel_seeliger.hpp"
+#include "polhode/math/double_double.hpp"
+#include "worst.hpp"
+
+namespace {
+using namespace polhode;
+using DD = DoubleDouble;
+
+const BrightEllipsoid in_long_axis_mode = BrightEllipsoid::homogeneous(
+    0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
+const BrightEllipsoid in_short_axis_mode = BrightEllipsoid::homogeneous(
+    0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
+
+FreeRotation motion_of(const BrightEllipsoid& b) {
+  const Mat3& T = b.spin.inertia_F;
+  const Vec3 g{T(0, 0) * b.spin.w_F.x, T(1, 1) * b.spin.w_F.y, b.spin.w_F.z};
+  return FreeRotation(Body(T(0, 0), T(1, 1), 1.0), {b.spin.q, g}, b.spin.t0);
+}
+
+// One night, of `turns` of precession, with noise relative to the flux.
+LightCurve night(const BrightEllipsoid& b, double turns, std::size_t count, double noise,
+                 std::uint64_t seed) {
+  const FreeRotation motion = motion_of(b);
+  const double P = 2.0 * pi<double>() / motion.precession_rate_long();
+  const CounterRandom random(seed, key_of("night"));
+  LightCurve curve{.name = "night", .is_calibrated = false, .points = {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = turns * P * (static_cast<double>(i) + 0.8 * random.uniform(i, 0)) /
+                     static_cast<double>(count);
+    const Vec3 sun{1.0, 0.2, 0.3}, observer{0.8, 0.6, 0.1};
+    const Quaternion back = conj(motion.at(t).q);
+    const double flux =
+        3.0 * lommel_seeliger_brightness(b.shape, rotate(back, sun), rotate(back, observer));
+    curve.points.push_back(
+        {t, flux * (1.0 + noise * random.normal(i, 4)), flux * noise, sun, observer});
+  }
+  return curve;
+}
+
+BrightEllipsoid at_time(const BrightEllipsoid& b, double t) {
+  const RotorState s = motion_of(b).at(t);
+  const Mat3& T = b.spin.inertia_F;
+  BrightEllipsoid found = b;
+  found.spin.t0 = t;
+  found.spin.q = s.q;
+  found.spin.w_F = {s.g.x / T(0, 0), s.g.y / T(1, 1), s.g.z};
+  return found;
+}
+
+// dg/dt = g x w, dq/dt = q w / 2 by Taylor series, which know no elliptic functions.
+struct WideMotion {
+  BasicQuaternion<DD> q;
+  BasicVec3<DD> g, I;
+
+  void advance(const DD& t) {
+    constexpr std::size_t order = 26;
+    const int steps = 1 + static_cast<int>(3.0 * static_cast<double>(t));
+    const DD h = t / DD(static_cast<double>(steps));
+    for (int n = 0; n < steps; ++n) {
+      std::vector<BasicVec3<DD>> gs{g}, ws;
+      std::vector<BasicQuaternion<DD>> qs{q};
+      for (std::size_t k = 0; k < order; ++k) {
+        ws.push_back({gs[k].x / I.x, gs[k].y / I.y, gs[k].z / I.z});
+        BasicVec3<DD> dg{DD(0.0), DD(0.0), DD(0.0)};
+        BasicQuaternion<DD> dq{DD(0.0), DD(0.0), DD(0.0), DD(0.0)};
+        for (std::size_t j = 0; j <= k; ++j) {
+          const BasicVec3<DD>& w = ws[k - j];
+          dg = dg + cross(gs[j], w);
+          const auto p = qs[j] * BasicQuaternion<DD>{DD(0.0), w.x, w.y, w.z};
+          dq = {dq.w + p.w, dq.x + p.x, dq.y + p.y, dq.z + p.z};
+        }
+        const DD part = DD(1.0) / DD(static_cast<double>(k + 1)), half = DD(0.5) * part;
+        gs.push_back(part * dg);
+        qs.push_back({half * dq.w, half * dq.x, half * dq.y, half * dq.z});
+      }
+      g = gs[order];
+      q = qs[order];
+      for (std::size_t k = order; k-- > 0;) {
+        g = h * g + gs[k];
+        q = {h * q.w + qs[k].w, h * q.x + qs[k].x, h * q.y + qs[k].y, h * q.z + qs[k].z};
+      }
+    }
+  }
+};
+
+// The residuals of one session in double-double, at x + h e_k: of attitude to second order in h.
+std::vector<DD> wide_residuals(const BrightEllipsoid& b, const LightCurve& curve, std::size_t k,
+                               const DD& h) {
+  const auto off = [&](std::size_t j) { return j == k ? h : DD(0.0); };
+  const Quaternion q0 = b.spin.q;
+  const DD half = DD(0.5);
+  BasicQuaternion<DD> q{DD(q0.w), DD(q0.x), DD(q0.y), DD(q0.z)};
+  const BasicQuaternion<DD> turn{DD(1.0), half * off(0), half * off(1), half * off(2)};
+  q = q * turn;
+  const DD size = sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  q = {q.w / size, q.x / size, q.y / size, q.z / size};
+  const DD ratio = DD(b.shape.b) + off(6);
+  const DD c = ratio * (DD(b.shape.c / b.shape.b) + off(7));
+  const BasicEllipsoid<DD> shape{DD(1.0), ratio, c};
+  const BasicVec3<DD> I = homogeneous_moments(shape, DD(1.0));
+  const BasicVec3<DD> X{I.x / I.z, I.y / I.z, DD(1.0)};
+  const BasicRotorState<DD> s{q,
+                              {X.x * (DD(b.spin.w_F.x) + off(3)), X.y * (DD(b.spin.w_F.y) + off(4)),
+                               DD(b.spin.w_F.z) + off(5)}};
+  WideMotion motion{s.q, s.g, X};
+  DD now(b.spin.t0);
+  std::vector<DD> B, r;
+  DD up(0.0), down(0.0);
+  for (const LightPoint& p : curve.points) {
+    motion.advance(DD(p.t) - now);
+    now = DD(p.t);
+    const auto back = conj(motion.q);
+    const auto wide = [](const Vec3& v) { return BasicVec3<DD>{DD(v.x), DD(v.y), DD(v.z)}; };
+    B.push_back(lommel_seeliger_brightness<DD>(shape, rotate(back, wide(p.to_sun)),
+                                               rotate(back, wide(p.to_observer))));
+    const DD w = DD(1.0) / (DD(p.sigma) * DD(p.sigma));
+    up += w * DD(p.flux) * B.back();
+    down += w * B.back() * B.back();
+  }
+  for (std::size_t i = 0; i < B.size(); ++i) {
+    const LightPoint& p = curve.points[i];
+    r.push_back((DD(p.flux) - up / down * B[i]) / DD(p.sigma));
+  }
+  return r;
+}
+
+TEST(LightFit, DerivativesAreThoseOfDifferencesInDoubleDouble) {
+  for (const BrightEllipsoid& b : {in_long_axis_mode, in_short_axis_mode}) {
+    const LightCurve curve = night(b, 3.0, 12, 0.02, 3);
+    const detail::LightResiduals residuals(std::vector{curve}, {}, b);
+    const std::vector<double> x = light_unknowns_at({}, b, b);
+    const std::size_t n = x.size(), count = curve.points.size();
+    std::vector<double> numbers(count), jacobian(count * n);
+    ASSERT_TRUE(residuals.at(x, numbers, jacobian));
+    const DD h(0x1p-30);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto above = wide_residuals(b, curve, k, h), below = wide_residuals(b, curve, k, -h);
+      double largest = 0.0;
+      polhode::test::Worst<> worst;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double slope = static_cast<double>((above[i] - below[i]) / (DD(2.0) * h));
+        largest = polhode::test::larger(largest, std::abs(slope));
+        worst.add(std::abs(jacobian[i * n + k] - slope));
+      }
+      EXPECT_LE(worst.value(), budget::light_derivatives * largest) << k;
+    }
+  }
+}
+
+LightSearch cold_search(const std::vector<LightCurve>& curves, double f, std::size_t labels,
+                        std::size_t of_each) {
+  const ScanPoints points(curves);
+  const auto grid = FrequencyGrid::between(0.45 * f, 3.1 * f, scan_advice(curves, 2).step);
+  const Landscape landscape = scan_pairs(points, grid, grid, {.order = 2, .threads = 2});
+  LightSearch search;
+  search.curves = curves;
+  search.periods = labelled_periods(scan_minima(points, landscape, {.most = 20, .threads = 2}),
+                                    {.pairs = 1, .labels = labels});
+  search.starts = of_each * search.periods.size();
+  search.finalists = 1;
+  search.threads = 2;
+  return search;
+}
+
+// Whether the truth is within the errors of one of the solutions.
+bool is_among(const LightSearchResult& found, const BrightEllipsoid& truth) {
+  return std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
+    const BrightEllipsoid& b = f.solution.body;
+    const BrightEllipsoid near = nearest_of_same(b, at_time(truth, b.spin.t0));
+    return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
+                       light_unknowns_at({}, b, near)) < budget::light_distance;
+  });
+}
+
+class ColdStart : public testing::TestWithParam<BrightEllipsoid> {};
+
+TEST_P(ColdStart, FindsTheTruthAmongItsImages) {
+  const BrightEllipsoid& truth = GetParam();
+  const bool is_full = std::getenv("POLHODE_TEST_FULL") != nullptr;
+  const std::vector<LightCurve> curves{
+      night(truth, is_full ? 11.0 : 7.0, is_full ? 350 : 90, 0.02, 7)};
+  const double f = motion_of(truth).precession_rate_long() / (2.0 * pi<double>());
+  const LightSearchResult found = search_light(cold_search(curves, f, 80, is_full ? 20 : 5));
+  ASSERT_FALSE(found.solutions.empty());
+  const FoundLight& best = found.solutions.front();
+  EXPECT_EQ(best.solution.periods.mode, motion_of(truth).regime());
+  EXPECT_TRUE(is_among(found, truth));
+  // mirror poles and their like, from fixed directions to Sun and observer
+  std::size_t images = 0;
+  for (const FoundLight& s : found.solutions) {
+    EXPECT_TRUE(s.solution.is_found());
+    EXPECT_FALSE(s.sentence.empty());
+    if (s.of == 0 && s.beside == FoundLight::Beside::image) ++images;
+  }
+  EXPECT_EQ(images, 3u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, ColdStart, testing::Values(in_long_axis_mode, in_short_axis_mode));
+
+TEST(LightSearch, HasTheBitsOfOneThreadWithMore) {
+  const FreeRotation motion = motion_of(in_short_axis_mode);
+  LightSearch search;
+  search.curves = {night(in_short_axis_mode, 3.0, 40, 0.02, 5)};
+  search.periods = {{motion.regime(), 2.0 * pi<double>() / motion.precession_rate_long(),
+                     motion.polhode_period()}};
+  search.starts = 12;
+  search.finalists = 2;
+  search.within = 5.0;
+  const LightSearchResult one = search_light(search);
+  ASSERT_FALSE(one.solutions.empty());
+  for (const int threads : {2, 3}) {
+    search.threads = threads;
+    const LightSearchResult many = search_light(search);
+    ASSERT_EQ(many.solutions.size(), one.solutions.size());
+    for (std::size_t i = 0; i < one.solutions.size(); ++i) {
+      EXPECT_EQ(many.solutions[i].solution.result.x, one.solutions[i].solution.result.x);
+      EXPECT_EQ(many.solutions[i].solution.body.spin.q, one.solutions[i].solution.body.spin.q);
+      EXPECT_EQ(many.solutions[i].sentence, one.solutions[i].sentence);
+    }
+  }
+}
+
+TEST(LightFit, SaysWhatIsWrong) {
+  LightFit fit{{night(in_long_axis_mode, 2.0, 9, 0.02, 1)}, in_long_axis_mode, {}, {}, 10};
+  const auto message = [](const LightFit& bad) {
+    return polhode::test::message_of([&] { static_cast<void>(fit_light(bad)); });
+  };
+  LightFit few = fit;
+  few.curves[0].points.resize(8);
+  EXPECT_EQ(message(few),
+            "fit_light: 8 points for 8 unknowns and 1 factor; expected as many at least");
+  LightFit bad = fit;
+  bad.start.shape.c = -1.0;
+  EXPECT_EQ(message(bad), "fit_light: semi-axes (1, 0.6, -1) must be above 0");
+  bad = fit;
+  bad.start.shape = {1.0, 0.5, 0.8};
+  EXPECT_EQ(message(bad),
+            "fit_light: semi-axes (1, 0.5, 0.8) must not rise where moments follow from them");
+  bad = fit;
+  bad.start.spin.w_F = {};
+  EXPECT_EQ(message(bad), "fit_light: the rate at the start, (0, 0, 0), must be finite and not 0");
+  bad = fit;
+  bad.curves[0].points[2].to_sun = {};
+  EXPECT_THROW(static_cast<void>(fit_light(bad)), DomainError);
+  LightSearch search;
+  search.curves = fit.curves;
+  EXPECT_EQ(polhode::test::message_of([&] { static_cast<void>(search_light(search)); }),
+            "search_light: no periods to start from; expected one pair");
+}
+
+}  // namespace
