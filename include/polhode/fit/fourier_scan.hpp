@@ -10,8 +10,8 @@
 //             docs/design/0047-fourier-scan.md.
 // Units       frequencies in turns per unit of time.
 // Domain      grids of positive frequencies. A pair where a column of L falls below scan_floor of
-//             itself is computed again by fourier_fit, so that dependent columns have the chi-square
-//             of their span.
+//             itself is computed again by fourier_fit, so that dependent columns have the
+//             chi-square of their span.
 // Accuracy    budget fourier_scan in tests/budgets/fit.hpp, of ScanPoints::total(). The bits do not
 //             depend on threads, on the set of instructions, nor on the rest of the grid.
 // Errors      DomainError for a grid without frequencies or with ones that are not positive, a step
