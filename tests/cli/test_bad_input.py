@@ -198,8 +198,7 @@ def test_wrong_arguments(run, arguments):
 # the argument at fault, and what it could have been
 @pytest.mark.parametrize("arguments, message", [
     (["--versio"], 'polhode: got option "--versio"; expected one of --help, --version'),
-    (["rum", "x"],
-     'polhode: got command "rum"; expected one of run, map, ensemble, fit, simulate, info, '),
+    (["rum", "x"], 'polhode: got command "rum"; expected one of run, map, ensemble, fit, '),
     (["run", "x", "--otu", "y"],
      'polhode run: got option "--otu"; expected one of --help, --set, --out'),
     (["run", "x", "y"], 'polhode run: got "y"; expected nothing after FILE'),

@@ -214,7 +214,7 @@ def test_body_axes_of_a_tensor(run, scenario, table):
 
 
 def test_help_shows_an_example_everywhere(run):
-    for command in ("run", "info", "convert", "init", "cite", "schema"):
+    for command in ("run", "fit", "simulate", "info", "convert", "init", "cite", "schema"):
         result = run(command, "--help")
         assert result.returncode == 0 and f"Example:\n  polhode {command}" in result.stdout
     assert run("--help").returncode == 0
@@ -229,7 +229,7 @@ def test_every_template_runs(run, table):
         assert f"[state.{chart}]" in template
         names, rows = table(run("run", "-", stdin=template).stdout)
         assert len(rows) == 1441 and "l" in names
-    for kind in ("gravity-gradient", "constant-torque", "damping", "kepler", "splitting"):
+    for kind in ("gravity-gradient", "constant-torque", "damping", "fit", "kepler", "splitting"):
         assert kind in from_help
         template = run("init", kind).stdout
         assert f"kind = \"{kind}\"" in template

@@ -33,7 +33,7 @@ constexpr Key kind_key = {.path = "observation[].kind",
                           .help = "What its rows are."};
 
 constexpr std::array shared = {
-    name_key<&O::name>("name", "What tables call it; left out, its file."),
+    name_key<&O::name>("name", "What tables call it; left out, its file.").example("\"radar\""),
     file_key<&O::file>("file",
                        "Its rows, CSV or separated by blanks, .gz or not, in order of time; the "
                        "path is from the folder of this file.")
