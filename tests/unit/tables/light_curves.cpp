@@ -391,6 +391,27 @@ TEST(LightCurvesOfAlcdef, CalibratedSessionsNeedOneScale) {
   EXPECT_EQ(said(changed(both, "REDUCEDMAGS=POINT", "REDUCEDMAGS=NONE")), "no error");
 }
 
+// A first session that does not say its distances hides nothing of the others.
+TEST(LightCurvesOfAlcdef, DistancesThatAreKnownMustBeTheSame) {
+  const auto session = [](std::size_t line, Distances distances, double t) {
+    LightSession made;
+    made.curve = {"", true, {{t, 1.0, 0.1, {}, {}}}};
+    made.distances = distances;
+    made.line = line;
+    made.lines = {line + 1};
+    return made;
+  };
+  LightCurveFile file;
+  file.file = "x.txt";
+  file.sessions = {session(1, Distances::unknown, 1.0), session(11, Distances::unit, 2.0),
+                   session(21, Distances::unknown, 3.0), session(31, Distances::of_the_time, 4.0)};
+  EXPECT_EQ(message_of([&] { require_sound(file); }),
+            "x.txt:31: calibrated fluxes at the distances of the time, those of the session of "
+            "line 11 are at unit distances; expected the same");
+  file.sessions.pop_back();
+  EXPECT_EQ(message_of([&] { require_sound(file); }), "no error");
+}
+
 TEST_F(LightCurveFiles, InColumnsAreWhatTheCallerSays) {
   const std::string table =
       write("table.csv",
