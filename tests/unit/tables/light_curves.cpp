@@ -362,8 +362,8 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
             "x.txt:34: got \"JD\"; expected DATA=..., ENDDATA or STARTMETADATA");
   EXPECT_EQ(
       alcdef_refusal("\n\nSTARTMETADATA\nOBJECTNUMBER=999", "\nSTARTMETADATA\nOBJECTNUMBER=5"),
-      "x.txt:49: OBJECTNUMBER: got \"5\"; expected 999, as in the first session: one object a "
-      "file");
+      "x.txt:49: OBJECTNUMBER: got \"5\"; expected 999, as in the session of line 1: one "
+      "object a file");
   EXPECT_EQ(alcdef_refusal("ENDDATA\n\n", "ENDDATA\nmore\n"),
             "x.txt:38: got \"more\"; expected STARTMETADATA");
   const std::size_t rows = two_sessions.find("DATA=2451426.65");
@@ -389,6 +389,29 @@ TEST(LightCurvesOfAlcdef, CalibratedSessionsNeedOneScale) {
             "x.txt:38: calibrated fluxes at unit distances, those of the session of line 1 are at "
             "the distances of the time; expected the same");
   EXPECT_EQ(said(changed(both, "REDUCEDMAGS=POINT", "REDUCEDMAGS=NONE")), "no error");
+}
+
+TEST(LightCurvesOfAlcdef, AreOfOneObjectHoweverItIsNamed) {
+  const auto session = [](const std::string& names) {
+    return "STARTMETADATA\n" + names + "DELIMITER=PIPE\nENDMETADATA\nDATA=2451426.65|13.5\n";
+  };
+  const auto said = [](const std::string& text) {
+    return message_of([&] { alcdef_from_text(text, "x.txt"); });
+  };
+  const std::string unnamed = "OBJECTNUMBER=0\nMPCDESIG=2005 AB\n";
+  EXPECT_EQ(said(session(unnamed) + session("OBJECTNUMBER=0\nMPCDESIG=2006 CD\n")),
+            "x.txt:11: MPCDESIG: got \"2006 CD\"; expected 2005 AB, as in the session of line 1: "
+            "one object a file");
+  EXPECT_EQ(said(session("") + session("OBJECTNAME=Zachia\n") + session("OBJECTNAME=Ceres\n")),
+            "x.txt:13: OBJECTNAME: got \"Ceres\"; expected Zachia, as in the session of line 5: "
+            "one object a file");
+  // a number says more than a name, and a name more than a designation
+  EXPECT_EQ(said(session("OBJECTNUMBER=999\nOBJECTNAME=Zachia\n") +
+                 session("OBJECTNUMBER=999\nOBJECTNAME=ZACHIA\n")),
+            "no error");
+  const LightCurveFile file =
+      alcdef_from_text(session(unnamed) + session("OBJECTNUMBER=999\nMPCDESIG=2005 AB\n"), "x.txt");
+  EXPECT_EQ(file.object, "999 2005 AB");
 }
 
 // A first session that does not say its distances hides nothing of the others.
