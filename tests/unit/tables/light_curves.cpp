@@ -559,6 +559,41 @@ TEST_F(LightCurveFiles, OfColumnsComeBackBitForBit) {
   EXPECT_THAT(light_csv_columns(false).to_sun, ElementsAre("", "", ""));
 }
 
+TEST_F(LightCurveFiles, OfColumnsKeepWhatIsCalibrated) {
+  const std::vector<LightCurve> curves{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
+                                       {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
+  write_light_csv(path("a.csv"), curves);
+  const LightCurveFile file = read_light_columns(path("a.csv"), light_csv_columns(false, true));
+  ASSERT_EQ(file.sessions.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_TRUE(file.sessions[k].curve.is_calibrated);
+    EXPECT_EQ(file.sessions[k].curve.points, curves[k].points);
+  }
+}
+
+TEST(LightCurvesInColumns, AreNotWrittenAsWhatTheyAreNot) {
+  const std::vector<LightCurve> sound{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
+                                      {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
+  const auto said = [&](const auto& change) {
+    std::vector<LightCurve> curves = sound;
+    change(curves);
+    return message_of([&] { light_csv(curves); });
+  };
+  using Curves = std::vector<LightCurve>;
+  EXPECT_EQ(said([](Curves&) {}), "no error");
+  EXPECT_EQ(said([](Curves& c) { c.clear(); }),
+            "light_csv: there are no light curves; expected one or more");
+  EXPECT_EQ(said([](Curves& c) { c[1].points.clear(); }),
+            "light_csv: light curve 2 has no points; expected one or more");
+  EXPECT_EQ(said([](Curves& c) { c[1].is_calibrated = false; }),
+            "light_csv: light curve 2 is relative, light curve 1 is not; expected the same of all "
+            "in one table");
+  EXPECT_EQ(said([](Curves& c) { c[1].points[0].sigma = std::nan(""); }),
+            "light_csv: light curve 2: point 1: got nan; expected finite numbers");
+  EXPECT_EQ(said([](Curves& c) { c[0].points[0].to_sun.z = std::nan(""); }),
+            "light_csv: light curve 1: point 1: got nan; expected finite numbers");
+}
+
 // Mars was nearest to the Earth on 2018-07-31 at 07:50 UTC, 57.59 million km away (NASA/JPL).
 TEST(LightCurvesFromOrbits, SeeMarsAsItWasMinutesAgo) {
   const Date noon{TimeScale::TDB, 2458330.5, 8.0 / 24.0};
