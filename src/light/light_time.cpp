@@ -37,9 +37,9 @@ LightCurve at_body(LightCurve curve, double c) {
 }
 
 LightCurve at_body_after(LightCurve curve, double light_time) {
-  if (!std::isfinite(light_time))
+  if (!(light_time >= 0.0) || !std::isfinite(light_time))
     throw DomainError("at_body_after: light time " + detail::number_text(light_time) +
-                      "; expected a finite time");
+                      "; expected a finite time, 0 or more");
   for (LightPoint& p : curve.points) p.t -= light_time;
   return curve;
 }

@@ -188,6 +188,8 @@ class AlcdefReader {
     if (is_applied(reduced)) session.distances = Distances::unit;
     if (const std::string days = value(session, "LTCDAYS"); !days.empty()) {
       const double correction = lines_.number(days, "LTCDAYS");
+      if (correction > 0.0)
+        refuse("LTCDAYS", days, "0 or less, as it is added to the times at the observer");
       if (correction != 0.0) session.light_time = -correction * day_in_s;
     }
     session.band = value(session, "MAGBAND");

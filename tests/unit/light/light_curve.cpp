@@ -289,7 +289,10 @@ TEST(LightTimes, TimesAtTheBodyByTheDistanceOfEachPoint) {
   EXPECT_EQ(message_of([] { at_body(sound(), 0.0); }),
             "light time: speed of light 0; expected one above 0");
   EXPECT_EQ(message_of([] { at_body_after(sound(), nan); }),
-            "at_body_after: light time nan; expected a finite time");
+            "at_body_after: light time nan; expected a finite time, 0 or more");
+  EXPECT_EQ(message_of([] { at_body_after(sound(), -0.5); }),
+            "at_body_after: light time -0.5; expected a finite time, 0 or more");
+  EXPECT_EQ(at_body_after(sound(), 0.0), sound());
 }
 
 TEST(LightTimes, ABodyFasterThanLightHasNone) {

@@ -347,6 +347,9 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
             "x.txt:32: DIFFERMAGS: got \"PERHAPS\"; expected TRUE or FALSE");
   EXPECT_EQ(alcdef_refusal("LTCDAYS=-0.006465", "LTCDAYS=none"),
             "x.txt:32: LTCDAYS: got \"none\"; expected a finite number");
+  EXPECT_EQ(alcdef_refusal("LTCDAYS=-0.006465", "LTCDAYS=0.006465"),
+            "x.txt:32: LTCDAYS: got \"0.006465\"; expected 0 or less, as it is added to the times "
+            "at the observer");
   EXPECT_EQ(alcdef_refusal("2451425.653700|-0.125|+0.010|1.22", "2451425.653700"),
             "x.txt:34: got 1 fields; expected DATA=JD, magnitude, its error and airmass, of which "
             "the last two may be missing");
