@@ -36,7 +36,7 @@ std::string_view trimmed(std::string_view text) {
 class AlcdefReader {
  public:
   AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch)
-      : lines_(text, shown), times_(TimeScale::UTC, epoch) {
+      : lines_(text, shown), times_(detail::light_times(shown, TimeScale::UTC, epoch)) {
     result_.file = shown;
   }
 

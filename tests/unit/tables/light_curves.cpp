@@ -198,6 +198,10 @@ TEST_F(LightCurveFiles, OfDamitHoldVectorsAndFiniteNumbers) {
   EXPECT_EQ(message_of([&] { write_lc(path("a.lc"), curves, epoch); }),
             "lc_text: light curve 1: point 1: its time or flux is not finite");
   EXPECT_FALSE(std::filesystem::exists(path("a.lc")));
+  EXPECT_EQ(message_of([&] { lc_text({}, epoch); }),
+            "lc_text: there are no light curves; expected one or more");
+  EXPECT_EQ(message_of([&] { lc_text(std::vector<LightCurve>(1), epoch); }),
+            "lc_text: light curve 1 has no points; expected one or more");
   curves[0].points[0] = {-1e-9, 1.0, 0.1, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
   EXPECT_EQ(lc_text(curves, epoch), "1\n1 0\n2451545.0 1 1 0 0 1 0 0\n");  // rounded up
 }
@@ -334,6 +338,11 @@ TEST(LightCurvesOfAlcdef, ASessionMayEndWithoutSayingSo) {
 TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message_of([] { alcdef_from_text("\n", "x.txt"); }),
             "x.txt:1: has no session; expected STARTMETADATA");
+  EXPECT_EQ(message_of([] {
+              alcdef_from_text(two_sessions, "x.txt", Date{TimeScale::UT1, 2451425.5, 0.0});
+            }),
+            "x.txt: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is "
+            "observed");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", "JD,MAG\n"),
             "x.txt:1: got \"JD,MAG\"; expected STARTMETADATA");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", ""),
