@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "light/curve_place.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -17,8 +18,7 @@ LightCurve at_unit_distances(LightCurve curve, double unit) {
     LightPoint& p = curve.points[k];
     const double distances = (norm(p.to_sun) / unit) * (norm(p.to_observer) / unit);
     if (!(distances > 0.0))
-      throw DomainError("at_unit_distances: light curve " + curve.name + ": point " +
-                        std::to_string(k + 1) +
+      throw DomainError("at_unit_distances: " + detail::in_words(curve, k) +
                         " has no distances; expected vectors to the Sun and to the observer");
     const double factor = distances * distances;
     p.flux *= factor;

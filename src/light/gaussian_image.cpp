@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/light/gaussian_image.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -13,6 +13,11 @@
 namespace polhode {
 inline namespace v0 {
 namespace {
+
+constexpr std::size_t most_harmonics = std::size_t{1} << 24;  // 128 MiB
+// Of the diagonal of R to its largest: 1e-16 where normals do not determine the coefficients, 1e-3
+// or more where they do.
+constexpr double smallest_pivot = 1e-9;
 
 Vec3 unit(const Vec3& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
@@ -64,12 +69,18 @@ GaussianImage::GaussianImage(int degree, int rows) {
   require_range("rows", rows, 1, 200);
   Basis made;
   made.degree = degree;
+  made.rows = rows;
   made.count = static_cast<std::size_t>((degree + 1) * (degree + 1));
   const auto normals = static_cast<std::size_t>(8 * rows * rows);
   if (normals < made.count)
     throw DomainError("GaussianImage: " + std::to_string(normals) + " normals for " +
                       std::to_string(made.count) + " coefficients of degree " +
                       std::to_string(degree) + "; expected more rows");
+  if (normals * made.count > most_harmonics)
+    throw DomainError("GaussianImage: degree " + std::to_string(degree) + " with rows " +
+                      std::to_string(rows) + " has " + std::to_string(normals * made.count) +
+                      " harmonics; expected at most " + std::to_string(most_harmonics) +
+                      ", of a lower degree or fewer rows");
   for_triangles(rows, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 n = unit(a + b + c);
     const std::vector<double> Y = spherical_harmonics(degree, n);
@@ -95,18 +106,25 @@ std::vector<double> GaussianImage::areas(std::span<const double> coefficients) c
 std::vector<double> GaussianImage::coefficients(std::span<const double> areas) const {
   require_count("areas", areas.size(), basis_->normals.size());
   const auto count = static_cast<Eigen::Index>(basis_->count);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(areas.size()), count);
+  Eigen::VectorXd right(rows.rows());
   for (std::size_t j = 0; j < areas.size(); ++j) {
     if (!(areas[j] > 0.0) || !std::isfinite(areas[j]))
       throw DomainError("GaussianImage: area " + std::to_string(j + 1) + ", " +
                         detail::number_text(areas[j]) + ", must be positive and finite");
-    const double w = basis_->solid_angles[j];
-    const Eigen::Map<const Eigen::VectorXd> Y(harmonics(j).data(), count);
-    normal += w * Y * Y.transpose();
-    right += w * std::log(areas[j] / w) * Y;
+    const double w = basis_->solid_angles[j], root = std::sqrt(w);
+    const auto row = static_cast<Eigen::Index>(j);
+    rows.row(row) = root * Eigen::Map<const Eigen::RowVectorXd>(harmonics(j).data(), count);
+    right(row) = root * std::log(areas[j] / w);
   }
-  const Eigen::VectorXd c = normal.ldlt().solve(right);
+  Eigen::ColPivHouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(rows);  // in its place
+  qr.setThreshold(smallest_pivot);
+  if (qr.rank() < count)
+    throw DomainError("GaussianImage: the " + std::to_string(areas.size()) + " normals of rows " +
+                      std::to_string(basis_->rows) + " determine " + std::to_string(qr.rank()) +
+                      " of the " + std::to_string(count) + " coefficients of degree " +
+                      std::to_string(basis_->degree) + "; expected more rows");
+  const Eigen::VectorXd c = qr.solve(right);
   return {c.data(), c.data() + c.size()};
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "light/curve_place.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -11,8 +12,7 @@ inline namespace v0 {
 namespace detail {
 
 void fail_light_time(const LightCurve& curve, std::size_t point, const char* what) {
-  throw DomainError("light curve " + curve.name + ": point " + std::to_string(point + 1) + ": " +
-                    what);
+  throw DomainError(in_words(curve, point) + ": " + what);
 }
 
 void require_speed_of_light(double c) {
@@ -37,9 +37,9 @@ LightCurve at_body(LightCurve curve, double c) {
 }
 
 LightCurve at_body_after(LightCurve curve, double light_time) {
-  if (!std::isfinite(light_time))
+  if (!(light_time >= 0.0) || !std::isfinite(light_time))
     throw DomainError("at_body_after: light time " + detail::number_text(light_time) +
-                      "; expected a finite time");
+                      "; expected a finite time, 0 or more");
   for (LightPoint& p : curve.points) p.t -= light_time;
   return curve;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "light/curve_place.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 double required_mean(const LightCurve& curve, const char* function) {
   const double mean = mean_flux(curve);
   if (!(mean > 0.0) || !std::isfinite(mean))
-    throw DomainError(std::string(function) + ": light curve " + curve.name +
+    throw DomainError(std::string(function) + ": " + detail::in_words(curve) +
                       ": its mean flux is " + detail::number_text(mean) + "; expected one above 0");
   return mean;
 }

@@ -2,6 +2,7 @@
 #include "polhode/tables/alcdef.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "polhode/error.hpp"
@@ -35,7 +36,7 @@ std::string_view trimmed(std::string_view text) {
 class AlcdefReader {
  public:
   AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch)
-      : lines_(text, shown), times_(TimeScale::UTC, epoch) {
+      : lines_(text, shown), times_(detail::light_times(shown, TimeScale::UTC, epoch)) {
     result_.file = shown;
   }
 
@@ -97,24 +98,27 @@ class AlcdefReader {
     return found == nullptr ? std::string() : *found;
   }
 
-  // One object a file, as far as the sessions name it.
+  // One object a file, as far as the sessions name it: by the first of these that both have, as
+  // names are spelled in more than one way and designations are many.
   void require_same_object(const LightSession& session) {
-    std::string number = value(session, "OBJECTNUMBER");
-    if (number == "0") number.clear();
-    std::string name = value(session, "OBJECTNAME");
-    if (result_.sessions.empty()) {
-      const std::string known = name.empty() ? value(session, "MPCDESIG") : name;
-      result_.object = number + (number.empty() || known.empty() ? "" : " ") + known;
-      number_ = std::move(number);
-      name_ = std::move(name);
-      return;
+    bool is_known = false;
+    for (Identity& known : identity_) {
+      const std::string own = value(session, known.key);
+      if (own.empty() || (own == "0" && known.key == "OBJECTNUMBER")) continue;
+      if (known.line == 0) {
+        known.value = own;
+        known.line = session.line;
+      } else if (!is_known) {
+        if (own != known.value)
+          refuse(known.key, own,
+                 detail::printable(known.value) + ", as in the session of line " +
+                     std::to_string(known.line) + ": one object a file");
+        is_known = true;
+      }
     }
-    const std::string as = ", as in the first session: one object a file";
-    if (!number.empty() && !number_.empty()) {
-      if (number != number_) refuse("OBJECTNUMBER", number, detail::printable(number_) + as);
-    } else if (!name.empty() && !name_.empty() && name != name_) {
-      refuse("OBJECTNAME", name, detail::printable(name_) + as);
-    }
+    const auto& [number, name, designation] = identity_;
+    const std::string& called = name.line > 0 ? name.value : designation.value;
+    result_.object = number.value + (number.line == 0 || called.empty() ? "" : " ") + called;
   }
 
   // Lines DATA of a session. Gives what begins the next one, if there is one.
@@ -184,6 +188,8 @@ class AlcdefReader {
     if (is_applied(reduced)) session.distances = Distances::unit;
     if (const std::string days = value(session, "LTCDAYS"); !days.empty()) {
       const double correction = lines_.number(days, "LTCDAYS");
+      if (correction > 0.0)
+        refuse("LTCDAYS", days, "0 or less, as it is added to the times at the observer");
       if (correction != 0.0) session.light_time = -correction * day_in_s;
     }
     session.band = value(session, "MAGBAND");
@@ -199,8 +205,13 @@ class AlcdefReader {
   detail::KvnReader lines_;
   detail::LightTimes times_;
   LightCurveFile result_;
-  std::string number_;
-  std::string name_;
+  struct Identity {
+    std::string_view key;
+    std::string value = {};
+    std::size_t line = 0;  // of the session that said it first; 0: none
+  };
+  std::array<Identity, 3> identity_ = {Identity{"OBJECTNUMBER"}, Identity{"OBJECTNAME"},
+                                       Identity{"MPCDESIG"}};
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ class LcReader {
  public:
   LcReader(std::string_view text, const std::string& shown, TimeScale scale,
            const std::optional<Date>& epoch)
-      : lines_(text, shown), times_(times(shown, scale, epoch)) {
+      : lines_(text, shown), times_(detail::light_times(shown, scale, epoch)) {
     result_.file = shown;
   }
 
@@ -48,15 +48,6 @@ class LcReader {
   }
 
  private:
-  static detail::LightTimes times(const std::string& shown, TimeScale scale,
-                                  const std::optional<Date>& epoch) {
-    try {
-      return {scale, epoch};
-    } catch (const DomainError& error) {
-      throw DomainError(shown + ": " + error.what());
-    }
-  }
-
   // Those of the next line.
   Fields fields(const std::string& what) {
     const std::optional<KvnLine> line = lines_.next();
@@ -173,9 +164,13 @@ LightCurveFile read_lc(const std::string& path, TimeScale scale, const std::opti
 }
 
 std::string lc_text(std::span<const LightCurve> curves, const Date& epoch) {
+  if (curves.empty()) throw DomainError("lc_text: there are no light curves; expected one or more");
   std::string text = std::to_string(curves.size()) + "\n";
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::vector<LightPoint>& points = curves[c].points;
+    if (points.empty())
+      throw DomainError("lc_text: light curve " + std::to_string(c + 1) +
+                        " has no points; expected one or more");
     text += std::to_string(points.size()) + (curves[c].is_calibrated ? " 1\n" : " 0\n");
     for (std::size_t k = 0; k < points.size(); ++k) {
       const LightPoint& p = points[k];

@@ -2,6 +2,7 @@
 #include "polhode/tables/light_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -30,6 +31,31 @@ bool has_vectors(std::span<const LightCurve> curves) {
       return p.to_sun != Vec3{} || p.to_observer != Vec3{};
     });
   });
+}
+
+[[noreturn]] void fail_to_write(const std::string& text) {
+  throw DomainError("light_csv: " + text);
+}
+
+// What the columns cannot hold would come back as something else.
+void require_writable(std::span<const LightCurve> curves) {
+  if (curves.empty()) fail_to_write("there are no light curves; expected one or more");
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::string which = "light curve " + std::to_string(c + 1);
+    const LightCurve& curve = curves[c];
+    if (curve.points.empty()) fail_to_write(which + " has no points; expected one or more");
+    if (curve.is_calibrated != curves[0].is_calibrated)
+      fail_to_write(which + " is " + (curve.is_calibrated ? "calibrated" : "relative") +
+                    ", light curve 1 is not; expected the same of all in one table");
+    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+      const LightPoint& p = curve.points[k];
+      for (const double x : {p.t, p.flux, p.sigma, p.to_sun.x, p.to_sun.y, p.to_sun.z,
+                             p.to_observer.x, p.to_observer.y, p.to_observer.z})
+        if (!std::isfinite(x))
+          fail_to_write(which + ": point " + std::to_string(k + 1) + ": got " +
+                        detail::number_text(x) + "; expected finite numbers");
+    }
+  }
 }
 
 // A table of the columns that are asked for, and where in it each of them is.
@@ -160,6 +186,7 @@ LightCurveFile read_light_columns(const std::string& path, const LightColumns& c
 }
 
 std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes) {
+  require_writable(curves);
   std::string text;
   for (const std::string& note : notes) text += "# " + detail::printable(note, longest_note) + "\n";
   for (std::size_t c = 0; c < curves.size(); ++c)
@@ -185,8 +212,9 @@ std::string light_csv(std::span<const LightCurve> curves, std::span<const std::s
   return text;
 }
 
-LightColumns light_csv_columns(bool has_vectors) {
+LightColumns light_csv_columns(bool has_vectors, bool is_calibrated) {
   LightColumns columns;
+  columns.is_calibrated = is_calibrated;
   columns.flux = "flux";
   columns.sigma = "sigma";
   columns.session = "session";

@@ -26,20 +26,24 @@ const char* in_words(Distances distances) {
 // What calibrated fluxes are must be the same in all sessions.
 void require_one_scale(const LightCurveFile& file) {
   const LightSession* first = nullptr;
+  const LightSession* known = nullptr;  // the first that says its distances
+  const auto place = [](const LightSession& session) {
+    return " of the session of line " + std::to_string(session.line);
+  };
   for (const LightSession& session : file.sessions) {
     if (!session.curve.is_calibrated) continue;
     if (first == nullptr) first = &session;
-    const std::string there = " of the session of line " + std::to_string(first->line);
     if (session.band != first->band)
       fail(file, session.line,
            "calibrated fluxes in the band \"" + detail::printable(session.band) +
                "\" have no scale in common with \"" + detail::printable(first->band) + "\"" +
-               there + "; expected one band, or relative sessions");
-    if (session.distances != first->distances && session.distances != Distances::unknown &&
-        first->distances != Distances::unknown)
+               place(*first) + "; expected one band, or relative sessions");
+    if (session.distances == Distances::unknown) continue;
+    if (known == nullptr) known = &session;
+    if (session.distances != known->distances)
       fail(file, session.line,
-           std::string("calibrated fluxes ") + in_words(session.distances) + ", those" + there +
-               " are " + in_words(first->distances) + "; expected the same");
+           std::string("calibrated fluxes ") + in_words(session.distances) + ", those" +
+               place(*known) + " are " + in_words(known->distances) + "; expected the same");
   }
 }
 

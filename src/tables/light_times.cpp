@@ -45,6 +45,15 @@ double LightTimes::seconds(const Date& date) {
   return seconds_between(*epoch_in_tt_, date);
 }
 
+LightTimes light_times(const std::string& shown, TimeScale scale,
+                       const std::optional<Date>& epoch) {
+  try {
+    return {scale, epoch};
+  } catch (const DomainError& error) {
+    throw DomainError(shown + ": " + error.what());
+  }
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -10,11 +10,17 @@
 //             place l^2 + l + m.
 // Units       areas in any unit of length squared; a sphere of radius r has c_00 = 2 ln r alone.
 // Domain      normals: those of an octahedron whose faces are divided into rows^2 triangles each,
-//             as projected onto the sphere: 8 rows^2. degree 0 .. 40, rows 1 .. 200.
+//             as projected onto the sphere: 8 rows^2. degree 0 .. 40, rows 1 .. 200, as many
+//             normals as coefficients or more, and at most 2^24 values of Y_lm in all: degree 40
+//             with rows 35, rows 200 with degree 6. The fewest rows are not always enough for
+//             coefficients from areas: symmetry leaves some undetermined at degrees 4, 6, 7 and 10,
+//             say; one more row is.
 // Accuracy    budget light_harmonics: of Y_lm.
 // Errors      DomainError naming a degree, rows or a number of coefficients or areas that does not
-//             fit.
-// Cost        areas: an exponential and (degree + 1)^2 flops a normal. Copies share the basis.
+//             fit; `coefficients` where the normals do not determine them.
+// Cost        areas: an exponential and (degree + 1)^2 flops a normal. Copies share the basis, of
+//             64 rows^2 (degree + 1)^2 bytes, 128 MiB at most. coefficients: as many bytes again,
+//             and 16 rows^2 (degree + 1)^4 flops.
 #pragma once
 
 #include <memory>
@@ -62,6 +68,7 @@ class GaussianImage {
  private:
   struct Basis {
     int degree = 0;
+    int rows = 0;
     std::size_t count = 0;
     std::vector<Vec3> normals;
     std::vector<double> solid_angles;

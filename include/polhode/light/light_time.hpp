@@ -12,7 +12,7 @@
 //             left out.
 // Accuracy    the light time to a few roundings of itself and of t.
 // Errors      DomainError naming the point: no vector to the observer, c not above 0, a light time
-//             that does not converge. What a position throws passes through.
+//             that does not converge or is below 0. What a position throws passes through.
 // Cost        four or five calls of the moving position a point.
 #pragma once
 

@@ -7,11 +7,13 @@
 // Domain      text of at most 256 MiB. Each session is a block of KEYWORD=VALUE from STARTMETADATA
 //             to ENDMETADATA, then lines DATA=JD|MAG|MAGERR|AIRMASS of which error and airmass may
 //             be missing, up to ENDDATA, the next session or the end. DELIMITER is PIPE or TAB. All
-//             sessions are of one object. What is taken from the keywords:
+//             sessions are of one object, by OBJECTNUMBER, OBJECTNAME or MPCDESIG: the first of
+//             them that a session and one before it have. What is taken from the keywords:
 //               DIFFERMAGS=FALSE with a STANDARD other than NONE and INTERNAL: calibrated, with
 //               zero magnitude 0; else relative, with the mean flux 1.
 //               LTCAPP: NONE, times at the observer; AVERAGE or POINT, at the body; all else is not
-//               declared. LTCDAYS, the correction that was or would be added: minus the light time.
+//               declared. LTCDAYS, the correction that was or would be added: minus the light time,
+//               0 or less.
 //               REDUCEDMAGS: NONE, distances of the time; AVERAGE or POINT, unit distances.
 //             There are no vectors in it: they stay 0, for an orbit to give them (with_vectors).
 // Accuracy    the nearest double; of dates to 1e-11 s from the epoch, which is midnight before the

@@ -14,7 +14,7 @@
 // Accuracy    the nearest double; of dates to 1e-11 s from the epoch, which is midnight before the
 //             first point unless it is given. Written dates have 12 decimals, 0.1 us.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong; lc_text for a point without
-//             vectors or with a number that is not finite.
+//             vectors or with a number that is not finite, a light curve without points, or none.
 // Cost        a microsecond a point to read and to write; in TDB 8 us to read, 15 us to write.
 #pragma once
 

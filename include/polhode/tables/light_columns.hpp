@@ -10,7 +10,9 @@
 // Accuracy    the nearest double; of dates to 1e-11 s from the epoch, which is midnight before the
 //             first row unless it is given.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong in the file, "FILE: ..." for
-//             columns that do not go together.
+//             columns that do not go together. light_csv: DomainError for calibrated and relative
+//             sessions in one table, a number that is not finite, a session without points, or no
+//             session.
 // Cost        that of the table; dates 0.5 us more a row, in TDB 8 us.
 #pragma once
 
@@ -54,10 +56,10 @@ LightCurveFile read_light_columns(const std::string& path, const LightColumns& c
 
 // The columns session (from 1), t, flux, sigma and, where any point has a vector, sun_x, sun_y,
 // sun_z, observer_x, observer_y, observer_z. Notes stand above them as comments, then one for each
-// session with its name.
+// session with its name and whether it is calibrated, as all are or none is.
 std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes = {});
-// How such a table is read back.
-LightColumns light_csv_columns(bool has_vectors);
+// How such a table is read back: whether it is calibrated its columns do not say.
+LightColumns light_csv_columns(bool has_vectors, bool is_calibrated = false);
 
 }  // namespace v0
 }  // namespace polhode

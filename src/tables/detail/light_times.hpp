@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "polhode/ephemeris/date.hpp"
@@ -30,6 +31,9 @@ class LightTimes {
   std::optional<Date> epoch_;
   std::optional<Date> epoch_in_tt_;
 };
+
+// The same for a file: the reason comes behind its name.
+LightTimes light_times(const std::string& shown, TimeScale scale, const std::optional<Date>& epoch);
 
 }  // namespace detail
 }  // namespace v0

@@ -163,6 +163,35 @@ TEST(LightEllipsoid, OppositeToTheSunThereIsNoLight) {
   }
 }
 
+// Up to rounding: the sum of both unit vectors is then as often 1e-16 as 0, in any direction.
+TEST(LightEllipsoid, NearlyOppositeToTheSunThereIsNoLight) {
+  Draw draw(19, 5);
+  Worst<> value, slope;
+  const auto add = [&](const Nine& x, double single) {
+    const EllipsoidGradient g = gradient(x, single, 1.0);
+    value.add(std::fabs(g.value));
+    value.add(std::fabs(at(x, second_law)));
+    for (const Nine& by : {dual_gradient(x, second_law), numbers(g)})
+      for (const double d : by) slope.add(std::fabs(d));
+  };
+  for (int k = 1; k <= 60; ++k)
+    add({1.3, 1.1, 0.9, 1.0, 0.0, 0.0, -static_cast<double>(k), 0.0, 0.0}, 1.0);
+  for (int trial = 0; trial < 60; ++trial) {
+    Nine x = drawn(draw);
+    const double k = draw.uniform(1.0, 60.0);
+    // the light of the first law is as the square of what is off, that of Lambert's as its cube
+    const double off = trial % 3 == 0 ? 0.0 : (trial % 3 == 1 ? 1e-15 : 1e-9);
+    const double length = std::sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5]);
+    for (std::size_t i = 3; i < 6; ++i) {
+      x[i] /= length;
+      x[i + 3] = -k * (x[i] + off * x[i + 3]);
+    }
+    add(x, off < 1e-12 ? 1.0 : 0.0);
+  }
+  EXPECT_LE(value.value(), budget::light_ellipsoid);
+  EXPECT_LE(slope.value(), budget::light_ellipsoid_gradient);
+}
+
 // Templates and gradients; and both against differences of 60 digits.
 TEST(LightEllipsoid, GradientsAgree) {
   Worst<> templates, differences;

@@ -100,6 +100,25 @@ TEST(LightGaussianImage, CoefficientsOfAreasThatHaveThem) {
 }
 
 // By coefficients, directions and weights: dual numbers through the template.
+// Eight-fold symmetry: as many normals as coefficients do not always determine them.
+TEST(LightGaussianImage, NormalsThatDoNotDetermineTheCoefficients) {
+  for (const auto [degree, rows] : {std::array{4, 2}, std::array{6, 3}, std::array{7, 3},
+                                    std::array{10, 4}, std::array{12, 5}, std::array{14, 6}}) {
+    const GaussianImage few(degree, rows), enough(degree, rows + 1);
+    EXPECT_THAT(test::message_of([&] { return few.coefficients(few.solid_angles()); }),
+                testing::AllOf(testing::HasSubstr(" coefficients of degree " +
+                                                  std::to_string(degree) + "; expected more rows"),
+                               testing::HasSubstr(" normals of rows " + std::to_string(rows) +
+                                                  " determine ")));
+    std::vector<double> c(enough.coefficient_count());
+    Draw draw(7, 4);
+    for (double& x : c) x = 0.1 * draw.normal();
+    const std::vector<double> back = enough.coefficients(enough.areas(c));
+    for (std::size_t k = 0; k < c.size(); ++k)
+      EXPECT_NEAR(back[k], c[k], budget::light_series_back);
+  }
+}
+
 TEST(LightGaussianImage, GradientsAgreeWithDualNumbers) {
   constexpr std::size_t count = 9;
   using D = Dual<double, 17>;
@@ -159,6 +178,9 @@ TEST(LightGaussianImage, ErrorsNameWhatIsWrong) {
             "GaussianImage: rows 0 must be from 1 to 200");
   EXPECT_EQ(test::message_of([] { GaussianImage(3, 1); }),
             "GaussianImage: 8 normals for 16 coefficients of degree 3; expected more rows");
+  EXPECT_EQ(test::message_of([] { GaussianImage(40, 200); }),
+            "GaussianImage: degree 40 with rows 200 has 537920000 harmonics; expected at most "
+            "16777216, of a lower degree or fewer rows");
   const GaussianImage image(1, 1);
   const std::vector<double> three(3, 1.0);
   EXPECT_EQ(test::message_of([&] { return image.areas(three); }),

@@ -289,7 +289,24 @@ TEST(LightTimes, TimesAtTheBodyByTheDistanceOfEachPoint) {
   EXPECT_EQ(message_of([] { at_body(sound(), 0.0); }),
             "light time: speed of light 0; expected one above 0");
   EXPECT_EQ(message_of([] { at_body_after(sound(), nan); }),
-            "at_body_after: light time nan; expected a finite time");
+            "at_body_after: light time nan; expected a finite time, 0 or more");
+  EXPECT_EQ(message_of([] { at_body_after(sound(), -0.5); }),
+            "at_body_after: light time -0.5; expected a finite time, 0 or more");
+  EXPECT_EQ(at_body_after(sound(), 0.0), sound());
+}
+
+TEST(LightCurveMessages, OneWithoutANameHasNone) {
+  LightCurve curve = sound();
+  curve.name.clear();
+  for (LightPoint& p : curve.points) p = {p.t, -1.0, p.sigma, {}, {}};
+  EXPECT_EQ(message_of([&] { normalised(curve); }),
+            "normalised: light curve: its mean flux is -1; expected one above 0");
+  EXPECT_EQ(message_of([&] { at_unit_distances(curve, 1.0); }),
+            "at_unit_distances: light curve: point 1 has no distances; expected vectors to the Sun "
+            "and to the observer");
+  EXPECT_EQ(message_of([&] { at_body(curve, 1.0); }),
+            "light curve: point 1: there is no vector to the observer; expected one, or a light "
+            "time");
 }
 
 TEST(LightTimes, ABodyFasterThanLightHasNone) {

@@ -198,6 +198,10 @@ TEST_F(LightCurveFiles, OfDamitHoldVectorsAndFiniteNumbers) {
   EXPECT_EQ(message_of([&] { write_lc(path("a.lc"), curves, epoch); }),
             "lc_text: light curve 1: point 1: its time or flux is not finite");
   EXPECT_FALSE(std::filesystem::exists(path("a.lc")));
+  EXPECT_EQ(message_of([&] { lc_text({}, epoch); }),
+            "lc_text: there are no light curves; expected one or more");
+  EXPECT_EQ(message_of([&] { lc_text(std::vector<LightCurve>(1), epoch); }),
+            "lc_text: light curve 1 has no points; expected one or more");
   curves[0].points[0] = {-1e-9, 1.0, 0.1, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
   EXPECT_EQ(lc_text(curves, epoch), "1\n1 0\n2451545.0 1 1 0 0 1 0 0\n");  // rounded up
 }
@@ -334,6 +338,11 @@ TEST(LightCurvesOfAlcdef, ASessionMayEndWithoutSayingSo) {
 TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message_of([] { alcdef_from_text("\n", "x.txt"); }),
             "x.txt:1: has no session; expected STARTMETADATA");
+  EXPECT_EQ(message_of([] {
+              alcdef_from_text(two_sessions, "x.txt", Date{TimeScale::UT1, 2451425.5, 0.0});
+            }),
+            "x.txt: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is "
+            "observed");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", "JD,MAG\n"),
             "x.txt:1: got \"JD,MAG\"; expected STARTMETADATA");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", ""),
@@ -347,6 +356,9 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
             "x.txt:32: DIFFERMAGS: got \"PERHAPS\"; expected TRUE or FALSE");
   EXPECT_EQ(alcdef_refusal("LTCDAYS=-0.006465", "LTCDAYS=none"),
             "x.txt:32: LTCDAYS: got \"none\"; expected a finite number");
+  EXPECT_EQ(alcdef_refusal("LTCDAYS=-0.006465", "LTCDAYS=0.006465"),
+            "x.txt:32: LTCDAYS: got \"0.006465\"; expected 0 or less, as it is added to the times "
+            "at the observer");
   EXPECT_EQ(alcdef_refusal("2451425.653700|-0.125|+0.010|1.22", "2451425.653700"),
             "x.txt:34: got 1 fields; expected DATA=JD, magnitude, its error and airmass, of which "
             "the last two may be missing");
@@ -362,8 +374,8 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
             "x.txt:34: got \"JD\"; expected DATA=..., ENDDATA or STARTMETADATA");
   EXPECT_EQ(
       alcdef_refusal("\n\nSTARTMETADATA\nOBJECTNUMBER=999", "\nSTARTMETADATA\nOBJECTNUMBER=5"),
-      "x.txt:49: OBJECTNUMBER: got \"5\"; expected 999, as in the first session: one object a "
-      "file");
+      "x.txt:49: OBJECTNUMBER: got \"5\"; expected 999, as in the session of line 1: one "
+      "object a file");
   EXPECT_EQ(alcdef_refusal("ENDDATA\n\n", "ENDDATA\nmore\n"),
             "x.txt:38: got \"more\"; expected STARTMETADATA");
   const std::size_t rows = two_sessions.find("DATA=2451426.65");
@@ -389,6 +401,50 @@ TEST(LightCurvesOfAlcdef, CalibratedSessionsNeedOneScale) {
             "x.txt:38: calibrated fluxes at unit distances, those of the session of line 1 are at "
             "the distances of the time; expected the same");
   EXPECT_EQ(said(changed(both, "REDUCEDMAGS=POINT", "REDUCEDMAGS=NONE")), "no error");
+}
+
+TEST(LightCurvesOfAlcdef, AreOfOneObjectHoweverItIsNamed) {
+  const auto session = [](const std::string& names) {
+    return "STARTMETADATA\n" + names + "DELIMITER=PIPE\nENDMETADATA\nDATA=2451426.65|13.5\n";
+  };
+  const auto said = [](const std::string& text) {
+    return message_of([&] { alcdef_from_text(text, "x.txt"); });
+  };
+  const std::string unnamed = "OBJECTNUMBER=0\nMPCDESIG=2005 AB\n";
+  EXPECT_EQ(said(session(unnamed) + session("OBJECTNUMBER=0\nMPCDESIG=2006 CD\n")),
+            "x.txt:11: MPCDESIG: got \"2006 CD\"; expected 2005 AB, as in the session of line 1: "
+            "one object a file");
+  EXPECT_EQ(said(session("") + session("OBJECTNAME=Zachia\n") + session("OBJECTNAME=Ceres\n")),
+            "x.txt:13: OBJECTNAME: got \"Ceres\"; expected Zachia, as in the session of line 5: "
+            "one object a file");
+  // a number says more than a name, and a name more than a designation
+  EXPECT_EQ(said(session("OBJECTNUMBER=999\nOBJECTNAME=Zachia\n") +
+                 session("OBJECTNUMBER=999\nOBJECTNAME=ZACHIA\n")),
+            "no error");
+  const LightCurveFile file =
+      alcdef_from_text(session(unnamed) + session("OBJECTNUMBER=999\nMPCDESIG=2005 AB\n"), "x.txt");
+  EXPECT_EQ(file.object, "999 2005 AB");
+}
+
+// A first session that does not say its distances hides nothing of the others.
+TEST(LightCurvesOfAlcdef, DistancesThatAreKnownMustBeTheSame) {
+  const auto session = [](std::size_t line, Distances distances, double t) {
+    LightSession made;
+    made.curve = {"", true, {{t, 1.0, 0.1, {}, {}}}};
+    made.distances = distances;
+    made.line = line;
+    made.lines = {line + 1};
+    return made;
+  };
+  LightCurveFile file;
+  file.file = "x.txt";
+  file.sessions = {session(1, Distances::unknown, 1.0), session(11, Distances::unit, 2.0),
+                   session(21, Distances::unknown, 3.0), session(31, Distances::of_the_time, 4.0)};
+  EXPECT_EQ(message_of([&] { require_sound(file); }),
+            "x.txt:31: calibrated fluxes at the distances of the time, those of the session of "
+            "line 11 are at unit distances; expected the same");
+  file.sessions.pop_back();
+  EXPECT_EQ(message_of([&] { require_sound(file); }), "no error");
 }
 
 TEST_F(LightCurveFiles, InColumnsAreWhatTheCallerSays) {
@@ -513,6 +569,41 @@ TEST_F(LightCurveFiles, OfColumnsComeBackBitForBit) {
   EXPECT_THAT(light_csv(plain),
               HasSubstr("# session 1: calibrated\nsession,t,flux,sigma\n1,1,2,3\n"));
   EXPECT_THAT(light_csv_columns(false).to_sun, ElementsAre("", "", ""));
+}
+
+TEST_F(LightCurveFiles, OfColumnsKeepWhatIsCalibrated) {
+  const std::vector<LightCurve> curves{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
+                                       {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
+  write_light_csv(path("a.csv"), curves);
+  const LightCurveFile file = read_light_columns(path("a.csv"), light_csv_columns(false, true));
+  ASSERT_EQ(file.sessions.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_TRUE(file.sessions[k].curve.is_calibrated);
+    EXPECT_EQ(file.sessions[k].curve.points, curves[k].points);
+  }
+}
+
+TEST(LightCurvesInColumns, AreNotWrittenAsWhatTheyAreNot) {
+  const std::vector<LightCurve> sound{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
+                                      {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
+  const auto said = [&](const auto& change) {
+    std::vector<LightCurve> curves = sound;
+    change(curves);
+    return message_of([&] { light_csv(curves); });
+  };
+  using Curves = std::vector<LightCurve>;
+  EXPECT_EQ(said([](Curves&) {}), "no error");
+  EXPECT_EQ(said([](Curves& c) { c.clear(); }),
+            "light_csv: there are no light curves; expected one or more");
+  EXPECT_EQ(said([](Curves& c) { c[1].points.clear(); }),
+            "light_csv: light curve 2 has no points; expected one or more");
+  EXPECT_EQ(said([](Curves& c) { c[1].is_calibrated = false; }),
+            "light_csv: light curve 2 is relative, light curve 1 is not; expected the same of all "
+            "in one table");
+  EXPECT_EQ(said([](Curves& c) { c[1].points[0].sigma = std::nan(""); }),
+            "light_csv: light curve 2: point 1: got nan; expected finite numbers");
+  EXPECT_EQ(said([](Curves& c) { c[0].points[0].to_sun.z = std::nan(""); }),
+            "light_csv: light curve 1: point 1: got nan; expected finite numbers");
 }
 
 // Mars was nearest to the Earth on 2018-07-31 at 07:50 UTC, 57.59 million km away (NASA/JPL).

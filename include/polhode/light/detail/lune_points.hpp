@@ -73,8 +73,9 @@ void for_lune_points(const BasicVec3<T>& s, const BasicVec3<T>& o, const F& f) {
   const BasicVec3<T> v = (T(1.0) / T(sqrt(dot(o, o)))) * o;
   const BasicVec3<T> q = u + v, d = u - v;
   const T along = sqrt(dot(q, q)), across = sqrt(dot(d, d));
-  // Close to opposition to the Sun the lune is a line, anywhere; its points are not to be NaN.
-  const bool is_thin = along < T(1e-150);
+  // Where both directions are opposite to half of the digits, q is rounding, which may be parallel
+  // to d: the lune is a line then, anywhere, with 1e-24 of the light and 1e-16 of its derivatives.
+  const bool is_thin = along < T(1e-8);
   const BasicVec3<T> middle = is_thin ? perpendicular(u) : (T(1.0) / along) * q;
   // Where both directions are one to half of the digits any plane does: the border is where the
   // integrand is 0.
