@@ -383,9 +383,8 @@ TEST(Scenario, TheKindOfAnExperimentIsARotationUnlessTheFileSaysOtherwise) {
   EXPECT_TRUE(std::holds_alternative<Rotation>(named.experiment));
   const std::string error = error_of("kind = \"rotaton\"\n" + head + andoyer);
   EXPECT_EQ(error,
-            "f.toml:1:8: kind: got \"rotaton\"; expected \"rotation\", \"obliquity\" or "
-            "\"nutation\"; did you mean "
-            "\"rotation\"?");
+            "f.toml:1:8: kind: got \"rotaton\"; expected \"rotation\", \"fit\", \"obliquity\" or "
+            "\"nutation\"; did you mean \"rotation\"?");
 }
 
 TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
