@@ -72,11 +72,7 @@ class Solutions {
   Solutions(const SpinFit& problem, FitReport& report) : problem_(problem), report_(report) {}
 
   void add(SpinSolution found, std::int64_t start) {
-    if (!found.is_found()) {
-      ++report_.failed;
-      if (report_.failure.empty()) report_.failure = found.result.sentence;
-      return;
-    }
+    if (!found.is_found()) return fail(found.result.sentence);
     for (FoundSpin& kept : report_.solutions) {
       if (!are_same(problem_, kept.raw, found)) continue;
       ++kept.starts;
@@ -84,6 +80,18 @@ class Solutions {
       return;
     }
     report_.solutions.push_back({std::move(found), std::nullopt, start, 1});
+  }
+
+  // From a start that was drawn, which may be none: the file's own has said what is wrong with the
+  // file.
+  void try_from(const SpinFit& one, std::int64_t start) {
+    std::optional<SpinSolution> found;
+    try {
+      found = fit_spin(one);
+    } catch (const DomainError& error) {
+      return fail(error.what());
+    }
+    add(*std::move(found), start);
   }
 
   // In order, those near the best.
@@ -99,6 +107,11 @@ class Solutions {
   }
 
  private:
+  void fail(const std::string& why) {
+    ++report_.failed;
+    if (report_.failure.empty()) report_.failure = why;
+  }
+
   std::optional<SpinSolution> scaled(const SpinSolution& raw) const {
     if (!(raw.degrees_of_freedom >= least_freedom) || !(raw.result.chi_square > 0.0))
       return std::nullopt;
@@ -128,9 +141,12 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
                        " of " + std::to_string(plan.starts) + " starts");
     SpinFit one = report.problem;
     one.start = start_of(plan, report.problem.start, report.starts);
-    solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
-                                scenario.document.path, [&] { return fit_spin(one); }),
-                  report.starts);
+    if (report.starts > 0)
+      solutions.try_from(one, report.starts);
+    else
+      solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
+                                  scenario.document.path, [&] { return fit_spin(one); }),
+                    0);
     if (options.progress) options.progress(report.starts + 1);
   }
   solutions.finish(plan.within);
