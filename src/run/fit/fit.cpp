@@ -69,7 +69,8 @@ bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSoluti
 // The solutions so far, each once.
 class Solutions {
  public:
-  Solutions(const SpinFit& problem, FitReport& report) : problem_(problem), report_(report) {}
+  Solutions(const SpinFit& problem, const FitPlan& plan, FitReport& report)
+      : problem_(problem), plan_(plan), report_(report) {}
 
   void add(SpinSolution found, std::int64_t start) {
     if (!found.is_found()) return fail(found.result.sentence);
@@ -95,15 +96,15 @@ class Solutions {
   }
 
   // In order, those near the best.
-  void finish(double within) {
+  void finish() {
     std::vector<FoundSpin>& all = report_.solutions;
     std::stable_sort(all.begin(), all.end(), [](const FoundSpin& a, const FoundSpin& b) {
       return a.raw.result.cost < b.raw.result.cost;
     });
     if (all.empty()) return;
-    const double most = all.front().raw.result.cost + within;
+    const double most = all.front().raw.result.cost + plan_.within;
     std::erase_if(all, [&](const FoundSpin& one) { return one.raw.result.cost > most; });
-    for (FoundSpin& one : all) one.scaled = scaled(one.raw);
+    for (FoundSpin& one : all) one.scaled = scaled(one);
   }
 
  private:
@@ -112,18 +113,24 @@ class Solutions {
     if (report_.failure.empty()) report_.failure = why;
   }
 
-  std::optional<SpinSolution> scaled(const SpinSolution& raw) const {
+  std::optional<SpinSolution> scaled(const FoundSpin& of) const {
+    const SpinSolution& raw = of.raw;
     if (!(raw.degrees_of_freedom >= least_freedom) || !(raw.result.chi_square > 0.0))
       return std::nullopt;
     SpinFit again = problem_;
-    again.start = raw.state;
+    // a fit does not begin on a bound
+    again.start = raw.result.bound.empty() ? raw.state : start_of(plan_, problem_.start, of.start);
     again.scales_errors = true;
-    SpinSolution found = fit_spin(again);
-    if (!found.is_found()) return std::nullopt;
-    return found;
+    try {
+      SpinSolution found = fit_spin(again);
+      if (found.is_found()) return found;
+    } catch (const DomainError&) {  // nearer to a bound than a start may be
+    }
+    return std::nullopt;
   }
 
   const SpinFit& problem_;
+  const FitPlan& plan_;
   FitReport& report_;
 };
 
@@ -134,7 +141,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   FitReport report;
   report.observed = read_observations(scenario);
   report.problem = problem_of(scenario, plan, report.observed.seen);
-  Solutions solutions(report.problem, report);
+  Solutions solutions(report.problem, plan, report);
   for (report.starts = 0; report.starts < plan.starts; ++report.starts) {
     if (options.stop && options.stop())
       throw FitStopped(scenario.document.name + ": stopped after " + std::to_string(report.starts) +
@@ -149,7 +156,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
                     0);
     if (options.progress) options.progress(report.starts + 1);
   }
-  solutions.finish(plan.within);
+  solutions.finish();
   return report;
 }
 
