@@ -49,7 +49,7 @@ Value value_of(const CLI::Option& option) {
   } catch (const CLI::OptionNotFound&) {  // it has none
   }
   const std::string name = option.get_positional() ? option.get_name(true) : "";
-  value.folders = name == "DIR";
+  value.folders = name == "DIR" || option.get_type_name() == "DIR";
   value.files = value.words.empty() && (name == "FILE" || option.get_type_name() == "PATH");
   return value;
 }

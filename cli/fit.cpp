@@ -102,7 +102,7 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
       ->add_option("--solution", options->solution,
                    "A scenario that begins at the solution, for polhode run; of a second solution "
                    "PATH-2.toml and so on")
-      ->type_name("PATH.toml");
+      ->type_name("PATH");
   command->add_flag("--json", options->json, "For programs: every digit");
   command->footer("Example:\n  " + full_name(*command) +
                   " examples/toutatis-1992.toml --solution fitted.toml");
@@ -124,7 +124,7 @@ void add_simulate(CLI::App& app, const Kinds& kinds) {
   command
       ->add_option("--into", options->folder,
                    "Folder for the files that [[observation]] names; it is made")
-      ->type_name("FOLDER")
+      ->type_name("DIR")
       ->required();
   command->add_flag("--replace", options->may_replace, "Replace files that are there");
   command->footer("Example:\n  " + full_name(*command) +

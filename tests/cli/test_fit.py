@@ -326,3 +326,23 @@ def test_what_does_not_converge_is_no_solution(run, fit_file, tmp_path):
                "state.attitude-rate.omega_body=[3.1, 4.1, 11.8]")
     assert done.returncode == 1 and done.stdout == "" and not out.exists()
     assert "no solution: from its start the fit did not converge: " in done.stderr
+
+
+def test_a_solution_on_a_bound_says_so(run, fit_file, tmp_path):
+    """A body all but flat, seen with errors of 5 deg: with some noise the ratios of its moments
+    end on the triangle inequality."""
+    head = HEAD.replace("moments = [1, 2.2, 2.6]", "moments = [1, 1.601, 2.6]")
+    path = fit_file(ATTITUDES.replace("sigma = 2", "sigma = 5"), FREE, head=head)
+    told = 0
+    for seed in range(1, 5):
+        into = tmp_path / str(seed)
+        assert run("simulate", path, "--into", into, "--set",
+                   f"simulate.seed={seed}").returncode == 0
+        done = run("fit", path, "--json", "--set", f"observation.0.file={seed}/seen.csv")
+        assert done.returncode == 0, done.stderr
+        solution, = json.loads(done.stdout)["solutions"]
+        x, y = (solution["unknowns"][name]["value"] for name in ("Ixx/Izz", "Iyy/Izz"))
+        is_on_bound = abs(x + y - 1) < budgets.cli_rounding
+        assert is_on_bound == ("is on its bound" in solution["sentence"])
+        told += is_on_bound
+    assert told > 0

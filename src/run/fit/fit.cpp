@@ -69,14 +69,11 @@ bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSoluti
 // The solutions so far, each once.
 class Solutions {
  public:
-  Solutions(const SpinFit& problem, FitReport& report) : problem_(problem), report_(report) {}
+  Solutions(const SpinFit& problem, const FitPlan& plan, FitReport& report)
+      : problem_(problem), plan_(plan), report_(report) {}
 
   void add(SpinSolution found, std::int64_t start) {
-    if (!found.is_found()) {
-      ++report_.failed;
-      if (report_.failure.empty()) report_.failure = found.result.sentence;
-      return;
-    }
+    if (!found.is_found()) return fail(found.result.sentence);
     for (FoundSpin& kept : report_.solutions) {
       if (!are_same(problem_, kept.raw, found)) continue;
       ++kept.starts;
@@ -86,31 +83,54 @@ class Solutions {
     report_.solutions.push_back({std::move(found), std::nullopt, start, 1});
   }
 
+  // From a start that was drawn, which may be none: the file's own has said what is wrong with the
+  // file.
+  void try_from(const SpinFit& one, std::int64_t start) {
+    std::optional<SpinSolution> found;
+    try {
+      found = fit_spin(one);
+    } catch (const DomainError& error) {
+      return fail(error.what());
+    }
+    add(*std::move(found), start);
+  }
+
   // In order, those near the best.
-  void finish(double within) {
+  void finish() {
     std::vector<FoundSpin>& all = report_.solutions;
     std::stable_sort(all.begin(), all.end(), [](const FoundSpin& a, const FoundSpin& b) {
       return a.raw.result.cost < b.raw.result.cost;
     });
     if (all.empty()) return;
-    const double most = all.front().raw.result.cost + within;
+    const double most = all.front().raw.result.cost + plan_.within;
     std::erase_if(all, [&](const FoundSpin& one) { return one.raw.result.cost > most; });
-    for (FoundSpin& one : all) one.scaled = scaled(one.raw);
+    for (FoundSpin& one : all) one.scaled = scaled(one);
   }
 
  private:
-  std::optional<SpinSolution> scaled(const SpinSolution& raw) const {
+  void fail(const std::string& why) {
+    ++report_.failed;
+    if (report_.failure.empty()) report_.failure = why;
+  }
+
+  std::optional<SpinSolution> scaled(const FoundSpin& of) const {
+    const SpinSolution& raw = of.raw;
     if (!(raw.degrees_of_freedom >= least_freedom) || !(raw.result.chi_square > 0.0))
       return std::nullopt;
     SpinFit again = problem_;
-    again.start = raw.state;
+    // a fit does not begin on a bound
+    again.start = raw.result.bound.empty() ? raw.state : start_of(plan_, problem_.start, of.start);
     again.scales_errors = true;
-    SpinSolution found = fit_spin(again);
-    if (!found.is_found()) return std::nullopt;
-    return found;
+    try {
+      SpinSolution found = fit_spin(again);
+      if (found.is_found()) return found;
+    } catch (const DomainError&) {  // nearer to a bound than a start may be
+    }
+    return std::nullopt;
   }
 
   const SpinFit& problem_;
+  const FitPlan& plan_;
   FitReport& report_;
 };
 
@@ -121,19 +141,22 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   FitReport report;
   report.observed = read_observations(scenario);
   report.problem = problem_of(scenario, plan, report.observed.seen);
-  Solutions solutions(report.problem, report);
+  Solutions solutions(report.problem, plan, report);
   for (report.starts = 0; report.starts < plan.starts; ++report.starts) {
     if (options.stop && options.stop())
       throw FitStopped(scenario.document.name + ": stopped after " + std::to_string(report.starts) +
                        " of " + std::to_string(plan.starts) + " starts");
     SpinFit one = report.problem;
     one.start = start_of(plan, report.problem.start, report.starts);
-    solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
-                                scenario.document.path, [&] { return fit_spin(one); }),
-                  report.starts);
+    if (report.starts > 0)
+      solutions.try_from(one, report.starts);
+    else
+      solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
+                                  scenario.document.path, [&] { return fit_spin(one); }),
+                    0);
     if (options.progress) options.progress(report.starts + 1);
   }
-  solutions.finish(plan.within);
+  solutions.finish();
   return report;
 }
 
