@@ -364,10 +364,9 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
   std::string_view kind;
   for (const Key* key : keys_of(schema, path)) {
     // [output.aem] names an object: what is not the user's own must not slip into their files
-    const bool table_line =
-        key->type == KeyType::table &&
-        (table == nullptr || is_motion(path) || path == state_table || path == output_table ||
-         path == free_table);
+    const bool table_line = key->type == KeyType::table &&
+                            (table == nullptr || is_motion(path) || path == state_table ||
+                             path == output_table || path == free_table);
     if (table_line || !belongs(*key, kind)) continue;
     std::string value = value_in(schema, *key, subject);
     std::string_view text;
