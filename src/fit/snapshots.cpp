@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "math/is_finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -12,9 +13,6 @@ inline namespace v0 {
 namespace {
 
 std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 std::string name(const char* kind, std::size_t i) {
   return "Snapshots: " + std::string(kind) + " " + std::to_string(i + 1);
 }
@@ -44,7 +42,7 @@ void require_covariance(const std::string& what, const Mat3& c) {
 }
 
 void require_direction(const std::string& what, const char* which, const Vec3& v) {
-  if (!is_finite(v) || !(norm(v) > 0.0)) {
+  if (!detail::is_finite(v) || !(norm(v) > 0.0)) {
     throw DomainError(what + ": " + which + " = " + text(v) + " must be finite and not 0");
   }
 }
@@ -102,7 +100,7 @@ void check(const Snapshots& seen) {
     const ObservedRate& r = seen.rates[i];
     const std::string what = name("rate", i);
     require_time(what, r.t);
-    if (!is_finite(r.w_F)) throw DomainError(what + ": " + text(r.w_F) + " must be finite");
+    if (!detail::is_finite(r.w_F)) throw DomainError(what + ": " + text(r.w_F) + " must be finite");
     require_covariance(what, r.covariance);
   }
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/is_finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -18,17 +19,13 @@ using detail::number_text;
 
 std::string place(std::size_t index) { return "point " + std::to_string(index + 1); }
 
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 std::string not_finite(const char* what, double value) {
   return std::string(what) + " " + number_text(value) + "; expected a finite number";
 }
 
 // What is wrong with a vector, or nothing.
 std::string flaw_of(const Vec3& v, const char* to, bool needed) {
-  if (!is_finite(v)) return std::string("the vector to ") + to + " is not finite";
+  if (!detail::is_finite(v)) return std::string("the vector to ") + to + " is not finite";
   if (needed && v == Vec3{})
     return std::string("there is no vector to ") + to +
            "; expected one, in the file or from an orbit";

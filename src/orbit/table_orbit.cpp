@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "math/is_finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -20,10 +21,6 @@ constexpr std::size_t usual_nodes_with_velocities = 6;
   fail("row " + std::to_string(row) + ": " + what);
 }
 
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void require_rows(const PositionTable& table) {
   const std::vector<double>& t = table.times;
   if (table.positions.size() != t.size() ||
@@ -34,8 +31,8 @@ void require_rows(const PositionTable& table) {
     if (k > 0 && !(t[k] > t[k - 1]))
       fail_at(k, "time " + detail::number_text(t[k]) + " must be after " +
                      detail::number_text(t[k - 1]));
-    if (!is_finite(table.positions[k]) ||
-        (!table.velocities.empty() && !is_finite(table.velocities[k])))
+    if (!detail::is_finite(table.positions[k]) ||
+        (!table.velocities.empty() && !detail::is_finite(table.velocities[k])))
       fail_at(k, "position and velocity must be finite");
   }
 }

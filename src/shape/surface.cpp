@@ -5,16 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "math/is_finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
-
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 void require_fraction(const std::string& facet, const char* what, double x) {
   if (!(x >= 0.0 && x <= 1.0))
@@ -24,7 +21,7 @@ void require_fraction(const std::string& facet, const char* what, double x) {
 SurfaceFacet checked(const SurfaceFacet& f, std::size_t number) {
   const std::string name = "Surface: facet " + std::to_string(number);
   const double length = norm(f.normal);
-  if (!is_finite(f.centre))
+  if (!detail::is_finite(f.centre))
     throw DomainError(name + ": centre " +
                       detail::tuple_text({f.centre.x, f.centre.y, f.centre.z}) + " must be finite");
   if (!(length > 0.0) || !std::isfinite(length))
