@@ -9,6 +9,7 @@
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "tables/detail/light_times.hpp"
+#include "tables/detail/trimmed.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -25,12 +26,6 @@ std::string upper(std::string_view text) {
   for (char& c : result)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 class AlcdefReader {
@@ -148,7 +143,7 @@ class AlcdefReader {
     std::vector<std::string_view> fields;
     for (bool more = true; more;) {
       const std::size_t end = std::min(rest.find(delimiter), rest.size());
-      fields.push_back(trimmed(rest.substr(0, end)));
+      fields.push_back(detail::trimmed(rest.substr(0, end), " "));
       more = end < rest.size();
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }

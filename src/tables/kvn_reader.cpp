@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "polhode/error.hpp"
+#include "tables/detail/trimmed.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -20,12 +21,6 @@ namespace detail {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 struct CloseFile {
   void operator()(std::FILE* file) const {
@@ -43,16 +38,17 @@ KvnReader::KvnReader(std::string_view text, std::string name)
 std::optional<KvnLine> KvnReader::next() {
   while (!rest_.empty()) {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = trimmed(rest_.substr(0, end));
+    const std::string_view line = trimmed(rest_.substr(0, end), blanks);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++line_;
     if (line.empty()) continue;
     const std::string_view word = line.substr(0, line.find_first_of(" \t="));
-    if (word == "COMMENT") return KvnLine{KvnLine::Kind::comment, word, trimmed(line.substr(7))};
+    if (word == "COMMENT")
+      return KvnLine{KvnLine::Kind::comment, word, trimmed(line.substr(7), blanks)};
     const std::size_t equals = line.find('=');
     if (equals != std::string_view::npos)
-      return KvnLine{KvnLine::Kind::pair, trimmed(line.substr(0, equals)),
-                     trimmed(line.substr(equals + 1))};
+      return KvnLine{KvnLine::Kind::pair, trimmed(line.substr(0, equals), blanks),
+                     trimmed(line.substr(equals + 1), blanks)};
     const bool upper = line.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
     if (upper) return KvnLine{KvnLine::Kind::word, line, {}};
     return KvnLine{KvnLine::Kind::data, {}, line};
@@ -72,7 +68,7 @@ std::string KvnReader::value_of(const KvnLine& line) const {
 std::vector<std::string_view> KvnReader::fields(const KvnLine& line) const {
   std::vector<std::string_view> parts;
   std::string_view rest = line.value;
-  while (!(rest = trimmed(rest)).empty()) {
+  while (!(rest = trimmed(rest, blanks)).empty()) {
     const std::size_t end = std::min(rest.find_first_of(blanks), rest.size());
     parts.push_back(rest.substr(0, end));
     rest.remove_prefix(end);

@@ -11,6 +11,7 @@
 #include "polhode/error.hpp"
 #include "tables/detail/line_reader.hpp"
 #include "tables/detail/packed_file.hpp"
+#include "tables/detail/trimmed.hpp"
 #include "text/nearest.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
@@ -26,21 +27,15 @@ constexpr std::string_view blanks = " \t";
 constexpr std::size_t longest_path = 4096;
 constexpr std::size_t most_comments = 10000;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::string_view unquoted(std::string_view field) {
-  field = trimmed(field);
+  field = detail::trimmed(field);
   const bool quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
-  return quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+  return quoted ? detail::trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
 void split(std::string_view line, bool commas, Fields& fields) {
   fields.clear();
-  line = trimmed(line);
+  line = detail::trimmed(line);
   if (commas && line.ends_with(',')) line.remove_suffix(1);
   while (!line.empty()) {
     const std::size_t end = commas ? line.find(',') : line.find_first_of(blanks);
@@ -48,7 +43,7 @@ void split(std::string_view line, bool commas, Fields& fields) {
     if (end == std::string_view::npos) return;
     line.remove_prefix(end + 1);
     if (!commas)
-      line = trimmed(line);
+      line = detail::trimmed(line);
     else if (line.empty())
       fields.emplace_back();
   }
@@ -104,7 +99,7 @@ class TableReader {
       }
       ++number_;
       const std::size_t hash = line->find('#');
-      const std::string_view text = trimmed(line->substr(0, hash));
+      const std::string_view text = detail::trimmed(line->substr(0, hash));
       if (!has_rows_ && hash != std::string_view::npos) keep(line->substr(hash + 1), false);
       if (text.empty()) {
         if (hash != std::string_view::npos) above = line->substr(hash + 1);
@@ -142,7 +137,7 @@ class TableReader {
     std::string above;
     while (const std::optional<std::string_view> line = lines_.next()) {
       ++number_;
-      const std::string_view text = trimmed(*line);
+      const std::string_view text = detail::trimmed(*line);
       keep(text, true);
       if (text == "$$SOE") {
         if (above.find(',') == std::string::npos)

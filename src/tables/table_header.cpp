@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "tables/detail/trimmed.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -13,12 +15,6 @@ using Note = TableHeader::Note;
 
 constexpr std::array<std::string_view, 3> known_axes = {"inertial", "ecliptic-J2000",
                                                         "equator-J2000"};
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// A text without the blanks at its ends.
+#pragma once
+
+#include <string_view>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t") {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
