@@ -7,6 +7,7 @@
 
 #include "fit/detail/light_residuals.hpp"
 #include "polhode/ensemble/counter_random.hpp"
+#include "polhode/ensemble/distributions.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/math/real.hpp"
 
@@ -30,12 +31,9 @@ class Draws {
   std::size_t below(std::size_t n) {
     return std::min(n - 1, static_cast<std::size_t>(uniform() * static_cast<double>(n)));
   }
-  // Evenly spread over rotations (Shoemake 1992).
   Quaternion attitude() {
-    const double u = uniform(), a = between(0.0, 2.0 * pi<double>()),
-                 b = between(0.0, 2.0 * pi<double>());
-    const double p = std::sqrt(1.0 - u), q = std::sqrt(u);
-    return {q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)};
+    const double u0 = uniform(), u1 = uniform(), u2 = uniform();
+    return UniformAttitude().from_uniform(u0, u1, u2);
   }
 
  private:

@@ -11,7 +11,7 @@ inline namespace v0 {
 namespace detail {
 
 struct Descent {
-  enum class End { small_step, no_descent, iteration_limit, no_value };
+  enum class End { small_step, iteration_limit, no_value };
   End end = End::no_value;
   std::vector<double> y;
   int iterations = 0;
