@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
 #include "polhode/light/light_curve_checks.hpp"
@@ -22,6 +23,7 @@ namespace polhode {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
+using test::message_of;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -49,16 +51,6 @@ std::string refusal_of_changed(const Change& change, bool vectors = false) {
   LightCurve curve = sound();
   change(curve);
   return refusal({curve}, vectors);
-}
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(LightCurveChecks, SoundOnesPass) {
