@@ -70,8 +70,9 @@ GaussianImage::GaussianImage(int degree, int rows) {
   Basis made;
   made.degree = degree;
   made.rows = rows;
-  made.count = static_cast<std::size_t>((degree + 1) * (degree + 1));
-  const auto normals = static_cast<std::size_t>(8 * rows * rows);
+  const auto orders = static_cast<std::size_t>(degree) + 1;
+  made.count = orders * orders;
+  const std::size_t normals = 8 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows);
   if (normals < made.count)
     throw DomainError("GaussianImage: " + std::to_string(normals) + " normals for " +
                       std::to_string(made.count) + " coefficients of degree " +
@@ -160,7 +161,7 @@ std::vector<Vec3> GaussianImage::closure_gradient(std::span<const double> areas)
 std::vector<double> GaussianImage::roughness() const {
   std::vector<double> out;
   for (int l = 0; l <= basis_->degree; ++l)
-    out.insert(out.end(), static_cast<std::size_t>(2 * l + 1), l * (l + 1.0));
+    out.insert(out.end(), 2 * static_cast<std::size_t>(l) + 1, l * (l + 1.0));
   return out;
 }
 

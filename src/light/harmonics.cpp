@@ -11,7 +11,10 @@ inline namespace v0 {
 std::vector<double> spherical_harmonics(int degree, const Vec3& n) {
   const auto size = static_cast<std::size_t>(degree) + 1;
   std::vector<double> Y(size * size);
-  const auto place = [](int l, int m) { return static_cast<std::size_t>(l * l + l + m); };
+  const auto place = [](int l, int m) {
+    const int at = l * l + l + m;
+    return static_cast<std::size_t>(at);
+  };
   double re = 1.0, im = 0.0;  // (x + i y)^m
   double own = 1.0;           // of l = m
   for (int m = 0; m <= degree; ++m) {

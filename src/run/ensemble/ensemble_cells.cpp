@@ -120,10 +120,12 @@ EnsembleChunk EnsembleCells::chunk(const CellsOfMembers& cells, std::int64_t cel
   }
   if (!file) return chunk;
   file->finish();
-  const auto rows = static_cast<double>(numbers / row_width(row_groups_of(ensemble_)));
+  const std::size_t rows = numbers / row_width(row_groups_of(ensemble_));
   const std::int64_t first = cells.begin_of(cell);
-  chunk.rows = {static_cast<double>(first / ensemble_.plan().chunk), static_cast<double>(first),
-                static_cast<double>(end - first), static_cast<double>(chunk.failures.size()), rows};
+  const std::int64_t place = first / ensemble_.plan().chunk;
+  chunk.rows = {static_cast<double>(place), static_cast<double>(first),
+                static_cast<double>(end - first), static_cast<double>(chunk.failures.size()),
+                static_cast<double>(rows)};
   return chunk;
 }
 

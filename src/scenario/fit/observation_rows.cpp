@@ -135,7 +135,10 @@ class RowReader {
         return in_state(unit_quaternion(at(0, row), at(1, row), at(2, row), at(3, row)));
       Mat3 R;
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) R(i, j) = at(static_cast<std::size_t>(3 * i + j), row);
+        for (int j = 0; j < 3; ++j) {
+          const int place = 3 * i + j;
+          R(i, j) = at(static_cast<std::size_t>(place), row);
+        }
       return in_state(attitude(R));
     } catch (const DomainError& error) {
       refuse_row(table_, row, error.what());
