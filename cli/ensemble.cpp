@@ -45,17 +45,24 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
     const std::vector<Column>& columns = group.columns;
     const double* const numbers = row.data() + place;
     place += columns.size();
+    // of no members there is no mean, part or mode
+    const bool is_of_none =
+        (columns.size() > 1 && columns[0].name.ends_with("_members") && numbers[0] == 0.0) ||
+        (columns[0].name == group.name + "_SAM" && std::isnan(numbers[0]));
     if (group.name == "t") text += fmt::format("at t = {:.10g} {}\n", numbers[0], columns[0].unit);
     if (columns.size() == 2 && columns[1].name.ends_with("_part"))
-      text +=
-          fmt::format("  {:<15} {:.4g} of {:.0f} members\n", group.name, numbers[1], numbers[0]);
+      text += is_of_none ? fmt::format("  {:<15} no members\n", group.name)
+                         : fmt::format("  {:<15} {:.4g} of {:.0f} members\n", group.name,
+                                       numbers[1], numbers[0]);
     const bool is_number = columns.size() > 4 && columns[1].name == group.name + "_mean";
     const bool is_mode = columns[0].name == group.name + "_SAM";
     if ((!is_number && !is_mode) || ++shown > columns_shown) {
       if (shown == columns_shown + 1 && (is_number || is_mode)) text += "  ...\n";
       continue;
     }
-    if (is_mode)
+    if (is_of_none)
+      text += fmt::format("  {:<15} no members\n", group.name);
+    else if (is_mode)
       text += fmt::format("  {:<15} {:.4g} SAM, {:.4g} LAM, {:.4g} others\n", group.name,
                           numbers[0], numbers[1], numbers[2]);
     else

@@ -309,8 +309,11 @@ def test_an_event_that_stops_members_ends_their_part(run, ensemble, tmp_path):
         assert run("ensemble", path, "--out", tmp_path / "final.csv").returncode == 0
         ends = rows_of(tmp_path / "final.csv")["t"]
         path = ensemble("size = 100", extra=extra)
-        assert run("ensemble", path, "--out", tmp_path / "s.csv").returncode == 0
+        done = run("ensemble", path, "--out", tmp_path / "s.csv")
+        assert done.returncode == 0
         found = rows_of(tmp_path / "s.csv")
+        assert found["members"][-1] == 0
+        assert "  w1              no members\n" in done.stdout and "nan" not in done.stdout
         assert len(set(ends)) > 10
         assert [(ends >= t).sum() for t in found["t"]] == found["members"].tolist()
 
