@@ -29,6 +29,10 @@ inline constexpr double cli_fit_starts = 1e-6;
 inline constexpr double cli_fit_exact = 1e-8;
 // Numbers of a published or independent fit that are told to three decimals.
 inline constexpr double cli_published = 1e-3;
+// TDB - TT is 2 ms at most, in days.
+inline constexpr double cli_tdb = 3e-8;
+// Fluxes with noise of 1e-9, five times that.
+inline constexpr double cli_light_noise = 5e-9;
 // Where the numbers of a chart hold half the digits of the state.
 inline constexpr double cli_half_the_digits = 1e-7;
 // Every method against double-double, at the steps of that test.

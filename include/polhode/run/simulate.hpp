@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "polhode/fit/snapshots.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -26,6 +27,8 @@ inline namespace v0 {
 
 // What the rows of one [[observation]] would be, in core units.
 Snapshots simulated(const Scenario& scenario, std::size_t table);
+// The same of a table of light curves: one session, with vectors along the axes of the state.
+LightCurve simulated_light(const Scenario& scenario, std::size_t table);
 
 // Writes the file of each [[observation]] below a folder, as PATH.part until it is complete.
 // Returns their paths. A file that is there stays unless it may be replaced.

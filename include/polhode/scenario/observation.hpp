@@ -26,6 +26,7 @@
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/fit/snapshots.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/light/light_time.hpp"
 #include "polhode/math/vector.hpp"
 
@@ -34,11 +35,13 @@ inline namespace v0 {
 struct Scenario;
 
 struct Observation {
-  enum class Kind { attitude, direction, rate };
+  enum class Kind { attitude, direction, rate, light_curve };
   // The numbers of a row after its time.
   enum class Form { quaternion, euler, matrix, vector, angles };
   enum class TimeFormat { number, julian, modified_julian, date };
   enum class Axes { inertial, ecliptic, equator };
+  enum class LightFormat { columns, lc };
+  enum class Brightness { flux, magnitude };
 
   Kind kind = Kind::attitude;
   std::string name;                  // of the table; may be empty
@@ -58,6 +61,18 @@ struct Observation {
   std::optional<Vec3> sigmas = std::nullopt;  // along the body axes
   std::vector<std::string> sigma_columns;
 
+  // Of light curves. Errors without a column are parts of the mean flux, or magnitudes.
+  LightFormat light_format = LightFormat::columns;
+  Brightness brightness = Brightness::flux;
+  std::vector<std::string> session_column, sun_columns, observer_columns;  // 1, 3 and 3, or none
+  std::optional<Vec3> to_sun = std::nullopt;  // of all points, where no columns have them
+  std::optional<Vec3> to_observer = std::nullopt;
+  bool is_calibrated = false;
+  // What a simulation sees: an ellipsoid along the principal axes, left out that of an even filling
+  // of the moments; Lommel and Seeliger's law with this weight of Lambert's.
+  std::optional<Vec3> semiaxes = std::nullopt;
+  double multiple = 0.0;
+
   // For messages: its name, or else its file.
   const std::string& shown() const { return name.empty() ? file : name; }
 };
@@ -73,15 +88,23 @@ struct ReadObservations {
   Snapshots seen;
   // As those of `seen`.
   std::vector<ObservedRow> attitudes, directions, rates;
+  std::vector<LightCurve> curves;  // times at the body, vectors along the axes of the state
+  std::vector<std::size_t> curve_tables;  // among the observations, from 0
 };
 
 // Of a scenario of kind "fit", whose document it still holds.
 ReadObservations read_observations(const Scenario& scenario);
 
+// A vector of the table's axes along those of the state.
+Vec3 in_axes_of_state(const Scenario& scenario, std::size_t table, const Vec3& v);
+
 // The text of a file of the observation `table`, with these rows in its columns, that
 // read_observations reads back. DomainError for columns that have no names, and for errors that are
 // columns.
 std::string observation_text(const Scenario& scenario, std::size_t table, const Snapshots& rows,
+                             std::span<const std::string> notes = {});
+// The same of a session of a light curve; ScenarioError for what its format cannot hold.
+std::string light_curve_text(const Scenario& scenario, std::size_t table, const LightCurve& curve,
                              std::span<const std::string> notes = {});
 
 }  // namespace v0

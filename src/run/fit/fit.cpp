@@ -18,7 +18,8 @@ constexpr double same_distance = 1.0;
 // Fewer degrees of freedom say nothing of errors.
 constexpr double least_freedom = 0.5;
 
-[[noreturn]] void refuse(const Scenario& scenario, const char* path, const std::string& text) {
+[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
+                         const std::string& text) {
   detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
 }
 
@@ -134,10 +135,21 @@ class Solutions {
   FitReport& report_;
 };
 
+// Here light curves take another way: fit_light of report.observed.curves
+// (polhode/fit/light_fit.hpp, search_light), beside or in place of fit_spin.
+void require_snapshots(const Scenario& scenario, const FitPlan& plan) {
+  for (std::size_t i = 0; i < plan.observations.size(); ++i)
+    if (plan.observations[i].kind == Observation::Kind::light_curve)
+      refuse(scenario, "observation[" + std::to_string(i) + "].kind",
+             "expected \"attitude\", \"direction\" or \"rate\"; light curves are simulated, and "
+             "fitted in C++");
+}
+
 }  // namespace
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   const FitPlan& plan = plan_of(scenario);
+  require_snapshots(scenario, plan);
   FitReport report;
   report.observed = read_observations(scenario);
   report.problem = problem_of(scenario, plan, report.observed.seen);

@@ -10,6 +10,9 @@
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/ellipsoid.hpp"
+#include "polhode/light/lambert.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/own_files.hpp"
 #include "scenario/value_access.hpp"
@@ -26,8 +29,9 @@ constexpr std::size_t longest_path = 500;
 
 struct Seen {
   double t;
-  Quaternion q;  // body axes of the file to inertial ones
-  Vec3 w;        // along these body axes
+  Quaternion q;            // body axes of the file to inertial ones
+  Vec3 w;                  // along these body axes
+  Quaternion q_principal;  // principal axes to inertial ones
 };
 
 const FitPlan& plan_of(const Scenario& scenario) {
@@ -50,8 +54,8 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
     const SaveAt& times = *rotation.time;
     for (std::int64_t k = 0; k < times.size(); ++k) {
       const RotorState s = motion.at(times[k]);
-      all.push_back(
-          {times[k], normalized(s.q * conj(f)), rotate(f, angular_velocity(motion.body(), s))});
+      all.push_back({times[k], normalized(s.q * conj(f)),
+                     rotate(f, angular_velocity(motion.body(), s)), s.q});
     }
     return all;
   }
@@ -61,7 +65,8 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
       integrate(problem, *rotation.time, [&](std::span<const DampedSample> samples) {
         for (const DampedSample& one : samples)
           all.push_back({one.t, normalized(one.s.rotor.q * conj(f)),
-                         rotate(f, angular_velocity(system, one.t, one.s.rotor).inertial)});
+                         rotate(f, angular_velocity(system, one.t, one.s.rotor).inertial),
+                         normalized(one.s.rotor.q)});
       });
   if (end.outcome().status == Outcome::Status::failed)
     throw DomainError(scenario.document.name + ": the run failed: " + end.outcome().advice);
@@ -114,6 +119,8 @@ void add(Snapshots& rows, const Observation& of, const Seen& seen, const Vec3& n
     case Observation::Kind::rate:
       rows.rates.push_back({seen.t, seen.w + noise, covariance_of(sigma)});
       break;
+    case Observation::Kind::light_curve:  // light_of
+      break;
   }
 }
 
@@ -127,12 +134,62 @@ Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen
   return rows;
 }
 
+// Without a size: fluxes are parts of their mean.
+Ellipsoid ellipsoid_of(const Observation& of, const Body& body) {
+  if (of.semiaxes) return {of.semiaxes->x, of.semiaxes->y, of.semiaxes->z};
+  return homogeneous_ellipsoid(body.moments(), 1.0);
+}
+
+Vec3 vector_of(const Scenario& scenario, std::size_t table, const char* key,
+               const std::optional<Vec3>& given) {
+  if (given && norm(*given) > 0.0) return *given;
+  detail::refuse(scenario.document.checked->values,
+                 "observation[" + std::to_string(table) + "].kind", scenario.document.path,
+                 std::string("expected a key ") + key +
+                     " as well, a vector that is not 0, for a "
+                     "simulation");
+}
+
+LightCurve light_of(const Scenario& scenario, std::size_t table, const std::vector<Seen>& motion) {
+  const FitPlan& plan = require_fit(scenario);
+  const Observation& of = plan.observations.at(table);
+  const Ellipsoid shape = ellipsoid_of(of, scenario.rotation().body);
+  const Scattering law = Scattering::mixed(of.multiple);
+  const Vec3 sun =
+      in_axes_of_state(scenario, table, vector_of(scenario, table, "to_sun", of.to_sun));
+  const Vec3 observer =
+      in_axes_of_state(scenario, table, vector_of(scenario, table, "to_observer", of.to_observer));
+  LightCurve curve{of.name, of.is_calibrated, {}};
+  for (const Seen& seen : motion) {
+    const Quaternion back = conj(seen.q_principal);
+    curve.points.push_back({seen.t,
+                            brightness(shape, law, rotate(back, sun), rotate(back, observer)),
+                            of.sigma.value_or(0.0), sun, observer});
+  }
+  curve = normalised(std::move(curve));
+  const Noise noise(plan.noise, table);
+  for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    LightPoint& p = curve.points[k];
+    p.sigma = of.sigma.value_or(0.0);  // a part of the mean, which is 1
+    p.flux += noise.at(k, {p.sigma, 0.0, 0.0}).x;
+  }
+  return curve;
+}
+
 std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
   return {"simulated by polhode " + std::string(version()) + " from " +
               detail::printable(scenario.document.name, longest_path) + ", seed " +
               std::to_string(require_fit(scenario).noise),
           "observation " + std::to_string(table + 1) + ": " +
               std::string(kind_word(require_fit(scenario).observations[table].kind))};
+}
+
+std::string text_of(const Scenario& scenario, std::size_t table, const std::vector<Seen>& motion) {
+  const FitPlan& plan = require_fit(scenario);
+  const std::vector<std::string> notes = notes_of(scenario, table);
+  if (plan.observations[table].kind == Observation::Kind::light_curve)
+    return light_curve_text(scenario, table, light_of(scenario, table, motion), notes);
+  return observation_text(scenario, table, rows_of(plan, table, motion), notes);
 }
 
 void require_free(const std::vector<std::string>& paths, const Scenario& scenario,
@@ -156,6 +213,11 @@ Snapshots simulated(const Scenario& scenario, std::size_t table) {
   return rows_of(plan_of(scenario), table, motion_of(scenario));
 }
 
+LightCurve simulated_light(const Scenario& scenario, std::size_t table) {
+  static_cast<void>(plan_of(scenario));
+  return light_of(scenario, table, motion_of(scenario));
+}
+
 std::vector<std::string> write_simulation(const Scenario& scenario, const std::string& folder,
                                           bool may_replace) {
   const FitPlan& plan = plan_of(scenario);
@@ -164,8 +226,7 @@ std::vector<std::string> write_simulation(const Scenario& scenario, const std::s
     paths.push_back((fs::path(folder) / of.file).string());
   require_free(paths, scenario, may_replace);
   const std::vector<Seen> motion = motion_of(scenario);
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    texts.push_back(observation_text(scenario, i, rows_of(plan, i, motion), notes_of(scenario, i)));
+  for (std::size_t i = 0; i < paths.size(); ++i) texts.push_back(text_of(scenario, i, motion));
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path parent = fs::path(paths[i]).parent_path();
     std::error_code failed;

@@ -140,9 +140,65 @@ constexpr std::array rate_own = {
         .alternative()
         .example("[\"sigma\"]"),
 };
+constexpr std::array light_own = {
+    choice_key<&O::axes, O::Axes::inertial, O::Axes::ecliptic, O::Axes::equator>(
+        "axes", "inertial|ecliptic-J2000|equator-J2000",
+        "The axes of its vectors; left out, those of `state.axes`. Those of lc are of the "
+        "ecliptic.")
+        .example("\"ecliptic-J2000\""),
+    choice_key<&O::light_format, O::LightFormat::columns, O::LightFormat::lc>(
+        "format", "columns|lc",
+        "A table of columns, or the format lc of DAMIT, whose times are Julian dates at the body.")
+        .otherwise("\"columns\""),
+    choice_key<&O::brightness, O::Brightness::flux, O::Brightness::magnitude>(
+        "brightness", "flux|magnitude", "What the second column holds, at unit distances.")
+        .otherwise("\"flux\""),
+    columns_key<&O::columns>(
+        "columns",
+        "The columns of time and brightness, by name or by number from 1. Left "
+        "out: t and flux or magnitude.")
+        .example("[\"t\", \"flux\"]"),
+    quantity_key<&O::sigma>("sigma", Dimension::number,
+                            "Standard error of each point: a part of the mean flux of its session, "
+                            "or magnitudes.")
+        .alternative()
+        .positive()
+        .example("0.01"),
+    columns_key<&O::sigma_columns>("sigma_columns", "The column of the error, one name.")
+        .alternative()
+        .example("[\"sigma\"]"),
+    columns_key<&O::session_column>("session_column",
+                                    "The column whose numbers tell sessions apart, one name; left "
+                                    "out, all rows are one.")
+        .example("[\"session\"]"),
+    flag_key<&O::is_calibrated>("calibrated",
+                                "Whether fluxes of all sessions are in one unit; otherwise each "
+                                "session has a factor of its own.")
+        .otherwise("false"),
+    columns_key<&O::sun_columns>("sun_columns",
+                                 "Three columns of the vector from the body to the Sun.")
+        .example("[\"sun_x\", \"sun_y\", \"sun_z\"]"),
+    columns_key<&O::observer_columns>("observer_columns", "The same to the observer.")
+        .example("[\"observer_x\", \"observer_y\", \"observer_z\"]"),
+    quantity_key<&O::to_sun>("to_sun", Dimension::number,
+                             "The vector to the Sun of all points, where no columns have it.")
+        .example("[-0.9, 0.2, 0.1]"),
+    quantity_key<&O::to_observer>("to_observer", Dimension::number, "The same to the observer.")
+        .example("[-0.1, 0.9, 0.1]"),
+    quantity_key<&O::semiaxes>("semiaxes", Dimension::number,
+                               "Of the ellipsoid that `polhode simulate` sees, along the principal "
+                               "axes; left out, that of an even filling of the moments.")
+        .positive()
+        .example("[1, 0.7, 0.6]"),
+    quantity_key<&O::multiple>("multiple", Dimension::number,
+                               "Weight of Lambert's law beside that of Lommel and Seeliger, there.")
+        .otherwise("0")
+        .not_negative(),
+};
 constexpr auto attitude_keys = joined(joined(shared, of_the_sky), attitude_own);
 constexpr auto direction_keys = joined(joined(shared, of_the_sky), direction_own);
 constexpr auto rate_keys = joined(shared, rate_own);
+constexpr auto light_keys = joined(shared, light_own);
 
 struct Row {
   std::string_view word, help, sets;
@@ -154,6 +210,7 @@ constexpr Row rows[] = {
     {"attitude", "Attitudes.", "sigma|sigmas|sigma_columns", attitude_keys},
     {"direction", "Directions of a body axis.", "sigma|sigma_columns", direction_keys},
     {"rate", "Angular velocities along the body axes.", "sigma|sigmas|sigma_columns", rate_keys},
+    {"light-curve", "Light curves.", "sigma|sigma_columns", light_keys},
 };
 
 std::vector<KindOfTable> made_rows() {
@@ -171,6 +228,8 @@ std::vector<KindOfTable> made_rows() {
 std::vector<std::string> usual_columns(const Observation& o) {
   using enum Observation::Form;
   if (o.kind == Observation::Kind::rate) return {"t", "w1", "w2", "w3"};
+  if (o.kind == Observation::Kind::light_curve)
+    return {"t", o.brightness == Observation::Brightness::flux ? "flux" : "magnitude"};
   switch (o.form) {
     case quaternion:
       return {"t", "qw", "qx", "qy", "qz"};
@@ -192,10 +251,10 @@ void require_columns(const Observation& o, const KeyValues& table) {
     table.refuse("columns", "expected " + std::to_string(wanted) + " columns, the time and " +
                                 std::to_string(wanted - 1) + " numbers");
   if (o.sigma_columns.empty()) return;
-  const bool is_direction = o.kind == Observation::Kind::direction;
-  if (o.sigma_columns.size() != 1 && (is_direction || o.sigma_columns.size() != 3))
-    table.refuse("sigma_columns",
-                 is_direction ? "expected one column" : "expected one column, or 3");
+  const bool is_one =
+      o.kind == Observation::Kind::direction || o.kind == Observation::Kind::light_curve;
+  if (o.sigma_columns.size() != 1 && (is_one || o.sigma_columns.size() != 3))
+    table.refuse("sigma_columns", is_one ? "expected one column" : "expected one column, or 3");
 }
 
 void require_clock(const Observation& o, const KeyValues& table) {
@@ -218,14 +277,37 @@ void require_clock(const Observation& o, const KeyValues& table) {
 
 void require_axes(const Observation& o, const KeyValues& table) {
   const bool is_rate = o.kind == Observation::Kind::rate;
-  static_cast<void>(is_rate ? table.unit("rate_unit", Dimension::rate)
-                            : table.unit("angle_unit", Dimension::angle));
+  if (is_rate) static_cast<void>(table.unit("rate_unit", Dimension::rate));
+  if (table.has("angle_unit")) static_cast<void>(table.unit("angle_unit", Dimension::angle));
   if (is_rate || !o.axes) return;
   const bool state_is_inertial = word(table.values(), "state.axes") == "inertial";
   if ((*o.axes == Observation::Axes::inertial) != state_is_inertial)
     table.refuse("axes", state_is_inertial
                              ? "expected \"inertial\", as state.axes is; or axes of the sky there"
                              : "expected axes of the sky, as those of state.axes");
+}
+
+void require_light(const Observation& o, const KeyValues& table) {
+  if (o.session_column.size() > 1) table.refuse("session_column", "expected one column");
+  if (!o.sun_columns.empty() && o.sun_columns.size() != 3)
+    table.refuse("sun_columns", "expected three columns");
+  if (!o.observer_columns.empty() && o.observer_columns.size() != 3)
+    table.refuse("observer_columns", "expected three columns");
+  if (!o.sun_columns.empty() && o.to_sun) table.refuse("to_sun", "expected no sun_columns as well");
+  if (!o.observer_columns.empty() && o.to_observer)
+    table.refuse("to_observer", "expected no observer_columns as well");
+  if (o.light_format != Observation::LightFormat::lc) return;
+  if (o.time_format != Observation::TimeFormat::julian)
+    table.refuse("format", "expected time_format = \"JD\" as well, which lc has");
+  if (o.times != LightTime::at_body)
+    table.refuse("times", "expected \"at-body\", as those of lc are");
+  if (word(table.values(), "state.axes") == "inertial")
+    table.refuse("format", "expected axes of the sky in state.axes, since vectors of lc have such");
+  if (o.axes && *o.axes != Observation::Axes::ecliptic)
+    table.refuse("axes", "expected \"ecliptic-J2000\", as those of lc are");
+  for (const char* const key :
+       {"sigma_columns", "session_column", "sun_columns", "observer_columns"})
+    if (table.has(key)) table.refuse(key, "expected none of lc, which has its own columns");
 }
 
 }  // namespace
@@ -245,6 +327,7 @@ Observation observation_of(const KeyValues& table) {
   require_columns(o, table);
   require_clock(o, table);
   require_axes(o, table);
+  if (o.kind == Observation::Kind::light_curve) require_light(o, table);
   return o;
 }
 
