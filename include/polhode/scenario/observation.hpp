@@ -40,7 +40,7 @@ struct Observation {
   enum class Form { quaternion, euler, matrix, vector, angles };
   enum class TimeFormat { number, julian, modified_julian, date };
   enum class Axes { inertial, ecliptic, equator };
-  enum class LightFormat { columns, lc };
+  enum class LightFormat { columns, lc, alcdef };
   enum class Brightness { flux, magnitude };
 
   Kind kind = Kind::attitude;
@@ -67,11 +67,10 @@ struct Observation {
   std::vector<std::string> session_column, sun_columns, observer_columns;  // 1, 3 and 3, or none
   std::optional<Vec3> to_sun = std::nullopt;  // of all points, where no columns have them
   std::optional<Vec3> to_observer = std::nullopt;
+  std::string orbit;  // of the body about the Sun, from which vectors and light time follow
+  std::string observer_orbit;
   bool is_calibrated = false;
-  // What a simulation sees: an ellipsoid along the principal axes, left out that of an even filling
-  // of the moments; Lommel and Seeliger's law with this weight of Lambert's.
-  std::optional<Vec3> semiaxes = std::nullopt;
-  double multiple = 0.0;
+  bool is_of_the_time = false;  // fluxes from the distances of the vectors, not from unit ones
 
   // For messages: its name, or else its file.
   const std::string& shown() const { return name.empty() ? file : name; }
@@ -89,23 +88,24 @@ struct ReadObservations {
   // As those of `seen`.
   std::vector<ObservedRow> attitudes, directions, rates;
   std::vector<LightCurve> curves;  // times at the body, vectors along the axes of the state
-  std::vector<std::size_t> curve_tables;  // among the observations, from 0
+  std::vector<std::vector<ObservedRow>> curve_rows;  // of their points
 };
 
 // Of a scenario of kind "fit", whose document it still holds.
 ReadObservations read_observations(const Scenario& scenario);
-
-// A vector of the table's axes along those of the state.
-Vec3 in_axes_of_state(const Scenario& scenario, std::size_t table, const Vec3& v);
 
 // The text of a file of the observation `table`, with these rows in its columns, that
 // read_observations reads back. DomainError for columns that have no names, and for errors that are
 // columns.
 std::string observation_text(const Scenario& scenario, std::size_t table, const Snapshots& rows,
                              std::span<const std::string> notes = {});
-// The same of a session of a light curve; ScenarioError for what its format cannot hold.
-std::string light_curve_text(const Scenario& scenario, std::size_t table, const LightCurve& curve,
+// The same of light curves; ScenarioError for what their format cannot hold.
+std::string light_curve_text(const Scenario& scenario, std::size_t table,
+                             std::span<const LightCurve> curves,
                              std::span<const std::string> notes = {});
+// Points at times of the body with the vectors that the keys of the table give; ScenarioError where
+// none do.
+LightCurve with_vectors_of(const Scenario& scenario, std::size_t table, LightCurve curve);
 
 }  // namespace v0
 }  // namespace polhode

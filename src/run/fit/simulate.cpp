@@ -8,13 +8,9 @@
 
 #include "output/part_file.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/ellipsoid.hpp"
-#include "polhode/light/lambert.hpp"
-#include "polhode/light/magnitudes.hpp"
 #include "polhode/version.hpp"
-#include "run/detail/own_files.hpp"
+#include "run/detail/simulated_light.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/printable.hpp"
@@ -24,15 +20,10 @@ inline namespace v0 {
 namespace {
 
 namespace fs = std::filesystem;
+using detail::Noise;
+using detail::Seen;
 
 constexpr std::size_t longest_path = 500;
-
-struct Seen {
-  double t;
-  Quaternion q;            // body axes of the file to inertial ones
-  Vec3 w;                  // along these body axes
-  Quaternion q_principal;  // principal axes to inertial ones
-};
 
 const FitPlan& plan_of(const Scenario& scenario) {
   const std::string& name = scenario.document.name;
@@ -80,22 +71,6 @@ Quaternion turned(const Quaternion& q, const Vec3& turn) {
   return normalized(q * Quaternion{std::cos(half), k * turn.x, k * turn.y, k * turn.z});
 }
 
-class Noise {
- public:
-  Noise(std::uint64_t seed, std::size_t table)
-      : random_(seed, key_of("observation[" + std::to_string(table) + "]")) {}
-
-  Vec3 at(std::size_t row, const Vec3& sigma) const {
-    Vec3 x;
-    for (int i = 0; i < 3; ++i)
-      x[i] = sigma[i] * random_.normal(row, static_cast<std::uint64_t>(i));
-    return x;
-  }
-
- private:
-  CounterRandom random_;
-};
-
 Vec3 sigma_of(const Observation& of) {
   if (of.sigma) return {*of.sigma, *of.sigma, *of.sigma};
   return of.sigmas.value_or(Vec3{});
@@ -119,7 +94,7 @@ void add(Snapshots& rows, const Observation& of, const Seen& seen, const Vec3& n
     case Observation::Kind::rate:
       rows.rates.push_back({seen.t, seen.w + noise, covariance_of(sigma)});
       break;
-    case Observation::Kind::light_curve:  // light_of
+    case Observation::Kind::light_curve:  // simulated_sessions
       break;
   }
 }
@@ -134,48 +109,6 @@ Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen
   return rows;
 }
 
-// Without a size: fluxes are parts of their mean.
-Ellipsoid ellipsoid_of(const Observation& of, const Body& body) {
-  if (of.semiaxes) return {of.semiaxes->x, of.semiaxes->y, of.semiaxes->z};
-  return homogeneous_ellipsoid(body.moments(), 1.0);
-}
-
-Vec3 vector_of(const Scenario& scenario, std::size_t table, const char* key,
-               const std::optional<Vec3>& given) {
-  if (given && norm(*given) > 0.0) return *given;
-  detail::refuse(scenario.document.checked->values,
-                 "observation[" + std::to_string(table) + "].kind", scenario.document.path,
-                 std::string("expected a key ") + key +
-                     " as well, a vector that is not 0, for a "
-                     "simulation");
-}
-
-LightCurve light_of(const Scenario& scenario, std::size_t table, const std::vector<Seen>& motion) {
-  const FitPlan& plan = require_fit(scenario);
-  const Observation& of = plan.observations.at(table);
-  const Ellipsoid shape = ellipsoid_of(of, scenario.rotation().body);
-  const Scattering law = Scattering::mixed(of.multiple);
-  const Vec3 sun =
-      in_axes_of_state(scenario, table, vector_of(scenario, table, "to_sun", of.to_sun));
-  const Vec3 observer =
-      in_axes_of_state(scenario, table, vector_of(scenario, table, "to_observer", of.to_observer));
-  LightCurve curve{of.name, of.is_calibrated, {}};
-  for (const Seen& seen : motion) {
-    const Quaternion back = conj(seen.q_principal);
-    curve.points.push_back({seen.t,
-                            brightness(shape, law, rotate(back, sun), rotate(back, observer)),
-                            of.sigma.value_or(0.0), sun, observer});
-  }
-  curve = normalised(std::move(curve));
-  const Noise noise(plan.noise, table);
-  for (std::size_t k = 0; k < curve.points.size(); ++k) {
-    LightPoint& p = curve.points[k];
-    p.sigma = of.sigma.value_or(0.0);  // a part of the mean, which is 1
-    p.flux += noise.at(k, {p.sigma, 0.0, 0.0}).x;
-  }
-  return curve;
-}
-
 std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
   return {"simulated by polhode " + std::string(version()) + " from " +
               detail::printable(scenario.document.name, longest_path) + ", seed " +
@@ -188,7 +121,8 @@ std::string text_of(const Scenario& scenario, std::size_t table, const std::vect
   const FitPlan& plan = require_fit(scenario);
   const std::vector<std::string> notes = notes_of(scenario, table);
   if (plan.observations[table].kind == Observation::Kind::light_curve)
-    return light_curve_text(scenario, table, light_of(scenario, table, motion), notes);
+    return light_curve_text(scenario, table, detail::simulated_sessions(scenario, table, motion),
+                            notes);
   return observation_text(scenario, table, rows_of(plan, table, motion), notes);
 }
 
@@ -213,9 +147,9 @@ Snapshots simulated(const Scenario& scenario, std::size_t table) {
   return rows_of(plan_of(scenario), table, motion_of(scenario));
 }
 
-LightCurve simulated_light(const Scenario& scenario, std::size_t table) {
+std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table) {
   static_cast<void>(plan_of(scenario));
-  return light_of(scenario, table, motion_of(scenario));
+  return detail::simulated_sessions(scenario, table, motion_of(scenario));
 }
 
 std::vector<std::string> write_simulation(const Scenario& scenario, const std::string& folder,

@@ -10,6 +10,7 @@
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/fit/fit_plan.hpp"
+#include "scenario/fit/light_curve_keys.hpp"
 #include "scenario/value_access.hpp"
 
 namespace polhode {
@@ -140,65 +141,10 @@ constexpr std::array rate_own = {
         .alternative()
         .example("[\"sigma\"]"),
 };
-constexpr std::array light_own = {
-    choice_key<&O::axes, O::Axes::inertial, O::Axes::ecliptic, O::Axes::equator>(
-        "axes", "inertial|ecliptic-J2000|equator-J2000",
-        "The axes of its vectors; left out, those of `state.axes`. Those of lc are of the "
-        "ecliptic.")
-        .example("\"ecliptic-J2000\""),
-    choice_key<&O::light_format, O::LightFormat::columns, O::LightFormat::lc>(
-        "format", "columns|lc",
-        "A table of columns, or the format lc of DAMIT, whose times are Julian dates at the body.")
-        .otherwise("\"columns\""),
-    choice_key<&O::brightness, O::Brightness::flux, O::Brightness::magnitude>(
-        "brightness", "flux|magnitude", "What the second column holds, at unit distances.")
-        .otherwise("\"flux\""),
-    columns_key<&O::columns>(
-        "columns",
-        "The columns of time and brightness, by name or by number from 1. Left "
-        "out: t and flux or magnitude.")
-        .example("[\"t\", \"flux\"]"),
-    quantity_key<&O::sigma>("sigma", Dimension::number,
-                            "Standard error of each point: a part of the mean flux of its session, "
-                            "or magnitudes.")
-        .alternative()
-        .positive()
-        .example("0.01"),
-    columns_key<&O::sigma_columns>("sigma_columns", "The column of the error, one name.")
-        .alternative()
-        .example("[\"sigma\"]"),
-    columns_key<&O::session_column>("session_column",
-                                    "The column whose numbers tell sessions apart, one name; left "
-                                    "out, all rows are one.")
-        .example("[\"session\"]"),
-    flag_key<&O::is_calibrated>("calibrated",
-                                "Whether fluxes of all sessions are in one unit; otherwise each "
-                                "session has a factor of its own.")
-        .otherwise("false"),
-    columns_key<&O::sun_columns>("sun_columns",
-                                 "Three columns of the vector from the body to the Sun.")
-        .example("[\"sun_x\", \"sun_y\", \"sun_z\"]"),
-    columns_key<&O::observer_columns>("observer_columns", "The same to the observer.")
-        .example("[\"observer_x\", \"observer_y\", \"observer_z\"]"),
-    quantity_key<&O::to_sun>("to_sun", Dimension::number,
-                             "The vector to the Sun of all points, where no columns have it.")
-        .example("[-0.9, 0.2, 0.1]"),
-    quantity_key<&O::to_observer>("to_observer", Dimension::number, "The same to the observer.")
-        .example("[-0.1, 0.9, 0.1]"),
-    quantity_key<&O::semiaxes>("semiaxes", Dimension::number,
-                               "Of the ellipsoid that `polhode simulate` sees, along the principal "
-                               "axes; left out, that of an even filling of the moments.")
-        .positive()
-        .example("[1, 0.7, 0.6]"),
-    quantity_key<&O::multiple>("multiple", Dimension::number,
-                               "Weight of Lambert's law beside that of Lommel and Seeliger, there.")
-        .otherwise("0")
-        .not_negative(),
-};
 constexpr auto attitude_keys = joined(joined(shared, of_the_sky), attitude_own);
 constexpr auto direction_keys = joined(joined(shared, of_the_sky), direction_own);
 constexpr auto rate_keys = joined(shared, rate_own);
-constexpr auto light_keys = joined(shared, light_own);
+constexpr auto light_keys = joined(shared, light_curve_keys);
 
 struct Row {
   std::string_view word, help, sets;
@@ -259,8 +205,11 @@ void require_columns(const Observation& o, const KeyValues& table) {
 
 void require_clock(const Observation& o, const KeyValues& table) {
   const bool is_at_observer = o.times == LightTime::at_observer;
-  if (is_at_observer && !table.has("light_time"))
+  const bool has_orbit = o.kind == Observation::Kind::light_curve && !o.orbit.empty();
+  if (is_at_observer && !has_orbit && !table.has("light_time"))
     table.refuse("times", "expected a key light_time as well; or times at the body");
+  if (has_orbit && table.has("light_time"))
+    table.refuse("light_time", "expected none: it follows from the orbits");
   if (!is_at_observer && table.has("light_time"))
     table.refuse("light_time", "expected none of times at the body");
   const bool is_dated = o.time_format != Observation::TimeFormat::number;
@@ -287,29 +236,6 @@ void require_axes(const Observation& o, const KeyValues& table) {
                              : "expected axes of the sky, as those of state.axes");
 }
 
-void require_light(const Observation& o, const KeyValues& table) {
-  if (o.session_column.size() > 1) table.refuse("session_column", "expected one column");
-  if (!o.sun_columns.empty() && o.sun_columns.size() != 3)
-    table.refuse("sun_columns", "expected three columns");
-  if (!o.observer_columns.empty() && o.observer_columns.size() != 3)
-    table.refuse("observer_columns", "expected three columns");
-  if (!o.sun_columns.empty() && o.to_sun) table.refuse("to_sun", "expected no sun_columns as well");
-  if (!o.observer_columns.empty() && o.to_observer)
-    table.refuse("to_observer", "expected no observer_columns as well");
-  if (o.light_format != Observation::LightFormat::lc) return;
-  if (o.time_format != Observation::TimeFormat::julian)
-    table.refuse("format", "expected time_format = \"JD\" as well, which lc has");
-  if (o.times != LightTime::at_body)
-    table.refuse("times", "expected \"at-body\", as those of lc are");
-  if (word(table.values(), "state.axes") == "inertial")
-    table.refuse("format", "expected axes of the sky in state.axes, since vectors of lc have such");
-  if (o.axes && *o.axes != Observation::Axes::ecliptic)
-    table.refuse("axes", "expected \"ecliptic-J2000\", as those of lc are");
-  for (const char* const key :
-       {"sigma_columns", "session_column", "sun_columns", "observer_columns"})
-    if (table.has(key)) table.refuse(key, "expected none of lc, which has its own columns");
-}
-
 }  // namespace
 
 SchemaPart observation_keys() {
@@ -327,7 +253,7 @@ Observation observation_of(const KeyValues& table) {
   require_columns(o, table);
   require_clock(o, table);
   require_axes(o, table);
-  if (o.kind == Observation::Kind::light_curve) require_light(o, table);
+  if (o.kind == Observation::Kind::light_curve) require_light_curve(o, table);
   return o;
 }
 
