@@ -10,6 +10,7 @@
 #include "polhode/light/magnitudes.hpp"
 #include "polhode/light/shaded_mesh.hpp"
 #include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
 
 namespace polhode {
 inline namespace v0 {
