@@ -8,29 +8,8 @@ import budgets
 import numpy
 import pytest
 from closeness import assert_allclose
+from fit_files import FREE, HEAD, fitted, refused, rows
 
-HEAD = """schema = 1
-title = "A tumbler"
-kind = "fit"
-[units]
-time = "h"
-angle = "deg"
-[body]
-moments = [1, 2.2, 2.6]
-[state]
-epoch = "2013-01-05T00:00:00 UTC"
-axes = "ecliptic-J2000"
-[state.attitude-rate]
-euler = { phi = 20, theta = 60, psi = 110 }
-omega_body = [3, 4, 12]
-[time]
-stop = 60
-step = 1.5
-"""
-FREE = """
-[free]
-unknowns = ["attitude", "rate", "moments"]
-"""
 ATTITUDES = """
 [[observation]]
 kind = "attitude"
@@ -59,31 +38,6 @@ times = "at-body"
 rate_unit = "rev/d"
 sigmas = [0.05, 0.05, 0.1]
 """
-
-
-@pytest.fixture
-def fit_file(tmp_path):
-    """fit_file("...") writes a scenario of kind "fit" and returns its path."""
-
-    def write(*parts, head=HEAD, name="fit.toml"):
-        path = tmp_path / name
-        path.write_text(head + "".join(parts), encoding="utf-8")
-        return path
-
-    return write
-
-
-def fitted(run, path, *arguments):
-    done = run("fit", path, "--json", *arguments)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
-
-
-def rows(path):
-    lines = [one for one in path.read_text().splitlines() if not one.startswith("#")]
-    names = lines[0].split(",")
-    numbers = numpy.array([[float(x) for x in line.split(",")] for line in lines[1:]])
-    return dict(zip(names, numbers.T, strict=True))
 
 
 def test_toutatis_of_1992(run, root):
@@ -263,14 +217,6 @@ def test_many_starts_find_the_same_solution(run, fit_file, tmp_path):
 SEEN = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.9,0.1,0,0\n2,0.8,0.1,0.2,0\n"
 
 
-def refused(run, path, command="fit"):
-    arguments = ["--into", path.parent / "new"] if command == "simulate" else []
-    done = run(command, path, *arguments)
-    assert done.returncode == 2 and done.stdout == "", done.stderr
-    assert len(done.stderr.splitlines()) == 1
-    return done.stderr
-
-
 @pytest.mark.parametrize(("data", "expected"), [
     (SEEN + "1.5,0.7,0.1,0,0\n", "seen.csv:5: time 1.5 h is before that of the row above, 2 h"),
     (SEEN + "2,0.8,0.1,0.2,0\n", "seen.csv:5: repeats line 4 in every number"),
@@ -346,72 +292,3 @@ def test_a_solution_on_a_bound_says_so(run, fit_file, tmp_path):
         assert is_on_bound == ("is on its bound" in solution["sentence"])
         told += is_on_bound
     assert told > 0
-
-
-LIGHT = """
-[[observation]]
-kind = "light-curve"
-file = "light.csv"
-times = "at-body"
-to_sun = [1, 2, 0.5]
-to_observer = [1, 2, 0.5]
-sigma = 1e-9
-"""
-
-
-def test_light_of_an_ellipsoid_is_that_of_its_shadow(run, fit_file, tmp_path, table):
-    """Opposite to the Sun the law of Lommel and Seeliger makes brightness the area that is seen:
-    pi sqrt(sum (abc s_i / a_i)^2)."""
-    path = fit_file(LIGHT, FREE, '[output]\ncolumns = ["q"]\n')
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
-    light = rows(tmp_path / "light.csv")
-    assert set(light) >= {"session", "t", "flux", "sigma", "sun_x", "observer_z"}
-    names, numbers = table(run("run", path).stdout)
-    q = numpy.array(numbers)[:, [names.index(n) for n in ("qw", "qx", "qy", "qz")]]
-    s = numpy.array([1, 2, 0.5]) / numpy.sqrt(5.25)
-    u, w = -q[:, 1:], q[:, :1]
-    in_body = s + 2 * numpy.cross(u, numpy.cross(u, s) + w * s)
-    moments = numpy.array([1, 2.2, 2.6])
-    axes = numpy.sqrt(moments.sum() - 2 * moments)
-    area = numpy.linalg.norm(in_body / axes, axis=1)
-    assert_allclose(light["flux"], area / area.mean(), rtol=budgets.cli_light_noise)
-    assert numpy.ptp(light["flux"]) > 0.1
-
-
-def test_light_of_a_sphere_is_noise(run, fit_file, tmp_path):
-    sphere = LIGHT.replace("1e-9", "0.02") + "semiaxes = [1, 1, 1]\nmultiple = 0.3\n"
-    path = fit_file(sphere, FREE)
-    done = run("simulate", path, "--into", tmp_path, "--set", "time.step=0.05")
-    assert done.returncode == 0, done.stderr
-    flux = rows(tmp_path / "light.csv")["flux"]
-    assert len(flux) == 1201 and abs(flux.mean() - 1) < 4 * 0.02 / numpy.sqrt(1201)
-    assert 0.018 < flux.std() < 0.022
-
-
-def test_light_curves_in_the_format_of_damit(run, fit_file, tmp_path):
-    lc = LIGHT.replace("light.csv", "light.lc") + (
-        'format = "lc"\ntime_format = "JD"\ntime_scale = "TDB"\n')
-    path = fit_file(lc, FREE)
-    done = run("simulate", path, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
-    lines = (tmp_path / "light.lc").read_text().splitlines()
-    assert lines[:2] == ["1", "41 0"] and len(lines) == 43
-    first = [float(x) for x in lines[2].split()]
-    # 2013-01-05T00:00:00 UTC: TT is 67.184 s later, TDB within 2 ms of it
-    assert first[0] == pytest.approx(2456297.5 + 67.184 / 86400, abs=budgets.cli_tdb)
-    assert_allclose(first[2:], [1, 2, 0.5] * 2, rtol=budgets.cli_carried)
-
-
-@pytest.mark.parametrize(("change", "expected"), [
-    (("to_sun = [1, 2, 0.5]\n", ""), "expected a key to_sun as well"),
-    (("sigma = 1e-9", 'sigma = 1e-9\nformat = "lc"'), 'expected time_format = "JD" as well'),
-    (("sigma = 1e-9", 'sigma = 1e-9\nsun_columns = ["x"]'), "expected three columns"),
-    (("sigma = 1e-9", 'sigma = 1e-9\ncolumns = ["t"]'), "expected 2 columns"),
-])
-def test_bad_tables_of_light_are_refused(run, fit_file, change, expected):
-    assert expected in refused(run, fit_file(LIGHT.replace(*change), FREE), "simulate")
-
-
-def test_light_curves_are_not_fitted_yet(run, fit_file, tmp_path):
-    assert 'observation[0].kind: got "light-curve"; expected "attitude"' in refused(
-        run, fit_file(LIGHT, FREE))
