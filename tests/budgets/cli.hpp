@@ -32,6 +32,8 @@ inline constexpr double cli_published = 1e-3;
 // TDB - TT is 2 ms at most, in days.
 inline constexpr double cli_tdb = 3e-8;
 // Fluxes with noise of 1e-9, five times that.
+// chi-square of a scan with its frequencies exchanged
+inline constexpr double cli_landscape = 1e-12;
 inline constexpr double cli_light_noise = 5e-9;
 // Where the numbers of a chart hold half the digits of the state.
 inline constexpr double cli_half_the_digits = 1e-7;
