@@ -52,13 +52,11 @@ int threads_of(const FitCommand& options) {
 
 // Files of every solution, and whether one of them went to standard output.
 template <class Report>
-bool writes_files(const FitCommand& options, const Scenario& scenario, const Report& report,
-                  void (&residuals)(const Scenario&, const Report&, std::size_t,
-                                    const std::string&),
-                  void (&covariance)(const Scenario&, const Report&, std::size_t,
-                                     const std::string&),
-                  void (&solution)(const Scenario&, const Report&, std::size_t,
-                                   const std::string&)) {
+bool writes_files(
+    const FitCommand& options, const Scenario& scenario, const Report& report,
+    void (&residuals)(const Scenario&, const Report&, std::size_t, const std::string&),
+    void (&covariance)(const Scenario&, const Report&, std::size_t, const std::string&),
+    void (&solution)(const Scenario&, const Report&, std::size_t, const std::string&)) {
   for (std::size_t i = 0; i < report.solutions.size(); ++i) {
     for (const std::string& path : options.residuals)
       residuals(scenario, report, i, numbered(path, i));
@@ -116,7 +114,7 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
       if (stage != "scan")
         progress.reset();
       else if (progress)
-        (*progress)(whole * part);
+        (*progress)(whole* part);
     };
   }
   const LightReport report = fit_light_scenario(scenario, how);

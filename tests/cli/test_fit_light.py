@@ -219,7 +219,8 @@ def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):
     light = rows(tmp_path / "night.csv")
     assert set(light["session"]) == {1, 2}
     for k in (1, 2):
-        assert light["flux"][light["session"] == k].mean() == pytest.approx(1, abs=0.01)
+        assert light["flux"][light["session"] == k].mean() == pytest.approx(
+            1, abs=budgets.cli_mean_of_noise)
     found = fitted(run, path)
     assert [s["points"] for s in found["sessions"]] == [34, 34]
     assert len(set(found["solutions"][0]["factors"])) == 2

@@ -85,8 +85,8 @@ void write_light_covariance(const Scenario& scenario, const LightReport& report,
 // As solution_text: a scenario of kind "rotation" that begins at the solution.
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
                                 std::size_t solution);
-void write_light_solution(const Scenario& scenario, const LightReport& report,
-                          std::size_t solution, const std::string& path);
+void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& path);
 
 }  // namespace v0
 }  // namespace polhode

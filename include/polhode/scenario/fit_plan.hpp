@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// FitPlan: what the tables [[observation]], [free], [fit], [light] and [simulate] of a scenario of kind
-// "fit" say: what was observed, which numbers of the rotation are unknown, and how they are looked
-// for.
+// FitPlan: what the tables [[observation]], [free], [fit], [light] and [simulate] of a scenario of
+// kind "fit" say: what was observed, which numbers of the rotation are unknown, and how they are
+// looked for.
 //
 // Equations   those of fit_spin (polhode/fit/spin_fit.hpp).
 // Units       core units (polhode/text/units.hpp).

@@ -36,7 +36,6 @@ Dimension dimension_of_unknown(std::string_view name);
 void add_fit_line(std::string& text, std::string_view label, const std::string& value);
 std::string counted(std::size_t n, const char* one, const char* many);
 
-
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

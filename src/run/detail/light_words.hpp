@@ -11,7 +11,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-const char* mode_word(Regime mode);     // "SAM", "LAM", or what else it is
+const char* mode_word(Regime mode);  // "SAM", "LAM", or what else it is
 const char* beside_word(const FoundLight& found);
 const char* image_word(LightImage image);
 
@@ -29,7 +29,7 @@ struct WithErrors {
 };
 struct LightFigures {
   WithErrors precession_period, rotation_period;
-  SkyPlace pole;  // in the unit of angles
+  SkyPlace pole;                      // in the unit of angles
   WithErrors pole_major, pole_minor;  // the errors; value is not used
 };
 LightFigures light_figures(const Scenario& scenario, const LightReport& report,

@@ -58,8 +58,8 @@ bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSoluti
                      unknowns_at(problem, kept.state, kept.state)) <= same_distance;
 }
 
-// What one start came to; that of a start which is none, since the file's own has said what is wrong
-// with the file.
+// What one start came to; that of a start which is none, since the file's own has said what is
+// wrong with the file.
 struct Tried {
   std::optional<SpinSolution> found;
   std::string failure;

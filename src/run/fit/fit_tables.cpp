@@ -46,10 +46,9 @@ void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
   // what one unit of each unknown is in those of the file
   std::vector<double> factor;
   for (std::size_t i = 0; i < n; ++i)
-    factor.push_back(
-        numbers[i].unit == "1"
-            ? 1.0
-            : scenario.units().from_core(1.0, dimension_of_unknown(numbers[i].name)));
+    factor.push_back(numbers[i].unit == "1"
+                         ? 1.0
+                         : scenario.units().from_core(1.0, dimension_of_unknown(numbers[i].name)));
   std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
   std::string notes = "unknowns:";
   for (std::size_t i = 0; i < n; ++i) {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "polhode/rotor/attitude.hpp"
 #include "polhode/fit/spin_figures.hpp"
+#include "polhode/rotor/attitude.hpp"
 #include "polhode/run/fit.hpp"
 #include "polhode/run/summary.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -59,8 +59,7 @@ std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
   const auto both = [&](double SpinFigures::*error, Dimension dimension) {
     const auto of = [&](const SpinSolution& one) {
       return fmt::format(
-          "{:.2g}",
-          units.from_core(spin_figures(one.state, one.covariance).*error, dimension));
+          "{:.2g}", units.from_core(spin_figures(one.state, one.covariance).*error, dimension));
     };
     return of(found.raw) + (found.scaled ? ", scaled " + of(*found.scaled) : "");
   };
@@ -120,16 +119,16 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
   const Units& units = scenario.units();
   text += "\n";
   add_fit_line(text, fmt::format("solution {} of {}", place + 1, report.solutions.size()),
-           raw.result.sentence + (report.starts > 1 ? fmt::format(", from {} of {} starts",
-                                                                  found.starts, report.starts)
-                                                    : ""));
+               raw.result.sentence + (report.starts > 1 ? fmt::format(", from {} of {} starts",
+                                                                      found.starts, report.starts)
+                                                        : ""));
   add_fit_line(text, "chi-square",
-           fmt::format("{:.4g} on {:.4g} degrees of freedom", raw.result.chi_square,
-                       raw.degrees_of_freedom));
+               fmt::format("{:.4g} on {:.4g} degrees of freedom", raw.result.chi_square,
+                           raw.degrees_of_freedom));
   if (std::isfinite(raw.attitude_rms))
     add_fit_line(text, "rms of attitudes",
-             fmt::format("{:.3g} {} about each axis",
-                         units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
+                 fmt::format("{:.3g} {} about each axis",
+                             units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
   if (found.scaled)
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
   add_fit_line(text, "phi, theta, psi", euler_text(scenario, raw.state.q));
@@ -248,7 +247,7 @@ std::string fit_text(const Scenario& scenario, const FitReport& report) {
   add_fit_line(text, "observed", observed_text(scenario, report));
   if (report.starts > 1)
     add_fit_line(text, "starts",
-             fmt::format("{}, of which {} did not converge", report.starts, report.failed));
+                 fmt::format("{}, of which {} did not converge", report.starts, report.failed));
   for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(text, scenario, report, i);
   if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
   return text;

@@ -25,8 +25,8 @@ SpinState at_zero(const SpinState& s) {
   const Mat3& T = s.inertia_F;
   const Body body(T(0, 0) / T(2, 2), T(1, 1) / T(2, 2), 1.0);
   const Vec3 I = body.moments();
-  const FreeRotation motion(
-      body, {normalized(s.q), {I.x * s.w_F.x, I.y * s.w_F.y, I.z * s.w_F.z}}, s.t0);
+  const FreeRotation motion(body, {normalized(s.q), {I.x * s.w_F.x, I.y * s.w_F.y, I.z * s.w_F.z}},
+                            s.t0);
   const RotorState there = motion.at(0.0);
   return {0.0, there.q, angular_velocity(body, there), T};
 }
@@ -52,8 +52,7 @@ void write_landscape(const Scenario& scenario, const LightReport& report, const 
   rows.reserve(3 * all.chi_square.size());
   for (std::size_t i = 0; i < all.first.count; ++i)
     for (std::size_t j = 0; j < all.second.count; ++j)
-      rows.insert(rows.end(),
-                  {all.first.at(i) / period, all.second.at(j) / period, all.at(i, j)});
+      rows.insert(rows.end(), {all.first.at(i) / period, all.second.at(j) / period, all.at(i, j)});
   detail::write_fit_rows(
       scenario,
       {{"f1", {{"f1", unit}}}, {"f2", {{"f2", unit}}}, {"chi_square", {{"chi_square", "1"}}}}, rows,
@@ -84,7 +83,8 @@ void write_light_residuals(const Scenario& scenario, const LightReport& report,
                     (curves[c].is_calibrated ? "calibrated" : "relative") +
                     (curves[c].name.empty() ? "" : ", " + detail::printable(curves[c].name, 500)));
   }
-  notes.emplace_back("difference: from what was seen to the solution; r in standard errors as given");
+  notes.emplace_back(
+      "difference: from what was seen to the solution; r in standard errors as given");
   detail::write_fit_rows(scenario,
                          {{"t", {{"t", scenario.units().time()}}},
                           {"observation", {{"table", "1"}, {"line", "1"}, {"session", "1"}}},
@@ -109,8 +109,8 @@ std::string light_solution_text(const Scenario& scenario, const LightReport& rep
     changes.push_back({std::string("body.") + key, ""});
   const double unit = unit_moment(scenario);
   const Mat3& T = state.inertia_F;
-  changes.push_back({"body.moments", detail::row_text(unit * T(0, 0) / T(2, 2),
-                                                      unit * T(1, 1) / T(2, 2), unit)});
+  changes.push_back(
+      {"body.moments", detail::row_text(unit * T(0, 0) / T(2, 2), unit * T(1, 1) / T(2, 2), unit)});
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
   detail::add_rows_of(scenario, times_of(report), changes);
@@ -123,8 +123,8 @@ std::string light_solution_text(const Scenario& scenario, const LightReport& rep
          changed_text(scenario.document.text, changes);
 }
 
-void write_light_solution(const Scenario& scenario, const LightReport& report,
-                          std::size_t solution, const std::string& path) {
+void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& path) {
   detail::write_fit_text(scenario, light_solution_text(scenario, report, solution), path);
 }
 

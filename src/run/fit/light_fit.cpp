@@ -70,7 +70,10 @@ class Scan {
  public:
   Scan(const Scenario& scenario, const ScanPlan& plan, std::span<const LightCurve> curves,
        const LightFitOptions& options)
-      : scenario_(scenario), plan_(plan), points_(curves), options_(options),
+      : scenario_(scenario),
+        plan_(plan),
+        points_(curves),
+        options_(options),
         advice_(scan_advice(curves, plan.order)) {}
 
   LightScan made() {
@@ -111,8 +114,8 @@ class Scan {
       if (options_.stop && options_.stop())
         throw FitStopped(scenario_.document.name + ": stopped in the scan");
       const std::size_t rows = std::min(rows_at_a_time, n - row);
-      const FrequencyGrid first{grid.at(row), grid.step, rows}, second{grid.at(row), grid.step,
-                                                                       n - row};
+      const FrequencyGrid first{grid.at(row), grid.step, rows},
+          second{grid.at(row), grid.step, n - row};
       const Landscape part = scan_pairs(points_, first, second, how);
       all.again += part.again;
       for (std::size_t i = 0; i < rows; ++i)
@@ -200,8 +203,7 @@ bool observes_light(const Scenario& scenario) {
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
   detail::require_free_fit(scenario);
-  if (!plan.has_light())
-    refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
+  if (!plan.has_light()) refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
   if (plan.light.shape == LightPlan::Shape::mesh)
     refuse(scenario, "light.shape", "expected \"ellipsoid\": meshes are simulated, not fitted");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches)

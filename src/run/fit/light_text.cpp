@@ -64,14 +64,15 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   const Landscape& all = scan.landscape;
   const std::string& time = scenario.units().time();
   const FrequencyGrid& g = all.first;
-  add_fit_line(text, "scan",
-               fmt::format("order {}, {} by {} frequencies, periods of {:.4g} to {:.4g} {}",
-                           all.orders.second, g.count, g.count,
-                           period_of(scenario, g.at(g.count - 1)), period_of(scenario, g.at(0)),
-                           time));
-  text += fmt::format("\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2\n"
-                      "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
-                      "", "chi-square", "P1 " + time, "error", "P2 " + time, "error");
+  add_fit_line(
+      text, "scan",
+      fmt::format("order {}, {} by {} frequencies, periods of {:.4g} to {:.4g} {}",
+                  all.orders.second, g.count, g.count, period_of(scenario, g.at(g.count - 1)),
+                  period_of(scenario, g.at(0)), time));
+  text += fmt::format(
+      "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2\n"
+      "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
+      "", "chi-square", "P1 " + time, "error", "P2 " + time, "error");
   for (std::size_t i = 0; i < scan.minima.size(); ++i) {
     const ScanMinimum& m = scan.minima[i];
     const RefinedPair& r = m.refined;
@@ -115,10 +116,11 @@ std::string pole_words(const Scenario& scenario) {
 
 void add_overview(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
-  text += fmt::format("\nsolutions; pole: {} in {}\n{:>4}{:>12}{:>6}{:>13}{:>13}{:>9}{:>8}{:>8}{:>8}"
-                      "  {}\n",
-                      pole_words(scenario), scenario.units().angle(), "", "chi-square", "mode",
-                      "P_phi " + time, "P_psi " + time, "pole", "", "b/a", "c/b", "what it is");
+  text += fmt::format(
+      "\nsolutions; pole: {} in {}\n{:>4}{:>12}{:>6}{:>13}{:>13}{:>9}{:>8}{:>8}{:>8}"
+      "  {}\n",
+      pole_words(scenario), scenario.units().angle(), "", "chi-square", "mode", "P_phi " + time,
+      "P_psi " + time, "pole", "", "b/a", "c/b", "what it is");
   for (std::size_t i = 0; i < report.solutions.size(); ++i) {
     const FoundLight& one = report.solutions[i];
     const BrightEllipsoid& body = one.solution.body;
@@ -127,13 +129,12 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
     if (one.beside == FoundLight::Beside::image)
       what += std::string(" (") + detail::image_word(one.image) + ")";
     if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
-    text += fmt::format("{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n",
-                        i + 1, one.solution.result.chi_square,
-                        detail::mode_word(one.solution.periods.mode),
-                        number_text(f.precession_period.value, f.precession_period.error),
-                        number_text(f.rotation_period.value, f.rotation_period.error),
-                        f.pole.longitude, f.pole.latitude, body.shape.b / body.shape.a,
-                        body.shape.c / body.shape.b, what);
+    text += fmt::format(
+        "{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n", i + 1,
+        one.solution.result.chi_square, detail::mode_word(one.solution.periods.mode),
+        number_text(f.precession_period.value, f.precession_period.error),
+        number_text(f.rotation_period.value, f.rotation_period.error), f.pole.longitude,
+        f.pole.latitude, body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
   }
 }
 
@@ -166,12 +167,12 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
     add_fit_line(text, "P_phi (long axis)", with_errors(f.precession_period));
     add_fit_line(text, "P_psi", with_errors(f.rotation_period));
   }
-  add_fit_line(text, "pole",
-               fmt::format("{:.4g}, {:.4g} {} ({}), error {} by {}, scaled {} by {}",
-                           f.pole.longitude, f.pole.latitude, f.pole_major.unit,
-                           pole_words(scenario), error_text(f.pole_major.error),
-                           error_text(f.pole_minor.error), error_text(f.pole_major.scaled_error),
-                           error_text(f.pole_minor.scaled_error)));
+  add_fit_line(
+      text, "pole",
+      fmt::format("{:.4g}, {:.4g} {} ({}), error {} by {}, scaled {} by {}", f.pole.longitude,
+                  f.pole.latitude, f.pole_major.unit, pole_words(scenario),
+                  error_text(f.pole_major.error), error_text(f.pole_minor.error),
+                  error_text(f.pole_major.scaled_error), error_text(f.pole_minor.scaled_error)));
   add_numbers(text, light_numbers(scenario, report, i), report.start.has_value());
   for (const std::string& note : s.notes) text += "note: " + note + "\n";
 }
@@ -188,8 +189,7 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
     add_pairs(text, scenario, report);
   }
   if (!report.start && report.is_found()) add_overview(text, scenario, report);
-  for (std::size_t i = 0; i < report.solutions.size(); ++i)
-    add_solution(text, scenario, report, i);
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(text, scenario, report, i);
   if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
   for (const std::string& note : report.notes) text += "note: " + note + "\n";
   return text;

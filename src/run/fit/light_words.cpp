@@ -46,8 +46,8 @@ const char* beside_word(const FoundLight& found) {
 
 const char* image_word(LightImage image) {
   using enum LightImage;
-  return image == normal ? "normal"
-         : image == bisector ? "bisector"
+  return image == normal       ? "normal"
+         : image == bisector   ? "bisector"
          : image == difference ? "difference"
                                : "none";
 }
@@ -81,7 +81,8 @@ std::vector<std::size_t> pairs_by_chi_square(const LightReport& report) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < report.chi_square_of_periods.size(); ++i)
     if (std::isfinite(report.chi_square_of_periods[i])) order.push_back(i);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return report.chi_square_of_periods[i]; });
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return report.chi_square_of_periods[i]; });
   return order;
 }
 

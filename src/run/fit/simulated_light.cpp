@@ -54,8 +54,7 @@ std::vector<std::vector<std::size_t>> sessions_of(const Scenario& scenario,
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].empty())
       refuse(scenario.document.checked->values, ends.empty() ? "time" : "simulate.sessions",
-             scenario.document.path,
-             "expected rows of [time] in session " + std::to_string(i + 1));
+             scenario.document.path, "expected rows of [time] in session " + std::to_string(i + 1));
   return all;
 }
 

@@ -28,8 +28,8 @@ struct TemplateSubject {
   std::string_view experiment = "rotation";
   std::string_view orbit = {};  // of all of its orbits; empty: the first kind that there is
   std::string_view frame = {};
-  std::string_view method = {};  // empty: that of the example
-  std::string_view format = {};  // of output, where it has keys
+  std::string_view method = {};       // empty: that of the example
+  std::string_view format = {};       // of output, where it has keys
   std::string_view observation = {};  // of a fit; empty: that of the example
 };
 

@@ -14,9 +14,9 @@ void require_light_curve(const Observation& o, const KeyValues& table) {
   if (!o.observer_columns.empty() && o.observer_columns.size() != 3)
     table.refuse("observer_columns", "expected three columns");
   if (o.orbit.empty() != o.observer_orbit.empty())
-    table.refuse(o.orbit.empty() ? "observer_orbit" : "orbit",
-                 o.orbit.empty() ? "expected a key orbit as well"
-                                 : "expected a key observer_orbit as well");
+    table.refuse(
+        o.orbit.empty() ? "observer_orbit" : "orbit",
+        o.orbit.empty() ? "expected a key orbit as well" : "expected a key observer_orbit as well");
   for (const char* const key : {"sun_columns", "observer_columns", "to_sun", "to_observer"})
     if (!o.orbit.empty() && table.has(key))
       table.refuse(key, "expected none: orbits give the vectors");
@@ -25,8 +25,8 @@ void require_light_curve(const Observation& o, const KeyValues& table) {
   if (o.light_format == Observation::LightFormat::columns) return;
   if (o.time_format != Observation::TimeFormat::julian)
     table.refuse("format", "expected time_format = \"JD\" as well, which its files have");
-  for (const char* const key : {"sigma_columns", "session_column", "sun_columns",
-                                "observer_columns"})
+  for (const char* const key :
+       {"sigma_columns", "session_column", "sun_columns", "observer_columns"})
     if (table.has(key)) table.refuse(key, "expected none: the format has its own columns");
   if (o.light_format == Observation::LightFormat::alcdef) {
     if (*o.time_scale != TimeScale::UTC)

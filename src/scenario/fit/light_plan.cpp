@@ -41,8 +41,8 @@ Scattering law_of(const FitContext& at) {
 }
 
 LightUnknowns unknowns_of(const FitContext& at) {
-  const MomentSource given = word(at.values, "light.moments") == "of-shape" ? MomentSource::shape
-                                                                            : MomentSource::start;
+  const MomentSource given =
+      word(at.values, "light.moments") == "of-shape" ? MomentSource::shape : MomentSource::start;
   return {.shape = has_word(at, "shape"),
           .moments = has_word(at, "moments") ? MomentSource::fit : given,
           .multiple = has_word(at, "law")};
@@ -129,8 +129,9 @@ LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
   plan.law = law_of(at);
   plan.unknowns = unknowns_of(at);
   if (plan.unknowns.multiple && plan.law.single == 0.0)
-    refuse(at, "light.law", "expected another law where its weight beside that of Lommel and "
-                            "Seeliger is unknown");
+    refuse(at, "light.law",
+           "expected another law where its weight beside that of Lommel and "
+           "Seeliger is unknown");
   plan.searches = word(at.values, "fit.from") == "search";
   plan.scan = scan_of(at);
   plan.periods = periods_of(at);

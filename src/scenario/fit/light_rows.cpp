@@ -62,17 +62,17 @@ LightCurveFile file_of(const ObservationTable& of) {
 // What the file declares and the keys say must be the same.
 void require_declared(const ObservationTable& of, const LightSession& session) {
   if (session.times && *session.times != of.of.times)
-    of.keys.refuse("times", std::string("expected ") +
-                                (*session.times == LightTime::at_body ? "\"at-body\""
-                                                                      : "\"at-observer\"") +
-                                ", as the file says of its times");
+    of.keys.refuse("times",
+                   std::string("expected ") +
+                       (*session.times == LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
+                       ", as the file says of its times");
 }
 
 // Errors and vectors that the table has and the file has not.
 void complete(LightCurve& curve, const Observation& of) {
   const bool is_part =
-      of.light_format == Format::lc || (of.light_format == Format::columns &&
-                                        of.brightness == Observation::Brightness::flux);
+      of.light_format == Format::lc ||
+      (of.light_format == Format::columns && of.brightness == Observation::Brightness::flux);
   if (is_part && of.sigma) curve = with_relative_sigma(std::move(curve), *of.sigma);
   for (LightPoint& p : curve.points) {
     if (of.light_format == Format::alcdef && of.sigma && p.sigma == 0.0)
@@ -132,8 +132,9 @@ void require_own_columns(const ObservationTable& of, std::size_t sessions) {
            "expected [\"observer_x\", \"observer_y\", \"observer_z\"] to simulate");
   const std::vector<std::string> session = {own.session};
   if (sessions > 1 && o.session_column != session)
-    of.keys.refuse("file", "expected session_column = [\"session\"] as well, to simulate more than "
-                           "one session");
+    of.keys.refuse("file",
+                   "expected session_column = [\"session\"] as well, to simulate more than "
+                   "one session");
 }
 
 }  // namespace
@@ -152,8 +153,8 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
       curve = of.keys.built("of_the_time", [&] { return at_unit_distances(curve, 1.0); });
     std::vector<ObservedRow> rows;
     for (std::size_t k = 0; k < curve.points.size(); ++k)
-      rows.push_back({index, static_cast<std::uint32_t>(
-                                 k < session.lines.size() ? session.lines[k] : session.line)});
+      rows.push_back({index, static_cast<std::uint32_t>(k < session.lines.size() ? session.lines[k]
+                                                                                 : session.line)});
     all.curves.push_back(std::move(curve));
     all.curve_rows.push_back(std::move(rows));
   }

@@ -12,9 +12,7 @@ using enum KeyType;
 using enum Presence;
 
 constexpr Key keys[] = {
-    {.path = "light",
-     .fallback = "{}",
-     .help = "How bright the body is, for light curves."},
+    {.path = "light", .fallback = "{}", .help = "How bright the body is, for light curves."},
     {.path = "light.shape",
      .type = choice,
      .allowed = "ellipsoid|mesh",

@@ -330,10 +330,9 @@ constexpr KeyExample over_ages[] = {
     {"time.at", "[0.0, -1.0, -10.0]"},
     {"output.columns", "[\"obliquity\", \"precession\", \"climatic_precession\"]"}};
 
-constexpr KeyExample of_light_curves[] = {
-    {"units.time", "\"min\""},
-    {"free.unknowns", "[\"attitude\", \"rate\", \"shape\"]"},
-    {"fit.from", "\"search\""}};
+constexpr KeyExample of_light_curves[] = {{"units.time", "\"min\""},
+                                          {"free.unknowns", "[\"attitude\", \"rate\", \"shape\"]"},
+                                          {"fit.from", "\"search\""}};
 
 // The value of a key in this template.
 std::string value_in(const Schema& schema, const Key& key, const TemplateSubject& subject) {

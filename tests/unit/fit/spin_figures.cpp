@@ -25,9 +25,8 @@ Mat3 tensor(double xx, double yy, double xy, double yz, double xz) {
   return T;
 }
 
-const std::vector<std::string> names = {"turn_x",  "turn_y",  "turn_z",  "w_x",
-                                        "w_y",     "w_z",     "Ixx/Izz", "Iyy/Izz",
-                                        "Ixy/Izz", "Iyz/Izz", "Ixz/Izz"};
+const std::vector<std::string> names = {"turn_x",  "turn_y",  "turn_z",  "w_x",     "w_y",    "w_z",
+                                        "Ixx/Izz", "Iyy/Izz", "Ixy/Izz", "Iyz/Izz", "Ixz/Izz"};
 
 // One unknown with the error 1: errors are derivatives.
 UnknownsCovariance of_one(const std::string& name) { return {{name}, {1.0}, {}}; }
