@@ -17,7 +17,7 @@ using detail::counted;
 using detail::LightFigures;
 using detail::WithErrors;
 
-constexpr std::size_t most_pairs = 12;
+constexpr std::size_t most_pairs = 12, most_shown = 8;
 
 // With as many digits as the error has two of.
 std::string number_text(double value, double error) {
@@ -189,7 +189,11 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
     add_pairs(text, scenario, report);
   }
   if (!report.start && report.is_found()) add_overview(text, scenario, report);
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(text, scenario, report, i);
+  const std::size_t shown = std::min(report.solutions.size(), most_shown);
+  for (std::size_t i = 0; i < shown; ++i) add_solution(text, scenario, report, i);
+  if (shown < report.solutions.size())
+    text += fmt::format("\nand {} more solutions, which --json has in full\n",
+                        report.solutions.size() - shown);
   if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
   for (const std::string& note : report.notes) text += "note: " + note + "\n";
   return text;
