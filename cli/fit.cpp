@@ -11,9 +11,12 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/light_report.hpp"
 #include "polhode/run/simulate.hpp"
 #include "progress.hpp"
+#include "resume.hpp"
 #include "stop_signals.hpp"
 
 namespace polhode::cli {
@@ -21,8 +24,9 @@ namespace {
 
 struct FitCommand {
   std::string scenario;
-  std::vector<std::string> set, residuals, covariance;
+  std::vector<std::string> set, residuals, covariance, landscape;
   std::string solution;
+  int threads = 0;
   bool json = false;
 };
 
@@ -36,22 +40,45 @@ std::string numbered(const std::string& path, std::size_t place) {
   return path.substr(0, end) + "-" + std::to_string(place + 1) + path.substr(end);
 }
 
-void write_files(const FitCommand& options, const Scenario& scenario, const FitReport& report) {
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) {
-    for (const std::string& path : options.residuals)
-      write_residuals(scenario, report, i, numbered(path, i));
-    for (const std::string& path : options.covariance)
-      write_covariance(scenario, report, i, numbered(path, i));
-    if (!options.solution.empty())
-      write_solution(scenario, report, i, numbered(options.solution, i));
-  }
+int threads_of(const FitCommand& options) {
+  return options.threads > 0 ? options.threads : hardware_threads();
 }
 
-void fit_file(const FitCommand& options, const Kinds& kinds) {
-  const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
+[[noreturn]] void fail(const Scenario& scenario, const std::string& starts,
+                       const std::string& failure) {
+  throw std::runtime_error(fmt::format("{}: no solution: from {} the fit did not converge: {}",
+                                       scenario.document.name, starts, failure));
+}
+
+// Files of every solution, and whether one of them went to standard output.
+template <class Report>
+bool writes_files(
+    const FitCommand& options, const Scenario& scenario, const Report& report,
+    void (&residuals)(const Scenario&, const Report&, std::size_t, const std::string&),
+    void (&covariance)(const Scenario&, const Report&, std::size_t, const std::string&),
+    void (&solution)(const Scenario&, const Report&, std::size_t, const std::string&)) {
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) {
+    for (const std::string& path : options.residuals)
+      residuals(scenario, report, i, numbered(path, i));
+    for (const std::string& path : options.covariance)
+      covariance(scenario, report, i, numbered(path, i));
+    if (!options.solution.empty()) solution(scenario, report, i, numbered(options.solution, i));
+  }
+  for (const std::vector<std::string>* const paths :
+       {&options.residuals, &options.covariance, &options.landscape})
+    if (std::count(paths->begin(), paths->end(), "-") > 0) return true;
+  return false;
+}
+
+void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
+  if (!options.landscape.empty())
+    throw DomainError(scenario.document.name +
+                      ": --landscape: there is none; expected light curves and fit.from = "
+                      "\"search\"");
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   FitOptions how;
+  how.threads = threads_of(options);
   how.stop = [] { return StopSignals::came() != 0; };
   if (const FitPlan* const plan = fit_plan(scenario); plan != nullptr && plan->starts > 1) {
     progress.emplace(plan->starts, "starts", 0);
@@ -66,16 +93,48 @@ void fit_file(const FitCommand& options, const Kinds& kinds) {
   }
   progress.reset();
   if (!report.is_found())
-    throw std::runtime_error(
-        fmt::format("{}: no solution: from {} the fit did not converge: {}", scenario.document.name,
-                    report.starts == 1 ? std::string("its start")
-                                       : fmt::format("each of {} starts", report.starts),
-                    report.failure));
-  write_files(options, scenario, report);
-  const bool is_taken = std::count(options.residuals.begin(), options.residuals.end(), "-") +
-                            std::count(options.covariance.begin(), options.covariance.end(), "-") >
-                        0;
-  if (!is_taken) print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
+    fail(scenario,
+         report.starts == 1 ? std::string("its start")
+                            : fmt::format("each of {} starts", report.starts),
+         report.failure);
+  if (!writes_files<FitReport>(options, scenario, report, write_residuals, write_covariance,
+                               write_solution))
+    print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
+}
+
+// A search is stopped as the system does it: nothing is written before its end.
+void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
+  LightFitOptions how;
+  how.threads = threads_of(options);
+  std::optional<ProgressLine> progress;
+  constexpr double whole = 100.0;
+  if (require_fit(scenario).light.searches) {
+    progress.emplace(static_cast<std::int64_t>(whole), "hundredths of the scan", 0);
+    how.progress = [&progress](const std::string& stage, double part) {
+      if (stage != "scan")
+        progress.reset();
+      else if (progress)
+        (*progress)(whole* part);
+    };
+  }
+  const LightReport report = fit_light_scenario(scenario, how);
+  progress.reset();
+  for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
+  if (!report.is_found())
+    fail(scenario,
+         report.start ? std::string("its start") : fmt::format("each of {} starts", report.starts),
+         report.failure);
+  if (!writes_files<LightReport>(options, scenario, report, write_light_residuals,
+                                 write_light_covariance, write_light_solution))
+    print(options.json ? light_json(scenario, report) : light_text(scenario, report));
+}
+
+void fit_file(const FitCommand& options, const Kinds& kinds) {
+  const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
+  if (observes_light(scenario))
+    fit_light_curves(options, scenario);
+  else
+    fit_snapshots(options, scenario);
 }
 
 }  // namespace
@@ -103,6 +162,17 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
                    "A scenario that begins at the solution, for polhode run; of a second solution "
                    "PATH-2.toml and so on")
       ->type_name("PATH");
+  command
+      ->add_option("--landscape", options->landscape,
+                   "Of light curves: chi-square of the scan by its two frequencies, PATH.csv or "
+                   "PATH.h5. Any number of them")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--threads", options->threads,
+                   "How many starts at a time; left out: one on each processor. The result does "
+                   "not depend on it")
+      ->check(whole_number());
   command->add_flag("--json", options->json, "For programs: every digit");
   command->footer("Example:\n  " + full_name(*command) +
                   " examples/toutatis-1992.toml --solution fitted.toml");

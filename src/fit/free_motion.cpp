@@ -185,6 +185,26 @@ bool free_motion(const SpinState& s, const std::vector<double>& times, Asked ask
   }
 }
 
+// Rates and periods of the kernel are those of the motion but for factors that do not change: the
+// period of the polhode is one or two of the phase's, and P_1 the inverse of twice Lambda.
+RateDerivatives rate_derivatives(const SpinState& s) {
+  const PrincipalState b = principal_state(s);
+  const BasicFreeKernel<D> kernel = dual_kernel(b, s.t0);
+  const D precession = kernel.half_precession.hi, rate = kernel.phase_rate.hi,
+          period = kernel.phase_period.hi;
+  const std::array<Change, spin_parameters> change = changes(s, b, true);
+  RateDerivatives found{};
+  for (std::size_t j = 0; j < spin_parameters; ++j)
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double by = change[j].of[i];
+      if (by == 0.0) continue;
+      found.precession[j] += by * precession.derivative[i] / precession.value;
+      found.period[j] +=
+          by * (period.derivative[i] / period.value - rate.derivative[i] / rate.value);
+    }
+  return found;
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -29,6 +29,14 @@ inline constexpr double cli_fit_starts = 1e-6;
 inline constexpr double cli_fit_exact = 1e-8;
 // Numbers of a published or independent fit that are told to three decimals.
 inline constexpr double cli_published = 1e-3;
+// TDB - TT is 2 ms at most, in days.
+inline constexpr double cli_tdb = 3e-8;
+// Fluxes with noise of 1e-9, five times that.
+// The mean of 34 points of noise of 2 %, three times its error.
+inline constexpr double cli_mean_of_noise = 0.01;
+// chi-square of a scan with its frequencies exchanged
+inline constexpr double cli_landscape = 1e-12;
+inline constexpr double cli_light_noise = 5e-9;
 // Where the numbers of a chart hold half the digits of the state.
 inline constexpr double cli_half_the_digits = 1e-7;
 // Every method against double-double, at the steps of that test.

@@ -56,4 +56,7 @@ inline constexpr double light_derivatives = 1e-12;
 // Mahalanobis' distance squared of the truth, 8 unknowns: 1 in 1000 is beyond, over fixed seeds
 inline constexpr double light_distance = 26.1;
 
+// --- errors of periods and pole against differences of steps of 1e-5 ---
+inline constexpr double spin_figures = 1e-7;
+
 }  // namespace polhode::budget

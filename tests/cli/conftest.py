@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 from ensemble_files import VARY
+from fit_files import HEAD
 from slowdown import SLOWDOWN
 
 # With what tools/sanitized asks of the sanitizers.
@@ -62,3 +63,15 @@ def table():
         return lines[0].split(","), [[float(x) for x in line.split(",")] for line in lines[1:]]
 
     return parse
+
+
+@pytest.fixture
+def fit_file(tmp_path):
+    """fit_file("...") writes a scenario of kind "fit" and returns its path."""
+
+    def write(*parts, head=HEAD, name="fit.toml"):
+        path = tmp_path / name
+        path.write_text(head + "".join(parts), encoding="utf-8")
+        return path
+
+    return write

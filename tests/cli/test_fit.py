@@ -8,29 +8,8 @@ import budgets
 import numpy
 import pytest
 from closeness import assert_allclose
+from fit_files import FREE, HEAD, fitted, refused, rows
 
-HEAD = """schema = 1
-title = "A tumbler"
-kind = "fit"
-[units]
-time = "h"
-angle = "deg"
-[body]
-moments = [1, 2.2, 2.6]
-[state]
-epoch = "2013-01-05T00:00:00 UTC"
-axes = "ecliptic-J2000"
-[state.attitude-rate]
-euler = { phi = 20, theta = 60, psi = 110 }
-omega_body = [3, 4, 12]
-[time]
-stop = 60
-step = 1.5
-"""
-FREE = """
-[free]
-unknowns = ["attitude", "rate", "moments"]
-"""
 ATTITUDES = """
 [[observation]]
 kind = "attitude"
@@ -59,31 +38,6 @@ times = "at-body"
 rate_unit = "rev/d"
 sigmas = [0.05, 0.05, 0.1]
 """
-
-
-@pytest.fixture
-def fit_file(tmp_path):
-    """fit_file("...") writes a scenario of kind "fit" and returns its path."""
-
-    def write(*parts, head=HEAD, name="fit.toml"):
-        path = tmp_path / name
-        path.write_text(head + "".join(parts), encoding="utf-8")
-        return path
-
-    return write
-
-
-def fitted(run, path, *arguments):
-    done = run("fit", path, "--json", *arguments)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
-
-
-def rows(path):
-    lines = [one for one in path.read_text().splitlines() if not one.startswith("#")]
-    names = lines[0].split(",")
-    numbers = numpy.array([[float(x) for x in line.split(",")] for line in lines[1:]])
-    return dict(zip(names, numbers.T, strict=True))
 
 
 def test_toutatis_of_1992(run, root):
@@ -261,14 +215,6 @@ def test_many_starts_find_the_same_solution(run, fit_file, tmp_path):
 
 
 SEEN = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.9,0.1,0,0\n2,0.8,0.1,0.2,0\n"
-
-
-def refused(run, path, command="fit"):
-    arguments = ["--into", path.parent / "new"] if command == "simulate" else []
-    done = run(command, path, *arguments)
-    assert done.returncode == 2 and done.stdout == "", done.stderr
-    assert len(done.stderr.splitlines()) == 1
-    return done.stderr
 
 
 @pytest.mark.parametrize(("data", "expected"), [

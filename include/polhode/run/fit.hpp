@@ -56,6 +56,7 @@ struct FitReport {
 struct FitOptions {
   std::function<void(std::int64_t starts)> progress = {};  // how many are done
   std::function<bool()> stop = {};                         // asked before each start
+  int threads = 1;                                         // the result does not depend on it
 };
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options = {});

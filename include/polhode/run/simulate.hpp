@@ -3,7 +3,8 @@
 // with noise, in files that its fit reads.
 //
 // Equations   attitudes q exp(dtheta / 2) with dtheta normal about the body axes; directions turned
-//             by two normal angles across them; rates plus normal numbers.
+//             by two normal angles across them; rates plus normal numbers; fluxes of the ellipsoid
+//             or mesh of [light], each relative session as parts of its mean, plus normal numbers.
 // Units       those of each [[observation]].
 // Domain      any rotation that runs, perturbations included, relative to inertial axes. Noise
 //             depends on simulate.seed, the places of table and row, and nothing else.
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "polhode/fit/snapshots.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -26,6 +28,8 @@ inline namespace v0 {
 
 // What the rows of one [[observation]] would be, in core units.
 Snapshots simulated(const Scenario& scenario, std::size_t table);
+// The same of a table of light curves: its sessions, with vectors along the axes of the state.
+std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table);
 
 // Writes the file of each [[observation]] below a folder, as PATH.part until it is complete.
 // Returns their paths. A file that is there stays unless it may be replaced.

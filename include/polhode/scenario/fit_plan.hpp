@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// FitPlan: what the tables [[observation]], [free], [fit] and [simulate] of a scenario of kind
-// "fit" say: what was observed, which numbers of the rotation are unknown, and how they are looked
-// for.
+// FitPlan: what the tables [[observation]], [free], [fit], [light] and [simulate] of a scenario of
+// kind "fit" say: what was observed, which numbers of the rotation are unknown, and how they are
+// looked for.
 //
 // Equations   those of fit_spin (polhode/fit/spin_fit.hpp).
 // Units       core units (polhode/text/units.hpp).
@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "polhode/fit/spin_fit.hpp"
+#include "polhode/scenario/light_plan.hpp"
 #include "polhode/scenario/observation.hpp"
 #include "polhode/scenario/rotation.hpp"
 
@@ -36,6 +37,12 @@ struct FitPlan {
   double within = 0.0;       // chi-square above the least up to which solutions are reported
   std::uint64_t seed = 1;    // of starts
   std::uint64_t noise = 1;   // the seed of what simulations add
+  LightPlan light;
+
+  // Whether light curves are observed, and then nothing else is.
+  bool has_light() const {
+    return !observations.empty() && observations.front().kind == Observation::Kind::light_curve;
+  }
 };
 
 // That of a scenario of kind "fit"; null of any other.

@@ -26,6 +26,7 @@
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/fit/snapshots.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/light/light_time.hpp"
 #include "polhode/math/vector.hpp"
 
@@ -34,11 +35,13 @@ inline namespace v0 {
 struct Scenario;
 
 struct Observation {
-  enum class Kind { attitude, direction, rate };
+  enum class Kind { attitude, direction, rate, light_curve };
   // The numbers of a row after its time.
   enum class Form { quaternion, euler, matrix, vector, angles };
   enum class TimeFormat { number, julian, modified_julian, date };
   enum class Axes { inertial, ecliptic, equator };
+  enum class LightFormat { columns, lc, alcdef };
+  enum class Brightness { flux, magnitude };
 
   Kind kind = Kind::attitude;
   std::string name;                  // of the table; may be empty
@@ -58,6 +61,17 @@ struct Observation {
   std::optional<Vec3> sigmas = std::nullopt;  // along the body axes
   std::vector<std::string> sigma_columns;
 
+  // Of light curves. Errors without a column are parts of the mean flux, or magnitudes.
+  LightFormat light_format = LightFormat::columns;
+  Brightness brightness = Brightness::flux;
+  std::vector<std::string> session_column, sun_columns, observer_columns;  // 1, 3 and 3, or none
+  std::optional<Vec3> to_sun = std::nullopt;  // of all points, where no columns have them
+  std::optional<Vec3> to_observer = std::nullopt;
+  std::string orbit;  // of the body about the Sun, from which vectors and light time follow
+  std::string observer_orbit;
+  bool is_calibrated = false;
+  bool is_of_the_time = false;  // fluxes from the distances of the vectors, not from unit ones
+
   // For messages: its name, or else its file.
   const std::string& shown() const { return name.empty() ? file : name; }
 };
@@ -73,6 +87,8 @@ struct ReadObservations {
   Snapshots seen;
   // As those of `seen`.
   std::vector<ObservedRow> attitudes, directions, rates;
+  std::vector<LightCurve> curves;  // times at the body, vectors along the axes of the state
+  std::vector<std::vector<ObservedRow>> curve_rows;  // of their points
 };
 
 // Of a scenario of kind "fit", whose document it still holds.
@@ -83,6 +99,13 @@ ReadObservations read_observations(const Scenario& scenario);
 // columns.
 std::string observation_text(const Scenario& scenario, std::size_t table, const Snapshots& rows,
                              std::span<const std::string> notes = {});
+// The same of light curves; ScenarioError for what their format cannot hold.
+std::string light_curve_text(const Scenario& scenario, std::size_t table,
+                             std::span<const LightCurve> curves,
+                             std::span<const std::string> notes = {});
+// Points at times of the body with the vectors that the keys of the table give; ScenarioError where
+// none do.
+LightCurve with_vectors_of(const Scenario& scenario, std::size_t table, LightCurve curve);
 
 }  // namespace v0
 }  // namespace polhode

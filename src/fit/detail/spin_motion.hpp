@@ -33,6 +33,13 @@ struct Asked {
 bool free_motion(const SpinState& s, const std::vector<double>& times, Asked asked,
                  std::vector<MotionPoint>& points);
 
+// d ln / d parameter of the mean rate of precession of axis 1 of the arc, and of the period of the
+// polhode; NaN where the motion is a degenerate one.
+struct RateDerivatives {
+  std::array<double, spin_parameters> precession, period;
+};
+RateDerivatives rate_derivatives(const SpinState& s);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

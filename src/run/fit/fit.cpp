@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "polhode/ensemble/cells.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
+#include "run/detail/free_fit.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 
@@ -18,19 +20,9 @@ constexpr double same_distance = 1.0;
 // Fewer degrees of freedom say nothing of errors.
 constexpr double least_freedom = 0.5;
 
-[[noreturn]] void refuse(const Scenario& scenario, const char* path, const std::string& text) {
+[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
+                         const std::string& text) {
   detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
-}
-
-const FitPlan& plan_of(const Scenario& scenario) {
-  const FitPlan& plan = require_fit(scenario);
-  const Rotation& rotation = scenario.rotation();
-  if (!rotation.kinds.empty())
-    refuse(scenario, "perturbation[0].kind",
-           "expected no perturbation: a fit is one of free rotation");
-  if (!rotation.frame.is_inertial())
-    refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
-  return plan;
 }
 
 SpinFit problem_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {
@@ -66,6 +58,24 @@ bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSoluti
                      unknowns_at(problem, kept.state, kept.state)) <= same_distance;
 }
 
+// What one start came to; that of a start which is none, since the file's own has said what is
+// wrong with the file.
+struct Tried {
+  std::optional<SpinSolution> found;
+  std::string failure;
+};
+
+Tried tried(const SpinFit& problem, const FitPlan& plan, std::int64_t start) {
+  SpinFit one = problem;
+  one.start = start_of(plan, problem.start, start);
+  if (start == 0) return {fit_spin(one), {}};
+  try {
+    return {fit_spin(one), {}};
+  } catch (const DomainError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
 // The solutions so far, each once.
 class Solutions {
  public:
@@ -83,16 +93,11 @@ class Solutions {
     report_.solutions.push_back({std::move(found), std::nullopt, start, 1});
   }
 
-  // From a start that was drawn, which may be none: the file's own has said what is wrong with the
-  // file.
-  void try_from(const SpinFit& one, std::int64_t start) {
-    std::optional<SpinSolution> found;
-    try {
-      found = fit_spin(one);
-    } catch (const DomainError& error) {
-      return fail(error.what());
-    }
-    add(*std::move(found), start);
+  void add(const Tried& tried, std::int64_t start) {
+    if (tried.found)
+      add(*tried.found, start);
+    else
+      fail(tried.failure);
   }
 
   // In order, those near the best.
@@ -137,25 +142,35 @@ class Solutions {
 }  // namespace
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
-  const FitPlan& plan = plan_of(scenario);
+  const FitPlan& plan = require_fit(scenario);
+  detail::require_free_fit(scenario);
+  if (plan.has_light())
+    refuse(scenario, "observation[0].kind",
+           "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
+           "fit_light_scenario");
   FitReport report;
   report.observed = read_observations(scenario);
   report.problem = problem_of(scenario, plan, report.observed.seen);
   Solutions solutions(report.problem, plan, report);
-  for (report.starts = 0; report.starts < plan.starts; ++report.starts) {
+  const auto stop = [&] {
     if (options.stop && options.stop())
       throw FitStopped(scenario.document.name + ": stopped after " + std::to_string(report.starts) +
                        " of " + std::to_string(plan.starts) + " starts");
-    SpinFit one = report.problem;
-    one.start = start_of(plan, report.problem.start, report.starts);
-    if (report.starts > 0)
-      solutions.try_from(one, report.starts);
-    else
-      solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
-                                  scenario.document.path, [&] { return fit_spin(one); }),
-                    0);
-    if (options.progress) options.progress(report.starts + 1);
-  }
+  };
+  report.starts = 0;
+  stop();
+  detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
+    run_cells(
+        0, plan.starts, options.threads,
+        [&](std::int64_t start) { return tried(report.problem, plan, start); },
+        [&](std::int64_t start, const Tried& one) {
+          solutions.add(one, start);
+          report.starts = start + 1;
+          if (options.progress) options.progress(report.starts);
+          if (report.starts < plan.starts) stop();
+        });
+    return 0;
+  });
   solutions.finish();
   return report;
 }

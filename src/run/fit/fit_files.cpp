@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <utility>
 
-#include "output/part_file.hpp"
-#include "polhode/output/output_format.hpp"
 #include "polhode/run/fit.hpp"
-#include "polhode/run/run.hpp"
-#include "run/detail/own_files.hpp"
-#include "text/number_text.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -20,22 +15,6 @@ inline namespace v0 {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int64_t rows_without_time = 101;
-
-using detail::number_text;
-
-void write_rows(const Scenario& scenario, const std::vector<ColumnGroup>& groups,
-                std::span<const double> rows, const std::vector<std::string>& notes,
-                const std::string& path) {
-  const std::string paths[] = {path};
-  detail::require_own_files(scenario.document, paths);
-  Provenance origin = provenance(scenario);
-  origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
-  const std::unique_ptr<Sink> sink =
-      open_sink(path, groups, origin, std::nullopt, scenario.output.formats);
-  sink->push(rows);
-  sink->finish();
-}
 
 // One row of residuals.
 struct Residual {
@@ -92,14 +71,6 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
   return all;
 }
 
-std::string value_in(double number, const std::string& unit) {
-  return "{ value = " + number_text(number) + ", unit = \"" + unit + "\" }";
-}
-
-std::string row_text(double a, double b, double c) {
-  return "[" + number_text(a) + ", " + number_text(b) + ", " + number_text(c) + "]";
-}
-
 void add_body(const Scenario& scenario, const FitReport& report, const SpinState& state,
               std::vector<ScenarioChange>& changes) {
   const SpinUnknowns& unknowns = report.problem.unknowns;
@@ -111,36 +82,11 @@ void add_body(const Scenario& scenario, const FitReport& report, const SpinState
   for (const char* const key : {"moments", "tensor", "shape", "density", "scale", "column_axes"})
     changes.push_back({std::string("body.") + key, ""});
   if (has_moments && is_diagonal && !unknowns.products)
-    changes.push_back({"body.moments", row_text(T(0, 0), T(1, 1), T(2, 2))});
+    changes.push_back({"body.moments", detail::row_text(T(0, 0), T(1, 1), T(2, 2))});
   else
-    changes.push_back({"body.tensor", "[" + row_text(T(0, 0), T(0, 1), T(0, 2)) + ", " +
-                                          row_text(T(0, 1), T(1, 1), T(1, 2)) + ", " +
-                                          row_text(T(0, 2), T(1, 2), T(2, 2)) + "]"});
-}
-
-// In radians per unit of time of the file: these read back as they are.
-void add_state(const Scenario& scenario, const SpinState& state,
-               std::vector<ScenarioChange>& changes) {
-  const Quaternion& q = state.q;
-  const std::string rate = "rad/" + scenario.units().time();
-  changes.push_back({"state." + scenario.rotation().chart, ""});
-  changes.push_back({"state.attitude-rate", "{ quaternion = [" + number_text(q.w) + ", " +
-                                                number_text(q.x) + ", " + number_text(q.y) + ", " +
-                                                number_text(q.z) + "], omega_body = { value = " +
-                                                row_text(state.w_F.x, state.w_F.y, state.w_F.z) +
-                                                ", unit = \"" + rate + "\" } }"});
-}
-
-void add_time(const Scenario& scenario, const FitReport& report,
-              std::vector<ScenarioChange>& changes) {
-  if (row_times(scenario)) return;
-  const std::vector<double> times = times_of(report.observed.seen);
-  const auto [first, last] = std::minmax_element(times.begin(), times.end());
-  const std::string& unit = scenario.units().time();
-  if (!(*first < *last)) return changes.push_back({"time", "{ at = [0] }"});
-  changes.push_back({"time", "{ start = " + value_in(*first, unit) +
-                                 ", stop = " + value_in(*last, unit) +
-                                 ", count = " + std::to_string(rows_without_time) + " }"});
+    changes.push_back({"body.tensor", "[" + detail::row_text(T(0, 0), T(0, 1), T(0, 2)) + ", " +
+                                          detail::row_text(T(0, 1), T(1, 1), T(1, 2)) + ", " +
+                                          detail::row_text(T(0, 2), T(1, 2), T(2, 2)) + "]"});
 }
 
 }  // namespace
@@ -173,53 +119,23 @@ void write_residuals(const Scenario& scenario, const FitReport& report, std::siz
   notes.emplace_back(
       "residuals: from what was seen to the solution, in body axes; r1, r2, r3 in standard errors "
       "as given");
-  write_rows(scenario, groups, rows, notes, path);
+  detail::write_fit_rows(scenario, groups, rows, notes, path);
 }
 
 void write_covariance(const Scenario& scenario, const FitReport& report, std::size_t solution,
                       const std::string& path) {
   const FoundSpin& found = report.solutions.at(solution);
-  const std::vector<FitNumber> numbers = fit_numbers(scenario, report, solution);
-  const UnknownsCovariance& c = found.raw.covariance;
-  const std::size_t n = numbers.size();
-  // what one unit of each unknown is in those of the file
-  std::vector<double> factor;
-  for (std::size_t i = 0; i < n; ++i)
-    factor.push_back(numbers[i].unit == "1"
-                         ? 1.0
-                         : scenario.units().from_core(1.0, c.names[i].starts_with("turn_")
-                                                               ? Dimension::angle
-                                                               : Dimension::rate));
-  std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
-  std::string notes = "unknowns:";
-  for (std::size_t i = 0; i < n; ++i) {
-    groups.push_back({numbers[i].name, {{numbers[i].name, numbers[i].unit}}});
-    notes += " " + std::to_string(i + 1) + " " + numbers[i].name;
-  }
-  groups.push_back({"errors", {{"error", "1"}, {"scaled_error", "1"}}});
-  std::vector<double> rows;
-  for (std::size_t i = 0; i < n; ++i) {
-    rows.push_back(static_cast<double>(i + 1));
-    for (std::size_t j = 0; j < n; ++j) rows.push_back(factor[i] * factor[j] * c.matrix[i * n + j]);
-    rows.push_back(numbers[i].error);
-    rows.push_back(numbers[i].scaled_error.value_or(none));
-  }
-  write_rows(scenario, groups, rows,
-             {notes,
-              "covariance with errors as given, in products of the units of the columns; "
-              "error and scaled_error in the unit of the unknown of the row"},
-             path);
+  detail::write_fit_covariance(scenario, found.raw.covariance,
+                               fit_numbers(scenario, report, solution), path);
 }
 
 std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
   const SpinState& state = report.solutions.at(solution).raw.state;
-  std::vector<ScenarioChange> changes = {{"kind", ""},     {"free", ""}, {"fit", ""},
-                                         {"simulate", ""}, {"map", ""},  {"ensemble", ""}};
-  for (std::size_t i = require_fit(scenario).observations.size(); i-- > 0;)
-    changes.push_back({"observation[" + std::to_string(i) + "]", ""});
+  std::vector<ScenarioChange> changes = detail::without_observations(scenario);
   add_body(scenario, report, state, changes);
-  add_state(scenario, state, changes);
-  add_time(scenario, report, changes);
+  changes.push_back({"state." + scenario.rotation().chart, ""});
+  changes.push_back(detail::state_change(scenario, state.q, state.w_F));
+  detail::add_rows_of(scenario, times_of(report.observed.seen), changes);
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + "\n" +
@@ -228,11 +144,7 @@ std::string solution_text(const Scenario& scenario, const FitReport& report, std
 
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,
                     const std::string& path) {
-  const std::string paths[] = {path};
-  detail::require_own_files(scenario.document, paths);
-  detail::PartFile file(path);
-  file.write(solution_text(scenario, report, solution));
-  file.commit();
+  detail::write_fit_text(scenario, solution_text(scenario, report, solution), path);
 }
 
 }  // namespace v0

@@ -6,43 +6,35 @@
 #include <cmath>
 #include <string_view>
 
+#include "polhode/fit/spin_figures.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/fit.hpp"
 #include "polhode/run/summary.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-Dimension dimension_of(std::string_view unknown) {
-  if (unknown.starts_with("turn_")) return Dimension::angle;
-  return unknown.starts_with("w_") ? Dimension::rate : Dimension::number;
-}
-
-std::string count(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
+using detail::add_fit_line;
+using detail::counted;
 
 std::string observed_text(const Scenario& scenario, const FitReport& report) {
   const Snapshots& seen = report.observed.seen;
   std::string text;
   const auto add = [&](std::size_t n, const char* one, const char* many) {
-    if (n > 0) text += (text.empty() ? "" : ", ") + count(n, one, many);
+    if (n > 0) text += (text.empty() ? "" : ", ") + counted(n, one, many);
   };
   add(seen.attitudes.size(), "attitude", "attitudes");
   add(seen.directions.size(), "direction", "directions");
   add(seen.rates.size(), "rate", "rates");
   return text + fmt::format(" ({} numbers) of ", seen.numbers()) +
-         count(require_fit(scenario).observations.size(), "table", "tables");
+         counted(require_fit(scenario).observations.size(), "table", "tables");
 }
 
 std::string number_or_dash(const std::optional<double>& x, const char* form) {
   return x ? fmt::format(fmt::runtime(form), *x) : std::string("-");
-}
-
-void add_line(std::string& text, std::string_view label, const std::string& value) {
-  text += fmt::format("{:<18}{}\n", label, value);
 }
 
 // What a reader knows a spin state by, from the scenario of the solution.
@@ -59,6 +51,29 @@ std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& 
            std::end(shown_lines);
   });
   return lines;
+}
+
+// Of periods and pole, with errors as given; those that the data leave open are infinite.
+std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
+  const Units& units = scenario.units();
+  const auto both = [&](double SpinFigures::*error, Dimension dimension) {
+    const auto of = [&](const SpinSolution& one) {
+      return fmt::format(
+          "{:.2g}", units.from_core(spin_figures(one.state, one.covariance).*error, dimension));
+    };
+    return of(found.raw) + (found.scaled ? ", scaled " + of(*found.scaled) : "");
+  };
+  const SpinFigures f = spin_figures(found.raw.state, found.raw.covariance);
+  std::string text;
+  if (f.periods.precession_period > 0.0) {
+    text += fmt::format("{:<37}{} {}\n", "error of P_phi",
+                        both(&SpinFigures::precession_error, Dimension::time), units.time());
+    text += fmt::format("{:<37}{} {}\n", "error of P_psi",
+                        both(&SpinFigures::rotation_error, Dimension::time), units.time());
+  }
+  return text + fmt::format("{:<37}{} by {} {}\n", "error of the pole",
+                            both(&SpinFigures::pole_major, Dimension::angle),
+                            both(&SpinFigures::pole_minor, Dimension::angle), units.angle());
 }
 
 std::string euler_text(const Scenario& scenario, const Quaternion& q) {
@@ -103,21 +118,22 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
   const SpinSolution& raw = found.raw;
   const Units& units = scenario.units();
   text += "\n";
-  add_line(text, fmt::format("solution {} of {}", place + 1, report.solutions.size()),
-           raw.result.sentence + (report.starts > 1 ? fmt::format(", from {} of {} starts",
-                                                                  found.starts, report.starts)
-                                                    : ""));
-  add_line(text, "chi-square",
-           fmt::format("{:.4g} on {:.4g} degrees of freedom", raw.result.chi_square,
-                       raw.degrees_of_freedom));
+  add_fit_line(text, fmt::format("solution {} of {}", place + 1, report.solutions.size()),
+               raw.result.sentence + (report.starts > 1 ? fmt::format(", from {} of {} starts",
+                                                                      found.starts, report.starts)
+                                                        : ""));
+  add_fit_line(text, "chi-square",
+               fmt::format("{:.4g} on {:.4g} degrees of freedom", raw.result.chi_square,
+                           raw.degrees_of_freedom));
   if (std::isfinite(raw.attitude_rms))
-    add_line(text, "rms of attitudes",
-             fmt::format("{:.3g} {} about each axis",
-                         units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
+    add_fit_line(text, "rms of attitudes",
+                 fmt::format("{:.3g} {} about each axis",
+                             units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
   if (found.scaled)
-    add_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
-  add_line(text, "phi, theta, psi", euler_text(scenario, raw.state.q));
+    add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
+  add_fit_line(text, "phi, theta, psi", euler_text(scenario, raw.state.q));
   text += summary_table(state_lines(scenario, report, place));
+  text += error_lines(scenario, found);
   add_table(text, fit_numbers(scenario, report, place));
   add_correlations(text, raw.covariance);
   for (const std::string& note : raw.notes) text += "note: " + note + "\n";
@@ -131,6 +147,28 @@ void add_values(detail::JsonWriter& json, const FitNumber& one) {
   if (one.scaled_value) json.key("scaled_value").value(*one.scaled_value);
   if (one.scaled_error) json.key("scaled_error").value(*one.scaled_error);
   json.end_object();
+}
+
+// With errors as given, in the units of the file.
+void add_figures(detail::JsonWriter& json, const Scenario& scenario, const FoundSpin& found) {
+  const SpinFigures f = spin_figures(found.raw.state, found.raw.covariance);
+  const Units& units = scenario.units();
+  const auto add = [&](const char* key, double value, double error) {
+    json.key(key).begin_object();
+    json.key("value").value(units.from_core(value, Dimension::time));
+    json.key("error").value(units.from_core(error, Dimension::time));
+    json.key("unit").value(units.time()).end_object();
+  };
+  if (f.periods.precession_period > 0.0) {
+    add("precession_period", f.periods.precession_period, f.precession_error);
+    add("rotation_period", f.periods.rotation_period, f.rotation_error);
+  }
+  json.key("pole").begin_object();
+  json.key("direction").begin_array();
+  json.value(f.pole_I.x).value(f.pole_I.y).value(f.pole_I.z).end_array();
+  json.key("error_major").value(units.from_core(f.pole_major, Dimension::angle));
+  json.key("error_minor").value(units.from_core(f.pole_minor, Dimension::angle));
+  json.key("unit").value(units.angle()).end_object();
 }
 
 void add_matrix(detail::JsonWriter& json, const std::vector<double>& matrix, std::size_t n) {
@@ -159,6 +197,7 @@ void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitR
   json.key("attitude_rms").value(scenario.units().from_core(raw.attitude_rms, Dimension::angle));
   if (found.scaled) json.key("error_factor").value(found.scaled->error_factor);
   const Quaternion& q = raw.state.q;
+  add_figures(json, scenario, found);
   json.key("quaternion").begin_array().value(q.w).value(q.x).value(q.y).value(q.z).end_array();
   json.key("unknowns").begin_object();
   for (const FitNumber& one : fit_numbers(scenario, report, place))
@@ -188,7 +227,7 @@ std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& re
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < raw.size(); ++i) {
     const std::string& name = found.raw.covariance.names[i];
-    const Dimension dimension = dimension_of(name);
+    const Dimension dimension = detail::dimension_of_unknown(name);
     const auto shown = [&](double x) { return scenario.units().from_core(x, dimension); };
     FitNumber one{name,          scenario.units().label(dimension),    shown(start[i]),
                   shown(raw[i]), shown(found.raw.covariance.error(i)), std::nullopt,
@@ -205,12 +244,12 @@ std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& re
 std::string fit_text(const Scenario& scenario, const FitReport& report) {
   std::string text;
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
-  add_line(text, "observed", observed_text(scenario, report));
+  add_fit_line(text, "observed", observed_text(scenario, report));
   if (report.starts > 1)
-    add_line(text, "starts",
-             fmt::format("{}, of which {} did not converge", report.starts, report.failed));
+    add_fit_line(text, "starts",
+                 fmt::format("{}, of which {} did not converge", report.starts, report.failed));
   for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(text, scenario, report, i);
-  if (!report.is_found()) add_line(text, "solutions", "none: " + report.failure);
+  if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
   return text;
 }
 

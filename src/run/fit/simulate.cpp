@@ -8,10 +8,9 @@
 
 #include "output/part_file.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
 #include "polhode/version.hpp"
-#include "run/detail/own_files.hpp"
+#include "run/detail/simulated_light.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/printable.hpp"
@@ -21,14 +20,10 @@ inline namespace v0 {
 namespace {
 
 namespace fs = std::filesystem;
+using detail::Noise;
+using detail::Seen;
 
 constexpr std::size_t longest_path = 500;
-
-struct Seen {
-  double t;
-  Quaternion q;  // body axes of the file to inertial ones
-  Vec3 w;        // along these body axes
-};
 
 const FitPlan& plan_of(const Scenario& scenario) {
   const std::string& name = scenario.document.name;
@@ -50,8 +45,8 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
     const SaveAt& times = *rotation.time;
     for (std::int64_t k = 0; k < times.size(); ++k) {
       const RotorState s = motion.at(times[k]);
-      all.push_back(
-          {times[k], normalized(s.q * conj(f)), rotate(f, angular_velocity(motion.body(), s))});
+      all.push_back({times[k], normalized(s.q * conj(f)),
+                     rotate(f, angular_velocity(motion.body(), s)), s.q});
     }
     return all;
   }
@@ -61,7 +56,8 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
       integrate(problem, *rotation.time, [&](std::span<const DampedSample> samples) {
         for (const DampedSample& one : samples)
           all.push_back({one.t, normalized(one.s.rotor.q * conj(f)),
-                         rotate(f, angular_velocity(system, one.t, one.s.rotor).inertial)});
+                         rotate(f, angular_velocity(system, one.t, one.s.rotor).inertial),
+                         normalized(one.s.rotor.q)});
       });
   if (end.outcome().status == Outcome::Status::failed)
     throw DomainError(scenario.document.name + ": the run failed: " + end.outcome().advice);
@@ -74,22 +70,6 @@ Quaternion turned(const Quaternion& q, const Vec3& turn) {
   const double k = angle > 0.0 ? std::sin(half) / angle : 0.5;
   return normalized(q * Quaternion{std::cos(half), k * turn.x, k * turn.y, k * turn.z});
 }
-
-class Noise {
- public:
-  Noise(std::uint64_t seed, std::size_t table)
-      : random_(seed, key_of("observation[" + std::to_string(table) + "]")) {}
-
-  Vec3 at(std::size_t row, const Vec3& sigma) const {
-    Vec3 x;
-    for (int i = 0; i < 3; ++i)
-      x[i] = sigma[i] * random_.normal(row, static_cast<std::uint64_t>(i));
-    return x;
-  }
-
- private:
-  CounterRandom random_;
-};
 
 Vec3 sigma_of(const Observation& of) {
   if (of.sigma) return {*of.sigma, *of.sigma, *of.sigma};
@@ -114,6 +94,8 @@ void add(Snapshots& rows, const Observation& of, const Seen& seen, const Vec3& n
     case Observation::Kind::rate:
       rows.rates.push_back({seen.t, seen.w + noise, covariance_of(sigma)});
       break;
+    case Observation::Kind::light_curve:  // simulated_sessions
+      break;
   }
 }
 
@@ -133,6 +115,15 @@ std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
               std::to_string(require_fit(scenario).noise),
           "observation " + std::to_string(table + 1) + ": " +
               std::string(kind_word(require_fit(scenario).observations[table].kind))};
+}
+
+std::string text_of(const Scenario& scenario, std::size_t table, const std::vector<Seen>& motion) {
+  const FitPlan& plan = require_fit(scenario);
+  const std::vector<std::string> notes = notes_of(scenario, table);
+  if (plan.observations[table].kind == Observation::Kind::light_curve)
+    return light_curve_text(scenario, table, detail::simulated_sessions(scenario, table, motion),
+                            notes);
+  return observation_text(scenario, table, rows_of(plan, table, motion), notes);
 }
 
 void require_free(const std::vector<std::string>& paths, const Scenario& scenario,
@@ -156,6 +147,11 @@ Snapshots simulated(const Scenario& scenario, std::size_t table) {
   return rows_of(plan_of(scenario), table, motion_of(scenario));
 }
 
+std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table) {
+  static_cast<void>(plan_of(scenario));
+  return detail::simulated_sessions(scenario, table, motion_of(scenario));
+}
+
 std::vector<std::string> write_simulation(const Scenario& scenario, const std::string& folder,
                                           bool may_replace) {
   const FitPlan& plan = plan_of(scenario);
@@ -164,8 +160,7 @@ std::vector<std::string> write_simulation(const Scenario& scenario, const std::s
     paths.push_back((fs::path(folder) / of.file).string());
   require_free(paths, scenario, may_replace);
   const std::vector<Seen> motion = motion_of(scenario);
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    texts.push_back(observation_text(scenario, i, rows_of(plan, i, motion), notes_of(scenario, i)));
+  for (std::size_t i = 0; i < paths.size(); ++i) texts.push_back(text_of(scenario, i, motion));
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path parent = fs::path(paths[i]).parent_path();
     std::error_code failed;

@@ -15,6 +15,7 @@ namespace detail {
 // The paths of the tables that templates know, in the schema.
 inline constexpr std::string_view state_table = "state";
 inline constexpr std::string_view perturbation_table = "perturbation[]";
+inline constexpr std::string_view observation_table = "observation[]";
 inline constexpr std::string_view orbit_table = "orbit.*";
 inline constexpr std::string_view frame_table = "frame";
 inline constexpr std::string_view method_table = "method";
@@ -27,8 +28,9 @@ struct TemplateSubject {
   std::string_view experiment = "rotation";
   std::string_view orbit = {};  // of all of its orbits; empty: the first kind that there is
   std::string_view frame = {};
-  std::string_view method = {};  // empty: that of the example
-  std::string_view format = {};  // of output, where it has keys
+  std::string_view method = {};       // empty: that of the example
+  std::string_view format = {};       // of output, where it has keys
+  std::string_view observation = {};  // of a fit; empty: that of the example
 };
 
 std::string template_text(const TemplateSubject& subject, const Schema& schema,

@@ -35,6 +35,21 @@ SpinUnknowns unknowns_of(const FitContext& at) {
   return {has_word("attitude"), has_word("rate"), has_word("moments"), has_word("products")};
 }
 
+// Light curves are fitted by themselves, and their orbits are those of the file.
+void require_one_sort(const FitContext& at, const std::vector<Observation>& all,
+                      const Rotation& rotation) {
+  using enum Observation::Kind;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string path = "observation[" + std::to_string(i) + "].";
+    if ((all[i].kind == light_curve) != (all.front().kind == light_curve))
+      refuse(at.values, path + "kind", at.name,
+             "expected light curves alone, or none: they are fitted by themselves");
+    if (all[i].orbit.empty()) continue;
+    for (const char* const key : {"orbit", "observer_orbit"})
+      static_cast<void>(orbit_named(rotation.orbits, at.values, path + key, at.name));
+  }
+}
+
 double square(double x) { return x * x; }
 
 // About the body axes: phi turns about the third inertial axis, theta about the node, psi about the
@@ -134,7 +149,10 @@ FitPlan fit_plan(const FitContext& at, const Rotation& rotation) {
   FitPlan plan;
   for (const std::string& path : array_paths(at.values, "observation"))
     plan.observations.push_back(observation_of(KeyValues(at.values, at.units, path, at.name)));
+  require_one_sort(at, plan.observations, rotation);
+  require_words(at, plan.has_light());
   plan.unknowns = unknowns_of(at);
+  plan.light = light_plan(at, rotation);
   const SpinState start = spin_state(rotation);
   Priors priors(at, start, plan);
   for (const std::string& path : array_paths(at.values, "free.prior")) priors.add(path);

@@ -10,6 +10,7 @@
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/fit/fit_plan.hpp"
+#include "scenario/fit/light_curve_keys.hpp"
 #include "scenario/value_access.hpp"
 
 namespace polhode {
@@ -143,6 +144,7 @@ constexpr std::array rate_own = {
 constexpr auto attitude_keys = joined(joined(shared, of_the_sky), attitude_own);
 constexpr auto direction_keys = joined(joined(shared, of_the_sky), direction_own);
 constexpr auto rate_keys = joined(shared, rate_own);
+constexpr auto light_keys = joined(shared, light_curve_keys);
 
 struct Row {
   std::string_view word, help, sets;
@@ -154,6 +156,7 @@ constexpr Row rows[] = {
     {"attitude", "Attitudes.", "sigma|sigmas|sigma_columns", attitude_keys},
     {"direction", "Directions of a body axis.", "sigma|sigma_columns", direction_keys},
     {"rate", "Angular velocities along the body axes.", "sigma|sigmas|sigma_columns", rate_keys},
+    {"light-curve", "Light curves.", "sigma|sigma_columns", light_keys},
 };
 
 std::vector<KindOfTable> made_rows() {
@@ -171,6 +174,8 @@ std::vector<KindOfTable> made_rows() {
 std::vector<std::string> usual_columns(const Observation& o) {
   using enum Observation::Form;
   if (o.kind == Observation::Kind::rate) return {"t", "w1", "w2", "w3"};
+  if (o.kind == Observation::Kind::light_curve)
+    return {"t", o.brightness == Observation::Brightness::flux ? "flux" : "magnitude"};
   switch (o.form) {
     case quaternion:
       return {"t", "qw", "qx", "qy", "qz"};
@@ -192,16 +197,19 @@ void require_columns(const Observation& o, const KeyValues& table) {
     table.refuse("columns", "expected " + std::to_string(wanted) + " columns, the time and " +
                                 std::to_string(wanted - 1) + " numbers");
   if (o.sigma_columns.empty()) return;
-  const bool is_direction = o.kind == Observation::Kind::direction;
-  if (o.sigma_columns.size() != 1 && (is_direction || o.sigma_columns.size() != 3))
-    table.refuse("sigma_columns",
-                 is_direction ? "expected one column" : "expected one column, or 3");
+  const bool is_one =
+      o.kind == Observation::Kind::direction || o.kind == Observation::Kind::light_curve;
+  if (o.sigma_columns.size() != 1 && (is_one || o.sigma_columns.size() != 3))
+    table.refuse("sigma_columns", is_one ? "expected one column" : "expected one column, or 3");
 }
 
 void require_clock(const Observation& o, const KeyValues& table) {
   const bool is_at_observer = o.times == LightTime::at_observer;
-  if (is_at_observer && !table.has("light_time"))
+  const bool has_orbit = o.kind == Observation::Kind::light_curve && !o.orbit.empty();
+  if (is_at_observer && !has_orbit && !table.has("light_time"))
     table.refuse("times", "expected a key light_time as well; or times at the body");
+  if (has_orbit && table.has("light_time"))
+    table.refuse("light_time", "expected none: it follows from the orbits");
   if (!is_at_observer && table.has("light_time"))
     table.refuse("light_time", "expected none of times at the body");
   const bool is_dated = o.time_format != Observation::TimeFormat::number;
@@ -218,8 +226,8 @@ void require_clock(const Observation& o, const KeyValues& table) {
 
 void require_axes(const Observation& o, const KeyValues& table) {
   const bool is_rate = o.kind == Observation::Kind::rate;
-  static_cast<void>(is_rate ? table.unit("rate_unit", Dimension::rate)
-                            : table.unit("angle_unit", Dimension::angle));
+  if (is_rate) static_cast<void>(table.unit("rate_unit", Dimension::rate));
+  if (table.has("angle_unit")) static_cast<void>(table.unit("angle_unit", Dimension::angle));
   if (is_rate || !o.axes) return;
   const bool state_is_inertial = word(table.values(), "state.axes") == "inertial";
   if ((*o.axes == Observation::Axes::inertial) != state_is_inertial)
@@ -245,6 +253,7 @@ Observation observation_of(const KeyValues& table) {
   require_columns(o, table);
   require_clock(o, table);
   require_axes(o, table);
+  if (o.kind == Observation::Kind::light_curve) require_light_curve(o, table);
   return o;
 }
 

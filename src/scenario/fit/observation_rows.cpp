@@ -12,10 +12,7 @@
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/tables/number_table.hpp"
 #include "scenario/detail/clock.hpp"
-#include "scenario/detail/history_keys.hpp"
-#include "scenario/fit/fit_plan.hpp"
-#include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/fit/observation_table.hpp"
 #include "text/date_text.hpp"
 #include "text/number_text.hpp"
 
@@ -26,56 +23,12 @@ namespace {
 using Kind = Observation::Kind;
 using Form = Observation::Form;
 using TimeFormat = Observation::TimeFormat;
+using detail::modified_zero;
+using detail::observation_path;
+using detail::observation_table;
+using detail::ObservationTable;
 
-constexpr double modified_zero = 2400000.5;
-
-// One table, and what its numbers are in core units.
-struct Table {
-  const Scenario& scenario;
-  const Observation& of;
-  KeyValues keys;
-  double time_unit = 1.0;
-  double value_unit = 1.0;
-  std::optional<detail::Clock> clock = std::nullopt;
-  Quaternion to_state;  // from its axes to those of the state
-
-  double light_time() const { return of.times == LightTime::at_observer ? of.light_time : 0.0; }
-};
-
-std::string path_of(std::size_t table) { return "observation[" + std::to_string(table) + "]"; }
-
-Quaternion axes_turn(const Observation& of, const std::string& state_axes) {
-  if (!of.axes || *of.axes == Observation::Axes::inertial) return {};
-  const char* const own =
-      *of.axes == Observation::Axes::ecliptic ? "ecliptic-J2000" : "equator-J2000";
-  if (own == state_axes) return {};
-  return conj(detail::ecliptic_from(state_axes)) * detail::ecliptic_from(own);
-}
-
-// `path` must outlive the table.
-Table table_of(const Scenario& scenario, std::size_t index, const std::string& path) {
-  const Document& file = scenario.document;
-  const Observation& of = require_fit(scenario).observations.at(index);
-  const detail::Values& values = file.checked->values;
-  Table table{.scenario = scenario,
-              .of = of,
-              .keys = KeyValues(values, file.units, path, file.path),
-              .to_state = axes_turn(of, detail::word(values, "state.axes"))};
-  const bool is_rate = of.kind == Kind::rate;
-  const auto own = [&](const char* key, Dimension dimension) {
-    return table.keys.has(key) ? table.keys.unit(key, dimension)
-                               : file.units.to_core(1.0, dimension);
-  };
-  table.value_unit =
-      is_rate ? own("rate_unit", Dimension::rate) : own("angle_unit", Dimension::angle);
-  if (of.time_format == TimeFormat::number)
-    table.time_unit = table.keys.unit("time_unit", Dimension::time);
-  else
-    table.clock = detail::clock_of(values, file.units, path + ".time_format", file.path);
-  return table;
-}
-
-FieldReader time_reader(const Table& table) {
+FieldReader time_reader(const ObservationTable& table) {
   const double lag = table.light_time();
   if (!table.clock)
     return [unit = table.time_unit, lag](std::string_view field) {
@@ -98,7 +51,7 @@ FieldReader time_reader(const Table& table) {
   throw DomainError(table.file + ":" + std::to_string(table.lines[row]) + ": " + text);
 }
 
-void require_order(const Table& of, const NumberTable& table) {
+void require_order(const ObservationTable& of, const NumberTable& table) {
   const auto shown = [&](double t) {
     return detail::number_text(of.keys.units().from_core(t, Dimension::time)) + " " +
            of.keys.units().time();
@@ -121,7 +74,7 @@ void require_order(const Table& of, const NumberTable& table) {
 // The numbers of a row after its time and before its errors.
 class RowReader {
  public:
-  RowReader(const Table& of, const NumberTable& table) : of_(of), table_(table) {}
+  RowReader(const ObservationTable& of, const NumberTable& table) : of_(of), table_(table) {}
 
   double at(std::size_t place, std::size_t row) const { return table_.columns[place + 1][row]; }
   double value(std::size_t place, std::size_t row) const { return of_.value_unit * at(place, row); }
@@ -172,11 +125,11 @@ class RowReader {
   }
 
  private:
-  const Table& of_;
+  const ObservationTable& of_;
   const NumberTable& table_;
 };
 
-NumberTable rows_of(const Table& of) {
+NumberTable rows_of(const ObservationTable& of) {
   std::vector<std::string> columns = of.of.columns;
   columns.insert(columns.end(), of.of.sigma_columns.begin(), of.of.sigma_columns.end());
   NumberTable table = read_number_table(of.keys.file_at("file"), columns, time_reader(of));
@@ -185,7 +138,8 @@ NumberTable rows_of(const Table& of) {
   return table;
 }
 
-void read_table(const Table& of, std::size_t index, ReadObservations& all) {
+void read_table(const ObservationTable& of, std::size_t index, ReadObservations& all) {
+  if (of.of.kind == Kind::light_curve) return detail::read_light_curves(of, index, all);
   const NumberTable table = rows_of(of);
   const RowReader read(of, table);
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -204,6 +158,8 @@ void read_table(const Table& of, std::size_t index, ReadObservations& all) {
       case Kind::rate:
         all.seen.rates.push_back({t, read.rate_at(k), covariance_of(sigma)});
         all.rates.push_back(place);
+        break;
+      case Kind::light_curve:  // above
         break;
     }
   }
@@ -231,7 +187,7 @@ std::string date_text(const Date& date) {
 }
 
 // The time of a row as its file has it.
-std::string time_text(const Table& of, double t) {
+std::string time_text(const ObservationTable& of, double t) {
   t += of.light_time();
   if (!of.clock) return detail::number_text(t / of.time_unit);
   const Date date = converted(date_after(of.clock->epoch, t / of.clock->second, of.clock->dut1),
@@ -240,7 +196,7 @@ std::string time_text(const Table& of, double t) {
   return julian_text(date, of.of.time_format == TimeFormat::modified_julian ? modified_zero : 0.0);
 }
 
-std::vector<double> numbers_of(const Table& of, const Quaternion& q_state) {
+std::vector<double> numbers_of(const ObservationTable& of, const Quaternion& q_state) {
   const Quaternion q = conj(of.to_state) * q_state;
   const double unit = of.value_unit;
   if (of.of.form == Form::quaternion) return {q.w, q.x, q.y, q.z};
@@ -255,20 +211,21 @@ std::vector<double> numbers_of(const Table& of, const Quaternion& q_state) {
   return numbers;
 }
 
-std::vector<double> numbers_of(const Table& of, const Vec3& d_state) {
+std::vector<double> numbers_of(const ObservationTable& of, const Vec3& d_state) {
   const Vec3 d = rotate(conj(of.to_state), d_state);
   if (of.of.form == Form::vector) return {d.x, d.y, d.z};
   return {std::atan2(d.y, d.x) / of.value_unit,
           std::atan2(d.z, std::hypot(d.x, d.y)) / of.value_unit};
 }
 
-void append_row(std::string& text, const Table& of, double t, const std::vector<double>& numbers) {
+void append_row(std::string& text, const ObservationTable& of, double t,
+                const std::vector<double>& numbers) {
   text += time_text(of, t);
   for (const double x : numbers) text += "," + detail::number_text(x);
   text += "\n";
 }
 
-void require_names(const Table& of) {
+void require_names(const ObservationTable& of) {
   for (const std::string& column : of.of.columns)
     if (column.empty() ||
         std::all_of(column.begin(), column.end(), [](char c) { return c >= '0' && c <= '9'; }))
@@ -285,8 +242,8 @@ void require_names(const Table& of) {
 ReadObservations read_observations(const Scenario& scenario) {
   ReadObservations all;
   for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i) {
-    const std::string path = path_of(i);
-    read_table(table_of(scenario, i, path), i, all);
+    const std::string path = observation_path(i);
+    read_table(observation_table(scenario, i, path), i, all);
   }
   return all;
 }
@@ -294,8 +251,8 @@ ReadObservations read_observations(const Scenario& scenario) {
 std::string observation_text(const Scenario& scenario, std::size_t index, const Snapshots& rows,
                              std::span<const std::string> notes) {
   static_cast<void>(require_fit(scenario));
-  const std::string path = path_of(index);
-  const Table of = table_of(scenario, index, path);
+  const std::string path = observation_path(index);
+  const ObservationTable of = observation_table(scenario, index, path);
   require_names(of);
   std::string text;
   for (const std::string& note : notes) text += "# " + note + "\n";

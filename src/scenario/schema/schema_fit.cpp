@@ -18,11 +18,13 @@ constexpr Key keys[] = {
     {.path = "free.unknowns",
      .type = choices,
      .presence = required,
-     .allowed = "attitude|rate|moments|products",
+     .allowed = "attitude|rate|moments|products|shape|law",
      .example = "[\"attitude\", \"rate\", \"moments\"]",
      .help = "Attitude and angular velocity at t = 0, the ratios Ixx/Izz and Iyy/Izz, and the "
              "products of inertia over Izz, in the body axes that this file gives vectors in. Of "
-             "free rotation only ratios matter: Izz stays."},
+             "free rotation only ratios matter: Izz stays. Of light curves: attitude and rate, "
+             "which they always have; shape, the ratios b/a and c/b of the ellipsoid; moments of "
+             "their own; law, the weight of Lambert's law beside that of Lommel and Seeliger."},
     {.path = "free.prior[]", .help = "What is known of unknowns beforehand, as normal numbers."},
     {.path = "free.prior[].kind",
      .type = choice,
@@ -114,13 +116,14 @@ constexpr Key keys[] = {
      .type = integer,
      .fallback = "200",
      .example = "200",
-     .help = "At most, for each start."},
+     .help = "At most, for each start; left out, 60 in a search of light curves."},
     {.path = "fit.starts",
      .type = integer,
      .fallback = "1",
      .example = "1",
      .help = "From how many states it begins, up to 1e6: that of the file, then others with any "
-             "attitude and a rate about that of the file, where these are unknown."},
+             "attitude and a rate about that of the file, where these are unknown. Of a search of "
+             "light curves: in all, left out 20 for each pair of periods."},
     {.path = "fit.rate_spread",
      .type = number,
      .dimension = Dimension::rate,
@@ -132,7 +135,8 @@ constexpr Key keys[] = {
      .type = number,
      .fallback = "20",
      .example = "20",
-     .help = "Solutions are reported up to this much above the least chi-square.",
+     .help = "Solutions are reported up to this much above the least chi-square; those of light "
+             "curves by `fit.within_factor`.",
      .range = Range::not_negative},
     {.path = "fit.seed",
      .type = integer,

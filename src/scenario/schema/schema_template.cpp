@@ -16,6 +16,7 @@ namespace {
 using detail::frame_table;
 using detail::kinds_of;
 using detail::method_table;
+using detail::observation_table;
 using detail::orbit_table;
 using detail::output_table;
 using detail::perturbation_table;
@@ -86,6 +87,10 @@ std::vector<Template> templates(const Schema& schema) {
       "method", kinds_of(schema, method_table),
       [](Name name) { return TemplateSubject{.perturbation = "constant-torque", .method = name}; },
       "method");
+  add(
+      "observation", kinds_of(schema, observation_table),
+      [](Name name) { return TemplateSubject{.experiment = "fit", .observation = name}; },
+      "observation");
   add(
       "output format", tables_in(schema, output_table),
       [](Name name) { return TemplateSubject{.format = name}; }, "output");

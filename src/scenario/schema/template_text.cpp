@@ -15,6 +15,7 @@ namespace {
 using detail::frame_table;
 using detail::kinds_of;
 using detail::method_table;
+using detail::observation_table;
 using detail::orbit_table;
 using detail::output_table;
 using detail::perturbation_table;
@@ -111,8 +112,10 @@ std::string example_value(const Schema& schema, const Key& key) {
 constexpr std::string_view obliquity = "obliquity";
 constexpr std::string_view planet_table = "planet";
 constexpr std::string_view surface_table = "surface[]";
-constexpr std::string_view observation_table = "observation[]";
 constexpr std::string_view free_table = "free";
+constexpr std::string_view fit_table = "fit";
+constexpr std::string_view light_table = "light";
+constexpr std::string_view of_light = "light-curve";
 constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
                                               "surface[]", "method", "event[]"};
 
@@ -138,7 +141,8 @@ bool is_shown(const Schema& schema, const Key& key, std::string_view kind) {
   const bool may_be_left_out =
       key.presence == Presence::optional && !is_required(key, kind) && !key.in_template;
   return stands(schema, key, kind) &&
-         !((is_of_kinds(path) || path == "body" || path == planet_table) && may_be_left_out);
+         !((is_of_kinds(path) || path == "body" || path == planet_table || path == light_table) &&
+           may_be_left_out);
 }
 
 bool is_orbit_name(const Schema& schema, const Key& key, const TemplateSubject& subject) {
@@ -289,6 +293,7 @@ bool is_section(const Schema& schema, const Key& key, const TemplateSubject& sub
   if (table == state_table) return name == subject.chart;
   if (table == frame_table) return name == subject.frame;
   if (table == output_table) return name == subject.format;
+  if (key.path == light_table) return subject.observation == of_light;
   if (key.path == surface_table) return needs_surface(schema, subject.perturbation);
   if (key.path == orbit_table) return !example_orbits(schema, subject).empty();
   if (!table.empty() || key.path == key_table(orbit_table) || key.path == frame_table ||
@@ -310,6 +315,7 @@ std::string_view kind_in(const Key& kind, const TemplateSubject& subject) {
   if (table == perturbation_table) return subject.perturbation;
   if (table == orbit_table && !subject.orbit.empty()) return subject.orbit;
   if (table == method_table && !subject.method.empty()) return subject.method;
+  if (table == observation_table && !subject.observation.empty()) return subject.observation;
   return without_quotes(kind.example);
 }
 
@@ -324,6 +330,10 @@ constexpr KeyExample over_ages[] = {
     {"time.at", "[0.0, -1.0, -10.0]"},
     {"output.columns", "[\"obliquity\", \"precession\", \"climatic_precession\"]"}};
 
+constexpr KeyExample of_light_curves[] = {{"units.time", "\"min\""},
+                                          {"free.unknowns", "[\"attitude\", \"rate\", \"shape\"]"},
+                                          {"fit.from", "\"search\""}};
+
 // The value of a key in this template.
 std::string value_in(const Schema& schema, const Key& key, const TemplateSubject& subject) {
   const bool physical = is_physical(schema, subject);
@@ -331,6 +341,9 @@ std::string value_in(const Schema& schema, const Key& key, const TemplateSubject
     return title_of(kind_text(schema, {}, subject.experiment));
   if (subject.experiment == obliquity)
     for (const KeyExample& one : over_ages)
+      if (one.path == key.path) return std::string(one.value);
+  if (subject.observation == of_light)
+    for (const KeyExample& one : of_light_curves)
       if (one.path == key.path) return std::string(one.value);
   if (key.path == "units.time" && !is_rotation(subject))
     return in_quotes(time_unit(schema, subject.experiment));
@@ -342,6 +355,21 @@ std::string value_in(const Schema& schema, const Key& key, const TemplateSubject
   if (key.path == "units.moment" && physical) return "\"kg m2\"";
   if (key.path == "state.axes" && is_dated(schema, subject)) return "\"equator-J2000\"";
   return example_value(schema, key);
+}
+
+// Keys that say something of light curves alone, of everything else alone, and of neither here.
+constexpr std::string_view for_light[] = {"fit.from", "fit.within_factor"};
+constexpr std::string_view for_others[] = {"fit.iterations", "fit.starts", "fit.rate_spread",
+                                           "fit.within"};
+constexpr std::string_view for_sessions = "simulate.sessions";
+
+bool concerns(const Key& key, const TemplateSubject& subject) {
+  const auto is_among = [&](const auto& paths) {
+    return std::find(std::begin(paths), std::end(paths), key.path) != std::end(paths);
+  };
+  const bool is_light = subject.observation == of_light;
+  if (key.path == for_sessions) return false;
+  return !(is_light ? is_among(for_others) : is_among(for_light));
 }
 
 // Whether a key that may be left out has a line that is no comment, in this template.
@@ -366,8 +394,8 @@ void append_example(std::string& page, const Schema& schema, const Key* table,
     // [output.aem] names an object: what is not the user's own must not slip into their files
     const bool table_line = key->type == KeyType::table &&
                             (table == nullptr || is_motion(path) || path == state_table ||
-                             path == output_table || path == free_table);
-    if (table_line || !belongs(*key, kind)) continue;
+                             path == output_table || path == free_table || path == fit_table);
+    if (table_line || !belongs(*key, kind) || !concerns(*key, subject)) continue;
     std::string value = value_in(schema, *key, subject);
     std::string_view text;
     if ((table == nullptr || is_of_kinds(path)) && key_name(key->path) == "kind") {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// SpinFigures: what a fitted spin state is known by, with its errors: the two periods of a tumbler
+// and its pole.
+//
+// Equations   var f = (df/dx)^T C df/dx for f = P_phi of the long axis, P_psi, and the direction of
+//             the momentum; df/dx by dual numbers through the preparation of free motion.
+// Corrections none.
+// Units       those of the fit; errors of the pole in rad, along the axes of the ellipse that they
+//             are on the sky.
+// Domain      a covariance whose unknowns have the names that fit_spin and fit_light give them,
+//             about `state`; b/a and c/b change moments where `moments_of_shape` says so. Periods
+//             are 0 where the regime has none; their errors are NaN where the motion is a
+//             degenerate one, infinite where the data do not determine them.
+// Accuracy    first order in the errors; budget spin_figures in tests/budgets/fit.hpp.
+// Errors      DomainError as FreeRotation; for a state without momentum.
+// Cost        one preparation with dual numbers: some hundred microseconds.
+#pragma once
+
+#include <optional>
+
+#include "polhode/fit/bodies_with_periods.hpp"
+#include "polhode/fit/light_fit.hpp"
+#include "polhode/fit/spin_fit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct SpinFigures {
+  TumblerPeriods periods;
+  double precession_error, rotation_error;
+  double correlation;  // of the two
+  Vec3 pole_I;         // of length 1
+  double pole_major, pole_minor;
+  Vec3 major_I;  // in which direction the pole is known least
+};
+
+SpinFigures spin_figures(const SpinState& state, const UnknownsCovariance& covariance);
+// Of an ellipsoid whose moments follow from its axes, if the fit had them so.
+SpinFigures spin_figures(const LightSolution& solution, const LightUnknowns& unknowns);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// fit_light_scenario: a scenario of kind "fit" that observed light curves, to its solutions, and
+// what is made of them: a table, JSON, the landscape of the scan, residuals and covariance as
+// files, scenarios that go on from a solution.
+//
+// Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/).
+//             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
+// Units       core units; texts and files in the units of the scenario.
+// Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in
+//             the order of rising moments, those of a body whose moments follow from its shape; of
+//             other bodies they are those of [body] in that order. What did not converge is
+//             counted, and is no solution.
+// Accuracy    that of the fits. The same bits for any number of threads.
+// Errors      ScenarioError at the place of what a fit does not take: more unknowns than data, a
+//             scan of more than most_scan_pairs; as read_observations
+//             (polhode/scenario/observation.hpp). Files: OutputError. What `stop` says yes to ends
+//             it with FitStopped.
+// Cost        benchmarks/fit_light_curves.cpp, fit_fourier_scan.cpp; minutes for a night.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/fit/light_search.hpp"
+#include "polhode/fit/scan_advice.hpp"
+#include "polhode/fit/spin_figures.hpp"
+#include "polhode/run/fit.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+inline constexpr double most_scan_pairs = 1e8;
+
+struct LightScan {
+  ScanAdvice advice;
+  Landscape landscape;
+  std::vector<ScanMinimum> minima;
+};
+
+struct LightReport {
+  ReadObservations observed;
+  LightUnknowns unknowns;
+  std::optional<BrightEllipsoid> start;  // of a fit that has one
+  std::optional<LightScan> scan;
+  std::vector<TumblerPeriods> periods;        // that a search began with
+  std::vector<double> chi_square_of_periods;  // what each came to
+  std::vector<FoundLight> solutions;          // by chi-square
+  std::size_t starts = 1, finalists = 1, converged = 0;
+  std::vector<std::string> notes;
+  std::string failure;  // why there are no solutions
+
+  bool is_found() const { return !solutions.empty(); }
+  std::size_t points() const;
+};
+
+// Whether light curves are what the scenario observed.
+bool observes_light(const Scenario& scenario);
+
+// What goes on meanwhile, for people: "scan", "search".
+struct LightFitOptions {
+  int threads = 1;
+  std::function<void(const std::string& stage, double part)> progress = {};
+  std::function<bool()> stop = {};
+};
+LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options = {});
+
+// The unknowns of a solution as fit_numbers has them, scaled by error_factor; `start` is the value
+// of the start, or of the solution in a search.
+std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
+                                     std::size_t solution);
+
+std::string light_text(const Scenario& scenario, const LightReport& report);
+std::string light_json(const Scenario& scenario, const LightReport& report);
+
+// f1, f2 and chi-square, a row for each pair of the scan; DomainError without a scan.
+void write_landscape(const Scenario& scenario, const LightReport& report, const std::string& path);
+// A row for each point: table, line and session from 1, flux, its error, that of the solution, the
+// difference, and this in errors.
+void write_light_residuals(const Scenario& scenario, const LightReport& report,
+                           std::size_t solution, const std::string& path);
+void write_light_covariance(const Scenario& scenario, const LightReport& report,
+                            std::size_t solution, const std::string& path);
+// As solution_text: a scenario of kind "rotation" that begins at the solution.
+std::string light_solution_text(const Scenario& scenario, const LightReport& report,
+                                std::size_t solution);
+void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& path);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What files and texts of all fits share.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/run/fit.hpp"
+#include "polhode/run/summary.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// A table of numbers in the formats of the scenario, with notes, by PATH.part.
+void write_fit_rows(const Scenario& scenario, const std::vector<ColumnGroup>& groups,
+                    std::span<const double> rows, const std::vector<std::string>& notes,
+                    const std::string& path);
+// In the units of the scenario; `numbers` are the unknowns of the covariance.
+void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& covariance,
+                          const std::vector<FitNumber>& numbers, const std::string& path);
+// PATH.part, then PATH.
+void write_fit_text(const Scenario& scenario, const std::string& text, const std::string& path);
+
+// The file without what was observed, and with this state at t = 0 in radians per unit of time.
+std::vector<ScenarioChange> without_observations(const Scenario& scenario);
+ScenarioChange state_change(const Scenario& scenario, const Quaternion& q, const Vec3& w);
+// Rows from the first of these times to the last, where the file has no [time].
+void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
+                 std::vector<ScenarioChange>& changes);
+std::string row_text(double a, double b, double c);
+
+Dimension dimension_of_unknown(std::string_view name);
+// "label             value\n"
+void add_fit_line(std::string& text, std::string_view label, const std::string& value);
+std::string counted(std::size_t n, const char* one, const char* many);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "polhode/scenario/scenario.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// ScenarioError unless nothing acts on the body and its state is relative to inertial axes.
+void require_free_fit(const Scenario& scenario);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

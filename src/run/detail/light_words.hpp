@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Words and numbers of fits of light curves that texts and JSON share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/run/light_report.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+const char* mode_word(Regime mode);  // "SAM", "LAM", or what else it is
+const char* beside_word(const FoundLight& found);
+const char* image_word(LightImage image);
+
+// Where a direction along the axes of the state points, in rad: longitude or right ascension, 0 to
+// 2 pi, and latitude or declination.
+struct SkyPlace {
+  double longitude, latitude;
+};
+SkyPlace sky_place(const Vec3& direction);
+
+// A number with its errors, as given and scaled, in the unit of the file.
+struct WithErrors {
+  double value, error, scaled_error;
+  std::string unit;
+};
+struct LightFigures {
+  WithErrors precession_period, rotation_period;
+  SkyPlace pole;                      // in the unit of angles
+  WithErrors pole_major, pole_minor;  // the errors; value is not used
+};
+LightFigures light_figures(const Scenario& scenario, const LightReport& report,
+                           std::size_t solution);
+
+// Pairs of periods by what each came to, the lowest first; those that came to nothing left out.
+std::vector<std::size_t> pairs_by_chi_square(const LightReport& report);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "run/detail/fit_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "output/part_file.hpp"
+#include "polhode/output/output_format.hpp"
+#include "polhode/run/run.hpp"
+#include "run/detail/own_files.hpp"
+#include "text/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t rows_without_time = 101;
+
+std::string value_in(double number, const std::string& unit) {
+  return "{ value = " + number_text(number) + ", unit = \"" + unit + "\" }";
+}
+
+}  // namespace
+
+void write_fit_rows(const Scenario& scenario, const std::vector<ColumnGroup>& groups,
+                    std::span<const double> rows, const std::vector<std::string>& notes,
+                    const std::string& path) {
+  const std::string paths[] = {path};
+  require_own_files(scenario.document, paths);
+  Provenance origin = provenance(scenario);
+  origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
+  const std::unique_ptr<Sink> sink =
+      open_sink(path, groups, origin, std::nullopt, scenario.output.formats);
+  sink->push(rows);
+  sink->finish();
+}
+
+void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
+                          const std::vector<FitNumber>& numbers, const std::string& path) {
+  const std::size_t n = numbers.size();
+  // what one unit of each unknown is in those of the file
+  std::vector<double> factor;
+  for (std::size_t i = 0; i < n; ++i)
+    factor.push_back(numbers[i].unit == "1"
+                         ? 1.0
+                         : scenario.units().from_core(1.0, dimension_of_unknown(numbers[i].name)));
+  std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
+  std::string notes = "unknowns:";
+  for (std::size_t i = 0; i < n; ++i) {
+    groups.push_back({numbers[i].name, {{numbers[i].name, numbers[i].unit}}});
+    notes += " " + std::to_string(i + 1) + " " + numbers[i].name;
+  }
+  groups.push_back({"errors", {{"error", "1"}, {"scaled_error", "1"}}});
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    rows.push_back(static_cast<double>(i + 1));
+    for (std::size_t j = 0; j < n; ++j) rows.push_back(factor[i] * factor[j] * c.matrix[i * n + j]);
+    rows.push_back(numbers[i].error);
+    rows.push_back(numbers[i].scaled_error.value_or(none));
+  }
+  write_fit_rows(scenario, groups, rows,
+                 {notes,
+                  "covariance with errors as given, in products of the units of the columns; "
+                  "error and scaled_error in the unit of the unknown of the row"},
+                 path);
+}
+
+void write_fit_text(const Scenario& scenario, const std::string& text, const std::string& path) {
+  const std::string paths[] = {path};
+  require_own_files(scenario.document, paths);
+  PartFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+std::vector<ScenarioChange> without_observations(const Scenario& scenario) {
+  std::vector<ScenarioChange> changes;
+  for (const char* const key : {"kind", "free", "fit", "light", "simulate", "map", "ensemble"})
+    changes.push_back({key, ""});
+  for (std::size_t i = require_fit(scenario).observations.size(); i-- > 0;)
+    changes.push_back({"observation[" + std::to_string(i) + "]", ""});
+  return changes;
+}
+
+std::string row_text(double a, double b, double c) {
+  return "[" + number_text(a) + ", " + number_text(b) + ", " + number_text(c) + "]";
+}
+
+// In radians per unit of time of the file: these read back as they are.
+ScenarioChange state_change(const Scenario& scenario, const Quaternion& q, const Vec3& w) {
+  return {"state.attitude-rate", "{ quaternion = [" + number_text(q.w) + ", " + number_text(q.x) +
+                                     ", " + number_text(q.y) + ", " + number_text(q.z) +
+                                     "], omega_body = { value = " + row_text(w.x, w.y, w.z) +
+                                     ", unit = \"rad/" + scenario.units().time() + "\" } }"};
+}
+
+void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
+                 std::vector<ScenarioChange>& changes) {
+  if (row_times(scenario)) return;
+  const auto [first, last] = std::minmax_element(times.begin(), times.end());
+  const std::string& unit = scenario.units().time();
+  if (!(*first < *last)) return changes.push_back({"time", "{ at = [0] }"});
+  changes.push_back({"time", "{ start = " + value_in(*first, unit) +
+                                 ", stop = " + value_in(*last, unit) +
+                                 ", count = " + std::to_string(rows_without_time) + " }"});
+}
+
+Dimension dimension_of_unknown(std::string_view name) {
+  if (name.starts_with("turn_")) return Dimension::angle;
+  return name.starts_with("w_") ? Dimension::rate : Dimension::number;
+}
+
+void add_fit_line(std::string& text, std::string_view label, const std::string& value) {
+  text += fmt::format("{:<18}{}\n", label, value);
+}
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

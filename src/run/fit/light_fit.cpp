@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// From light curves to solutions: by a start of the file, or by scan, labels and search.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/run/light_report.hpp"
+#include "run/detail/free_fit.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
+#include "text/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+// Starts of each pair of periods where the file does not say how many there are.
+constexpr std::size_t starts_of_periods = 20;
+// Rows of the landscape that are computed at a time.
+constexpr std::size_t rows_at_a_time = 64;
+
+[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
+                         const std::string& text) {
+  detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
+}
+
+// v_F = R v_B with the numbers k_B rising along F.
+Mat3 sorted_axes(const Vec3& k_B) {
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return k_B[i] < k_B[j]; });
+  Mat3 R;
+  for (int i = 0; i < 3; ++i) R(i, order[static_cast<std::size_t>(i)]) = 1.0;
+  if (dot(R.row[0], cross(R.row[1], R.row[2])) < 0.0) R.row[2] = -1.0 * R.row[2];
+  return R;
+}
+
+Vec3 permuted(const Mat3& R, const Vec3& k_B) {
+  const Vec3 k = R * k_B;
+  return {std::fabs(k.x), std::fabs(k.y), std::fabs(k.z)};
+}
+
+// The state of the file at t = 0, along axes with falling semi-axes, or rising moments.
+BrightEllipsoid start_of(const Scenario& scenario, const LightPlan& plan) {
+  const Rotation& rotation = scenario.rotation();
+  const RotorState s = initial_state(rotation);
+  const Vec3 I = rotation.body.moments();
+  const bool by_shape = plan.unknowns.moments == MomentSource::shape && plan.semiaxes;
+  const Mat3 R = sorted_axes(by_shape ? -1.0 * *plan.semiaxes : I);
+  const Quaternion q_BF = attitude(R);
+  const Vec3 w = R * angular_velocity(rotation.body, s);
+  const Vec3 moments = permuted(R, I);
+  Ellipsoid shape = homogeneous_ellipsoid(moments, 1.0);
+  if (plan.semiaxes) {
+    const Vec3 axes = permuted(R, *plan.semiaxes);
+    shape = {axes.x, axes.y, axes.z};
+  }
+  BrightEllipsoid start =
+      BrightEllipsoid::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
+  if (plan.unknowns.moments == MomentSource::shape) return start;
+  start.spin.inertia_F = Mat3::identity();
+  for (int i = 0; i < 2; ++i) start.spin.inertia_F(i, i) = moments[i] / moments.z;
+  return start;
+}
+
+class Scan {
+ public:
+  Scan(const Scenario& scenario, const ScanPlan& plan, std::span<const LightCurve> curves,
+       const LightFitOptions& options)
+      : scenario_(scenario),
+        plan_(plan),
+        points_(curves),
+        options_(options),
+        advice_(scan_advice(curves, plan.order)) {}
+
+  LightScan made() {
+    const double least = plan_.longest ? 1.0 / *plan_.longest : advice_.least;
+    const double most = plan_.shortest ? 1.0 / *plan_.shortest : advice_.most;
+    if (!(least < most))
+      refuse(scenario_, "fit.scan.longest",
+             "expected periods of which the shortest is below the longest; the data give " +
+                 text_of(1.0 / advice_.most) + " to " + text_of(1.0 / advice_.least));
+    const FrequencyGrid grid = FrequencyGrid::between(least, most, advice_.step);
+    const double pairs = static_cast<double>(grid.count) * static_cast<double>(grid.count);
+    if (pairs > most_scan_pairs)
+      refuse(scenario_, "fit.scan.shortest",
+             "expected at most 1e8 pairs of frequencies; periods of " + text_of(1.0 / most) +
+                 " to " + text_of(1.0 / least) + " in data that cover " +
+                 text_of(advice_.time_base) + " are " + number(pairs) +
+                 ": set fit.scan.shortest and fit.scan.longest nearer to each other, or fit fewer "
+                 "sessions");
+    Landscape landscape = landscape_of(grid);
+    const MinimaOptions minima{.most = plan_.minima, .threads = options_.threads};
+    std::vector<ScanMinimum> found = scan_minima(points_, landscape, minima);
+    return {std::move(advice_), std::move(landscape), std::move(found)};
+  }
+
+ private:
+  static std::string number(double x) { return detail::rounded_text(x); }
+  std::string text_of(double period) const {
+    return number(scenario_.units().from_core(period, Dimension::time)) + " " +
+           scenario_.units().time();
+  }
+
+  // Rows by columns from the diagonal on; the rest is the same.
+  Landscape landscape_of(const FrequencyGrid& grid) const {
+    const std::size_t n = grid.count;
+    Landscape all{grid, grid, FourierOrders::pair(plan_.order), std::vector<double>(n * n), 0};
+    const ScanOptions how{.order = plan_.order, .threads = options_.threads};
+    for (std::size_t row = 0; row < n; row += rows_at_a_time) {
+      if (options_.stop && options_.stop())
+        throw FitStopped(scenario_.document.name + ": stopped in the scan");
+      const std::size_t rows = std::min(rows_at_a_time, n - row);
+      const FrequencyGrid first{grid.at(row), grid.step, rows},
+          second{grid.at(row), grid.step, n - row};
+      const Landscape part = scan_pairs(points_, first, second, how);
+      all.again += part.again;
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = 0; j < n - row; ++j)
+          all.chi_square[(row + i) * n + row + j] = part.at(i, j);
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = rows; j < n - row; ++j)
+          all.chi_square[(row + j) * n + row + i] = part.at(i, j);
+      const double left = static_cast<double>(n - row - rows) / static_cast<double>(n);
+      if (options_.progress) options_.progress("scan", 1.0 - left * left);
+    }
+    return all;
+  }
+
+  const Scenario& scenario_;
+  const ScanPlan& plan_;
+  ScanPoints points_;
+  const LightFitOptions& options_;
+  ScanAdvice advice_;
+};
+
+void fit_from_start(const Scenario& scenario, const FitPlan& plan, LightReport& report) {
+  report.start = start_of(scenario, plan.light);
+  const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
+                     plan.most_iterations};
+  FoundLight found;
+  found.solution = fit_light(fit);
+  found.starts = 1;
+  if (!found.solution.is_found()) {
+    report.failure = found.solution.result.sentence;
+    return;
+  }
+  report.converged = 1;
+  report.solutions.push_back(std::move(found));
+}
+
+void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
+            LightReport& report) {
+  report.periods = plan.light.periods;
+  if (report.periods.empty()) {
+    report.scan = Scan(scenario, plan.light.scan, report.observed.curves, options).made();
+    report.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
+  }
+  if (report.periods.empty()) {
+    report.failure =
+        "no minimum of the scan is resolved and inside of its grid: other limits, or fit.periods";
+    return;
+  }
+  if (options.progress) options.progress("search", 0.0);
+  LightSearch how;
+  how.curves = report.observed.curves;
+  how.periods = report.periods;
+  how.starts = plan.light.starts.value_or(starts_of_periods * report.periods.size());
+  how.within = plan.light.within_factor;
+  how.unknowns = plan.light.unknowns;
+  how.law = plan.light.law;
+  how.loss = plan.loss;
+  how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
+  how.seed = plan.seed;
+  how.threads = options.threads;
+  LightSearchResult found = search_light(how);
+  report.starts = how.starts;
+  report.finalists = found.finalists;
+  report.converged = found.converged;
+  report.chi_square_of_periods = std::move(found.chi_square_of_periods);
+  report.notes = std::move(found.notes);
+  report.solutions = std::move(found.solutions);
+  if (report.solutions.empty())
+    report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
+}
+
+}  // namespace
+
+std::size_t LightReport::points() const {
+  std::size_t n = 0;
+  for (const LightCurve& curve : observed.curves) n += curve.points.size();
+  return n;
+}
+
+bool observes_light(const Scenario& scenario) {
+  const FitPlan* const plan = fit_plan(scenario);
+  return plan != nullptr && plan->has_light();
+}
+
+LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
+  const FitPlan& plan = require_fit(scenario);
+  detail::require_free_fit(scenario);
+  if (!plan.has_light()) refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
+  if (plan.light.shape == LightPlan::Shape::mesh)
+    refuse(scenario, "light.shape", "expected \"ellipsoid\": meshes are simulated, not fitted");
+  if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches)
+    refuse(scenario, "light.moments",
+           "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
+  LightReport report;
+  report.unknowns = plan.light.unknowns;
+  report.observed = read_observations(scenario);
+  const std::vector<LightCurve>& curves = report.observed.curves;
+  require_sound(curves, {.vectors = true});
+  detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
+    if (plan.light.searches)
+      search(scenario, plan, options, report);
+    else
+      fit_from_start(scenario, plan, report);
+    return 0;
+  });
+  return report;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The solutions of a fit of light curves for programs.
+#include "run/detail/light_words.hpp"
+#include "text/json.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::JsonWriter;
+using detail::LightFigures;
+using detail::WithErrors;
+
+std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
+
+void add_sessions(JsonWriter& json, const LightReport& report) {
+  json.key("sessions").begin_array();
+  for (std::size_t c = 0; c < report.observed.curves.size(); ++c) {
+    const LightCurve& curve = report.observed.curves[c];
+    json.begin_object();
+    json.key("name").value(curve.name).key("points").value(whole(curve.points.size()));
+    json.key("table").value(whole(report.observed.curve_rows.at(c).at(0).table + 1));
+    json.key("calibrated").value(curve.is_calibrated);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan) {
+  const double time = scenario.units().from_core(1.0, Dimension::time);
+  const FrequencyGrid& g = scan.landscape.first;
+  json.key("scan").begin_object();
+  json.key("order").value(whole(scan.landscape.orders.second));
+  json.key("frequencies").value(whole(g.count));
+  json.key("least").value(g.at(0) / time).key("most").value(g.at(g.count - 1) / time);
+  json.key("step").value(g.step / time);
+  json.key("minima").begin_array();
+  for (const ScanMinimum& m : scan.minima) {
+    const RefinedPair& r = m.refined;
+    json.begin_object();
+    json.key("f1").value(r.fit.f1 / time).key("f2").value(r.fit.f2 / time);
+    json.key("sigma_f1").value(r.sigma_f1 / time).key("sigma_f2").value(r.sigma_f2 / time);
+    json.key("scale").value(r.scale);
+    json.key("period_1").value(time / r.fit.f1).key("period_2").value(time / r.fit.f2);
+    json.key("chi_square").value(r.fit.chi_square);
+    json.key("converged").value(r.converged).key("resolved").value(m.resolved);
+    json.key("at_edge").value(m.at_edge);
+    json.end_object();
+  }
+  json.end_array().end_object();
+}
+
+void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
+  const double time = scenario.units().from_core(1.0, Dimension::time);
+  json.key("periods").begin_array();
+  for (std::size_t i = 0; i < report.periods.size(); ++i) {
+    const TumblerPeriods& p = report.periods[i];
+    json.begin_object();
+    json.key("mode").value(detail::mode_word(p.mode));
+    json.key("precession_period").value(time * p.precession_period);
+    json.key("rotation_period").value(time * p.rotation_period);
+    if (i < report.chi_square_of_periods.size())
+      json.key("chi_square").value(report.chi_square_of_periods[i]);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void add_with_errors(JsonWriter& json, const char* key, const WithErrors& x) {
+  json.key(key).begin_object();
+  json.key("value").value(x.value).key("error").value(x.error);
+  json.key("scaled_error").value(x.scaled_error).key("unit").value(x.unit);
+  json.end_object();
+}
+
+void add_pole(JsonWriter& json, const Scenario& scenario, const LightFigures& f) {
+  json.key("pole").begin_object();
+  json.key("axes").value(scenario.rotation().axes);
+  json.key("longitude").value(f.pole.longitude).key("latitude").value(f.pole.latitude);
+  json.key("error_major").value(f.pole_major.error).key("error_minor").value(f.pole_minor.error);
+  json.key("scaled_error_major").value(f.pole_major.scaled_error);
+  json.key("scaled_error_minor").value(f.pole_minor.scaled_error);
+  json.key("unit").value(f.pole_major.unit);
+  json.end_object();
+}
+
+void add_unknowns(JsonWriter& json, const Scenario& scenario, const LightReport& report,
+                  std::size_t i) {
+  json.key("unknowns").begin_object();
+  for (const FitNumber& one : light_numbers(scenario, report, i)) {
+    json.key(one.name).begin_object().key("unit").value(one.unit);
+    if (report.start) json.key("start").value(one.start);
+    json.key("value").value(one.value).key("error").value(one.error);
+    if (one.scaled_error) json.key("scaled_error").value(*one.scaled_error);
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport& report,
+                  std::size_t i) {
+  const FoundLight& one = report.solutions[i];
+  const LightSolution& s = one.solution;
+  const LightFigures f = detail::light_figures(scenario, report, i);
+  json.begin_object();
+  json.key("beside").value(detail::beside_word(one)).key("of").value(whole(one.of + 1));
+  json.key("image").value(detail::image_word(one.image));
+  json.key("sentence").value(one.sentence.empty() ? s.result.sentence : one.sentence);
+  json.key("chi_square").value(s.result.chi_square);
+  json.key("degrees_of_freedom").value(s.degrees_of_freedom);
+  json.key("error_factor").value(s.error_factor());
+  json.key("starts").value(whole(one.starts));
+  json.key("iterations").value(static_cast<std::int64_t>(s.result.iterations));
+  json.key("mode").value(detail::mode_word(s.periods.mode));
+  add_with_errors(json, "precession_period", f.precession_period);
+  add_with_errors(json, "rotation_period", f.rotation_period);
+  add_pole(json, scenario, f);
+  json.key("shape").begin_object();
+  json.key("b/a").value(s.body.shape.b / s.body.shape.a);
+  json.key("c/b").value(s.body.shape.c / s.body.shape.b).end_object();
+  json.key("multiple").value(s.body.law.multiple);
+  json.key("epoch").value(scenario.units().from_core(s.body.spin.t0, Dimension::time));
+  const Quaternion& q = s.body.spin.q;
+  json.key("quaternion").begin_array().value(q.w).value(q.x).value(q.y).value(q.z).end_array();
+  add_unknowns(json, scenario, report, i);
+  json.key("covariance_core").begin_array();
+  const std::size_t n = s.covariance.names.size();
+  for (std::size_t a = 0; a < n; ++a) {
+    json.begin_array();
+    for (std::size_t b = 0; b < n; ++b) json.value(s.covariance.matrix[a * n + b]);
+    json.end_array();
+  }
+  json.end_array().key("factors").begin_array();
+  for (const double factor : s.factors) json.value(factor);
+  json.end_array().key("notes").begin_array();
+  for (const std::string& note : s.notes) json.value(note);
+  json.end_array().end_object();
+}
+
+}  // namespace
+
+std::string light_json(const Scenario& scenario, const LightReport& report) {
+  JsonWriter json;
+  json.begin_object();
+  json.key("scenario").value(scenario.document.name);
+  json.key("observed").value("light-curves").key("points").value(whole(report.points()));
+  add_sessions(json, report);
+  json.key("units").begin_object().key("time").value(scenario.units().time());
+  json.key("angle").value(scenario.units().angle()).end_object();
+  if (report.scan) add_scan(json, scenario, *report.scan);
+  add_periods(json, scenario, report);
+  json.key("starts").value(whole(report.starts)).key("finalists").value(whole(report.finalists));
+  json.key("converged").value(whole(report.converged));
+  if (!report.failure.empty()) json.key("failure").value(report.failure);
+  json.key("notes").begin_array();
+  for (const std::string& note : report.notes) json.value(note);
+  json.end_array().key("solutions").begin_array();
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(json, scenario, report, i);
+  json.end_array().end_object();
+  return json.text();
+}
+
+}  // namespace v0
+}  // namespace polhode

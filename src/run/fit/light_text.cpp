@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// The solutions of a fit of light curves for people.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/detail/fit_tables.hpp"
+#include "run/detail/light_words.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::add_fit_line;
+using detail::counted;
+using detail::LightFigures;
+using detail::WithErrors;
+
+constexpr std::size_t most_pairs = 12, most_shown = 8;
+
+// With as many digits as the error has two of.
+std::string number_text(double value, double error) {
+  if (!std::isfinite(value)) return "-";
+  if (!std::isfinite(error) || !(error > 0.0)) return fmt::format("{:.6g}", value);
+  const int digits = 1 - static_cast<int>(std::floor(std::log10(error)));
+  return fmt::format("{:.{}f}", value, std::clamp(digits, 0, 12));
+}
+
+std::string error_text(double error) {
+  return std::isfinite(error) ? fmt::format("{:.2g}", error) : std::string("unknown");
+}
+
+std::string with_errors(const WithErrors& x) {
+  return fmt::format("{} {}, error {}, scaled {}", number_text(x.value, x.error), x.unit,
+                     error_text(x.error), error_text(x.scaled_error));
+}
+
+double period_of(const Scenario& scenario, double frequency) {
+  return scenario.units().from_core(1.0 / frequency, Dimension::time);
+}
+
+void add_observed(std::string& text, const LightReport& report) {
+  std::size_t calibrated = 0;
+  for (const LightCurve& curve : report.observed.curves) calibrated += curve.is_calibrated ? 1 : 0;
+  const std::size_t sessions = report.observed.curves.size();
+  add_fit_line(text, "observed",
+               counted(report.points(), "point", "points") + " of " +
+                   counted(sessions, "light curve", "light curves") +
+                   (calibrated == 0          ? ", relative"
+                    : calibrated == sessions ? ", calibrated"
+                                             : fmt::format(", {} calibrated", calibrated)));
+}
+
+std::string minimum_notes(const ScanMinimum& m) {
+  std::string text;
+  if (!m.resolved) text += "  not resolved";
+  if (!m.refined.converged) text += "  not converged";
+  if (m.at_edge) text += "  at the edge";
+  return text;
+}
+
+void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan) {
+  const Landscape& all = scan.landscape;
+  const std::string& time = scenario.units().time();
+  const FrequencyGrid& g = all.first;
+  add_fit_line(
+      text, "scan",
+      fmt::format("order {}, {} by {} frequencies, periods of {:.4g} to {:.4g} {}",
+                  all.orders.second, g.count, g.count, period_of(scenario, g.at(g.count - 1)),
+                  period_of(scenario, g.at(0)), time));
+  text += fmt::format(
+      "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2\n"
+      "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
+      "", "chi-square", "P1 " + time, "error", "P2 " + time, "error");
+  for (std::size_t i = 0; i < scan.minima.size(); ++i) {
+    const ScanMinimum& m = scan.minima[i];
+    const RefinedPair& r = m.refined;
+    const auto error = [&](double f, double sigma) {
+      return scenario.units().from_core(r.scale * sigma / (f * f), Dimension::time);
+    };
+    const double e1 = error(r.fit.f1, r.sigma_f1), e2 = error(r.fit.f2, r.sigma_f2);
+    text += fmt::format("{:>4}{:>12.5g}{:>16}{:>11}{:>16}{:>11}{}\n", i + 1, r.fit.chi_square,
+                        number_text(period_of(scenario, r.fit.f1), e1), error_text(e1),
+                        number_text(period_of(scenario, r.fit.f2), e2), error_text(e2),
+                        minimum_notes(m));
+  }
+}
+
+void add_pairs(std::string& text, const Scenario& scenario, const LightReport& report) {
+  const std::vector<std::size_t> order = detail::pairs_by_chi_square(report);
+  add_fit_line(text, "search",
+               fmt::format("{} of {}; {} fitted to the end, {} converged",
+                           counted(report.starts, "start", "starts"),
+                           counted(report.periods.size(), "pair of periods", "pairs of periods"),
+                           report.finalists, report.converged));
+  const std::string& time = scenario.units().time();
+  text += fmt::format("\npairs of periods by what an ellipsoid comes to\n{:>12}{:>6}{:>16}{:>16}\n",
+                      "chi-square", "mode", "P_phi " + time, "P_psi " + time);
+  for (std::size_t i = 0; i < std::min(order.size(), most_pairs); ++i) {
+    const TumblerPeriods& p = report.periods[order[i]];
+    text += fmt::format("{:>12.5g}{:>6}{:>16.6g}{:>16.6g}\n",
+                        report.chi_square_of_periods[order[i]], detail::mode_word(p.mode),
+                        scenario.units().from_core(p.precession_period, Dimension::time),
+                        scenario.units().from_core(p.rotation_period, Dimension::time));
+  }
+  if (order.size() > most_pairs)
+    text += fmt::format("{:>12}\n", fmt::format("and {} more", order.size() - most_pairs));
+}
+
+std::string pole_words(const Scenario& scenario) {
+  const std::string& axes = scenario.rotation().axes;
+  if (axes == "ecliptic-J2000") return "ecliptic longitude, latitude";
+  return axes == "equator-J2000" ? "right ascension, declination" : "longitude, latitude";
+}
+
+void add_overview(std::string& text, const Scenario& scenario, const LightReport& report) {
+  const std::string& time = scenario.units().time();
+  text += fmt::format(
+      "\nsolutions; pole: {} in {}\n{:>4}{:>12}{:>6}{:>13}{:>13}{:>9}{:>8}{:>8}{:>8}"
+      "  {}\n",
+      pole_words(scenario), scenario.units().angle(), "", "chi-square", "mode", "P_phi " + time,
+      "P_psi " + time, "pole", "", "b/a", "c/b", "what it is");
+  for (std::size_t i = 0; i < report.solutions.size(); ++i) {
+    const FoundLight& one = report.solutions[i];
+    const BrightEllipsoid& body = one.solution.body;
+    const LightFigures f = detail::light_figures(scenario, report, i);
+    std::string what = detail::beside_word(one);
+    if (one.beside == FoundLight::Beside::image)
+      what += std::string(" (") + detail::image_word(one.image) + ")";
+    if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
+    text += fmt::format(
+        "{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n", i + 1,
+        one.solution.result.chi_square, detail::mode_word(one.solution.periods.mode),
+        number_text(f.precession_period.value, f.precession_period.error),
+        number_text(f.rotation_period.value, f.rotation_period.error), f.pole.longitude,
+        f.pole.latitude, body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
+  }
+}
+
+void add_numbers(std::string& text, const std::vector<FitNumber>& numbers, bool has_start) {
+  text += fmt::format("{:<9}{:<9}", "unknown", "unit");
+  if (has_start) text += fmt::format("{:>13}", "start");
+  text += fmt::format("{:>13}{:>11}{:>11}\n", "value", "error", "scaled");
+  for (const FitNumber& one : numbers) {
+    text += fmt::format("{:<9}{:<9}", one.name, one.unit);
+    if (has_start) text += fmt::format("{:>13.6g}", one.start);
+    text += fmt::format("{:>13.6g}{:>11.3g}{:>11}\n", one.value, one.error,
+                        one.scaled_error ? fmt::format("{:.3g}", *one.scaled_error) : "-");
+  }
+}
+
+void add_solution(std::string& text, const Scenario& scenario, const LightReport& report,
+                  std::size_t i) {
+  const FoundLight& one = report.solutions[i];
+  const LightSolution& s = one.solution;
+  const LightFigures f = detail::light_figures(scenario, report, i);
+  text += "\n";
+  add_fit_line(text, fmt::format("solution {} of {}", i + 1, report.solutions.size()),
+               report.start ? s.result.sentence : one.sentence);
+  add_fit_line(text, "chi-square",
+               fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
+                           s.degrees_of_freedom));
+  add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", s.error_factor()));
+  add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
+  if (s.periods.precession_period > 0.0) {
+    add_fit_line(text, "P_phi (long axis)", with_errors(f.precession_period));
+    add_fit_line(text, "P_psi", with_errors(f.rotation_period));
+  }
+  add_fit_line(
+      text, "pole",
+      fmt::format("{:.4g}, {:.4g} {} ({}), error {} by {}, scaled {} by {}", f.pole.longitude,
+                  f.pole.latitude, f.pole_major.unit, pole_words(scenario),
+                  error_text(f.pole_major.error), error_text(f.pole_minor.error),
+                  error_text(f.pole_major.scaled_error), error_text(f.pole_minor.scaled_error)));
+  add_numbers(text, light_numbers(scenario, report, i), report.start.has_value());
+  for (const std::string& note : s.notes) text += "note: " + note + "\n";
+}
+
+}  // namespace
+
+std::string light_text(const Scenario& scenario, const LightReport& report) {
+  std::string text;
+  if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
+  add_observed(text, report);
+  if (report.scan) add_scan(text, scenario, *report.scan);
+  if (!report.periods.empty()) {
+    if (report.scan) text += "\n";
+    add_pairs(text, scenario, report);
+  }
+  if (!report.start && report.is_found()) add_overview(text, scenario, report);
+  const std::size_t shown = std::min(report.solutions.size(), most_shown);
+  for (std::size_t i = 0; i < shown; ++i) add_solution(text, scenario, report, i);
+  if (shown < report.solutions.size())
+    text += fmt::format("\nand {} more solutions, which --json has in full\n",
+                        report.solutions.size() - shown);
+  if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
+  for (const std::string& note : report.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+}  // namespace v0
+}  // namespace polhode

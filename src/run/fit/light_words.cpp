@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "run/detail/light_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/math/real.hpp"
+#include "run/detail/fit_tables.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+const char* mode_word(Regime mode) {
+  switch (mode) {
+    case Regime::short_axis:
+      return "SAM";
+    case Regime::long_axis:
+      return "LAM";
+    case Regime::separatrix:
+      return "separatrix";
+    case Regime::steady:
+      return "steady";
+    case Regime::rest:
+      break;
+  }
+  return "rest";
+}
+
+const char* beside_word(const FoundLight& found) {
+  using enum FoundLight::Beside;
+  switch (found.beside) {
+    case image:
+      return "image";
+    case alias:
+      return "alias";
+    case other_mode:
+      return "other-mode";
+    case other_pole:
+      return "other-pole";
+    case first:
+      break;
+  }
+  return "first";
+}
+
+const char* image_word(LightImage image) {
+  using enum LightImage;
+  return image == normal       ? "normal"
+         : image == bisector   ? "bisector"
+         : image == difference ? "difference"
+                               : "none";
+}
+
+SkyPlace sky_place(const Vec3& d) {
+  const double longitude = std::atan2(d.y, d.x);
+  return {longitude < 0.0 ? longitude + 2.0 * pi<double>() : longitude,
+          std::atan2(d.z, std::hypot(d.x, d.y))};
+}
+
+LightFigures light_figures(const Scenario& scenario, const LightReport& report,
+                           std::size_t solution) {
+  const LightSolution& s = report.solutions.at(solution).solution;
+  const SpinFigures f = spin_figures(s, report.unknowns);
+  const double scale = s.error_factor();
+  const Units& units = scenario.units();
+  const auto with = [&](double value, double error, Dimension d) {
+    return WithErrors{units.from_core(value, d), units.from_core(error, d),
+                      units.from_core(scale * error, d), units.label(d)};
+  };
+  const SkyPlace pole = sky_place(f.pole_I);
+  return {with(f.periods.precession_period, f.precession_error, Dimension::time),
+          with(f.periods.rotation_period, f.rotation_error, Dimension::time),
+          {units.from_core(pole.longitude, Dimension::angle),
+           units.from_core(pole.latitude, Dimension::angle)},
+          with(0.0, f.pole_major, Dimension::angle),
+          with(0.0, f.pole_minor, Dimension::angle)};
+}
+
+std::vector<std::size_t> pairs_by_chi_square(const LightReport& report) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < report.chi_square_of_periods.size(); ++i)
+    if (std::isfinite(report.chi_square_of_periods[i])) order.push_back(i);
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return report.chi_square_of_periods[i]; });
+  return order;
+}
+
+}  // namespace detail
+
+std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
+                                     std::size_t solution) {
+  const LightSolution& found = report.solutions.at(solution).solution;
+  const BrightEllipsoid& about = report.start ? *report.start : found.body;
+  std::vector<double> start = light_unknowns_at(report.unknowns, about, about);
+  std::vector<double> value = light_unknowns_at(report.unknowns, about, found.body);
+  std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
+  if (!report.start) std::fill_n(value.begin(), 3, 0.0);
+  const double scale = found.error_factor();
+  std::vector<FitNumber> numbers;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::string& name = found.covariance.names.at(i);
+    const Dimension d = detail::dimension_of_unknown(name);
+    const auto shown = [&](double x) { return scenario.units().from_core(x, d); };
+    FitNumber one{name,
+                  scenario.units().label(d),
+                  shown(start[i]),
+                  shown(value[i]),
+                  shown(found.covariance.error(i)),
+                  std::nullopt,
+                  std::nullopt};
+    if (std::isfinite(scale)) {
+      one.scaled_value = one.value;
+      one.scaled_error = scale * one.error;
+    }
+    numbers.push_back(std::move(one));
+  }
+  return numbers;
+}
+
+}  // namespace v0
+}  // namespace polhode

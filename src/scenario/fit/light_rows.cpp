@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Light curves of [[observation]]: read for a fit, written for a simulation.
+#include <array>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "polhode/light/aspect.hpp"
+#include "polhode/light/magnitudes.hpp"
+#include "polhode/orbit/any_orbit.hpp"
+#include "polhode/tables/alcdef.hpp"
+#include "polhode/tables/lc.hpp"
+#include "polhode/tables/light_columns.hpp"
+#include "polhode/tables/light_curve_file.hpp"
+#include "scenario/fit/observation_table.hpp"
+#include "scenario/scenario_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::ObservationTable;
+using Format = Observation::LightFormat;
+using TimeFormat = Observation::TimeFormat;
+
+constexpr double speed_of_light = 299792458.0;  // m/s
+
+LightColumns::Three three(const std::vector<std::string>& names) {
+  return names.size() == 3 ? LightColumns::Three{names[0], names[1], names[2]}
+                           : LightColumns::Three{};
+}
+
+LightColumns columns_of(const ObservationTable& of) {
+  const Observation& o = of.of;
+  LightColumns columns;
+  columns.time = o.columns.at(0);
+  const bool is_flux = o.brightness == Observation::Brightness::flux;
+  (is_flux ? columns.flux : columns.magnitude) = o.columns.at(1);
+  if (!o.sigma_columns.empty()) columns.sigma = o.sigma_columns[0];
+  if (!is_flux && o.sigma) columns.one_sigma = *o.sigma;
+  if (!o.session_column.empty()) columns.session = o.session_column[0];
+  columns.to_sun = three(o.sun_columns);
+  columns.to_observer = three(o.observer_columns);
+  columns.is_calibrated = o.is_calibrated;
+  columns.times = o.times;
+  columns.distances = o.is_of_the_time ? Distances::of_the_time : Distances::unit;
+  if (o.time_format == TimeFormat::number) return columns;
+  columns.form = o.time_format == TimeFormat::date ? LightColumns::Times::dates
+                                                   : LightColumns::Times::julian_dates;
+  if (o.time_format == TimeFormat::modified_julian) columns.julian_zero = detail::modified_zero;
+  columns.scale = *o.time_scale;
+  columns.epoch = of.clock->epoch;
+  return columns;
+}
+
+LightCurveFile file_of(const ObservationTable& of) {
+  const std::string path = of.keys.file_at("file");
+  if (of.of.light_format == Format::lc) return read_lc(path, *of.of.time_scale, of.clock->epoch);
+  if (of.of.light_format == Format::alcdef) return read_alcdef(path, of.clock->epoch);
+  return read_light_columns(path, columns_of(of));
+}
+
+// What the file declares and the keys say must be the same.
+void require_declared(const ObservationTable& of, const LightSession& session) {
+  if (session.times && *session.times != of.of.times)
+    of.keys.refuse("times",
+                   std::string("expected ") +
+                       (*session.times == LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
+                       ", as the file says of its times");
+}
+
+// Errors and vectors that the table has and the file has not.
+void complete(LightCurve& curve, const Observation& of) {
+  const bool is_part =
+      of.light_format == Format::lc ||
+      (of.light_format == Format::columns && of.brightness == Observation::Brightness::flux);
+  if (is_part && of.sigma) curve = with_relative_sigma(std::move(curve), *of.sigma);
+  for (LightPoint& p : curve.points) {
+    if (of.light_format == Format::alcdef && of.sigma && p.sigma == 0.0)
+      p.sigma = magnitude_slope * p.flux * *of.sigma;
+    if (of.to_sun && of.sun_columns.empty()) p.to_sun = *of.to_sun;
+    if (of.to_observer && of.observer_columns.empty()) p.to_observer = *of.to_observer;
+  }
+}
+
+Vec3 turned(const Quaternion& q, const Vec3& v) { return v == Vec3{} ? v : rotate(q, v); }
+
+double speed_of(const ObservationTable& of) {
+  return of.keys.units().to_core(speed_of_light, "m/s", Dimension::speed);
+}
+
+// Vectors, and times at the body where `given` are those at the observer.
+LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime given) {
+  const std::vector<ScenarioOrbit>& orbits = of.scenario.rotation().orbits;
+  const auto orbit = [&](const char* key) {
+    return any_orbit(
+        detail::orbit_named(orbits, of.keys.values(), of.keys.key_path(key), of.keys.file()));
+  };
+  const AnyOrbit body = orbit("orbit"), observer = orbit("observer_orbit");
+  return of.keys.built("orbit", [&] {
+    return with_vectors(
+        std::move(curve), given, [&](double t) { return body.position(t); },
+        [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; },
+        speed_of(of));
+  });
+}
+
+// In core time at the body, with vectors along the axes of the state.
+LightCurve in_core(const ObservationTable& of, LightCurve curve) {
+  const double unit = of.clock ? of.clock->second : of.time_unit;
+  for (LightPoint& p : curve.points) {
+    p.t = unit * p.t - of.light_time();
+    p.to_sun = turned(of.to_state, p.to_sun);
+    p.to_observer = turned(of.to_state, p.to_observer);
+  }
+  if (!of.of.orbit.empty()) curve = with_orbits(of, std::move(curve), of.of.times);
+  return curve;
+}
+
+// What light_csv writes is what the keys of the table must read.
+void require_own_columns(const ObservationTable& of, std::size_t sessions) {
+  const Observation& o = of.of;
+  const LightColumns own = light_csv_columns(true);
+  const auto refuse = [&](const char* key, const char* text) { of.keys.refuse(key, text); };
+  if (o.time_format != TimeFormat::number)
+    refuse("time_format", "expected \"number\" to simulate columns; lc has dates: format = \"lc\"");
+  if (o.columns != std::vector<std::string>{own.time, own.flux})
+    refuse("columns", "expected [\"t\", \"flux\"] to simulate");
+  if (!o.sun_columns.empty() && three(o.sun_columns) != own.to_sun)
+    refuse("sun_columns", "expected [\"sun_x\", \"sun_y\", \"sun_z\"] to simulate");
+  if (!o.observer_columns.empty() && three(o.observer_columns) != own.to_observer)
+    refuse("observer_columns",
+           "expected [\"observer_x\", \"observer_y\", \"observer_z\"] to simulate");
+  const std::vector<std::string> session = {own.session};
+  if (sessions > 1 && o.session_column != session)
+    of.keys.refuse("file",
+                   "expected session_column = [\"session\"] as well, to simulate more than "
+                   "one session");
+}
+
+}  // namespace
+
+void detail::read_light_curves(const ObservationTable& of, std::size_t index,
+                               ReadObservations& all) {
+  LightCurveFile file = file_of(of);
+  for (LightSession& session : file.sessions) {
+    require_declared(of, session);
+    complete(session.curve, of.of);
+  }
+  require_sound(file, {.vectors = of.of.orbit.empty()});
+  for (LightSession& session : file.sessions) {
+    LightCurve curve = in_core(of, std::move(session.curve));
+    if (of.of.is_of_the_time)
+      curve = of.keys.built("of_the_time", [&] { return at_unit_distances(curve, 1.0); });
+    std::vector<ObservedRow> rows;
+    for (std::size_t k = 0; k < curve.points.size(); ++k)
+      rows.push_back({index, static_cast<std::uint32_t>(k < session.lines.size() ? session.lines[k]
+                                                                                 : session.line)});
+    all.curves.push_back(std::move(curve));
+    all.curve_rows.push_back(std::move(rows));
+  }
+}
+
+LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCurve curve) {
+  const std::string path = detail::observation_path(index);
+  const ObservationTable of = detail::observation_table(scenario, index, path);
+  if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), LightTime::at_body);
+  const auto required = [&](const char* key, const std::optional<Vec3>& given) {
+    if (given && norm(*given) > 0.0) return turned(of.to_state, *given);
+    of.keys.refuse("kind", std::string("expected a key ") + key +
+                               " as well, a vector that is not 0, or orbits, for a simulation");
+  };
+  const Vec3 sun = required("to_sun", of.of.to_sun);
+  const Vec3 observer = required("to_observer", of.of.to_observer);
+  for (LightPoint& p : curve.points) {
+    p.to_sun = sun;
+    p.to_observer = observer;
+  }
+  return curve;
+}
+
+std::string light_curve_text(const Scenario& scenario, std::size_t index,
+                             std::span<const LightCurve> curves,
+                             std::span<const std::string> notes) {
+  const std::string path = detail::observation_path(index);
+  const ObservationTable of = detail::observation_table(scenario, index, path);
+  if (of.of.light_format == Format::alcdef)
+    of.keys.refuse("format", "expected \"columns\" or \"lc\" to simulate");
+  const bool is_lc = of.of.light_format == Format::lc;
+  if (!is_lc) require_own_columns(of, curves.size());
+  const double unit = of.clock ? of.clock->second : of.time_unit;
+  const bool has_orbit = !of.of.orbit.empty();
+  std::vector<LightCurve> written(curves.begin(), curves.end());
+  for (LightCurve& curve : written)
+    for (LightPoint& p : curve.points) {
+      const bool arrives = has_orbit && of.of.times == LightTime::at_observer;
+      p.t = (p.t + (arrives ? norm(p.to_observer) / speed_of(of) : of.light_time())) / unit;
+      p.to_sun = turned(conj(of.to_state), p.to_sun);
+      p.to_observer = turned(conj(of.to_state), p.to_observer);
+      if (has_orbit) p.to_sun = p.to_observer = Vec3{};  // the file is read without them
+    }
+  if (!is_lc) return light_csv(written, notes);
+  return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
+}
+
+}  // namespace v0
+}  // namespace polhode

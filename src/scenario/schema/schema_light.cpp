@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The table of scenario keys: how a body scatters light, and how periods are looked for in light
+// curves. The rest of [fit]: schema_fit.cpp.
+#include "scenario/detail/schema_parts.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using enum KeyType;
+using enum Presence;
+
+constexpr Key keys[] = {
+    {.path = "light", .fallback = "{}", .help = "How bright the body is, for light curves."},
+    {.path = "light.shape",
+     .type = choice,
+     .allowed = "ellipsoid|mesh",
+     .fallback = "\"ellipsoid\"",
+     .example = "\"ellipsoid\"",
+     .help = "What is seen: an ellipsoid along the principal axes, or in simulations alone the "
+             "mesh of `body.shape`, with its shadows."},
+    {.path = "light.semiaxes",
+     .type = numbers,
+     .length = 3,
+     .example = "[1, 0.7, 0.6]",
+     .help = "Of the ellipsoid, along the principal axes, in any unit; left out, that of an even "
+             "filling of the moments.",
+     .range = Range::positive},
+    {.path = "light.moments",
+     .type = choice,
+     .allowed = "of-shape|of-body",
+     .fallback = "\"of-shape\"",
+     .example = "\"of-shape\"",
+     .help = "The moments of inertia of a fit where they are no unknowns: of the ellipsoid filled "
+             "evenly, or those of [body]. Simulations have those of [body]."},
+    {.path = "light.law",
+     .type = choice,
+     .allowed = "lommel-seeliger|lambert|mixed",
+     .fallback = "\"lommel-seeliger\"",
+     .example = "\"lommel-seeliger\"",
+     .help = "The law of scattering; mixed: both, with the weights 1 and `multiple`."},
+    {.path = "light.multiple",
+     .type = number,
+     .fallback = "0.1",
+     .example = "0.1",
+     .help = "Weight of Lambert's law beside that of Lommel and Seeliger, where the law is mixed.",
+     .range = Range::positive},
+
+    {.path = "fit.from",
+     .type = choice,
+     .allowed = "start|search",
+     .fallback = "\"start\"",
+     .example = "\"search\"",
+     .help = "Of light curves: from the state and shape of this file, or from many that have the "
+             "periods of a scan, or those of [[fit.periods]]."},
+    {.path = "fit.within_factor",
+     .type = number,
+     .fallback = "2",
+     .example = "2",
+     .help = "Solutions of light curves are reported up to so many times the least chi-square, 1 "
+             "or more.",
+     .range = Range::positive},
+    {.path = "fit.scan",
+     .fallback = "{}",
+     .help = "The scan of light curves for two frequencies, whose sums and multiples are the lines "
+             "of a tumbler."},
+    {.path = "fit.scan.order",
+     .type = integer,
+     .fallback = "3",
+     .example = "3",
+     .help = "How many multiples of each frequency, 1 to 9."},
+    {.path = "fit.scan.shortest",
+     .type = number,
+     .dimension = Dimension::time,
+     .example = "\"2 min\"",
+     .help = "The shortest period that is looked at; left out, four times the typical time from "
+             "point to point.",
+     .range = Range::positive},
+    {.path = "fit.scan.longest",
+     .type = number,
+     .dimension = Dimension::time,
+     .example = "\"3 h\"",
+     .help = "The longest; left out, all of the time that the data cover.",
+     .range = Range::positive},
+    {.path = "fit.scan.minima",
+     .type = integer,
+     .fallback = "20",
+     .example = "20",
+     .help = "How many minima of the landscape are refined and listed."},
+    {.path = "fit.scan.pairs",
+     .type = integer,
+     .fallback = "5",
+     .example = "5",
+     .help = "How many of these the search takes."},
+    {.path = "fit.scan.labels",
+     .type = integer,
+     .fallback = "60",
+     .example = "60",
+     .help = "How many readings of each as P_phi and P_psi, the most likely ones."},
+    {.path = "fit.periods[]",
+     .help = "Pairs of periods that a search begins with, in place of a scan."},
+    {.path = "fit.periods[].mode",
+     .type = choice,
+     .presence = required,
+     .allowed = "SAM|LAM",
+     .example = "\"LAM\"",
+     .help = "Short-axis or long-axis mode."},
+    {.path = "fit.periods[].precession_period",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::time,
+     .example = "\"7.4 d\"",
+     .help = "P_phi, of the long axis about the angular momentum.",
+     .range = Range::positive},
+    {.path = "fit.periods[].rotation_period",
+     .type = number,
+     .presence = required,
+     .dimension = Dimension::time,
+     .example = "\"5.4 d\"",
+     .help = "P_psi, about the long axis or back and forth about it.",
+     .range = Range::positive},
+
+    {.path = "simulate.sessions",
+     .type = numbers,
+     .dimension = Dimension::time,
+     .example = "[0, 6, 24, 30]",
+     .help = "From when to when each session of light curves is; left out, all rows of [time] are "
+             "one."},
+};
+
+}  // namespace
+
+SchemaPart light_keys() { return {keys, {}}; }
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

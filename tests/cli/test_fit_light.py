@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: MIT
+"""`polhode fit` and `polhode simulate` of light curves: what was simulated is found again, and what
+is refused."""
+
+import json
+
+import budgets
+import numpy
+import pytest
+from closeness import assert_allclose
+from fit_files import fitted, refused, rows
+
+FREE = """
+[free]
+unknowns = ["attitude", "rate", "shape"]
+"""
+LIGHT = """
+[[observation]]
+kind = "light-curve"
+file = "light.csv"
+times = "at-body"
+to_sun = [1, 2, 0.5]
+to_observer = [1, 2, 0.5]
+sigma = 1e-9
+"""
+
+
+def test_light_of_an_ellipsoid_is_that_of_its_shadow(run, fit_file, tmp_path, table):
+    """Opposite to the Sun the law of Lommel and Seeliger makes brightness the area that is seen:
+    pi sqrt(sum (abc s_i / a_i)^2)."""
+    path = fit_file(LIGHT, FREE, '[output]\ncolumns = ["q"]\n')
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    light = rows(tmp_path / "light.csv")
+    assert set(light) >= {"session", "t", "flux", "sigma", "sun_x", "observer_z"}
+    names, numbers = table(run("run", path).stdout)
+    q = numpy.array(numbers)[:, [names.index(n) for n in ("qw", "qx", "qy", "qz")]]
+    s = numpy.array([1, 2, 0.5]) / numpy.sqrt(5.25)
+    u, w = -q[:, 1:], q[:, :1]
+    in_body = s + 2 * numpy.cross(u, numpy.cross(u, s) + w * s)
+    moments = numpy.array([1, 2.2, 2.6])
+    axes = numpy.sqrt(moments.sum() - 2 * moments)
+    area = numpy.linalg.norm(in_body / axes, axis=1)
+    assert_allclose(light["flux"], area / area.mean(), rtol=budgets.cli_light_noise)
+    assert numpy.ptp(light["flux"]) > 0.1
+
+
+def test_light_of_a_sphere_is_noise(run, fit_file, tmp_path):
+    sphere = '[light]\nsemiaxes = [1, 1, 1]\nlaw = "mixed"\nmultiple = 0.3\n'
+    path = fit_file(LIGHT.replace("1e-9", "0.02"), sphere, FREE)
+    done = run("simulate", path, "--into", tmp_path, "--set", "time.step=0.05")
+    assert done.returncode == 0, done.stderr
+    flux = rows(tmp_path / "light.csv")["flux"]
+    assert len(flux) == 1201 and abs(flux.mean() - 1) < 4 * 0.02 / numpy.sqrt(1201)
+    assert 0.018 < flux.std() < 0.022
+
+
+def test_light_curves_in_the_format_of_damit(run, fit_file, tmp_path):
+    lc = LIGHT.replace("light.csv", "light.lc") + (
+        'format = "lc"\ntime_format = "JD"\ntime_scale = "TDB"\n')
+    path = fit_file(lc, FREE)
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    lines = (tmp_path / "light.lc").read_text().splitlines()
+    assert lines[:2] == ["1", "41 0"] and len(lines) == 43
+    first = [float(x) for x in lines[2].split()]
+    # 2013-01-05T00:00:00 UTC: TT is 67.184 s later, TDB within 2 ms of it
+    assert first[0] == pytest.approx(2456297.5 + 67.184 / 86400, abs=budgets.cli_tdb)
+    assert_allclose(first[2:], [1, 2, 0.5] * 2, rtol=budgets.cli_carried)
+
+
+@pytest.mark.parametrize(("change", "expected"), [
+    (("to_sun = [1, 2, 0.5]\n", ""), "expected a key to_sun as well"),
+    (("sigma = 1e-9", 'sigma = 1e-9\nformat = "lc"'), 'expected time_format = "JD" as well'),
+    (("sigma = 1e-9", 'sigma = 1e-9\nsun_columns = ["x"]'), "expected three columns"),
+    (("sigma = 1e-9", 'sigma = 1e-9\ncolumns = ["t"]'), "expected 2 columns"),
+    (("sigma = 1e-9", 'sigma_columns = ["s"]'), "expected a key sigma, not sigma_columns"),
+    (("to_sun = [1, 2, 0.5]", 'orbit = "a"'), "expected a key observer_orbit as well"),
+    (("sigma = 1e-9", 'sigma = 1e-9\norbit = "a"\nobserver_orbit = "b"'),
+     "expected none: orbits give the vectors"),
+])
+def test_bad_tables_of_light_are_refused(run, fit_file, change, expected):
+    assert expected in refused(run, fit_file(LIGHT.replace(*change), FREE), "simulate")
+
+
+TUMBLER = """schema = 1
+kind = "fit"
+[units]
+time = "min"
+angle = "deg"
+[body]
+moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45
+[state.tumbler]
+mode = "LAM"
+precession_period = 12
+rotation_period = 20
+pole = { longitude = 50, latitude = 40 }
+phi0 = 20
+psi0 = 70
+[time]
+stop = 120
+count = 81
+"""
+NIGHT = """
+[[observation]]
+kind = "light-curve"
+file = "night.csv"
+times = "at-body"
+to_sun = [1, 0.2, 0.3]
+to_observer = [0.8, 0.6, 0.1]
+sigma = 0.02
+"""
+SEEN_NIGHT = NIGHT.replace("to_sun = [1, 0.2, 0.3]\nto_observer = [0.8, 0.6, 0.1]\n", (
+    'sun_columns = ["sun_x", "sun_y", "sun_z"]\n'
+    'observer_columns = ["observer_x", "observer_y", "observer_z"]\n'))
+
+
+@pytest.fixture
+def night(run, fit_file, tmp_path):
+    """The file of a night whose light curve is there."""
+    path = fit_file(NIGHT, FREE, head=TUMBLER)
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    return path
+
+
+def test_a_light_curve_is_fitted_from_a_start_nearby(run, night, tmp_path):
+    """From a start that is off; truth within the errors that the fit says."""
+    off = ["--set", "state.tumbler.phi0=24", "--set", "state.tumbler.psi0=66",
+           "--set", "state.tumbler.precession_period=12.02", "--set",
+           "body.moments=[0.58, 1.21, 1.36]"]
+    out = tmp_path / "left.csv"
+    found = fitted(run, night, *off, "--residuals", out, "--covariance", tmp_path / "c.csv",
+                   "--solution", tmp_path / "fitted.toml")
+    solution, = found["solutions"]
+    at_truth, = fitted(run, night)["solutions"]
+    assert solution["chi_square"] == pytest.approx(at_truth["chi_square"],
+                                                   rel=budgets.cli_fit_starts)
+    unknowns = at_truth["unknowns"]
+    error = numpy.array([one["value"] - one["start"] for one in unknowns.values()])
+    c = rows(tmp_path / "c.csv")
+    assert list(unknowns) == [n for n in c if n in unknowns]
+    cov = numpy.array([c[n] for n in unknowns])
+    assert 0.3 < error @ numpy.linalg.solve(cov, error) < 27  # 8 unknowns: 1e-5 to 1 - 7e-4
+    assert 0.5 < solution["chi_square"] / solution["degrees_of_freedom"] < 1.6
+    for key, truth in (("precession_period", 12), ("rotation_period", 20)):
+        one = solution[key]
+        assert abs(one["value"] - truth) < 4 * one["error"] and one["error"] < 0.1
+    pole = solution["pole"]
+    off_pole = numpy.hypot((pole["longitude"] - 50) * numpy.cos(numpy.radians(40)),
+                           pole["latitude"] - 40)
+    assert off_pole < 4 * pole["error_major"]
+    left = rows(out)
+    assert_allclose(left["model"] - left["flux"], left["difference"], atol=budgets.cli_rounding)
+    assert (left["r"]**2).sum() == pytest.approx(solution["chi_square"], rel=budgets.cli_carried)
+    assert set(left["session"]) == {1} and len(left["t"]) == 81
+    shown = json.loads(run("info", tmp_path / "fitted.toml", "--json").stdout)
+    assert shown["precession_period"]["value"] == pytest.approx(
+        solution["precession_period"]["value"], rel=budgets.cli_carried)
+    text = run("fit", night).stdout
+    assert "81 points of 1 light curve, relative" in text and "P_phi (long axis)" in text
+
+
+def test_columns_of_vectors_are_those_of_the_keys(run, night, fit_file):
+    given = fitted(run, night)["solutions"][0]
+    read = fitted(run, fit_file(SEEN_NIGHT, FREE, head=TUMBLER, name="read.toml"))["solutions"][0]
+    assert read["chi_square"] == pytest.approx(given["chi_square"], rel=budgets.cli_carried)
+
+
+SEARCH = """
+[fit]
+from = "search"
+starts = 60
+within_factor = 1.5
+[[fit.periods]]
+mode = "LAM"
+precession_period = 12
+rotation_period = 20
+"""
+
+
+def test_a_search_finds_the_images_whatever_the_threads(run, night, fit_file):
+    path = fit_file(NIGHT, FREE, SEARCH, head=TUMBLER, name="search.toml")
+    one = run("fit", path, "--json", "--threads", "1")
+    assert one.returncode == 0, one.stderr
+    assert run("fit", path, "--json", "--threads", "3").stdout == one.stdout
+    found = json.loads(one.stdout)
+    first = found["solutions"][0]
+    assert first["beside"] == "first" and first["mode"] == "LAM"
+    images = {s["image"] for s in found["solutions"] if s["beside"] == "image" and s["of"] == 1}
+    assert images == {"normal", "bisector", "difference"}
+    best = fitted(run, night)["solutions"][0]["chi_square"]
+    assert first["chi_square"] == pytest.approx(best, rel=budgets.cli_fit_starts)
+    text = run("fit", path).stdout
+    assert "pairs of periods by what an ellipsoid comes to" in text
+    assert "image (normal) of 1" in text
+
+
+def test_a_scan_has_a_landscape(run, night, fit_file, tmp_path):
+    scan = ('[fit]\nfrom = "search"\nstarts = 1\n[fit.scan]\norder = 2\nshortest = 5\n'
+            "longest = 30\nminima = 4\npairs = 1\nlabels = 1\n")
+    path = fit_file(NIGHT, FREE, scan, head=TUMBLER, name="scan.toml")
+    out = tmp_path / "landscape.csv"
+    done = run("fit", path, "--json", "--landscape", out, "--landscape", tmp_path / "l.h5")
+    assert done.returncode in (0, 1), done.stderr
+    chi = rows(out)
+    n = round(len(chi["f1"])**0.5)
+    grid = chi["chi_square"].reshape(n, n)
+    assert_allclose(grid, grid.T, rtol=budgets.cli_landscape)
+    assert chi["f1"][0] == pytest.approx(1 / 30) and chi["f2"][-1] <= 1 / 5
+    assert (tmp_path / "l.h5").exists()
+
+
+def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):
+    """Two sessions of one table, each as parts of its mean, and the same calibrated."""
+    table = NIGHT + 'session_column = ["session"]\n'
+    sessions = "[simulate]\nsessions = [0, 50, 70, 120]\n"
+    path = fit_file(table, FREE, sessions, head=TUMBLER)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    light = rows(tmp_path / "night.csv")
+    assert set(light["session"]) == {1, 2}
+    for k in (1, 2):
+        assert light["flux"][light["session"] == k].mean() == pytest.approx(
+            1, abs=budgets.cli_mean_of_noise)
+    found = fitted(run, path)
+    assert [s["points"] for s in found["sessions"]] == [34, 34]
+    assert len(set(found["solutions"][0]["factors"])) == 2
+    steady = fit_file(table + "calibrated = true\n", FREE, sessions, head=TUMBLER, name="c.toml")
+    assert run("simulate", steady, "--into", tmp_path, "--replace").returncode == 0
+    assert len(set(fitted(run, steady)["solutions"][0]["factors"])) == 1
+
+
+ORBITS = """
+[orbit.body]
+kind = "kepler"
+semi_major_axis = 1.2
+eccentricity = 0.2
+gm = "1.32712440018e11 km3/s2"
+[orbit.earth]
+kind = "ephemeris"
+target = "earth"
+centre = "sun"
+"""
+
+
+def test_vectors_come_from_orbits(run, fit_file, tmp_path):
+    """Times at the observer are later by the light time, and are taken back."""
+    head = TUMBLER.replace('angle = "deg"', 'angle = "deg"\nlength = "au"').replace(
+        "[state.tumbler]",
+        '[state]\nepoch = "2013-01-05T00:00:00 UTC"\naxes = "ecliptic-J2000"\n[state.tumbler]')
+    head = head.replace("stop = 120\ncount = 81", "start = -60\nstop = 180\ncount = 161")
+    table = NIGHT.replace("to_sun = [1, 0.2, 0.3]\nto_observer = [0.8, 0.6, 0.1]\n",
+                          'orbit = "body"\nobserver_orbit = "earth"\n')
+    sessions = "[simulate]\nsessions = [0, 120]\n"
+    path = fit_file(table.replace("at-body", "at-observer"), FREE, ORBITS, sessions, head=head)
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    light = rows(tmp_path / "night.csv")
+    assert 1 < light["t"][0] < 30 and "sun_x" not in light
+    found = fitted(run, path)["solutions"][0]
+    assert 0.4 < found["chi_square"] / found["degrees_of_freedom"] < 1.7
+    assert abs(found["precession_period"]["value"] - 12) < 5 * found["precession_period"]["error"]
+
+
+LINES = "t,flux\n" + "".join(f"{t},{1 + 0.2 * (t % 3)}\n" for t in range(20))
+
+
+@pytest.mark.parametrize(("data", "change", "expected"), [
+    (LINES + "3.5,1\n", ("", ""), "night.csv:22: "),
+    (LINES + "19,1\n", ("", ""), "night.csv:22: "),
+    ("t,flux\n0,1\n", ("", ""), "night.csv"),
+    ("t,flux\n0,1\n1,2\n2,1\n3,2\n", ("", ""), "4 points for 8 unknowns and 1 factor"),
+    (LINES, ("to_sun = [1, 0.2, 0.3]\n", ""), "Sun"),
+    ("t,flux,s\n0,1,0.1\n1,2,0\n2,1,0.1\n",
+     ("sigma = 0.02", 'sigma_columns = ["s"]'), "error 0; expected"),
+])
+def test_bad_light_is_refused(run, fit_file, tmp_path, data, change, expected):
+    (tmp_path / "night.csv").write_text(data)
+    message = refused(run, fit_file(NIGHT.replace(*change), FREE, head=TUMBLER))
+    assert expected in message, message
+
+
+@pytest.mark.parametrize(("part", "expected"), [
+    (FREE.replace('"rate", ', ""), "expected attitude and rate among them"),
+    (FREE.replace('"shape"', '"products"'), "expected no products"),
+    (FREE + '[[free.prior]]\nkind = "rate"\nsigmas = [1, 1, 1]\n', "expected no prior"),
+    (FREE + '[light]\nmultiple = 0.2\n', 'expected none unless light.law = "mixed"'),
+    (FREE + '[light]\nshape = "mesh"\n', "expected a key body.shape as well"),
+    (FREE + '[fit]\nfrom = "search"\n[fit.scan]\nshortest = 0.001\n',
+     "expected at most 1e8 pairs"),
+    (FREE + '[fit]\nfrom = "search"\n[fit.scan]\nshortest = 3\nlongest = 2\n',
+     "expected a period longer"),
+    (FREE + "[simulate]\nsessions = [1, 2, 3]\n", "expected pairs of times"),
+    (FREE + ("[[observation]]\nkind = \"attitude\"\nfile = \"a\"\ntimes = \"at-body\"\n"
+             "sigma = 1\n"), "expected light curves alone"),
+])
+def test_bad_plans_of_light_are_refused(run, night, fit_file, part, expected):
+    message = refused(run, fit_file(NIGHT, part, head=TUMBLER, name="bad.toml"))
+    assert expected in message, message
+
+
+def test_light_that_does_not_converge_is_no_solution(run, night, tmp_path):
+    out = tmp_path / "fitted.toml"
+    done = run("fit", night, "--solution", out, "--set", "fit.iterations=1", "--set",
+               "state.tumbler.phi0=90")
+    assert done.returncode == 1 and done.stdout == "" and not out.exists()
+    assert "no solution: from its start the fit did not converge: " in done.stderr
+
+
+def test_words_of_light_need_light(run, fit_file, tmp_path):
+    (tmp_path / "seen.csv").write_text("t,qw,qx,qy,qz\n0,1,0,0,0\n")
+    attitudes = NIGHT[:NIGHT.index("to_sun")].replace("light-curve", "attitude") + "sigma = 2\n"
+    assert "expected attitude, rate, moments, products" in refused(
+        run, fit_file(attitudes, FREE, head=TUMBLER))

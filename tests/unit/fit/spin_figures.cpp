@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Errors of periods and pole against differences of the periods of motions nearby.
+#include "polhode/fit/spin_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "budgets.hpp"
+#include "polhode/free/free_rotation.hpp"
+
+namespace {
+using namespace polhode;
+
+Mat3 tensor(double xx, double yy, double xy, double yz, double xz) {
+  Mat3 T = Mat3::identity();
+  T(0, 0) = xx;
+  T(1, 1) = yy;
+  T(0, 1) = T(1, 0) = xy;
+  T(1, 2) = T(2, 1) = yz;
+  T(0, 2) = T(2, 0) = xz;
+  return T;
+}
+
+const std::vector<std::string> names = {"turn_x",  "turn_y",  "turn_z",  "w_x",     "w_y",    "w_z",
+                                        "Ixx/Izz", "Iyy/Izz", "Ixy/Izz", "Iyz/Izz", "Ixz/Izz"};
+
+// One unknown with the error 1: errors are derivatives.
+UnknownsCovariance of_one(const std::string& name) { return {{name}, {1.0}, {}}; }
+
+SpinState changed(const SpinState& s, std::size_t k, double h) {
+  SpinState c = s;
+  if (k < 3) {
+    Quaternion turn{1.0, 0.0, 0.0, 0.0};
+    (k == 0 ? turn.x : k == 1 ? turn.y : turn.z) = 0.5 * h;
+    c.q = normalized(s.q * turn);
+    return c;
+  }
+  if (k < 6) {
+    c.w_F[static_cast<int>(k) - 3] += h;
+    return c;
+  }
+  constexpr int places[5][2] = {{0, 0}, {1, 1}, {0, 1}, {1, 2}, {0, 2}};
+  const int i = places[k - 6][0], j = places[k - 6][1];
+  c.inertia_F(i, j) += h;
+  if (i != j) c.inertia_F(j, i) += h;
+  return c;
+}
+
+void expect_differences(const SpinState& s, std::size_t unknowns) {
+  constexpr double h = 1e-5;
+  for (std::size_t k = 0; k < unknowns; ++k) {
+    const SpinFigures f = spin_figures(s, of_one(names[k]));
+    const SpinFigures up = spin_figures(changed(s, k, h), of_one(names[k]));
+    const SpinFigures down = spin_figures(changed(s, k, -h), of_one(names[k]));
+    const double by_phi =
+        std::fabs(up.periods.precession_period - down.periods.precession_period) / (2.0 * h);
+    const double by_psi =
+        std::fabs(up.periods.rotation_period - down.periods.rotation_period) / (2.0 * h);
+    const double by_pole = norm(up.pole_I - down.pole_I) / (2.0 * h);
+    EXPECT_NEAR(f.precession_error, by_phi,
+                budget::spin_figures * (by_phi + f.periods.precession_period))
+        << names[k];
+    EXPECT_NEAR(f.rotation_error, by_psi,
+                budget::spin_figures * (by_psi + f.periods.rotation_period))
+        << names[k];
+    EXPECT_NEAR(f.pole_major, by_pole, budget::spin_figures) << names[k];
+    EXPECT_NEAR(f.pole_minor, 0.0, budget::spin_figures) << names[k];
+  }
+}
+
+const Quaternion attitude_of_all = normalized(Quaternion{0.6, 0.3, -0.5, 0.2});
+
+TEST(SpinFigures, ErrorsAreDerivativesInBothModes) {
+  for (const Vec3& w : {Vec3{2.4, 0.9, 0.3}, Vec3{0.6, 0.5, 1.0}}) {
+    const SpinState s{0.0, attitude_of_all, w, tensor(0.4, 0.88, 0.0, 0.0, 0.0)};
+    const SpinFigures f = spin_figures(s, of_one("w_x"));
+    EXPECT_NE(f.periods.precession_period, 0.0);
+    expect_differences(s, 8);
+  }
+}
+
+TEST(SpinFigures, ErrorsAreDerivativesOfTensors) {
+  expect_differences({0.0, attitude_of_all, {2.4, 0.9, 0.3}, tensor(0.5, 0.9, 0.06, -0.04, 0.05)},
+                     11);
+}
+
+TEST(SpinFigures, MomentsFollowTheShape) {
+  const BrightEllipsoid body =
+      BrightEllipsoid::homogeneous(0.0, attitude_of_all, {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
+  const auto at = [&](double b, double ratio) {
+    LightSolution s;
+    s.body = BrightEllipsoid::homogeneous(0.0, body.spin.q, body.spin.w_F, {1.0, b, b * ratio});
+    return s;
+  };
+  constexpr double h = 1e-5;
+  for (const bool first : {true, false}) {
+    LightSolution s = at(0.6, 0.75);
+    s.covariance = of_one(first ? "b/a" : "c/b");
+    const SpinFigures f = spin_figures(s, LightUnknowns{});
+    LightSolution more = first ? at(0.6 + h, 0.75) : at(0.6, 0.75 + h);
+    LightSolution less = first ? at(0.6 - h, 0.75) : at(0.6, 0.75 - h);
+    more.covariance = less.covariance = s.covariance;
+    const SpinFigures up = spin_figures(more, LightUnknowns{}),
+                      down = spin_figures(less, LightUnknowns{});
+    const double by =
+        std::fabs(up.periods.rotation_period - down.periods.rotation_period) / (2.0 * h);
+    EXPECT_NEAR(f.rotation_error, by, budget::spin_figures * (by + f.periods.rotation_period));
+    EXPECT_NEAR(f.pole_major, norm(up.pole_I - down.pole_I) / (2.0 * h), budget::spin_figures);
+  }
+}
+
+}  // namespace
