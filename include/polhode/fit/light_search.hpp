@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -90,6 +91,8 @@ struct LightSearchResult {
   std::vector<FoundLight> solutions;
   // The lowest chi-square that each pair of periods came to, infinite where no body has them.
   std::vector<double> chi_square_of_periods;
+  // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
+  std::vector<std::optional<LightSolution>> best_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included
   std::size_t converged = 0;
