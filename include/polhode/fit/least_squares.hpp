@@ -5,12 +5,12 @@
 //             residuals r of data in units of their standard errors, each block under one loss
 //             (loss.hpp); residuals p of priors; normal priors of some unknowns S. f multiplies the
 //             errors of data, never those of priors. Method: Levenberg-Marquardt (More 1978) as
-//             Eigen has it from MINPACK; bounds by MINUIT's change of variable (James & Roos 1975),
-//             x = low + (high - low) (1 + sin y) / 2 or low + L (sqrt(1 + y^2) - 1); an unknown
-//             that is pressed against its bound is put on it, and the others are solved for again.
+//             Eigen has it from MINPACK, its trial steps brought back to the bounds (Kanzow,
+//             Yamashita & Fukushima 2004); an unknown that is pressed against its bound is held on
+//             it while the others go on, and let go where it would rather leave.
 // Corrections none.
 // Units       those of the unknowns; residuals are numbers.
-// Domain      a start inside its bounds at which every residual is finite; at least as many numbers
+// Domain      a start within its bounds, or on one, at which every residual is finite; at least as many numbers
 //             (data and priors) as unknowns. A step to where the residuals have no value is not
 //             taken.
 // Accuracy    is_converged says: the least of the linear problem is nearer than 1e-3 standard

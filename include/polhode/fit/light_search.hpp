@@ -51,7 +51,7 @@ struct LabelChoice {
   // The lowest minima of a scan; those that are not resolved, not converged or at the edge of the
   // grid are left out.
   std::size_t pairs = 5;
-  std::size_t labels = 60;  // of each, the most likely ones of ellipsoids
+  std::size_t labels = 20;  // of each, the most likely ones (likely_periods)
 };
 
 // Periods that minima of a scan may be; those that are the same to 1e-3 once.
