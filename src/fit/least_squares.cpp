@@ -20,8 +20,8 @@ namespace {
 using End = LeastSquaresResult::End;
 using detail::RowByRow;
 
-// How near the least of the linear problem has to be: in standard errors, or of the sum of squares.
-constexpr double near_errors = 1e-3, near_cost = 1e-9;
+// How near the least of the linear problem has to be, of the sum of squares.
+constexpr double near_cost = 1e-9;
 // How often errors are scaled until their factor stays to 1e-6, and by how much it may change.
 constexpr int most_scalings = 50;
 constexpr double same_factor = 1e-6;
@@ -132,14 +132,20 @@ class Solver {
     RowByRow jacobian;
     if (!is_any_on_bound() || !derivatives(numbers, jacobian)) return false;
     const Eigen::VectorXd gradient = jacobian.transpose() * numbers;
-    const std::size_t before = free_.size();
+    const std::vector<double> z = z_;
+    const std::vector<std::size_t> free = free_;
     std::erase_if(free_, [&](std::size_t i) {
       const double slope = gradient[static_cast<Eigen::Index>(i)];
       if (!is_pressed(i, slope)) return false;
       z_[i] = slope > 0.0 ? change_[i].low() : change_[i].high();
       return true;
     });
-    return free_.size() != before;
+    // a corner of bounds may be no place: a rod without thickness
+    if (z_ != z && !numbers_.at(change_.x_of_z(z_), numbers.data(), nullptr)) {
+      z_ = z;
+      free_ = free;
+    }
+    return free_.size() != free.size();
   }
 
   // The variables without those that are held and pressed against their bound.
@@ -179,7 +185,8 @@ class Solver {
     const Eigen::ColPivHouseholderQR<RowByRow> qr(of_free);
     const Eigen::VectorXd turned = qr.matrixQ().adjoint() * numbers;
     const double step2 = turned.head(qr.rank()).squaredNorm();
-    return step2 <= std::max(near_errors * near_errors, near_cost * numbers.squaredNorm());
+    return step2 <=
+           std::max(problem_.nearness * problem_.nearness, near_cost * numbers.squaredNorm());
   }
 
   void finish(LeastSquaresResult& result, detail::Descent::End end) const {

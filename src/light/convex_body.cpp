@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 // The error of areas, of their mean, at which the method ends, and its steps.
-constexpr double settled = 1e-11;
-constexpr int most_steps = 100, most_halvings = 40;
+constexpr double settled = 1e-9;
+constexpr int most_steps = 100, most_halvings = 30;
 // Half the side of the square that a facet is cut from, in distances from the origin.
-constexpr double beyond = 1e4;
+constexpr double beyond = 1e3;
 // Corners this near to each other, of the size of the body, are one.
 constexpr double one_place = 1e-9;
 // What is taken from the areas for closure, at most, of each.
@@ -179,15 +179,11 @@ Eigen::VectorXd distances(const Polyhedron& body, std::span<const Vec3> normals,
       const Eigen::VectorXd there = body.areas(next, nullptr);
       if (!(there.minCoeff() >= least)) continue;
       if ((A - there).norm() <= (1.0 - 0.5 * part) * off.norm()) break;
-      if (off.norm() < 1e3 * settled && (A - there).norm() <= off.norm()) break;
     }
-    if (halvings == most_halvings) {
-      if (off.norm() < 1e3 * settled * std::sqrt(static_cast<double>(count))) return h;
+    if (halvings == most_halvings)
       refuse("no step makes the areas more alike; they are off by " +
              detail::rounded_text(off.cwiseAbs().maxCoeff()) + " mean areas");
-    }
     h += part * d;
-    // about the middle, so that all distances stay positive
     a = body.areas(h, &M);
   }
   refuse("the areas did not settle in " + std::to_string(most_steps) + " steps");

@@ -13,8 +13,8 @@
 // Domain      a start within its bounds, or on one, at which every residual is finite; at least as many numbers
 //             (data and priors) as unknowns. A step to where the residuals have no value is not
 //             taken.
-// Accuracy    is_converged says: the least of the linear problem is nearer than 1e-3 standard
-//             errors, or lower by less than 1e-9 of the cost. Derivatives are those that are given.
+// Accuracy    is_converged says: the least of the linear problem is nearer than `nearness`
+//             standard errors, or lower by less than 1e-9 of the cost. Derivatives are those that are given.
 // Errors      DomainError for bounds without a room between them, a start outside, fewer numbers
 //             than unknowns, covariances that are not positive definite, names that come twice.
 //             What a residual function throws passes through.
@@ -76,6 +76,9 @@ struct LeastSquares {
   Loss loss;
   double error_factor = 1.0;  // f, by which errors of data are multiplied
   int most_iterations = 200;
+  // How near the least of the linear problem has to be, in standard errors. Residuals whose
+  // derivatives jump here and there come no nearer than their jumps let them.
+  double nearness = 1e-3;
 };
 
 struct LeastSquaresResult {

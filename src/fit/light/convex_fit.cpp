@@ -109,6 +109,7 @@ class ConvexFitter {
     };
     p.loss = fit_.loss;
     p.most_iterations = most_iterations;
+    p.nearness = detail::surface_nearness;
     return p;
   }
 

@@ -109,6 +109,7 @@ MeshSolution fit_mesh(const MeshFit& fit) {
         };
         p.loss = fit.loss;
         p.most_iterations = most_iterations;
+        p.nearness = detail::surface_nearness;
         return p;
       },
       [&](const std::vector<double>& x) {
