@@ -58,7 +58,7 @@ inline constexpr double light_distance = 26.1;
 // --- convex bodies and meshes: derivatives against differences in double, of a column; moments
 // that follow the shape; what a spin state of exact light is off, in rad and of |w| ---
 inline constexpr double surface_bend = 1e-6;  // between bends
-inline constexpr double convex_moments = 1e-3;
+inline constexpr double convex_moments = 1e-3, convex_axes = 0.3, convex_ratio = 0.3;
 inline constexpr double mesh_exact = 1e-6, mesh_shadows = 1e-2;
 // of drawn tumblers, in how many the true periods are reported; are among the first 20 labels
 inline constexpr double light_reported = 0.95, light_labelled = 0.75;

@@ -10,11 +10,12 @@
 //             it while the others go on, and let go where it would rather leave.
 // Corrections none.
 // Units       those of the unknowns; residuals are numbers.
-// Domain      a start within its bounds, or on one, at which every residual is finite; at least as many numbers
-//             (data and priors) as unknowns. A step to where the residuals have no value is not
-//             taken.
+// Domain      a start within its bounds, or on one, at which every residual is finite; at least as
+//             many numbers (data and priors) as unknowns. A step to where the residuals have no
+//             value is not taken.
 // Accuracy    is_converged says: the least of the linear problem is nearer than `nearness`
-//             standard errors, or lower by less than 1e-9 of the cost. Derivatives are those that are given.
+//             standard errors, or lower by less than 1e-9 of the cost. Derivatives are those that
+//             are given.
 // Errors      DomainError for bounds without a room between them, a start outside, fewer numbers
 //             than unknowns, covariances that are not positive definite, names that come twice.
 //             What a residual function throws passes through.

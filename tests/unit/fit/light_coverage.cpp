@@ -15,6 +15,7 @@
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/likely_periods.hpp"
 #include "polhode/fit/scan_advice.hpp"
+#include "worst.hpp"
 
 namespace {
 using namespace polhode;
@@ -57,9 +58,8 @@ Found found_of(const DrawnTumbler& t) {
     f.is_first = f.is_first || (is_true && &s == &result.solutions.front());
     f.is_reported = f.is_reported || is_true;
     const BrightEllipsoid near = nearest_of_same(b, at_time(t.body, b.spin.t0));
-    f.distance =
-        std::min(f.distance, mahalanobis(s.solution.covariance, light_unknowns_at({}, b, b),
-                                         light_unknowns_at({}, b, near)));
+    f.distance = smaller(f.distance, mahalanobis(s.solution.covariance, light_unknowns_at({}, b, b),
+                                                 light_unknowns_at({}, b, near)));
   }
   return f;
 }
