@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/detail/inverse_root.hpp"
 #include "fit/detail/rotation_vector.hpp"
 
 namespace polhode {
@@ -14,12 +13,14 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
+// L^-1 of C = L L^T.
 Mat3 whitening(const Mat3& covariance) {
   Eigen::Matrix3d c;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) c(i, j) = covariance(i, j);
   }
-  const Eigen::Matrix3d root = inverse_root(c.llt());
+  const Eigen::Matrix3d root =
+      c.llt().matrixL().solve(Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   Mat3 found;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) found(i, j) = root(i, j);
