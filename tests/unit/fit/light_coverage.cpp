@@ -34,7 +34,7 @@ std::vector<ScanMinimum> minima_of(const DrawnTumbler& t) {
 }
 
 struct Found {
-  std::size_t label = 0;  // the place of the true periods among those of the best pairs
+  // whether the true periods are among the labels of the best pairs
   bool has_label = false, is_reported = false, is_first = false;
   double distance = 1e300;  // Mahalanobis' squared, of the truth from the nearest solution
 };
@@ -43,12 +43,11 @@ Found found_of(const DrawnTumbler& t) {
   Found f;
   LightSearch search;
   search.curves = {t.curve};
-  search.periods = labelled_periods(minima_of(t), {.pairs = 3, .labels = 12});
-  const auto truth =
-      std::ranges::find_if(search.periods, [&](const TumblerPeriods& p) { return t.has(p); });
-  f.label = static_cast<std::size_t>(truth - search.periods.begin());
-  f.has_label = truth != search.periods.end();
-  search.starts = (is_full() ? 12 : 8) * search.periods.size();
+  search.periods = labelled_periods(
+      minima_of(t), {.pairs = 3, .labels = is_full() ? std::size_t{25} : std::size_t{12}});
+  f.has_label =
+      std::ranges::any_of(search.periods, [&](const TumblerPeriods& p) { return t.has(p); });
+  search.starts = 8 * search.periods.size();
   search.finalists = 2;
   search.threads = 2;
   const LightSearchResult result = search_light(search);
