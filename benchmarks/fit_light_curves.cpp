@@ -8,7 +8,9 @@
 
 #include "fit/detail/light_residuals.hpp"
 #include "polhode/ensemble/counter_random.hpp"
+#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "polhode/light/convex_body.hpp"
 
 namespace {
 using namespace polhode;
@@ -63,5 +65,36 @@ void residuals_with_derivatives(benchmark::State& state) {
   }
 }
 BENCHMARK(residuals_with_derivatives)->Unit(benchmark::kMicrosecond);
+
+// From the ellipsoid itself to 512 facets of 49 coefficients: time a fit, beside what its
+// chi-square per degree of freedom is off 1.
+void convex_step(benchmark::State& state) {
+  ConvexFit fit;
+  fit.curves = night();
+  fit.start = tumbler();
+  ConvexSolution found{{}, {{}, {}, GaussianImage(0, 1), {}}};
+  for (auto _ : state) {
+    found = fit_convex(fit);
+    benchmark::DoNotOptimize(found);
+  }
+  state.counters["iterations"] = found.result.iterations;
+  state.counters["error"] = std::abs(found.result.chi_square / found.degrees_of_freedom - 1.0);
+}
+BENCHMARK(convex_step)->Unit(benchmark::kMillisecond);
+
+// The body of those areas as a mesh: time, beside what its area is off theirs.
+void body_of_areas(benchmark::State& state) {
+  const GaussianImage image(6, 8);
+  const std::vector<double> A = image.areas(image.coefficients(tumbler().shape));
+  FacetShape mesh = convex_body(image.normals(), A);
+  for (auto _ : state) {
+    mesh = convex_body(image.normals(), A);
+    benchmark::DoNotOptimize(mesh);
+  }
+  double total = 0.0;
+  for (const double a : A) total += a;
+  state.counters["error"] = std::abs(mesh.area() / total - 1.0);
+}
+BENCHMARK(body_of_areas)->Unit(benchmark::kMillisecond);
 
 }  // namespace

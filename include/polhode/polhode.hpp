@@ -60,6 +60,7 @@
 #include "polhode/free/tumbler.hpp"
 #include "polhode/light/aspect.hpp"
 #include "polhode/light/brightness_gradient.hpp"
+#include "polhode/light/convex_body.hpp"
 #include "polhode/light/ellipsoid.hpp"
 #include "polhode/light/facet_brightness.hpp"
 #include "polhode/light/gaussian_image.hpp"

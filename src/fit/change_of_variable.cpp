@@ -16,48 +16,18 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // How near to a bound counts as on it.
 constexpr double near = 1e-5;
+// What the mixing of two sides of a triangle, and whoever divided by a third, may round.
+constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-BoundedVariable::BoundedVariable(double low, double high, double start)
-    : low_(low), high_(high), start_(start) {
-  if (std::isfinite(low) != std::isfinite(high)) {
-    length_ = std::isfinite(low) ? start - low : high - start;
-  }
+Interval::Interval(double low, double high, double start) : low_(low), high_(high), near_(0.0) {
+  const bool below = std::isfinite(low), above = std::isfinite(high);
+  if (below && above) near_ = near * (high - low);
+  if (below != above) near_ = near * (below ? start - low : high - start);
 }
 
-double BoundedVariable::z(double y) const {
-  const bool below = std::isfinite(low_), above = std::isfinite(high_);
-  if (below && above) return low_ + (high_ - low_) * (0.5 + 0.5 * std::sin(y));
-  // y^2 / (1 + sqrt(1 + y^2)), not sqrt(1 + y^2) - 1: cancels
-  const double away = length_ * (y * y / (1.0 + std::hypot(1.0, y)));
-  if (below) return low_ + away;
-  return above ? high_ - away : y;
-}
-
-double BoundedVariable::slope(double y) const {
-  const bool below = std::isfinite(low_), above = std::isfinite(high_);
-  if (below && above) return 0.5 * (high_ - low_) * std::cos(y);
-  const double away = length_ * y / std::hypot(1.0, y);
-  if (below) return away;
-  return above ? -away : 1.0;
-}
-
-double BoundedVariable::start() const {
-  const bool below = std::isfinite(low_), above = std::isfinite(high_);
-  if (below && above) return std::asin(2.0 * ((start_ - low_) / (high_ - low_)) - 1.0);
-  return below || above ? std::sqrt(3.0) : start_;
-}
-
-bool BoundedVariable::is_at_low(double z) const {
-  const double room = std::isfinite(high_) ? high_ - low_ : length_;
-  return std::isfinite(low_) && z - low_ <= near * room;
-}
-
-bool BoundedVariable::is_at_high(double z) const {
-  const double room = std::isfinite(low_) ? high_ - low_ : length_;
-  return std::isfinite(high_) && high_ - z <= near * room;
-}
+double Interval::inside(double z) const { return std::min(std::max(z, low_), high_); }
 
 ChangeOfVariable::ChangeOfVariable(const LeastSquares& problem) : triangle_(problem.triangle) {
   std::vector<double> x;
@@ -83,13 +53,15 @@ ChangeOfVariable::ChangeOfVariable(const LeastSquares& problem) : triangle_(prob
       throw DomainError("solve: the bounds of " + u.name + ", " + number_text(low) + " and " +
                         number_text(high) + ", must leave room between them");
     }
-    if (!std::isfinite(u.start) || !(z[i] > low) || !(z[i] < high)) {
+    const double slack = is_a || is_b ? rounding * (1.0 + std::abs(u.start)) : 0.0;
+    if (!std::isfinite(u.start) || !(z[i] >= low - slack) || !(z[i] <= high + slack)) {
       throw DomainError(
           "solve: the start of " + u.name + ", " + number_text(u.start) +
           ", must lie between its bounds" +
           (is_a || is_b ? ", which are those of the triangle inequality of moments" : ""));
     }
-    variables_.emplace_back(low, high, z[i]);
+    start_.push_back(std::min(std::max(z[i], low), high));
+    intervals_.emplace_back(low, high, start_.back());
   }
 }
 
@@ -127,7 +99,7 @@ std::string ChangeOfVariable::bound_text(std::size_t i, bool low) const {
     if (i == triangle_->b) return a + " + " + b + " is on its bound, 1";
     return low ? a + " is on its bound, 1 + " + b : b + " is on its bound, 1 + " + a;
   }
-  const BoundedVariable& v = variables_[i];
+  const Interval& v = intervals_[i];
   return names_[i] + " is on its bound, " + number_text(low ? v.low() : v.high());
 }
 

@@ -20,35 +20,41 @@ namespace {
 using End = LeastSquaresResult::End;
 using detail::RowByRow;
 
-// How near the least of the linear problem has to be: in standard errors, or of the sum of squares.
-constexpr double near_errors = 1e-3, near_cost = 1e-9;
+// How near the least of the linear problem has to be, of the sum of squares.
+constexpr double near_cost = 1e-9;
 // How often errors are scaled until their factor stays to 1e-6, and by how much it may change.
 constexpr int most_scalings = 50;
 constexpr double same_factor = 1e-6;
 // Degrees of freedom that are rounding: no data are left over to find errors from.
 constexpr double no_freedom = 1e-6;
 
+// Rounds of descent for each unknown, at most: of bounds that are met and left again.
+constexpr std::size_t most_rounds = 8;
+
 class Solver {
  public:
   explicit Solver(const LeastSquares& problem)
-      : problem_(problem), numbers_(problem), change_(problem) {
-    for (std::size_t i = 0; i < change_.size(); ++i) {
-      z_.push_back(0.0);
-      free_.push_back(i);
-      y_.push_back(change_[i].start());
-      z_[i] = change_[i].z(y_[i]);
-    }
+      : problem_(problem), numbers_(problem), change_(problem), z_(change_.start()) {
+    for (std::size_t i = 0; i < change_.size(); ++i) free_.push_back(i);
   }
 
+  // Levenberg and Marquardt's method up to the first bound; what is pressed against it is held
+  // there, and the others go on. At their least, what would rather leave its bound is let go.
   LeastSquaresResult solved() {
     LeastSquaresResult result;
     detail::Descent descent;
-    // each round but the last puts an unknown on its bound
-    for (std::size_t round = 0; round <= z_.size(); ++round) {
-      descent = round_of_descent();
+    holds_what_is_pressed();
+    for (std::size_t round = 0; round < most_rounds * (z_.size() + 1); ++round) {
+      descent = round_of_descent(problem_.most_iterations - result.iterations);
       result.iterations += descent.iterations;
       result.evaluations += descent.evaluations;
-      if (descent.end == detail::Descent::End::no_value || !puts_on_bound()) break;
+      if (descent.end == DescentEnd::no_value || descent.end == DescentEnd::iteration_limit) break;
+      const bool holds = holds_what_is_pressed();
+      if (descent.end == DescentEnd::small_step && !holds && !lets_go()) break;
+      if (result.iterations >= problem_.most_iterations) {
+        descent.end = DescentEnd::iteration_limit;
+        break;
+      }
     }
     result.x = change_.x_of_z(z_);
     finish(result, descent.end);
@@ -56,12 +62,14 @@ class Solver {
   }
 
  private:
-  detail::Descent round_of_descent() {
+  using DescentEnd = detail::Descent::End;
+
+  detail::Descent round_of_descent(int most_iterations) {
     std::vector<double> y;
-    for (const std::size_t i : free_) y.push_back(y_[i]);
+    for (const std::size_t i : free_) y.push_back(z_[i]);
     if (y.empty()) {
       detail::Descent none;
-      none.end = detail::Descent::End::small_step;
+      none.end = DescentEnd::small_step;
       return none;
     }
     std::vector<double> wide(numbers_.size() * change_.size());
@@ -73,22 +81,26 @@ class Solver {
           numbers_.at(change_.x_of_z(z_), numbers, jacobian == nullptr ? nullptr : wide.data());
       for (std::size_t row = 0; jacobian != nullptr && row < numbers_.size(); ++row) {
         change_.to_z(wide.data() + row * n);
-        for (std::size_t k = 0; k < m; ++k) {
-          jacobian[row * m + k] = wide[row * n + free_[k]] * change_[free_[k]].slope(at[k]);
-        }
+        for (std::size_t k = 0; k < m; ++k) jacobian[row * m + k] = wide[row * n + free_[k]];
       }
       return has_value;
     };
+    const detail::Within is_within = [&](const std::vector<double>& at) {
+      for (std::size_t k = 0; k < free_.size(); ++k) {
+        if (!change_[free_[k]].has(at[k])) return false;
+      }
+      return true;
+    };
     detail::Descent found =
-        detail::levenberg_marquardt(f, numbers_.size(), y, problem_.most_iterations);
+        detail::levenberg_marquardt(f, is_within, numbers_.size(), y, most_iterations);
     place(found.y);
     return found;
   }
 
+  // On the bound what is beyond it.
   void place(const std::vector<double>& y) {
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      y_[free_[k]] = y[k];
-      z_[free_[k]] = change_[free_[k]].z(y[k]);
+      z_[free_[k]] = change_[free_[k]].inside(y[k]);
     }
   }
 
@@ -101,39 +113,80 @@ class Solver {
     return numbers.allFinite() && jacobian.allFinite();
   }
 
+  // Whether descent would take variable i beyond the bound that it is on.
+  bool is_pressed(std::size_t i, double slope) const {
+    return (change_[i].is_at_low(z_[i]) && slope > 0.0) ||
+           (change_[i].is_at_high(z_[i]) && slope < 0.0);
+  }
+
+  bool is_any_on_bound() const {
+    for (std::size_t i = 0; i < z_.size(); ++i) {
+      if (change_[i].is_at_low(z_[i]) || change_[i].is_at_high(z_[i])) return true;
+    }
+    return false;
+  }
+
   // Fixes what is pressed against its bound, there; whether anything was.
-  bool puts_on_bound() {
+  bool holds_what_is_pressed() {
+    Eigen::VectorXd numbers;
+    RowByRow jacobian;
+    if (!is_any_on_bound() || !derivatives(numbers, jacobian)) return false;
+    const Eigen::VectorXd gradient = jacobian.transpose() * numbers;
+    const std::vector<double> z = z_;
+    const std::vector<std::size_t> free = free_;
+    std::erase_if(free_, [&](std::size_t i) {
+      const double slope = gradient[static_cast<Eigen::Index>(i)];
+      if (!is_pressed(i, slope)) return false;
+      z_[i] = slope > 0.0 ? change_[i].low() : change_[i].high();
+      return true;
+    });
+    // a corner of bounds may be no place: a rod without thickness
+    if (z_ != z && !numbers_.at(change_.x_of_z(z_), numbers.data(), nullptr)) {
+      z_ = z;
+      free_ = free;
+    }
+    return free_.size() != free.size();
+  }
+
+  // The variables without those that are held and pressed against their bound.
+  std::vector<std::size_t> movable(const Eigen::VectorXd& gradient) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < z_.size(); ++i) {
+      const bool is_held = std::ranges::find(free_, i) == free_.end();
+      if (!is_held || !is_pressed(i, gradient[static_cast<Eigen::Index>(i)])) found.push_back(i);
+    }
+    return found;
+  }
+
+  // Frees what is held and would leave its bound; whether anything was.
+  bool lets_go() {
+    if (free_.size() == z_.size()) return false;
     Eigen::VectorXd numbers;
     RowByRow jacobian;
     if (!derivatives(numbers, jacobian)) return false;
-    const Eigen::VectorXd gradient = jacobian.transpose() * numbers;
-    const std::size_t before = free_.size();
-    std::erase_if(free_, [&](std::size_t i) {
-      const double slope = gradient[static_cast<Eigen::Index>(i)];
-      const bool low = change_[i].is_at_low(z_[i]) && slope > 0.0;
-      const bool high = change_[i].is_at_high(z_[i]) && slope < 0.0;
-      if (low) z_[i] = change_[i].low();
-      if (high) z_[i] = change_[i].high();
-      return low || high;
-    });
-    return free_.size() != before;
+    std::vector<std::size_t> found = movable(jacobian.transpose() * numbers);
+    const bool is_more = found.size() != free_.size();
+    free_ = std::move(found);
+    return is_more;
   }
 
-  // Whether the least of the linear problem in the free unknowns is near.
+  // Whether the least of the linear problem is near, in the unknowns that may move.
   bool is_least() const {
     Eigen::VectorXd numbers;
     RowByRow jacobian;
     if (!derivatives(numbers, jacobian)) return false;
-    if (free_.empty()) return true;
-    RowByRow of_free(jacobian.rows(), std::ssize(free_));
-    for (std::size_t k = 0; k < free_.size(); ++k) {
-      of_free.col(static_cast<Eigen::Index>(k)) = jacobian.col(static_cast<Eigen::Index>(free_[k]));
+    const std::vector<std::size_t> free = movable(jacobian.transpose() * numbers);
+    if (free.empty()) return true;
+    RowByRow of_free(jacobian.rows(), std::ssize(free));
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      of_free.col(static_cast<Eigen::Index>(k)) = jacobian.col(static_cast<Eigen::Index>(free[k]));
     }
     detail::to_unit_columns(of_free);
     const Eigen::ColPivHouseholderQR<RowByRow> qr(of_free);
     const Eigen::VectorXd turned = qr.matrixQ().adjoint() * numbers;
     const double step2 = turned.head(qr.rank()).squaredNorm();
-    return step2 <= std::max(near_errors * near_errors, near_cost * numbers.squaredNorm());
+    return step2 <=
+           std::max(problem_.nearness * problem_.nearness, near_cost * numbers.squaredNorm());
   }
 
   void finish(LeastSquaresResult& result, detail::Descent::End end) const {
@@ -187,7 +240,7 @@ class Solver {
   const LeastSquares& problem_;
   detail::StackedNumbers numbers_;
   detail::ChangeOfVariable change_;
-  std::vector<double> z_, y_;
+  std::vector<double> z_;
   std::vector<std::size_t> free_;
 };
 
@@ -225,24 +278,6 @@ double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult&
   return static_cast<double>(data) - determined;
 }
 
-namespace {
-
-// A start on a bound would be none: what is there, and what the triangle mixes with it, starts as
-// before.
-void start_from(const LeastSquaresResult& result, LeastSquares& problem) {
-  const auto is_on_bound = [&](std::size_t i) {
-    return std::ranges::find(result.bound, i) != result.bound.end();
-  };
-  const std::optional<TriangleBound>& sides = problem.triangle;
-  const bool holds_sides = sides && (is_on_bound(sides->a) || is_on_bound(sides->b));
-  for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
-    const bool is_side = sides && (i == sides->a || i == sides->b);
-    if (is_side ? !holds_sides : !is_on_bound(i)) problem.unknowns[i].start = result.x[i];
-  }
-}
-
-}  // namespace
-
 LeastSquaresResult solve_scaled(LeastSquares& problem) {
   if (problem.loss.kind != Loss::Kind::squared) {
     throw DomainError(
@@ -273,7 +308,8 @@ LeastSquaresResult solve_scaled(LeastSquares& problem) {
       result.sentence += "; the factor of errors did not settle: it is " +
                          detail::rounded_text(factor) + " or near it";
     }
-    start_from(result, problem);
+    for (std::size_t i = 0; i < problem.unknowns.size(); ++i)
+      problem.unknowns[i].start = result.x[i];
   }
   result.iterations = iterations;
   result.evaluations = evaluations;

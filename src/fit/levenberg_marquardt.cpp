@@ -66,8 +66,8 @@ Descent::End end_of(Status status) {
 
 }  // namespace
 
-Descent levenberg_marquardt(const Numbers& f, std::size_t numbers, std::vector<double> y,
-                            int most_iterations) {
+Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size_t numbers,
+                            std::vector<double> y, int most_iterations) {
   Functor functor(f, y.size(), numbers);
   Eigen::LevenbergMarquardt<Functor> method(functor);
   method.setFtol(least_reduction);
@@ -79,15 +79,23 @@ Descent levenberg_marquardt(const Numbers& f, std::size_t numbers, std::vector<d
   if (status != Status::ImproperInputParameters && method.fnorm() < beyond) {
     status = Status::Running;
     const double least = exact * std::sqrt(static_cast<double>(numbers));
+    const auto ends_within = [&] {
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] = at[static_cast<Eigen::Index>(i)];
+      return is_within(y);
+    };
+    bool stays = true;
     // at most most_iterations, each of few trials
-    while (status == Status::Running && found.iterations < most_iterations) {
+    while (stays && status == Status::Running && found.iterations < most_iterations) {
       if (method.fnorm() <= least) break;
       status = method.minimizeOneStep(at);
       ++found.iterations;
+      stays = ends_within();
     }
-    found.end = status != Status::Running ? end_of(status)
-                : method.fnorm() <= least ? Descent::End::small_step
-                                          : Descent::End::iteration_limit;
+    const bool has_value = status == Status::Running || end_of(status) != Descent::End::no_value;
+    found.end = !stays && has_value         ? Descent::End::on_bound
+                : status != Status::Running ? end_of(status)
+                : method.fnorm() <= least   ? Descent::End::small_step
+                                            : Descent::End::iteration_limit;
   }
   found.evaluations = static_cast<int>(method.nfev());
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = at[static_cast<Eigen::Index>(i)];

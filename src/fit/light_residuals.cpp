@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "fit/detail/rotation_vector.hpp"
+#include "fit/detail/surface_residuals.hpp"
 #include "polhode/light/lambert.hpp"
 
 namespace polhode {
@@ -14,13 +15,6 @@ namespace detail {
 namespace {
 
 constexpr std::size_t first_turn = 0;
-// A start on a bound has no slope by the inner variable.
-constexpr double inside = 1e-3;
-// The weight of Lambert's law that a fit starts with where none is given (Kaasalainen et al. 2001).
-constexpr double usual_multiple = 0.1;
-// Not 0: Lambert's law would not be computed there, and the fit would see no slope.
-constexpr double least_multiple = 1e-9;
-
 Mat3 diagonal(double x, double y) {
   Mat3 m = Mat3::identity();
   m(0, 0) = x;
@@ -55,9 +49,7 @@ std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightE
   found.push_back({.name = "w_z", .start = w.z});
   const auto ratio = [&](const char* name, double value) {
     const double high = unknowns.moments == MomentSource::shape ? 1.0 : 1.0 / least_axis_ratio;
-    const double room = inside * (high - least_axis_ratio);
-    found.push_back(
-        {name, std::clamp(value, least_axis_ratio + room, high - room), least_axis_ratio, high});
+    found.push_back({name, std::clamp(value, least_axis_ratio, high), least_axis_ratio, high});
   };
   if (unknowns.shape) {
     ratio("b/a", start.shape.b / start.shape.a);
@@ -68,29 +60,13 @@ std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightE
     found.push_back({.name = "Ixx/Izz", .start = T(0, 0) / T(2, 2)});
     found.push_back({.name = "Iyy/Izz", .start = T(1, 1) / T(2, 2)});
   }
-  if (unknowns.multiple) {
-    const double given = start.law.multiple / start.law.single;
-    found.push_back({.name = "multiple",
-                     .start = given > least_multiple ? given : usual_multiple,
-                     .low = least_multiple});
-  }
+  if (unknowns.multiple) found.push_back(multiple_unknown(start.law));
   return found;
 }
 
 LightResiduals::LightResiduals(std::span<const LightCurve> curves, const LightUnknowns& unknowns,
                                const BrightEllipsoid& start)
-    : unknowns_(unknowns), start_(start), places_(unknowns) {
-  std::size_t calibrated = LightPlaces::none;
-  for (const LightCurve& curve : curves) {
-    const bool has_group = curve.is_calibrated && calibrated != LightPlaces::none;
-    const std::size_t group = has_group ? calibrated : groups_++;
-    if (curve.is_calibrated) calibrated = group;
-    for (const LightPoint& p : curve.points) {
-      times_.push_back(p.t);
-      points_.push_back({p.flux, 1.0 / p.sigma, p.to_sun, p.to_observer, group});
-    }
-  }
-}
+    : unknowns_(unknowns), start_(start), places_(unknowns), curves_(curves) {}
 
 BrightEllipsoid LightResiduals::body_at(std::span<const double> x) const {
   BrightEllipsoid body = start_;
@@ -114,36 +90,13 @@ BrightEllipsoid LightResiduals::body_at(std::span<const double> x) const {
 bool LightResiduals::brightness_of(const BrightEllipsoid& body, std::span<const MotionPoint> motion,
                                    std::span<double> found) const {
   bool is_sound = true;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
     const Quaternion back = conj(motion[i].q);
-    found[i] = brightness(body.shape, body.law, rotate(back, points_[i].to_sun),
-                          rotate(back, points_[i].to_observer));
+    found[i] = brightness(body.shape, body.law, rotate(back, curves_[i].to_sun),
+                          rotate(back, curves_[i].to_observer));
     is_sound = is_sound && std::isfinite(found[i]);
   }
   return is_sound;
-}
-
-std::vector<double> LightResiduals::factors(std::span<const double> brightness) const {
-  std::vector<double> up(groups_, 0.0), down(groups_, 0.0);
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const WeighedPoint& p = points_[i];
-    const double m = p.weight * brightness[i];
-    up[p.group] += p.weight * p.flux * m;
-    down[p.group] += m * m;
-  }
-  for (std::size_t g = 0; g < groups_; ++g) up[g] /= down[g];
-  return up;
-}
-
-double LightResiduals::chi_square(std::span<const double> brightness) const {
-  const std::vector<double> f = factors(brightness);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const WeighedPoint& p = points_[i];
-    const double r = p.weight * (p.flux - f[p.group] * brightness[i]);
-    sum += r * r;
-  }
-  return sum;
 }
 
 // A rotation d in body axes turns v into v + v x d: the brightness changes by d . (by_sun x s +
@@ -188,44 +141,19 @@ void LightResiduals::row_at(const BrightEllipsoid& body, const Mat3& turn,
 bool LightResiduals::at(std::span<const double> x, std::span<double> numbers,
                         std::span<double> jacobian) const {
   const BrightEllipsoid body = body_at(x);
-  const std::size_t n = places_.count, count = points_.size();
+  const std::size_t n = places_.count, count = curves_.size();
   const bool derivatives = !jacobian.empty();
   std::vector<MotionPoint> motion;
-  if (!free_motion(body.spin, times_, {derivatives, false}, motion)) return false;
+  if (!free_motion(body.spin, curves_.times(), {derivatives, false}, motion)) return false;
   std::vector<double> B(count);
   if (derivatives) {
     const Mat3 turn = exp_derivative({x[0], x[1], x[2]});
     for (std::size_t i = 0; i < count; ++i)
-      row_at(body, turn, motion[i], points_[i], B[i], jacobian.data() + i * n);
+      row_at(body, turn, motion[i], curves_[i], B[i], jacobian.data() + i * n);
   } else if (!brightness_of(body, motion, B)) {
     return false;
   }
-  const std::vector<double> f = factors(B);
-  bool is_sound = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    const WeighedPoint& p = points_[i];
-    numbers[i] = p.weight * (p.flux - f[p.group] * B[i]);
-    is_sound = is_sound && std::isfinite(numbers[i]);
-  }
-  if (!derivatives || !is_sound) return is_sound;
-  // df = sum(w^2 (F - 2 f B) dB) / sum(w^2 B^2)
-  std::vector<double> by(groups_ * n, 0.0), squares(groups_, 0.0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const WeighedPoint& p = points_[i];
-    const double w2 = p.weight * p.weight;
-    squares[p.group] += w2 * B[i] * B[i];
-    const double k = w2 * (p.flux - 2.0 * f[p.group] * B[i]);
-    for (std::size_t j = 0; j < n; ++j) by[p.group * n + j] += k * jacobian[i * n + j];
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const WeighedPoint& p = points_[i];
-    const double k = B[i] / squares[p.group];
-    for (std::size_t j = 0; j < n; ++j) {
-      double& entry = jacobian[i * n + j];
-      entry = -p.weight * (f[p.group] * entry + k * by[p.group * n + j]);
-    }
-  }
-  return true;
+  return curves_.residuals(B, n, numbers, jacobian);
 }
 
 LeastSquares light_problem(const LightResiduals& residuals, const LightUnknowns& unknowns,

@@ -10,7 +10,7 @@
 #include "math/number_text.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/period_labels.hpp"
+#include "polhode/fit/likely_periods.hpp"
 #include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
@@ -57,6 +57,7 @@ class Search {
       : search_(search), geometry_(detail::geometry_of(search.curves)) {
     result_.chi_square_of_periods.assign(search.periods.size(),
                                          std::numeric_limits<double>::infinity());
+    result_.best_of_periods.resize(search.periods.size());
   }
 
   LightSearchResult found() {
@@ -125,7 +126,10 @@ class Search {
   void add(const LightSolution& s, std::size_t periods) {
     ++result_.converged;
     double& least = result_.chi_square_of_periods[periods];
-    least = std::min(least, s.result.chi_square);
+    if (s.result.chi_square < least) {
+      least = s.result.chi_square;
+      result_.best_of_periods[periods] = s;
+    }
     for (FoundLight& f : result_.solutions) {
       if (!detail::are_same(f.solution, s, search_.unknowns)) continue;
       ++f.starts;
@@ -169,7 +173,7 @@ class Search {
 std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima,
                                              const LabelChoice& choice) {
   std::vector<TumblerPeriods> found;
-  const auto is_known = [&](const PeriodLabel& l) {
+  const auto is_known = [&](const TumblerPeriods& l) {
     return std::ranges::any_of(found, [&](const TumblerPeriods& p) {
       return p.mode == l.mode &&
              std::abs(p.precession_period / l.precession_period - 1.0) < same_periods &&
@@ -181,10 +185,9 @@ std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima
     if (!m.resolved || !m.refined.converged || m.at_edge) continue;
     if (pairs++ == choice.pairs) break;
     std::size_t taken = 0;
-    for (const PeriodLabel& l : period_labels(m.refined.fit.f1, m.refined.fit.f2)) {
-      if (!l.of_ellipsoid) continue;
+    for (const LikelyPeriods& l : likely_periods(m.refined.fit)) {
       if (taken++ == choice.labels) break;
-      if (!is_known(l)) found.push_back({l.mode, l.precession_period, l.rotation_period});
+      if (!is_known(l.periods)) found.push_back(l.periods);
     }
   }
   return found;

@@ -89,7 +89,7 @@ std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t n
   // One motion, turned as a whole: q_IB(t) = q p(t).
   const LightResiduals looked_at(search.curves, search.unknowns, *body);
   std::vector<MotionPoint> motion, turned;
-  if (!free_motion(body->spin, looked_at.times(), {}, motion)) return std::nullopt;
+  if (!free_motion(body->spin, looked_at.curves().times(), {}, motion)) return std::nullopt;
   turned = motion;
   std::vector<double> B(looked_at.points());
   double least = std::numeric_limits<double>::infinity();
@@ -97,7 +97,7 @@ std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t n
     const Quaternion q = draws.attitude();
     for (std::size_t i = 0; i < motion.size(); ++i) turned[i].q = q * motion[i].q;
     if (!looked_at.brightness_of(*body, turned, B)) continue;
-    const double chi_square = looked_at.chi_square(B);
+    const double chi_square = looked_at.curves().chi_square(B);
     if (!(chi_square < least)) continue;
     least = chi_square;
     body->spin.q = q;

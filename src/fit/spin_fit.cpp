@@ -136,12 +136,8 @@ SpinSolution fit_spin(const SpinFit& fit) {
     evaluations += found.result.evaluations;
     about.start = detail::state_at(about.start, parameters, found.result.x);
     about.error_factor = problem.error_factor;
-    // On a bound there is no start for another round.
     const bool is_far = size_of_turn(fit, found.result.x) > far_turn;
-    if (!is_far || !found.result.bound.empty() ||
-        found.result.end == LeastSquaresResult::End::no_value) {
-      break;
-    }
+    if (!is_far || found.result.end == LeastSquaresResult::End::no_value) break;
   }
   found.result.iterations = iterations;
   found.result.evaluations = evaluations;

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "fit/detail/inverse_root.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -24,8 +25,7 @@ std::string list_text(const std::vector<std::string>& names) {
   return text;
 }
 
-// L^-1 of C = L L^T.
-std::vector<double> inverse_root(const NormalPrior& prior) {
+std::vector<double> root_of(const NormalPrior& prior) {
   const auto n = std::ssize(prior.unknowns);
   const Square C = Eigen::Map<const Square>(prior.covariance.data(), n, n);
   const Eigen::LLT<Square> factor(C);
@@ -34,7 +34,7 @@ std::vector<double> inverse_root(const NormalPrior& prior) {
                       " must be finite, symmetric and positive definite; its first entry is " +
                       number_text(C(0, 0)));
   }
-  const Square root = factor.matrixL().solve(Square::Identity(n, n));
+  const Square root = inverse_root(factor);
   return {root.data(), root.data() + root.size()};
 }
 
@@ -91,7 +91,7 @@ void StackedNumbers::add_prior(const NormalPrior& prior) {
                       std::to_string(prior.covariance.size()) + " covariances; expected " +
                       std::to_string(n) + " and " + std::to_string(n * n));
   }
-  Whitened found{{}, prior.mean, inverse_root(prior)};
+  Whitened found{{}, prior.mean, root_of(prior)};
   for (std::size_t k = 0; k < n; ++k) {
     if (!std::isfinite(prior.mean[k])) {
       throw DomainError("solve: the prior mean of " + prior.unknowns[k] + " must be finite");

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "polhode/error.hpp"
+#include "text/number_text.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -218,6 +219,19 @@ FacetShape shape_from_obj(std::string_view text, const std::string& name) {
   if (text.size() > largest_file)
     throw DomainError(shown + ": more than 256 MB; expected a smaller mesh");
   return ObjReader(text, shown).read();
+}
+
+std::string obj_text(const FacetShape& shape) {
+  std::string text;
+  for (const Vec3& v : shape.vertices())
+    text += "v " + detail::number_text(v.x) + " " + detail::number_text(v.y) + " " +
+            detail::number_text(v.z) + "\n";
+  for (const FacetShape::Triangle& t : shape.triangles()) {
+    text += "f";
+    for (const std::uint32_t k : t) text += " " + std::to_string(std::uint64_t{k} + 1);
+    text += "\n";
+  }
+  return text;
 }
 
 FacetShape read_obj(const std::string& path) {

@@ -21,6 +21,11 @@ inline constexpr double light_closure = 1e-3;
 inline constexpr double light_series_back = 1e-13;
 inline constexpr double light_facet_gradient = 1e-13;
 
+// --- convex bodies from areas (tests/unit/light/convex_body.cpp): of the total area; of an
+// ellipsoid with 288 facets, relative ---
+inline constexpr double convex_areas = 1e-9;
+inline constexpr double convex_volume = 3e-2;
+
 // --- meshes (tests/unit/light/shaded_mesh.cpp): some 2000 facets ---
 inline constexpr double light_mesh = 2e-2;
 inline constexpr double light_two_balls = 3e-2;

@@ -5,16 +5,17 @@
 //             residuals r of data in units of their standard errors, each block under one loss
 //             (loss.hpp); residuals p of priors; normal priors of some unknowns S. f multiplies the
 //             errors of data, never those of priors. Method: Levenberg-Marquardt (More 1978) as
-//             Eigen has it from MINPACK; bounds by MINUIT's change of variable (James & Roos 1975),
-//             x = low + (high - low) (1 + sin y) / 2 or low + L (sqrt(1 + y^2) - 1); an unknown
-//             that is pressed against its bound is put on it, and the others are solved for again.
+//             Eigen has it from MINPACK, its trial steps brought back to the bounds (Kanzow,
+//             Yamashita & Fukushima 2004); an unknown that is pressed against its bound is held on
+//             it while the others go on, and let go where it would rather leave.
 // Corrections none.
 // Units       those of the unknowns; residuals are numbers.
-// Domain      a start inside its bounds at which every residual is finite; at least as many numbers
-//             (data and priors) as unknowns. A step to where the residuals have no value is not
-//             taken.
-// Accuracy    is_converged says: the least of the linear problem is nearer than 1e-3 standard
-//             errors, or lower by less than 1e-9 of the cost. Derivatives are those that are given.
+// Domain      a start within its bounds, or on one, at which every residual is finite; at least as
+//             many numbers (data and priors) as unknowns. A step to where the residuals have no
+//             value is not taken.
+// Accuracy    is_converged says: the least of the linear problem is nearer than `nearness`
+//             standard errors, or lower by less than 1e-9 of the cost. Derivatives are those that
+//             are given.
 // Errors      DomainError for bounds without a room between them, a start outside, fewer numbers
 //             than unknowns, covariances that are not positive definite, names that come twice.
 //             What a residual function throws passes through.
@@ -76,6 +77,9 @@ struct LeastSquares {
   Loss loss;
   double error_factor = 1.0;  // f, by which errors of data are multiplied
   int most_iterations = 200;
+  // How near the least of the linear problem has to be, in standard errors. Residuals whose
+  // derivatives jump here and there come no nearer than their jumps let them.
+  double nearness = 1e-3;
 };
 
 struct LeastSquaresResult {

@@ -61,10 +61,10 @@ struct LightFit {
   int most_iterations = 200;
 };
 
-struct LightSolution {
-  BrightEllipsoid body;  // a = 1
+// What every fit of light curves says beside its body.
+struct LightOutcome {
   LeastSquaresResult result;
-  UnknownsCovariance covariance;  // of errors as they are given; turns about `body`
+  UnknownsCovariance covariance;  // of errors as they are given; turns about the body found
   std::vector<double> factors;    // of each session
   double degrees_of_freedom = 0.0;
   // How the body tumbles: periods are 0 where the regime has none.
@@ -76,6 +76,10 @@ struct LightSolution {
   double error_factor() const;
   // Nothing that did not converge counts as found.
   bool is_found() const { return result.is_converged(); }
+};
+
+struct LightSolution : LightOutcome {
+  BrightEllipsoid body;  // a = 1
 };
 
 LightSolution fit_light(const LightFit& fit);

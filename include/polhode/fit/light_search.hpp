@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,7 +51,7 @@ struct LabelChoice {
   // The lowest minima of a scan; those that are not resolved, not converged or at the edge of the
   // grid are left out.
   std::size_t pairs = 5;
-  std::size_t labels = 60;  // of each, the most likely ones of ellipsoids
+  std::size_t labels = 20;  // of each, the most likely ones (likely_periods)
 };
 
 // Periods that minima of a scan may be; those that are the same to 1e-3 once.
@@ -90,6 +91,8 @@ struct LightSearchResult {
   std::vector<FoundLight> solutions;
   // The lowest chi-square that each pair of periods came to, infinite where no body has them.
   std::vector<double> chi_square_of_periods;
+  // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
+  std::vector<std::optional<LightSolution>> best_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included
   std::size_t converged = 0;

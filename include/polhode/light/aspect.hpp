@@ -18,6 +18,7 @@
 #include <limits>
 
 #include "polhode/light/light_curve.hpp"
+#include "polhode/light/scattering.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -36,9 +37,7 @@ inline Aspect aspect(const LightPoint& p) {
   const Vec3 s = (1.0 / r1) * p.to_sun, o = (1.0 / delta1) * p.to_observer;
   const Vec3 sum = s + o;
   const double length = norm(sum);
-  // not acos(s . o): it loses half of the digits at small angles
-  return {r1, delta1, std::atan2(norm(cross(s, o)), dot(s, o)),
-          (1.0 / (length > 0.0 ? length : none)) * sum};
+  return {r1, delta1, phase_angle(s, o), (1.0 / (length > 0.0 ? length : none)) * sum};
 }
 
 inline double reduced_magnitude(double magnitude, double sun_distance, double observer_distance) {

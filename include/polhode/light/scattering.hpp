@@ -67,6 +67,7 @@ using PhaseFunction = BasicPhaseFunction<double>;
 template <Real T>
 T phase_angle(const BasicVec3<T>& to_sun, const BasicVec3<T>& to_observer) {
   using std::atan2;
+  // not acos(s . o): it loses half of the digits at small angles
   return atan2(norm(cross(to_sun, to_observer)), dot(to_sun, to_observer));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facet shapes from Wavefront OBJ files.
+// Facet shapes from and to Wavefront OBJ files.
 //
 // Equations   none.
 // Units       those of the file: OBJ has none.
@@ -8,7 +8,7 @@
 //             becomes a fan of triangles about its first corner. What else OBJ knows (normals,
 //             textures, groups, materials, curves) is skipped. Comments, CRLF, lines continued
 //             by a backslash.
-// Accuracy    the nearest double.
+// Accuracy    the nearest double; a shape that is written reads back bit for bit.
 // Errors      DomainError in one line, "FILE:LINE: ...": text for a number, one not finite, an
 //             index 0 or of no vertex, a facet with fewer than three corners or with no area, a
 //             word that OBJ does not know; "FILE: ..." for a file that cannot be read, is too
@@ -27,6 +27,8 @@ inline namespace v0 {
 FacetShape read_obj(const std::string& path);
 // `name` stands for the file in messages.
 FacetShape shape_from_obj(std::string_view text, const std::string& name);
+// The file of a shape, one line for each vertex and facet.
+std::string obj_text(const FacetShape& shape);
 
 }  // namespace v0
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unknowns within bounds as functions of variables without any.
+// Unknowns x as variables z, each in an interval of its own.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,20 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// One variable y and z(y) in [low, high].
-class BoundedVariable {
+// [low, high], one or both of which may be infinite.
+class Interval {
  public:
-  BoundedVariable(double low, double high, double start);
-  double z(double y) const;
-  double slope(double y) const;  // dz/dy
-  double start() const;          // y of the start
+  Interval(double low, double high, double start);
+  double inside(double z) const;  // the nearest point of it
+  bool has(double z) const { return z >= low_ && z <= high_; }
   // The bound that z is on to a part in 1e5 of the room, or of its distance at the start.
-  bool is_at_low(double z) const;
-  bool is_at_high(double z) const;
+  bool is_at_low(double z) const { return z - low_ <= near_; }
+  bool is_at_high(double z) const { return high_ - z <= near_; }
   double low() const { return low_; }
   double high() const { return high_; }
 
  private:
-  double low_, high_, start_;
-  double length_ = 1.0;  // of a half-open interval
+  double low_, high_, near_;
 };
 
 // x = M z, where M mixes the two unknowns of a triangle: with the moments y + z', x + z', x + y of
@@ -37,8 +35,10 @@ class ChangeOfVariable {
  public:
   explicit ChangeOfVariable(const LeastSquares& problem);
 
-  std::size_t size() const { return variables_.size(); }
-  const BoundedVariable& operator[](std::size_t i) const { return variables_[i]; }
+  std::size_t size() const { return intervals_.size(); }
+  const Interval& operator[](std::size_t i) const { return intervals_[i]; }
+  // z of the start: what rounding put beyond a bound is on it.
+  const std::vector<double>& start() const { return start_; }
   std::vector<double> x_of_z(const std::vector<double>& z) const;
   std::vector<double> z_of_x(const std::vector<double>& x) const;
   // d/dx of one number into d/dz, in place.
@@ -47,7 +47,8 @@ class ChangeOfVariable {
   std::string bound_text(std::size_t i, bool low) const;
 
  private:
-  std::vector<BoundedVariable> variables_;
+  std::vector<Interval> intervals_;
+  std::vector<double> start_;
   std::vector<std::string> names_;
   std::optional<TriangleBound> triangle_;
 };

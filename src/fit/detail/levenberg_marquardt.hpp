@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levenberg-Marquardt without bounds: the one door to Eigen's.
+// Levenberg-Marquardt up to the first bound: the one door to Eigen's.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ inline namespace v0 {
 namespace detail {
 
 struct Descent {
-  enum class End { small_step, iteration_limit, no_value };
+  enum class End { small_step, on_bound, iteration_limit, no_value };
   End end = End::no_value;
   std::vector<double> y;
   int iterations = 0;
@@ -22,9 +22,13 @@ struct Descent {
 using Numbers =
     std::function<bool(const std::vector<double>& y, double* numbers, double* jacobian)>;
 
+// Whether y is within the bounds. Numbers beyond are those of the nearest point within; the first
+// step that ends beyond is the last one.
+using Within = std::function<bool(const std::vector<double>& y)>;
+
 // From y, for as many numbers, at least as many as variables.
-Descent levenberg_marquardt(const Numbers& f, std::size_t numbers, std::vector<double> y,
-                            int most_iterations);
+Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size_t numbers,
+                            std::vector<double> y, int most_iterations);
 
 }  // namespace detail
 }  // namespace v0

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/detail/spin_motion.hpp"
+#include "fit/detail/weighed_curves.hpp"
 #include "polhode/fit/light_fit.hpp"
 
 namespace polhode {
@@ -26,20 +27,14 @@ struct LightPlaces {
 
 std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightEllipsoid& start);
 
-// One point as a fit takes it; its session's factor is that of `group`.
-struct WeighedPoint {
-  double flux, weight;  // 1 / sigma
-  Vec3 to_sun, to_observer;
-  std::size_t group;
-};
-
 class LightResiduals {
  public:
   LightResiduals(std::span<const LightCurve> curves, const LightUnknowns& unknowns,
                  const BrightEllipsoid& start);
 
-  std::size_t points() const { return points_.size(); }
-  std::size_t groups() const { return groups_; }
+  std::size_t points() const { return curves_.size(); }
+  std::size_t groups() const { return curves_.groups(); }
+  const WeighedCurves& curves() const { return curves_; }
   const LightPlaces& places() const { return places_; }
   BrightEllipsoid body_at(std::span<const double> x) const;
 
@@ -49,12 +44,6 @@ class LightResiduals {
   // B of the body at each point for attitudes q of `motion`, which has one at each.
   bool brightness_of(const BrightEllipsoid& body, std::span<const MotionPoint> motion,
                      std::span<double> found) const;
-  // Best factors of the groups, and chi-square with them.
-  std::vector<double> factors(std::span<const double> brightness) const;
-  double chi_square(std::span<const double> brightness) const;
-
-  std::span<const WeighedPoint> weighed() const { return points_; }
-  const std::vector<double>& times() const { return times_; }
 
  private:
   void row_at(const BrightEllipsoid& body, const Mat3& turn, const MotionPoint& motion,
@@ -63,9 +52,7 @@ class LightResiduals {
   LightUnknowns unknowns_;
   BrightEllipsoid start_;
   LightPlaces places_;
-  std::vector<double> times_;
-  std::vector<WeighedPoint> points_;
-  std::size_t groups_ = 0;
+  WeighedCurves curves_;
 };
 
 // A problem of least squares about a start.

@@ -106,6 +106,41 @@ TEST(Solve, PutsOnItsBoundWhatIsPressedAgainstIt) {
   EXPECT_NEAR(solve(p).x[1], 1.97, budget::fit_bounded);
 }
 
+// From its bound the least is found as from elsewhere: inside, there, or on the other one.
+TEST(Solve, StartsOnABound) {
+  LeastSquares p = line({1.1, 2.9, 5.2, 6.8, 9.0});
+  p.unknowns[1] = {"b", 0.2, 0.2, 5.0};
+  LeastSquaresResult r = solve(p);
+  ASSERT_TRUE(r.is_converged()) << r.sentence;
+  EXPECT_NEAR(r.x[1], 1.97, budget::fit_bounded);
+  EXPECT_TRUE(r.bound.empty());
+  p.unknowns[1] = {"b", 2.5, 2.5, std::numeric_limits<double>::infinity()};
+  r = solve(p);
+  ASSERT_TRUE(r.is_converged()) << r.sentence;
+  EXPECT_EQ(r.x[1], 2.5);
+  p.unknowns[1] = {"b", 0.2, 0.2, 1.5};
+  r = solve(p);
+  EXPECT_EQ(r.x[1], 1.5);
+  EXPECT_EQ(r.bound, std::vector<std::size_t>{1});
+}
+
+// Held on its bound early, an unknown is let go where the others have moved.
+TEST(Solve, LeavesABoundThatItMet) {
+  LeastSquares p;
+  p.unknowns = {{"a", 0.1}, {"b", 1.0, 0.5, 2.0}};
+  p.residuals.data = 2;
+  p.residuals.at = [](std::span<const double> x, std::span<double> r, std::span<double> J) {
+    r[0] = 10.0 * (x[1] - x[0] * x[0]);
+    r[1] = 1.0 - x[0];
+    if (!J.empty()) J[0] = -20.0 * x[0], J[1] = 10.0, J[2] = -1.0, J[3] = 0.0;
+    return true;
+  };
+  const LeastSquaresResult r = solve(p);
+  ASSERT_TRUE(r.is_converged()) << r.sentence;
+  EXPECT_NEAR(r.x[0], 1.0, budget::fit_bounded);
+  EXPECT_NEAR(r.x[1], 1.0, budget::fit_bounded);
+}
+
 TEST(Solve, ScalesErrorsOnTheTriangleInequality) {
   LeastSquares p;
   p.unknowns = {{"I1/I3", 0.6}, {"I2/I3", 0.5}};
@@ -154,6 +189,26 @@ TEST(Solve, KeepsTheTriangleInequality) {
   EXPECT_NEAR(rod.x[0], 0.5, budget::fit_bounded);
   EXPECT_NEAR(rod.x[1], 0.5, budget::fit_bounded);
   EXPECT_THAT(rod.sentence, HasSubstr("I1/I3 + I2/I3 is on its bound, 1"));
+}
+
+// What rounding put beyond the bound of the triangle is on it.
+TEST(Solve, TakesStartsThatRoundingPutOnTheTriangle) {
+  LeastSquares p;
+  p.residuals.data = 2;
+  p.residuals.at = [](std::span<const double> x, std::span<double> r, std::span<double> J) {
+    r[0] = x[0] - 0.6;
+    r[1] = x[1] - 0.7;
+    if (!J.empty()) J[0] = J[3] = 1.0, J[1] = J[2] = 0.0;
+    return true;
+  };
+  p.triangle = TriangleBound{0, 1};
+  for (const double s : {0.3, 0.1, 0.7, 0.9}) {
+    p.unknowns = {{"I1/I3", std::nextafter(1.0 - s, 0.0)}, {"I2/I3", s}};
+    const LeastSquaresResult r = solve(p);
+    ASSERT_TRUE(r.is_converged()) << r.sentence;
+    EXPECT_NEAR(r.x[0], 0.6, budget::fit_bounded);
+    EXPECT_NEAR(r.x[1], 0.7, budget::fit_bounded);
+  }
 }
 
 TEST(Solve, RobustLossesLeaveABadPointOut) {
@@ -243,7 +298,7 @@ TEST(Solve, RefusesWhatMakesNoSense) {
               HasSubstr("2 unknowns (a, b) and 1 numbers"));
   EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns.clear(); }), HasSubstr("no unknowns"));
   EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns[1].name = "a"; }), HasSubstr("twice"));
-  EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns[0].low = 0.1; }),
+  EXPECT_THAT(refusal([](LeastSquares& q) { q.unknowns[0].low = 0.2; }),
               HasSubstr("the start of a, 0.1, must lie between its bounds"));
   EXPECT_THAT(refusal([](LeastSquares& q) {
                 q.unknowns[0] = {"a", 1.0, 3.0, 2.0};

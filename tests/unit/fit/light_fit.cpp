@@ -8,62 +8,21 @@
 #include <cstdlib>
 #include <vector>
 
+#include "bright_night.hpp"
 #include "budgets.hpp"
 #include "fit/detail/light_residuals.hpp"
 #include "message_of.hpp"
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/scan_advice.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/math/double_double.hpp"
 #include "worst.hpp"
 
 namespace {
 using namespace polhode;
+using namespace polhode::test;
 using DD = DoubleDouble;
-
-const BrightEllipsoid in_long_axis_mode = BrightEllipsoid::homogeneous(
-    0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
-const BrightEllipsoid in_short_axis_mode = BrightEllipsoid::homogeneous(
-    0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
-
-FreeRotation motion_of(const BrightEllipsoid& b) {
-  const Mat3& T = b.spin.inertia_F;
-  const Vec3 g{T(0, 0) * b.spin.w_F.x, T(1, 1) * b.spin.w_F.y, b.spin.w_F.z};
-  return FreeRotation(Body(T(0, 0), T(1, 1), 1.0), {b.spin.q, g}, b.spin.t0);
-}
-
-// One night, of `turns` of precession, with noise relative to the flux.
-LightCurve night(const BrightEllipsoid& b, double turns, std::size_t count, double noise,
-                 std::uint64_t seed) {
-  const FreeRotation motion = motion_of(b);
-  const double P = 2.0 * pi<double>() / motion.precession_rate_long();
-  const CounterRandom random(seed, key_of("night"));
-  LightCurve curve{.name = "night", .is_calibrated = false, .points = {}};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double t = turns * P * (static_cast<double>(i) + 0.8 * random.uniform(i, 0)) /
-                     static_cast<double>(count);
-    const Vec3 sun{1.0, 0.2, 0.3}, observer{0.8, 0.6, 0.1};
-    const Quaternion back = conj(motion.at(t).q);
-    const double flux =
-        3.0 * lommel_seeliger_brightness(b.shape, rotate(back, sun), rotate(back, observer));
-    curve.points.push_back(
-        {t, flux * (1.0 + noise * random.normal(i, 4)), flux * noise, sun, observer});
-  }
-  return curve;
-}
-
-BrightEllipsoid at_time(const BrightEllipsoid& b, double t) {
-  const RotorState s = motion_of(b).at(t);
-  const Mat3& T = b.spin.inertia_F;
-  BrightEllipsoid found = b;
-  found.spin.t0 = t;
-  found.spin.q = s.q;
-  found.spin.w_F = {s.g.x / T(0, 0), s.g.y / T(1, 1), s.g.z};
-  return found;
-}
 
 // dg/dt = g x w, dq/dt = q w / 2 by Taylor series, which know no elliptic functions.
 struct WideMotion {

@@ -92,6 +92,30 @@ TEST(FitSpin, ErrorsAreWhatTheySay) {
   EXPECT_LT(above, 1.0 - budget::fit_improbable) << distance << " on " << freedom;
 }
 
+// Bodies that are nearly flat, seen with errors that leave most of them on the triangle's bound:
+// some iterations, not hundreds.
+TEST(FitSpin, ComesToRestOnTheTriangle) {
+  std::size_t on_bound = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    oracle::Draw draw(52, k);
+    SpinFit fit;
+    fit.start = spun(1.0 / 2.6, 1.601 / 2.6, {0.05, 0.07, 0.21});
+    std::vector<detail::MotionPoint> points;
+    std::vector<double> times;
+    for (int i = 0; i < 41; ++i) times.push_back(1.5 * i);
+    ASSERT_TRUE(detail::free_motion(fit.start, times, {}, points));
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const Quaternion q = points[i].q * detail::turn_by(normal(draw, 0.087));
+      fit.seen.attitudes.push_back({times[i], q, covariance_of(0.087)});
+    }
+    const SpinSolution s = fit_spin(fit);
+    EXPECT_TRUE(s.is_found()) << s.result.sentence;
+    EXPECT_LE(s.result.iterations, 20);
+    if (!s.result.bound.empty()) ++on_bound;
+  }
+  EXPECT_GE(on_bound, 3u);
+}
+
 TEST(FitSpin, TakesDirectionsAndRates) {
   const SpinState& truth = truths()[1];
   std::vector<double> times;

@@ -34,6 +34,17 @@ const char* const box =
     "f 4 3 2 1\nf 5/1 6/1 7/1 8/1\nf 1//1 2//1 6//1 5//1 # bottom\nf 2/1/1 3/1/1 \\\n 7/1/1 6/1/1\n"
     "f -6 -5 -1 -2\nf -5 -8 -4 -1";
 
+TEST(Obj, WhatIsWrittenReadsBackBitForBit) {
+  const FacetShape shape = shape_from_obj(box, "box.obj").moved({0.1, 0.2, 0.3}, 1.0 / 3.0);
+  const FacetShape back = shape_from_obj(obj_text(shape), "back.obj");
+  ASSERT_EQ(back.vertices().size(), shape.vertices().size());
+  for (std::size_t i = 0; i < back.vertices().size(); ++i)
+    EXPECT_EQ(back.vertices()[i], shape.vertices()[i]);
+  ASSERT_EQ(back.triangles().size(), shape.triangles().size());
+  for (std::size_t i = 0; i < back.triangles().size(); ++i)
+    EXPECT_EQ(back.triangles()[i], shape.triangles()[i]);
+}
+
 TEST(Obj, ReadsWhatTheFormatAllows) {
   const FacetShape shape = shape_from_obj(box, "box.obj");
   EXPECT_EQ(shape.vertices().size(), 8U);

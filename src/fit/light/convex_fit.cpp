@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/fit/convex_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <string>
+
+#include "fit/detail/convex_surface.hpp"
+#include "fit/detail/light_outcome.hpp"
+#include "math/number_text.hpp"
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+#include "polhode/light/convex_body.hpp"
+#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/shape/mass_properties.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using detail::ConvexResiduals;
+using detail::ConvexSurface;
+
+const std::string who = "fit_convex: ";
+// Rounds of moments that follow the shape, and when they have come to rest.
+constexpr int most_rounds = 12;
+constexpr double same_moments = 1e-4;
+
+void require_start(const ConvexFit& fit) {
+  detail::require_spin(who, fit.start.spin, fit.most_iterations);
+  detail::require_law(who, fit.start.law, fit.multiple);
+  detail::require_diagonal(who, fit.start.spin, "the axes of the start");
+  for (const double axis : {fit.start.shape.a, fit.start.shape.b, fit.start.shape.c})
+    if (!(axis > 0.0) || !std::isfinite(axis))
+      throw DomainError(who + "semi-axis " + detail::number_text(axis) + " must be above 0");
+  const auto require_error = [](const char* name, double value) {
+    if (!(value > 0.0))
+      throw DomainError(who + name + " = " + detail::number_text(value) + " must be above 0");
+  };
+  require_error("closure_error", fit.closure_error);
+  require_error("axes_error", fit.axes_error);
+  require_error("roughness_error", fit.roughness_error);
+  require_error("moments_error", fit.moments_error);
+}
+
+// The start's ellipsoid with b = 1.
+std::vector<double> coefficients_of(const GaussianImage& image, const Ellipsoid& e) {
+  return image.coefficients(Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
+}
+
+class ConvexFitter {
+ public:
+  ConvexFitter(const ConvexFit& fit, ConvexSolution& found)
+      : fit_(fit),
+        unknowns_{fit.moments == MomentSource::fit, fit.multiple},
+        usual_(found.body.coefficients),
+        found_(found) {}
+
+  void run() {
+    const auto first = residuals();
+    detail::require_points(who, first->curves().size() + first->priors(), first->unknowns(),
+                           first->curves().groups());
+    const detail::TurningFit turning{
+        [this](int most_iterations) { return problem(most_iterations); },
+        [this](const std::vector<double>& x) { move(x); }};
+    int left = fit_.most_iterations;
+    for (int round = 0; round < most_rounds && left > 0; ++round) {
+      found_.notes.clear();
+      detail::settle(turning, left, first->curves().groups(), found_);
+      left -= found_.result.iterations;
+      if (fit_.moments != MomentSource::shape || !found_.is_found() || !moments_change()) break;
+    }
+    found_.result.iterations = fit_.most_iterations - left;
+    if (found_.result.end == LeastSquaresResult::End::no_value) return;
+    found_.factors = first->curves().session_factors(residuals()->brightness_at(found_.result.x));
+    detail::describe_motion(found_.body.spin, found_);
+  }
+
+ private:
+  std::shared_ptr<const ConvexResiduals> residuals() const {
+    const BrightConvex& b = found_.body;
+    return std::make_shared<const ConvexResiduals>(fit_.curves, unknowns_, b.spin, b.law,
+                                                   ConvexSurface(b.image, usual_, fit_));
+  }
+
+  LeastSquares problem(int most_iterations) const {
+    const auto shared = residuals();
+    const BrightConvex& b = found_.body;
+    LeastSquares p;
+    p.unknowns = detail::spin_unknowns(unknowns_, b.spin, b.law);
+    const std::vector<std::string> names = detail::coefficient_names(b.image.degree());
+    for (std::size_t k = 1; k < names.size(); ++k)
+      p.unknowns.push_back({.name = names[k], .start = b.coefficients[k]});
+    if (unknowns_.moments) {
+      p.triangle = {unknowns_.moments_at(), unknowns_.moments_at() + 1};
+      const double variance = fit_.moments_error * fit_.moments_error;
+      const Mat3& T = fit_.start.spin.inertia_F;
+      if (std::isfinite(variance))
+        p.priors = {{{"Ixx/Izz"}, {T(0, 0) / T(2, 2)}, {variance}},
+                    {{"Iyy/Izz"}, {T(1, 1) / T(2, 2)}, {variance}}};
+    }
+    p.residuals.data = shared->curves().size();
+    p.residuals.prior = shared->priors();
+    p.residuals.at = [shared](std::span<const double> x, std::span<double> numbers,
+                              std::span<double> jacobian) {
+      return shared->at(x, numbers, jacobian);
+    };
+    p.loss = fit_.loss;
+    p.most_iterations = most_iterations;
+    p.nearness = detail::surface_nearness;
+    return p;
+  }
+
+  void move(const std::vector<double>& x) {
+    const auto at = residuals();
+    BrightConvex& b = found_.body;
+    const std::span<const double> own = at->own_of(x);
+    std::copy(own.begin(), own.end(), b.coefficients.begin() + 1);
+    b.spin = at->spin_at(x);
+    b.law = at->law_at(x);
+  }
+
+  // Takes the moments of the body that was found; whether they are others.
+  bool moments_change() {
+    const ShapeInertia now = shape_inertia(found_.body);
+    Mat3& T = found_.body.spin.inertia_F;
+    const double change =
+        std::max(std::abs(now.Ixx - T(0, 0) / T(2, 2)), std::abs(now.Iyy - T(1, 1) / T(2, 2)));
+    if (change <= same_moments) return false;
+    T = Mat3::identity();
+    T(0, 0) = now.Ixx;
+    T(1, 1) = now.Iyy;
+    return true;
+  }
+
+  const ConvexFit& fit_;
+  detail::SurfaceUnknowns unknowns_;
+  std::vector<double> usual_;
+  ConvexSolution& found_;
+};
+
+}  // namespace
+
+FacetShape BrightConvex::mesh() const { return convex_body(image.normals(), areas()); }
+
+ConvexSolution fit_convex(const ConvexFit& fit) {
+  require_sound(fit.curves, {.vectors = true});
+  require_start(fit);
+  const GaussianImage image(fit.degree, fit.rows);
+  SpinState spin = fit.start.spin;
+  const double unit = spin.inertia_F(2, 2);
+  for (Vec3& row : spin.inertia_F.row) row = (1.0 / unit) * row;
+  ConvexSolution found{{}, {spin, fit.start.law, image, coefficients_of(image, fit.start.shape)}};
+  ConvexFitter(fit, found).run();
+  return found;
+}
+
+std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
+                                              std::span<const LightCurve> curves) {
+  require_sound(curves, {.vectors = true});
+  const ConvexResiduals residuals(curves, {}, body.spin, body.law,
+                                  ConvexSurface(body.image, body.coefficients, {}));
+  const Vec3& w = body.spin.w_F;
+  std::vector<double> x{0.0, 0.0, 0.0, w.x, w.y, w.z};
+  x.insert(x.end(), body.coefficients.begin() + 1, body.coefficients.end());
+  const std::vector<double> B = residuals.brightness_at(x);
+  if (B.empty()) throw DomainError("model_fluxes: the body has no motion");
+  return residuals.curves().fluxes(B);
+}
+
+std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, const ConvexFit& how,
+                                               int threads, std::size_t most) {
+  std::vector<std::size_t> pairs;
+  for (std::size_t p = 0; p < found.best_of_periods.size(); ++p)
+    if (found.best_of_periods[p]) pairs.push_back(p);
+  std::ranges::stable_sort(
+      pairs, {}, [&](std::size_t p) { return found.best_of_periods[p]->result.chi_square; });
+  pairs.resize(std::min(most, pairs.size()));
+  std::vector<FoundConvex> all;
+  run_cells(
+      0, std::ssize(pairs), threads,
+      [&](std::int64_t k) {
+        const std::size_t p = pairs[static_cast<std::size_t>(k)];
+        ConvexFit fit = how;
+        fit.start = found.best_of_periods[p]->body;
+        return FoundConvex{p, fit_convex(fit)};
+      },
+      [&](std::int64_t, const FoundConvex& f) { all.push_back(f); });
+  std::ranges::stable_sort(all, {}, [](const FoundConvex& f) {
+    return std::pair(!f.solution.is_found(), f.solution.result.chi_square);
+  });
+  return all;
+}
+
+ShapeInertia shape_inertia(const BrightConvex& body) {
+  const Mat3 T = mass_properties(body.mesh(), 1.0).inertia;
+  const Quaternion q = Body::from_tensor(T).q_FB();
+  return {T(0, 0) / T(2, 2), T(1, 1) / T(2, 2), norm(attitude_residual({}, normalized(q)))};
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "fit/detail/light_outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/math/real.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+double LightOutcome::error_factor() const {
+  return std::sqrt(result.chi_square / degrees_of_freedom);
+}
+
+namespace detail {
+namespace {
+
+// Beyond this the vector of a turn is taken about the attitude that was found, and the fit goes on.
+constexpr double far_turn = 1.0;
+
+FreeRotation motion_of(const SpinState& s) {
+  const double unit = s.inertia_F(2, 2);
+  Mat3 scaled = s.inertia_F;
+  for (Vec3& row : scaled.row) row = (1.0 / unit) * row;
+  const bool is_diagonal = scaled(0, 1) == 0.0 && scaled(1, 2) == 0.0 && scaled(0, 2) == 0.0;
+  if (is_diagonal) {
+    const Vec3 I{scaled(0, 0), scaled(1, 1), 1.0};
+    return FreeRotation(Body(I.x, I.y, I.z),
+                        {normalized(s.q), {I.x * s.w_F.x, I.y * s.w_F.y, s.w_F.z}}, s.t0);
+  }
+  const Body body = Body::from_tensor(scaled);
+  const Quaternion to_B = conj(body.q_FB());
+  return FreeRotation(body, {normalized(s.q) * body.q_FB(), rotate(to_B, scaled * s.w_F)}, s.t0);
+}
+
+}  // namespace
+
+void require_spin(const std::string& who, const SpinState& s, int most_iterations) {
+  if (most_iterations < 1)
+    throw DomainError(who + "most_iterations = " + std::to_string(most_iterations) +
+                      " must be 1 or more");
+  const double size = s.q.w * s.q.w + s.q.x * s.q.x + s.q.y * s.q.y + s.q.z * s.q.z;
+  if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0))
+    throw DomainError(who + "the start, t0 = " + number_text(s.t0) +
+                      " and its quaternion, must be finite, the quaternion not 0");
+  const double rate = norm(s.w_F);
+  if (!std::isfinite(rate) || !(rate > 0.0))
+    throw DomainError(who + "the rate at the start, " + tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
+                      ", must be finite and not 0");
+}
+
+void require_law(const std::string& who, const Scattering& law, bool is_unknown) {
+  if (!(law.single >= 0.0) || !(law.multiple >= 0.0) || !(law.single + law.multiple > 0.0))
+    throw DomainError(who + "weights of scattering " + tuple_text({law.single, law.multiple}) +
+                      " must not be below 0, and one above");
+  if (is_unknown && !(law.single > 0.0))
+    throw DomainError(who +
+                      "an unknown weight of Lambert's law needs that of Lommel and Seeliger to be "
+                      "above 0");
+}
+
+void require_diagonal(const std::string& who, const SpinState& s, const std::string& why) {
+  const Mat3& T = s.inertia_F;
+  if (T(0, 1) != 0.0 || T(1, 2) != 0.0 || T(0, 2) != 0.0)
+    throw DomainError(who + why + " must be principal: products of inertia are " +
+                      tuple_text({T(0, 1), T(1, 2), T(0, 2)}));
+  static_cast<void>(Body(T(0, 0), T(1, 1), T(2, 2)));  // says what is wrong with them
+}
+
+void require_points(const std::string& who, std::size_t points, std::size_t unknowns,
+                    std::size_t groups) {
+  if (points >= unknowns + groups) return;
+  throw DomainError(who + std::to_string(points) + " points for " + std::to_string(unknowns) +
+                    " unknowns and " + std::to_string(groups) +
+                    (groups == 1 ? " factor" : " factors") + "; expected as many at least");
+}
+
+void describe_motion(const SpinState& spin, LightOutcome& found) {
+  const FreeRotation motion = motion_of(spin);
+  const Vec3 L = inertial_momentum(motion.initial_state());
+  found.pole = (1.0 / norm(L)) * L;
+  found.periods.mode = motion.regime();
+  if (motion.regime() != Regime::short_axis && motion.regime() != Regime::long_axis) return;
+  found.periods.precession_period = 2.0 * pi<double>() / motion.precession_rate_long();
+  found.periods.rotation_period = motion.polhode_period();
+}
+
+void settle(const TurningFit& fit, int most_iterations, std::size_t groups, LightOutcome& found) {
+  int iterations = 0, evaluations = 0;
+  // each round has one iteration at least
+  while (iterations < most_iterations) {
+    found.result = solve(fit.problem(most_iterations - iterations));
+    iterations += found.result.iterations;
+    evaluations += found.result.evaluations;
+    const std::vector<double>& x = found.result.x;
+    fit.move(x);
+    if (norm(Vec3{x[0], x[1], x[2]}) <= far_turn || found.result.iterations == 0 ||
+        found.result.end == LeastSquaresResult::End::no_value)
+      break;
+  }
+  found.result.iterations = iterations;
+  found.result.evaluations = evaluations;
+  // The same numbers with turns about what was found.
+  std::fill_n(found.result.x.begin(), 3, 0.0);
+  const LeastSquares problem = fit.problem(most_iterations);
+  found.covariance = covariance(problem, found.result);
+  found.degrees_of_freedom =
+      degrees_of_freedom(problem, found.result) - static_cast<double>(groups);
+  for (const auto& weak : found.covariance.weak) found.notes.push_back(weak.sentence);
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Convex bodies and given shapes: derivatives, recovery of bodies that are no ellipsoids, bad
+// input.
+#include "polhode/fit/convex_fit.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bright_night.hpp"
+#include "budgets.hpp"
+#include "fit/detail/convex_surface.hpp"
+#include "fit/detail/rotation_vector.hpp"
+#include "message_of.hpp"
+#include "polhode/fit/mesh_fit.hpp"
+#include "unit/light/meshes.hpp"
+#include "worst.hpp"
+
+namespace {
+using namespace polhode;
+using namespace polhode::test;
+using testing::HasSubstr;
+
+// A body in short-axis mode, one end of it thicker and its sides flattened.
+BrightConvex egg() {
+  const GaussianImage image(4, 5);
+  std::vector<double> c = image.coefficients(Ellipsoid{1.2, 1.0, 0.6});
+  c[16] += 0.15;  // l = 4
+  c[20] += 0.25;
+  c[24] -= 0.2;
+  return {in_short_axis_mode.spin, {}, image, c};
+}
+
+// Its light, with noise relative to the flux.
+template <class Body>
+std::vector<LightCurve> light_of(const Body& body, std::size_t count, double noise) {
+  LightCurve curve = night(in_short_axis_mode, 6.0, count, 0.02, 3);
+  std::vector<LightCurve> curves{curve};
+  const std::vector<double> flux = model_fluxes(body, curves).front();
+  const CounterRandom random(5, key_of("egg"));
+  for (std::size_t i = 0; i < count; ++i) {
+    LightPoint& p = curves[0].points[i];
+    p.flux = flux[i] * (1.0 + noise * random.normal(i, 0));
+    p.sigma = (noise > 0.0 ? noise : 1e-3) * flux[i];
+  }
+  return curves;
+}
+
+// Central differences of fourth order of all numbers, priors included.
+template <class R>
+double worst_derivative(const R& residuals, const std::vector<double>& x) {
+  const std::size_t n = x.size(), m = residuals.curves().size() + residuals.priors();
+  std::vector<double> numbers(m), jacobian(m * n);
+  EXPECT_TRUE(residuals.at(x, numbers, jacobian));
+  Worst<> worst;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto moved = [&](double by) {
+      std::vector<double> at = x, found(m);
+      at[k] += by;
+      EXPECT_TRUE(residuals.at(at, found, {}));
+      return found;
+    };
+    const double h = 1e-6;
+    const auto a = moved(h), b = moved(-h), c = moved(2.0 * h), d = moved(-2.0 * h);
+    double largest = 0.0;
+    std::vector<double> off;
+    for (std::size_t i = 0; i < m; ++i) {
+      const double slope = (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * h);
+      largest = larger(largest, std::abs(slope));
+      off.push_back(std::abs(jacobian[i * n + k] - slope));
+    }
+    for (const double o : off) worst.add(o / largest);
+  }
+  return worst.value();
+}
+
+TEST(ConvexFit, DerivativesAreThoseOfDifferences) {
+  const BrightConvex body = egg();
+  const std::vector<LightCurve> curves = light_of(body, 25, 0.02);
+  const detail::SurfaceUnknowns unknowns{true, true};
+  ConvexFit how;
+  const detail::ConvexResiduals residuals(
+      curves, unknowns, body.spin, body.law,
+      detail::ConvexSurface(body.image, body.coefficients, how));
+  std::vector<double> x{0.2, -0.1, 0.05};
+  for (const Unknown& u : detail::spin_unknowns(unknowns, body.spin, body.law))
+    if (!u.name.starts_with("turn")) x.push_back(u.start);
+  ASSERT_EQ(x.size(), unknowns.own_at());
+  for (std::size_t k = 1; k < body.coefficients.size(); ++k)
+    x.push_back(body.coefficients[k] + 0.02 * std::cos(static_cast<double>(k)));
+  EXPECT_LE(worst_derivative(residuals, x), budget::surface_bend);
+}
+
+TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
+  const BrightConvex truth = egg();
+  const std::vector<LightCurve> curves = light_of(truth, 150, 0.005);
+  LightFit ellipsoid{curves, in_short_axis_mode, {}, {}, 100};
+  ellipsoid.start.shape = {1.0, 0.85, 0.5};
+  const LightSolution first = fit_light(ellipsoid);
+  ConvexFit fit;
+  fit.curves = curves;
+  fit.start = first.body;
+  fit.degree = 4;
+  fit.rows = 5;
+  const ConvexSolution found = fit_convex(fit);
+  ASSERT_TRUE(found.is_found()) << found.result.sentence;
+  const auto reduced = [](const LightOutcome& s) {
+    return s.result.chi_square / s.degrees_of_freedom;
+  };
+  EXPECT_GT(reduced(first), budget::light_misfit);
+  EXPECT_LT(reduced(found), budget::light_noise);
+  EXPECT_EQ(found.periods.mode, Regime::short_axis);
+  EXPECT_EQ(found.factors.size(), 1u);
+  // the body itself: closed, its axes near those of the spin
+  const FacetShape mesh = found.body.mesh();
+  EXPECT_TRUE(mesh.is_closed());
+  const ShapeInertia inertia = shape_inertia(found.body);
+  EXPECT_LT(inertia.axes_off, budget::convex_axes);
+  EXPECT_NEAR(inertia.Ixx, found.body.spin.inertia_F(0, 0), budget::convex_ratio);
+
+  fit.moments = MomentSource::shape;
+  const ConvexSolution tied = fit_convex(fit);
+  ASSERT_TRUE(tied.is_found()) << tied.result.sentence;
+  const ShapeInertia own = shape_inertia(tied.body);
+  EXPECT_NEAR(own.Ixx, tied.body.spin.inertia_F(0, 0), budget::convex_moments);
+  EXPECT_NEAR(own.Iyy, tied.body.spin.inertia_F(1, 1), budget::convex_moments);
+}
+
+TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
+  const std::vector<LightCurve> curves = light_of(egg(), 60, 0.01);
+  LightSearchResult search;
+  search.best_of_periods.resize(3);
+  LightFit ellipsoid{curves, in_short_axis_mode, {}, {}, 100};
+  search.best_of_periods[2] = fit_light(ellipsoid);
+  ellipsoid.start.spin.w_F = 1.15 * ellipsoid.start.spin.w_F;
+  search.best_of_periods[0] = fit_light(ellipsoid);
+  ConvexFit how;
+  how.curves = curves;
+  how.degree = 3;
+  how.rows = 4;
+  how.most_iterations = 40;
+  const std::vector<FoundConvex> found = fit_convex_of_periods(search, how, 2);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].periods, 2u);
+  EXPECT_EQ(found[1].periods, 0u);
+  EXPECT_EQ(fit_convex_of_periods(search, how, 1, 1).size(), 1u);
+}
+
+TEST(MeshFit, FindsTheSpinOfAConvexMesh) {
+  const FacetShape mesh = egg().mesh();
+  const BrightMesh truth{in_short_axis_mode.spin, ShadedMesh(mesh), Scattering::mixed(0.2)};
+  ASSERT_TRUE(truth.shape.is_shadowless());
+  MeshFit fit{light_of(truth, 60, 0.0), truth, MomentSource::fit, true, {}, 100};
+  fit.start.law = {};
+  fit.start.spin.q = truth.spin.q * detail::turn_by({0.1, -0.05, 0.08});
+  fit.start.spin.w_F = 1.01 * truth.spin.w_F;
+  fit.start.spin.inertia_F(0, 0) *= 1.02;
+  const MeshSolution found = fit_mesh(fit);
+  ASSERT_TRUE(found.is_found()) << found.result.sentence;
+  EXPECT_LE(norm(attitude_residual(truth.spin.q, found.body.spin.q)), budget::mesh_exact);
+  EXPECT_LE(norm(found.body.spin.w_F - truth.spin.w_F), budget::mesh_exact);
+  EXPECT_NEAR(found.body.law.multiple, 0.2, budget::mesh_exact);
+}
+
+// Balls that touch shade each other; the light of their facets jumps at the edges of shadows.
+TEST(MeshFit, TakesShadows) {
+  const auto ball = [](double at, double radius) {
+    return globe(10, [=](const Vec3& v) {
+      return Vec3{at + radius * v.x, radius * v.y, radius * v.z};
+    });
+  };
+  const FacetShape bulge = ball(0.0, 0.3).moved({0.0, -0.75, 0.1}, 1.0);
+  const FacetShape pair = joined(joined(ball(-0.6, 0.6), ball(0.45, 0.45)), bulge);
+  SpinState spin = in_short_axis_mode.spin;
+  spin.inertia_F = homogeneous_inertia(pair);
+  const BrightMesh truth{spin, ShadedMesh(pair), {}};
+  ASSERT_FALSE(truth.shape.is_shadowless());
+  MeshFit fit{light_of(truth, 60, 0.0), truth, MomentSource::start, false, {}, 60};
+  for (LightPoint& p : fit.curves[0].points) p.sigma = 0.02 * p.flux;
+  fit.start.spin.q = truth.spin.q * detail::turn_by({0.05, -0.03, 0.04});
+  fit.start.spin.w_F = 1.003 * truth.spin.w_F;
+  const MeshSolution found = fit_mesh(fit);
+  EXPECT_LE(norm(attitude_residual(truth.spin.q, found.body.spin.q)), budget::mesh_shadows);
+  EXPECT_LE(norm(found.body.spin.w_F - truth.spin.w_F), budget::mesh_shadows);
+}
+
+TEST(ConvexFit, SaysWhatIsWrong) {
+  ConvexFit fit;
+  fit.curves = {night(in_short_axis_mode, 2.0, 9, 0.02, 1)};
+  fit.start = in_short_axis_mode;
+  const auto refusal = [&](const auto& change) {
+    ConvexFit bad = fit;
+    change(bad);
+    return message_of([&] { static_cast<void>(fit_convex(bad)); });
+  };
+  EXPECT_EQ(refusal([](ConvexFit& f) { f.closure_error = 0.0; }),
+            "fit_convex: closure_error = 0 must be above 0");
+  EXPECT_EQ(refusal([](ConvexFit& f) { f.roughness_error = -1.0; }),
+            "fit_convex: roughness_error = -1 must be above 0");
+  EXPECT_EQ(refusal([](ConvexFit& f) { f.most_iterations = 0; }),
+            "fit_convex: most_iterations = 0 must be 1 or more");
+  EXPECT_THAT(refusal([](ConvexFit& f) { f.degree = 50; }), HasSubstr("degree 50"));
+  EXPECT_THAT(refusal([](ConvexFit& f) { f.start.spin.inertia_F(0, 1) = 0.1; }),
+              HasSubstr("the axes of the start must be principal"));
+  MeshFit mesh{fit.curves, {in_short_axis_mode.spin, ShadedMesh(egg().mesh()), {}}, {}, false, {},
+               10};
+  mesh.moments = MomentSource::shape;
+  EXPECT_THAT(message_of([&] { static_cast<void>(fit_mesh(mesh)); }),
+              HasSubstr("moments cannot follow a shape that stays"));
+  mesh.moments = MomentSource::start;
+  mesh.curves[0].points.resize(6);
+  EXPECT_EQ(message_of([&] { static_cast<void>(fit_mesh(mesh)); }),
+            "fit_mesh: 6 points for 6 unknowns and 1 factor; expected as many at least");
+}
+
+}  // namespace

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Convex bodies from the areas of their facets: boxes, bodies of a Gaussian image, and what is
+// none.
+#include "polhode/light/convex_body.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <vector>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/light/gaussian_image.hpp"
+#include "polhode/light/shaded_mesh.hpp"
+#include "polhode/math/real.hpp"
+#include "polhode/shape/mass_properties.hpp"
+#include "worst.hpp"
+
+namespace {
+using namespace polhode;
+using testing::HasSubstr;
+
+const std::vector<Vec3> six{{1.0, 0.0, 0.0},  {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0},
+                            {0.0, -1.0, 0.0}, {0.0, 0.0, 1.0},  {0.0, 0.0, -2.0}};
+
+// The area of the facets on each normal, over the area asked for.
+double worst_area(const FacetShape& mesh, std::span<const Vec3> normals,
+                  std::span<const double> areas) {
+  std::vector<double> found(areas.size(), 0.0);
+  for (const Facet& f : mesh.facets()) {
+    std::size_t nearest = 0;
+    for (std::size_t j = 1; j < normals.size(); ++j)
+      if (dot(normals[j], f.normal) > dot(normals[nearest], f.normal)) nearest = j;
+    found[nearest] += f.area;
+  }
+  test::Worst<> worst;
+  for (std::size_t j = 0; j < areas.size(); ++j)
+    worst.add(std::abs(found[j] - areas[j]) / mesh.area());
+  return worst.value();
+}
+
+TEST(LightConvexBody, IsABox) {
+  const std::vector<double> areas{6.0, 6.0, 3.0, 3.0, 2.0, 2.0};  // 1 by 2 by 3
+  const FacetShape box = convex_body(six, areas);
+  EXPECT_EQ(box.vertices().size(), 8u);
+  EXPECT_EQ(box.triangles().size(), 12u);
+  for (const Vec3& v : box.vertices()) {
+    EXPECT_NEAR(std::abs(v.x), 0.5, budget::convex_areas);
+    EXPECT_NEAR(std::abs(v.y), 1.0, budget::convex_areas);
+    EXPECT_NEAR(std::abs(v.z), 1.5, budget::convex_areas);
+  }
+  EXPECT_TRUE(is_convex(box));
+}
+
+// Areas of ellipsoids and of a body without symmetry come back, whatever the sizes of facets.
+TEST(LightConvexBody, HasTheAreasOfAGaussianImage) {
+  const GaussianImage image(6, 6);
+  const Ellipsoid e{1.6, 1.0, 0.7};
+  std::vector<double> c = image.coefficients(e);
+  for (const bool is_ellipsoid : {true, false}) {
+    if (!is_ellipsoid) {
+      for (std::size_t k = 9; k < c.size(); ++k)
+        c[k] += 0.05 * std::sin(7.0 * static_cast<double>(k));
+    }
+    std::vector<double> A = image.areas(c);
+    // no share in closure: each with that of its opposite
+    if (!is_ellipsoid) {
+      const Vec3 off = image.closure(A);
+      EXPECT_GT(norm(off), 0.0);
+    }
+    const FacetShape mesh = convex_body(image.normals(), A);
+    EXPECT_TRUE(mesh.is_closed());
+    const double closure = norm(image.closure(A)) / mesh.area();
+    EXPECT_LE(worst_area(mesh, image.normals(), A), budget::convex_areas + closure);
+    const MassProperties m = mass_properties(mesh, 1.0);
+    EXPECT_LE(norm(m.centre), budget::convex_areas);
+    if (!is_ellipsoid) continue;
+    EXPECT_NEAR(m.volume / (4.0 / 3.0 * pi<double>() * e.a * e.b * e.c), 1.0,
+                budget::convex_volume);
+    const Vec3 I = homogeneous_moments(e, 1.0);
+    EXPECT_NEAR(m.inertia(0, 0) / m.inertia(2, 2), I.x / I.z, budget::convex_volume);
+    EXPECT_NEAR(m.inertia(1, 1) / m.inertia(2, 2), I.y / I.z, budget::convex_volume);
+  }
+}
+
+TEST(LightConvexBody, SaysWhatIsNone) {
+  const auto refusal = [](std::vector<Vec3> n, std::vector<double> A) {
+    return test::message_of([&] { static_cast<void>(convex_body(n, A)); });
+  };
+  EXPECT_EQ(refusal(six, {1.0}), "convex_body: 1 areas for 6 normals; expected one for each");
+  EXPECT_EQ(refusal({six[0], six[1], six[2]}, {1.0, 1.0, 1.0}),
+            "convex_body: 3 facets; expected 4 or more");
+  EXPECT_EQ(refusal(six, {1.0, 1.0, 1.0, 1.0, 1.0, -1.0}),
+            "convex_body: area 6, -1, must be positive and finite");
+  EXPECT_THAT(refusal(six, {9.0, 1.0, 1.0, 1.0, 1.0, 1.0}), HasSubstr("too far from 0"));
+  EXPECT_THAT(refusal({six[0], six[1], six[2], six[3], six[0]}, {1.0, 2.0, 1.0, 1.0, 1.0}),
+              HasSubstr("leave a side of the body open"));
+  std::vector<Vec3> zero = six;
+  zero[2] = {};
+  EXPECT_THAT(refusal(zero, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}), HasSubstr("normal 3 must be finite"));
+}
+
+}  // namespace
