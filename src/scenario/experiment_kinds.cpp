@@ -71,6 +71,7 @@ ExperimentRow fit_row(const DescribedParts& described) {
   row.name = "fit";
   row.parts.push_back(observation_keys());
   row.parts.push_back(fit_keys());
+  row.parts.push_back(fit_torque_keys());
   return row;
 }
 

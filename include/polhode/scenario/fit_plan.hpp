@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "polhode/fit/spin_fit.hpp"
+#include "polhode/scenario/fit_drive.hpp"
 #include "polhode/scenario/observation.hpp"
 #include "polhode/scenario/rotation.hpp"
 
@@ -36,6 +37,7 @@ struct FitPlan {
   double within = 0.0;       // chi-square above the least up to which solutions are reported
   std::uint64_t seed = 1;    // of starts
   std::uint64_t noise = 1;   // the seed of what simulations add
+  FitDrive drive;            // what of torques is unknown
 };
 
 // That of a scenario of kind "fit"; null of any other.

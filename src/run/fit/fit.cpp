@@ -6,6 +6,7 @@
 
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
+#include "run/fit/driven.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 
@@ -24,11 +25,7 @@ constexpr double least_freedom = 0.5;
 
 const FitPlan& plan_of(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
-  const Rotation& rotation = scenario.rotation();
-  if (!rotation.kinds.empty())
-    refuse(scenario, "perturbation[0].kind",
-           "expected no perturbation: a fit is one of free rotation");
-  if (!rotation.frame.is_inertial())
+  if (!scenario.rotation().frame.is_inertial())
     refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
   return plan;
 }
@@ -61,9 +58,9 @@ SpinState start_of(const FitPlan& plan, const SpinState& own, std::int64_t place
   return start;
 }
 
-bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSolution& found) {
-  return mahalanobis(kept.covariance, unknowns_at(problem, kept.state, found.state),
-                     unknowns_at(problem, kept.state, kept.state)) <= same_distance;
+bool are_same(const FitReport& report, const SpinSolution& kept, const SpinSolution& found) {
+  return mahalanobis(kept.covariance, detail::unknowns_of(report, kept.state, found),
+                     detail::unknowns_of(report, kept.state, kept)) <= same_distance;
 }
 
 // The solutions so far, each once.
@@ -75,7 +72,7 @@ class Solutions {
   void add(SpinSolution found, std::int64_t start) {
     if (!found.is_found()) return fail(found.result.sentence);
     for (FoundSpin& kept : report_.solutions) {
-      if (!are_same(problem_, kept.raw, found)) continue;
+      if (!are_same(report_, kept.raw, found)) continue;
       ++kept.starts;
       if (found.result.cost < kept.raw.result.cost) kept.raw = std::move(found);
       return;
@@ -88,7 +85,7 @@ class Solutions {
   void try_from(const SpinFit& one, std::int64_t start) {
     std::optional<SpinSolution> found;
     try {
-      found = fit_spin(one);
+      found = detail::solved(report_, one);
     } catch (const DomainError& error) {
       return fail(error.what());
     }
@@ -122,7 +119,7 @@ class Solutions {
     again.start = raw.result.bound.empty() ? raw.state : start_of(plan_, problem_.start, of.start);
     again.scales_errors = true;
     try {
-      SpinSolution found = fit_spin(again);
+      SpinSolution found = detail::solved(report_, again, &raw);
       if (found.is_found()) return found;
     } catch (const DomainError&) {  // nearer to a bound than a start may be
     }
@@ -141,6 +138,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   FitReport report;
   report.observed = read_observations(scenario);
   report.problem = problem_of(scenario, plan, report.observed.seen);
+  report.drive = detail::drive_of(scenario);
   Solutions solutions(report.problem, plan, report);
   for (report.starts = 0; report.starts < plan.starts; ++report.starts) {
     if (options.stop && options.stop())
@@ -151,9 +149,10 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
     if (report.starts > 0)
       solutions.try_from(one, report.starts);
     else
-      solutions.add(detail::built(scenario.document.checked->values, "free.unknowns",
-                                  scenario.document.path, [&] { return fit_spin(one); }),
-                    0);
+      solutions.add(
+          detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path,
+                        [&] { return detail::solved(report, one); }),
+          0);
     if (options.progress) options.progress(report.starts + 1);
   }
   solutions.finish();

@@ -12,6 +12,7 @@
 #include "polhode/run/fit.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/own_files.hpp"
+#include "run/fit/driven.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 
@@ -63,7 +64,7 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
   const ReadObservations& observed = report.observed;
   const Snapshots& seen = observed.seen;
   const std::vector<double> times = times_of(seen);
-  const std::vector<PredictedAttitude> at = predicted(report.problem, found, times);
+  const std::vector<PredictedAttitude> at = detail::predicted_by(report, found, times);
   std::vector<Residual> all;
   std::size_t k = 0, number = 0;
   const auto add = [&](const ObservedRow& place, std::size_t size) -> Residual& {
@@ -185,11 +186,7 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
   // what one unit of each unknown is in those of the file
   std::vector<double> factor;
   for (std::size_t i = 0; i < n; ++i)
-    factor.push_back(numbers[i].unit == "1"
-                         ? 1.0
-                         : scenario.units().from_core(1.0, c.names[i].starts_with("turn_")
-                                                               ? Dimension::angle
-                                                               : Dimension::rate));
+    factor.push_back(detail::unit_of(scenario, c.names[i]).of(1.0));
   std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
   std::string notes = "unknowns:";
   for (std::size_t i = 0; i < n; ++i) {
@@ -212,7 +209,8 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
 }
 
 std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
-  const SpinState& state = report.solutions.at(solution).raw.state;
+  const SpinSolution& raw = report.solutions.at(solution).raw;
+  const SpinState state = detail::last_state(report, raw);
   std::vector<ScenarioChange> changes = {{"kind", ""},     {"free", ""}, {"fit", ""},
                                          {"simulate", ""}, {"map", ""},  {"ensemble", ""}};
   for (std::size_t i = require_fit(scenario).observations.size(); i-- > 0;)
@@ -220,10 +218,11 @@ std::string solution_text(const Scenario& scenario, const FitReport& report, std
   add_body(scenario, report, state, changes);
   add_state(scenario, state, changes);
   add_time(scenario, report, changes);
+  detail::add_torques(scenario, report, raw, changes);
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + "\n" +
-         changed_text(scenario.document.text, changes);
+         detail::jump_comment(scenario, report) + changed_text(scenario.document.text, changes);
 }
 
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,

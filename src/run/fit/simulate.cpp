@@ -12,6 +12,7 @@
 #include "polhode/error.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/own_files.hpp"
+#include "run/fit/driven.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/printable.hpp"
@@ -41,8 +42,21 @@ const FitPlan& plan_of(const Scenario& scenario) {
   return plan;
 }
 
+// With the jumps that the file begins a fit from.
+std::vector<Seen> motion_with_jumps(const Scenario& scenario) {
+  const SaveAt& times = *scenario.rotation().time;
+  std::vector<double> at;
+  for (std::int64_t k = 0; k < times.size(); ++k) at.push_back(times[k]);
+  std::vector<Seen> all;
+  for (const PredictedAttitude& one :
+       driven_attitudes(spin_state(scenario.rotation()), *detail::drive_of(scenario), at))
+    all.push_back({one.t, one.q, one.w_F});
+  return all;
+}
+
 std::vector<Seen> motion_of(const Scenario& scenario) {
   const Rotation& rotation = scenario.rotation();
+  if (!require_fit(scenario).drive.jumps.empty()) return motion_with_jumps(scenario);
   const Quaternion f = rotation.q_file;
   std::vector<Seen> all;
   if (!propagation_method(rotation)) {

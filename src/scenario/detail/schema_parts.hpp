@@ -34,6 +34,7 @@ SchemaPart ensemble_keys();
 SchemaPart planet_keys();
 SchemaPart observation_keys();
 SchemaPart fit_keys();
+SchemaPart fit_torque_keys();
 
 }  // namespace detail
 }  // namespace v0
