@@ -42,8 +42,15 @@ const FitPlan& plan_of(const Scenario& scenario) {
   return plan;
 }
 
-// With the jumps that the file begins a fit from.
-std::vector<Seen> motion_with_jumps(const Scenario& scenario) {
+bool begins_before_0(const Rotation& rotation) {
+  const SaveAt& times = *rotation.time;
+  for (std::int64_t k = 0; k < times.size(); ++k)
+    if (times[k] < 0.0) return true;
+  return false;
+}
+
+// With the jumps that the file begins a fit from, and before t = 0, too.
+std::vector<Seen> motion_as_fitted(const Scenario& scenario) {
   const SaveAt& times = *scenario.rotation().time;
   std::vector<double> at;
   for (std::int64_t k = 0; k < times.size(); ++k) at.push_back(times[k]);
@@ -56,7 +63,9 @@ std::vector<Seen> motion_with_jumps(const Scenario& scenario) {
 
 std::vector<Seen> motion_of(const Scenario& scenario) {
   const Rotation& rotation = scenario.rotation();
-  if (!require_fit(scenario).drive.jumps.empty()) return motion_with_jumps(scenario);
+  const bool has_jumps = !require_fit(scenario).drive.jumps.empty();
+  const bool is_driven = !rotation.kinds.empty() && !rotation.damper;
+  if (has_jumps || (is_driven && begins_before_0(rotation))) return motion_as_fitted(scenario);
   const Quaternion f = rotation.q_file;
   std::vector<Seen> all;
   if (!propagation_method(rotation)) {
