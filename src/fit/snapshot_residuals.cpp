@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/detail/snapshot_residuals.hpp"
 
-#include <Eigen/Dense>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "fit/detail/rotation_vector.hpp"
@@ -11,46 +9,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-namespace {
-
-// L^-1 of C = L L^T.
-Mat3 whitening(const Mat3& covariance) {
-  Eigen::Matrix3d c;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) c(i, j) = covariance(i, j);
-  }
-  const Eigen::Matrix3d root =
-      c.llt().matrixL().solve(Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
-  Mat3 found;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) found(i, j) = root(i, j);
-  }
-  return found;
-}
-
-Vec3 unit(const Vec3& v) { return (1.0 / norm(v)) * v; }
-
-// Two directions across d.
-std::array<Vec3, 2> across(const Vec3& d) {
-  const Vec3 other = std::abs(d.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-  const Vec3 e = unit(cross(d, other));
-  return {e, cross(d, e)};
-}
-
-// k = angle / sin(angle), and dk/dcos(angle).
-struct Stretch {
-  double k, slope;
-};
-Stretch stretch(double sine, double cosine) {
-  const double s2 = sine * sine;
-  if (s2 < 1e-6 && cosine > 0.0) {
-    return {1.0 + s2 / 6.0 + 3.0 * s2 * s2 / 40.0, -(1.0 + 0.4 * s2) / 3.0};
-  }
-  const double k = std::atan2(sine, cosine) / sine;
-  return {k, (cosine * k - 1.0) / s2};
-}
-
-}  // namespace
 
 std::vector<std::size_t> parameters_of(const SpinUnknowns& unknowns) {
   std::vector<std::size_t> found;
@@ -100,79 +58,24 @@ SpinState state_at(const SpinState& start, const std::vector<std::size_t>& param
   return s;
 }
 
-// Where rows of residuals and their derivatives go, one observation after the other.
-class SnapshotResiduals::Rows {
- public:
-  Rows(std::span<double> numbers, std::span<double> jacobian, std::size_t unknowns)
-      : numbers_(numbers), jacobian_(jacobian), unknowns_(unknowns) {}
-
-  bool has_derivatives() const { return !jacobian_.empty(); }
-  // root r, and by unknown k root slope(k).
-  void add(const Mat3& root, const Vec3& r, const auto& slope) {
-    const Vec3 white = root * r;
-    for (int i = 0; i < 3; ++i) numbers_[row_ + static_cast<std::size_t>(i)] = white[i];
-    for (std::size_t k = 0; has_derivatives() && k < unknowns_; ++k) {
-      const Vec3 column = root * slope(k);
-      for (int i = 0; i < 3; ++i) {
-        jacobian_[(row_ + static_cast<std::size_t>(i)) * unknowns_ + k] = column[i];
-      }
-    }
-    row_ += 3;
-  }
-  void add(double r, const auto& slope) {
-    numbers_[row_] = r;
-    for (std::size_t k = 0; has_derivatives() && k < unknowns_; ++k) {
-      jacobian_[row_ * unknowns_ + k] = slope(k);
-    }
-    ++row_;
-  }
-
- private:
-  std::span<double> numbers_, jacobian_;
-  std::size_t unknowns_;
-  std::size_t row_ = 0;
-};
-
 SnapshotResiduals::SnapshotResiduals(const SpinFit& fit)
-    : fit_(fit), parameters_(parameters_of(fit.unknowns)) {
-  for (const ObservedAttitude& a : fit.seen.attitudes) {
-    times_.push_back(a.t);
-    attitude_roots_.push_back(whitening(a.covariance));
-  }
-  for (const ObservedDirection& d : fit.seen.directions) times_.push_back(d.t);
-  for (const ObservedRate& r : fit.seen.rates) {
-    times_.push_back(r.t);
-    rate_roots_.push_back(whitening(r.covariance));
-  }
-  if (fit.attitude_prior) prior_root_ = whitening(fit.attitude_prior->covariance);
-}
-
-std::vector<std::size_t> SnapshotResiduals::blocks() const {
-  std::vector<std::size_t> found(fit_.seen.attitudes.size(), 3);
-  found.insert(found.end(), fit_.seen.directions.size(), 2);
-  found.insert(found.end(), fit_.seen.rates.size(), 3);
-  return found;
-}
+    : fit_(fit), parameters_(parameters_of(fit.unknowns)), rows_(fit.seen, fit.attitude_prior) {}
 
 double SnapshotResiduals::attitude_rms(const SpinState& state) const {
-  const std::vector<ObservedAttitude>& seen = fit_.seen.attitudes;
   std::vector<MotionPoint> points;
-  if (seen.empty() || !free_motion(state, times_, {}, points)) {
+  if (!free_motion(state, rows_.times(), {}, points)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  double sum = 0.0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const Vec3 r = attitude_residual(seen[i].q, points[i].q);
-    sum += dot(r, r);
-  }
-  return std::sqrt(sum / (3.0 * static_cast<double>(seen.size())));
+  std::vector<Quaternion> attitudes;
+  for (const MotionPoint& point : points) attitudes.push_back(point.q);
+  return rows_.attitude_rms(attitudes);
 }
 
 bool SnapshotResiduals::at(std::span<const double> x, std::span<double> numbers,
                            std::span<double> jacobian) const {
   const SpinState state = state_at(fit_.start, parameters_, x);
   std::vector<MotionPoint> points;
-  if (!free_motion(state, times_, {!jacobian.empty(), fit_.unknowns.products}, points)) {
+  if (!free_motion(state, rows_.times(), {!jacobian.empty(), fit_.unknowns.products}, points)) {
     return false;
   }
   // Turns about the start move the attitude by this times themselves.
@@ -184,48 +87,23 @@ bool SnapshotResiduals::at(std::span<const double> x, std::span<double> numbers,
     const int j = static_cast<int>(p);
     return of_turn(0, j) * by[0] + of_turn(1, j) * by[1] + of_turn(2, j) * by[2];
   };
-  Rows rows(numbers, jacobian, parameters_.size());
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < fit_.seen.attitudes.size(); ++i, ++n) {
-    const Vec3 r = attitude_residual(fit_.seen.attitudes[i].q, points[n].q);
-    const Mat3 slope = log_derivative(r);
-    rows.add(attitude_roots_[i], r,
-             [&](std::size_t k) { return slope * column(points[n].turn, k); });
-  }
-  for (const ObservedDirection& d : fit_.seen.directions) {
-    const Vec3 seen = unit(d.direction_I), axis = unit(d.axis_F);
-    const Vec3 u = rotate(points[n].q, axis);
-    const Stretch f = stretch(norm(cross(seen, u)), dot(seen, u));
-    for (const Vec3& e : across(seen)) {
-      rows.add(f.k * dot(u, e) / d.sigma, [&](std::size_t k) {
-        const Vec3 du = rotate(points[n].q, cross(column(points[n].turn, k), axis));
-        return (f.k * dot(du, e) + f.slope * dot(du, seen) * dot(u, e)) / d.sigma;
-      });
+  std::vector<MovedPoint> moved;
+  for (const MotionPoint& point : points) {
+    MovedPoint& to = moved.emplace_back(MovedPoint{point.q, point.w_F, {}, {}});
+    for (std::size_t k = 0; !jacobian.empty() && k < parameters_.size(); ++k) {
+      to.turn.push_back(column(point.turn, k));
+      to.rate.push_back(column(point.rate, k));
     }
-    ++n;
   }
-  for (std::size_t i = 0; i < fit_.seen.rates.size(); ++i, ++n) {
-    rows.add(rate_roots_[i], points[n].w_F - fit_.seen.rates[i].w_F,
-             [&](std::size_t k) { return column(points[n].rate, k); });
+  MovedPoint t0{state.q, state.w_F, {}, {}};
+  for (const std::size_t p : parameters_) {
+    const int j = static_cast<int>(p);
+    t0.turn.push_back(p < first_rate ? Vec3{of_turn(0, j), of_turn(1, j), of_turn(2, j)} : Vec3{});
   }
-  if (fit_.attitude_prior) {
-    const Vec3 r = attitude_residual(fit_.attitude_prior->q, state.q);
-    const Mat3 slope = log_derivative(r);
-    rows.add(prior_root_, r, [&](std::size_t k) {
-      const std::size_t p = parameters_[k];
-      if (p >= first_rate) return Vec3{};
-      const int j = static_cast<int>(p);
-      return slope * Vec3{of_turn(0, j), of_turn(1, j), of_turn(2, j)};
-    });
-  }
+  rows_.at(moved, t0, numbers, jacobian);
   return true;
 }
 
 }  // namespace detail
-
-Vec3 attitude_residual(const Quaternion& seen, const Quaternion& predicted) {
-  return detail::rotation_vector(normalized(conj(seen) * predicted));
-}
-
 }  // namespace v0
 }  // namespace polhode

@@ -72,6 +72,7 @@ ExperimentRow fit_row(const DescribedParts& described) {
   row.parts.push_back(observation_keys());
   row.parts.push_back(fit_keys());
   row.parts.push_back(light_keys());
+  row.parts.push_back(fit_torque_keys());
   return row;
 }
 

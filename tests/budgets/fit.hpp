@@ -20,6 +20,11 @@ inline constexpr double fit_derivatives_aside = 1e-6, fit_least_column = 0.1;
 inline constexpr double fit_rotation = 1e-14, fit_rotation_difference = 1e-10;
 inline constexpr double fit_difference = 1e-6;  // of residuals of some hundred
 
+// --- driven bodies and their derivatives, of a column, against 40 digits ---
+inline constexpr double fit_driven_motion = 2e-13, fit_driven_derivatives = 1e-11;
+inline constexpr double fit_driven_exact = 1e-8;  // from exact observations
+inline constexpr double fit_encounter = 0.1;      // rad, what a flyby does to a tumbler
+
 // --- spin states from exact observations; a probability over fixed seeds ---
 inline constexpr double fit_exact = 1e-9, fit_improbable = 1e-2;
 

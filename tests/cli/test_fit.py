@@ -253,12 +253,7 @@ def test_bad_tables_are_refused(run, fit_file, tmp_path, change, expected):
     assert expected in message, message
 
 
-def test_a_fit_is_one_of_free_rotation(run, fit_file, tmp_path):
-    (tmp_path / "seen.csv").write_text(SEEN)
-    torque = '[[perturbation]]\nkind = "constant-torque"\ntorque = [0, 0, 1e-4]\n'
-    path = fit_file(ATTITUDES, FREE, torque)
-    assert "expected no perturbation" in refused(run, path)
-    assert run("simulate", path, "--into", tmp_path / "new").returncode == 0
+def test_a_fit_is_of_kind_fit(run, fit_file):
     other = fit_file(head=HEAD.replace('kind = "fit"', 'kind = "rotation"'), name="other.toml")
     assert 'kind: got "rotation"; expected "fit"' in refused(run, other)
     assert 'kind: got "rotation"; expected "fit"' in refused(run, other, "simulate")

@@ -2,9 +2,11 @@
 // fit_scenario: a scenario of kind "fit" from what was observed to its solutions, and what is made
 // of them: a table, JSON, residuals and covariance as files, scenarios that go on from a solution.
 //
-// Equations   those of fit_spin (polhode/fit/spin_fit.hpp).
+// Equations   those of fit_spin (polhode/fit/spin_fit.hpp), and with torques or jumps of
+//             fit_driven_spin (polhode/fit/driven_spin_fit.hpp).
 // Units       core units; texts and files in the units of the scenario.
-// Domain      free rotation relative to inertial axes. Two solutions are the same within a
+// Domain      rotation relative to inertial axes, free or under the torques of the file, whose
+//             damper it may not have. Two solutions are the same within a
 //             Mahalanobis distance of 1. What did not converge is counted, and is no solution.
 // Accuracy    that of fit_spin. Starts other than the file's depend on the seed and their place
 //             alone.
@@ -44,6 +46,8 @@ struct FoundSpin {
 
 struct FitReport {
   SpinFit problem;  // from the start of the file, with errors as they were given
+  // Torques and jumps; none of free rotation. It refers to the scenario.
+  std::optional<SpinDrive> drive;
   ReadObservations observed;
   std::vector<FoundSpin> solutions;  // by what they cost
   std::int64_t starts = 1;
@@ -84,7 +88,8 @@ void write_residuals(const Scenario& scenario, const FitReport& report, std::siz
 void write_covariance(const Scenario& scenario, const FitReport& report, std::size_t solution,
                       const std::string& path);
 
-// A scenario of kind "rotation" that begins at the solution: the file without what was observed.
+// A scenario of kind "rotation" that begins at the solution: the file without what was observed,
+// with the torques of the solution. After jumps its state is that of the motion after the last one.
 // Where it has no [time], rows go from the first observation to the last.
 std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution);
 // Writes it as PATH.part and gives it its name.

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "polhode/fit/spin_fit.hpp"
+#include "polhode/scenario/fit_drive.hpp"
 #include "polhode/scenario/light_plan.hpp"
 #include "polhode/scenario/observation.hpp"
 #include "polhode/scenario/rotation.hpp"
@@ -38,6 +39,7 @@ struct FitPlan {
   std::uint64_t seed = 1;    // of starts
   std::uint64_t noise = 1;   // the seed of what simulations add
   LightPlan light;
+  FitDrive drive;  // what of torques is unknown
 
   // Whether light curves are observed, and then nothing else is.
   bool has_light() const {

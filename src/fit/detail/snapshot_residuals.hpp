@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/detail/snapshot_rows.hpp"
 #include "fit/detail/spin_motion.hpp"
 #include "polhode/fit/spin_fit.hpp"
 
@@ -28,17 +29,14 @@ class SnapshotResiduals {
   // prior of the attitude; derivatives row by row where `jacobian` is not empty.
   bool at(std::span<const double> x, std::span<double> numbers, std::span<double> jacobian) const;
   // Of what is held together by a loss.
-  std::vector<std::size_t> blocks() const;
+  std::vector<std::size_t> blocks() const { return rows_.blocks(); }
   // In rad, per axis; NaN without attitudes.
   double attitude_rms(const SpinState& state) const;
 
  private:
-  class Rows;
   SpinFit fit_;
   std::vector<std::size_t> parameters_;
-  std::vector<double> times_;
-  std::vector<Mat3> attitude_roots_, rate_roots_;
-  Mat3 prior_root_;
+  SnapshotRows rows_;
 };
 
 }  // namespace detail

@@ -7,7 +7,7 @@
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
-#include "run/detail/free_fit.hpp"
+#include "run/fit/driven.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 
@@ -23,6 +23,17 @@ constexpr double least_freedom = 0.5;
 [[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
                          const std::string& text) {
   detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
+}
+
+const FitPlan& plan_of(const Scenario& scenario) {
+  const FitPlan& plan = require_fit(scenario);
+  if (!scenario.rotation().frame.is_inertial())
+    refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
+  if (plan.has_light())
+    refuse(scenario, "observation[0].kind",
+           "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
+           "fit_light_scenario");
+  return plan;
 }
 
 SpinFit problem_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {
@@ -53,9 +64,9 @@ SpinState start_of(const FitPlan& plan, const SpinState& own, std::int64_t place
   return start;
 }
 
-bool are_same(const SpinFit& problem, const SpinSolution& kept, const SpinSolution& found) {
-  return mahalanobis(kept.covariance, unknowns_at(problem, kept.state, found.state),
-                     unknowns_at(problem, kept.state, kept.state)) <= same_distance;
+bool are_same(const FitReport& report, const SpinSolution& kept, const SpinSolution& found) {
+  return mahalanobis(kept.covariance, detail::unknowns_of(report, kept.state, found),
+                     detail::unknowns_of(report, kept.state, kept)) <= same_distance;
 }
 
 // What one start came to; that of a start which is none, since the file's own has said what is
@@ -65,12 +76,12 @@ struct Tried {
   std::string failure;
 };
 
-Tried tried(const SpinFit& problem, const FitPlan& plan, std::int64_t start) {
-  SpinFit one = problem;
-  one.start = start_of(plan, problem.start, start);
-  if (start == 0) return {fit_spin(one), {}};
+Tried tried(const FitReport& report, const FitPlan& plan, std::int64_t start) {
+  SpinFit one = report.problem;
+  one.start = start_of(plan, report.problem.start, start);
+  if (start == 0) return {detail::solved(report, one), {}};
   try {
-    return {fit_spin(one), {}};
+    return {detail::solved(report, one), {}};
   } catch (const DomainError& error) {
     return {std::nullopt, error.what()};
   }
@@ -85,7 +96,7 @@ class Solutions {
   void add(SpinSolution found, std::int64_t start) {
     if (!found.is_found()) return fail(found.result.sentence);
     for (FoundSpin& kept : report_.solutions) {
-      if (!are_same(problem_, kept.raw, found)) continue;
+      if (!are_same(report_, kept.raw, found)) continue;
       ++kept.starts;
       if (found.result.cost < kept.raw.result.cost) kept.raw = std::move(found);
       return;
@@ -127,7 +138,7 @@ class Solutions {
     again.start = raw.result.bound.empty() ? raw.state : start_of(plan_, problem_.start, of.start);
     again.scales_errors = true;
     try {
-      SpinSolution found = fit_spin(again);
+      SpinSolution found = detail::solved(report_, again, &raw);
       if (found.is_found()) return found;
     } catch (const DomainError&) {  // nearer to a bound than a start may be
     }
@@ -142,15 +153,11 @@ class Solutions {
 }  // namespace
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
-  const FitPlan& plan = require_fit(scenario);
-  detail::require_free_fit(scenario);
-  if (plan.has_light())
-    refuse(scenario, "observation[0].kind",
-           "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
-           "fit_light_scenario");
+  const FitPlan& plan = plan_of(scenario);
   FitReport report;
   report.observed = read_observations(scenario);
   report.problem = problem_of(scenario, plan, report.observed.seen);
+  report.drive = detail::drive_of(scenario);
   Solutions solutions(report.problem, plan, report);
   const auto stop = [&] {
     if (options.stop && options.stop())
@@ -162,7 +169,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
     run_cells(
         0, plan.starts, options.threads,
-        [&](std::int64_t start) { return tried(report.problem, plan, start); },
+        [&](std::int64_t start) { return tried(report, plan, start); },
         [&](std::int64_t start, const Tried& one) {
           solutions.add(one, start);
           report.starts = start + 1;

@@ -8,6 +8,7 @@
 
 #include "polhode/run/fit.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/fit/driven.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -42,7 +43,7 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
   const ReadObservations& observed = report.observed;
   const Snapshots& seen = observed.seen;
   const std::vector<double> times = times_of(seen);
-  const std::vector<PredictedAttitude> at = predicted(report.problem, found, times);
+  const std::vector<PredictedAttitude> at = detail::predicted_by(report, found, times);
   std::vector<Residual> all;
   std::size_t k = 0, number = 0;
   const auto add = [&](const ObservedRow& place, std::size_t size) -> Residual& {
@@ -130,16 +131,18 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
 }
 
 std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
-  const SpinState& state = report.solutions.at(solution).raw.state;
+  const SpinSolution& raw = report.solutions.at(solution).raw;
+  const SpinState state = detail::last_state(report, raw);
   std::vector<ScenarioChange> changes = detail::without_observations(scenario);
   add_body(scenario, report, state, changes);
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
   detail::add_rows_of(scenario, times_of(report.observed.seen), changes);
+  detail::add_torques(scenario, report, raw, changes);
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + "\n" +
-         changed_text(scenario.document.text, changes);
+         detail::jump_comment(scenario, report) + changed_text(scenario.document.text, changes);
 }
 
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,

@@ -11,6 +11,7 @@
 #include "polhode/output/output_format.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/own_files.hpp"
+#include "run/fit/driven.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -45,10 +46,7 @@ void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
   const std::size_t n = numbers.size();
   // what one unit of each unknown is in those of the file
   std::vector<double> factor;
-  for (std::size_t i = 0; i < n; ++i)
-    factor.push_back(numbers[i].unit == "1"
-                         ? 1.0
-                         : scenario.units().from_core(1.0, dimension_of_unknown(numbers[i].name)));
+  for (std::size_t i = 0; i < n; ++i) factor.push_back(unit_of(scenario, numbers[i].name).of(1.0));
   std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
   std::string notes = "unknowns:";
   for (std::size_t i = 0; i < n; ++i) {

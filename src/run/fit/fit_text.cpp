@@ -11,6 +11,7 @@
 #include "polhode/run/fit.hpp"
 #include "polhode/run/summary.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/fit/driven.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
@@ -87,19 +88,27 @@ std::string euler_text(const Scenario& scenario, const Quaternion& q) {
 }
 
 void add_table(std::string& text, const std::vector<FitNumber>& numbers) {
-  text += fmt::format("\n{:<9}{:<9}{:>13}{:>13}{:>11}{:>13}{:>11}\n", "unknown", "unit", "start",
-                      "value", "error", "scaled", "error");
+  std::size_t name = 9, unit = 9;  // of the columns
+  for (const FitNumber& one : numbers) {
+    name = std::max(name, one.name.size() + 2);
+    unit = std::max(unit, one.unit.size() + 2);
+  }
+  text += fmt::format("\n{:<{}}{:<{}}{:>13}{:>13}{:>11}{:>13}{:>11}\n", "unknown", name, "unit",
+                      unit, "start", "value", "error", "scaled", "error");
   for (const FitNumber& one : numbers)
-    text += fmt::format("{:<9}{:<9}{:>13.6g}{:>13.6g}{:>11.3g}{:>13}{:>11}\n", one.name, one.unit,
-                        one.start, one.value, one.error, number_or_dash(one.scaled_value, "{:.6g}"),
+    text += fmt::format("{:<{}}{:<{}}{:>13.6g}{:>13.6g}{:>11.3g}{:>13}{:>11}\n", one.name, name,
+                        one.unit, unit, one.start, one.value, one.error,
+                        number_or_dash(one.scaled_value, "{:.6g}"),
                         number_or_dash(one.scaled_error, "{:.3g}"));
 }
 
 void add_correlations(std::string& text, const UnknownsCovariance& c) {
   if (c.names.size() < 2) return;
   text += "\ncorrelations, in hundredths\n";
+  std::size_t width = 9;
+  for (const std::string& name : c.names) width = std::max(width, name.size() + 2);
   for (std::size_t i = 1; i < c.names.size(); ++i) {
-    text += fmt::format("{:<9}", c.names[i]);
+    text += fmt::format("{:<{}}", c.names[i], width);
     for (std::size_t j = 0; j < i; ++j) {
       const double r = c.correlation(i, j);
       text += std::isfinite(r) ? fmt::format("{:>9.0f}", std::round(100.0 * r) + 0.0)
@@ -107,8 +116,10 @@ void add_correlations(std::string& text, const UnknownsCovariance& c) {
     }
     text += "\n";
   }
-  text += fmt::format("{:<9}", "");
-  for (std::size_t j = 0; j + 1 < c.names.size(); ++j) text += fmt::format("{:>9}", c.names[j]);
+  text += fmt::format("{:<{}}", "", width);
+  // a key is longer than its column: its place in the table above
+  for (std::size_t j = 0; j + 1 < c.names.size(); ++j)
+    text += fmt::format("{:>9}", c.names[j].size() < 9 ? c.names[j] : fmt::format("no. {}", j + 1));
   text += "\n";
 }
 
@@ -215,22 +226,23 @@ void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitR
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& report,
                                    std::size_t solution) {
   const FoundSpin& found = report.solutions.at(solution);
-  const SpinFit& problem = report.problem;
-  const auto at = [&](const SpinState& state) {
-    return unknowns_at(problem, problem.start, state);
+  const auto at = [&](const SpinSolution& of) {
+    return detail::unknowns_of(report, report.problem.start, of);
   };
-  const std::vector<double> raw = at(found.raw.state);
-  std::vector<double> start = at(problem.start);
-  if (problem.unknowns.attitude) std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
+  const std::vector<double> raw = at(found.raw), start = detail::starts_of(report);
   const std::vector<double> scaled =
-      found.scaled ? at(found.scaled->state) : std::vector<double>(raw.size());
+      found.scaled ? at(*found.scaled) : std::vector<double>(raw.size());
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < raw.size(); ++i) {
     const std::string& name = found.raw.covariance.names[i];
-    const Dimension dimension = detail::dimension_of_unknown(name);
-    const auto shown = [&](double x) { return scenario.units().from_core(x, dimension); };
-    FitNumber one{name,          scenario.units().label(dimension),    shown(start[i]),
-                  shown(raw[i]), shown(found.raw.covariance.error(i)), std::nullopt,
+    const detail::ShownUnit unit = detail::unit_of(scenario, name);
+    const auto shown = [&](double x) { return unit.of(x); };
+    FitNumber one{name,
+                  unit.label,
+                  shown(start[i]),
+                  shown(raw[i]),
+                  shown(found.raw.covariance.error(i)),
+                  std::nullopt,
                   std::nullopt};
     if (found.scaled) {
       one.scaled_value = shown(scaled[i]);

@@ -11,6 +11,7 @@
 #include "polhode/error.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/simulated_light.hpp"
+#include "run/fit/driven.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/printable.hpp"
@@ -36,8 +37,30 @@ const FitPlan& plan_of(const Scenario& scenario) {
   return plan;
 }
 
+bool begins_before_0(const Rotation& rotation) {
+  const SaveAt& times = *rotation.time;
+  for (std::int64_t k = 0; k < times.size(); ++k)
+    if (times[k] < 0.0) return true;
+  return false;
+}
+
+// With the jumps that the file begins a fit from, and before t = 0, too.
+std::vector<Seen> motion_as_fitted(const Scenario& scenario) {
+  const SaveAt& times = *scenario.rotation().time;
+  std::vector<double> at;
+  for (std::int64_t k = 0; k < times.size(); ++k) at.push_back(times[k]);
+  std::vector<Seen> all;
+  for (const PredictedAttitude& one :
+       driven_attitudes(spin_state(scenario.rotation()), *detail::drive_of(scenario), at))
+    all.push_back({one.t, one.q, one.w_F, normalized(one.q * scenario.rotation().q_file)});
+  return all;
+}
+
 std::vector<Seen> motion_of(const Scenario& scenario) {
   const Rotation& rotation = scenario.rotation();
+  const bool has_jumps = !require_fit(scenario).drive.jumps.empty();
+  const bool is_driven = !rotation.kinds.empty() && !rotation.damper;
+  if (has_jumps || (is_driven && begins_before_0(rotation))) return motion_as_fitted(scenario);
   const Quaternion f = rotation.q_file;
   std::vector<Seen> all;
   if (!propagation_method(rotation)) {

@@ -35,6 +35,7 @@ SchemaPart planet_keys();
 SchemaPart observation_keys();
 SchemaPart fit_keys();
 SchemaPart light_keys();
+SchemaPart fit_torque_keys();
 
 }  // namespace detail
 }  // namespace v0

@@ -8,6 +8,7 @@
 #include "polhode/math/quaternion.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/body.hpp"
+#include "scenario/fit/fit_drive.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
@@ -156,6 +157,7 @@ FitPlan fit_plan(const FitContext& at, const Rotation& rotation) {
   const SpinState start = spin_state(rotation);
   Priors priors(at, start, plan);
   for (const std::string& path : array_paths(at.values, "free.prior")) priors.add(path);
+  add_drive(at, plan);
   plan.loss = loss_of(at);
   plan.most_iterations =
       static_cast<int>(whole_in(at, "fit.iterations", 1, most_iterations, "from 1 to 1e6"));

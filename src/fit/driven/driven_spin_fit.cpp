@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/fit/driven_spin_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/detail/snapshot_residuals.hpp"
+#include "fit/driven/driven_residuals.hpp"
+#include "math/is_finite.hpp"
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr const char* function = "fit_driven_spin";
+// As in fit_spin.
+constexpr double far_turn = 1.0;
+constexpr int most_recentrings = 20;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw DomainError(std::string(function) + ": " + what);
+}
+
+std::vector<double> times_of(const Snapshots& seen) {
+  std::vector<double> times;
+  for (const ObservedAttitude& one : seen.attitudes) times.push_back(one.t);
+  for (const ObservedDirection& one : seen.directions) times.push_back(one.t);
+  for (const ObservedRate& one : seen.rates) times.push_back(one.t);
+  return times;
+}
+
+void require_state(const SpinFit& fit, const SpinDrive& drive) {
+  const SpinState& s = fit.start;
+  const double size = std::hypot(std::hypot(s.q.w, s.q.x), std::hypot(s.q.y, s.q.z));
+  if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0) || !detail::is_finite(s.w_F)) {
+    refuse("the start, t0 = " + detail::number_text(s.t0) + ", quaternion " +
+           detail::tuple_text({s.q.w, s.q.x, s.q.y, s.q.z}) + " and rate " +
+           detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
+           ", must be finite, the quaternion not 0");
+  }
+  if (fit.unknowns.products) {
+    refuse("products of inertia are no unknowns of a driven body; fix them");
+  }
+  if (fit.unknowns.moment_ratios && !(drive.q_FB == Quaternion{})) {
+    refuse(
+        "the ratios of moments are no unknowns of a tensor with products of inertia, or in "
+        "other axes than the principal ones, of a driven body; fix them");
+  }
+  for (const NormalPrior& prior : fit.priors) {
+    for (const std::string& name : prior.unknowns) {
+      if (name.starts_with("turn_")) {
+        refuse("a prior of " + name + "; that of the attitude is given as attitude_prior");
+      }
+    }
+  }
+  if (!fit.attitude_prior) return;
+  if (!fit.unknowns.attitude)
+    refuse("a prior of the attitude, which is not an unknown of this fit");
+  ObservedAttitude prior = *fit.attitude_prior;
+  prior.t = s.t0;
+  check(Snapshots{{prior}, {}, {}});
+}
+
+void require_drive(const SpinFit& fit, const SpinDrive& drive) {
+  if (!drive.terms && !drive.parameters.empty()) {
+    refuse("parameters without a function that makes terms of them");
+  }
+  for (const TorqueParameter& one : drive.parameters) {
+    if (!std::isfinite(one.start)) {
+      refuse(one.name + " = " + detail::number_text(one.start) +
+             " at the start; expected a finite "
+             "number");
+    }
+  }
+  const std::vector<double> times = times_of(fit.seen);
+  if (times.empty()) refuse("there are no observations");
+  const auto [first, last] = std::ranges::minmax(times);
+  for (const SpinJump& jump : drive.jumps) {
+    if (!(jump.t >= first && jump.t < last)) {
+      refuse(jump.name + " at t = " + detail::number_text(jump.t) +
+             "; expected a time from the first observation on, " + detail::number_text(first) +
+             ", and before the last one, " + detail::number_text(last));
+    }
+    if (!detail::is_finite(jump.change)) {
+      refuse(jump.name + " begins with a change that is not finite");
+    }
+  }
+  const detail::DrivenMotion motion(drive, fit.start, detail::starts_of(drive),
+                                    detail::changes_of(drive));
+  motion.require_affine(times, fit.unknowns.moment_ratios);
+}
+
+auto numbers_of(const detail::DrivenResiduals& residuals) {
+  return [residuals](std::span<const double> x, std::span<double> numbers,
+                     std::span<double> jacobian) { return residuals.at(x, numbers, jacobian); };
+}
+
+LeastSquares problem_of(const SpinFit& fit, const SpinDrive& drive) {
+  const detail::DrivenResiduals residuals(fit, drive);
+  LeastSquares p;
+  p.unknowns = residuals.unknowns();
+  if (p.unknowns.empty()) {
+    refuse("nothing is unknown; expected attitude, rate, moments, parameters or jumps");
+  }
+  p.triangle = residuals.triangle();
+  p.residuals.data = fit.seen.numbers();
+  p.residuals.prior = fit.attitude_prior ? 3 : 0;
+  p.residuals.blocks = residuals.rows().blocks();
+  p.residuals.at = numbers_of(residuals);
+  p.priors = fit.priors;
+  p.loss = fit.loss;
+  p.error_factor = fit.error_factor;
+  p.most_iterations = fit.most_iterations;
+  return p;
+}
+
+double size_of_turn(const SpinFit& fit, const std::vector<double>& x) {
+  return fit.unknowns.attitude ? norm(Vec3{x[0], x[1], x[2]}) : 0.0;
+}
+
+// The motion of a solution.
+detail::DrivenMotion motion_of(const SpinDrive& solved, const SpinSolution& solution) {
+  return {solved, solution.state, detail::starts_of(solved), detail::changes_of(solved)};
+}
+
+}  // namespace
+
+SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
+  check(fit.seen);
+  require_state(fit, drive);
+  require_drive(fit, drive);
+  SpinFit about = fit;
+  SpinDrive driven = drive;
+  SpinSolution found;
+  int iterations = 0, evaluations = 0;
+  LeastSquares problem;
+  for (int round = 0; round < most_recentrings; ++round) {
+    problem = problem_of(about, driven);
+    found.result = fit.scales_errors ? solve_scaled(problem) : solve(problem);
+    iterations += found.result.iterations;
+    evaluations += found.result.evaluations;
+    const detail::DrivenResiduals residuals(about, driven);
+    about.start = residuals.state(found.result.x);
+    driven = residuals.drive(found.result.x);
+    about.error_factor = problem.error_factor;
+    // On a bound there is no start for another round.
+    const bool is_far = size_of_turn(fit, found.result.x) > far_turn;
+    if (!is_far || !found.result.bound.empty() ||
+        found.result.end == LeastSquaresResult::End::no_value) {
+      break;
+    }
+  }
+  found.result.iterations = iterations;
+  found.result.evaluations = evaluations;
+  found.state = about.start;
+  found.error_factor = problem.error_factor;
+  // The same numbers with turns about what was found.
+  const detail::DrivenResiduals residuals(about, driven);
+  problem.residuals.at = numbers_of(residuals);
+  if (fit.unknowns.attitude) std::fill_n(found.result.x.begin(), 3, 0.0);
+  found.covariance = covariance(problem, found.result);
+  found.degrees_of_freedom = degrees_of_freedom(problem, found.result);
+  found.attitude_rms = residuals.attitude_rms(found.result.x);
+  found.notes = repeated(fit.seen);
+  for (const auto& weak : found.covariance.weak) found.notes.push_back(weak.sentence);
+  return found;
+}
+
+SpinDrive solved_drive(const SpinFit& fit, const SpinDrive& drive, const SpinSolution& solution) {
+  return detail::DrivenResiduals(fit, drive).drive(solution.result.x);
+}
+
+std::vector<double> unknowns_at(const SpinFit& fit, const SpinDrive& drive, const SpinState& about,
+                                const SpinSolution& solution) {
+  std::vector<double> x = unknowns_at(fit, about, solution.state);
+  const std::size_t tail = drive.parameters.size() + 3 * drive.jumps.size();
+  x.insert(x.end(), solution.result.x.end() - static_cast<std::ptrdiff_t>(tail),
+           solution.result.x.end());
+  return x;
+}
+
+std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinDrive& drive,
+                                         const SpinSolution& solution,
+                                         std::span<const double> times) {
+  const SpinDrive solved = solved_drive(fit, drive, solution);
+  SpinFit about = fit;
+  about.start = solution.state;
+  const std::vector<double> x(solution.result.x);
+  const std::vector<detail::DrivenColumn> columns =
+      detail::DrivenResiduals(about, solved).columns(x);
+  const auto points = motion_of(solved, solution).at(times, columns);
+  if (!points) {
+    throw DomainError(
+        "predicted: the motion of the solution does not reach all of the times, or "
+        "has no derivatives there");
+  }
+  const std::size_t n = columns.size();
+  std::vector<PredictedAttitude> found;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const detail::MovedPoint& point = (*points)[i];
+    Mat3 c;
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t k = 0; k < n; ++k) {
+        const double weight = solution.covariance.matrix[j * n + k];
+        for (int r = 0; r < 3; ++r) {
+          for (int s = 0; s < 3; ++s) c(r, s) += weight * point.turn[j][r] * point.turn[k][s];
+        }
+      }
+    }
+    found.push_back({times[i], point.q, point.w_F, c});
+  }
+  return found;
+}
+
+std::vector<PredictedAttitude> driven_attitudes(const SpinState& start, const SpinDrive& drive,
+                                                std::span<const double> times) {
+  const detail::DrivenMotion motion(drive, start, detail::starts_of(drive),
+                                    detail::changes_of(drive));
+  const auto points = motion.at(times, {});
+  if (!points) {
+    throw DomainError("driven_attitudes: the motion does not reach all of the times");
+  }
+  std::vector<PredictedAttitude> found;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    found.push_back({times[i], (*points)[i].q, (*points)[i].w_F, Mat3{}});
+  }
+  return found;
+}
+
+SpinState after_jumps(const SpinFit& fit, const SpinDrive& drive, const SpinSolution& solution) {
+  const SpinDrive solved = solved_drive(fit, drive, solution);
+  const auto state = motion_of(solved, solution).after_jumps();
+  if (!state) {
+    throw DomainError(
+        "after_jumps: the motion of the solution does not reach its last jump and "
+        "come back");
+  }
+  return *state;
+}
+
+}  // namespace v0
+}  // namespace polhode

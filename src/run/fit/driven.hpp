@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Fits of files with torques or jumps, and those of free rotation, by one name.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/run/fit.hpp"
+#include "polhode/scenario/changes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// None of free rotation. ScenarioError for what a fit does not take.
+std::optional<SpinDrive> drive_of(const Scenario& scenario);
+
+// From a start; with `from`, torques and jumps begin where that solution has them.
+SpinSolution solved(const FitReport& report, const SpinFit& fit,
+                    const SpinSolution* from = nullptr);
+std::vector<PredictedAttitude> predicted_by(const FitReport& report, const SpinSolution& solution,
+                                            std::span<const double> times);
+// Turns from `about`.
+std::vector<double> unknowns_of(const FitReport& report, const SpinState& about,
+                                const SpinSolution& solution);
+// Those of the start of the file.
+std::vector<double> starts_of(const FitReport& report);
+
+// How an unknown is shown: its unit, and a number of it in that unit.
+struct ShownUnit {
+  std::string label;
+  const Units* units;  // null: numbers are in it
+  Dimension dimension;
+
+  double of(double x) const { return units == nullptr ? x : units->from_core(x, dimension); }
+};
+ShownUnit unit_of(const Scenario& scenario, const std::string& unknown);
+
+// The state that a scenario of the solution begins with, and its torques: those after the last
+// jump.
+SpinState last_state(const FitReport& report, const SpinSolution& solution);
+void add_torques(const Scenario& scenario, const FitReport& report, const SpinSolution& solution,
+                 std::vector<ScenarioChange>& changes);
+// What of the file says that: a comment, or nothing.
+std::string jump_comment(const Scenario& scenario, const FitReport& report);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

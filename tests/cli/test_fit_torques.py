@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: MIT
+"""Fits of files with torques: a constant torque, a flyby and a jump that were simulated are found
+again, scenarios of the solutions go on under what was found, and what such a fit refuses."""
+
+import json
+
+import numpy
+import pytest
+
+HEAD = """schema = 1
+title = "A tumbler that is driven"
+kind = "fit"
+[units]
+time = "h"
+angle = "deg"
+length = "km"
+moment = "kg m2"
+[body]
+moments = [1e9, 2.2e9, 2.6e9]
+[state.attitude-rate]
+euler = { phi = 20, theta = 60, psi = 110 }
+omega_body = [3, 4, 12]
+[time]
+stop = 96
+step = 4
+[free]
+unknowns = ["attitude", "rate", "moments"]
+"""
+ATTITUDES = """
+[[observation]]
+kind = "attitude"
+file = "seen.csv"
+times = "at-body"
+sigma = 1
+"""
+TORQUE = """
+[[perturbation]]
+kind = "constant-torque"
+torque = ["1e-2 N m", 0, "-3e-2 N m"]
+"""
+FREE_TORQUE = """
+[[free.parameter]]
+key = "perturbation[0].torque[2]"
+"""
+FLYBY = """
+[orbit.flyby]
+gm = "398600.4418 km3/s2"
+pericentre = 38000
+eccentricity = 4.2
+inclination = 30
+node = 10
+pericentre_argument = 70
+epoch = 48
+[[perturbation]]
+kind = "gravity-gradient"
+orbit = "flyby"
+"""
+JUMP = """
+[[free.jump]]
+kind = "rate"
+t = 50
+change = [0.5, -1, 2]
+"""
+
+
+@pytest.fixture
+def fit_file(tmp_path):
+    """fit_file("...") writes a scenario of kind "fit" and returns its path."""
+
+    def write(*parts, name="fit.toml"):
+        path = tmp_path / name
+        path.write_text(HEAD + ATTITUDES + "".join(parts), encoding="utf-8")
+        return path
+
+    return write
+
+
+def fitted(run, path, *arguments):
+    done = run("fit", path, "--json", *arguments)
+    assert done.returncode == 0, done.stderr
+    solution, = json.loads(done.stdout)["solutions"]
+    return solution
+
+
+def refused(run, path, *arguments):
+    done = run("fit", path, *arguments)
+    assert done.returncode == 2, (done.returncode, done.stderr)
+    assert done.stderr.count("\n") == 1, done.stderr
+    return done.stderr
+
+
+def rows(text):
+    lines = [one for one in text.splitlines() if not one.startswith("#")]
+    names = lines[0].split(",")
+    numbers = numpy.array([[float(x) for x in line.split(",")] for line in lines[1:]])
+    return dict(zip(names, numbers.T, strict=True))
+
+
+def angle_between(a, b):
+    """In rad, of the columns q of two runs."""
+    names = ("qw", "qx", "qy", "qz")
+    cosine = sum(a[name] * b[name] for name in names)
+    return 2 * numpy.arccos(numpy.minimum(abs(cosine), 1))
+
+
+def attitudes(run, path, *changes):
+    done = run("run", path, "--set", 'output.columns=["q"]', *changes)
+    assert done.returncode == 0, done.stderr
+    return rows(done.stdout)
+
+
+def within_errors(number, truth):
+    """By a normal number that is farther once in ten thousand times."""
+    return abs(number["value"] - truth) < 3.9 * number["error"]
+
+
+def test_a_torque_is_found_and_goes_on(run, fit_file, tmp_path):
+    path = fit_file(TORQUE, FREE_TORQUE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    start = ("--set", 'perturbation[0].torque=["1e-2 N m", 0, "0 N m"]')
+    out = tmp_path / "solution.toml"
+    found = fitted(run, path, "--solution", out, *start)
+    torque = found["unknowns"]["perturbation[0].torque[2]"]
+    assert torque["unit"] == "N m" and torque["start"] == 0
+    assert within_errors(torque, -3e-2) and abs(torque["value"]) > 10 * torque["error"]
+    assert 0 < torque["scaled_error"] < 2 * torque["error"]
+    # the scenario of the solution has the torque, bit for bit, and its motion
+    text = out.read_text()
+    assert "free" not in text and 'kind = "fit"' not in text
+    assert f'torque = ["0.01 N m", 0, "{torque["value"]!r} N m"]' in text
+    after = ("--set", "time={ at = [96, 192] }")
+    q, truth = attitudes(run, out, *after), attitudes(run, path, *after)
+    assert angle_between(q, truth)[0] < 0.05
+    # with the torque left out it would be elsewhere
+    blind = attitudes(run, out, *after, "--set", "perturbation[0].torque=[0, 0, 0]")
+    assert angle_between(blind, truth)[0] > 20 * angle_between(q, truth)[0]
+    table = run("fit", path, *start).stdout
+    assert "perturbation[0].torque[2]  N m" in table
+
+
+def test_known_torques_need_no_unknown(run, fit_file, tmp_path):
+    path = fit_file(TORQUE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    found = fitted(run, path)
+    assert list(found["unknowns"]) == [
+        "turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z", "Ixx/Izz", "Iyy/Izz"]
+    assert found["degrees_of_freedom"] == pytest.approx(67)
+    assert 35 < found["chi_square"] < 110
+    free = fitted(run, path, "--set", "perturbation[0].torque=[0, 0, 0]")
+    assert free["chi_square"] > 3 * found["chi_square"]
+
+
+def test_the_same_state_through_an_encounter(run, fit_file, tmp_path):
+    """Seen before a flyby alone, a state predicts what comes after it."""
+    path = fit_file(FLYBY)
+    assert run("simulate", path, "--into", tmp_path, "--set", "time.stop=36", "--set",
+               "time.step=1").returncode == 0
+    out = tmp_path / "after.toml"
+    found = fitted(run, path, "--solution", out)
+    assert found["converged"]
+    after = ("--set", "time={ at = [60] }")
+    q, truth = attitudes(run, out, *after), attitudes(run, path, *after)
+    blind = attitudes(run, out, *after, "--set", "orbit.flyby.gm=1e-9 km3/s2", "--set",
+                      "orbit.flyby.eccentricity=1.1")
+    assert angle_between(q, truth)[0] < 0.1
+    assert angle_between(blind, truth)[0] > 4 * angle_between(q, truth)[0]
+
+
+def test_a_jump_is_found(run, fit_file, tmp_path):
+    path = fit_file(JUMP)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    out = tmp_path / "solution.toml"
+    found = fitted(run, path, "--solution", out, "--set", "free.jump[0].change=[0, 0, 0]")
+    for place, truth in enumerate([0.5, -1, 2]):
+        one = found["unknowns"][f"jump[0].change[{place}]"]
+        assert one["unit"] == "deg/h" and within_errors(one, truth)
+    assert "right from t = 50" in out.read_text()
+    residuals = tmp_path / "residuals.csv"
+    assert run("fit", path, "--residuals", residuals).returncode == 0
+    last = rows(residuals.read_text())
+    assert abs(last["turn_x"][-1]) < 5
+    # runs of the solution are right after the jump
+    q = attitudes(run, out, "--set", "time={ at = [96] }")
+    seen = rows((tmp_path / "seen.csv").read_text())
+    at = {name: column[-1:] for name, column in seen.items()}
+    assert angle_between(q, at)[0] < numpy.radians(6)
+
+
+@pytest.mark.parametrize("change, expected", [
+    (("torque[2]", "torque[3]"), "expected a key that holds a number"),
+    (("perturbation[0].torque[2]", "body.moments[0]"), "expected a number of [[perturbation]]"),
+    (("torque[2]\"", "torque[2]\"\nlow = 1\nhigh = 0"), "expected low below high"),
+    (("torque[2]\"", "torque[2]\"\nlow = 1"), "between low and high"),
+    (("torque[2]\"", "torque[2]\"\nmean = 1"), "expected a key sigma as well"),
+    (("torque[2]\"", "torque[2]\"\nsigma = 0"), "sigma: got 0; expected"),
+    (("[[free.parameter]]", FREE_TORQUE + "[[free.parameter]]"), "that no other table"),
+])
+def test_bad_parameters_are_refused(run, fit_file, tmp_path, change, expected):
+    (tmp_path / "seen.csv").write_text("t,qw,qx,qy,qz\n0,1,0,0,0\n")
+    message = refused(run, fit_file(TORQUE, FREE_TORQUE.replace(*change)))
+    assert expected in message, message
+
+
+def test_what_is_not_proportional_is_refused(run, fit_file, tmp_path):
+    path = fit_file(FLYBY, '\nJ2 = 1e-3\npole = [0, 0, 1]\nprimary_radius = 6378\n',
+                    '[[free.parameter]]\nkey = "perturbation[0].primary_radius"\n')
+    assert run("simulate", path, "--into", tmp_path, "--set", "time.stop=80").returncode == 0
+    assert "does not change in proportion to perturbation[0].primary_radius" in refused(run, path)
+
+
+def test_jumps_lie_between_observations(run, fit_file, tmp_path):
+    path = fit_file(JUMP)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    late = refused(run, path, "--set", "free.jump[0].t=96")
+    assert "jump[0].change at t = 96; expected a time from the first observation on" in late
+
+
+def test_more_unknowns_than_data_are_refused(run, fit_file, tmp_path):
+    path = fit_file(TORQUE, FREE_TORQUE)
+    assert run("simulate", path, "--into", tmp_path, "--set", "time.stop=4").returncode == 0
+    message = refused(run, path)
+    assert "9 unknowns" in message and "perturbation[0].torque[2]" in message
+
+
+def test_a_damper_is_refused(run, fit_file, tmp_path):
+    (tmp_path / "seen.csv").write_text("t,qw,qx,qy,qz\n0,1,0,0,0\n")
+    damper = '[[perturbation]]\nkind = "kane-damper"\nsphere_moment = 1e6\nfriction = 1e3\n'
+    assert "expected no damper" in refused(run, fit_file(damper))
