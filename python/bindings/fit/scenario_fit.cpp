@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Fits and simulations of scenarios.
+#include <memory>
+#include <utility>
+
+#include "fit/bind_fit.hpp"
+#include "fit/spin_problem.hpp"
+#include "io/io_parts.hpp"
+#include "io/work_loop.hpp"
+#include "polhode/run/fit.hpp"
+#include "polhode/run/simulate.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+// A fit and what it left.
+struct ScenarioFit {
+  Scenario scenario;
+  FitReport report;
+};
+
+ScenarioFit fit_of(const Scenario& scenario, nb::handle progress) {
+  ScenarioFit fit{scenario, {}};
+  const std::int64_t starts = require_fit(scenario).starts;
+  WorkLoop loop("the fit was stopped", progress);
+  FitOptions options;
+  options.stop = [&loop] { return loop.is_stopped(); };
+  options.progress = [&loop](std::int64_t done) { loop.reach(done); };
+  loop.do_work(starts, [&] { fit.report = fit_scenario(fit.scenario, options); });
+  return fit;
+}
+
+// What a file of rows would hold.
+struct Kept {
+  std::vector<ColumnGroup> groups;
+  std::vector<double> rows;
+  std::vector<std::string> notes;
+};
+
+constexpr const char* extension = ".rows-in-memory";
+
+// The scenario, whose outputs of this extension go into `kept`.
+Scenario keeping(const Scenario& scenario, Kept& kept) {
+  Scenario changed = scenario;
+  OutputFormat format("rows-in-memory", extension, "Rows for Python.",
+                      [&kept](const SinkRequest& request) -> std::unique_ptr<Sink> {
+                        kept.groups = request.groups;
+                        kept.notes = request.provenance.notes;
+                        return std::make_unique<TableSink>(kept.rows);
+                      });
+  changed.output.formats = changed.output.formats.with(std::move(format));
+  return changed;
+}
+
+// (groups, table, notes)
+nb::tuple kept_residuals(const ScenarioFit& fit, std::size_t solution) {
+  Kept kept;
+  write_residuals(keeping(fit.scenario, kept), fit.report, solution,
+                  std::string("residuals") + extension);
+  nb::list groups;
+  std::size_t width = 0;
+  for (const ColumnGroup& group : kept.groups) {
+    nb::list columns;
+    for (const Column& column : group.columns)
+      columns.append(nb::make_tuple(column.name, column.unit));
+    groups.append(nb::make_tuple(group.name, columns));
+    width += group.columns.size();
+  }
+  Result table({kept.rows.size() / width, width});
+  std::copy(kept.rows.begin(), kept.rows.end(), table.at(0));
+  return nb::make_tuple(groups, table.take(), nb::cast(kept.notes));
+}
+
+// The fit of snapshots, as it begins at a solution; of scaled errors where these are asked for.
+SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled) {
+  const FoundSpin& found = fit.report.solutions.at(solution);
+  SpinProblem problem{fit.report.problem};
+  const bool has_scaled = scaled && found.scaled;
+  problem.fit.start = has_scaled ? found.scaled->state : found.raw.state;
+  if (has_scaled) problem.fit.error_factor = found.scaled->error_factor;
+  return problem;
+}
+
+}  // namespace
+
+void bind_scenario_fit(nb::module_& m) {
+  nb::class_<ScenarioFit>(m, "_ScenarioFit")
+      .def_prop_ro("json", [](const ScenarioFit& f) { return fit_json(f.scenario, f.report); })
+      .def_prop_ro("text", [](const ScenarioFit& f) { return fit_text(f.scenario, f.report); })
+      .def("solution_text", [](const ScenarioFit& f,
+                               std::size_t k) { return solution_text(f.scenario, f.report, k); })
+      .def("residuals", kept_residuals)
+      .def("problem", problem_at)
+      .def("raw", [](const ScenarioFit& f,
+                     std::size_t k) { return solution_dict(f.report.solutions.at(k).raw); })
+      .def("scaled", [](const ScenarioFit& f, std::size_t k) -> nb::object {
+        const FoundSpin& found = f.report.solutions.at(k);
+        if (!found.scaled) return nb::none();
+        return solution_dict(*found.scaled);
+      });
+  m.def("_fit_scenario", fit_of, "scenario"_a, "progress"_a.none());
+  m.def("_simulate", [](const Scenario& scenario, nb::handle folder, bool may_replace) {
+    return write_simulation(scenario, path_text(folder), may_replace);
+  });
+}
+
+}  // namespace polhode::python
