@@ -173,22 +173,31 @@ class ScenarioSolution:
         """Columns by name; see FitResiduals."""
         return FitResiduals(*self._results._compiled.residuals(self._place))
 
-    def residual_function(self, scaled: bool = False) -> SpinResiduals:
+    def residual_function(
+        self, scaled: bool = False, epoch: float | None = None
+    ) -> SpinResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
-        radians and the scenario's unit of time, turns about the attitude that was found. `scaled`:
-        with errors of data that make chi-square per degree of freedom 1."""
-        problem = self._results._compiled.problem(self._place, bool(scaled))
+        radians and the scenario's unit of time, turns about the attitude that was found.
+
+        scaled : with errors of data that make chi-square per degree of freedom 1.
+        epoch : when the attitude and the rate are those of the unknowns. None: midway between the
+            first and the last observation, where they depend least on each other; 0 where the
+            scenario has priors of them, which hold there. `f.state(x)` has it as t0."""
+        at = None if epoch is None else float(_core._number(epoch, "epoch"))
+        problem = self._results._compiled.problem(self._place, bool(scaled), at)
         return SpinResiduals._of(problem.residuals())
 
-    def sample(self, scaled: bool = False, **keywords: Any) -> Posterior:
-        """Draws from the posterior about this solution; keywords as of polhode.posterior. Needs the
-        packages of `pip install polhode[sample]`."""
+    def sample(
+        self, scaled: bool = False, epoch: float | None = None, **keywords: Any
+    ) -> Posterior:
+        """Draws from the posterior about this solution: polhode.posterior of residual_function(
+        scaled, epoch), with its keywords. Needs the packages of `pip install polhode[sample]`."""
         from polhode.posterior import posterior
 
-        return posterior(self.residual_function(scaled), **keywords)
+        return posterior(self.residual_function(scaled, epoch), **keywords)
 
     def __repr__(self) -> str:
-        lines = [" ".join([name, *texts]) for name, *texts in self._cells()]
+        lines = [" ".join(text for text in cells if text) for cells in self._cells()]
         head = f"chi-square {self.chi_square:.4g} on {self.degrees_of_freedom:.4g}"
         return "\n".join([f"<ScenarioSolution: {head}", *(f"  {line}" for line in lines)]) + ">"
 

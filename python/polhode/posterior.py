@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,6 +26,7 @@ if TYPE_CHECKING:
 # Vehtari et al. (2021): above or below these chains have not mixed, or are too short.
 LARGEST_RHAT = 1.01
 SMALLEST_ESS = 400.0
+TAILS = (0.05, 0.95)
 # Fewer draws a chain have no halves to compare.
 LEAST_DRAWS = 4
 
@@ -93,12 +93,11 @@ class Posterior(Columns):
     @property
     def ess(self) -> Array:
         """(P,): effective sample size, the lesser of that of the bulk and that of the tails."""
-        statistics = _statistics()
-        bulk, tail = (
-            self._of_each(lambda x, of=of, **axes: statistics.ess(x, method=of, **axes))
-            for of in ("bulk", "tail")
+        ess = _statistics().ess
+        bulk = self._of_each(lambda x, **axes: ess(x, method="bulk", **axes))
+        return np.minimum(
+            bulk, self._of_each(lambda x, **axes: ess(x, method="tail", prob=TAILS, **axes))
         )
-        return np.minimum(bulk, tail)
 
     @property
     def converged(self) -> bool:
@@ -213,6 +212,8 @@ def posterior(
     if whole(threads, "threads") == 1:
         found = [chain(one) for one in seeds]
     else:
+        from concurrent.futures import ThreadPoolExecutor
+
         with ThreadPoolExecutor(min(threads, number)) as pool:
             found = list(pool.map(chain, seeds))
     x = np.array([[ball.unknowns(z) for z in positions] for positions, _, _ in found])
@@ -262,11 +263,12 @@ class _Ball:
         u = self._center + self._root @ z
         return self._of.log_posterior(self._free.unknowns(u)) + self._free.log_volume(u)[0]
 
-    def gradient(self, z: Array) -> Array:
+    def gradient_and_value(self, z: Array) -> tuple[Array, float]:
+        """Of the density of z."""
         u = self._center + self._root @ z
-        x = self._free.unknowns(u)
-        by_u = self._free.slopes(u).T @ self._of.log_posterior_gradient(x)
-        return self._root.T @ (by_u + self._free.log_volume(u)[1])
+        value, by_x = self._of.log_posterior_and_gradient(self._free.unknowns(u))
+        volume, by_u = self._free.log_volume(u)
+        return self._root.T @ (self._free.slopes(u).T @ by_x + by_u), value + volume
 
 
 def _chain(ball: _Ball, rng: Any, draws: int, warm_up: int, accept: float) -> Any:
@@ -277,9 +279,11 @@ def _chain(ball: _Ball, rng: Any, draws: int, warm_up: int, accept: float) -> An
         value = -ball.log_density(z)
         return value if np.isfinite(value) else np.inf
 
-    def slope(z: Array) -> Array:
-        found = -ball.gradient(z)
-        return found if np.all(np.isfinite(found)) else np.zeros(len(z))
+    def slope(z: Array) -> tuple[Array, float]:
+        found, value = ball.gradient_and_value(z)
+        if np.isfinite(value) and np.all(np.isfinite(found)):
+            return -found, -value
+        return np.zeros(len(z)), np.inf
 
     system = mici.systems.EuclideanMetricSystem(cost, grad_neg_log_dens=slope)
     integrator = mici.integrators.LeapfrogIntegrator(system)

@@ -87,8 +87,14 @@ class ResidualFunction:
 
     def log_posterior_gradient(self, x: ArrayLike) -> Array:
         """(P,): its derivatives."""
+        return self.log_posterior_and_gradient(x)[1]
+
+    def log_posterior_and_gradient(self, x: ArrayLike) -> tuple[float, Array]:
+        """Both at once; -inf and NaN where there is no value."""
         r, J = self.residuals_and_jacobian(x)
-        return self._log_uniform(np.asarray(x, float))[1] - J.T @ r
+        value, by = self._log_uniform(np.asarray(x, float))
+        value -= 0.5 * _square(r)
+        return (-np.inf if np.isnan(value) else value), by - J.T @ r
 
     def residuals_and_jacobian(self, x: ArrayLike) -> tuple[Array, Array]:
         """Both at once; NaN where they have no value."""

@@ -98,7 +98,7 @@ def test_residuals_are_those_of_the_file(toutatis, tmp_path):
 def test_a_solution_is_a_scenario_that_runs(toutatis):
     (one,) = toutatis.solutions
     assert one.scenario.text == one.text and 'kind = "fit"' not in one.text
-    run = one.scenario.run()
+    run = one.scenario.with_columns(["q", "g"]).run()
     assert run.outcome.ok
     state = one.state
     assert_allclose(one.scenario.body.moments / one.scenario.body.moments[2],
@@ -109,7 +109,7 @@ def test_a_solution_is_a_scenario_that_runs(toutatis):
 def test_results_are_shown(toutatis):
     (one,) = toutatis.solutions
     assert repr(toutatis).startswith("<FitResults: Toutatis in December 1992: 1 solutions of 1")
-    assert "Ixx/Izz 2.98" in repr(one)
+    assert "Ixx/Izz 2.977859 +- 0.641 (scaled 2.977859 +- 0.191)" in repr(one)
     assert str(toutatis) == toutatis.text and "4.1" in toutatis.text
     assert "<th" in toutatis._repr_html_() and "Ixx/Izz" in toutatis._repr_html_()
     assert toutatis.report["solutions"][0]["chi_square"] == one.chi_square
@@ -133,7 +133,8 @@ def test_what_is_simulated_is_found_again(tmp_path):
     off = np.array([(unknowns[n].value - x) / unknowns[n].error for n, x in zip(names, truth)])
     assert largest(np.abs(off)) < budgets.python_fit_off
     again = polhode.fit(path, starts=2, seed=5)
-    assert again.starts == 2 and again[0].chi_square == found[0].chi_square
+    assert again.starts == 2
+    assert_allclose(again[0].chi_square, found[0].chi_square, rtol=budgets.fit_exact)
 
 
 def test_what_progress_raises_ends_a_fit(tmp_path):

@@ -60,14 +60,14 @@ def test_derivatives_are_those_of_the_residuals(keys):
     J = f.jacobian(x)
     assert J.shape == (130, len(f.names))
     for k in range(len(x)):
-        h = 1e-4 * max(1.0, abs(x[k])) if k > 5 or k < 3 else 1e-5
+        h = 3e-5 if k > 5 or k < 3 else 1e-5
         e = np.eye(len(x))[k] * h
         r = [f.residuals(x + m * e) for m in (1, -1, 2, -2)]
         slope = (8.0 * (r[0] - r[1]) - (r[2] - r[3])) / (12.0 * h)
         size = np.abs(J[:, k]).max()
         assert_allclose(slope / size, J[:, k] / size, atol=budgets.python_residual_difference)
     gradient = f.log_likelihood_gradient(x)
-    assert_allclose(gradient, -J.T @ f.residuals(x), rtol=budgets.numpy_formula)
+    assert_allclose(gradient, -J.T @ f.residuals(x), rtol=budgets.numpy_random)
     assert f.state(x).axes[0] == 1.0
 
 
@@ -91,7 +91,8 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
     curve = night(count=150, turns=8.0)
     advice = polhode.scan_advice(curve, 2)
     step = advice.step
-    f1, f2 = 2.0 / precession, 2.0 * (1.0 / precession + 1.0 / rotation)
+    # in short-axis mode lines are at j f_phi + k f_psi with j + k even
+    f1, f2 = 1.0 / precession + 1.0 / rotation, 2.0 / precession
     grids = [(f - 6.0 * step, f + 6.0 * step, step) for f in (f1, f2)]
     scans = [polhode.fourier_scan(curve, *grids, order=2, threads=n) for n in (1, 2)]
     assert scans[0].chi_square.tobytes() == scans[1].chi_square.tobytes()

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Fits and simulations of scenarios.
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "fit/bind_fit.hpp"
@@ -72,13 +75,47 @@ nb::tuple kept_residuals(const ScenarioFit& fit, std::size_t solution) {
   return nb::make_tuple(groups, table.take(), nb::cast(kept.notes));
 }
 
-// The fit of snapshots, as it begins at a solution; of scaled errors where these are asked for.
-SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled) {
+double middle_of(const Snapshots& seen) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  const auto reach = [&](const auto& rows) {
+    for (const auto& row : rows) {
+      first = std::min(first, row.t);
+      last = std::max(last, row.t);
+    }
+  };
+  reach(seen.attitudes);
+  reach(seen.directions);
+  reach(seen.rates);
+  return 0.5 * (first + last);
+}
+
+// Priors of the attitude and the rate are those at t0.
+bool may_move(const SpinFit& fit) {
+  if (fit.attitude_prior) return false;
+  return std::ranges::none_of(fit.priors, [](const NormalPrior& prior) {
+    return std::ranges::any_of(prior.unknowns,
+                               [](const std::string& name) { return name.starts_with("w_"); });
+  });
+}
+
+// The fit of snapshots, as it begins at a solution; of scaled errors where these are asked for. The
+// epoch is the middle of the observations where it may be: far from them, an error of the rate is
+// one of the attitude, along a curve.
+SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled,
+                       const std::optional<double>& epoch) {
   const FoundSpin& found = fit.report.solutions.at(solution);
   SpinProblem problem{fit.report.problem};
   const bool has_scaled = scaled && found.scaled;
-  problem.fit.start = has_scaled ? found.scaled->state : found.raw.state;
+  const SpinSolution& from = has_scaled ? *found.scaled : found.raw;
+  problem.fit.start = from.state;
   if (has_scaled) problem.fit.error_factor = found.scaled->error_factor;
+  const bool moves = may_move(problem.fit);
+  if (epoch && !moves && *epoch != from.state.t0)
+    throw nb::value_error("epoch: priors of the attitude or the rate are of t = 0; expected None");
+  if (!moves) return problem;
+  const double t = epoch.value_or(middle_of(problem.fit.seen));
+  const PredictedAttitude there = predicted(problem.fit, from, {&t, 1}).front();
+  problem.fit.start = {t, there.q, there.w_F, from.state.inertia_F};
   return problem;
 }
 
@@ -91,7 +128,7 @@ void bind_scenario_fit(nb::module_& m) {
       .def("solution_text", [](const ScenarioFit& f,
                                std::size_t k) { return solution_text(f.scenario, f.report, k); })
       .def("residuals", kept_residuals)
-      .def("problem", problem_at)
+      .def("problem", problem_at, "solution"_a, "scaled"_a, "epoch"_a.none())
       .def("raw", [](const ScenarioFit& f,
                      std::size_t k) { return solution_dict(f.report.solutions.at(k).raw); })
       .def("scaled", [](const ScenarioFit& f, std::size_t k) -> nb::object {

@@ -16,6 +16,10 @@ from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, new_figure, panels
 ACROSS = 6
 """Most pictures side by side in a new figure."""
 PIXELS = 240
+WHITE = 0.99
+"""Part of the places that is not white."""
+ALONG_SIGHT = 0.02
+"""Sine of the angle from the line of sight below which the Sun has no direction on the sky."""
 DARK = 0.07
 """Brightness of what is seen and not lit: the limb shows."""
 
@@ -43,9 +47,9 @@ def body_as_seen(
 
     Returns
     -------
-    An array (N,) of Axes. The third inertial axis is up, brightness that of the brightest place of
-    all pictures; the arrow goes towards the Sun, and is the shorter the nearer that is to the line
-    of sight."""
+    An array (N,) of Axes. The third inertial axis is up. Brightness is on one scale in all
+    pictures, whose brightest hundredth is white; the arrow points to where the Sun is on the sky,
+    and is not there where that is behind the observer or the body."""
     bright = body.body if isinstance(body, LightSolution) else body
     if not isinstance(bright, BrightEllipsoid):
         raise TypeError(f"body_as_seen: got {body!r}; expected a solution or a BrightEllipsoid")
@@ -55,7 +59,8 @@ def body_as_seen(
     eye = _directions(to_observer, "to_observer", len(at))
     axes = _axes(ax, len(at))
     pictures = [_picture(bright, t, s, o) for t, s, o in zip(at, sun, eye)]
-    brightest = max(float(np.nanmax(light)) for light, *_ in pictures) or 1.0
+    lit = np.concatenate([light[np.isfinite(light)] for light, *_ in pictures])
+    brightest = float(np.quantile(lit, WHITE)) or 1.0
     for axis, t, (light, edge, arrow) in zip(axes, at, pictures):
         _draw(axis, light / brightest, edge, arrow)
         axis.set_title(f"$t$ = {scale * t:.4g}" + (f" {unit}" if unit else ""))
@@ -137,9 +142,12 @@ def _draw(axis: Any, light: Any, edge: Any, arrow: Any) -> None:
     border = Polygon(edge, closed=True, facecolor="none", edgecolor=GREY, linewidth=0.5, zorder=2)
     axis.add_patch(border)
     picture.set_clip_path(border)
-    axis.annotate(
-        "", 1.25 * arrow + 0.0, 1.02 * arrow * 0.82, zorder=3,
-        arrowprops={"arrowstyle": "->", "color": BLACK, "linewidth": 0.8},
-    )  # fmt: skip
-    axis.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), xticks=[], yticks=[], aspect="equal")
+    size = float(np.hypot(*arrow))
+    if size > ALONG_SIGHT:
+        axis.annotate(
+            "", 1.42 * arrow / size, 1.06 * arrow / size, zorder=3,
+            arrowprops={"arrowstyle": "->", "color": BLACK, "linewidth": 0.8, "shrinkA": 0.0,
+                        "shrinkB": 0.0},
+        )  # fmt: skip
+    axis.set(xlim=(-1.45, 1.45), ylim=(-1.45, 1.45), xticks=[], yticks=[], aspect="equal")
     axis.set_axis_off()

@@ -45,15 +45,15 @@ def scan_landscape(
     axis.figure.colorbar(mesh, ax=axis, label=r"$\chi^2$ per degree of freedom")
     for k, m in enumerate(scan.minima[:count], 1):
         sound = m.resolved and m.converged and not m.at_edge
-        for x, y in {(m.f2, m.f1), (m.f1, m.f2)}:
-            inside = f2[0] <= x <= f2[-1] and f1[0] <= y <= f1[-1]
-            if not inside:
-                continue
-            marker = {"marker": "o" if sound else "x", "markerfacecolor": "none"}
-            axis.plot(x, y, color=VERMILLION, markersize=6.0, linestyle="None",
-                      markeredgewidth=1.0, gid=f"minimum-{k}", **marker)  # fmt: skip
-            axis.annotate(str(k), (x, y), (4, 4), textcoords="offset points", color=VERMILLION,
-                          fontsize=8.0, path_effects=HALO, annotation_clip=True)  # fmt: skip
+        x, y = m.f2, m.f1
+        marker = {"marker": "o" if sound else "x", "markerfacecolor": "none"}
+        axis.plot(x, y, color=VERMILLION, markersize=6.0, linestyle="None",
+                  markeredgewidth=1.0, gid=f"minimum-{k}", **marker)  # fmt: skip
+        # neighbours have their numbers on different sides
+        side = {"ha": "left", "va": "bottom"} if k % 2 else {"ha": "right", "va": "top"}
+        offset = (4, 4) if k % 2 else (-4, -4)
+        axis.annotate(str(k), (x, y), offset, textcoords="offset points", color=VERMILLION,
+                      fontsize=8.0, path_effects=HALO, **side)  # fmt: skip
     axis.tick_params(direction="out", top=False, right=False)
     return axis
 

@@ -97,14 +97,15 @@ def _axes(ax: Any, sessions: int) -> Any:
 
 def _line(curve: LightCurve, body: BrightEllipsoid, at_points: Any) -> Any:
     """Times and fluxes of the model between the points, with the factor that the points have."""
-    t = np.linspace(curve.t.min(), curve.t.max(), LINE)
+    between = np.linspace(curve.t.min(), curve.t.max(), LINE)
+    t = between[~np.isin(between, curve.t)]  # a time may not stand twice
     order = np.argsort(curve.t)
     middle = 0.5 * (curve.t[order][1:] + curve.t[order][:-1])
     near = order[np.searchsorted(middle, t)]
     # of weights that only the points have: flux 1 with the same geometry, and the points themselves
     both = LightCurve(
-        np.concatenate([curve.t, t]), np.concatenate([at_points, np.ones(LINE)]),
-        np.concatenate([curve.sigma, np.full(LINE, 1e12 * curve.sigma.max())]),
+        np.concatenate([curve.t, t]), np.concatenate([at_points, np.ones(len(t))]),
+        np.concatenate([curve.sigma, np.full(len(t), 1e12 * curve.sigma.max())]),
         np.concatenate([curve.to_sun, curve.to_sun[near]]),
         np.concatenate([curve.to_observer, curve.to_observer[near]]),
     )  # fmt: skip
