@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+# A kind, or a kind and its scale.
+Loss = Union[str, tuple[str, float]]
 LOSSES = ("squared", "huber", "soft_l1", "cauchy")
 
 

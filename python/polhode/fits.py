@@ -52,6 +52,7 @@ class FitResiduals(Columns):
 
     @property
     def notes(self) -> list[str]:
+        """Which tables there are, and what the columns mean."""
         return list(self._notes)
 
     def to_xarray(self) -> xarray.Dataset:

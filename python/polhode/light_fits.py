@@ -18,8 +18,12 @@ from polhode.spin_fits import FitSolution, SpinState, common_parts
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from polhode._observed import Loss
+
     Array = NDArray[np.float64]
 
+# (mode, P_phi, P_psi)
+Periods = tuple[str, float, float]
 MOMENTS = ("shape", "start", "fit")
 
 
@@ -244,7 +248,7 @@ def fit_light(
     shape: bool = True,
     moments: str = "shape",
     multiple: bool = False,
-    loss: str | tuple[str, float] = "squared",
+    loss: Loss = "squared",
     most_iterations: int = 200,
 ) -> LightSolution:
     """The spin state and shape of a tumbling ellipsoid from light curves, from one start.
@@ -288,7 +292,7 @@ class LightResiduals(ResidualFunction):
         shape: bool = True,
         moments: str = "shape",
         multiple: bool = False,
-        loss: str | tuple[str, float] = "squared",
+        loss: Loss = "squared",
     ) -> None:
         problem = _light_problem(start, curves, shape, moments, multiple, loss, 1)
         super().__init__(problem.residuals())
@@ -309,7 +313,7 @@ def model_fluxes(
 
 def search_light(
     curves: LightCurve | Iterable[LightCurve],
-    periods: Iterable[tuple[str, float, float]],
+    periods: Iterable[Periods],
     *,
     starts: int = 1000,
     within: float = 1.5,
@@ -322,7 +326,7 @@ def search_light(
     moments: str = "shape",
     multiple: bool = False,
     lambert: float = 0.0,
-    loss: str | tuple[str, float] = "squared",
+    loss: Loss = "squared",
     most_iterations: int = 60,
 ) -> LightSearchResult:
     """All spin states and shapes of a tumbling ellipsoid that light curves allow, from many starts.

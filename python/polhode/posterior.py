@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode._columns import Columns
+from polhode._core import _number
 from polhode._notebook import html_rows
 from polhode._observed import whole
 from polhode._tables import imported
@@ -200,14 +201,15 @@ def posterior(
         raise TypeError(f"posterior: got {of!r}; expected SpinResiduals or LightResiduals")
     _sampler_packages()
     count, number = whole(draws, "draws", LEAST_DRAWS), whole(chains, "chains")
-    if not 0.0 < accept < 1.0:
+    target = float(_number(accept, "accept"))
+    if not 0.0 < target < 1.0:
         raise ValueError(f"accept: got {accept!r}; expected a number between 0 and 1")
+    before = whole(warm_up, "warm_up")
     ball = _Ball(of)
     seeds = np.random.SeedSequence(whole(seed, "seed", 0)).spawn(number)
 
     def chain(seed_of: Any) -> Any:
-        return _chain(ball, np.random.default_rng(seed_of), count, whole(warm_up, "warm_up"),
-                      accept)  # fmt: skip
+        return _chain(ball, np.random.default_rng(seed_of), count, before, target)
 
     if whole(threads, "threads") == 1:
         found = [chain(one) for one in seeds]

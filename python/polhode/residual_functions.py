@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from polhode._core import _numbers
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
@@ -119,7 +121,8 @@ class ResidualFunction:
 
     def _at(self, x: ArrayLike, derivatives: bool) -> Any:
         """Residuals and perhaps derivatives; of the last x once."""
-        key = np.ascontiguousarray(x, float).tobytes() if derivatives else b""
+        x = np.ascontiguousarray(_numbers(x, "x"))
+        key = x.tobytes()
         last = self._last
         if derivatives and last is not None and last[0] == key:
             return last[1]

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from polhode import Body, FreeRotation
+    from polhode._observed import Loss
 
     Array = NDArray[np.float64]
 
@@ -284,7 +285,7 @@ def fit_spin(
     *,
     priors: Mapping[Any, Any] | None = None,
     attitude_prior: Sequence[Any] | None = None,
-    loss: str | tuple[str, float] = "squared",
+    loss: Loss = "squared",
     error_factor: float = 1.0,
     scales_errors: bool = False,
     most_iterations: int = 200,
@@ -369,7 +370,7 @@ class SpinResiduals(ResidualFunction):
         *,
         priors: Mapping[Any, Any] | None = None,
         attitude_prior: Sequence[Any] | None = None,
-        loss: str | tuple[str, float] = "squared",
+        loss: Loss = "squared",
         error_factor: float = 1.0,
     ) -> None:
         problem = spin_problem(start, seen, unknowns, priors, attitude_prior, loss, error_factor)
