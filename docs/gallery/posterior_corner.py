@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The posterior of Toutatis in December 1992
 
-Draws from the posterior of the 17 attitudes that radar gave (Takahashi, Busch and Scheeres 2013):
-the rate in the middle of them, rad per day, and ratios of moments, with errors as large as the
-residuals say; lines are what `fit_spin` found. Needs `pip install polhode[sample]`.
+Draws from the posterior of the 17 attitudes that radar gave, with the prior of moments of those
+who measured them (Takahashi, Busch and Scheeres 2013): the rate in the middle, rad per day, and
+ratios of moments, with errors of attitudes as large as the residuals say; lines are what `fit_spin`
+found. Needs `pip install polhode[sample]`.
 """
 
 import numpy as np
@@ -26,9 +27,12 @@ attitudes = polhode.attitude(polhode.EulerAngles(phi, theta, psi))
 middle = polhode.attitude(polhode.EulerAngles(*np.radians([105.0, 83.0, -60.0])))
 start = polhode.SpinState(middle, np.radians([36.0, -12.0, -98.0]), [3.0, 3.2, 1.0])
 radar = polhode.Snapshots(attitudes=(t, attitudes, np.radians(15.0)))
-found = polhode.fit_spin(start, radar, scales_errors=True)
-residuals = polhode.SpinResiduals(found.state, radar, error_factor=found.error_factor)
-draws = polhode.posterior(residuals, draws=500, seed=1)
+prior = {"Ixx/Izz": (3.091, 0.1), "Iyy/Izz": (3.2178, 0.1)}
+found = polhode.fit_spin(start, radar, priors=prior, scales_errors=True)
+residuals = polhode.SpinResiduals(
+    found.state, radar, priors=prior, error_factor=found.error_factor
+)
+draws = polhode.posterior(residuals, draws=500, warm_up=200, seed=1)
 columns = ["w_x", "w_y", "w_z", "Ixx/Izz", "Iyy/Izz"]
 best = [dict(zip(found.names, found.values))[name] for name in columns]
 figures.save(figures.corner_plot(draws, columns, truths=best), "posterior_corner.png")

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+# Fewer say nothing of errors.
+_LEAST_FREEDOM = 0.5
 UNKNOWNS = ("attitude", "rate", "moments", "products")
 
 
@@ -226,8 +228,10 @@ class FitSolution:
 
     @property
     def error_scale(self) -> float:
-        """By which errors would be as large as residuals: sqrt(chi_square / degrees_of_freedom)."""
-        return float(np.sqrt(self.chi_square / self.degrees_of_freedom))
+        """By which errors would be as large as residuals: sqrt(chi_square / degrees_of_freedom);
+        NaN where the data leave no degrees of freedom."""
+        freedom = self.degrees_of_freedom
+        return float(np.sqrt(self.chi_square / freedom)) if freedom > _LEAST_FREEDOM else np.nan
 
     def _head(self) -> str:
         kind = type(self).__name__

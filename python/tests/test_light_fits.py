@@ -109,7 +109,7 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
     best = scan.minima[0]
     for found, sigma, true in ((best.f1, best.sigma_f1, f1), (best.f2, best.sigma_f2, f2)):
         scale = np.sqrt(best.chi_square / best.degrees_of_freedom)
-        assert abs(found - true) < budgets.scanned_frequency * sigma * max(1.0, scale)
+        assert abs(found - true) < budgets.scanned_frequency * sigma * largest(1.0, scale)
     assert scan.to_xarray().sizes == {"f1": len(scan.f1), "f2": len(scan.f2)}
     labels = polhode.period_labels(best.f1, best.f2)
     near = [

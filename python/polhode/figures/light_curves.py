@@ -96,7 +96,7 @@ def _axes(ax: Any, sessions: int) -> Any:
 
 
 def _line(curve: LightCurve, body: BrightEllipsoid, at_points: Any) -> Any:
-    """Times and fluxes of the model between the points, with the factor that the points have."""
+    """Times and fluxes of the model at and between the points, with the factor that these have."""
     between = np.linspace(curve.t.min(), curve.t.max(), LINE)
     t = between[~np.isin(between, curve.t)]  # a time may not stand twice
     order = np.argsort(curve.t)
@@ -115,4 +115,6 @@ def _line(curve: LightCurve, body: BrightEllipsoid, at_points: Any) -> Any:
     (found,) = model_fluxes(body, sorted_curve)
     back = np.empty(len(order))
     back[order] = found
-    return t, back[len(curve):]
+    back[: len(curve)] = at_points
+    order = np.argsort(both.t)
+    return both.t[order], back[order]

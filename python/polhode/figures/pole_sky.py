@@ -31,7 +31,8 @@ def pole_sky(
     solutions : what search_light or polhode.fit returned, or solutions of fit_light, fit_spin and
         the others, one or several.
     ax : Axes with the projection "mollweide", or None for a new figure.
-    scaled : errors as large as the residuals say; else as those of the data were given.
+    scaled : errors as large as the residuals say, where they say it; else as those of the data were
+        given.
     labels : of the solutions, in the legend; by default their place from 1 and their chi-square.
 
     Longitude grows from 0 on the left to 360 degrees on the right. Ellipses are of the covariance
@@ -73,7 +74,8 @@ def pole_and_covariance(solution: Any, scaled: bool = True) -> tuple[np.ndarray,
         by[:, k] = (ends[0] - ends[1]) / (2.0 * size)
     known = np.isfinite(np.diag(covariance))
     by = by[:, known]
-    return pole, by @ covariance[np.ix_(known, known)] @ by.T * (scale**2 if scaled else 1.0)
+    factor = scale if scaled and np.isfinite(scale) else 1.0
+    return pole, factor**2 * (by @ covariance[np.ix_(known, known)] @ by.T)
 
 
 def _spin_of(solution: Any) -> tuple[SpinState, tuple[str, ...], np.ndarray, float]:
@@ -84,8 +86,7 @@ def _spin_of(solution: Any) -> tuple[SpinState, tuple[str, ...], np.ndarray, flo
     found = solution._results._compiled.raw(solution._place)
     n = len(found["names"])
     covariance = np.asarray(found["covariance"]).reshape(n, n)
-    scale = np.sqrt(solution.chi_square / solution.degrees_of_freedom)
-    return solution.state, found["names"], covariance, float(scale)
+    return solution.state, found["names"], covariance, solution.error_factor or 1.0
 
 
 def _pole(state: SpinState) -> np.ndarray:
