@@ -6,6 +6,7 @@
 
 #include "fit/bind_fit.hpp"
 #include "fit/light_curves.hpp"
+#include "fit/light_problem.hpp"
 #include "io/work_loop.hpp"
 #include "polhode/fit/light_search.hpp"
 
@@ -51,15 +52,6 @@ const char* mode_word(Regime mode) {
 
 nb::tuple period_parts(const TumblerPeriods& p) {
   return nb::make_tuple(mode_word(p.mode), p.precession_period, p.rotation_period);
-}
-
-nb::dict light_dict(const LightSolution& found) {
-  nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);
-  d["body"] = body_parts(found.body);
-  d["factors"] = array_of(std::span<const double>(found.factors));
-  d["periods"] = period_parts(found.periods);
-  d["pole"] = array_of(found.pole);
-  return d;
 }
 
 LightFit light_problem(const nb::list& curves, const nb::tuple& start, bool shape,
@@ -160,6 +152,15 @@ nb::dict searched(const nb::list& curves, const Periods& periods, std::size_t st
 }
 
 }  // namespace
+
+nb::dict light_dict(const LightSolution& found) {
+  nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);
+  d["body"] = body_parts(found.body);
+  d["factors"] = array_of(std::span<const double>(found.factors));
+  d["periods"] = period_parts(found.periods);
+  d["pole"] = array_of(found.pole);
+  return d;
+}
 
 std::vector<LightCurve> light_curves_of(const nb::list& curves) {
   std::vector<LightCurve> all;

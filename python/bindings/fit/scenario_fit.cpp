@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fit/bind_fit.hpp"
+#include "fit/kept_rows.hpp"
 #include "fit/spin_problem.hpp"
 #include "io/io_parts.hpp"
 #include "io/work_loop.hpp"
@@ -56,23 +57,10 @@ Scenario keeping(const Scenario& scenario, Kept& kept) {
   return changed;
 }
 
-// (groups, table, notes)
-nb::tuple kept_residuals(const ScenarioFit& fit, std::size_t solution) {
-  Kept kept;
-  write_residuals(keeping(fit.scenario, kept), fit.report, solution,
-                  std::string("residuals") + extension);
-  nb::list groups;
-  std::size_t width = 0;
-  for (const ColumnGroup& group : kept.groups) {
-    nb::list columns;
-    for (const Column& column : group.columns)
-      columns.append(nb::make_tuple(column.name, column.unit));
-    groups.append(nb::make_tuple(group.name, columns));
-    width += group.columns.size();
-  }
-  Result table({kept.rows.size() / width, width});
-  std::copy(kept.rows.begin(), kept.rows.end(), table.at(0));
-  return nb::make_tuple(groups, table.take(), nb::cast(kept.notes));
+nb::tuple residual_rows(const ScenarioFit& fit, std::size_t solution) {
+  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
+    write_residuals(scenario, fit.report, solution, path);
+  });
 }
 
 double middle_of(const Snapshots& seen) {
@@ -121,13 +109,31 @@ SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled
 
 }  // namespace
 
+nb::tuple kept_rows(const Scenario& scenario,
+                    const std::function<void(const Scenario&, const std::string& path)>& write) {
+  Kept kept;
+  write(keeping(scenario, kept), std::string("rows") + extension);
+  nb::list groups;
+  std::size_t width = 0;
+  for (const ColumnGroup& group : kept.groups) {
+    nb::list columns;
+    for (const Column& column : group.columns)
+      columns.append(nb::make_tuple(column.name, column.unit));
+    groups.append(nb::make_tuple(group.name, columns));
+    width += group.columns.size();
+  }
+  Result table({kept.rows.size() / width, width});
+  std::copy(kept.rows.begin(), kept.rows.end(), table.at(0));
+  return nb::make_tuple(groups, table.take(), nb::cast(kept.notes));
+}
+
 void bind_scenario_fit(nb::module_& m) {
   nb::class_<ScenarioFit>(m, "_ScenarioFit")
       .def_prop_ro("json", [](const ScenarioFit& f) { return fit_json(f.scenario, f.report); })
       .def_prop_ro("text", [](const ScenarioFit& f) { return fit_text(f.scenario, f.report); })
       .def("solution_text", [](const ScenarioFit& f,
                                std::size_t k) { return solution_text(f.scenario, f.report, k); })
-      .def("residuals", kept_residuals)
+      .def("residuals", residual_rows)
       .def("problem", problem_at, "solution"_a, "scaled"_a, "epoch"_a.none())
       .def("raw", [](const ScenarioFit& f,
                      std::size_t k) { return solution_dict(f.report.solutions.at(k).raw); })

@@ -15,6 +15,7 @@
 
 namespace {
 using namespace polhode;
+using test::message_of;
 
 // y = a + b t with errors of 1/2, a prior of b.
 LeastSquares line(Loss loss = {}) {
