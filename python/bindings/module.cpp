@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode._core: every layer of the C++ library, in the order in which they build on each other.
 #include "bindings.hpp"
+#include "fit/bind_fit.hpp"
 #include "interface/gil.hpp"
 #include "polhode/error.hpp"
 #include "polhode/version.hpp"
@@ -43,6 +44,7 @@ void bind_everything(nb::module_& m) {
   bind_lie_transform(m);
   bind_normal_form(m);
   bind_io(m);
+  bind_fit(m);
 }
 
 // The module that holds what is bound; let go of at exit, before Python looks for leaks.

@@ -18,30 +18,92 @@ from polhode._signatures import (
 from polhode._summary import Summary
 from polhode.argument_fit import ArgumentFit, argument_fit
 from polhode.ensembles import EnsembleResults, ensemble
+from polhode.fits import FitNumber, FitResiduals, FitResults, ScenarioSolution, fit, simulate
 from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
+from polhode.light_fits import (
+    BrightEllipsoid,
+    FoundLight,
+    LightCurve,
+    LightResiduals,
+    LightSearchResult,
+    LightSolution,
+    fit_light,
+    model_fluxes,
+    search_light,
+)
 from polhode.maps import MapResults
+from polhode.posterior import Posterior, posterior
+from polhode.residual_functions import ResidualFunction
 from polhode.results import Results
+from polhode.scans import (
+    FourierScan,
+    PeriodLabel,
+    ScanAdvice,
+    ScanMinimum,
+    fourier_scan,
+    period_labels,
+    scan_advice,
+)
 from polhode.scenarios import Citation, Scenario, load
+from polhode.spin_fits import (
+    FitSolution,
+    Snapshots,
+    SpinResiduals,
+    SpinSolution,
+    SpinState,
+    fit_spin,
+)
 
 __all__ = [
     "ArgumentFit",
+    "BrightEllipsoid",
     "Citation",
     "EnsembleHistogram",
     "EnsembleResults",
     "FirstTimes",
+    "FitNumber",
+    "FitResiduals",
+    "FitResults",
+    "FitSolution",
+    "FoundLight",
+    "FourierScan",
     "FreeWobble",
     "HarmonicFit",
+    "LightCurve",
+    "LightResiduals",
+    "LightSearchResult",
+    "LightSolution",
     "MapResults",
+    "PeriodLabel",
+    "Posterior",
+    "ResidualFunction",
     "Results",
+    "ScanAdvice",
+    "ScanMinimum",
     "Scenario",
+    "ScenarioSolution",
+    "Snapshots",
+    "SpinResiduals",
+    "SpinSolution",
+    "SpinState",
     "Summary",
     "argument_fit",
     "elliptic",
     "ensemble",
+    "fit",
+    "fit_light",
+    "fit_spin",
+    "fourier_scan",
     "harmonic_fit",
     "load",
+    "model_fluxes",
+    "period_labels",
+    "posterior",
+    "scan_advice",
+    "search_light",
+    "simulate",
     "to_scipy",
     "vary",
     "without_free_wobble",

@@ -9,6 +9,7 @@ import re
 
 import astropy.table
 import astropy.units as u
+import fit_calls
 import numpy as np
 import pandas as pd
 import pint
@@ -334,7 +335,7 @@ def numbers_in_sources():
 
 
 def test_functions_written_in_python_refuse_quantities(tmp_path):
-    known = no_figures(tmp_path) | of_figures(tmp_path) | of_elliptic()
+    known = no_figures(tmp_path) | of_figures(tmp_path) | of_elliptic() | fit_calls.of_fits()
     for name, parameter in numbers_in_sources():
         if parameter not in COUNTS:
             assert parameter in known[name][1], f"no {parameter} of {name} above"

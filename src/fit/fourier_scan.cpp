@@ -118,7 +118,10 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
   const Scan scan(points, of, options.set);
   run_cells(
       0, scan.blocks(), options.threads,
-      [&](std::int64_t k) { return scan.block(static_cast<std::size_t>(k)); },
+      [&](std::int64_t k) {
+        if (options.between) options.between();
+        return scan.block(static_cast<std::size_t>(k));
+      },
       [&](std::int64_t, const BlockResult& r) {
         for (std::size_t i = 0; i < r.rows; ++i)
           std::copy_n(r.chi_square.data() + i * r.columns, r.columns,

@@ -71,6 +71,22 @@ LightSolution fit_light(const LightFit& fit) {
   return found;
 }
 
+LeastSquares least_squares_of(const LightFit& fit) {
+  require_sound(fit.curves, {.vectors = true});
+  require_start(fit);
+  const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start);
+  require_enough(residuals);
+  return detail::light_problem(residuals, fit.unknowns, fit.start, fit.loss, fit.most_iterations);
+}
+
+BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x) {
+  const detail::LightPlaces places(fit.unknowns);
+  if (x.size() != places.count)
+    throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
+                      std::to_string(places.count));
+  return detail::LightResiduals({}, fit.unknowns, fit.start).body_at(x);
+}
+
 std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const BrightEllipsoid& about,
                                       const BrightEllipsoid& body) {
   const Vec3 turn = attitude_residual(about.spin.q, body.spin.q);

@@ -76,7 +76,10 @@ class Search {
     std::vector<std::vector<LightTrial>> trials(search_.periods.size());
     run_cells(
         0, static_cast<std::int64_t>(search_.starts), search_.threads,
-        [&](std::int64_t k) { return detail::light_trial(search_, static_cast<std::uint64_t>(k)); },
+        [&](std::int64_t k) {
+          if (search_.between) search_.between();
+          return detail::light_trial(search_, static_cast<std::uint64_t>(k));
+        },
         [&](std::int64_t k, const std::optional<LightTrial>& trial) {
           if (!trial) return;
           ++result_.starts;
@@ -113,6 +116,7 @@ class Search {
     run_cells(
         0, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
+          if (search_.between) search_.between();
           const Finalist& f = finalists[static_cast<std::size_t>(k)];
           LightFit fit{search_.curves, f.start, search_.unknowns, search_.loss,
                        search_.most_iterations};

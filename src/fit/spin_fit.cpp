@@ -158,6 +158,20 @@ SpinSolution fit_spin(const SpinFit& fit) {
   return found;
 }
 
+LeastSquares least_squares_of(const SpinFit& fit) {
+  check(fit.seen);
+  require_start(fit);
+  return problem_of(fit);
+}
+
+SpinState state_at(const SpinFit& fit, std::span<const double> x) {
+  const std::vector<std::size_t> parameters = detail::parameters_of(fit.unknowns);
+  if (x.size() != parameters.size())
+    throw DomainError("state_at: got " + std::to_string(x.size()) + " unknowns; expected " +
+                      std::to_string(parameters.size()));
+  return detail::state_at(fit.start, parameters, x);
+}
+
 std::vector<double> unknowns_at(const SpinFit& fit, const SpinState& about,
                                 const SpinState& state) {
   const Vec3 turn = attitude_residual(about.q, state.q);

@@ -111,4 +111,19 @@ inline constexpr double oem_run = 1e-8;
 // Modules beside NumPy's and polhode's own: dataclasses and what it needs.
 inline constexpr double imported_modules = 12;
 
+// --- fits (python/tests/test_fits.py, test_light_fits.py): values off the truth in errors; another
+// optimiser's minimum in errors and of chi-square, its covariance; fourth-order differences of
+// residuals, of a column; semi-axes from one night with noise of 1 % ---
+inline constexpr double python_fit_off = 4.0;
+inline constexpr double python_optimum = 1e-3, python_covariance = 1e-2;
+inline constexpr double python_residual_difference = 1e-6, python_lambert = 1e-5;
+inline constexpr double python_axes = 0.1;
+// --- samplers (python/tests/test_posterior.py): of errors of 300 to 600 draws ---
+inline constexpr double sampled_mean = 0.25, sampled_spread = 0.15, sampled_rhat = 0.02;
+inline constexpr double sampled_toutatis = 0.5, sampled_rhat_few = 1.06, sampled_rhat_full = 1.01;
+inline constexpr double unbounded_difference = 1e-8;
+// --- figures of fits: a curve of 800 points between them, an edge of 361 points ---
+inline constexpr double drawn_between = 1e-3, drawn_edge = 1e-4;
+inline constexpr double drawn_degrees = 1e-6;  // of printed digits
+
 }  // namespace polhode::budget

@@ -44,6 +44,9 @@ SECTIONS = {
         "ensemble_fan", "ensemble_regimes", "ensemble_corner", "ensemble_outcomes",
         "ensemble_poles",
     ],
+    "Fits": [
+        "light_curve_fit", "scan_landscape", "pole_sky", "body_as_seen", "posterior_corner",
+    ],
     "Perturbation theory": ["normal_form", "mean_rotation", "nutation"],
     "Obliquity over ages": [
         "obliquity_series", "obliquity_spectrum", "obliquity_resonances", "chaotic_zones",

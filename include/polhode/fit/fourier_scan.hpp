@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "polhode/fit/fourier_fit.hpp"
@@ -61,6 +62,8 @@ struct ScanOptions {
   std::size_t order = 3;
   int threads = 1;
   InstructionSet set = widest_instruction_set();
+  // Called before each block of pairs, in any of the threads; what it throws ends the scan.
+  std::function<void()> between = {};
 };
 
 Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& first,

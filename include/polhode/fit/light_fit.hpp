@@ -84,6 +84,12 @@ struct LightSolution : LightOutcome {
 
 LightSolution fit_light(const LightFit& fit);
 
+// The problem that it solves, for another optimiser or a sampler (residual_function.hpp): turns are
+// about the attitude of the start, factors of sessions the best ones. And the body at some values
+// of the unknowns.
+LeastSquares least_squares_of(const LightFit& fit);
+BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x);
+
 // The unknowns of a body, in the order of the covariance of a fit from `about`.
 std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const BrightEllipsoid& about,
                                       const BrightEllipsoid& body);

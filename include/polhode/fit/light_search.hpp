@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -72,6 +73,8 @@ struct LightSearch {
   int most_iterations = 60;  // of a finalist
   std::uint64_t seed = 0;
   int threads = 1;
+  // Called before each start and each fit, in any of the threads; what it throws ends the search.
+  std::function<void()> between = {};
 };
 
 struct FoundLight {

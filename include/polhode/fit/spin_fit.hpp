@@ -81,6 +81,11 @@ struct SpinSolution {
 
 SpinSolution fit_spin(const SpinFit& fit);
 
+// The problem that it solves, for another optimiser or a sampler (residual_function.hpp): turns are
+// about the attitude of the start. And the state at some values of the unknowns.
+LeastSquares least_squares_of(const SpinFit& fit);
+SpinState state_at(const SpinFit& fit, std::span<const double> x);
+
 // The unknowns of a fit at a state, in the order of its covariance: turns from `about`. For
 // mahalanobis(), and tables.
 std::vector<double> unknowns_at(const SpinFit& fit, const SpinState& about, const SpinState& state);

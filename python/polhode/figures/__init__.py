@@ -8,17 +8,21 @@ print size and resolution; `style` is the module with the colours and looks."""
 from polhode.figures import style
 from polhode.figures.animation import animation
 from polhode.figures.attitude import BodyPicture, attitude_of_body
+from polhode.figures.body_as_seen import body_as_seen
 from polhode.figures.chaos import chaos_growth, chaos_map
 from polhode.figures.corner_plot import corner_plot
 from polhode.figures.ellipses import orbit_ellipses
 from polhode.figures.energy_error import energy_error
 from polhode.figures.frames import frames_and_angles
+from polhode.figures.landscape import scan_landscape
+from polhode.figures.light_curves import light_curve_fit
 from polhode.figures.momentum_sphere import momentum_sphere
 from polhode.figures.oblate_planet import OblatePlanet
 from polhode.figures.outcomes import outcomes
 from polhode.figures.overview import overview
 from polhode.figures.phase_plane import phase_plane
 from polhode.figures.pole_cloud import pole_cloud
+from polhode.figures.pole_sky import pole_sky
 from polhode.figures.polhode_curves import (
     herpolhode,
     polhode_and_herpolhode,
@@ -42,12 +46,14 @@ __all__ = [
     "View",
     "animation",
     "attitude_of_body",
+    "body_as_seen",
     "chaos_growth",
     "chaos_map",
     "corner_plot",
     "energy_error",
     "frames_and_angles",
     "herpolhode",
+    "light_curve_fit",
     "momentum_sphere",
     "orbit_ellipses",
     "outcomes",
@@ -55,12 +61,14 @@ __all__ = [
     "phase_plane",
     "poincare_section",
     "pole_cloud",
+    "pole_sky",
     "polhode_and_herpolhode",
     "polhode_on_ellipsoid",
     "quantile_fan",
     "regime_fractions",
     "regime_look",
     "save",
+    "scan_landscape",
     "series",
     "style",
     "time_series",

@@ -58,4 +58,5 @@ def read_ensemble(source: Source, function: str) -> EnsembleData:
             "ensemble, or a mapping of columns"
         )
     columns = {str(name): _numbers(x, name) for name, x in source.items()}
-    return EnsembleData(columns, {}, [key for key in columns if "." in key], function)
+    units = dict(getattr(source, "units", {}))  # of a Posterior
+    return EnsembleData(columns, units, [key for key in columns if "." in key], function)

@@ -54,11 +54,16 @@ def pole_cloud(
     below = {"orientation": "horizontal", "shrink": 0.6, "aspect": 30.0}
     draw_points(axis, data, x, latitude, value, limits, size, **below)
     axis.grid(True)
+    set_sky_ticks(axis)
+    return axis
+
+
+def set_sky_ticks(axis: Axes) -> None:
+    """Longitude from 0 on the left to 360 degrees, latitude, every 30 and 60 degrees."""
     axis.xaxis.set_major_locator(FixedLocator(np.radians([-120.0, -60.0, 0.0, 60.0, 120.0])))
     axis.xaxis.set_major_formatter(FuncFormatter(_longitude))
     axis.yaxis.set_major_locator(FixedLocator(np.radians([-60.0, -30.0, 0.0, 30.0, 60.0])))
     axis.yaxis.set_major_formatter(FuncFormatter(lambda at, _: _degrees(np.degrees(at))))
-    return axis
 
 
 def _longitude(at: float, _: int) -> str:

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Fits and simulations of scenarios.
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "fit/bind_fit.hpp"
+#include "fit/kept_rows.hpp"
+#include "fit/spin_problem.hpp"
+#include "io/io_parts.hpp"
+#include "io/work_loop.hpp"
+#include "polhode/run/fit.hpp"
+#include "polhode/run/simulate.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+// A fit and what it left.
+struct ScenarioFit {
+  Scenario scenario;
+  FitReport report;
+};
+
+ScenarioFit fit_of(const Scenario& scenario, nb::handle progress) {
+  ScenarioFit fit{scenario, {}};
+  const std::int64_t starts = require_fit(scenario).starts;
+  WorkLoop loop("the fit was stopped", progress);
+  FitOptions options;
+  options.stop = [&loop] { return loop.is_stopped(); };
+  options.progress = [&loop](std::int64_t done) { loop.reach(done); };
+  loop.do_work(starts, [&] { fit.report = fit_scenario(fit.scenario, options); });
+  return fit;
+}
+
+// What a file of rows would hold.
+struct Kept {
+  std::vector<ColumnGroup> groups;
+  std::vector<double> rows;
+  std::vector<std::string> notes;
+};
+
+constexpr const char* extension = ".rows-in-memory";
+
+// The scenario, whose outputs of this extension go into `kept`.
+Scenario keeping(const Scenario& scenario, Kept& kept) {
+  Scenario changed = scenario;
+  OutputFormat format("rows-in-memory", extension, "Rows for Python.",
+                      [&kept](const SinkRequest& request) -> std::unique_ptr<Sink> {
+                        kept.groups = request.groups;
+                        kept.notes = request.provenance.notes;
+                        return std::make_unique<TableSink>(kept.rows);
+                      });
+  changed.output.formats = changed.output.formats.with(std::move(format));
+  return changed;
+}
+
+nb::tuple residual_rows(const ScenarioFit& fit, std::size_t solution) {
+  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
+    write_residuals(scenario, fit.report, solution, path);
+  });
+}
+
+double middle_of(const Snapshots& seen) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  const auto reach = [&](const auto& rows) {
+    for (const auto& row : rows) {
+      first = std::min(first, row.t);
+      last = std::max(last, row.t);
+    }
+  };
+  reach(seen.attitudes);
+  reach(seen.directions);
+  reach(seen.rates);
+  return 0.5 * (first + last);
+}
+
+// Priors of the attitude and the rate are those at t0.
+bool may_move(const SpinFit& fit) {
+  if (fit.attitude_prior) return false;
+  return std::ranges::none_of(fit.priors, [](const NormalPrior& prior) {
+    return std::ranges::any_of(prior.unknowns,
+                               [](const std::string& name) { return name.starts_with("w_"); });
+  });
+}
+
+// The fit of snapshots, as it begins at a solution; of scaled errors where these are asked for. The
+// epoch is the middle of the observations where it may be: far from them, an error of the rate is
+// one of the attitude, along a curve.
+SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled,
+                       const std::optional<double>& epoch) {
+  const FoundSpin& found = fit.report.solutions.at(solution);
+  SpinProblem problem{fit.report.problem};
+  const bool has_scaled = scaled && found.scaled;
+  const SpinSolution& from = has_scaled ? *found.scaled : found.raw;
+  problem.fit.start = from.state;
+  if (has_scaled) problem.fit.error_factor = found.scaled->error_factor;
+  const bool moves = may_move(problem.fit);
+  if (epoch && !moves && *epoch != from.state.t0)
+    throw nb::value_error("epoch: priors of the attitude or the rate are of t = 0; expected None");
+  if (!moves) return problem;
+  const double t = epoch.value_or(middle_of(problem.fit.seen));
+  const PredictedAttitude there = predicted(problem.fit, from, {&t, 1}).front();
+  problem.fit.start = {t, there.q, there.w_F, from.state.inertia_F};
+  return problem;
+}
+
+}  // namespace
+
+nb::tuple kept_rows(const Scenario& scenario,
+                    const std::function<void(const Scenario&, const std::string& path)>& write) {
+  Kept kept;
+  write(keeping(scenario, kept), std::string("rows") + extension);
+  nb::list groups;
+  std::size_t width = 0;
+  for (const ColumnGroup& group : kept.groups) {
+    nb::list columns;
+    for (const Column& column : group.columns)
+      columns.append(nb::make_tuple(column.name, column.unit));
+    groups.append(nb::make_tuple(group.name, columns));
+    width += group.columns.size();
+  }
+  Result table({kept.rows.size() / width, width});
+  std::copy(kept.rows.begin(), kept.rows.end(), table.at(0));
+  return nb::make_tuple(groups, table.take(), nb::cast(kept.notes));
+}
+
+void bind_scenario_fit(nb::module_& m) {
+  nb::class_<ScenarioFit>(m, "_ScenarioFit")
+      .def_prop_ro("json", [](const ScenarioFit& f) { return fit_json(f.scenario, f.report); })
+      .def_prop_ro("text", [](const ScenarioFit& f) { return fit_text(f.scenario, f.report); })
+      .def("solution_text", [](const ScenarioFit& f,
+                               std::size_t k) { return solution_text(f.scenario, f.report, k); })
+      .def("residuals", residual_rows)
+      .def("problem", problem_at, "solution"_a, "scaled"_a, "epoch"_a.none())
+      .def("raw", [](const ScenarioFit& f,
+                     std::size_t k) { return solution_dict(f.report.solutions.at(k).raw); })
+      .def("scaled", [](const ScenarioFit& f, std::size_t k) -> nb::object {
+        const FoundSpin& found = f.report.solutions.at(k);
+        if (!found.scaled) return nb::none();
+        return solution_dict(*found.scaled);
+      });
+  m.def("_fit_scenario", fit_of, "scenario"_a, "progress"_a.none());
+  m.def("_simulate", [](const Scenario& scenario, nb::handle folder, bool may_replace) {
+    return write_simulation(scenario, path_text(folder), may_replace);
+  });
+}
+
+}  // namespace polhode::python

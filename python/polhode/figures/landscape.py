@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""The landscape of a Fourier scan: chi-square over two frequencies, with its minima."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+
+from polhode import FourierScan
+from polhode._core import _number
+from polhode.figures.labels import HALO
+from polhode.figures.style import SINGLE_COLUMN, VERMILLION, axes_or_new, styled
+
+PIXELS = 700
+"""Cells across, above which each pixel is the least of those in it: minima are narrow."""
+
+
+@styled
+def scan_landscape(
+    scan: FourierScan, ax: Axes | None = None, *, minima: int = 5, unit: str = ""
+) -> Axes:
+    """Chi-square per degree of freedom by two frequencies, on a logarithmic scale; dark is low.
+
+    Parameters
+    ----------
+    scan : what fourier_scan returned.
+    minima : how many of the lowest are marked, with their place in the list from 1; a cross stands
+        for one that is not resolved or lies at the edge.
+    unit : of time, for the labels.
+
+    Returns
+    -------
+    Axes with f1 up and f2 across. A grid with more cells than pixels shows the least of each."""
+    if not isinstance(scan, FourierScan):
+        raise TypeError(f"scan_landscape: got {scan!r}; expected what fourier_scan returns")
+    count = int(_number(minima, "minima"))
+    axis = axes_or_new(ax, 1.25 * SINGLE_COLUMN, SINGLE_COLUMN)
+    harmonics = ((2 * scan.order + 1) ** 2 - 1) // 2
+    freedom = max(scan.points - 2 * harmonics - 1, 1)
+    f1, f2, values = _least(scan.f1, scan.f2, scan.chi_square / freedom)
+    mesh = axis.pcolormesh(f2, f1, values, norm=LogNorm(), rasterized=True, shading="nearest")
+    per = f" (1/{unit})" if unit else ""
+    axis.set(xlabel=f"$f_2${per}", ylabel=f"$f_1${per}")
+    axis.figure.colorbar(mesh, ax=axis, label=r"$\chi^2$ per degree of freedom")
+    for k, m in enumerate(scan.minima[:count], 1):
+        sound = m.resolved and m.converged and not m.at_edge
+        x, y = m.f2, m.f1
+        marker = {"marker": "o" if sound else "x", "markerfacecolor": "none"}
+        axis.plot(x, y, color=VERMILLION, markersize=6.0, linestyle="None",
+                  markeredgewidth=1.0, gid=f"minimum-{k}", **marker)  # fmt: skip
+        # neighbours have their numbers on different sides
+        side = {"ha": "left", "va": "bottom"} if k % 2 else {"ha": "right", "va": "top"}
+        offset = (4, 4) if k % 2 else (-4, -4)
+        axis.annotate(str(k), (x, y), offset, textcoords="offset points", color=VERMILLION,
+                      fontsize=8.0, path_effects=HALO, **side)  # fmt: skip
+    axis.tick_params(direction="out", top=False, right=False)
+    return axis
+
+
+def _least(f1: np.ndarray, f2: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, ...]:
+    """No more than PIXELS cells each way: the least of each block."""
+    for axis, f in ((0, f1), (1, f2)):
+        step = -(-len(f) // PIXELS)
+        starts = np.arange(0, len(f), step)
+        values = np.minimum.reduceat(values, starts, axis=axis)
+        if axis == 0:
+            f1 = np.add.reduceat(f1, starts) / np.diff(np.append(starts, len(f1)))
+        else:
+            f2 = np.add.reduceat(f2, starts) / np.diff(np.append(starts, len(f2)))
+    return f1, f2, values

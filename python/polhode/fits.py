@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: MIT
+"""Fits of scenarios: from the files of what was observed to spin states with their errors."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from polhode import _core, _tables
+from polhode._columns import Columns
+from polhode._notebook import html_rows
+from polhode._observed import whole
+from polhode.spin_fits import SpinResiduals, SpinState
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from numpy.typing import NDArray
+
+    from polhode.posterior import Posterior
+    from polhode.scenarios import Path, Scenario
+
+    Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class FitNumber:
+    """One unknown of a solution, in the units of the scenario: turns from the attitude of the start
+    of the file, about the body axes. Scaled: with errors that make chi-square per degree of freedom
+    1, None without degrees of freedom; with priors the value moves, too."""
+
+    unit: str
+    start: float
+    value: float
+    error: float
+    scaled_value: float | None = None
+    scaled_error: float | None = None
+
+
+class FitResiduals(Columns):
+    """Residuals of a solution, a row for each observation, named and with the units of the files of
+    `polhode fit --residuals`. `notes` say which tables there are."""
+
+    def __init__(self, groups: Any, table: Array, notes: Any = ()) -> None:
+        super().__init__(groups, table)
+        self._notes = list(notes)
+
+    @property
+    def notes(self) -> list[str]:
+        """Which tables there are, and what the columns mean."""
+        return list(self._notes)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Along t; units are attributes of the variables."""
+        notes = {"notes": "\n".join(self._notes)}
+        return _tables.to_xarray(dict(self), notes, self._units)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """With index t; units and notes in .attrs."""
+        notes = {"notes": "\n".join(self._notes)}
+        return _tables.to_pandas(dict(self), notes, self._units)
+
+    def __repr__(self) -> str:
+        columns = ", ".join(n if u == "1" else f"{n} [{u}]" for n, u in self._units.items())
+        return f"<FitResiduals: {len(self._table)} rows of {columns}>"
+
+
+class ScenarioSolution:
+    """One of the solutions of FitResults. Everything is in the units of the scenario."""
+
+    def __init__(self, results: FitResults, place: Any) -> None:
+        self._results, self._place = results, place
+        self._found: dict[str, Any] = results._report["solutions"][place]
+
+    @property
+    def unknowns(self) -> dict[str, FitNumber]:
+        """FitNumber by name: `solution.unknowns["w_x"].value`."""
+        return {
+            name: FitNumber(**{
+                key: np.inf if value is None else value for key, value in one.items()
+            })
+            for name, one in self._found["unknowns"].items()
+        }
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the unknowns, in the order of the covariance."""
+        return tuple(self._found["unknowns"])
+
+    @property
+    def covariance(self) -> Array:
+        """(P, P), with errors as they were given, in products of the units of the unknowns."""
+        rows = self._found["covariance_core"]
+        matrix = np.array([[np.inf if x is None else x for x in row] for row in rows], dtype=float)
+        units = self._results.scenario.units
+        factors = np.array([_factor(units, name) for name in self.names])
+        return matrix * np.outer(factors, factors)
+
+    @property
+    def scaled_covariance(self) -> Array | None:
+        """The same with scaled errors: of data and priors together, as they weigh then. None
+        without degrees of freedom."""
+        found = self._results._compiled.scaled(self._place)
+        if found is None:
+            return None
+        n = len(self.names)
+        units = self._results.scenario.units
+        factors = np.array([_factor(units, name) for name in self.names])
+        return np.asarray(found["covariance"]).reshape(n, n) * np.outer(factors, factors)
+
+    @property
+    def correlations(self) -> Array:
+        """(P, P), NaN for what is not determined."""
+        covariance = self.covariance
+        errors = np.sqrt(np.diag(covariance))
+        with np.errstate(invalid="ignore"):
+            return covariance / np.outer(errors, errors)
+
+    @property
+    def chi_square(self) -> float:
+        """Of the data, with errors as they were given."""
+        return self._found["chi_square"]
+
+    @property
+    def degrees_of_freedom(self) -> float:
+        """Numbers of data less the unknowns that they determine."""
+        return self._found["degrees_of_freedom"]
+
+    @property
+    def error_factor(self) -> float | None:
+        """That of scaled errors; None without degrees of freedom."""
+        return self._found.get("error_factor")
+
+    @property
+    def converged(self) -> bool:
+        """True: what did not converge is no solution."""
+        return self._found.get("converged", True)
+
+    @property
+    def notes(self) -> list[str]:
+        """Which combinations the data do not determine, and more to know."""
+        return list(self._found.get("notes", ()))
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """All that `polhode fit --json` says of it."""
+        return self._found
+
+    @property
+    def text(self) -> str:
+        """The scenario file that begins at the solution: kind "rotation", which `polhode run`
+        takes."""
+        return self._results._compiled.solution_text(self._place)
+
+    @property
+    def scenario(self) -> Scenario:
+        """The same as a Scenario, which runs."""
+        from polhode.scenarios import Scenario
+
+        return Scenario.from_text(self.text, self._results.scenario._file.path)
+
+    @property
+    def state(self) -> SpinState:
+        """At t = 0 of the scenario, radians and its unit of time."""
+        return SpinState._of(self._results._compiled.raw(self._place)["state"])
+
+    @property
+    def residuals(self) -> FitResiduals:
+        """Columns by name; see FitResiduals."""
+        return FitResiduals(*self._results._compiled.residuals(self._place))
+
+    def residual_function(
+        self, scaled: bool = False, epoch: float | None = None
+    ) -> SpinResiduals:
+        """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
+        radians and the scenario's unit of time, turns about the attitude that was found.
+
+        scaled : with errors of data that make chi-square per degree of freedom 1.
+        epoch : when the attitude and the rate are those of the unknowns. None: midway between the
+            first and the last observation, where they depend least on each other; 0 where the
+            scenario has priors of them, which hold there. `f.state(x)` has it as t0."""
+        at = None if epoch is None else float(_core._number(epoch, "epoch"))
+        problem = self._results._compiled.problem(self._place, bool(scaled), at)
+        return SpinResiduals._of(problem.residuals())
+
+    def sample(
+        self, scaled: bool = False, epoch: float | None = None, **keywords: Any
+    ) -> Posterior:
+        """Draws from the posterior about this solution: polhode.posterior of residual_function(
+        scaled, epoch), with its keywords. Needs the packages of `pip install polhode[sample]`."""
+        from polhode.posterior import posterior
+
+        return posterior(self.residual_function(scaled, epoch), **keywords)
+
+    def __repr__(self) -> str:
+        lines = [" ".join(text for text in cells if text) for cells in self._cells()]
+        head = f"chi-square {self.chi_square:.4g} on {self.degrees_of_freedom:.4g}"
+        return "\n".join([f"<ScenarioSolution: {head}", *(f"  {line}" for line in lines)]) + ">"
+
+    def _cells(self) -> list[tuple[str, str, str, str]]:
+        return [
+            (
+                name, f"{n.value:.7g} +- {n.error:.3g}", "" if n.unit == "1" else n.unit,
+                "" if n.scaled_error is None else
+                f"(scaled {n.scaled_value:.7g} +- {n.scaled_error:.3g})",
+            )
+            for name, n in self.unknowns.items()
+        ]  # fmt: skip
+
+
+class FitResults:
+    """What a fit of a scenario found: solutions by chi-square. Made by polhode.fit.
+
+    `results.solutions[0]` is the best; `len(results)`, `results[k]` and loops go over solutions.
+    """
+
+    def __init__(self, scenario: Scenario, compiled: Any) -> None:
+        self._scenario, self._compiled = scenario, compiled
+        self._report: dict[str, Any] = json.loads(compiled.json)
+        self._solutions = [
+            ScenarioSolution(self, k) for k in range(len(self._report["solutions"]))
+        ]
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was fitted."""
+        return self._scenario
+
+    @property
+    def solutions(self) -> list[ScenarioSolution]:
+        """By chi-square; none that did not converge."""
+        return list(self._solutions)
+
+    @property
+    def starts(self) -> int:
+        """How many there were."""
+        return self._report["starts"]
+
+    @property
+    def failed(self) -> int:
+        """Starts from which nothing converged."""
+        return self._report.get("failed", 0)
+
+    @property
+    def failure(self) -> str:
+        """What was said of the first of them; empty where there are none."""
+        return self._report.get("failure", "")
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """All that `polhode fit --json` says, as a dict."""
+        return self._report
+
+    @property
+    def text(self) -> str:
+        """What `polhode fit` prints."""
+        return self._compiled.text
+
+    def __len__(self) -> int:
+        return len(self._solutions)
+
+    def __getitem__(self, place: int) -> ScenarioSolution:
+        return self._solutions[place]
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        title = self._scenario.title or self._scenario.name
+        if not self._solutions:
+            return f"<FitResults: {title}: no solution; {self.failure}>"
+        head = f"<FitResults: {title}: {len(self)} solutions of {self.starts} starts"
+        return "\n".join([head, *(f"  {one!r}" for one in self._solutions)]) + ">"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        title = html.escape(self._scenario.title or self._scenario.name)
+        parts = [f"<p><b>{title}</b><br>{len(self)} solutions of {self.starts} starts</p>"]
+        for k, one in enumerate(self._solutions, 1):
+            head = (f"Solution {k}: chi-square {one.chi_square:.4g} on "
+                    f"{one.degrees_of_freedom:.4g} degrees of freedom")  # fmt: skip
+            parts.append(html_rows(head, one._cells(), ("", "value", "unit", "")))
+        if not self._solutions:
+            parts.append(f"<p>{html.escape(self.failure)}</p>")
+        return "".join(parts)
+
+
+def _factor(units: Any, name: str) -> float:
+    """One radian, or one rad per unit of time, in the units of an unknown."""
+    if name.startswith("turn_"):
+        return units.from_core(1.0, "angle")
+    return units.from_core(1.0, "rate") if name.startswith("w_") else 1.0
+
+
+def _loaded(scenario: Scenario | Path, function: str) -> Scenario:
+    from polhode.scenarios import Scenario, load
+
+    if isinstance(scenario, Scenario):
+        return scenario
+    if not isinstance(scenario, (str, bytes, os.PathLike)):
+        raise TypeError(f"{function}: got {scenario!r}; expected a Scenario or a path")
+    return load(scenario)
+
+
+def fit(
+    scenario: Scenario | Path,
+    *,
+    starts: int | None = None,
+    seed: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> FitResults:
+    """From what was observed to spin states with their uncertainty: what `polhode fit` does.
+
+    Parameters
+    ----------
+    scenario : a Scenario of kind "fit", or the path of its file; the files of its tables
+        [[observation]] lie next to it.
+    starts, seed : of the table [fit], where they are not None.
+    progress : called with the starts that are done and their number; what it raises ends the fit.
+
+    Returns
+    -------
+    FitResults
+        Without solutions where nothing converged: `.failure` says what to try.
+
+    ScenarioError (a ValueError) for a scenario that is no fit and for a mistake in a file of
+    observations, with its line; OSError for a file that is not there. Ctrl-C ends it between two
+    starts. Releases the GIL.
+    """
+    of = _loaded(scenario, "fit")
+    changes: Mapping[str, Any] = {
+        key: whole(value, key, least)
+        for key, value, least in (("starts", starts, 1), ("seed", seed, 0))
+        if value is not None
+    }
+    if changes:
+        of = of.replace({f"fit.{key}": value for key, value in changes.items()})
+    return FitResults(of, _core._fit_scenario(of._file, progress))
+
+
+def simulate(scenario: Scenario | Path, folder: Path, *, overwrite: bool = False) -> list[str]:
+    """What the observations of a scenario of kind "fit" would be, with noise: what `polhode
+    simulate` does.
+
+    Parameters
+    ----------
+    scenario : a Scenario of kind "fit" with [time], or the path of its file.
+    folder : where the file of each [[observation]] goes, as its fit reads it.
+    overwrite : whether files that are there may be replaced; they may be real observations.
+
+    Returns
+    -------
+    list of str
+        The paths of the files.
+
+    DomainError (a ValueError) for a file that is there, and without [time]; ScenarioError for
+    another scenario; OutputError (a RuntimeError) when writing fails.
+    """
+    of = _loaded(scenario, "simulate")
+    return _core._simulate(of._file, folder, bool(overwrite))

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""A valid call of every function of fits that takes numbers, for test_quantities.py."""
+
+import pathlib
+import warnings
+
+import numpy as np
+import polhode
+from polhode import figures
+
+TOUTATIS = pathlib.Path(__file__).resolve().parents[2] / "examples/toutatis-1992.toml"
+TIMES = np.linspace(0.0, 30.0, 20)
+SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
+STATE = polhode.SpinState([1.0, 0.0, 0.0, 0.0], [0.1, 0.2, 0.3], [1.0, 2.0, 2.5])
+RATES = polhode.Snapshots(rates=([0.0], [[0.1, 0.2, 0.31]], 0.01))
+BODY = polhode.BrightEllipsoid.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], [1.0, 0.8, 0.5])
+
+
+def _curve():
+    blank = polhode.LightCurve(TIMES, np.ones(20), 0.1, SUN, OBSERVER)
+    (flux,) = polhode.model_fluxes(BODY, blank)
+    return polhode.LightCurve(TIMES, flux, 0.01, SUN, OBSERVER)
+
+
+CURVE = _curve()
+
+
+def quietly(function):
+    """Few draws have not converged, which is no news."""
+
+    def call(*arguments, **keywords):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)
+            return function(*arguments, **keywords)
+
+    return call
+
+
+def of_fits():
+    """Name: function, arguments that are numbers, other arguments."""
+    found = polhode.fit_spin(STATE, RATES, "rate")
+    f = polhode.SpinResiduals(STATE, RATES, "rate")
+    light = polhode.LightResiduals(BODY, CURVE)
+    scan = polhode.fourier_scan(CURVE, (0.05, 0.2, 0.01), order=1)
+    (best,) = polhode.fit(TOUTATIS).solutions
+    few = {"draws": 4, "chains": 1, "warm_up": 3, "seed": 1, "accept": 0.8}
+    start = {"start": STATE, "seen": RATES, "unknowns": "rate"}
+    x = {"x": [0.1, 0.2, 0.3]}
+    functions = ("residuals", "jacobian", "log_likelihood", "log_likelihood_gradient",
+                 "log_posterior", "log_posterior_gradient", "log_posterior_and_gradient",
+                 "residuals_and_jacobian", "covariance")  # fmt: skip
+    search = {"starts": 2, "within": 2.0, "seed": 1, "tries": 2, "short_iterations": 2,
+              "finalists": 1, "lambert": 0.0, "most_iterations": 2}  # fmt: skip
+    return {
+        **{f"ResidualFunction.{name}": (getattr(f, name), x, {}) for name in functions},
+        "SpinResiduals.state": (f.state, x, {}),
+        "LightResiduals.state": (light.state, {"x": light.start}, {}),
+        "SpinResiduals.__init__": (polhode.SpinResiduals, {"error_factor": 1.0}, start),
+        "fit_spin": (polhode.fit_spin, {"error_factor": 1.0, "most_iterations": 20}, start),
+        "SpinSolution.predicted": (found.predicted, {"times": TIMES}, {}),
+        "posterior": (quietly(polhode.posterior), few, {"of": f}),
+        "fit": (polhode.fit, {"starts": 1, "seed": 1}, {"scenario": TOUTATIS}),
+        "ScenarioSolution.residual_function": (best.residual_function, {"epoch": 30.0}, {}),
+        "ScenarioSolution.sample": (
+            quietly(best.sample), {"epoch": 30.0}, {"draws": 4, "chains": 1, "warm_up": 3},
+        ),
+        "LightCurve.__init__": (
+            polhode.LightCurve,
+            {"t": TIMES, "flux": TIMES, "sigma": 0.1, "to_sun": SUN, "to_observer": OBSERVER},
+            {},
+        ),
+        "BrightEllipsoid.homogeneous": (
+            polhode.BrightEllipsoid.homogeneous,
+            {"q": [1.0, 0, 0, 0], "w": SUN, "axes": [1.0, 0.8, 0.5], "t0": 0.0, "law": [1.0, 0.1]},
+            {},
+        ),
+        "fit_light": (
+            polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE},
+        ),
+        "search_light": (
+            polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
+        ),
+        "FourierScan.periods": (scan.periods, {"pairs": 1, "labels": 1}, {}),
+        "scan_advice": (polhode.scan_advice, {"order": 2}, {"curves": CURVE}),
+        "fourier_scan": (
+            polhode.fourier_scan,
+            {"f1": [0.05, 0.2, 0.01], "f2": [0.05, 0.2, 0.01], "order": 1, "minima": 2},
+            {"curves": CURVE},
+        ),
+        "period_labels": (polhode.period_labels, {"f1": 0.1, "f2": 0.3}, {}),
+        "scan_landscape": (figures.scan_landscape, {"minima": 2}, {"scan": scan}),
+        "light_curve_fit": (
+            figures.light_curve_fit, {"scale": 1.0}, {"curves": CURVE, "model": BODY},
+        ),
+        "body_as_seen": (
+            figures.body_as_seen,
+            {"times": [0.0, 1.0], "to_sun": SUN, "to_observer": OBSERVER, "scale": 1.0},
+            {"body": BODY},
+        ),
+    }  # fmt: skip
