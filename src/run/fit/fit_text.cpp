@@ -54,27 +54,31 @@ std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& 
   return lines;
 }
 
-// Of periods and pole, with errors as given; those that the data leave open are infinite.
+// Of periods and pole, with errors as given and scaled; those that the data leave open are
+// infinite.
 std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
   const Units& units = scenario.units();
-  const auto both = [&](double SpinFigures::*error, Dimension dimension) {
-    const auto of = [&](const SpinSolution& one) {
-      return fmt::format(
-          "{:.2g}", units.from_core(spin_figures(one.state, one.covariance).*error, dimension));
-    };
-    return of(found.raw) + (found.scaled ? ", scaled " + of(*found.scaled) : "");
+  const SpinFigures raw = spin_figures(found.raw.state, found.raw.covariance);
+  const auto line = [&](const char* label, Dimension dimension, const auto& shown) {
+    std::string text = shown(raw);
+    if (found.scaled)
+      text += ", scaled " + shown(spin_figures(found.scaled->state, found.scaled->covariance));
+    return fmt::format("{:<37}{} {}\n", label, text, units.label(dimension));
   };
-  const SpinFigures f = spin_figures(found.raw.state, found.raw.covariance);
+  const auto number = [&](double error, Dimension dimension) {
+    return fmt::format("{:.2g}", units.from_core(error, dimension));
+  };
   std::string text;
-  if (f.periods.precession_period > 0.0) {
-    text += fmt::format("{:<37}{} {}\n", "error of P_phi",
-                        both(&SpinFigures::precession_error, Dimension::time), units.time());
-    text += fmt::format("{:<37}{} {}\n", "error of P_psi",
-                        both(&SpinFigures::rotation_error, Dimension::time), units.time());
+  if (raw.periods.precession_period > 0.0) {
+    text += line("error of P_phi", Dimension::time,
+                 [&](const SpinFigures& f) { return number(f.precession_error, Dimension::time); });
+    text += line("error of P_psi", Dimension::time,
+                 [&](const SpinFigures& f) { return number(f.rotation_error, Dimension::time); });
   }
-  return text + fmt::format("{:<37}{} by {} {}\n", "error of the pole",
-                            both(&SpinFigures::pole_major, Dimension::angle),
-                            both(&SpinFigures::pole_minor, Dimension::angle), units.angle());
+  return text + line("error of the pole", Dimension::angle, [&](const SpinFigures& f) {
+           return number(f.pole_major, Dimension::angle) + " by " +
+                  number(f.pole_minor, Dimension::angle);
+         });
 }
 
 std::string euler_text(const Scenario& scenario, const Quaternion& q) {

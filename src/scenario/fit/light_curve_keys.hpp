@@ -55,9 +55,11 @@ inline constexpr std::array light_curve_keys = {
         .otherwise("false"),
     columns_key<&Observation::sun_columns>("sun_columns",
                                            "Three columns of the vector from the body to the Sun.")
-        .example("[\"sun_x\", \"sun_y\", \"sun_z\"]"),
+        .example("[\"sun_x\", \"sun_y\", \"sun_z\"]")
+        .shown(),
     columns_key<&Observation::observer_columns>("observer_columns", "The same to the observer.")
-        .example("[\"observer_x\", \"observer_y\", \"observer_z\"]"),
+        .example("[\"observer_x\", \"observer_y\", \"observer_z\"]")
+        .shown(),
     quantity_key<&Observation::to_sun>(
         "to_sun", Dimension::number,
         "The vector to the Sun of all points, where no columns have it; what "

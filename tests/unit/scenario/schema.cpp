@@ -13,6 +13,7 @@
 #include "message_of.hpp"
 #include "output/obliquity_columns.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/diagnostics.hpp"
@@ -195,6 +196,13 @@ TEST(Schema, TemplatesOfOrbitsFramesAndMethodsAreScenarios) {
     const Scenario scenario = scenario_from_text(scenario_template(method), "template");
     EXPECT_EQ(method_traits(*scenario.rotation().method).kind, method);
     EXPECT_THAT(scenario.rotation().kinds, ElementsAre("constant-torque"));
+  }
+  EXPECT_THAT(words_of("observation"), ElementsAre("attitude", "direction", "rate", "light-curve"));
+  for (const std::string& kind : words_of("observation")) {
+    const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
+    ASSERT_EQ(require_fit(scenario).observations.size(), 1U);
+    EXPECT_EQ(kind_word(require_fit(scenario).observations.front().kind), kind);
+    EXPECT_EQ(require_fit(scenario).light.searches, kind == "light-curve");
   }
   EXPECT_THAT(scenario_template("aem"), HasSubstr("\n[output.aem]\n"));
 }
