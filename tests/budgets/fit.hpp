@@ -61,16 +61,17 @@ inline constexpr double light_derivatives = 1e-12;
 // Mahalanobis' distance squared of the truth, 8 unknowns: 1 in 1000 is beyond, over fixed seeds
 inline constexpr double light_distance = 26.1;
 // --- convex bodies and meshes: derivatives against differences in double, of a column; moments
-// that follow the shape; what a spin state of exact light is off, in rad and of |w| ---
+// that follow the shape; what a spin state of exact light is off, in rad and of |w|; chi-square
+// over that of the start, with shadows ---
 inline constexpr double surface_bend = 1e-6;  // between bends
 inline constexpr double convex_moments = 1e-3, convex_axes = 0.3, convex_ratio = 0.3;
-inline constexpr double mesh_exact = 1e-6, mesh_shadows = 1e-2;
+inline constexpr double mesh_exact = 1e-4, mesh_gain = 0.25;
 // of drawn tumblers, in how many the true periods are reported; are among the first 20 labels
 inline constexpr double light_reported = 0.95, light_labelled = 0.75;
 // with Lambert's quadrature, whose points follow directions; unknowns from exact light
 inline constexpr double lambert_difference = 1e-5, light_exact = 1e-6;
 // chi-square per degree of freedom of noise alone, and of a model that is not the body
-inline constexpr double light_noise = 1.3, light_misfit = 3.0;
+inline constexpr double light_noise = 1.5, light_misfit = 3.0;
 
 // --- errors of periods and pole against differences of steps of 1e-5 ---
 inline constexpr double spin_figures = 1e-7;

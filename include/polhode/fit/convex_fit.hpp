@@ -15,8 +15,10 @@
 //             about those of the start to moments_error; start: those stay; shape: those of an even
 //             filling of the body that is found, from round to round. A convex body that has the
 //             light of a hollow one is a model of it, no more.
-// Accuracy    budget light_derivatives in tests/budgets/fit.hpp; errors: covariance.hpp, under
-//             this regularisation alone.
+// Accuracy    derivatives: budget surface_bend in tests/budgets/fit.hpp; errors: covariance.hpp,
+//             under this regularisation alone. Facets bend the light where they pass a terminator,
+//             so that a fit comes to rest beside the least: converged is nearer than one standard
+//             error, or 1 of chi-square.
 // Errors      DomainError as fit_light and GaussianImage; regularisation errors that are not above
 //             0.
 // Cost        facets (degree + 1)^2 flops a point and iteration: benchmarks/fit_light_curves.cpp.

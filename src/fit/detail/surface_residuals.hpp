@@ -31,8 +31,8 @@ inline constexpr double least_multiple = 1e-9;
 inline constexpr double usual_multiple = 0.1;
 
 // In standard errors: a facet that passes a terminator bends the light, and a fit comes to rest
-// between bends.
-inline constexpr double surface_nearness = 0.05;
+// between bends, some tenths of an error from the least.
+inline constexpr double surface_nearness = 1.0;
 
 inline Unknown multiple_unknown(const Scattering& law) {
   const double given = law.multiple / law.single;

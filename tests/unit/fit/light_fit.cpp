@@ -157,7 +157,7 @@ TEST_P(ColdStart, FindsTheTruthAmongItsImages) {
   const std::vector<LightCurve> curves{
       night(truth, is_full ? 11.0 : 7.0, is_full ? 350 : 90, 0.02, 7)};
   const double f = motion_of(truth).precession_rate_long() / (2.0 * pi<double>());
-  const LightSearchResult found = search_light(cold_search(curves, f, 80, is_full ? 20 : 5));
+  const LightSearchResult found = search_light(cold_search(curves, f, 15, is_full ? 20 : 8));
   ASSERT_FALSE(found.solutions.empty());
   const FoundLight& best = found.solutions.front();
   EXPECT_EQ(best.solution.periods.mode, motion_of(truth).regime());

@@ -125,7 +125,7 @@ TEST(LightUnknowns, RobustLossesLeaveBadPointsOut) {
                        light_unknowns_at({}, b, nearest_of_same(b, truth)));
   };
   const LightSolution squared = fit_light(fit);
-  fit.loss = {Loss::Kind::cauchy, 2.0};
+  fit.loss = {Loss::Kind::cauchy, 5.0};
   const LightSolution robust = fit_light(fit);
   ASSERT_TRUE(robust.is_found()) << robust.result.sentence;
   EXPECT_GT(off(squared), budget::light_distance);
