@@ -23,8 +23,9 @@
 //             drive, relative to their column.
 // Errors      DomainError as fit_spin(); for a drive that it cannot take, naming the parameter, the
 //             term or the jump, and for jumps outside the observations.
-// Cost        some 5 us a radian of rotation for each six unknowns an iteration, and the terms
-//             eight times; trial steps one run of integrate().
+// Cost        a trial step one run of integrate(), 1 to 3 us a radian of rotation; an iteration some
+//             50 us a radian for each six unknowns, and 180 where among them are moments and GM of
+//             gravity along an orbit (benchmarks/fit_driven.cpp).
 #pragma once
 
 #include <functional>
