@@ -36,6 +36,13 @@ struct EnsembleOfFile : ManyRuns {
 
 std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
+// "263 +- 6 h, 241 to 282" of mean, deviation, least and greatest; one member has one number.
+std::string spread_text(double members, const double* numbers, const std::string& unit) {
+  if (members == 1.0) return fmt::format("{:.10g}{}, of one member", numbers[0], with_unit(unit));
+  return fmt::format("{:.10g} +- {:.4g}{}, {:.10g} to {:.10g}", numbers[0], numbers[1],
+                     with_unit(unit), numbers[2], numbers[3]);
+}
+
 // Mean and deviation of the first columns at the last time, and what was asked for by name.
 std::string last_statistics(const std::vector<ColumnGroup>& groups,
                             const std::vector<double>& row) {
@@ -45,10 +52,10 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
     const std::vector<Column>& columns = group.columns;
     const double* const numbers = row.data() + place;
     place += columns.size();
-    // of no members there is no mean, part or mode
-    const bool is_of_none =
-        (columns.size() > 1 && columns[0].name.ends_with("_members") && numbers[0] == 0.0) ||
-        (columns[0].name == group.name + "_SAM" && std::isnan(numbers[0]));
+    // of no members there is no mean, part or mode; of one no deviation
+    const bool counts = columns.size() > 1 && columns[0].name.ends_with("_members");
+    const bool is_of_none = (counts && numbers[0] == 0.0) ||
+                            (columns[0].name == group.name + "_SAM" && std::isnan(numbers[0]));
     if (group.name == "t") text += fmt::format("at t = {:.10g} {}\n", numbers[0], columns[0].unit);
     if (columns.size() == 2 && columns[1].name.ends_with("_part"))
       text += is_of_none ? fmt::format("  {:<15} no members\n", group.name)
@@ -56,19 +63,18 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
                                        numbers[1], numbers[0]);
     const bool is_number = columns.size() > 4 && columns[1].name == group.name + "_mean";
     const bool is_mode = columns[0].name == group.name + "_SAM";
-    if ((!is_number && !is_mode) || ++shown > columns_shown) {
-      if (shown == columns_shown + 1 && (is_number || is_mode)) text += "  ...\n";
+    if (is_number && ++shown > columns_shown) {
+      if (shown == columns_shown + 1) text += "  ...\n";
       continue;
     }
-    if (is_of_none)
+    if ((is_number || is_mode) && is_of_none)
       text += fmt::format("  {:<15} no members\n", group.name);
     else if (is_mode)
       text += fmt::format("  {:<15} {:.4g} SAM, {:.4g} LAM, {:.4g} others\n", group.name,
                           numbers[0], numbers[1], numbers[2]);
-    else
-      text +=
-          fmt::format("  {:<15} {:.10g} +- {:.4g}{}, {:.10g} to {:.10g}\n", group.name, numbers[1],
-                      numbers[2], with_unit(columns[1].unit), numbers[3], numbers[4]);
+    else if (is_number)
+      text += fmt::format("  {:<15} {}\n", group.name,
+                          spread_text(numbers[0], numbers + 1, columns[1].unit));
   }
   return text;
 }
@@ -76,6 +82,7 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
 // "part 0.87 of the members, 0.05 by 1.2 h, 0.5 by 17 h"
 std::string event_text(const EnsembleReport::FirstTimes& of, const std::vector<double>& quantiles,
                        const std::string& unit) {
+  if (std::isnan(of.part)) return of.event + ": no members";
   std::string text = fmt::format("{}: part {:.4g} of the members", of.event, of.part);
   for (std::size_t i = 0; i < quantiles.size(); ++i)
     if (!std::isnan(of.times[i]))
@@ -90,8 +97,9 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
   const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
   for (std::size_t i = 0; i < report.drawn.size(); ++i) {
     const EnsembleReport::Drawn& d = report.drawn[i];
-    text += fmt::format("varied            {}: {:.10g} +- {:.4g}{}, {:.10g} to {:.10g}\n", keys[i],
-                        d.mean, d.deviation, with_unit(units[i]), d.least, d.greatest);
+    const double numbers[] = {d.mean, d.deviation, d.least, d.greatest};
+    text += fmt::format("varied            {}: {}\n", keys[i],
+                        spread_text(static_cast<double>(report.members), numbers, units[i]));
   }
   if (!report.statistics.empty()) text += last_statistics(groups, report.statistics);
   for (const EnsembleReport::FirstTimes& event : report.events)
@@ -113,6 +121,12 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
                 const Kinds& kinds) {
   const std::string text = ensemble.member_text(*options.member);
+  const bool has_rows = std::ranges::any_of(
+      options.out, [](const std::string& path) { return !path.ends_with(".toml"); });
+  if (!has_rows && options.begin.begin() != RunBegin::anew)
+    throw DomainError(
+        "polhode ensemble: got --resume or --restart of --member without rows in --out, which has "
+        "nothing to go on from; expected --member alone, or --out PATH.csv as well");
   if (options.out.empty()) return print(text);
   std::vector<std::string> rows;
   for (const std::string& path : options.out) {
@@ -171,6 +185,22 @@ void serve(Ranks& ranks, const EnsembleOfFile& options, const Kinds& kinds) {
   ranks.serve([&] { return std::make_unique<OwnWork>(options, kinds); });
 }
 
+// Tables of the file that its keep leaves out: no error, so that --set ensemble.keep shows members
+// of an ensemble as it is.
+void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
+  const EnsemblePlan& plan = ensemble.plan();
+  if (plan.keep == EnsembleKeep::statistics) return;
+  const char* const keep = plan.keep == EnsembleKeep::final ? "final" : "rows";
+  for (const auto& [table, count] : {std::pair("histogram", plan.histograms.size()),
+                                     std::pair("fraction", plan.fractions.size())})
+    if (count > 0)
+      std::fputs(fmt::format("{}: note: [[ensemble.{}]] is left out: it goes with keep = "
+                             "\"statistics\", and this is keep = \"{}\"\n",
+                             ensemble.scenario().document.name, table, keep)
+                     .c_str(),
+                 stderr);
+}
+
 void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   if (options.ranks && !options.ranks->leads()) return serve(*options.ranks, options, kinds);
   if (options.ranks && options.scenario == "-")
@@ -184,6 +214,7 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   if (out.empty()) out.push_back("-");
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
   const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
+  say_what_is_not_made(ensemble);
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   EnsembleOptions how = work_of<EnsembleOptions>(options);

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy
 
+from polhode import _toml
 from polhode._tables import imported
 
 Groups = list[tuple[str, list[tuple[str, str]]]]  # [(group, [(column, unit), ...]), ...]
-_FIRST = ("member", "t", "members")  # HDF5 has its groups by name
+_FIRST = ("member", "t", "members")  # of files that do not say the order of their groups
 
 
 @dataclass(frozen=True)
@@ -29,6 +30,14 @@ class EnsembleFile:
     notes: list[str]
     scenario: str
     scenario_name: str
+    failed: list[str]
+    """What it says of members that failed: how many, then "member 7: why" of the first."""
+
+    @property
+    def failures(self) -> list[tuple[int, str]] | None:
+        """(member, why); None where it does not say."""
+        found = [re.fullmatch(r"member (\d+): (.*)", line, re.DOTALL) for line in self.failed]
+        return [(int(match[1]), match[2]) for match in found if match] if found else None
 
 
 def read_file(path: str | os.PathLike[str]) -> EnsembleFile:
@@ -58,7 +67,8 @@ def _read_hdf5(path: str) -> EnsembleFile:
     with h5py.File(path) as file:
         said = {name: file.attrs[name] for name in file.attrs}
         groups, parts, texts = [], [], {}
-        for group in [*(g for g in _FIRST if g in file), *(g for g in file if g not in _FIRST)]:
+        first = [g for g in map(str, file.attrs.get("groups", _FIRST)) if g in file]
+        for group in [*first, *(g for g in file if g not in first)]:
             columns = [str(name) for name in file[group].attrs["columns"]]
             groups.append((group, list(zip(columns, map(str, file[group].attrs["units"])))))
             data = file[group]
@@ -71,7 +81,7 @@ def _read_hdf5(path: str) -> EnsembleFile:
     return EnsembleFile(
         path, groups, numpy.hstack(parts), texts, str(said.get("title", "")),
         [str(note) for note in said.get("notes", ())], str(said.get("scenario", "")),
-        str(said.get("scenario_name", "")),
+        str(said.get("scenario_name", "")), [str(line) for line in said.get("failed", ())],
     )
 
 
@@ -85,9 +95,11 @@ def _read_csv(path: str) -> EnsembleFile:
     names = rows[0].split(",") if rows else []
     units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", _said(said, "units: ")))
     table, texts = _numbers(rows[1:], names)
+    text = "\n".join(scenario) + "\n" * bool(scenario)
     return EnsembleFile(
-        path, [(name, [(name, units.get(name, "1"))]) for name in names], table, texts, "", said,
-        "\n".join(scenario) + "\n" * bool(scenario), _said(said, "scenario: "),
+        path, [(name, [(name, units.get(name, "1"))]) for name in names], table, texts,
+        str(_toml.data_from(text).get("title", "")), said, text, _said(said, "scenario: "),
+        [line[len("failed: ") :] for line in said if line.startswith("failed: ")],
     )
 
 

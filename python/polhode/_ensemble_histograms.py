@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 
 from polhode import _ensemble_files
-from polhode._columns import same_bits
+from polhode._columns import MissingColumn, same_bits
 from polhode._tables import imported
 
 if TYPE_CHECKING:
@@ -93,6 +93,23 @@ class EnsembleHistogram:
             f"{column} ({edges.shape[1] - 1} bins)" for column, edges in self.edges.items()
         )
         return f"<EnsembleHistogram: {self.name}: {axes}; {len(self.t)} times>"
+
+
+class Histograms(dict[str, EnsembleHistogram]):
+    """By name; says of a name that none has what there is."""
+
+    def __init__(self, found: dict[str, EnsembleHistogram], keep: str) -> None:
+        super().__init__(found)
+        self._keep = keep
+
+    def __missing__(self, name: object) -> EnsembleHistogram:
+        if self._keep != "statistics":
+            raise MissingColumn(
+                f"no histogram {name!r}: histograms go with keep=\"statistics\", and these results "
+                f"have keep=\"{self._keep}\""
+            )
+        there = ", ".join(self) or "none; a table [[ensemble.histogram]] asks for one"
+        raise MissingColumn(f"no histogram {name!r}; there are: {there}")
 
 
 def histogram_of(

@@ -67,7 +67,8 @@ class EnsembleResults(Columns):
         return cls({
             "scenario": None, "file": (file.scenario, file.scenario_name, file.path),
             "title": file.title, "groups": file.groups, "table": file.table, "texts": file.texts,
-            "keep": keep, "size": int(sizes[1]) if sizes else 0, "keys": keys, "failures": None,
+            "keep": keep, "size": int(sizes[1]) if sizes else 0, "keys": keys,
+            "failures": file.failures, "failed": None,
             "own": (int(own[1]), int(own[2]) + 1) if own else None, "beside": file.path,
         })
 
@@ -124,15 +125,17 @@ class EnsembleResults(Columns):
     def failures(self) -> list[tuple[int, str]]:
         """(member, why) of those that could not be or could not go on, the first 20 of them.
 
-        They have no part in statistics. A file knows how many there are and not why:
-        AttributeError; member(k), or its run, says it.
+        They have no part in statistics. A file says them behind its rows. AttributeError of one
+        that does not, since it is not complete or of an older version: member(k), or its run, says
+        it of one.
         """
-        if self._given["failures"] is None:
+        if self._given["failures"] is None and self.failed:
             raise AttributeError(
-                "failures: a file does not say why members failed; results.failed is how many, "
-                "results.member(k), or its run, says it of one"
+                "failures: this file does not say why members failed: it is not complete, or of an "
+                "older version; results.failed is how many, results.member(k), or its run, says it "
+                "of one"
             )
-        return list(self._given["failures"])
+        return list(self._given["failures"] or [])
 
     @property
     def failed(self) -> int:
@@ -140,7 +143,7 @@ class EnsembleResults(Columns):
         none."""
         import numpy
 
-        if self._given["failures"] is not None:
+        if self._given["failed"] is not None:
             return self._given["failed"]
         if self.keep == "chunks":
             return int(self["failed"].sum())
@@ -189,15 +192,19 @@ class EnsembleResults(Columns):
     @property
     def histograms(self) -> dict[str, EnsembleHistogram]:
         """Beside statistics, the histograms of the scenario by name. Of results from a file, those
-        next to it: OSError for one that is not there."""
-        from polhode import _ensemble_histograms
+        next to it: OSError for one that is not there. Empty for another keep. KeyError for a name
+        that none has."""
+        from polhode import _ensemble_histograms as of
 
         if self.keep != "statistics":
-            return {}
+            return of.Histograms({}, self.keep)
         planned = self._ensemble().histograms
-        if self._given.get("histograms") is None:
-            return _ensemble_histograms.histograms_beside(planned, self._given["beside"])
-        return _ensemble_histograms.histograms_in_memory(planned, self._given["histograms"])
+        found = self._given.get("histograms")
+        return of.Histograms(
+            of.histograms_beside(planned, self._given["beside"]) if found is None
+            else of.histograms_in_memory(planned, found),
+            self.keep,
+        )
 
     @property
     def drawn(self) -> dict[str, Array]:
@@ -323,7 +330,19 @@ def with_ensemble(scenario: Scenario, vary_: Any, keys: Mapping[str, Any]) -> Sc
     if vary_ is not None:
         table["vary"] = vary.tables_of(vary_)
     tables = _toml.text_from({"ensemble": table}).strip("\n")
-    return Scenario.from_text(text.rstrip("\n") + "\n\n" + tables + "\n", scenario._file.path)
+    own = text.rstrip("\n") + "\n\n"
+    try:
+        return Scenario.from_text(own + tables + "\n", scenario._file.path)
+    except _core.ScenarioError as error:
+        raise _core.ScenarioError(_without_places(str(error), own.count("\n"))) from None
+
+
+def _without_places(message: str, lines: int) -> str:
+    """What is said of lines after these, which are in no text that anybody has: the key alone."""
+    def without(found: re.Match[str]) -> str:
+        return found[0] if int(found[1]) <= lines else found[2]
+
+    return re.sub(r"^.*?:(\d+):\d+: (ensemble[.:])", without, message, flags=re.MULTILINE)
 
 
 def run_ensemble(
@@ -349,13 +368,16 @@ def run_ensemble(
     has_index = any(MARK in name for name in names)
     files = [name.replace(MARK, "index", 1) for name in names]
     # what an earlier part wrote is in its files alone
-    table, texts = (done.table, None) if done.is_whole else _in_files(done.groups, files)
+    table, texts, in_file = (
+        (done.table, None, None) if done.is_whole else _in_files(done.groups, files)
+    )
     results = EnsembleResults({
         "scenario": scenario, "file": None, "title": "", "groups": done.groups, "table": table,
         "texts": {} if has_index else texts, "keep": "chunks" if has_index else ensemble.keep,
         "size": ensemble.size,
         "keys": ensemble.keys if ensemble.keep == "final" and not has_index else [],
-        "failed": done.failed, "failures": None if done.was_done else done.failures,
+        "failed": None if done.was_done else done.failed,
+        "failures": in_file if done.was_done else done.failures,
         "own": None, "beside": files[0] if files else "",
         "first_times": None if done.was_done else done.first_times,
         "histograms": None if done.was_done else [
@@ -367,15 +389,16 @@ def run_ensemble(
     return results
 
 
-def _in_files(groups: Any, names: Sequence[str]) -> tuple[Any, dict[str, Any]]:
-    """The rows in the first file that can be read, in the order of these columns; and the texts."""
+def _in_files(groups: Any, names: Sequence[str]) -> tuple[Any, dict[str, Any], Any]:
+    """The rows in the first file that can be read, in the order of these columns; the texts; and
+    which members failed."""
     import numpy
 
     found = EnsembleResults.read(next(name for name in names if name.endswith((".csv", ".h5"))))
     order = [found._where[name] for _, columns in groups for name, _ in columns]
     table = numpy.ascontiguousarray(found._table[:, order])
     table.flags.writeable = False
-    return table, found._texts
+    return table, found._texts, found._given["failures"]
 
 
 def ensemble(
@@ -403,7 +426,9 @@ def ensemble(
     scenario : a Scenario, or the path of its file.
     vary : what is drawn, by key: {"body.moments[0]": polhode.vary.uniform(0.60, 0.63)}. Several
         keys that are drawn together stand in a tuple, and an array by its name. None: what the
-        table [ensemble] of the scenario says.
+        table [ensemble] of the scenario says. What is given takes the place of all its tables
+        [[ensemble.vary]]; the rest of [ensemble] stays: size, seed, quantiles, fractions,
+        histograms.
     outputs : PATH.csv or PATH.h5, one or several, as those of Scenario.map; or "rows-{chunk}.h5", a
         file for each chunk, as in Scenario.ensemble.
     size : how many members.
@@ -425,7 +450,7 @@ def ensemble(
         scenario of one, `.scenario` that of the ensemble, which `polhode ensemble` runs as well.
 
     ScenarioError for a key that does not exist or cannot vary and for what is no distribution;
-    else as Scenario.ensemble.
+    RuntimeError where all members fail, with the first reasons; else as Scenario.ensemble.
     """
     from polhode.scenarios import Scenario, load
 

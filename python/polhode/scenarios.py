@@ -175,9 +175,10 @@ class Scenario:
 
         Parameters
         ----------
-        vary : distributions by key, as in polhode.ensemble; None: those that the scenario has.
+        vary : distributions by key, as in polhode.ensemble; None: those that the scenario has. What
+            is given takes the place of all of its tables [[ensemble.vary]].
         keys : those of [ensemble]: size=10000, seed=2, keep="final", draws="sobol", ...; what is
-            not given is what the scenario has.
+            not given is what the scenario has, fractions and histograms among them.
 
         ScenarioError for what is no ensemble.
         """
@@ -343,8 +344,9 @@ class Scenario:
             ensemble from the text of the scenario once, and computes chunks of members; files that
             it names must be there for the workers too. The result is that of threads, to the last
             bit.
-        resume : continues an ensemble that was stopped or killed, from its PATH.checkpoint; begins
-            anew without one. Of one that is complete the files are read.
+        resume : continues an ensemble that was stopped or killed, from its PATH.checkpoint, which
+            is written every 5 seconds; begins anew without one. Of one that is complete the files
+            are read.
         restart : begins anew where an unfinished ensemble is, which is an error otherwise.
         any_machine : whether workers may work together, or an ensemble go on, on machines whose
             sines and logarithms differ in last digits: so does the result.
@@ -360,7 +362,8 @@ class Scenario:
         ScenarioError for a scenario without [ensemble]; ValueError for a path that cannot be an
         output or that another ensemble is writing, and for an unfinished ensemble without resume or
         restart; MemoryError for rows that do not fit; OutputError when writing fails; RuntimeError
-        for a worker that dies or fails, after which what was done is in the checkpoint. Members
+        for a worker that dies or fails, after which what was done is in the checkpoint, and where
+        all members fail, with the first reasons: then the outputs stay PATH.part. Members
         release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves PATH.part and a checkpoint.
         """
         paths = _several(outputs, "ensemble")

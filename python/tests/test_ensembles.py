@@ -157,12 +157,59 @@ def test_a_member_that_fails_is_named_and_left_out(tmp_path):
     assert "moments" in found.failures[0][1]
     assert f"{found.failed} members failed" in repr(found)
     read = EnsembleResults.read(tmp_path / "e.csv")
-    assert read.failed == found.failed
-    with pytest.raises(AttributeError, match="a file does not say why"):
-        read.failures  # noqa: B018
+    assert read.failed == found.failed and read.failures == found.failures
+    assert polhode.ensemble(FEW, vary_, tmp_path / "e.h5", size=80).failures == found.failures
+    assert EnsembleResults.read(tmp_path / "e.h5").failures == found.failures
+    done = polhode.ensemble(FEW, vary_, tmp_path / "e.h5", size=80, resume=True)
+    assert (done.failed, done.failures) == (found.failed, found.failures)
+    text = (tmp_path / "e.csv").read_text()
+    (tmp_path / "e.csv").write_text(text.partition("# failed: ")[0])  # of an older version
+    older = EnsembleResults.read(tmp_path / "e.csv")
+    assert older.failed == found.failed
+    with pytest.raises(AttributeError, match="this file does not say why"):
+        older.failures  # noqa: B018
     statistics = polhode.ensemble(FEW, vary_, size=80)
     assert (statistics["members"] == 80 - found.failed).all()
     assert statistics.failures == found.failures
+
+
+def test_an_ensemble_of_which_nobody_is_left_is_an_error(tmp_path):
+    with pytest.raises(RuntimeError, match="all 7 members failed.*\n  member 0: .*moments"):
+        polhode.ensemble(FEW, {MOMENT: vary.uniform(5, 6)}, tmp_path / "e.csv", size=7)
+    assert not (tmp_path / "e.csv").exists()
+
+
+@pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
+def test_files_have_title_and_order_of_what_is_in_memory(tmp_path, keep):
+    titled = FEW.replace({"title": 'A "body"'}).with_columns(["energy", "tumbler", "q"])
+    outputs = [tmp_path / "a.csv", tmp_path / "a.h5"]
+    found = polhode.ensemble(titled, BOTH, outputs, size=6, keep=keep)
+    for path in outputs:
+        read = EnsembleResults.read(path)
+        assert read.columns == found.columns and 'A "body": 6 members' in repr(read)
+        assert read.failures == []
+
+
+def test_a_histogram_that_is_not_there_is_named():
+    with_one = FEW.with_ensemble(
+        BOTH, size=5, histogram=[{"name": "spins", "columns": [SPIN], "bins": 3}])
+    found = with_one.ensemble()
+    assert list(found.histograms) == ["spins"]
+    with pytest.raises(KeyError, match="no histogram 'nope'; there are: spins"):
+        found.histograms["nope"]
+    final = polhode.ensemble(with_one, keep="final")
+    with pytest.raises(KeyError, match='go with keep="statistics".*keep="final"'):
+        final.histograms["spins"]
+    # other keys vary, the rest of the table stays
+    other = polhode.ensemble(with_one, {SPIN: vary.normal(0.2)})
+    assert other.size == 5 and list(other.drawn) == [SPIN] and "spins" in other.histograms
+
+
+def test_messages_about_what_varies_have_no_place():
+    with pytest.raises(ScenarioError, match=r"^ensemble\.vary\[0\]\.sigma: got -1; "):
+        polhode.ensemble(FEW, {SPIN: vary.normal(-1.0)}, size=5)
+    with pytest.raises(ScenarioError, match=r":\d+:\d+: body\.moments"):  # has a place
+        FEW.replace({"body.moments": [1, 2, 30]})
 
 
 def test_tables_of_xarray():

@@ -90,6 +90,10 @@ def test_two_fans_on_the_same_axes(statistics):
 def test_a_fan_that_is_not_there_is_refused(statistics, final):
     with pytest.raises(ValueError, match='quantile_fan: no quantiles of "P".* there are: pole_lon'):
         figures.quantile_fan(statistics, "P")
+    with pytest.raises(ValueError, match='takes results of keep="statistics", and these are of'):
+        figures.quantile_fan(final, "P_phi")
+    with pytest.raises(ValueError, match='takes results of keep="statistics", and these are of'):
+        figures.regime_fractions(final)
     with pytest.raises(ValueError, match="there are: none"):
         figures.quantile_fan(final, "P_phi")
     with pytest.raises(TypeError, match="got 3; expected EnsembleResults"):
@@ -186,10 +190,12 @@ def test_outcomes_by_regime_and_failures():
     assert_array_equal(lines["mode-LAM"].get_xydata(), [[1, 5]])
     assert_array_equal(lines["failed"].get_xydata(), [[2, 6]])
     assert lines["mode-SAM"].get_marker() != lines["mode-LAM"].get_marker()
-    with pytest.raises(ValueError, match="1 keys were drawn; expected x and y"):
+    with pytest.raises(ValueError, match="1 column of keys that were drawn; expected two, or x"):
         figures.outcomes({"a.x": [1.0], "mode": [1.0]})
     with pytest.raises(ValueError, match='outcomes: no column "z"'):
         figures.outcomes(columns, "z")
+    with pytest.raises(ValueError, match='"slow"; when the event first happened is "slow_first"'):
+        figures.outcomes({**columns, "slow_first": [1.0, 2.0, 3.0, 4.0]}, "slow")
 
 
 def places(ax):
@@ -222,7 +228,7 @@ def test_the_middle_of_the_sky_is_at_180_degrees():
     assert ax.get_yticklabels()[0].get_text() == r"$-60^\circ$"
 
 
-def test_the_sky_by_regime_and_what_is_refused(final):
+def test_the_sky_by_regime_and_what_is_refused(statistics, final):
     ax = figures.pole_cloud(final, value="mode")
     lines = named(ax.get_lines())
     short = final["mode"] == 1.0
@@ -237,5 +243,9 @@ def test_the_sky_by_regime_and_what_is_refused(final):
         figures.pole_cloud({"a": [1.0]})
     with pytest.raises(ValueError, match='no direction "axis2"; expected columns axis2_x'):
         figures.pole_cloud({"a": [1.0]}, "axis2")
+    with pytest.raises(ValueError, match='takes results of keep="final" or keep="rows", and these'):
+        figures.pole_cloud(statistics)
+    with pytest.raises(ValueError, match='takes results of keep="final", and these are of'):
+        figures.outcomes(statistics)
     with pytest.raises(ValueError, match='pole_cloud: no column "z"'):
         figures.pole_cloud(final, value="z")

@@ -59,7 +59,8 @@ std::int64_t Fractions::count(int in_class) const {
 
 double Fractions::fraction(int of_class) const {
   const std::int64_t n = counts_[checked("fraction", of_class, counts_.size())];
-  return static_cast<double>(n) / static_cast<double>(count());
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();  // 0 / 0 has a sign of its own
+  return count() == 0 ? none : static_cast<double>(n) / static_cast<double>(count());
 }
 
 Bounds Fractions::interval(int of_class, double z) const {

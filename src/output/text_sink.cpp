@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "output/closing_notes.hpp"
 #include "output/detail/origin.hpp"
 #include "output/part_file.hpp"
 
@@ -15,16 +16,18 @@ namespace {
 
 using detail::Origin;
 
-class TextSink : public Sink {
+class TextSink : public Sink, public detail::ClosingNotes {
  public:
   using AppendRow = std::function<void(std::string&, std::span<const double>)>;
 
-  TextSink(const SinkRequest& request, const std::string& head, AppendRow row, std::string end)
+  TextSink(const SinkRequest& request, const std::string& head, AppendRow row, std::string end,
+           const CommentStyle& closing)
       : file_(request.path, request.from
                                 ? std::optional(detail::PartState{request.from->bytes, head})
                                 : std::nullopt),
         row_(std::move(row)),
         end_(std::move(end)),
+        closing_(closing),
         rows_(request.from ? request.from->rows : 0) {
     for (const ColumnGroup& group : request.groups) width_ += group.columns.size();
     if (!request.from) file_.write(head);
@@ -42,6 +45,11 @@ class TextSink : public Sink {
     return bytes ? std::optional(SinkPosition{*bytes, rows_}) : std::nullopt;
   }
 
+  void close_with(const std::string& name, const std::vector<std::string>& notes) override {
+    if (closing_.start.empty()) return;
+    for (const std::string& note : notes) append_comment(end_, closing_, name + ": ", note);
+  }
+
   void finish() override {
     if (!end_.empty()) file_.write(end_);
     file_.commit();
@@ -51,6 +59,7 @@ class TextSink : public Sink {
   detail::PartFile file_;
   AppendRow row_;
   std::string end_;
+  CommentStyle closing_;
   std::int64_t rows_;
   std::size_t width_ = 0;
   std::string text_;
@@ -125,8 +134,8 @@ std::string text_difference(const std::string& path, const CommentStyle& style,
 
 std::unique_ptr<Sink> text_sink(const SinkRequest& request, const std::string& head,
                                 std::function<void(std::string&, std::span<const double>)> row,
-                                std::string end) {
-  return std::make_unique<TextSink>(request, head, std::move(row), std::move(end));
+                                std::string end, const CommentStyle& closing) {
+  return std::make_unique<TextSink>(request, head, std::move(row), std::move(end), closing);
 }
 
 }  // namespace v0

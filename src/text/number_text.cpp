@@ -203,6 +203,7 @@ char* detail::write_number(char* out, double value) {
   // What is written beside a longer number would not stay in `longest_number`, and from 2^53 on
   // std::to_chars has rules of its own.
   constexpr double largest = 1e12;
+  if (std::isnan(value)) value = std::fabs(value);  // "nan": its sign says nothing
   const double size = std::fabs(value);
   if (std::endian::native != std::endian::little || !(size > 0.0 && size < largest))
     return std::to_chars(out, out + longest_number, value).ptr;

@@ -44,9 +44,11 @@ void append_origin(std::string& out, const CommentStyle& style, const Provenance
 std::string text_difference(const std::string& path, const CommentStyle& style,
                             const std::string& head);
 
+// `closing`: how comments look behind the rows, where a format may have them there.
 std::unique_ptr<Sink> text_sink(
     const SinkRequest& request, const std::string& head,
-    std::function<void(std::string& out, std::span<const double> row)> row, std::string end = {});
+    std::function<void(std::string& out, std::span<const double> row)> row, std::string end = {},
+    const CommentStyle& closing = {});
 
 }  // namespace v0
 }  // namespace polhode

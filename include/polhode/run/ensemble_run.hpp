@@ -8,7 +8,8 @@
 // Domain      by [ensemble] keep. Statistics: a row for each time of [time], of the members that
 //             have one there. Final: a row for each member, its index, what was drawn, and its
 //             last row. Rows: all of them, with the index in front. A member that failed has a row
-//             of NaN, its rows so far, or no part in statistics. Histograms go into files next to
+//             of NaN, its rows so far, or no part in statistics; the first 20 of them and why are
+//             said behind the rows, in comments or the attribute `failed`. Histograms go next to
 //             the first output, FIRST.NAME.csv. While it goes on, FIRST_OUTPUT.checkpoint says how
 //             to go on, as that of a run does (polhode/run/scenario_run.hpp). An ensemble is
 //             complete when all of these files are there.
@@ -19,8 +20,9 @@
 // Errors      the constructor throws DomainError as that of ScenarioRun, for statistics that do not
 //             fit into memory, for a team with more processes than chunks, and for histograms or
 //             files of chunks that are gone from what goes on or is complete. run() throws
-//             OutputError, TeamError, and EnsembleInterrupted when `stop` said so. What `progress`
-//             throws ends it and passes through; what is done is kept.
+//             OutputError, TeamError, EnsembleInterrupted when `stop` said so, and EnsembleFailed
+//             where no member is left: its files stay PATH.part. What `progress` throws ends it and
+//             passes through; what is done is kept.
 // Cost        that of the members, and some 80 ns a number in statistics, most of which waits for
 //             memory (benchmarks/ensemble_members.cpp). Memory does not grow with the number of
 //             members; for each thread the rows of sixteen members at most, and the statistics of
@@ -49,6 +51,12 @@ class EnsembleInterrupted : public std::runtime_error {
       : std::runtime_error(what), members(done), can_resume(resumes) {}
   std::int64_t members;
   bool can_resume;  // whether there is a checkpoint of that moment
+};
+
+// All members failed. The message has the first reasons.
+class EnsembleFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 struct EnsembleOptions {

@@ -42,14 +42,15 @@ def corner_plot(
 
     Returns
     -------
-    An (n, n) array of Axes. Members without all of these numbers (they failed) are left out.
+    An (n, n) array of Axes. Members without all of these numbers (they failed) are left out. Where
+    an event stops members, their last rows are at different times, which the column t has.
 
     ImportError without the package corner; ValueError for a column that is not there or is the same
     for all, and for fewer members than columns."""
     corner = imported("corner", "corner_plot")
     data = read_ensemble(source, "corner_plot")
     names = _that_differ(data) if columns is None else list(columns)
-    data.require(names)
+    data.require(names, "final")
     if not names:
         raise ValueError("corner_plot: got no columns that differ between members")
     table = np.column_stack([data.columns[name] for name in names])

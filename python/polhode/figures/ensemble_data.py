@@ -27,13 +27,25 @@ class EnsembleData:
     keys: Sequence[str]
     function: str
     """Whose messages these are."""
+    keep: str = ""
+    """What the ensemble kept, where that is known."""
 
-    def require(self, names: Iterable[str]) -> None:
-        """ValueError naming a column that is not there."""
+    def other_keep(self, *wanted: str) -> str:
+        """Ends a message about what is not there: that another keep has it; or nothing."""
+        if not self.keep or self.keep in wanted:
+            return ""
+        ask = " or ".join(f'keep="{keep}"' for keep in wanted)
+        return f'; it takes results of {ask}, and these are of keep="{self.keep}"'
+
+    def require(self, names: Iterable[str], *keeps: str) -> None:
+        """ValueError naming a column that is not there; `keeps`: which results have it."""
         for name in names:
             if name not in self.columns:
                 there = ", ".join(self.columns)
-                raise ValueError(f'{self.function}: no column "{name}"; there are: {there}')
+                is_event = f"{name}_first" in self.columns
+                when = f'; when the event first happened is "{name}_first"' if is_event else ""
+                hint = when + (self.other_keep(*keeps) if keeps else "")
+                raise ValueError(f'{self.function}: no column "{name}"{hint}; there are: {there}')
 
     def label(self, name: str, of: str | None = None) -> str:
         """Symbol and unit; of a key its end: "rotation period (h)". `of`: whose unit it is."""
@@ -51,7 +63,7 @@ def read_ensemble(source: Source, function: str) -> EnsembleData:
     if isinstance(source, polhode.EnsembleResults):
         numbers = {name: x for name, x in source.items() if x.dtype.kind == "f"}
         keys = [key for key in numbers if key in source.drawn] if source.keep == "final" else []
-        return EnsembleData(numbers, source.units, keys, function)
+        return EnsembleData(numbers, source.units, keys, function, source.keep)
     if not isinstance(source, Mapping):
         raise TypeError(
             f"{function}: got {source!r}; expected EnsembleResults, the path of a file of an "

@@ -32,14 +32,18 @@ def outcomes(
     limits : the numbers of the two ends of the colour bar; None: what there is.
     size : of points, in points of the paper; None: by their number.
 
-    Members that failed are crosses. ValueError for a column that is not there."""
+    Where an event stops members, their last rows are at different times: the column t is when, and
+    EVENT_first when an event first happened. Members that failed are crosses. ValueError for a
+    column that is not there."""
     data = read_ensemble(source, "outcomes")
     if (x is None or y is None) and len(data.keys) < 2:
+        many = "1 column" if len(data.keys) == 1 else f"{len(data.keys)} columns"
         raise ValueError(
-            f"outcomes: {len(data.keys)} keys were drawn; expected x and y, names of columns"
+            f"outcomes: {many} of keys that were drawn{data.other_keep('final')}; expected two, or "
+            "x and y, names of columns"
         )
     across, up = data.keys[0] if x is None else x, data.keys[1] if y is None else y
-    data.require((across, up, value))
+    data.require((across, up, value), "final")
     axis = axes_or_new(ax, SINGLE_COLUMN, 0.8 * SINGLE_COLUMN)
     draw_points(axis, data, data.columns[across], data.columns[up], value, limits, size)
     axis.set(xlabel=data.label(across), ylabel=data.label(up))

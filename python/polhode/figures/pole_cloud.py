@@ -41,12 +41,13 @@ def pole_cloud(
     ax : Axes with the projection "mollweide", or None for a new figure.
     value : a column that colours the points, as in figures.outcomes. limits, size : as there.
 
+    Where an event stops members, their last rows are at different times, which the column t has.
     Longitude, or right ascension, grows from 0 on the left to 360 degrees on the right. ValueError
     for a direction whose columns are not there, TypeError for other Axes."""
     data = read_ensemble(source, "pole_cloud")
     longitude, latitude = _direction(data, of)
     if value is not None:
-        data.require((value,))
+        data.require((value,), "final", "rows")
     axis = axes_or_new(ax, 1.5 * SINGLE_COLUMN, 0.8 * SINGLE_COLUMN, projection="mollweide")
     if axis.name != "mollweide":
         raise TypeError('pole_cloud: got plain Axes; expected a projection "mollweide"')
@@ -85,8 +86,8 @@ def _direction(
                 radians = radians_in(data.units.get(names[0], "rad"))
                 return has[names[0]] * (radians or 1.0), has[names[1]] * (radians or 1.0)
         raise ValueError(
-            "pole_cloud: no columns of the group pole; expected it in [output] columns, or "
-            f'of="axis3"; there are: {", ".join(has)}'
+            f"pole_cloud: no columns of the group pole{data.other_keep('final', 'rows')}; expected "
+            f'it in [output] columns, or of="axis3"; there are: {", ".join(has)}'
         )
     vector = _vector(data, of)
     x, y, z = vector
@@ -105,6 +106,7 @@ def _vector(data: EnsembleData, of: str) -> NDArray[np.float64]:
                 q = np.stack([has[name] for name in names], axis=-1)
                 return attitude_matrix(q)[..., int(of[-1]) - 1, :].T
     raise ValueError(
-        f'pole_cloud: no direction "{of}"; expected columns {of}_x, {of}_y, {of}_z, or of="pole" '
-        f'or "axis1" to "axis3" with their columns; there are: {", ".join(has)}'
+        f'pole_cloud: no direction "{of}"{data.other_keep("final", "rows")}; expected columns '
+        f'{of}_x, {of}_y, {of}_z, or of="pole" or "axis1" to "axis3" with their columns; there '
+        f'are: {", ".join(has)}'
     )

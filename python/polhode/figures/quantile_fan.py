@@ -46,7 +46,10 @@ def quantile_fan(
     found = quantiles_in(data.columns, column)
     if not found or "t" not in data.columns:
         there = ", ".join(columns_with_quantiles(data.columns)) or "none"
-        raise ValueError(f'quantile_fan: no quantiles of "{column}" against t; there are: {there}')
+        raise ValueError(
+            f'quantile_fan: no quantiles of "{column}" against t{data.other_keep("statistics")}; '
+            f"there are: {there}"
+        )
     axis = axes_or_new(ax, SINGLE_COLUMN)
     drawn = sum(str(line.get_gid()).endswith("-median") for line in axis.get_lines())
     look = series(drawn)

@@ -43,8 +43,9 @@ def regime_fractions(
     }  # fmt: skip
     if "t" not in data.columns or not parts:
         raise ValueError(
-            f'regime_fractions: no parts of "{column}" against t; expected statistics of an '
-            f"ensemble with the group tumbler; there are: {', '.join(data.columns)}"
+            f'regime_fractions: no parts of "{column}" against t{data.other_keep("statistics")}; '
+            "expected statistics of an ensemble with the group tumbler; there are: "
+            f"{', '.join(data.columns)}"
         )
     met = {name: x for name, x in parts.items() if (x > 0).any()}
     looks = [

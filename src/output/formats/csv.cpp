@@ -100,10 +100,12 @@ OutputFormat csv_format() {
   OutputFormat format("csv", ".csv", "Comma-separated values: a line for each row.",
                       [](const SinkRequest& request) {
                         const RowDates dates = dates_of(request);
-                        return text_sink(request, csv_head(request.groups, request.provenance),
-                                         [dates](std::string& text, std::span<const double> row) {
-                                           append_csv_row(text, row, dates);
-                                         });
+                        return text_sink(
+                            request, csv_head(request.groups, request.provenance),
+                            [dates](std::string& text, std::span<const double> row) {
+                              append_csv_row(text, row, dates);
+                            },
+                            {}, comments);
                       });
   format.label = "CSV";
   format.number_bytes = {2, 18};  // a digit and a comma; some 17 digits

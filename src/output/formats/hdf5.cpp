@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "output/closing_notes.hpp"
 #include "output/detail/hdf5_handle.hpp"
 #include "output/detail/origin.hpp"
 #include "output/formats/formats.hpp"
@@ -29,7 +30,7 @@ Handle date_type() {
   return type;
 }
 
-class Hdf5Sink : public Sink {
+class Hdf5Sink : public Sink, public ClosingNotes {
  public:
   Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
            const Provenance& provenance, const std::optional<SinkPosition>& from,
@@ -38,6 +39,7 @@ class Hdf5Sink : public Sink {
   void push(std::span<const double> rows) override;
   std::optional<SinkPosition> position() override;
   void kept() override;
+  void close_with(const std::string& name, const std::vector<std::string>& notes) override;
   void finish() override;
 
  private:
@@ -173,6 +175,10 @@ void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance
     attach(dataset->dataset.id(), "units", units, false);
     ++dataset;
   }
+  std::vector<std::string> order;  // of the datasets, which HDF5 has by name
+  for (const ColumnGroup& group : groups)
+    if (!group.columns.empty()) order.push_back(group.name);
+  attach(file_.id(), "groups", order, false);
   attach(file_.id(), "polhode", {provenance.version}, true);
   attach(file_.id(), "title", {provenance.title}, true);
   attach(file_.id(), "scenario_name", {provenance.scenario_name}, true);
@@ -252,6 +258,12 @@ void Hdf5Sink::push(std::span<const double> rows) {
   for (const Group& group : groups_) append(group, rows, count);
   written_ += count;
   commit();
+}
+
+void Hdf5Sink::close_with(const std::string& name, const std::vector<std::string>& notes) {
+  const QuietScope quiet;
+  errno = 0;
+  if (!notes.empty()) attach(file_.id(), name.c_str(), notes, false);
 }
 
 void Hdf5Sink::finish() {

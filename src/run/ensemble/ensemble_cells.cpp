@@ -14,6 +14,7 @@
 #include "run/ensemble/chunk_files.hpp"
 #include "run/ensemble/elementary_functions.hpp"
 #include "run/ensemble/ensemble_origin.hpp"
+#include "run/ensemble/failures.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {
@@ -119,6 +120,8 @@ EnsembleChunk EnsembleCells::chunk(const CellsOfMembers& cells, std::int64_t cel
     chunk.rows.clear();
   }
   if (!file) return chunk;
+  say_failures(*file, chunk.failures, static_cast<std::int64_t>(chunk.failures.size()),
+               end - cells.begin_of(cell));
   file->finish();
   const std::size_t rows = numbers / row_width(row_groups_of(ensemble_));
   const std::int64_t first = cells.begin_of(cell);

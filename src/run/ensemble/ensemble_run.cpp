@@ -18,6 +18,8 @@
 #include "run/ensemble/elementary_functions.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/ensemble_origin.hpp"
+#include "run/ensemble/ensemble_setup.hpp"
+#include "run/ensemble/failures.hpp"
 #include "run/ensemble/histogram_files.hpp"
 #include "run/ensemble/statistics/accumulator_bytes.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
@@ -32,39 +34,9 @@ using detail::RowStatistics;
 using detail::StatisticsFrame;
 
 constexpr std::size_t numbers_per_block = 65536;
-constexpr std::size_t longest_reason = 1000;
-constexpr std::size_t failures_named = 20;
 
 // Ends the loop over the members, from within.
 struct Stopped {};
-
-// A format of the rows of one motion, which those of an ensemble are not.
-void require_tables(const OutputFormats& formats, const std::vector<std::string>& paths) {
-  for (const std::string& path : paths)
-    if (const OutputFormat& format = formats.of_output(path); format.needs.dates)
-      throw DomainError(
-          detail::printable(path, longest_reason) + ": " + format.label +
-          " holds one motion; expected " +
-          paths_in_words(formats, [](const OutputFormat& other) { return !other.needs.dates; }));
-}
-
-detail::KeptSetup setup_of(const ScenarioEnsemble& ensemble, const std::vector<ColumnGroup>& groups,
-                           const std::vector<std::string>& paths, const EnsembleOptions& options) {
-  require_tables(ensemble.scenario().output.formats, paths);
-  detail::KeptSetup setup = detail::setup_of_tables({"ensemble", "runs this one anew"},
-                                                    ensemble.scenario(), groups, paths);
-  setup.begin = options.begin;
-  setup.words = options.words;
-  setup.seconds = options.checkpoint_seconds;
-  setup.identity.insert(setup.identity.begin(), detail::elementary_functions());
-  if (options.any_machine) setup.forgive = detail::take_elementary_functions;
-  setup.advice = [words = options.words](const std::string& differs) {
-    return detail::differs_in_elementary_functions(differs)
-               ? "; " + words.any_machine + " goes on with other last digits"
-               : std::string();
-  };
-  return setup;
-}
 
 }  // namespace
 
@@ -86,7 +58,9 @@ class EnsembleRun::Parts {
                 : cells_.has_files() ? detail::ChunkFiles::index_groups()
                                      : detail::row_groups_of(ensemble)),
         origin_(detail::provenance_of(ensemble, frame_)),
-        outputs_(setup_of(ensemble, groups_, detail::ChunkFiles::kept(paths), options_), origin_),
+        outputs_(
+            detail::setup_of_ensemble(ensemble, groups_, detail::ChunkFiles::kept(paths), options_),
+            origin_),
         histograms_(detail::histogram_paths(ensemble, paths)),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
     require_work_for_all();
@@ -108,6 +82,7 @@ class EnsembleRun::Parts {
     if (outputs_.is_complete()) return std::move(report_);
     outputs_.with_remedy([&] {
       compute();
+      if (report_.failed == report_.members) fail();
       if (frame_) waiting_ = statistics_->rows();
       if (frame_) report_.statistics.assign(waiting_.end() - width(), waiting_.end());
       if (frame_) report_.events = statistics_->first_times();
@@ -115,7 +90,10 @@ class EnsembleRun::Parts {
       detail::write_histograms(report_.histograms, histograms_, ensemble_.scenario().output.formats,
                                origin_);
       push_waiting();
-      for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
+      for (const std::unique_ptr<Sink>& sink : sinks_) {
+        detail::say_failures(*sink, report_.failures, report_.failed, report_.members);
+        sink->finish();
+      }
       outputs_.forget();
     });
     for (const NumberMoments& key : drawn_)
@@ -230,7 +208,7 @@ class EnsembleRun::Parts {
     }
     for (const EnsembleReport::Failure& failure : chunk.failures) {
       ++report_.failed;
-      if (report_.failures.size() < failures_named) report_.failures.push_back(failure);
+      if (report_.failures.size() < detail::failures_named) report_.failures.push_back(failure);
     }
     if (waiting_.size() >= numbers_per_block) push_waiting();
     try {
@@ -242,6 +220,14 @@ class EnsembleRun::Parts {
     if (report_.members == ensemble_.size()) return;
     if (is_stopped()) throw Stopped();
     if (outputs_.is_due()) keep();
+  }
+
+  // Nobody is left to say anything of: what would be there has no name of a complete file.
+  [[noreturn]] void fail() {
+    push_waiting();
+    outputs_.forget();
+    throw EnsembleFailed(detail::all_failed_text(ensemble_.scenario().document.name,
+                                                 report_.failures, report_.members));
   }
 
   void push_waiting() {

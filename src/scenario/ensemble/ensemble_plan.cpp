@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "polhode/error.hpp"
+#include "scenario/ensemble/direction_angles.hpp"
 #include "scenario/ensemble/vary.hpp"
 #include "scenario/ensemble/wanted.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -164,9 +165,12 @@ void put_in_shape(const EnsembleVaried& varied, std::vector<double>& x) {
     return;
   }
   constexpr double turn = 2.0 * std::numbers::pi;
-  const double longitude = std::atan2(x[1], x[0]);
-  const double latitude = std::atan2(x[2], std::hypot(x[0], x[1]));
-  x = {(longitude < 0.0 ? longitude + turn : longitude) / varied.scale, latitude / varied.scale};
+  const detail::DirectionAngles which = detail::direction_angles(varied.keys).value();
+  const double longitude = std::atan2(x[1], x[0]), across = std::hypot(x[0], x[1]);
+  const double tilt = which.from_pole ? std::atan2(across, x[2]) : std::atan2(x[2], across);
+  x.resize(2);
+  x[which.around] = (longitude < 0.0 ? longitude + turn : longitude) / varied.scale;
+  x[1 - which.around] = tilt / varied.scale;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "polhode/tables/number_table.hpp"
+#include "scenario/ensemble/direction_angles.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
@@ -29,6 +30,20 @@ double own_number(const Value& value, std::size_t index, const Units& units) {
 
 std::string count_text(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+// "low 3 must be below high" of "Uniform: low 3 must be below high": a file has no class.
+template <class Build>
+Distribution without_class(const Build& build) {
+  try {
+    return build();
+  } catch (const DomainError& error) {
+    std::string said = error.what();
+    for (const std::string_view name : {"TruncatedNormal: ", "Normal: ", "Uniform: ",
+                                        "LogUniform: ", "JointNormal: ", "DrawGrid: axis[0]: "})
+      if (said.starts_with(name)) throw DomainError(said.substr(name.size()));
+    throw;
+  }
 }
 
 // One table, its numbers and where messages about it point.
@@ -56,10 +71,11 @@ class Table {
   [[noreturn]] void refuse_at(const char* name, const std::string& message) const {
     refuse(at_.values, key(name), at_.name, message);
   }
-  // Of a distribution; what it refuses is said at one of the keys.
+  // Of a distribution; what it refuses is said at one of the keys, without the name of its class.
   template <class Build>
   Distribution built_at(const char* name, const Build& build) const {
-    return built(at_.values, key(name), at_.name, [&] { return Distribution(build()); });
+    return built(at_.values, key(name), at_.name,
+                 [&] { return without_class([&] { return Distribution(build()); }); });
   }
 
   VariedTable one(std::string text, Distribution distribution) const {
@@ -96,9 +112,8 @@ class Table {
       refuse_at("means", "expected " + count_text(n, "number") + ", one for each of keys");
     const std::vector<double>& covariance = value_at(at_.values, key("covariance")).numbers;
     if (covariance.size() != n * n)
-      refuse_at("covariance", "expected " + count_text(n, "row") +
-                                  " and columns, one for each of "
-                                  "keys");
+      refuse_at("covariance", "expected " + count_text(n, "row") + " of " +
+                                  count_text(n, "number") + ", one for each of keys");
     return one("joint normal",
                built_at("covariance", [&] { return JointNormal(means, covariance); }));
   }
@@ -115,6 +130,11 @@ class Table {
       return value_at(at_.values, numbers_.places[i].path).key->dimension == Dimension::angle;
     };
     if (n == 2 && is_angle(0) && is_angle(1)) {
+      if (!direction_angles(numbers_.keys))
+        refuse_at(
+            "keys",
+            "expected a longitude, ra or node and a latitude, dec or inclination, whose names "
+            "say which goes round and from where the other counts");
       require_one_unit();
       VariedTable made = one("direction, all alike", IsotropicDirection());
       made.varied.shape = EnsembleVaried::Shape::angles;
@@ -124,7 +144,7 @@ class Table {
     if (n != 3)
       refuse_at("keys",
                 "expected three components of a vector, or two angles: longitude and "
-                "latitude; " +
+                "latitude, in either order; " +
                     count_text(n, "number"));
     require_one_unit();
     const auto& v = numbers_.values;
@@ -187,6 +207,22 @@ std::string key_text(const Values& values, const NumberLocation& place) {
   return is_one ? place.path : place.path + "[" + std::to_string(place.index) + "]";
 }
 
+// Keys that are there and hold something else than a number, or are not the members' own.
+void require_can_vary(const EnsembleContext& at, const std::string& own, const std::string& key) {
+  const auto found = at.values.find(key);
+  if (key.starts_with("ensemble.") || key.starts_with("map.") || key == "schema")
+    refuse(at.values, own, at.name,
+           "expected a key that holds a number and belongs to the members: those of [ensemble] and "
+           "[map], and schema, are of all of them together; " +
+               key + " cannot vary");
+  if (found == at.values.end() || found->second.key->type == KeyType::table ||
+      is_number(found->second))
+    return;
+  refuse(at.values, own, at.name,
+         "expected a key that holds a number which can be any; " + key +
+             " cannot vary: make a file for each of its values");
+}
+
 }  // namespace
 
 VariedNumbers varied_numbers(const EnsembleContext& at, const std::string& path) {
@@ -195,6 +231,7 @@ VariedNumbers varied_numbers(const EnsembleContext& at, const std::string& path)
   const std::string own = path + (several ? ".keys" : ".key");
   VariedNumbers all;
   for (const std::string& key : value_at(values, own).words) {
+    require_can_vary(at, own, key);
     const std::vector<NumberLocation> places = number_locations(values, key);
     if (places.empty() || (!several && places.size() > 1)) {
       const std::vector<std::string> keys = number_keys(values, key);

@@ -67,7 +67,8 @@ std::string expectation(const Key& key, const Units& units) {
     case KeyType::integer:
       return key.allowed.empty() ? "a whole number" : detail::one_of(separated(key.allowed, '|'));
     case KeyType::number:
-      return quantity(key, units);
+      return quantity(key, units) +
+             (key.path.starts_with("ensemble.vary[]") ? " in the unit of the key that varies" : "");
     case KeyType::numbers: {
       const std::string many = key.length > 0 ? std::to_string(key.length) : "one or more";
       return "an array of " + many + " numbers" + each(key, units);
@@ -77,7 +78,8 @@ std::string expectation(const Key& key, const Units& units) {
     case KeyType::linear_map:
       return "an array of 3 numbers (a diagonal) or of 3 arrays of 3 numbers" + each(key, units);
     case KeyType::square:
-      return "an array of as many arrays as each has numbers" + each(key, units);
+      return "a square matrix, [[a, b], [b, c]]: an array of as many rows as each row has numbers" +
+             each(key, units);
     case KeyType::boolean:
       return "true or false";
     case KeyType::text:

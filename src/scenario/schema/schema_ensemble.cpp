@@ -65,7 +65,8 @@ constexpr Key keys[] = {
              "t = 0 up to the time of the row. They take two to five times as long as the rest of "
              "a run. Of kind \"rotation\" without a damper, rows on one side of t = 0."},
     {.path = "ensemble.fraction[]",
-     .help = "Statistics have a column NAME_part: which part of the members whose column is a "
+     .help = "Statistics, and no other keep, have a column NAME_part: which part of the members "
+             "whose column is a "
              "number has it from low on and below high."},
     {.path = "ensemble.fraction[].name",
      .type = name,
@@ -84,7 +85,8 @@ constexpr Key keys[] = {
              "them if it does so whole turns apart; with one, as its row has it."},
     {.path = "ensemble.fraction[].high", .type = number, .example = "90", .help = "As low."},
     {.path = "ensemble.histogram[]",
-     .help = "Beside statistics, how many members have a column, or two, in each of even bins: a "
+     .help = "Beside statistics, and no other keep, how many members have a column, or two, in "
+             "each of even bins: a "
              "file of its own, OUT.NAME.csv or .h5 next to the first output OUT.csv or .h5."},
     {.path = "ensemble.histogram[].name",
      .type = name,
@@ -140,9 +142,11 @@ constexpr Key keys[] = {
      .type = KeyType::key_list,
      .presence = required,
      .example = "[\"state.attitude-rate.omega_body\"]",
-     .help = "Several numbers, an array by its name. A direction has the three components of a "
-             "vector, which keeps its length, or two angles, of which the first goes round (right "
-             "ascension and declination); an attitude the four components of a quaternion.",
+     .help =
+         "Several numbers, an array by its name. A direction has the three components of a "
+         "vector, which keeps its length, or two angles in either order, which are known by their "
+         "names: longitude, ra or node, and latitude, dec or inclination; an attitude the four "
+         "components of a quaternion.",
      .kinds = of_several},
     {.path = "ensemble.vary[].mean",
      .type = number,

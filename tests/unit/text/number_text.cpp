@@ -57,8 +57,13 @@ TEST(NumberText, IsThatOfTheStandardLibraryAtPowers) {
 }
 
 TEST(NumberText, IsThatOfTheStandardLibraryWhereThereIsNoNumber) {
-  for (const double x : {0.0, -0.0, HUGE_VAL, -HUGE_VAL, std::nan(""), -std::nan("")})
+  for (const double x : {0.0, -0.0, HUGE_VAL, -HUGE_VAL})
     EXPECT_EQ(ours(x), of_the_standard_library(x));
+}
+
+// The sign of a NaN is that of the processor's 0 / 0, and says nothing.
+TEST(NumberText, HasNoSignWhereThereIsNoNumber) {
+  for (const double x : {std::nan(""), -std::nan("")}) EXPECT_EQ(ours(x), "nan");
 }
 
 }  // namespace

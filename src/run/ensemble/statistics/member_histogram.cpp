@@ -16,6 +16,7 @@ namespace {
 
 static_assert(Accumulator<MemberHistogram>);
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // From 0, which lies below all bins, to count() + 1.
 void append_edges(const Bins& bins, std::size_t bin, std::vector<double>& row) {
@@ -26,7 +27,7 @@ void append_edges(const Bins& bins, std::size_t bin, std::vector<double>& row) {
 
 void append_count(std::int64_t count, std::int64_t of, std::vector<double>& row) {
   row.push_back(static_cast<double>(count));
-  row.push_back(static_cast<double>(count) / static_cast<double>(of));
+  row.push_back(of == 0 ? nan : static_cast<double>(count) / static_cast<double>(of));
 }
 
 void append_cells(const Histogram& of, double time, std::vector<double>& rows) {

@@ -19,6 +19,11 @@ constexpr int classes = 3;  // short axis, long axis, others
 // The column has 1 and -1 for the two modes.
 int class_of(double mode) { return mode == 1.0 ? 0 : mode == -1.0 ? 1 : 2; }
 
+// NaN of none: 0 / 0 may have a sign.
+double part(std::int64_t count, std::int64_t of) {
+  return of == 0 ? nan : static_cast<double>(count) / static_cast<double>(of);
+}
+
 Quaternion attitude_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
 
 template <class A>
@@ -198,12 +203,12 @@ std::vector<double> RowStatistics::rows() const {
     for (std::size_t i = 0; i < columns.modes.size(); ++i)
       for (int k = 0; k < classes; ++k) all.push_back(modes_[i * epochs + e].fraction(k));
     for (std::size_t i = 0; i < columns.fractions.size(); ++i) {
-      const Fractions& part = parts_[i * epochs + e];
-      all.insert(all.end(), {static_cast<double>(part.count()), part.fraction(1)});
+      const Fractions& of = parts_[i * epochs + e];
+      all.insert(all.end(), {static_cast<double>(of.count()), of.fraction(1)});
     }
     for (std::size_t i = 0; i < events_.size(); ++i) {
       happened[i] += happened_[i * epochs + e];
-      all.push_back(static_cast<double>(happened[i]) / static_cast<double>(events_[i].count()));
+      all.push_back(part(happened[i], events_[i].count()));
     }
   }
   return all;
@@ -214,9 +219,7 @@ std::vector<EnsembleReport::FirstTimes> RowStatistics::first_times() const {
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const FirstEvents& of = events_[i];
     EnsembleReport::FirstTimes found{
-        frame_->ensemble().events()[i],
-        static_cast<double>(of.times().count()) / static_cast<double>(of.count()),
-        {}};
+        frame_->ensemble().events()[i], part(of.times().count(), of.count()), {}};
     for (const double p : frame_->ensemble().plan().quantiles) {
       const std::optional<Bounded> time = of.count() > 0 ? of.time_of(p) : std::nullopt;
       const double t = time ? time->value : nan;
