@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What the core makes of a scene: the body, its exact motion, the clocks. Prepared when the body or
+// the state changes; a scene that the library refuses throws its DomainError, and nothing changes.
+import {
+  Body,
+  FreeRotation,
+  checkedState,
+  integrate,
+  type Light,
+  type RotorState,
+  type Vec3,
+} from "polhode/core";
+import type { Precession, Scene } from "./scene.js";
+import { direction, scale } from "./vectors.js";
+
+export interface Flips {
+  /** The last flip at or before the time asked for, and the time between two. */
+  readonly first: number;
+  readonly every: number;
+}
+
+export class Model {
+  readonly body: Body;
+  readonly motion: FreeRotation;
+  /** Semi-axes of the ellipsoid over the largest. */
+  readonly axes: Vec3;
+  /** The time that the body takes, on average, to turn once about its momentum. */
+  readonly turn: number;
+  /** The period of the momentum in the body, or some turns where there is none. */
+  readonly swing: number;
+  readonly flips: Flips;
+
+  constructor(scene: Pick<Scene, "moments" | "state" | "epoch">) {
+    this.body = new Body(...scene.moments);
+    const state = checkedState(scene.state);
+    this.motion = new FreeRotation(this.body, state, scene.epoch);
+    const semiAxes = this.body.semiAxes();
+    this.axes = scale(1 / Math.max(...semiAxes), semiAxes);
+    const { regime, momentum, energy, polhodePeriod } = this.motion;
+    // 2T/G is the rate about the momentum: that of any spin, and the mean one of a tumbler.
+    this.turn = momentum > 0 ? (Math.PI * momentum) / energy : Infinity;
+    this.swing =
+      regime !== "rest" && Number.isFinite(polhodePeriod) ? polhodePeriod : 12 * this.turn;
+    const { times, every } = this.motion.flips(scene.epoch, scene.epoch + this.swing, 1);
+    this.flips = { first: times.length > 0 ? times[0]! : NaN, every };
+  }
+
+  at(t: number): RotorState {
+    return this.motion.at(t);
+  }
+
+  /** The body spends most of a half period near the middle axis: what is seen is a flip. */
+  get flipsOver(): boolean {
+    const { momentum, separatrixDistance } = this.motion;
+    return Math.abs(separatrixDistance) < 0.03 * momentum * momentum;
+  }
+}
+
+/** The light in which the ellipsoid of the body stands. */
+export function lightOf(model: Model, scene: Pick<Scene, "sun" | "observer">): Light {
+  return {
+    semiAxes: model.axes,
+    toSun: direction(scene.sun),
+    toObserver: direction(scene.observer),
+  };
+}
+
+/** (l, L) of the osculating elements in a frame that precesses, over one swing: rows of 2. */
+export function osculatingPlane(model: Model, precession: Precession, count = 721): Float64Array {
+  const run = integrate({
+    body: model.body,
+    state: model.motion.initialState,
+    stop: model.swing,
+    count,
+    precessingFrame: precession,
+    tolerance: 1e-9,
+  });
+  const rows = new Float64Array((2 * run.osculating.length) / 6);
+  for (let i = 0; 2 * i < rows.length; ++i) {
+    rows[2 * i] = run.osculating[6 * i]!;
+    rows[2 * i + 1] = run.osculating[6 * i + 3]!;
+  }
+  return rows;
+}
