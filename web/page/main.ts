@@ -95,7 +95,10 @@ async function start(): Promise<void> {
       numbers.show();
       transport.show();
     }
-    document.documentElement.dataset["ready"] = "true";
+    if (!document.documentElement.dataset["ready"]) {
+      document.documentElement.dataset["ready"] = "true";
+      Object.assign(window, { firstPicture: performance.now() });
+    }
   }
 
   explorer.onChange((change: Change) => {
@@ -126,6 +129,8 @@ async function start(): Promise<void> {
     explorer.play(!linked && !still.matches);
   }
   redraw();
+  // For a reader's console, the tests and the measurements.
+  Object.assign(window, { explorer, sphere, plane, views: { body, sphere, plane, light, strip } });
 }
 
 function fill(choice: HTMLSelectElement, chosen: (id: string) => void): void {

@@ -21,7 +21,8 @@ export class PlaneView implements View {
   private own = new Float64Array(0);
   private osculating: Float64Array | null = null;
   private precession: Precession | null = null;
-  private dot: Place = { x: -99, y: -99 };
+  /** Where the state is on paper. */
+  dot: Place = { x: -99, y: -99 };
 
   constructor(
     readonly canvas: HTMLCanvasElement,

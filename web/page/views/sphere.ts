@@ -31,7 +31,8 @@ export class SphereView implements View {
   private curves: readonly Curve[] = [];
   private polhode = new Float64Array(0);
   private layer: HTMLCanvasElement | null = null;
-  private dot: Place = { x: -99, y: -99 };
+  /** Where the state is on paper. */
+  dot: Place = { x: -99, y: -99 };
   private depth = 1;
 
   constructor(
