@@ -49,7 +49,7 @@ const sub = (letter: string, index: string) => `${letter}<sub>${index}</sub>`;
 
 const rates: Chart = {
   id: "rates",
-  name: "Attitude, rate",
+  name: "Attitude",
   about: "Quaternion from body to inertial axes, scalar first; angular velocity along the body axes.",
   fields: [
     ...["w", "x", "y", "z"].map((c) => f(sub("q", c), `quaternion ${c}`, "none")),
@@ -107,7 +107,7 @@ const euler: Chart = {
 
 const eulerRates: Chart = {
   id: "euler-rates",
-  name: "Euler, rates",
+  name: "Euler rates",
   about: "3-1-3 angles and how fast they change.",
   fields: [
     f("φ", "phi", "angle"),
@@ -239,9 +239,9 @@ export const CHARTS: readonly Chart[] = [
   rates,
   andoyer,
   tumbler,
+  vectors,
   euler,
   eulerRates,
   serret,
   sadov,
-  vectors,
 ];

@@ -27,7 +27,8 @@ const canvas = (id: string) => element<HTMLCanvasElement>(id);
 const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
 async function start(): Promise<void> {
-  await load(core);
+  const bytes = new Blob([core]).stream().pipeThrough(new DecompressionStream("gzip"));
+  await load(new Response(bytes));
   const explorer = new Explorer(preset("wing-nut").scene());
 
   let waiting = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The core as bytes, put into the page by the bundler.
+// The core as gzipped bytes, put into the page by the bundler.
 declare module "polhode/core.wasm" {
   const bytes: Uint8Array<ArrayBuffer>;
   export default bytes;

@@ -23,20 +23,12 @@ const PHI = "P<sub>φ</sub>";
 export function headline(model: Model): Headline {
   const { motion } = model;
   const periods: Clock[] = [
-    { symbol: PSI, what: "period of the momentum in the body", value: motion.polhodePeriod },
-    {
-      symbol: PHI,
-      what: "precession of the long axis, on average",
-      value: motion.precessionPeriodLong,
-    },
-    {
-      symbol: "P<sub>short</sub>",
-      what: "precession of the short axis, on average",
-      value: motion.precessionPeriodShort,
-    },
+    { symbol: PSI, what: "rotation period", value: motion.polhodePeriod },
+    { symbol: PHI, what: "precession, long axis", value: motion.precessionPeriodLong },
+    { symbol: PHI, what: "precession, short axis", value: motion.precessionPeriodShort },
   ];
   const flip: Clock = {
-    symbol: "½ " + PSI,
+    symbol: "½" + PSI,
     what: "turns over every",
     value: motion.polhodePeriod / 2,
   };

@@ -28,8 +28,8 @@ import { shapeOf } from "./shapes.js";
 
 const TRAIL = 900;
 const RECENT = 160;
-const HEIGHT = 1.3; // of the invariable plane: 2T/G on paper
-const FAR = 1.75; // of Sun and observer
+const HEIGHT = 1.15; // of the invariable plane: 2T/G on paper
+const FAR = 1.42; // of Sun and observer
 const BODY_AXES: readonly Vec3[] = [
   [1, 0, 0],
   [0, 1, 0],
@@ -102,7 +102,7 @@ export class BodyView implements View {
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       const narrow = Math.min(1, width / height);
-      this.camera.userData["distance"] = 7.6 / narrow ** 0.85;
+      this.camera.userData["distance"] = 6.9 / narrow ** 0.85;
       this.camera.updateProjectionMatrix();
     }
   }
@@ -137,13 +137,13 @@ export class BodyView implements View {
     const g = unit(model.motion.momentumDirection);
     parts.momentum.visible = moving;
     if (moving) {
-      parts.momentum.point(scale(1.85, g));
-      labels.push({ text: "G", at: scale(2.0, g), colour: colours.momentum });
+      parts.momentum.point(scale(1.52, g));
+      labels.push({ text: "G", at: scale(1.64, g), colour: colours.momentum });
     }
     this.herpolhode(this.explorer, moving && plain, (HEIGHT * momentum) / (2 * energy), g, labels);
     for (const [k, axis] of BODY_AXES.entries()) {
       const tip = rotate(state.q, axis);
-      const reach = plain ? model.axes[k]! + 0.38 : 1.05;
+      const reach = plain ? model.axes[k]! + 0.26 : 1.05;
       parts.axes[k]!.point(scale(reach, tip), scale(plain ? model.axes[k]! * 0.9 : 0, tip));
       labels.push({
         text: ["b₁", "b₂", "b₃"][k]!,
@@ -162,7 +162,7 @@ export class BodyView implements View {
       distance * Math.sin(this.latitude),
       distance * C * Math.cos(this.longitude),
     );
-    camera.lookAt(0, plain ? 0.42 : 0, 0);
+    camera.lookAt(0, plain ? 0.13 : 0, 0);
     renderer.render(parts.stage, camera);
     this.write(labels);
   }
@@ -283,7 +283,7 @@ function built(e: Explorer) {
   const past = new Path(TRAIL, { colour: colours.omega, width: 1, opacity: 0.45 });
   const recent = new Path(RECENT, { colour: colours.omega, width: 2.2 });
   const invariable = new Mesh(
-    new CircleGeometry(1.25, 72),
+    new CircleGeometry(1.15, 72),
     new MeshBasicMaterial({
       color: colours.momentum,
       transparent: true,
