@@ -5,6 +5,7 @@ import { load } from "polhode/core";
 import core from "polhode/core.wasm";
 import { Address } from "./address.js";
 import { Explorer, type Change } from "./explorer.js";
+import { Pacing } from "./pacing.js";
 import { CopyDialog } from "./panel/copies.js";
 import { HeadlinePanel } from "./panel/headline.js";
 import { Numbers } from "./panel/numbers.js";
@@ -28,7 +29,9 @@ const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
 async function start(): Promise<void> {
   const bytes = new Blob([core]).stream().pipeThrough(new DecompressionStream("gzip"));
+  performance.mark("script");
   await load(new Response(bytes));
+  performance.mark("core");
   const explorer = new Explorer(preset("wing-nut").scene());
 
   let waiting = false;
@@ -79,13 +82,17 @@ async function start(): Promise<void> {
     explorer.play(!still.matches);
   });
 
+  const pacing = new Pacing();
   let lastPicture = 0;
   let lastNumbers = 0;
   function picture(clock: number): void {
     waiting = false;
     if (explorer.playing) {
       // A page that was hidden goes on where it was.
-      const passed = Math.min(0.1, lastPicture ? (clock - lastPicture) / 1000 : 0);
+      const interval = lastPicture ? clock - lastPicture : 0;
+      const passed = Math.min(0.1, interval / 1000);
+      const fineness = pacing.after(interval);
+      if (fineness !== null) body.fineness = fineness;
       explorer.now += passed * explorer.scene.pace;
       redraw();
     }
@@ -98,7 +105,7 @@ async function start(): Promise<void> {
     }
     if (!document.documentElement.dataset["ready"]) {
       document.documentElement.dataset["ready"] = "true";
-      Object.assign(window, { firstPicture: performance.now() });
+      performance.mark("picture");
     }
   }
 

@@ -51,8 +51,7 @@ export class Model {
 
   /** The body spends most of a half period near the middle axis: what is seen is a flip. */
   get flipsOver(): boolean {
-    const { momentum, separatrixDistance } = this.motion;
-    return Math.abs(separatrixDistance) < 0.03 * momentum * momentum;
+    return this.motion.modulus.m > 0.97;
   }
 }
 

@@ -74,10 +74,10 @@ function planes(): { moments: Vec3; state: RotorState } {
 
 const precessing = () => ({
   ...PLAIN,
-  ...spinning([1, 2, 2.5], [0.3, -0.2, 1], { phi: 0.4, theta: 1.1, psi: -0.7 }),
+  ...spinning([1, 2, 2.5], [0.75, 0.25, 0.45], { phi: 0.4, theta: 1.1, psi: -0.7 }),
   time: "s",
   pace: 1.5,
-  precession: { axis: [0.2, -0.1, 1] as Vec3, rate: 0.3 },
+  precession: { axis: [0.2, -0.1, 1] as Vec3, rate: 0.15 },
 });
 
 export const PRESETS: readonly Preset[] = [
@@ -96,8 +96,8 @@ export const PRESETS: readonly Preset[] = [
       time: "s",
       moment: "g cm2",
       pace: 0.5,
-      sun: [60, 35],
-      observer: [15, 20],
+      sun: [143, 41],
+      observer: [-40, 50],
     }),
   },
   {
@@ -259,7 +259,7 @@ export const PRESETS: readonly Preset[] = [
     name: "Figure 5: canonical elements",
     about:
       "In a frame that precesses, canonical elements do not osculate: put into the formulas of free rotation they give the inertial angular velocity. The paper draws it for an orbit; here is a rotation.",
-    source: "Gurfil et al. (2007), section 4; examples/precessing-frame.toml",
+    source: "Gurfil et al. (2007), section 4; the body of examples/precessing-frame.toml",
     scene: () => ({ ...precessing(), title: "Figure 5" }),
   },
   {
@@ -272,7 +272,7 @@ export const PRESETS: readonly Preset[] = [
     scene: () => ({
       ...precessing(),
       title: "Figure 6",
-      precession: { axis: [0.2, -0.1, 1], rate: 0.6 },
+      precession: { axis: [0.2, -0.1, 1], rate: 0.3 },
     }),
   },
 ];

@@ -56,7 +56,7 @@ export function headline(model: Model): Headline {
         clocks: [
           {
             symbol: PHI,
-            what: "turn about the momentum, before and after",
+            what: "turn, before and after",
             value: motion.precessionPeriodLong,
           },
         ],
@@ -67,9 +67,9 @@ export function headline(model: Model): Headline {
         tone: "plain",
         sentence: "The angular velocity stands still, along the momentum.",
         clocks: [
-          { symbol: "P", what: "turn about the momentum", value: model.turn },
+          { symbol: "P", what: "one turn", value: model.turn },
           ...(Number.isFinite(motion.polhodePeriod)
-            ? [{ symbol: PSI, what: "period of a small wobble", value: motion.polhodePeriod }]
+            ? [{ symbol: PSI, what: "a small wobble", value: motion.polhodePeriod }]
             : []),
         ],
       };

@@ -18,6 +18,7 @@ export class NumberField {
   private readonly unit = document.createElement("span");
   private readonly error = document.createElement("p");
   private value = NaN;
+  private digits = 8;
 
   /** `commit` throws what it refuses. */
   constructor(
@@ -72,18 +73,19 @@ export class NumberField {
 
   show(value: number, digits = 8): void {
     this.value = value;
-    if (!this.busy) this.write(digits);
+    this.digits = digits;
+    if (!this.busy) this.write();
   }
 
-  private write(digits = 8): void {
-    const text = number(this.value, digits);
+  private write(): void {
+    const text = number(this.value, this.digits);
     if (this.input.value !== text) this.input.value = text;
   }
 
   private read(): void {
     const text = this.input.value;
-    if (this.input.readOnly || text === number(this.value, 8)) {
-      this.refuse(null);
+    if (this.input.readOnly || text === number(this.value, this.digits)) {
+      this.refuse(null); // untouched: all digits stay, not only those shown
       return;
     }
     const value = typed(text);
@@ -102,6 +104,7 @@ export class NumberField {
     this.error.textContent = reason ?? "";
     this.input.setAttribute("aria-invalid", String(reason !== null));
     this.element.classList.toggle("refused", reason !== null);
+    if (reason !== null) this.error.scrollIntoView({ block: "nearest" });
   }
 }
 

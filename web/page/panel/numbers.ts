@@ -4,6 +4,7 @@
 import { CHARTS, type Chart } from "../charts.js";
 import type { Explorer } from "../explorer.js";
 import { shown, unitOf } from "../format.js";
+import type { Dimension } from "../scene.js";
 import { NumberField } from "./field.js";
 
 export class Numbers {
@@ -79,10 +80,17 @@ export class Numbers {
       this.about.textContent = (error as Error).message;
       this.about.classList.add("error");
     }
+    const size = new Map<Dimension, number>();
+    for (const [index, { dimension }] of chart.fields.entries()) {
+      size.set(dimension, Math.max(size.get(dimension) ?? 0, Math.abs(values[index] ?? 0)));
+    }
     for (const [index, field] of this.fields.entries()) {
       const { dimension } = chart.fields[index]!;
+      const value = values[index] ?? NaN;
+      // What is below the last digit of its neighbours is a rounding, and reads as 0.
+      const rounding = Math.abs(value) < 1e-15 * size.get(dimension)!;
       field.units = unitOf(explorer.scene, dimension);
-      field.show((values[index] ?? NaN) * shown(dimension), 9);
+      field.show(rounding ? 0 : value * shown(dimension), 9);
     }
   }
 }

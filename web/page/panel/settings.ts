@@ -109,6 +109,7 @@ export class Settings {
     this.shape.value = scene.shape;
     this.overlay.value = scene.overlay;
     const angle = phaseAngle(direction(scene.sun), direction(scene.observer)) / DEG;
+    document.getElementById("plane-osculating")!.hidden = scene.precession === null;
     this.phase.textContent = `phase angle ${number(angle, 3)}°`;
   }
 }

@@ -18,6 +18,7 @@ import {
 } from "three";
 import type { Vec3 } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
+import type { Direction, Overlay } from "../scene.js";
 import { add, direction, rotate, scale, unit } from "../vectors.js";
 import { draggable } from "./drag.js";
 import { Arrow, Path } from "./lines.js";
@@ -40,6 +41,7 @@ export class BodyView implements View {
   private readonly sheet: Sheet;
   private readonly renderer: WebGLRenderer | null;
   private readonly camera = new PerspectiveCamera(26, 1, 0.1, 60);
+  private part = 1;
   private longitude = 0.5;
   private latitude = 0.3;
   private readonly trail = new Float64Array(3 * TRAIL);
@@ -54,6 +56,7 @@ export class BodyView implements View {
     this.sheet = new Sheet(labels);
     this.renderer = started(canvas);
     this.parts = built(explorer);
+    this.face(explorer);
     this.changed("size", explorer);
     draggable(labels, () => ({
       move: (_to, by) => {
@@ -79,26 +82,49 @@ export class BodyView implements View {
     });
   }
 
+  /** A body is first seen with the Sun to the left, on the side that is lit. */
+  private face({ scene, model }: Explorer): void {
+    this.upright(scene.overlay, model.motion.momentumDirection);
+    const sun = this.inRoom(scene.sun);
+    this.longitude = scene.overlay === "none" ? Math.atan2(sun.x, sun.z) + 0.85 : 0.5;
+    this.latitude = 0.3;
+  }
+
+  /** Turns the stage: the momentum points up, or the third inertial axis. */
+  private upright(overlay: Overlay, momentum: Vec3): void {
+    const up: Vec3 = overlay === "none" ? unit(momentum) : [0, 0, 1];
+    this.parts.root.quaternion.setFromUnitVectors(new Vector3(...up), new Vector3(0, 1, 0));
+  }
+
+  private inRoom(towards: Direction): Vector3 {
+    return new Vector3(...direction(towards)).applyQuaternion(this.parts.root.quaternion);
+  }
+
   /** Looks from where the observer stands. */
   fromObserver(): void {
-    const seen = new Vector3(...direction(this.explorer.scene.observer)).applyQuaternion(
-      this.parts.root.quaternion,
-    );
+    const seen = this.inRoom(this.explorer.scene.observer);
     this.latitude = Math.asin(Math.max(-1, Math.min(1, seen.y)));
     this.longitude = Math.atan2(seen.x, seen.z);
     this.redraw();
+  }
+
+  /** Below 1: fewer pixels than the screen has. */
+  set fineness(part: number) {
+    this.part = part;
+    this.changed("size", this.explorer);
   }
 
   changed(change: Change | "theme" | "size", explorer: Explorer): void {
     if (change === "theme" || (change !== "time" && change !== "size" && stale(this.parts, explorer))) {
       this.parts.dispose();
       this.parts = built(explorer);
+      if (change !== "theme") this.face(explorer);
     }
     if (change === "theme" || change === "size") {
       this.sheet.fit();
       const { width, height } = this.sheet;
       if (!this.renderer || width === 0 || height === 0) return;
-      this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+      this.renderer.setPixelRatio(this.part * Math.min(window.devicePixelRatio || 1, 2));
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       const narrow = Math.min(1, width / height);
@@ -122,8 +148,7 @@ export class BodyView implements View {
       return;
     }
     const state = model.at(now);
-    const up = scene.overlay === "none" ? unit(model.motion.momentumDirection) : ([0, 0, 1] as Vec3);
-    parts.root.quaternion.setFromUnitVectors(new Vector3(...up), new Vector3(0, 1, 0));
+    this.upright(scene.overlay, model.motion.momentumDirection);
     const [w, x, y, z] = state.q;
     parts.body.quaternion.copy(new Turn(x, y, z, w));
     const plain = scene.overlay === "none";
@@ -162,7 +187,7 @@ export class BodyView implements View {
       distance * Math.sin(this.latitude),
       distance * C * Math.cos(this.longitude),
     );
-    camera.lookAt(0, plain ? 0.13 : 0, 0);
+    camera.lookAt(0, plain ? 0.3 : 0, 0);
     renderer.render(parts.stage, camera);
     this.write(labels);
   }
@@ -260,7 +285,8 @@ function started(canvas: HTMLCanvasElement): WebGLRenderer | null {
   }
 }
 
-const keyOf = ({ scene }: Explorer): string => `${scene.shape} ${scene.moments.join()}`;
+const keyOf = ({ scene }: Explorer): string =>
+  [scene.title, scene.shape, scene.overlay, ...scene.moments].join();
 const stale = (parts: ReturnType<typeof built>, e: Explorer): boolean => parts.key !== keyOf(e);
 
 /** Everything on the stage, for one body in one theme. */

@@ -116,9 +116,6 @@ export class PlaneView implements View {
         context.setLineDash([]);
       }
     });
-    if (this.osculating) {
-      symbol(context, "osculating", this.box.right - 40, this.box.top + 14, colours.omega, colours.paper);
-    }
     const a = toAndoyer(model.at(now));
     this.dot = { x: this.x(a.l), y: this.y(a.L / a.G) };
     context.beginPath();
