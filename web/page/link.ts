@@ -25,6 +25,7 @@ export function toLink(scene: Scene): string {
     ["observer", scene.observer.join()],
     ["shape", scene.shape],
     ["planes", scene.overlay],
+    ["friction", scene.friction ? "on" : "off"],
   ];
   const { precession } = scene;
   if (precession) parts.push(["frame", [...precession.axis, precession.rate].join()]);
@@ -66,6 +67,7 @@ export function fromLink(link: string): Scene {
     observer: numbers(fields, "observer", 2) as unknown as Direction,
     shape: oneOf(fields, "shape", SHAPES),
     overlay: oneOf(fields, "planes", OVERLAYS),
+    friction: oneOf(fields, "friction", ["on", "off"]) === "on",
     precession: frame && { axis: [frame[0]!, frame[1]!, frame[2]!], rate: frame[3]! },
   };
   if (fields.get("end") !== LAST) {

@@ -5,6 +5,7 @@ import {
   Body,
   FreeRotation,
   checkedState,
+  dampingOfWobble,
   integrate,
   type Light,
   type RotorState,
@@ -78,6 +79,28 @@ export function osculatingPlane(model: Model, precession: Precession, count = 72
   for (let i = 0; 2 * i < rows.length; ++i) {
     rows[2 * i] = run.osculating[6 * i]!;
     rows[2 * i + 1] = run.osculating[6 * i + 3]!;
+  }
+  return rows;
+}
+
+/** Where friction inside would take the momentum: rows of 3, over its length. It keeps the momentum
+ *  and takes energy, so the body ends in a spin about the axis of the greatest moment. The strength
+ *  is ours: a wobble falls by e in three swings. */
+export function frictionPath(model: Model, count = 2401): Float64Array {
+  const { body, motion, swing } = model;
+  const { momentum } = motion;
+  const run = integrate({
+    body,
+    state: motion.initialState,
+    stop: 16 * swing,
+    count,
+    internalDamping: dampingOfWobble(body, 3 * swing, momentum),
+    tolerance: 1e-8,
+  });
+  const size = 7;
+  const rows = new Float64Array((3 * run.states.length) / size);
+  for (let i = 0; 3 * i < rows.length; ++i) {
+    for (const k of [0, 1, 2]) rows[3 * i + k] = run.states[size * i + 4 + k]! / momentum;
   }
   return rows;
 }

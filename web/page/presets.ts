@@ -30,6 +30,7 @@ const PLAIN = {
   epoch: 0,
   now: 0,
   precession: null,
+  friction: false,
   sun: [20, 10],
   observer: [-35, -5],
 } as const;

@@ -37,6 +37,8 @@ export interface Scene {
   readonly sun: Direction;
   readonly observer: Direction;
   readonly precession: Precession | null;
+  /** Also drawn: where friction inside the body would take the momentum. */
+  readonly friction: boolean;
 }
 
 /** "kg m2/s" and the like of a scene. */

@@ -22,6 +22,7 @@ export class Settings {
   private readonly rate: NumberField;
   private readonly shape: HTMLSelectElement;
   private readonly overlay: HTMLSelectElement;
+  private readonly friction: HTMLInputElement;
   private readonly phase: HTMLElement;
 
   constructor(
@@ -90,6 +91,10 @@ export class Settings {
       const overlay = OVERLAYS.find((name) => name === this.overlay.value) as Overlay;
       explorer.change({ overlay });
     });
+    this.friction = place("friction") as HTMLInputElement;
+    this.friction.addEventListener("change", () => {
+      explorer.change({ friction: this.friction.checked });
+    });
     this.show();
   }
 
@@ -108,6 +113,7 @@ export class Settings {
     this.rate.show((scene.precession?.rate ?? 0) * shown("rate"));
     this.shape.value = scene.shape;
     this.overlay.value = scene.overlay;
+    this.friction.checked = scene.friction;
     const angle = phaseAngle(direction(scene.sun), direction(scene.observer)) / DEG;
     document.getElementById("plane-osculating")!.hidden = scene.precession === null;
     this.phase.textContent = `phase angle ${number(angle, 3)}°`;

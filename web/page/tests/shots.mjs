@@ -20,6 +20,13 @@ const SHOTS = {
   "figure-2": [WIDE, (page) => choose(page, "figure-2")],
   "figure-3": [WIDE, (page) => choose(page, "figure-3")],
   "figure-5": [WIDE, (page) => choose(page, "figure-5")],
+  friction: [
+    WIDE,
+    async (page) => {
+      await choose(page, "toutatis");
+      await page.check("#friction");
+    },
+  ],
   large: [WIDE, (page) => page.click("#pane-sphere .expand")],
   tour: [WIDE, (page) => page.keyboard.press("t")],
   copies: [WIDE, (page) => page.click("#copies-open")],

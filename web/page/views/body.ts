@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The body in space, in inertial axes: its momentum, which stands still; its angular velocity, whose
 // end stays in one plane and draws the herpolhode there; the directions to Sun and observer.
-import {
-  AmbientLight,
-  CircleGeometry,
-  DirectionalLight,
-  DoubleSide,
-  Group,
-  Mesh,
-  MeshBasicMaterial,
-  PerspectiveCamera,
-  Quaternion as Turn,
-  Scene as Stage,
-  SphereGeometry,
-  Vector3,
-  WebGLRenderer,
-} from "three";
+import { PerspectiveCamera, Quaternion as Turn, Vector3, type WebGLRenderer } from "three";
 import type { Vec3 } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
 import type { Direction, Overlay } from "../scene.js";
 import { add, direction, rotate, scale, unit } from "../vectors.js";
 import { draggable } from "./drag.js";
-import { Arrow, Path } from "./lines.js";
 import { Sheet, symbol, type View } from "./pane.js";
-import { palette, TEXT } from "./palette.js";
-import { Planes, type Label } from "./planes.js";
-import { shapeOf } from "./shapes.js";
+import { TEXT } from "./palette.js";
+import type { Label } from "./planes.js";
+import { built, RECENT, stale, started, TRAIL, type Parts } from "./stage.js";
 
-const TRAIL = 900;
-const RECENT = 160;
 const HEIGHT = 1.15; // of the invariable plane: 2T/G on paper
 const FAR = 1.42; // of Sun and observer
 const BODY_AXES: readonly Vec3[] = [
@@ -45,7 +28,7 @@ export class BodyView implements View {
   private longitude = 0.5;
   private latitude = 0.3;
   private readonly trail = new Float64Array(3 * TRAIL);
-  private parts: ReturnType<typeof built>;
+  private parts: Parts;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -275,96 +258,4 @@ function free(taken: [number, number][], x: number, y: number): [number, number]
   const place: [number, number] = [x + way[0], y + way[1]];
   taken.push(place);
   return place;
-}
-
-function started(canvas: HTMLCanvasElement): WebGLRenderer | null {
-  try {
-    return new WebGLRenderer({ canvas, antialias: true, alpha: true });
-  } catch {
-    return null;
-  }
-}
-
-const keyOf = ({ scene }: Explorer): string =>
-  [scene.title, scene.shape, scene.overlay, ...scene.moments].join();
-const stale = (parts: ReturnType<typeof built>, e: Explorer): boolean => parts.key !== keyOf(e);
-
-/** Everything on the stage, for one body in one theme. */
-function built(e: Explorer) {
-  const colours = palette();
-  const stage = new Stage();
-  const root = new Group();
-  const body = new Group();
-  const shape = shapeOf(e.scene.shape, e.model.axes, colours);
-  body.add(shape);
-  const order = e.model.body.axisOrder;
-  const tones: string[] = [];
-  tones[order[0]] = colours.lam;
-  tones[order[1]] = colours.sep;
-  tones[order[2]] = colours.sam;
-  const axes = tones.map((colour) => new Arrow({ colour, width: 2 }));
-  const momentum = new Arrow({ colour: colours.momentum, width: 3 });
-  const omega = new Arrow({ colour: colours.omega, width: 2.5 });
-  const relative = new Arrow({ colour: colours.sun, width: 2, dashed: true });
-  const past = new Path(TRAIL, { colour: colours.omega, width: 1, opacity: 0.45 });
-  const recent = new Path(RECENT, { colour: colours.omega, width: 2.2 });
-  const invariable = new Mesh(
-    new CircleGeometry(1.15, 72),
-    new MeshBasicMaterial({
-      color: colours.momentum,
-      transparent: true,
-      opacity: colours.dark ? 0.1 : 0.07,
-      side: DoubleSide,
-      depthWrite: false,
-    }),
-  );
-  const planes = new Planes(colours);
-  const sun = new Mesh(new SphereGeometry(0.07, 24, 16), new MeshBasicMaterial({ color: colours.sun }));
-  const observer = new Mesh(
-    new SphereGeometry(0.045, 20, 12),
-    new MeshBasicMaterial({ color: colours.soft }),
-  );
-  const light = new DirectionalLight("#ffffff", 2.6);
-  root.add(
-    body,
-    ...axes.map((axis) => axis.group),
-    momentum.group,
-    omega.group,
-    relative.group,
-    past.line,
-    recent.line,
-    invariable,
-    planes.group,
-    sun,
-    observer,
-    light,
-  );
-  stage.add(root, new AmbientLight("#ffffff", colours.dark ? 0.75 : 1.15));
-  const dispose = () => {
-    stage.traverse((thing) => {
-      if (!(thing instanceof Mesh)) return;
-      thing.geometry.dispose();
-      for (const material of [thing.material].flat()) material.dispose();
-    });
-  };
-  return {
-    key: keyOf(e),
-    stage,
-    root,
-    body,
-    shape,
-    tones,
-    axes,
-    momentum,
-    omega,
-    relative,
-    past,
-    recent,
-    invariable,
-    planes,
-    sun,
-    observer,
-    light,
-    dispose,
-  };
 }

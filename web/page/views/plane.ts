@@ -9,7 +9,7 @@ import { DEG } from "../vectors.js";
 import { Axes, type Box } from "./axes.js";
 import { draggable, near, type Place } from "./drag.js";
 import { Sheet, symbol, type View } from "./pane.js";
-import { familyOf, look } from "./sphere.js";
+import { familyOf, frictionOf, look } from "./sphere.js";
 
 const REACH = 26;
 const TURN = 2 * Math.PI;
@@ -21,6 +21,7 @@ export class PlaneView implements View {
   private own = new Float64Array(0);
   private osculating: Float64Array | null = null;
   private precession: Precession | null = null;
+  private friction: Float64Array | null = null;
   /** Where the state is on paper. */
   dot: Place = { x: -99, y: -99 };
 
@@ -81,6 +82,8 @@ export class PlaneView implements View {
       if (body !== this.body) this.layer = null;
       this.body = body;
       this.own = andoyerPlane(model.motion.polhode(361));
+      const friction = frictionOf(explorer);
+      this.friction = friction && andoyerPlane(friction);
       if (change === "motion" || scene.precession !== this.precession) {
         this.precession = scene.precession;
         this.osculating = scene.precession ? osculatingPlane(model, scene.precession) : null;
@@ -108,6 +111,11 @@ export class PlaneView implements View {
       context.strokeStyle = style.colour;
       context.lineWidth = 3;
       this.trace(context, this.own, momentum);
+      if (this.friction) {
+        context.strokeStyle = colours.sun;
+        context.lineWidth = 1.4;
+        this.trace(context, this.friction, 1);
+      }
       if (this.osculating) {
         context.strokeStyle = colours.omega;
         context.lineWidth = 1.8;

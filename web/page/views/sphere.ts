@@ -4,7 +4,7 @@
 // space, lies where the dot is.
 import { polhodes, separatrix, withMomentumAlong, type Curve, type Vec3 } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
-import type { Model } from "../model.js";
+import { frictionPath, type Model } from "../model.js";
 import { scale, unit } from "../vectors.js";
 import { draggable, near, type Place } from "./drag.js";
 import { Globe } from "./globe.js";
@@ -30,6 +30,7 @@ export class SphereView implements View {
   private readonly globe = new Globe(0.98, 0.36);
   private curves: readonly Curve[] = [];
   private polhode = new Float64Array(0);
+  private friction: Float64Array | null = null;
   private layer: HTMLCanvasElement | null = null;
   /** Where the state is on paper. */
   dot: Place = { x: -99, y: -99 };
@@ -101,6 +102,7 @@ export class SphereView implements View {
       }
       this.polhode = model.motion.polhode(241);
     }
+    if (change === "motion" || change === "looks") this.friction = frictionOf(explorer);
     if (change === "theme" || change === "size") {
       this.sheet.fit();
       this.layer = null;
@@ -128,6 +130,14 @@ export class SphereView implements View {
       context.globalAlpha = side ? 1 : 0.35;
       context.lineWidth = side ? 3 : 2;
       globe.trace(context, this.polhode, side, momentum);
+    }
+    if (this.friction) {
+      context.strokeStyle = colours.sun;
+      context.lineWidth = 1.4;
+      for (const side of [false, true]) {
+        context.globalAlpha = side ? 0.95 : 0.25;
+        globe.trace(context, this.friction, side);
+      }
     }
     const g = scale(1 / momentum, model.at(now).g);
     const [x, y, depth] = globe.paper(g);
@@ -234,3 +244,10 @@ export function familyOf(model: Model): readonly Curve[] {
   return family;
 }
 
+/** The path under friction, kept as long as the motion is the same. */
+let drifted: { model: Model; path: Float64Array } | null = null;
+export function frictionOf({ model, scene }: Explorer): Float64Array | null {
+  if (!scene.friction || !(model.motion.momentum > 0)) return null;
+  if (drifted?.model !== model) drifted = { model, path: frictionPath(model) };
+  return drifted.path;
+}
