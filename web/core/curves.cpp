@@ -5,11 +5,12 @@
 // coordinates across c a polhode is an ellipse, g_a = A cos u, g_b = B sin u, and g_c is what the
 // sphere leaves, C^2 cos^2 u + D^2 sin^2 u with C^2 = G^2 - A^2, D^2 = G^2 - B^2. D vanishes on the
 // separatrix.
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "motion.hpp"
 #include "numbers.hpp"
@@ -25,7 +26,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 // The axes with the least, middle and greatest moment.
 std::array<int, 3> axis_order(const Vec3& I) {
   std::array<int, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I[i] < I[j]; });
+  for (const std::size_t i : {0U, 1U, 0U})
+    if (I[order[i + 1]] < I[order[i]]) std::swap(order[i], order[i + 1]);
   return order;
 }
 

@@ -2,7 +2,7 @@
 // std::to_chars of double (standard/charconv), by the digits that JavaScript finds.
 #include <charconv>
 
-#if _LIBCPP_VERSION < 14000
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
 #include <algorithm>
 #include <cmath>
 #include <string_view>

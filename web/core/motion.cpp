@@ -102,8 +102,8 @@ void polhode_motion_release(polhode_motion* motion) { delete motion; }
 
 void polhode_motion_summary(const polhode_motion* motion, double* summary) {
   const FreeRotation& m = motion->rotation;
-  double* to = put_all(summary, m.regime(), m.momentum(), m.energy(), m.modulus().m,
-                       m.modulus().m1, m.separatrix_distance(), m.polhode_period(),
+  double* to = put_all(summary, m.regime(), m.momentum(), m.energy(), m.modulus().m(),
+                       m.modulus().m1(), m.separatrix_distance(), m.polhode_period(),
                        m.precession_rate_long(), m.precession_rate_short(),
                        m.circulation_action());
   to = put(to, (1.0 / m.momentum()) * inertial_momentum(m.initial_state()));
@@ -168,10 +168,9 @@ int polhode_motion_rows(const polhode_motion* motion, int kind, const double* ti
     std::array<RotorState, block> states;
     for (std::size_t i = 0; i < count; i += block) {
       const std::span some = std::span(states).first(std::min<std::size_t>(block, count - i));
-      if (times == nullptr)
-        m.at(TimeGrid{start, step}, some, i);
-      else
-        m.at(std::span(times + i, some.size()), some);
+      // one by one: kernels in lanes would be a quarter of the module
+      for (std::size_t k = 0; k < some.size(); ++k)
+        some[k] = m.at(times != nullptr ? times[i + k] : start + static_cast<double>(i + k) * step);
       rows = maker.rows(some, rows);
     }
   });

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Perturbed motion for the views of the explorer: gravity gradient, damping, a precessing frame.
 //
-// A model of the two or three terms that there are here, and not a System of any terms, whose every
-// method and number type would be linked: the equations of motion are those of the system.
+// The terms that there are here, and not a System of any terms, whose every method and number type
+// would be linked. The equations of motion are those of the system, the steps those of Adaptive.
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "numbers.hpp"
-#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/dynamics/method.hpp"
+#include "polhode/free/free_rotation.hpp"
 #include "polhode/frame/frame.hpp"
+#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/ode/verner98.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/system/system.hpp"
+#include "polhode/trajectory/save_at.hpp"
 #include "polhode_web.h"
 #include "refusals.hpp"
 
@@ -26,11 +31,9 @@ using namespace polhode::web;
 
 namespace {
 
-struct PerturbedRotor {
-  using State = RotorState;
-  using Values = std::array<double, 7>;
-  static constexpr std::string_view name = "a perturbed rotor";
+using Values = std::array<double, 7>;
 
+struct PerturbedRotor {
   Body body;
   Frame frame;
   std::optional<GravityGradient<KeplerOrbit>> gravity;
@@ -44,36 +47,23 @@ struct PerturbedRotor {
     if (linear) sum = sum + linear->effect(at);
     return sum;
   }
-
-  template <Real T>
-  std::array<T, 7> values(const RotorState& s) const {
-    return {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z};
-  }
-  RotorState state(const Values& y) const {
-    const RotorState s = web::state(y.data());
-    return {normalized(s.q), s.g};
-  }
-  Values rates(const DoubleDouble& t, const Values& y) const {
-    const RotorState s = web::state(y.data());
-    const FrameMotion moved = frame.at(t.hi);
+  // dy/dt
+  Values operator()(const DoubleDouble& t, const Values& y) const {
+    const RotorState s = state(y.data());
+    const BasicFrameMotion<double> moved = frame.at(t.hi);
     const Effect e = effect(Setting{body, t.hi, s, moved.q_IS, t.lo});
     RotorRates r = inertial_rates(s, angular_velocity(body, s), e);
     if (!frame.is_inertial()) r = relative_rates(r, s.q, moved.mu_S);
     return {r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z};
   }
-  double error_size(const Values& error, const Values& y, const Values& /*increment*/) const {
-    const double turn = std::hypot(std::hypot(error[0], error[1]), std::hypot(error[2], error[3]));
-    const double size = norm(vector(&y[4]));
-    return std::hypot(turn, size > 0.0 ? norm(vector(&error[4])) / size : 0.0);
-  }
-  RotorState started(const RotorState& s) const { return {normalized(s.q), s.g}; }
-  double time_scale(double /*t*/) const {
+  // Of what the terms follow: no step is longer.
+  double time_scale() const {
     return gravity ? gravity->time_scale() : std::numeric_limits<double>::infinity();
   }
 
   // One row of the interface.
   double* row(double t, const RotorState& s, double* to) const {
-    const FrameMotion moved = frame.at(t);
+    const BasicFrameMotion<double> moved = frame.at(t);
     const Setting at{body, t, s, moved.q_IS};
     const Vec3 mu = rotate(conj(s.q), moved.mu_S), w = angular_velocity(body, s);
     const Vec3 rate = w + effect(at).v - mu, I = body.moments();
@@ -88,6 +78,31 @@ struct PerturbedRotor {
     return to;
   }
 };
+
+// Relative to |q| = 1 and to |g|.
+double error_size(const Values& error, const Values& y, const Values& /*increment*/) {
+  const double turn = std::hypot(std::hypot(error[0], error[1]), std::hypot(error[2], error[3]));
+  const double size = norm(vector(&y[4]));
+  return std::hypot(turn, size > 0.0 ? norm(vector(&error[4])) / size : 0.0);
+}
+
+using Solver = AdaptiveRungeKutta<Verner98, double, 7, PerturbedRotor, decltype(&error_size)>;
+
+std::string time_text(double t) {
+  char buffer[32];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, t).ptr);
+}
+
+// Steps up to t; false, with a sentence kept, where there is none.
+bool reaches(Solver& solver, double t) {
+  while (solver.time().hi != t) {
+    if (solver.advance(t) == StepOutcome::made) continue;
+    keep_refusal("the motion ends at t = " + time_text(solver.time().hi) +
+                 ": no step from there is short enough; give a larger tolerance");
+    return false;
+  }
+  return true;
+}
 
 Frame frame_of(const double* axis, double rate) {
   return rate == 0.0 ? Frame::inertial() : Frame::precessing(vector(axis), rate);
@@ -106,23 +121,26 @@ PerturbedRotor rotor_of(const double* x) {
 }  // namespace
 
 int polhode_integrate(const double* x, uint32_t count, double* rows) {
-  int rows_made = 0;
+  int made = 0;
   const int failed = guarded([&] {
-    const RotorState initial = FreeRotation(body(x), state(x + 3)).initial_state();  // checked
-    const BasicProblem<PerturbedRotor> problem{.system = rotor_of(x),
-                                               .initial = initial,
-                                               .start = x[10],
-                                               .stop = x[11],
-                                               .method = Adaptive{.tolerance = x[12]}};
-    const BasicTrajectory<RotorState> run =
-        integrate(problem, Keep{SaveAt::count(x[10], x[11], count), false});
-    for (const Sample& sample : run.samples()) {
-      rows = problem.system.row(sample.t, sample.s, rows);
-      ++rows_made;
+    keep_refusal("");
+    const Adaptive method{.tolerance = x[12]};
+    require_valid(method);
+    const PerturbedRotor rotor = rotor_of(x);
+    const FreeRotation checked(rotor.body, state(x + 3));
+    const Quaternion q = normalized(checked.initial_state().q);
+    const Values y{q.w, q.x, q.y, q.z, x[7], x[8], x[9]};
+    const SaveAt times = SaveAt::count(x[10], x[11], count);
+    Solver solver(rotor, error_size, times[0], y,
+                  {method.tolerance, method.first_step, rotor.time_scale()});
+    for (uint32_t k = 0; k < count; ++k) {
+      if (!reaches(solver, times[k])) return;
+      const RotorState s = state(solver.state().y.data());
+      rows = rotor.row(times[k], {normalized(s.q), s.g}, rows);
+      ++made;
     }
-    keep_refusal(run.outcome().advice);
   });
-  return failed == done ? rows_made : -1;
+  return failed == done ? made : -1;
 }
 
 int polhode_damping_of_wobble(const double* moments, double time, double G, double* k) {

@@ -54,14 +54,12 @@ async function compiled(source: string | URL | Response | BufferSource): Promise
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-// What the module asks for: digits of numbers, and functions of an operating system that are called
-// by nothing but an abort.
+// What the module asks for: digits of numbers, and word of memory that has grown; what it would ask of
+// an operating system, nothing but an abort calls.
 function imports(module: WebAssembly.Module): WebAssembly.Imports {
   const result: Record<string, Record<string, WebAssembly.ImportValue>> = {};
-  for (const { module: from, name } of WebAssembly.Module.imports(module))
-    (result[from] ??= {})[name] = () => (name === "proc_exit" || name === "abort" ? fail() : 0);
-  (result["env"] ??= {})["polhode_digits"] = digits;
-  return result;
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) (result[from] ??= {})[name] = fail;
+  return { ...result, env: { ...result["env"], emscripten_notify_memory_growth: () => undefined, polhode_digits: digits } };
 }
 
 function fail(): never {
