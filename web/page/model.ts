@@ -65,12 +65,14 @@ export function lightOf(model: Model, scene: Pick<Scene, "sun" | "observer">): L
   };
 }
 
-/** (l, L) of the osculating elements in a frame that precesses, over one swing: rows of 2. */
-export function osculatingPlane(model: Model, precession: Precession, count = 721): Float64Array {
+export const SWINGS = 3; // that osculating elements are followed for
+
+/** (l, L) of the osculating elements in a frame that precesses, from the epoch on: rows of 2. */
+export function osculatingPlane(model: Model, precession: Precession, count = 1441): Float64Array {
   const run = integrate({
     body: model.body,
     state: model.motion.initialState,
-    stop: model.swing,
+    stop: SWINGS * model.swing,
     count,
     precessingFrame: precession,
     tolerance: 1e-9,

@@ -97,8 +97,8 @@ export const PRESETS: readonly Preset[] = [
       time: "s",
       moment: "g cm2",
       pace: 0.5,
-      sun: [143, 41],
-      observer: [-40, 50],
+      sun: [132, 48],
+      observer: [6, 59],
     }),
   },
   {
@@ -114,6 +114,8 @@ export const PRESETS: readonly Preset[] = [
       title: "Apophis",
       time: "h",
       pace: 8,
+      sun: [250, 0],
+      observer: [210, 0],
     }),
   },
   {
@@ -135,6 +137,8 @@ export const PRESETS: readonly Preset[] = [
       title: "Toutatis",
       time: "d",
       pace: 1.25,
+      sun: [215, 0],
+      observer: [255, 10],
     }),
   },
   {
@@ -150,6 +154,8 @@ export const PRESETS: readonly Preset[] = [
       title: "Hyperion's shape",
       time: "d",
       pace: 1.5,
+      sun: [-20, 20],
+      observer: [0, -30],
     }),
   },
   {
@@ -172,6 +178,8 @@ export const PRESETS: readonly Preset[] = [
       time: "s",
       moment: "kg m2",
       pace: 30,
+      sun: [-20, 10],
+      observer: [10, 30],
     }),
   },
   {

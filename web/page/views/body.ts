@@ -218,9 +218,9 @@ export class BodyView implements View {
     const sun = direction(scene.sun);
     const observer = direction(scene.observer);
     parts.light.position.set(...(scale(10, sun) as [number, number, number]));
-    const plain = scene.overlay === "none";
-    parts.sun.visible = parts.observer.visible = plain;
-    if (!plain) return;
+    const shown = scene.overlay === "none" && scene.precession === null;
+    parts.sun.visible = parts.observer.visible = shown;
+    if (!shown) return;
     parts.sun.position.set(...(scale(FAR, sun) as [number, number, number]));
     parts.observer.position.set(...(scale(FAR, observer) as [number, number, number]));
     labels.push(

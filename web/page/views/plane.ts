@@ -3,7 +3,7 @@
 // long-axis mode is shaded. Where |L| = G all l are one state.
 import { andoyerPlane, fromAndoyer, separatrix, toAndoyer } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
-import { osculatingPlane } from "../model.js";
+import { osculatingPlane, SWINGS } from "../model.js";
 import type { Precession } from "../scene.js";
 import { DEG } from "../vectors.js";
 import { Axes, type Box } from "./axes.js";
@@ -95,7 +95,7 @@ export class PlaneView implements View {
     }
   }
 
-  draw({ model, now }: Explorer): void {
+  draw({ model, scene, now }: Explorer): void {
     const { sheet } = this;
     const { colours } = sheet;
     this.layer ??= this.still();
@@ -122,6 +122,7 @@ export class PlaneView implements View {
         context.setLineDash([6, 3]);
         this.trace(context, this.osculating, momentum);
         context.setLineDash([]);
+        this.ring(context, this.osculating, momentum, (now - scene.epoch) / (SWINGS * model.swing));
       }
     });
     const a = toAndoyer(model.at(now));
@@ -132,6 +133,23 @@ export class PlaneView implements View {
     context.fill();
     context.lineWidth = 2.5;
     context.strokeStyle = colours.paper;
+    context.stroke();
+  }
+
+  /** Where the osculating elements are now, as long as they are followed. */
+  private ring(
+    context: CanvasRenderingContext2D,
+    rows: Float64Array,
+    G: number,
+    part: number,
+  ): void {
+    const i = Math.round(part * (rows.length / 2 - 1));
+    if (!(i >= 0 && 2 * i < rows.length)) return;
+    const l = Math.atan2(Math.sin(rows[2 * i]!), Math.cos(rows[2 * i]!));
+    context.beginPath();
+    context.arc(this.x(l), this.y(rows[2 * i + 1]! / G), 6, 0, TURN);
+    context.fillStyle = this.sheet.colours.paper;
+    context.fill();
     context.stroke();
   }
 

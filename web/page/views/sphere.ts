@@ -115,7 +115,7 @@ export class SphereView implements View {
     globe.place(
       sheet.width / 2,
       sheet.height / 2,
-      Math.max(10, Math.min(sheet.width, sheet.height) / 2 - 26),
+      Math.max(10, Math.min(sheet.width, sheet.height) / 2.26 - 9),
     );
     this.layer ??= this.still();
     const context = sheet.clear();
