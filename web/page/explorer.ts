@@ -70,11 +70,11 @@ export class Explorer {
 
   /** The next (1) or the last (-1) time at which the momentum crosses the plane of axes 1 and 3. */
   flipFrom(t: number, way: 1 | -1): number {
-    const { first, every } = this.model.flips;
-    if (!Number.isFinite(every) || !Number.isFinite(first)) return NaN;
-    const count = (t - first) / every;
-    const slack = 1e-6;
-    const next = way > 0 ? Math.floor(count + slack) + 1 : Math.ceil(count - slack) - 1;
-    return first + next * every;
+    const { flips, motion } = this.model;
+    if (!Number.isFinite(flips.every)) return NaN;
+    const [slack, reach] = [1e-6 * flips.every, 1.01 * flips.every];
+    const { times } =
+      way > 0 ? motion.flips(t + slack, t + reach, 1) : motion.flips(t - reach, t - slack, 3);
+    return times.at(way > 0 ? 0 : -1) ?? NaN;
   }
 }

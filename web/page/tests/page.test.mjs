@@ -225,6 +225,46 @@ test("the copies name the state shown", async () => {
   await page.close();
 });
 
+test("friction takes energy, not momentum: from the long-axis mode to spin about b3", async () => {
+  const { page, errors } = await opened(browser);
+  await choose(page, "toutatis");
+  await page.check("#friction");
+  await drawn(page);
+  const path = await page.evaluate(() => [...window.sphere.friction]);
+  assert.ok(Math.abs(path[0]) > Math.abs(path.at(-3)), "it leaves the long axis");
+  assert.ok(Math.abs(path.at(-1)) > 0.99, `ends at ${path.slice(-3)}`);
+  for (let i = 0; i < path.length; i += 3) {
+    assert.ok(Math.abs(Math.hypot(...path.slice(i, i + 3)) - 1) < 1e-6);
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("osculating elements in a precessing frame are those of I (omega - mu)", async () => {
+  const { page, errors } = await opened(browser);
+  await choose(page, "figure-5");
+  const [found, scene] = await page.evaluate(() => [
+    [...window.plane.osculating.slice(0, 2)],
+    window.explorer.scene,
+  ]);
+  const { axis, rate } = scene.precession;
+  const mu = axis.map((a) => (rate * a) / Math.hypot(...axis));
+  // mu along the body axes: the rows of the rotation matrix of q, transposed
+  const [w, x, y, z] = scene.state.q;
+  const rows = [
+    [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
+    [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+    [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
+  ];
+  const g = rows.map(
+    (row, k) => scene.state.g[k] - scene.moments[k] * row.reduce((sum, r, i) => sum + r * mu[i], 0),
+  );
+  assert.ok(Math.abs(found[1] - g[2]) < 1e-12, `L: ${found[1]}, ${g[2]}`);
+  assert.ok(Math.abs(found[0] - Math.atan2(g[0], g[1])) < 1e-12, `l: ${found[0]}`);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("the tour goes through six steps", async () => {
   const { page, errors } = await opened(browser);
   await page.keyboard.press("t");
