@@ -20,6 +20,25 @@ export interface Flips {
   readonly every: number;
 }
 
+export interface Wobble {
+  readonly axis: 0 | 1 | 2;
+  readonly angle: number;
+}
+const UNSEEN = 0.03; // rad
+
+function wobbleOf(curve: Float64Array): Wobble | null {
+  for (const axis of [0, 1, 2] as const) {
+    let angle = 0;
+    for (let i = 0; i < curve.length; i += 3) {
+      const across = Math.hypot(curve[i + ((axis + 1) % 3)]!, curve[i + ((axis + 2) % 3)]!);
+      angle = Math.max(angle, Math.atan2(across, Math.abs(curve[i + axis]!)));
+    }
+    // Below the roundings of a state it is a spin about the axis, not a wobble.
+    if (angle > 1e-13 && angle < UNSEEN) return { axis, angle };
+  }
+  return null;
+}
+
 export class Model {
   readonly body: Body;
   readonly motion: FreeRotation;
@@ -49,6 +68,14 @@ export class Model {
   at(t: number): RotorState {
     return this.motion.at(t);
   }
+
+  /** The axis that a momentum stays so close to that its curve cannot be seen on the sphere, and the
+   *  widest angle from it, rad. */
+  get wobble(): Wobble | null {
+    this.wobbleFound ??= { found: wobbleOf(this.motion.polhode(97)) };
+    return this.wobbleFound.found;
+  }
+  private wobbleFound: { found: Wobble | null } | null = null;
 
   /** The body spends most of a half period near the middle axis: what is seen is a flip. */
   get flipsOver(): boolean {

@@ -187,7 +187,7 @@ export const PRESETS: readonly Preset[] = [
     group: "Bodies",
     name: "Earth's wobble",
     about:
-      "Euler's wobble of a rigid Earth: the pole moves round the axis of figure once in 304 days, 6 m off it. The real, elastic Earth takes 433 days.",
+      "Euler's wobble of a rigid Earth: the pole moves round the axis of figure once in 304 days, 6 m off it: far too close to be seen on the sphere, so it is enlarged beside it. The real, elastic Earth takes 433 days.",
     source: "(C - A)/C = 0.0032737548: Souchay et al. (1999); examples/earth-wobble.toml",
     scene: () => ({
       ...PLAIN,

@@ -8,6 +8,7 @@ import { frictionPath, type Model } from "../model.js";
 import { scale, unit } from "../vectors.js";
 import { draggable, near, type Place } from "./drag.js";
 import { Globe } from "./globe.js";
+import { inset } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
 import type { Palette } from "./palette.js";
 
@@ -152,6 +153,11 @@ export class SphereView implements View {
     context.strokeStyle = colours.paper;
     context.stroke();
     context.globalAlpha = 1;
+    const { wobble } = model;
+    if (wobble) {
+      const place = [sheet.width - 62, sheet.height - 68] as const;
+      inset(context, colours, place, wobble, this.polhode, model.at(now).g);
+    }
   }
 
   /** Sphere, family of curves, axes: as long as neither the body nor the view changes. */

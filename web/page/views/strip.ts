@@ -5,6 +5,7 @@ import type { Change, Explorer } from "../explorer.js";
 import type { Model } from "../model.js";
 import { Axes, timeLabels, type Box } from "./axes.js";
 import { draggable, type Place } from "./drag.js";
+import { smallAngle } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
 
 const COUNT = 900;
@@ -76,15 +77,18 @@ export class StripView implements View {
       [y(-1), y(0), y(1)],
     );
     const { momentum } = model.motion;
+    // A wobble too small to be seen is enlarged.
+    const full = model.wobble ? Math.sin(model.wobble.angle) : 1;
     if (momentum > 0) {
       this.flips(context, model, low, high, x);
       model.motion.states({ start: low, step: window / (COUNT - 1), count: COUNT }, states);
       const order = model.body.axisOrder;
       const tones = [colours.lam, colours.ink, colours.sam];
       for (const rank of [0, 2, 1]) {
+        if (order[rank] === model.wobble?.axis) continue; // all but 1, and off the enlarged scale
         context.beginPath();
         for (let i = 0; i < COUNT; ++i) {
-          const ratio = states[i * SIZE + 4 + order[rank]!]! / momentum;
+          const ratio = states[i * SIZE + 4 + order[rank]!]! / (momentum * full);
           context.lineTo(box.left + (i / (COUNT - 1)) * (box.right - box.left), y(ratio));
         }
         context.strokeStyle = tones[rank]!;
@@ -99,11 +103,11 @@ export class StripView implements View {
     axes.frame();
     axes.below(labels);
     axes.beside([
-      [y(1), "1"],
+      [y(1), model.wobble ? smallAngle(model.wobble.angle) : "1"],
       [y(0), "0"],
-      [y(-1), "−1"],
+      [y(-1), model.wobble ? "" : "−1"],
     ]);
-    this.cursor(context, x(now));
+    this.cursor(context, x(now), full === 1);
   }
 
   private flips(
@@ -131,7 +135,7 @@ export class StripView implements View {
     }
   }
 
-  private cursor(context: CanvasRenderingContext2D, at: number): void {
+  private cursor(context: CanvasRenderingContext2D, at: number, named: boolean): void {
     const { box, sheet } = this;
     context.strokeStyle = sheet.colours.momentum;
     context.lineWidth = 1.5;
@@ -139,6 +143,7 @@ export class StripView implements View {
     context.moveTo(at, box.top - 8);
     context.lineTo(at, box.bottom);
     context.stroke();
+    if (!named) return; // the number of the scale stands there
     symbol(context, "g/G", 16, (3 * box.top + box.bottom) / 4, sheet.colours.ink, sheet.colours.paper);
   }
 }
