@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Builds the explorer as one file that needs no server: scripts, styles and the core are in it.
 //
-//     node web/page/build.mjs [OUT]      into OUT, web/dist/page by default; prints the sizes
-import { mkdir, readFile, writeFile } from "node:fs/promises";
+//     node web/page/build.mjs [OUT]      into web/dist/page, and a copy into OUT; prints the sizes
+import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -59,7 +59,12 @@ const compressed = (wasm) => ({
 });
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const { file, bytes, gzipped } = await page(process.argv[2] ? { out: process.argv[2] } : {});
+  const { file, bytes, gzipped } = await page();
+  const [, , copy] = process.argv;
+  if (copy) {
+    await mkdir(copy, { recursive: true });
+    await copyFile(file, resolve(copy, "index.html"));
+  }
   console.log(`${file}: ${bytes} bytes, ${gzipped} gzipped`);
   if (gzipped > LIMIT) {
     console.error(`expected at most ${LIMIT} bytes gzipped`);

@@ -76,11 +76,14 @@ async function start(): Promise<void> {
   };
   const address = new Address(explorer, show);
   const tour = new Tour(explorer, show);
-  fill(choice, (id) => {
+  const begin = (id: string) => {
     if (tour.open) tour.end();
     show(preset(id).scene());
     explorer.play(!still.matches);
-  });
+  };
+  fill(choice, begin);
+  const again = () => begin(choice.value || "wing-nut");
+  element("reset").addEventListener("click", again);
 
   const pacing = new Pacing();
   let lastPicture = 0;
@@ -126,7 +129,11 @@ async function start(): Promise<void> {
 
   element("from-observer").addEventListener("click", () => body.fromObserver());
   expandable(() => refit("size"));
-  keyboard(explorer, transport, () => (tour.open ? tour.end() : tour.go(0)), () => copies.open());
+  keyboard(explorer, transport, {
+    r: again,
+    t: () => (tour.open ? tour.end() : tour.go(0)),
+    c: () => copies.open(),
+  });
 
   const linked = location.hash.length > 1;
   if (!linked || !address.open(location.hash)) {
@@ -181,8 +188,7 @@ function expandable(changed: () => void): void {
 function keyboard(
   explorer: Explorer,
   transport: Transport,
-  tour: () => void,
-  copies: () => void,
+  others: Readonly<Record<string, () => void>>,
 ): void {
   const keys = element<HTMLDialogElement>("keys");
   element("keys-open").addEventListener("click", () => keys.showModal());
@@ -201,9 +207,8 @@ function keyboard(
       Home: () => (explorer.now = 0),
       n: () => transport.flip(1),
       p: () => transport.flip(-1),
-      t: tour,
-      c: copies,
       "?": () => keys.showModal(),
+      ...others,
     }[event.key];
     if (!act || (event.key === " " && target.closest("button, [role=tab]"))) return;
     event.preventDefault();

@@ -198,6 +198,7 @@ export const PRESETS: readonly Preset[] = [
       title: "Earth's wobble",
       time: "d",
       pace: 0.25,
+      observer: [75, 0],
     }),
   },
   {

@@ -188,6 +188,11 @@ test("keys: play, flips, the dot; reduced motion waits to be asked", async () =>
   const moved = await state(page);
   assert.notDeepEqual(moved.g, g);
   assert.equal(moved.now, now);
+  await page.locator("#sphere").blur();
+  await page.keyboard.press("r");
+  const again = await state(page);
+  assert.deepEqual([again.now, ...again.moments], [0, 30.53, 83.87, 113.3]);
+  assert.match(await text(page, "#clocks"), /3\.695488/);
   assert.deepEqual(errors, []);
   await page.close();
 });

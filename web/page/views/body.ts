@@ -235,7 +235,9 @@ export class BodyView implements View {
     const taken: [number, number][] = [];
     for (const { text, at, colour } of labels) {
       const v = new Vector3(...at).applyQuaternion(parts.root.quaternion).project(camera);
-      const [x, y] = free(taken, ((v.x + 1) / 2) * sheet.width, ((1 - v.y) / 2) * sheet.height);
+      const wide = colour === "text" ? 40 : 19;
+      const place = [((v.x + 1) / 2) * sheet.width, ((1 - v.y) / 2) * sheet.height] as const;
+      const [x, y] = free(taken, ...place, wide);
       if (colour !== "text") {
         symbol(context, text, x, y, colour, colours.paper);
       } else {
@@ -250,10 +252,15 @@ export class BodyView implements View {
 }
 
 /** The place itself, or the nearest beside it where no other label stands. */
-function free(taken: [number, number][], x: number, y: number): [number, number] {
+function free(
+  taken: [number, number][],
+  x: number,
+  y: number,
+  wide: number,
+): [number, number] {
   const ways = [0, 1, -1].flatMap((u) => [0, -1, 1].map((v) => [20 * u, 18 * v] as const));
   const way = ways.find(([u, v]) =>
-    taken.every(([a, b]) => Math.abs(a - x - u) > 19 || Math.abs(b - y - v) > 15),
+    taken.every(([a, b]) => Math.abs(a - x - u) > wide || Math.abs(b - y - v) > 15),
   ) ?? [0, 0];
   const place: [number, number] = [x + way[0], y + way[1]];
   taken.push(place);
