@@ -106,9 +106,10 @@ async function start(): Promise<void> {
       numbers.show();
       transport.show();
     }
-    if (!document.documentElement.dataset["ready"]) {
-      document.documentElement.dataset["ready"] = "true";
-      performance.mark("picture");
+    const { dataset } = document.documentElement;
+    if (!dataset["ready"]) {
+      performance.mark(body.there ? "body" : "picture");
+      if (body.there) dataset["ready"] = "true";
     }
   }
 

@@ -22,7 +22,9 @@ const BODY_AXES: readonly Vec3[] = [
 
 export class BodyView implements View {
   private readonly sheet: Sheet;
-  private readonly renderer: WebGLRenderer | null;
+  /** Undefined until the other pictures are there: WebGL takes longer than all of them to start. */
+  private renderer: WebGLRenderer | null | undefined;
+  private asked = false;
   private readonly camera = new PerspectiveCamera(26, 1, 0.1, 60);
   private part = 1;
   private longitude = 0.5;
@@ -37,7 +39,6 @@ export class BodyView implements View {
     private readonly redraw: () => void,
   ) {
     this.sheet = new Sheet(labels);
-    this.renderer = started(canvas);
     this.parts = built(explorer);
     this.face(explorer);
     this.changed("size", explorer);
@@ -91,6 +92,10 @@ export class BodyView implements View {
     this.redraw();
   }
 
+  get there(): boolean {
+    return this.renderer !== undefined;
+  }
+
   /** Below 1: fewer pixels than the screen has. */
   set fineness(part: number) {
     this.part = part;
@@ -117,6 +122,15 @@ export class BodyView implements View {
   }
 
   draw({ model, scene, now }: Explorer): void {
+    if (!this.asked) {
+      this.asked = true;
+      this.redraw();
+      return;
+    }
+    if (this.renderer === undefined) {
+      this.renderer = started(this.canvas);
+      this.changed("size", this.explorer);
+    }
     const { sheet, parts, renderer, camera } = this;
     const context = sheet.clear();
     if (!renderer) {
