@@ -81,8 +81,7 @@ RotorState from_chart(int chart, const double* moments, const double* x) {
     case POLHODE_EULER_RATES:
       return to_rotor(body(moments), EulerRates{x[0], x[1], x[2], x[3], x[4], x[5]});
     case POLHODE_POINCARE:
-      return to_rotor(
-          poincare_state(x[0], x[1], x[2], x[3], x[4], x[5], pole(x[6]), pole(x[7])));
+      return to_rotor(poincare_state(x[0], x[1], x[2], x[3], x[4], x[5], pole(x[6]), pole(x[7])));
     case POLHODE_ROLL_PITCH_YAW:
       return at_rest(attitude(RollPitchYaw{x[0], x[1], x[2]}));
     case POLHODE_EULER_ANGLES:
@@ -99,10 +98,9 @@ RotorState from_motion_chart(int chart, const Body& of, const double* x, double 
       return to_rotor(of, SerretState{x[0], x[1], x[2], x[3], x[4], x[5], sign(x[6]), sign(x[7])},
                       t);
     case POLHODE_SADOV:
-      return to_rotor(
-          of, SadovState{x[0], x[1], x[2], x[3], x[4], x[5],
-                         x[6] > 0.5 ? SadovRegion::long_axis : SadovRegion::short_axis,
-                         sign(x[7])});
+      return to_rotor(of, SadovState{x[0], x[1], x[2], x[3], x[4], x[5],
+                                     x[6] > 0.5 ? SadovRegion::long_axis : SadovRegion::short_axis,
+                                     sign(x[7])});
     default:
       return to_rotor(of, TumblerState{x[0], x[1], vector(x + 2),
                                        x[5] > 0.5 ? Regime::long_axis : Regime::short_axis, x[6],
@@ -131,7 +129,7 @@ int polhode_long_axis_period(double short_axis, double rotation, double* period)
 
 int polhode_least_period_ratio(const double* moments, int is_long, double* ratio) {
   return guarded([&] {
-    *ratio = least_period_ratio(body(moments),
-                                is_long != 0 ? Regime::long_axis : Regime::short_axis);
+    *ratio =
+        least_period_ratio(body(moments), is_long != 0 ? Regime::long_axis : Regime::short_axis);
   });
 }

@@ -91,7 +91,8 @@ uint32_t polhode_motion_curve(const polhode_motion* motion, uint32_t points, dou
   const double ratio = squared_ratio(I, axes), ga = g[axes.a], gb = g[axes.b], gc = g[axes.c];
   const double A2 = ga * ga + ratio * gb * gb;
   const double B = std::sqrt(A2 / ratio), C = std::sqrt(gc * gc + (1.0 - ratio) * gb * gb);
-  const double D2 = std::abs(m.separatrix_distance()) * (I[axes.c] / std::abs(I[axes.c] - I[axes.b]));
+  const double D2 =
+      std::abs(m.separatrix_distance()) * (I[axes.c] / std::abs(I[axes.c] - I[axes.b]));
   put_curve(axes, {std::sqrt(A2), B, C, std::sqrt(D2)}, std::copysign(1.0, gc), points, rows);
   return points;
 }
@@ -122,8 +123,7 @@ void polhode_andoyer_plane(const double* momenta, uint32_t count, double* rows) 
   double before = 0.0;
   for (uint32_t i = 0; i < count; ++i, momenta += 3, rows += 2) {
     const double l = std::atan2(momenta[0], momenta[1]);
-    const double turns =
-        i == 0 ? 0.0 : std::round((before - l) / (2.0 * std::numbers::pi));
+    const double turns = i == 0 ? 0.0 : std::round((before - l) / (2.0 * std::numbers::pi));
     before = rows[0] = l + 2.0 * std::numbers::pi * turns;
     rows[1] = momenta[2];
   }

@@ -14,8 +14,8 @@ constexpr int shortest = 0;  // as many digits as tell the number from its neigh
 
 // Significant digits of a positive finite number into `digits`, at most 17, `count` of them unless
 // that is `shortest`; returns how many, and the exponent of the first.
-extern "C" __attribute__((import_module("env"), import_name("polhode_digits"))) int
-polhode_digits(double value, int count, char* digits, int* exponent);
+extern "C" __attribute__((import_module("env"), import_name("polhode_digits"))) int polhode_digits(
+    double value, int count, char* digits, int* exponent);
 
 struct Writer {
   char* to;
@@ -83,8 +83,8 @@ std::to_chars_result written(char* first, double value, int precision) {
                             : exponent >= -4 && exponent < precision;
   // a whole number beyond 2^53 is written out to its last digit
   if (is_fixed && precision == shortest && exponent >= left && value > 0x1p53)
-    digits = std::string_view(buffer, static_cast<std::size_t>(
-                                          polhode_digits(value, exponent + 1, buffer, &exponent)));
+    digits = std::string_view(
+        buffer, static_cast<std::size_t>(polhode_digits(value, exponent + 1, buffer, &exponent)));
   if (is_fixed)
     write_fixed(out, digits, exponent);
   else

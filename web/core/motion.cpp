@@ -14,7 +14,7 @@
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/light/lommel_seeliger.hpp"
-#include "polhode/rotor/many_states.hpp"
+#include "polhode/rotor/andoyer.hpp"
 #include "polhode_web.h"
 #include "refusals.hpp"
 
@@ -45,6 +45,10 @@ struct Light {
   Vec3 to_sun, to_observer;
 };
 
+double* put_andoyer(const AndoyerState& a, double* to) {
+  return put_all(to, a.l, a.g, a.h, a.L, a.G, a.H);
+}
+
 // The rows of `kind` for states of a motion, those of a block.
 struct RowMaker {
   const FreeRotation& motion;
@@ -65,18 +69,11 @@ struct RowMaker {
   }
 
   double* rows(std::span<const RotorState> states, double* to) const {
-    if (kind == POLHODE_ANDOYER_ROWS) {
-      std::array<AndoyerState, block> results;
-      to_andoyer(states, std::span(results).first(states.size()));
-      for (std::size_t i = 0; i < states.size(); ++i) {
-        const AndoyerState& a = results[i];
-        to = put_all(to, a.l, a.g, a.h, a.L, a.G, a.H);
-      }
-      return to;
-    }
     for (const RotorState& s : states) {
       if (kind == POLHODE_STATES)
         to = put(to, s);
+      else if (kind == POLHODE_ANDOYER_ROWS)
+        to = put_andoyer(to_andoyer(s), to);
       else if (kind == POLHODE_BRIGHTNESS)
         *to++ = brightness(s);
       else
@@ -104,8 +101,7 @@ void polhode_motion_summary(const polhode_motion* motion, double* summary) {
   const FreeRotation& m = motion->rotation;
   double* to = put_all(summary, m.regime(), m.momentum(), m.energy(), m.modulus().m(),
                        m.modulus().m1(), m.separatrix_distance(), m.polhode_period(),
-                       m.precession_rate_long(), m.precession_rate_short(),
-                       m.circulation_action());
+                       m.precession_rate_long(), m.precession_rate_short(), m.circulation_action());
   to = put(to, (1.0 / m.momentum()) * inertial_momentum(m.initial_state()));
   const SadovFrequencies n = sadov_frequencies(m);
   const TumblingAngles a = tumbling_angles(m);

@@ -12,8 +12,8 @@
 
 #include "numbers.hpp"
 #include "polhode/dynamics/method.hpp"
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/frame/frame.hpp"
+#include "polhode/free/free_rotation.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
@@ -111,8 +111,8 @@ Frame frame_of(const double* axis, double rate) {
 PerturbedRotor rotor_of(const double* x) {
   PerturbedRotor rotor{body(x), frame_of(x + 23, x[26]), {}, {}, {}};
   if (x[13] != 0.0)
-    rotor.gravity.emplace(x[13], KeplerOrbit(KeplerElements{x[13], x[14], x[15], x[16], x[17],
-                                                            x[18], x[19], x[20]}));
+    rotor.gravity.emplace(
+        x[13], KeplerOrbit(KeplerElements{x[13], x[14], x[15], x[16], x[17], x[18], x[19], x[20]}));
   if (x[21] != 0.0) rotor.internal.emplace(x[21]);
   if (x[22] != 0.0) rotor.linear.emplace(x[22]);
   return rotor;
@@ -144,6 +144,5 @@ int polhode_integrate(const double* x, uint32_t count, double* rows) {
 }
 
 int polhode_damping_of_wobble(const double* moments, double time, double G, double* k) {
-  return guarded(
-      [&] { *k = InternalDamping::of_wobble(body(moments), time, G).coefficients().x; });
+  return guarded([&] { *k = InternalDamping::of_wobble(body(moments), time, G).coefficients().x; });
 }

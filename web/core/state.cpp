@@ -45,8 +45,7 @@ int polhode_body(const double* moments) {
 
 int polhode_ellipsoid_moments(const double* semi_axes, double mass, double* moments) {
   return guarded([&] {
-    const Vec3 I =
-        homogeneous_moments(Ellipsoid{semi_axes[0], semi_axes[1], semi_axes[2]}, mass);
+    const Vec3 I = homogeneous_moments(Ellipsoid{semi_axes[0], semi_axes[1], semi_axes[2]}, mass);
     put(moments, Body(I.x, I.y, I.z).moments());
   });
 }

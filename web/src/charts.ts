@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Charts of a state: each to and from the hub. Angles in rad.
 import { args, checked, result, results, setResult } from "./module.js";
 import type { Body, Matrix3, Quaternion, RotorState, Vec3 } from "./state.js";

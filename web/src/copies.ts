@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same motion as text: a scenario for the command line, Python, C++. Numbers are written with the
 // digits that read back as the same doubles.
 import type { Body, RotorState } from "./state.js";

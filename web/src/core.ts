@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything, to be used after `await load()`.
 export { DomainError, load, version } from "./module.js";
 export type { Source } from "./module.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polhodes on the sphere of the momentum, and in Andoyer's plane.
 import { args, call, filled } from "./module.js";
 import type { Mode } from "./charts.js";

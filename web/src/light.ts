@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What an observer sees of an ellipsoid.
 import { args, call } from "./module.js";
 import type { Quaternion, Vec3 } from "./state.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The module of WebAssembly: started once, and called through rows of numbers in its memory.
 
 /** The library's refusal, in its own words, as in C++ and Python. */

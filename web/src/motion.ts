@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The exact torque-free motion.
 import { DomainError, args, call, checked, filled, refusal, result, results } from "./module.js";
 import type { Sadov, Serret, Tumbler } from "./charts.js";
@@ -15,7 +16,7 @@ export interface Grid {
   readonly step: number;
   readonly count: number;
 }
-/** A grid costs a third of times of one's own. The two may differ in the last bit. */
+/** States at times of either kind have the bits of at(t). */
 export type Times = Grid | Float64Array | readonly number[];
 
 /** Numbers in a row of states: q (w, x, y, z) and g. */

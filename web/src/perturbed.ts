@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Motion under a gravity gradient, under damping, in a precessing frame.
 import { DomainError, args, call, checked, filled, refusal, result, results } from "./module.js";
 import { STATE_SIZE } from "./motion.js";

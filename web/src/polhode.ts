@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything, ready when it is imported.
 import { load } from "./core.js";
 

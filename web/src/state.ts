@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies and states.
 import { args, call, checked, result, results } from "./module.js";
 

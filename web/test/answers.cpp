@@ -35,7 +35,6 @@ Numbers answer(std::size_t size, const F& ask) {
   return found;
 }
 
-
 void print_rows(const polhode_motion* motion, const Numbers& times) {
   const auto rows = [&](int kind, std::size_t size, const double* at, double start, double step,
                         std::size_t count) {
@@ -69,8 +68,7 @@ void print_charts(const polhode_motion* motion, const double* moments, const dou
   print("to_poincare", chart(POLHODE_POINCARE, 8));
   print("to_roll_pitch_yaw", chart(POLHODE_ROLL_PITCH_YAW, 3));
   const auto of_motion = [&](int kind, std::size_t size) {
-    return answer(size,
-                  [&](double* to) { return polhode_motion_chart(motion, kind, 0.5, to); });
+    return answer(size, [&](double* to) { return polhode_motion_chart(motion, kind, 0.5, to); });
   };
   print("serret", of_motion(POLHODE_SERRET, 8));
   print("sadov", of_motion(POLHODE_SADOV, 8));
@@ -116,14 +114,16 @@ void print_case(const polhode::GoldenCase& golden, bool is_last) {
 
 int main() {
   const std::vector<polhode::GoldenCase> cases = polhode::golden_cases();
-  std::printf("{\"instructions\": \"%s\",\n\"cases\": [\n",
-              std::string(polhode::instruction_set_name(polhode::widest_instruction_set())).c_str());
+  std::printf(
+      "{\"instructions\": \"%s\",\n\"cases\": [\n",
+      std::string(polhode::instruction_set_name(polhode::widest_instruction_set())).c_str());
   for (const polhode::GoldenCase& golden : cases) print_case(golden, &golden == &cases.back());
   std::printf("],\n");
   // Envisat in its orbit, in a frame that precesses, damped
-  const Numbers problem{17023.3, 124825.7, 129112.2, 0.9, 0.1, -0.3, 0.2, 100.0, 6000.0, 900.0,
-                        0.0, 6000.0, 1e-12, 3.986004418e14, 7.1e6, 0.001, 1.7, 0.3, 0.2, 0.1,
-                        0.0, 1e-9, 0.0, 0.0, 0.0, 1.0, 2e-7};
+  const Numbers problem{17023.3, 124825.7, 129112.2, 0.9, 0.1,    -0.3,  0.2,
+                        100.0,   6000.0,   900.0,    0.0, 6000.0, 1e-12, 3.986004418e14,
+                        7.1e6,   0.001,    1.7,      0.3, 0.2,    0.1,   0.0,
+                        1e-9,    0.0,      0.0,      0.0, 1.0,    2e-7};
   Numbers rows(POLHODE_SAMPLE_SIZE * 25);
   const int made = polhode_integrate(problem.data(), 25, rows.data());
   rows.resize(static_cast<std::size_t>(made < 0 ? 0 : made) * POLHODE_SAMPLE_SIZE);

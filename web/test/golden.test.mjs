@@ -7,7 +7,7 @@ import { test } from "node:test";
 import {
   Body, FreeRotation, integrate, nearestPoincare, rotorState, toAndoyer, toEuler, toEulerRates, toRollPitchYaw,
 } from "polhode";
-import { flat, ulps } from "./bits.mjs";
+import { flat, ulps } from "./tools/bits.mjs";
 
 const file = process.env.POLHODE_WEB_ANSWERS ?? new URL("../../build/web/answers.json", import.meta.url);
 const native = JSON.parse(readFileSync(file, "utf8"), (_, x) => (typeof x === "string" && !isNaN(Number(x)) || x === "NaN" ? Number(x) : x));
@@ -80,12 +80,12 @@ test("states of every golden case have the bits of the library", () => {
   assert.equal(states.different, 0);
 });
 
-test("what follows from states by arithmetic, and Andoyer's rows, have the bits of the library", () => {
-  assert.equal(compared("rows", ["body_rates", "inertial_rates", "herpolhode", "andoyer"]).different, 0);
+test("what follows from states by arithmetic has the bits of the library", () => {
+  assert.equal(compared("rows", ["body_rates", "inertial_rates", "herpolhode"]).different, 0);
 });
 
 test("charts differ by what sines and angles of two C libraries differ by", () => {
-  const charts = compared("charts", ["to_andoyer", "to_euler", "to_euler_rates", "to_poincare", "to_roll_pitch_yaw"]);
+  const charts = compared("charts", ["andoyer", "to_andoyer", "to_euler", "to_euler_rates", "to_poincare", "to_roll_pitch_yaw"]);
   assert.ok(charts.ulps <= 2, charts.where);
   compared("brightness, flow charts, curves", ["brightness", "serret", "sadov", "tumbler", "curve"]);
 });

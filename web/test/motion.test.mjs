@@ -9,18 +9,16 @@ import {
   toAndoyer, toEuler, toEulerAngles, toEulerRates, toMatrix, toPoincare, toRollPitchYaw, version, withMomentum,
   withMomentumAlong,
 } from "polhode";
-import { flat } from "./bits.mjs";
+import { flat } from "./tools/bits.mjs";
 
 const near = (a, b, tolerance, what) => {
   const x = flat(a), y = flat(b);
   assert.equal(x.length, y.length);
   x.forEach((value, i) => assert.ok(Math.abs(value - y[i]) <= tolerance, `${what ?? ""} ${value} ${y[i]}`));
 };
-const rad = Math.PI / 180;
-
-// examples/wing-nut.toml
+// README.md
 const nut = new Body(30.53, 83.87, 113.3);
-const nutMotion = () => new FreeRotation(nut, rotorState(nut, [1, 0, 0, 0], [0.628 * rad, 2 * Math.PI, 0]));
+const nutMotion = () => new FreeRotation(nut, rotorState(nut, [1, 0, 0, 0], [0.01, 6.28, 0]));
 // examples/toutatis.toml
 const toutatis = new Body(1, 3.09, 3.22);
 
