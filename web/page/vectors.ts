@@ -40,10 +40,3 @@ export function direction([longitude, latitude]: readonly [number, number]): Vec
   const c = Math.cos(latitude * DEG);
   return [c * Math.cos(longitude * DEG), c * Math.sin(longitude * DEG), Math.sin(latitude * DEG)];
 }
-
-/** Row i of an array of rows of three. */
-export const row3 = (rows: Float64Array, i: number): Vec3 => [
-  rows[3 * i]!,
-  rows[3 * i + 1]!,
-  rows[3 * i + 2]!,
-];
