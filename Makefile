@@ -27,7 +27,7 @@ MUTANTS := 400
 REPETITIONS := 5
 VARIANTS    := 8
 
-.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-neon test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel clean
+.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-neon test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel web clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -54,7 +54,7 @@ test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzz
 	$(PACKAGE) $(PYTEST) tests
 	$(PACKAGE) $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
-test-full: test-clang test-asan test-tsan test-neon fuzz test-sweeps ## All that there is, part by part (hours)
+test-full: test-clang test-asan test-tsan test-neon fuzz test-sweeps web ## All that there is, part by part (hours)
 
 test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang 16 compiles them
 	cmake --build --preset clang --target all benchmarks
@@ -131,6 +131,24 @@ mutate: build/release/build.ninja ## MUTANTS small changes of the formulas, draw
 wheel: build ## Build a wheel that needs nothing of a machine, try it in a bare root; an sdist: build/dist
 	$(PYTHON) tools/wheel $(addprefix --python ,$(WHEEL_PYTHONS))
 	@ls -l build/dist
+
+# Where the site has the explorer; `make docs` links it when it is there.
+EXPLORER := build/site/explorer
+# The C library's functions without FMA, as those of WebAssembly are.
+NO_FMA := GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2
+
+web: build/release/build.ninja ## The explorer and its npm package: WebAssembly, tests in Node and a browser, page
+	tools/install-deps --web
+	cd web && npm ci --silent --ignore-scripts --no-audit --no-fund
+	$(MAKE) -C web/core -j $(CORES)
+	cd web && npm run --silent build
+	cmake --build build/release --target web_answers
+	@mkdir -p build/web
+	$(NO_FMA) build/release/web/web_answers > build/web/answers.json
+	cd web && npm test --silent
+	@if [ -f web/page/build.mjs ]; then cd web && npm run --silent page -- ../$(EXPLORER) && \
+	  npm run --silent page-test; fi
+	cd web && npm pack --silent --pack-destination ../build/web
 
 clean: ## Remove build/ (keeps .venv)
 	rm -rf build

@@ -42,6 +42,10 @@ extensions = [
     "references",
     "script_pages",
 ]
+# What `make web` has built stays in the folder of the site; its page says so.
+if (ROOT / "build/site/explorer/index.html").exists():
+    tags.add("explorer")  # noqa: F821  (Sphinx gives it)
+
 source_suffix = {".md": "markdown", ".py": "script"}
 exclude_patterns = ["conf.py", "examples/figures/*"]
 default_role = "py:obj"

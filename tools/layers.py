@@ -45,6 +45,8 @@ LAYERS = {
 }
 # Those of polhode::io, which read and write files.
 IO = {"text", "tables", "output", "scenario", "run"}
+# Those that know public headers alone, and have headers of their own beside them.
+PROGRAMS = {"cli", "web"}
 # Those that wait for others, and have a clock to sleep by.
 WAITS = {"mpi"}
 # Sources side by side in one folder.
@@ -92,14 +94,15 @@ def allowed_layers():
         allowed[layer].add(layer)
         above.append(layer)
     allowed["cli"] = set(above)
+    allowed["web"] = set(above) - {"mpi", "cli"}
     return allowed
 
 
 def layer_of(path):
     """The layer of a source file; None for those that belong to no layer."""
     parts = path.relative_to(ROOT).parts
-    if parts[0] == "cli":
-        return "cli"
+    if parts[0] in PROGRAMS:
+        return parts[0]
     inner = parts[2:] if parts[0] == "include" else parts[1:]
     return inner[0] if len(inner) > 1 else None
 
@@ -123,7 +126,7 @@ def complaint(path, layer, bracket, name, allowed):
     parts = name.split("/")
     if parts[0] == "polhode" and len(parts) > 2:
         target = parts[1]
-    elif layer == "cli":
+    elif layer in PROGRAMS:
         return None if len(parts) == 1 else f'"{name}" is private to the library'
     elif not public and len(parts) > 1:
         target = parts[0]
@@ -158,7 +161,7 @@ def crowded_folders():
 
 
 def resolved(name):
-    for base in ("include", "src", "cli"):
+    for base in ("include", "src", "cli", "web/core"):
         if (ROOT / base / name).exists():
             return ROOT / base / name
     return None
@@ -166,7 +169,7 @@ def resolved(name):
 
 def main():
     allowed, errors, graph = allowed_layers(), list(crowded_folders()), {}
-    files = [p for base in ("include", "src", "cli")
+    files = [p for base in ("include", "src", "cli", "web/core")
              for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
     for path in files:
         where, layer = path.relative_to(ROOT), layer_of(path)

@@ -7,11 +7,11 @@
 // docs/design/0013-separatrix-distance.md.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <utility>
 
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/error_free.hpp"
@@ -114,9 +114,10 @@ inline FloatingDoubleDouble exact_separatrix_distance(const Vec3& I, double g1, 
   std::array<ExactSum, 4> terms{
       ExactSum::product({g3, g3, I.x, I.z}), -ExactSum::product({g3, g3, I.x, I.y}),
       -ExactSum::product({g1, g1, I.z, I.y}), ExactSum::product({g1, g1, I.z, I.x})};
-  std::stable_sort(terms.begin(), terms.end(), [](const ExactSum& a, const ExactSum& b) {
-    return a.exponent() > b.exponent();
-  });
+  // the largest first; equals stay in their order
+  for (std::size_t i = 1; i < terms.size(); ++i)
+    for (std::size_t j = i; j > 0 && terms[j - 1].exponent() < terms[j].exponent(); --j)
+      std::swap(terms[j - 1], terms[j]);
   ExactSum sum;
   for (const ExactSum& term : terms) sum.add(term);
   int e1 = 0, e3 = 0;

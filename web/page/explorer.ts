@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The one state of the page. Whoever changes it says what; all views hear of it and draw the same
+// body at the same time. A change that the library refuses throws, and leaves everything as it was.
+import type { RotorState } from "polhode/core";
+import { Model } from "./model.js";
+import type { Scene } from "./scene.js";
+
+export type Change = "motion" | "looks" | "time";
+export type Listener = (change: Change, explorer: Explorer) => void;
+
+const MOTION: readonly (keyof Scene)[] = ["moments", "state", "epoch"];
+
+export class Explorer {
+  private listeners: Listener[] = [];
+  scene: Scene;
+  model: Model;
+  playing = false;
+
+  constructor(scene: Scene) {
+    this.scene = scene;
+    this.model = new Model(scene);
+  }
+
+  onChange(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  private tell(change: Change): void {
+    for (const listener of this.listeners) listener(change, this);
+  }
+
+  /** Changes parts of the scene. DomainError for a body or a state that there is not. */
+  change(parts: Partial<Scene>): void {
+    const scene = { ...this.scene, ...parts };
+    if (MOTION.some((key) => scene[key] !== this.scene[key])) {
+      const model = new Model(scene);
+      this.model.motion.dispose();
+      this.model = model;
+      this.scene = scene;
+      this.tell("motion");
+    } else {
+      this.scene = scene;
+      this.tell("looks");
+    }
+  }
+
+  /** Another state at the time that is shown: the motion goes on from it. */
+  changeState(state: RotorState): void {
+    this.change({ state, epoch: this.scene.now });
+  }
+
+  get state(): RotorState {
+    return this.model.at(this.scene.now);
+  }
+
+  set now(t: number) {
+    if (!Number.isFinite(t)) return;
+    this.scene = { ...this.scene, now: t };
+    this.tell("time");
+  }
+  get now(): number {
+    return this.scene.now;
+  }
+
+  play(on: boolean): void {
+    if (on === this.playing) return;
+    this.playing = on;
+    this.tell("looks");
+  }
+
+  /** The next (1) or the last (-1) time at which the momentum crosses the plane of axes 1 and 3. */
+  flipFrom(t: number, way: 1 | -1): number {
+    const { flips, motion } = this.model;
+    if (!Number.isFinite(flips.every)) return NaN;
+    const [slack, reach] = [1e-6 * flips.every, 1.01 * flips.every];
+    const { times } =
+      way > 0 ? motion.flips(t + slack, t + reach, 1) : motion.flips(t - reach, t - slack, 3);
+    return times.at(way > 0 ? 0 : -1) ?? NaN;
+  }
+}

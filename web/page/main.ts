@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The page: starts the core, then one loop that draws what changed, at most once per picture of the
+// screen.
+import { load } from "polhode/core";
+import core from "polhode/core.wasm";
+import { Address } from "./address.js";
+import { Explorer, type Change } from "./explorer.js";
+import { Pacing } from "./pacing.js";
+import { CopyDialog } from "./panel/copies.js";
+import { HeadlinePanel } from "./panel/headline.js";
+import { Numbers } from "./panel/numbers.js";
+import { Settings } from "./panel/settings.js";
+import { Transport } from "./panel/transport.js";
+import { PRESETS, preset } from "./presets.js";
+import type { Scene } from "./scene.js";
+import { theme } from "./theme.js";
+import { Tour } from "./tour.js";
+import { BodyView } from "./views/body.js";
+import { LightView } from "./views/light.js";
+import type { View } from "./views/pane.js";
+import { PlaneView } from "./views/plane.js";
+import { SphereView } from "./views/sphere.js";
+import { StripView } from "./views/strip.js";
+
+const element = <T extends HTMLElement = HTMLElement>(id: string) =>
+  document.getElementById(id) as T;
+const canvas = (id: string) => element<HTMLCanvasElement>(id);
+const still = window.matchMedia("(prefers-reduced-motion: reduce)");
+
+async function start(): Promise<void> {
+  const bytes = new Blob([core]).stream().pipeThrough(new DecompressionStream("gzip"));
+  performance.mark("script");
+  await load(new Response(bytes));
+  performance.mark("core");
+  const explorer = new Explorer(preset("wing-nut").scene());
+
+  let waiting = false;
+  const redraw = () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(picture);
+  };
+
+  const body = new BodyView(canvas("body"), canvas("body-labels"), explorer, redraw);
+  const sphere = new SphereView(canvas("sphere"), explorer, redraw);
+  const plane = new PlaneView(canvas("plane"), explorer);
+  const light = new LightView(canvas("light"), explorer);
+  const strip = new StripView(canvas("strip"), explorer, redraw);
+  const views: readonly View[] = [body, sphere, plane, light, strip];
+
+  const headline = new HeadlinePanel(
+    element("mode"),
+    element("sentence"),
+    element("clocks"),
+    explorer,
+  );
+  const numbers = new Numbers(
+    element("chart-tabs"),
+    element("chart"),
+    element("chart-about"),
+    explorer,
+  );
+  const settings = new Settings(document, explorer);
+  const transport = new Transport(explorer);
+  const copies = new CopyDialog(explorer);
+
+  const choice = element<HTMLSelectElement>("preset");
+  /** A scene from elsewhere, and what the page says of it. */
+  const show = (scene: Scene) => {
+    explorer.play(false);
+    explorer.change(scene);
+    const known = PRESETS.find(({ scene: s }) => s().title === scene.title);
+    choice.value = known?.id ?? "";
+    element("about").textContent = known?.about ?? "A state from a link.";
+    element("source").textContent = known?.source ?? "";
+  };
+  const address = new Address(explorer, show);
+  const tour = new Tour(explorer, show);
+  const begin = (id: string) => {
+    if (tour.open) tour.end();
+    show(preset(id).scene());
+    explorer.play(!still.matches);
+  };
+  fill(choice, begin);
+  const again = () => begin(choice.value || "wing-nut");
+  element("reset").addEventListener("click", again);
+
+  const pacing = new Pacing();
+  let lastPicture = 0;
+  let lastNumbers = 0;
+  function picture(clock: number): void {
+    waiting = false;
+    if (explorer.playing) {
+      // A page that was hidden goes on where it was.
+      const interval = lastPicture ? clock - lastPicture : 0;
+      const passed = Math.min(0.1, interval / 1000);
+      const fineness = pacing.after(interval);
+      if (fineness !== null) body.fineness = fineness;
+      explorer.now += passed * explorer.scene.pace;
+      redraw();
+    }
+    lastPicture = explorer.playing ? clock : 0;
+    for (const view of views) if (view.canvas.clientWidth > 0) view.draw(explorer);
+    if (!explorer.playing || clock - lastNumbers > 100) {
+      lastNumbers = clock;
+      numbers.show();
+      transport.show();
+    }
+    const { dataset } = document.documentElement;
+    if (!dataset["ready"]) {
+      performance.mark(body.there ? "body" : "picture");
+      if (body.there) dataset["ready"] = "true";
+    }
+  }
+
+  explorer.onChange((change: Change) => {
+    for (const view of views) view.changed(change, explorer);
+    if (change === "motion") headline.show();
+    if (change !== "time") settings.show();
+    address.later();
+    redraw();
+  });
+  const refit = (what: "size" | "theme") => {
+    for (const view of views) view.changed(what, explorer);
+    redraw();
+  };
+  theme(() => refit("theme"));
+  const sizes = new ResizeObserver(() => refit("size"));
+  for (const view of views) sizes.observe(view.canvas);
+
+  element("from-observer").addEventListener("click", () => body.fromObserver());
+  expandable(() => refit("size"));
+  keyboard(explorer, transport, {
+    r: again,
+    t: () => (tour.open ? tour.end() : tour.go(0)),
+    c: () => copies.open(),
+  });
+
+  const linked = location.hash.length > 1;
+  if (!linked || !address.open(location.hash)) {
+    const { about, source } = preset("wing-nut");
+    element("about").textContent = about;
+    element("source").textContent = source;
+    choice.value = "wing-nut";
+    explorer.play(!linked && !still.matches);
+  }
+  redraw();
+  // For a reader's console, the tests and the measurements.
+  Object.assign(window, { explorer, sphere, plane, views: { body, sphere, plane, light, strip } });
+}
+
+function fill(choice: HTMLSelectElement, chosen: (id: string) => void): void {
+  const elsewhere = new Option("A state of your own", "");
+  elsewhere.hidden = true;
+  choice.append(elsewhere);
+  for (const group of ["Bodies", "Figures of the paper"] as const) {
+    const list = document.createElement("optgroup");
+    list.label = group;
+    for (const { id, name, group: own } of PRESETS) {
+      if (own === group) list.append(new Option(name, id));
+    }
+    choice.append(list);
+  }
+  choice.addEventListener("change", () => choice.value && chosen(choice.value));
+}
+
+/** One pane over the whole stage, and back. */
+function expandable(changed: () => void): void {
+  const toggle = (pane: HTMLElement, on: boolean) => {
+    for (const other of document.querySelectorAll(".pane")) other.classList.remove("large");
+    pane.classList.toggle("large", on);
+    document.body.classList.toggle("one-pane", on);
+    for (const button of document.querySelectorAll<HTMLElement>(".expand")) {
+      const large = button.closest(".pane")!.classList.contains("large");
+      button.setAttribute("aria-pressed", String(large));
+    }
+    changed();
+  };
+  for (const button of document.querySelectorAll<HTMLElement>(".expand")) {
+    const pane = button.closest<HTMLElement>(".pane")!;
+    button.addEventListener("click", () => toggle(pane, !pane.classList.contains("large")));
+  }
+  document.addEventListener("keydown", (event) => {
+    const large = document.querySelector<HTMLElement>(".pane.large");
+    if (event.key === "Escape" && large) toggle(large, false);
+  });
+}
+
+function keyboard(
+  explorer: Explorer,
+  transport: Transport,
+  others: Readonly<Record<string, () => void>>,
+): void {
+  const keys = element<HTMLDialogElement>("keys");
+  element("keys-open").addEventListener("click", () => keys.showModal());
+  for (const button of document.querySelectorAll<HTMLElement>("[data-close]")) {
+    button.addEventListener("click", () => button.closest("dialog")!.close());
+  }
+  document.addEventListener("keydown", (event) => {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (target.closest("input, select, textarea, dialog")) return;
+    const step = (explorer.model.turn / 60) * (event.shiftKey ? 12 : 1);
+    const act: (() => void) | undefined = {
+      " ": () => explorer.play(!explorer.playing),
+      ArrowRight: () => (explorer.now += step),
+      ArrowLeft: () => (explorer.now -= step),
+      Home: () => (explorer.now = 0),
+      n: () => transport.flip(1),
+      p: () => transport.flip(-1),
+      "?": () => keys.showModal(),
+      ...others,
+    }[event.key];
+    if (!act || (event.key === " " && target.closest("button, [role=tab]"))) return;
+    event.preventDefault();
+    act();
+  });
+}
+
+start().catch((error: unknown) => {
+  const box = element("fatal");
+  box.hidden = false;
+  box.textContent = `The explorer did not start: ${(error as Error).message}`;
+});

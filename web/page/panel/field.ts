@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// A number that can be typed. What is refused stays in the field with the reason below it, in the
+// words of the library; the picture stays as it was. Escape gives the last good number back.
+import { number, typed } from "../format.js";
+
+export interface FieldText {
+  readonly symbol: string; // HTML
+  readonly label: string;
+  readonly unit?: string;
+  readonly fixed?: boolean;
+}
+
+let serial = 0;
+
+export class NumberField {
+  readonly element = document.createElement("div");
+  private readonly input = document.createElement("input");
+  private readonly unit = document.createElement("span");
+  private readonly error = document.createElement("p");
+  private value = NaN;
+  private digits = 8;
+
+  /** `commit` throws what it refuses. */
+  constructor(
+    text: FieldText,
+    private readonly commit: (value: number) => void,
+    private readonly touched: () => void = () => {},
+  ) {
+    const { element, input, error, unit } = this;
+    const id = `field-${++serial}`;
+    element.className = "field";
+    const label = document.createElement("label");
+    label.htmlFor = id;
+    label.className = "symbol";
+    label.innerHTML = `<span aria-hidden="true">${text.symbol}</span><span class="hidden">${text.label}</span>`;
+    input.id = id;
+    input.type = "text";
+    input.autocomplete = "off";
+    input.spellcheck = false;
+    input.inputMode = "text";
+    input.readOnly = text.fixed ?? false;
+    input.setAttribute("aria-describedby", `${id}-error`);
+    unit.className = "unit";
+    this.units = text.unit ?? "";
+    error.id = `${id}-error`;
+    error.className = "error";
+    error.setAttribute("role", "alert");
+    error.hidden = true;
+    element.append(label, input, unit, error);
+    input.addEventListener("focus", () => {
+      if (!input.readOnly) this.touched();
+    });
+    input.addEventListener("change", () => this.read());
+    input.addEventListener("keydown", (event) => {
+      event.stopPropagation();
+      if (event.key === "Enter") this.read();
+      if (event.key === "Escape") {
+        this.refuse(null);
+        this.write();
+        input.blur();
+      }
+    });
+  }
+
+  set units(text: string) {
+    this.unit.innerHTML = pretty(text);
+  }
+
+  /** True while a reader types here, or corrects what was refused. */
+  get busy(): boolean {
+    return document.activeElement === this.input || !this.error.hidden;
+  }
+
+  show(value: number, digits = 8): void {
+    this.value = value;
+    this.digits = digits;
+    if (!this.busy) this.write();
+  }
+
+  private write(): void {
+    const text = number(this.value, this.digits);
+    if (this.input.value !== text) this.input.value = text;
+  }
+
+  private read(): void {
+    const text = this.input.value;
+    if (this.input.readOnly || text === number(this.value, this.digits)) {
+      this.refuse(null); // untouched: all digits stay, not only those shown
+      return;
+    }
+    const value = typed(text);
+    try {
+      if (Number.isNaN(value)) throw new Error(`got "${text}"; expected a number`);
+      this.commit(value);
+      this.value = value;
+      this.refuse(null);
+    } catch (error) {
+      this.refuse((error as Error).message);
+    }
+  }
+
+  refuse(reason: string | null): void {
+    this.error.hidden = reason === null;
+    this.error.textContent = reason ?? "";
+    this.input.setAttribute("aria-invalid", String(reason !== null));
+    this.element.classList.toggle("refused", reason !== null);
+    if (reason !== null) this.error.scrollIntoView({ block: "nearest" });
+  }
+}
+
+/** "kg m2/s" with its exponents raised. */
+export function pretty(unit: string): string {
+  return unit.replace(/([a-z])(\d)/g, "$1<sup>$2</sup>").replace(/deg/g, "°").replace(/°\//, "°/");
+}

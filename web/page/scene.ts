@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What the page shows, as plain values: one body, one state, one time. The link holds these, the
+// presets are these, and every view draws them.
+import type { RotorState, Vec3 } from "polhode/core";
+
+export type Shape = "ellipsoid" | "box" | "wing-nut" | "satellite";
+export const SHAPES: readonly Shape[] = ["ellipsoid", "box", "wing-nut", "satellite"];
+
+/** Planes, nodes and angles drawn around the body. */
+export type Overlay = "none" | "andoyer" | "euler";
+export const OVERLAYS: readonly Overlay[] = ["none", "andoyer", "euler"];
+
+/** Longitude and latitude in the inertial axes, degrees. */
+export type Direction = readonly [longitude: number, latitude: number];
+
+/** A reference frame that turns at `rate` (rad per unit of time) about `axis`, inertial axes. */
+export interface Precession {
+  readonly axis: Vec3;
+  readonly rate: number;
+}
+
+export interface Scene {
+  readonly title: string;
+  readonly shape: Shape;
+  readonly overlay: Overlay;
+  readonly moments: Vec3;
+  /** Names as in scenario files: "s", "kg m2"; the moment may be "1". */
+  readonly time: string;
+  readonly moment: string;
+  /** The state holds at this time. */
+  readonly epoch: number;
+  readonly state: RotorState;
+  /** The time that is shown. */
+  readonly now: number;
+  /** Units of time that pass in a second of the reader. */
+  readonly pace: number;
+  readonly sun: Direction;
+  readonly observer: Direction;
+  readonly precession: Precession | null;
+  /** Also drawn: where friction inside the body would take the momentum. */
+  readonly friction: boolean;
+}
+
+/** "kg m2/s" and the like of a scene. */
+export function units(scene: Pick<Scene, "time" | "moment">) {
+  const { time, moment } = scene;
+  const mass = moment === "1" ? "" : moment;
+  return {
+    time,
+    angle: "deg",
+    rate: `deg/${time}`,
+    moment: mass,
+    momentum: mass ? `${mass}/${time}` : `1/${time}`,
+    energy: mass ? `${mass}/${time}2` : `1/${time}2`,
+    none: "",
+  } as const;
+}
+export type Dimension = keyof ReturnType<typeof units>;

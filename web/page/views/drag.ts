@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Mouse, pen and finger alike: what is grabbed, moved, let go.
+
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** What a grab does; null where there is nothing to take here. */
+export interface Grab {
+  move(to: Place, by: Place): void;
+  end?(): void;
+}
+
+export function draggable(
+  element: HTMLElement,
+  grab: (at: Place) => Grab | null,
+  /** True where a finger takes something that must not scroll the page. */
+  holds: (at: Place) => boolean = () => false,
+): void {
+  const placeOf = (event: { clientX: number; clientY: number }): Place => {
+    const box = element.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  element.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    let last = placeOf(event);
+    const taken = grab(last);
+    if (!taken) return;
+    element.setPointerCapture(event.pointerId);
+    element.classList.add("held");
+    const move = (e: PointerEvent) => {
+      if (e.pointerId !== event.pointerId) return;
+      const to = placeOf(e);
+      taken.move(to, { x: to.x - last.x, y: to.y - last.y });
+      last = to;
+    };
+    const end = (e: PointerEvent) => {
+      if (e.pointerId !== event.pointerId) return;
+      element.removeEventListener("pointermove", move);
+      element.removeEventListener("pointerup", end);
+      element.removeEventListener("pointercancel", end);
+      element.classList.remove("held");
+      taken.end?.();
+    };
+    element.addEventListener("pointermove", move);
+    element.addEventListener("pointerup", end);
+    element.addEventListener("pointercancel", end);
+  });
+  element.addEventListener(
+    "touchstart",
+    (event) => {
+      const touch = event.touches[0];
+      if (touch && holds(placeOf(touch))) event.preventDefault();
+    },
+    { passive: false },
+  );
+}
+
+export const near = (a: Place, b: Place, reach: number): boolean =>
+  Math.hypot(a.x - b.x, a.y - b.y) <= reach;

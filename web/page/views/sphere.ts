@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// The momentum as the body sees it: it keeps its length, so it moves on a sphere, along curves of
+// equal energy. The dot can be dragged: the body turns until its momentum, which stands still in
+// space, lies where the dot is.
+import { polhodes, separatrix, withMomentumAlong, type Curve, type Vec3 } from "polhode/core";
+import type { Change, Explorer } from "../explorer.js";
+import { frictionPath, type Model } from "../model.js";
+import { scale, unit } from "../vectors.js";
+import { draggable, near, type Place } from "./drag.js";
+import { Globe } from "./globe.js";
+import { inset } from "./inset.js";
+import { Sheet, symbol, type View } from "./pane.js";
+import type { Palette } from "./palette.js";
+
+const REACH = 26; // px: how far from the dot a finger takes it
+const AXES: readonly [Vec3, string][] = [
+  [[1, 0, 0], "b₁"],
+  [[0, 1, 0], "b₂"],
+  [[0, 0, 1], "b₃"],
+];
+
+/** What a kind of curve is drawn with. */
+export function look(mode: Curve["mode"], colours: Palette) {
+  if (mode === "separatrix") return { colour: colours.sep, dash: [], width: 2 };
+  if (mode === "long_axis") return { colour: colours.lam, dash: [5, 3], width: 1.2 };
+  return { colour: colours.sam, dash: [], width: 1.1 };
+}
+
+export class SphereView implements View {
+  private readonly sheet: Sheet;
+  private readonly globe = new Globe(0.98, 0.36);
+  private curves: readonly Curve[] = [];
+  private polhode = new Float64Array(0);
+  private friction: Float64Array | null = null;
+  private layer: HTMLCanvasElement | null = null;
+  /** Where the state is on paper. */
+  dot: Place = { x: -99, y: -99 };
+  private depth = 1;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly explorer: Explorer,
+    private readonly redraw: () => void,
+  ) {
+    this.sheet = new Sheet(canvas);
+    this.changed("motion", explorer);
+    draggable(
+      canvas,
+      (at) => (near(at, this.dot, REACH) ? this.dragDot() : this.dragGlobe()),
+      (at) => near(at, this.dot, REACH),
+    );
+    canvas.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  private dragDot() {
+    let nearSide = this.depth >= 0;
+    let outside = false;
+    return {
+      move: (to: Place) => {
+        const { direction, beyond } = this.globe.point(to.x, to.y, nearSide);
+        if (beyond && !outside) nearSide = !nearSide; // over the rim, to the other side
+        outside = beyond;
+        this.point(direction);
+      },
+    };
+  }
+
+  private dragGlobe() {
+    return {
+      move: (_to: Place, by: Place) => {
+        this.globe.turn(-by.x / this.globe.radius, by.y / this.globe.radius);
+        this.layer = null;
+        this.redraw();
+      },
+    };
+  }
+
+  private point(direction: Vec3): void {
+    this.explorer.changeState(withMomentumAlong(this.explorer.state, direction));
+  }
+
+  private key(event: KeyboardEvent): void {
+    const step = event.shiftKey ? 0.1 : 0.02;
+    const by = {
+      ArrowLeft: [-step, 0],
+      ArrowRight: [step, 0],
+      ArrowUp: [0, step],
+      ArrowDown: [0, -step],
+    }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.point(this.globe.moved(unit(this.explorer.state.g), by[0]!, by[1]!));
+  }
+
+  changed(change: Change | "theme" | "size", explorer: Explorer): void {
+    if (change === "motion") {
+      const { model } = explorer;
+      const fresh = familyOf(model);
+      if (fresh !== this.curves) {
+        this.curves = fresh;
+        this.layer = null;
+      }
+      this.polhode = model.motion.polhode(241);
+    }
+    if (change === "motion" || change === "looks") this.friction = frictionOf(explorer);
+    if (change === "theme" || change === "size") {
+      this.sheet.fit();
+      this.layer = null;
+    }
+  }
+
+  draw({ model, now }: Explorer): void {
+    const { sheet, globe } = this;
+    const { colours } = sheet;
+    globe.place(
+      sheet.width / 2,
+      sheet.height / 2,
+      Math.max(10, Math.min(sheet.width, sheet.height) / 2.26 - 9),
+    );
+    this.layer ??= this.still();
+    const context = sheet.clear();
+    sheet.stamp(this.layer);
+
+    const { momentum, regime } = model.motion;
+    if (!(momentum > 0)) return;
+    const style = look(regime === "long_axis" || regime === "separatrix" ? regime : "short_axis", colours);
+    context.strokeStyle = style.colour;
+    context.lineCap = "round";
+    for (const side of [false, true]) {
+      context.globalAlpha = side ? 1 : 0.35;
+      context.lineWidth = side ? 3 : 2;
+      globe.trace(context, this.polhode, side, momentum);
+    }
+    if (this.friction) {
+      context.strokeStyle = colours.sun;
+      context.lineWidth = 1.4;
+      for (const side of [false, true]) {
+        context.globalAlpha = side ? 0.95 : 0.25;
+        globe.trace(context, this.friction, side);
+      }
+    }
+    const g = scale(1 / momentum, model.at(now).g);
+    const [x, y, depth] = globe.paper(g);
+    this.dot = { x, y };
+    this.depth = depth;
+    context.globalAlpha = depth >= 0 ? 1 : 0.45;
+    context.beginPath();
+    context.arc(x, y, 7, 0, 2 * Math.PI);
+    context.fillStyle = colours.momentum;
+    context.fill();
+    context.lineWidth = 2.5;
+    context.strokeStyle = colours.paper;
+    context.stroke();
+    context.globalAlpha = 1;
+    const { wobble } = model;
+    if (wobble) {
+      const place = [sheet.width - 62, sheet.height - 68] as const;
+      inset(context, colours, place, wobble, this.polhode, model.at(now).g);
+    }
+  }
+
+  /** Sphere, family of curves, axes: as long as neither the body nor the view changes. */
+  private still(): HTMLCanvasElement {
+    const { sheet, globe } = this;
+    const { colours } = sheet;
+    const { canvas, context } = sheet.layer();
+    const { x, y, radius } = globe;
+    const shade = context.createRadialGradient(
+      x - 0.35 * radius,
+      y - 0.4 * radius,
+      0.1 * radius,
+      x,
+      y,
+      radius,
+    );
+    shade.addColorStop(0, colours.paper);
+    shade.addColorStop(1, colours.faint);
+    this.axes(context, false);
+    context.globalAlpha = 0.85;
+    context.fillStyle = shade;
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.fill();
+    context.globalAlpha = 1;
+    context.lineWidth = 1;
+    context.strokeStyle = colours.line;
+    context.stroke();
+    for (const side of [false, true]) {
+      for (const curve of this.curves) {
+        const style = look(curve.mode, colours);
+        context.strokeStyle = style.colour;
+        context.globalAlpha = side ? 0.8 : 0.16;
+        context.lineWidth = style.width;
+        context.setLineDash(style.dash);
+        globe.trace(context, curve.points, side);
+      }
+    }
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+    this.axes(context, true);
+    return canvas;
+  }
+
+  private axes(context: CanvasRenderingContext2D, front: boolean): void {
+    const { globe, sheet } = this;
+    const { colours } = sheet;
+    const order = this.explorer.model.body.axisOrder;
+    const tones = [colours.lam, colours.sep, colours.sam];
+    for (const [index, [axis, name]] of AXES.entries()) {
+      const rank = order.indexOf(index as 0 | 1 | 2);
+      for (const end of [1, -1] as const) {
+        const tip = scale(end, axis);
+        const [x, y, depth] = globe.paper(tip);
+        if (depth >= 0 !== front) continue;
+        context.globalAlpha = front ? 1 : 0.5;
+        context.beginPath();
+        context.arc(x, y, 3.6, 0, 2 * Math.PI);
+        context.fillStyle = rank === 1 ? colours.paper : tones[rank]!;
+        context.fill();
+        context.lineWidth = 1.5;
+        context.strokeStyle = tones[rank]!;
+        context.stroke();
+        if (end < 0) continue;
+        const [u, v] = globe.paper(scale(1.19, axis));
+        const out = globe.paper(scale(1.09, axis));
+        context.lineWidth = 1.2;
+        context.beginPath();
+        context.moveTo(x, y);
+        context.lineTo(out[0], out[1]);
+        context.stroke();
+        const inward = Math.hypot(u - globe.x, v - globe.y) < 0.35 * globe.radius ? 16 : 0;
+        symbol(context, name, u + inward, v - inward, tones[rank]!, colours.paper);
+      }
+    }
+    context.globalAlpha = 1;
+  }
+}
+
+/** The family of a body, kept: dragging changes the state a hundred times, never these. */
+const families = new Map<string, readonly Curve[]>();
+export function familyOf(model: Model): readonly Curve[] {
+  const key = model.body.moments.join();
+  let family = families.get(key);
+  if (!family) {
+    family = [...polhodes(model.body, 1, 5, 145), ...separatrix(model.body, 1, 97)];
+    if (families.size > 40) families.clear();
+    families.set(key, family);
+  }
+  return family;
+}
+
+/** The path under friction, kept as long as the motion is the same. */
+let drifted: { model: Model; path: Float64Array } | null = null;
+export function frictionOf({ model, scene }: Explorer): Float64Array | null {
+  if (!scene.friction || !(model.motion.momentum > 0)) return null;
+  if (drifted?.model !== model) drifted = { model, path: frictionPath(model) };
+  return drifted.path;
+}

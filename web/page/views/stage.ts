@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// What stands on the stage of the body's picture, for one body in one theme, in inertial axes.
+import {
+  AmbientLight,
+  CircleGeometry,
+  DirectionalLight,
+  DoubleSide,
+  Group,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  Scene as Stage,
+  SphereGeometry,
+  WebGLRenderer,
+} from "three";
+import type { Explorer } from "../explorer.js";
+import { Arrow, Path } from "./lines.js";
+import { palette } from "./palette.js";
+import { Planes } from "./planes.js";
+import { shapeOf } from "./shapes.js";
+
+export const TRAIL = 900; // points of the herpolhode
+export const RECENT = 160; // the last of them, drawn bold
+
+/** Null where the browser has no WebGL. */
+export function started(canvas: HTMLCanvasElement): WebGLRenderer | null {
+  try {
+    return new WebGLRenderer({ canvas, antialias: true, alpha: true });
+  } catch {
+    return null;
+  }
+}
+
+export type Parts = ReturnType<typeof built>;
+
+const keyOf = ({ scene }: Explorer): string =>
+  [scene.title, scene.shape, scene.overlay, ...scene.moments].join();
+export const stale = (parts: Parts, e: Explorer): boolean => parts.key !== keyOf(e);
+
+/** Everything on the stage, for one body in one theme. */
+export function built(e: Explorer) {
+  const colours = palette();
+  const stage = new Stage();
+  const root = new Group();
+  const body = new Group();
+  const shape = shapeOf(e.scene.shape, e.model.axes, colours);
+  body.add(shape);
+  const order = e.model.body.axisOrder;
+  const tones: string[] = [];
+  tones[order[0]] = colours.lam;
+  tones[order[1]] = colours.sep;
+  tones[order[2]] = colours.sam;
+  const axes = tones.map((colour) => new Arrow({ colour, width: 2 }));
+  const momentum = new Arrow({ colour: colours.momentum, width: 3 });
+  const omega = new Arrow({ colour: colours.omega, width: 2.5 });
+  const relative = new Arrow({ colour: colours.sun, width: 2, dashed: true });
+  const past = new Path(TRAIL, { colour: colours.omega, width: 1, opacity: 0.45 });
+  const recent = new Path(RECENT, { colour: colours.omega, width: 2.2 });
+  const invariable = new Mesh(
+    new CircleGeometry(1.15, 72),
+    new MeshBasicMaterial({
+      color: colours.momentum,
+      transparent: true,
+      opacity: colours.dark ? 0.1 : 0.07,
+      side: DoubleSide,
+      depthWrite: false,
+    }),
+  );
+  const planes = new Planes(colours);
+  const sun = new Mesh(new SphereGeometry(0.07, 24, 16), new MeshBasicMaterial({ color: colours.sun }));
+  const observer = new Mesh(
+    new SphereGeometry(0.045, 20, 12),
+    new MeshBasicMaterial({ color: colours.soft }),
+  );
+  const light = new DirectionalLight("#ffffff", 2.6);
+  root.add(
+    body,
+    ...axes.map((axis) => axis.group),
+    momentum.group,
+    omega.group,
+    relative.group,
+    past.line,
+    recent.line,
+    invariable,
+    planes.group,
+    sun,
+    observer,
+    light,
+  );
+  stage.add(root, new AmbientLight("#ffffff", colours.dark ? 0.75 : 1.15));
+  const dispose = () => {
+    stage.traverse((thing) => {
+      if (!(thing instanceof Mesh || thing instanceof LineSegments)) return;
+      thing.geometry.dispose();
+      for (const material of [thing.material].flat()) material.dispose();
+    });
+  };
+  return {
+    key: keyOf(e),
+    stage,
+    root,
+    body,
+    shape,
+    tones,
+    axes,
+    momentum,
+    omega,
+    relative,
+    past,
+    recent,
+    invariable,
+    planes,
+    sun,
+    observer,
+    light,
+    dispose,
+  };
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The package: how large it is, how fast, and that a copy of it works elsewhere.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+import { Body, FreeRotation, rotorState } from "polhode";
+
+const web = fileURLToPath(new URL("..", import.meta.url));
+
+// What a page loads: the module, and the scripts as a bundler leaves them.
+test("the core is at most 100 kB, gzipped", async () => {
+  const module = readFileSync(join(web, "dist/polhode.wasm"));
+  const { outputFiles } = await build({
+    entryPoints: [join(web, "dist/polhode.js")],
+    bundle: true, format: "esm", target: "es2022", minify: true, write: false,
+  });
+  const size = gzipSync(module, { level: 9 }).length, glue = gzipSync(outputFiles[0].contents, { level: 9 }).length;
+  console.log(`core: ${size} bytes of WebAssembly and ${glue} of JavaScript, gzipped`);
+  assert.ok(size + glue <= 100_000, `${size} + ${glue}`);
+});
+
+test("the module asks for nothing but digits and memory", () => {
+  const module = new WebAssembly.Module(readFileSync(join(web, "dist/polhode.wasm")));
+  const asked = WebAssembly.Module.imports(module).map(({ name }) => name);
+  assert.deepEqual(asked.sort(), ["emscripten_notify_memory_growth", "polhode_digits", "proc_exit"]);
+});
+
+test("10,000 states of a frame take less than 4 ms", () => {
+  const body = new Body(30.53, 83.87, 113.3);
+  const motion = new FreeRotation(body, rotorState(body, [1, 0, 0, 0], [0.01, 6.28, 0]));
+  const out = new Float64Array(70_000);
+  const times = Float64Array.from({ length: 10_000 }, (_, i) => 1e6 + 0.01 * i);
+  // processor time of this process, the least of many: what else the machine does is not in it
+  const least = (work) => {
+    let best = Infinity;
+    for (let i = 0; i < 60; ++i) {
+      const before = process.cpuUsage();
+      for (let k = 0; k < 5; ++k) work(k);
+      const { user, system } = process.cpuUsage(before);
+      best = Math.min(best, (user + system) / 5000);
+    }
+    return best;
+  };
+  const grid = least((k) => motion.states({ start: k, step: 0.01, count: 10_000 }, out));
+  const list = least(() => motion.states(times, out));
+  const one = least((k) => {
+    for (let i = 0; i < 1000; ++i) motion.at(i + k);
+  });
+  console.log(`10,000 states: ${grid.toFixed(2)} ms of a grid, ${list.toFixed(2)} ms of a list; at(t): ${one.toFixed(2)} us`);
+  assert.ok(grid < 4 && list < 4, `${grid} ${list}`);
+});
+
+test("npm pack makes a package that works where it is installed", () => {
+  const folder = mkdtempSync(join(tmpdir(), "polhode-"));
+  const npm = (args, cwd) => execFileSync("npm", [...args, "--silent", "--offline", "--no-audit", "--no-fund"], { cwd, encoding: "utf8" });
+  try {
+    const packed = npm(["pack", "--pack-destination", folder], web).trim().split("\n").at(-1);
+    npm(["init", "-y"], folder);
+    npm(["install", "--ignore-scripts", join(folder, packed)], folder);
+    const script = 'import { Body, FreeRotation } from "polhode"; console.log(new FreeRotation(new Body(1, 2, 2.5), { q: [1, 0, 0, 0], g: [1, 0, 0] }).regime); const deferred = await import("polhode/core"); await deferred.load(); console.log(deferred.version().length > 0)';
+    const answer = execFileSync(process.execPath, ["--input-type=module", "-e", script], { cwd: folder, encoding: "utf8" });
+    assert.equal(answer, "steady\ntrue\n");
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
