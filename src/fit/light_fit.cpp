@@ -75,7 +75,7 @@ LeastSquares least_squares_of(const LightFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
   const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start);
-  require_enough(residuals);
+  detail::require_points(who, residuals.points(), residuals.places().count, residuals.groups());
   return detail::light_problem(residuals, fit.unknowns, fit.start, fit.loss, fit.most_iterations);
 }
 
