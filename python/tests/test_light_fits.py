@@ -7,6 +7,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, largest
+from interrupts import LATEST, seconds_from_signal
 from polhode import BrightEllipsoid, LightCurve
 
 # that of tests/unit/fit/light_fit.cpp
@@ -146,3 +147,12 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
 def test_what_is_no_fit_is_refused(call, said):
     with pytest.raises((ValueError, TypeError), match=said):
         call()
+
+
+def test_ctrl_c_ends_a_search_and_a_scan():
+    calls = (
+        lambda: polhode.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
+        lambda: polhode.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2),
+    )
+    for call in calls:
+        assert seconds_from_signal(call) < LATEST

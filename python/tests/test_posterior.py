@@ -74,7 +74,8 @@ def test_toutatis_of_1992():
     spread = np.sqrt(np.diag(draws.covariance) / np.diag(draws.laplace_covariance))
     assert_allclose(spread, np.ones(8), atol=budgets.sampled_toutatis)
     assert largest(draws.rhat) < (budgets.sampled_rhat_full if FULL else budgets.sampled_rhat_few)
-    assert draws.divergences == 0
+    # its tail reaches the triangle, beyond which there is no body
+    assert draws.divergences <= budgets.sampled_diverged * x.size
     assert np.isfinite(draws.log_density).all()
 
 

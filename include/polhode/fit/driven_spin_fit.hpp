@@ -23,8 +23,8 @@
 //             drive, relative to their column.
 // Errors      DomainError as fit_spin(); for a drive that it cannot take, naming the parameter, the
 //             term or the jump, and for jumps outside the observations.
-// Cost        a trial step one run of integrate(), 1 to 3 us a radian of rotation; an iteration some
-//             50 us a radian for each six unknowns, and 180 where among them are moments and GM of
+// Cost        a trial step one run of integrate(), 1 to 3 us a radian of rotation; an iteration 50
+//             us a radian for each six unknowns, and 180 where among them are moments and GM of
 //             gravity along an orbit (benchmarks/fit_driven.cpp).
 #pragma once
 
@@ -50,7 +50,7 @@ struct TorqueParameter {
 // A jump of the spin just after t: three unknowns, NAME[0] to NAME[2].
 struct SpinJump {
   // In body axes F: of the rate w_F, or of the angular momentum; or of that in inertial axes.
-  enum class Of { rate, momentum_F, momentum_I };
+  enum class Of { rate, body_momentum, inertial_momentum };
   std::string name;
   double t = 0.0;
   Of of = Of::rate;

@@ -48,8 +48,8 @@ BasicVec3<T> momentum_of(SpinJump::Of of, const BasicVec3<T>& change, const Basi
   if (of == SpinJump::Of::rate) {
     return {moments.x * change.x, moments.y * change.y, moments.z * change.z};
   }
-  return of == SpinJump::Of::momentum_F ? change
-                                        : body_from_reference(BasicPose<T>{moments, s}, change);
+  return of == SpinJump::Of::body_momentum ? change
+                                           : body_from_reference(BasicPose<T>{moments, s}, change);
 }
 
 // The samples of a run from a state; none where it failed or ends in no numbers.
@@ -184,7 +184,8 @@ std::optional<std::vector<MovedPoint>> DrivenMotion::at(
 
 RotorState DrivenMotion::jumped(const RotorState& s, std::size_t j, double sign) const {
   const SpinJump::Of of = drive_.jumps[j].of;
-  const Vec3 change = of == SpinJump::Of::momentum_I ? changes_[j] : in_body(R_, changes_[j]);
+  const Vec3 change =
+      of == SpinJump::Of::inertial_momentum ? changes_[j] : in_body(R_, changes_[j]);
   return {s.q, s.g + sign * momentum_of<double>(of, change, system_.body().moments(), s)};
 }
 
@@ -208,7 +209,7 @@ bool DrivenMotion::add_columns(std::span<const DrivenLeg> legs, std::span<const 
     TangentRotor at = tangent_rotor(s);
     const SpinJump::Of of = drive_.jumps[j].of;
     const auto turned = [&](const Vec3& x) {
-      return of == SpinJump::Of::momentum_I ? x : in_body(R_, x);
+      return of == SpinJump::Of::inertial_momentum ? x : in_body(R_, x);
     };
     const Vec3 value = turned(changes_[j]);
     BasicVec3<Tangent> change{Tangent(value.x), Tangent(value.y), Tangent(value.z)};

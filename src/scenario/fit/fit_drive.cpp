@@ -63,8 +63,8 @@ void add_jump(const FitContext& at, const std::string& path, FitPlan& plan) {
   jump.name = path.substr(path.find('.') + 1) + ".change";
   jump.t = table.number("t");
   jump.of = kind == "rate"            ? SpinJump::Of::rate
-            : kind == "momentum-body" ? SpinJump::Of::momentum_F
-                                      : SpinJump::Of::momentum_I;
+            : kind == "momentum-body" ? SpinJump::Of::body_momentum
+                                      : SpinJump::Of::inertial_momentum;
   jump.change = table.vector("change");
   if (table.has("sigmas")) {
     require_range(at.values, table.key_path("sigmas"), at.name);

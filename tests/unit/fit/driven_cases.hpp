@@ -129,7 +129,7 @@ inline WidePoint moved(const WideSpin& s, const WideTorque& torque,
     if (jumps[j].of == SpinJump::Of::rate) {
       for (std::size_t i = 0; i < 3; ++i) dL[i] *= s.moments[i];
     }
-    if (jumps[j].of != SpinJump::Of::momentum_I) dL = to_space(columns_of(y), dL);
+    if (jumps[j].of != SpinJump::Of::inertial_momentum) dL = to_space(columns_of(y), dL);
     for (std::size_t i = 0; i < 3; ++i) y[4 + i] += sign * dL[i];
   };
   // those of the tests stand in order of time

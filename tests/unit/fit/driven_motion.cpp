@@ -128,9 +128,9 @@ Case flyby() {
 // A jump of each kind, and a torque that never stops.
 Case jumps() {
   Case c = constant_torque();
-  c.drive.jumps = {{"early", -2.0, SpinJump::Of::momentum_F, {0.02, 0.1, -0.03}},
+  c.drive.jumps = {{"early", -2.0, SpinJump::Of::body_momentum, {0.02, 0.1, -0.03}},
                    {"turn", 3.0, SpinJump::Of::rate, {0.1, -0.2, 0.05}},
-                   {"push", 4.5, SpinJump::Of::momentum_I, {-0.04, 0.1, 0.1}}};
+                   {"push", 4.5, SpinJump::Of::inertial_momentum, {-0.04, 0.1, 0.1}}};
   return c;
 }
 

@@ -192,7 +192,7 @@ TEST(FitDrivenSpin, PredictsThroughAnEncounter) {
 
 TEST(FitDrivenSpin, GoesOnAfterItsJumps) {
   Truth truth = hit();
-  truth.drive.jumps.push_back({"push", 15.0, SpinJump::Of::momentum_I, {0.1, 0.0, -0.05}});
+  truth.drive.jumps.push_back({"push", 15.0, SpinJump::Of::inertial_momentum, {0.1, 0.0, -0.05}});
   oracle::Draw draw(5, 5);
   const SpinFit fit = seen_of(truth, draw, 0.001);
   const SpinSolution s = fit_driven_spin(fit, truth.drive);

@@ -40,6 +40,8 @@ const SHOTS = {
       await page.locator("#moments input").nth(2).press("Enter");
     },
   ],
+  small: [{ width: 1280, height: 720 }, (page) => now(page, 5.3)],
+  tablet: [{ width: 820, height: 1180 }, (page) => choose(page, "apophis")],
   phone: [PHONE, (page) => now(page, 5.3)],
   "phone-dark": [{ ...PHONE, dark: true }, (page) => page.locator("#pane-sphere").scrollIntoViewIfNeeded()],
   "phone-tour": [PHONE, (page) => page.click("#tour-open")],

@@ -209,7 +209,9 @@ export class PlaneView implements View {
     });
     axes.frame();
     axes.below(angles.map((l) => [this.x(l * DEG), `${l}°`.replace("-", "−")] as const));
-    axes.beside([-1, -0.5, 0, 0.5, 1].map((v) => [this.y(v), String(v).replace("-", "−")] as const));
+    const low = box.bottom - box.top < 130;
+    const levels = low ? [-1, 0, 1] : [-1, -0.5, 0, 0.5, 1];
+    axes.beside(levels.map((v) => [this.y(v), String(v).replace("-", "−")] as const));
     symbol(context, "l", (box.left + box.right) / 2 + 34, box.bottom + 22, colours.ink, colours.paper);
     symbol(context, "L/G", 18, this.y(0.75), colours.ink, colours.paper);
     return canvas;
