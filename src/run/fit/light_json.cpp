@@ -132,6 +132,8 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   }
   json.end_array().key("factors").begin_array();
   for (const double factor : s.factors) json.value(factor);
+  json.end_array().key("bound").begin_array();
+  for (const std::size_t k : s.result.bound) json.value(s.covariance.names.at(k));
   json.end_array().key("notes").begin_array();
   for (const std::string& note : s.notes) json.value(note);
   json.end_array().end_object();

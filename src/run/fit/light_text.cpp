@@ -174,6 +174,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                   error_text(f.pole_major.error), error_text(f.pole_minor.error),
                   error_text(f.pole_major.scaled_error), error_text(f.pole_minor.scaled_error)));
   add_numbers(text, light_numbers(scenario, report, i), report.start.has_value());
+  if (!report.start && !s.result.bound.empty()) text += "note: " + s.result.sentence + "\n";
   for (const std::string& note : s.notes) text += "note: " + note + "\n";
 }
 
