@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "bright_night.hpp"
@@ -120,8 +121,11 @@ TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
   EXPECT_LT(inertia.axes_off, budget::convex_axes);
   EXPECT_NEAR(inertia.Ixx, found.body.spin.inertia_F(0, 0), budget::convex_ratio);
 
+  if (std::getenv("POLHODE_TEST_FULL") == nullptr) return;
+  // rounds of moments come to rest where facets are small enough
   fit.moments = MomentSource::shape;
   fit.most_iterations = 400;
+  fit.rows = 12;
   const ConvexSolution tied = fit_convex(fit);
   ASSERT_TRUE(tied.is_found()) << tied.result.sentence;
   const ShapeInertia own = shape_inertia(tied.body);
