@@ -131,7 +131,8 @@ def blind_errors_of(name, text):
 def version_errors():
     text = (ROOT / "include/polhode/version.hpp").read_text()
     version = ".".join(re.findall(r"#define POLHODE_VERSION_\w+ (\d+)", text))
-    homes = (("CITATION.cff", r"^version: (\S+)"), ("CHANGELOG.md", r"^## \[?([\d.]+)"))
+    homes = (("CITATION.cff", r"^version: (\S+)"), ("CHANGELOG.md", r"^## \[?([\d.]+)"),
+             ("web/package.json", r'^  "version": "([\d.]+)"'))
     for name, pattern in homes:
         found = re.search(pattern, (ROOT / name).read_text(), re.MULTILINE)
         if not found or found.group(1) != version:

@@ -14,8 +14,7 @@ void throw_bad_ratio(double a, double b) {
 }
 
 void throw_bad_modulus_pair(double m, double m1) {
-  throw DomainError("Modulus: pair " + tuple_text({m, m1}) +
-                    " breaks 0 <= m, m1 and m + m1 = 1");
+  throw DomainError("Modulus: pair " + tuple_text({m, m1}) + " breaks 0 <= m, m1 and m + m1 = 1");
 }
 
 void throw_bad_any_pair(double m, double m1) {

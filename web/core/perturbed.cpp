@@ -12,6 +12,7 @@
 
 #include "numbers.hpp"
 #include "polhode/dynamics/method.hpp"
+#include "polhode/error.hpp"
 #include "polhode/frame/frame.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
@@ -22,7 +23,6 @@
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/trajectory/save_at.hpp"
 #include "polhode_web.h"
 #include "refusals.hpp"
 
@@ -127,16 +127,19 @@ int polhode_integrate(const double* x, uint32_t count, double* rows) {
     const Adaptive method{.tolerance = x[12]};
     require_valid(method);
     const PerturbedRotor rotor = rotor_of(x);
-    const FreeRotation checked(rotor.body, state(x + 3));
+    const double start = x[10], span = x[11] - x[10];
+    const FreeRotation checked(rotor.body, state(x + 3), start);
+    if (!std::isfinite(span) || count < 2)
+      throw DomainError("integrate: got a stop that is not finite, or fewer than 2 samples");
     const Quaternion q = normalized(checked.initial_state().q);
     const Values y{q.w, q.x, q.y, q.z, x[7], x[8], x[9]};
-    const SaveAt times = SaveAt::count(x[10], x[11], count);
-    Solver solver(rotor, error_size, times[0], y,
+    Solver solver(rotor, error_size, start, y,
                   {method.tolerance, method.first_step, rotor.time_scale()});
     for (uint32_t k = 0; k < count; ++k) {
-      if (!reaches(solver, times[k])) return;
+      const double t = start + span * (static_cast<double>(k) / (count - 1));
+      if (!reaches(solver, t)) return;
       const RotorState s = state(solver.state().y.data());
-      rows = rotor.row(times[k], {normalized(s.q), s.g}, rows);
+      rows = rotor.row(t, {normalized(s.q), s.g}, rows);
       ++made;
     }
   });
