@@ -175,7 +175,9 @@ def test_residuals_say_table_line_and_size(run, fit_file, tmp_path):
     assert numpy.all(numpy.isnan(left["turn_x"][left["table"] == 3]))
     size = numpy.hypot(left["r1"], left["r2"])[left["table"] == 2]
     angle = numpy.sqrt(left["turn_x"]**2 + left["turn_y"]**2 + left["turn_z"]**2)
-    assert_allclose(angle[left["table"] == 2], size, rtol=budgets.cli_carried)
+    # differences of directions of length 1: an error of its own, however small the residual
+    assert_allclose(angle[left["table"] == 2], size, rtol=budgets.cli_carried,
+                    atol=budgets.cli_carried)
     assert (tmp_path / "left.h5").exists() and not list(tmp_path.glob("*.part"))
 
 
