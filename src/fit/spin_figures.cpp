@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -68,6 +69,16 @@ std::array<Vec3, spin_parameters> momentum_changes(const SpinState& s) {
   return found;
 }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Whether it depends on an unknown that the data do not determine.
+bool is_open(const std::vector<double>& a, const UnknownsCovariance& c) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::fabs(a[i]) > 0.0 && c.variance(i) == infinite) return true;
+  return false;
+}
+
+// Of neither open.
 double product(const std::vector<double>& a, const UnknownsCovariance& c,
                const std::vector<double>& b) {
   double sum = 0.0;
@@ -75,6 +86,10 @@ double product(const std::vector<double>& a, const UnknownsCovariance& c,
     for (std::size_t j = 0; j < b.size(); ++j)
       if (a[i] != 0.0 && b[j] != 0.0) sum += a[i] * c.matrix[i * a.size() + j] * b[j];
   return sum;
+}
+
+double error_of(const std::vector<double>& a, const UnknownsCovariance& c) {
+  return is_open(a, c) ? infinite : std::sqrt(product(a, c, a));
 }
 
 FreeRotation motion_of(const SpinState& s) {
@@ -135,8 +150,8 @@ class Figures {
       const double rate = rate1 * d.precession[j] + (is_long ? turn / P_psi * d.period[j] : 0.0);
       return -P_phi * P_phi / turn * rate;
     });
-    f.precession_error = std::sqrt(product(by_phi, c_, by_phi));
-    f.rotation_error = std::sqrt(product(by_psi, c_, by_psi));
+    f.precession_error = error_of(by_phi, c_);
+    f.rotation_error = error_of(by_psi, c_);
     f.correlation = product(by_phi, c_, by_psi) / (f.precession_error * f.rotation_error);
   }
 
@@ -154,10 +169,15 @@ class Figures {
       return by_unknown([&](std::size_t j) { return dot(e, rotate(q, change[j])) / scale; });
     };
     const std::vector<double> x = along(east), y = along(north);
+    if (is_open(x, c_) || is_open(y, c_)) {
+      f.pole_major = f.pole_minor = infinite;
+      f.major_I = is_open(x, c_) ? east : north;
+      return;
+    }
     const double xx = product(x, c_, x), yy = product(y, c_, y), xy = product(x, c_, y);
     const double mean = 0.5 * (xx + yy), apart = std::hypot(0.5 * (xx - yy), xy);
     f.pole_major = std::sqrt(mean + apart);
-    f.pole_minor = std::sqrt(std::fmax(mean - apart, 0.0));
+    f.pole_minor = mean - apart < 0.0 ? 0.0 : std::sqrt(mean - apart);
     const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
     f.major_I = std::cos(angle) * east + std::sin(angle) * north;
   }

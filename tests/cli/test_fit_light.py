@@ -229,6 +229,39 @@ def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):
     assert len(set(fitted(run, steady)["solutions"][0]["factors"])) == 1
 
 
+def test_errors_are_parts_of_the_mean_of_a_session(run, fit_file, tmp_path):
+    """Of a long body seen from its end and from its side, calibrated or not."""
+    table = NIGHT.replace("0.02", "0.1") + 'session_column = ["session"]\n'
+    body = "[light]\nsemiaxes = [5, 1, 1]\n"
+    head = TUMBLER.replace("count = 81", "count = 4001")
+
+    def light(name, *changes, sigma="0.1"):
+        into = tmp_path / name
+        own = table.replace("0.1\n", sigma + "\n")
+        path = fit_file(own, *changes, FREE, body, head=head, name=name + ".toml")
+        done = run("simulate", path, "--into", into)
+        assert done.returncode == 0, done.stderr
+        return rows(into / "night.csv")
+
+    whole = light("whole", sigma="1e-9")
+    at = numpy.sort(whole["t"][[whole["flux"].argmin(), whole["flux"].argmax()]])
+    sessions = f"[simulate]\nsessions = [{at[0] - 2}, {at[0] + 2}, {at[1] - 2}, {at[1] + 2}]\n"
+    noisy = light("noisy", "calibrated = true\n", sessions)
+    own = light("own", sessions)
+    clean = light("clean", "calibrated = true\n", sessions, sigma="1e-9")
+    means = []
+    for k in (1, 2):
+        one = noisy["session"] == k
+        means.append(clean["flux"][one].mean())
+        assert_allclose(noisy["sigma"][one], noisy["sigma"][one][0], rtol=budgets.cli_rounding)
+        assert noisy["sigma"][one][0] == pytest.approx(0.1 * means[-1], rel=budgets.cli_carried)
+        off = (noisy["flux"] - clean["flux"])[one]
+        assert 0.07 < off.std() / means[-1] < 0.13
+        assert numpy.all(own["sigma"][own["session"] == k] == 0.1)
+    low, high = sorted(means)
+    assert high > 1.5 * low
+
+
 ORBITS = """
 [orbit.body]
 kind = "kepler"
@@ -290,6 +323,13 @@ def test_bad_light_is_refused(run, fit_file, tmp_path, data, change, expected):
     (FREE + '[fit]\nfrom = "search"\n[fit.scan]\nshortest = 3\nlongest = 2\n',
      "expected a period longer"),
     (FREE + "[simulate]\nsessions = [1, 2, 3]\n", "expected pairs of times"),
+    (FREE + "[fit]\nwithin = 5\n", "fit.within_factor is theirs"),
+    (FREE + "[fit]\nrate_spread = 1\n", "expected none with light curves"),
+    (FREE + "[fit]\nstarts = 5\n", 'expected fit.from = "search" as well'),
+    (FREE + '[[free.jump]]\nkind = "rate"\nt = 50\nchange = [0, 0, 1]\n',
+     "free.jump[0].kind: got \"rate\"; expected none: light curves are fitted in free rotation"),
+    (FREE + '[[surface]]\narea = "2 m2"\nnormal = [0, 0, 1]\n[[free.parameter]]\n'
+     'key = "surface[0].area"\n', "free.parameter[0].key"),
     (FREE + ("[[observation]]\nkind = \"attitude\"\nfile = \"a\"\ntimes = \"at-body\"\n"
              "sigma = 1\n"), "expected light curves alone"),
 ])

@@ -179,6 +179,14 @@ def test_a_jump_is_found(run, fit_file, tmp_path):
     assert run("fit", path, "--residuals", residuals).returncode == 0
     last = rows(residuals.read_text())
     assert abs(last["turn_x"][-1]) < 5
+    # the text is of t = 0, as the numbers are, and the scenario of what comes after the jump
+    text = run("fit", path).stdout
+    assert "at t = 0, before the jumps:\n" in text
+    period, = (line for line in text.splitlines() if line.startswith("P_phi"))
+    json_period = fitted(run, path)["precession_period"]["value"]
+    assert f"{json_period:.6g}" in period, period
+    later = json.loads(run("info", out, "--json").stdout)["precession_period"]["value"]
+    assert abs(later - json_period) > 0.01 * json_period
     # runs of the solution are right after the jump
     q = attitudes(run, out, "--set", "time={ at = [96] }")
     seen = rows((tmp_path / "seen.csv").read_text())
@@ -226,3 +234,29 @@ def test_a_damper_is_refused(run, fit_file, tmp_path):
     (tmp_path / "seen.csv").write_text("t,qw,qx,qy,qz\n0,1,0,0,0\n")
     damper = '[[perturbation]]\nkind = "kane-damper"\nsphere_moment = 1e6\nfriction = 1e3\n'
     assert "expected no damper" in refused(run, fit_file(damper))
+    second = refused(run, fit_file(TORQUE, damper))
+    assert 'perturbation[1].kind: got "kane-damper"' in second, second
+
+
+def test_a_parameter_without_a_torque_is_open(run, fit_file, tmp_path):
+    """A surface that no perturbation looks at: its area is an unknown all the same."""
+    surface = ('[[surface]]\narea = "2 m2"\nnormal = [0, 0, 1]\n'
+               '[[free.parameter]]\nkey = "surface[0].area"\n')
+    path = fit_file(surface)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    found = fitted(run, path)
+    assert found["unknowns"]["surface[0].area"]["error"] is None
+    assert any("do not determine surface[0].area" in note for note in found["notes"])
+
+
+def test_errors_are_scaled_on_a_bound(run, fit_file, tmp_path):
+    path = fit_file(TORQUE, FREE_TORQUE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    bound = fit_file(TORQUE.replace("-3e-2", "-1e-2"), FREE_TORQUE + "low = -1e-2\n",
+                     name="bound.toml")
+    found = fitted(run, bound)
+    assert "bound" in found["sentence"]
+    torque = found["unknowns"]["perturbation[0].torque[2]"]
+    assert torque["value"] == torque["scaled_value"] == -1e-2
+    for one in found["unknowns"].values():
+        assert abs(one["scaled_value"] - one["value"]) < one["error"]

@@ -10,7 +10,8 @@
 // Domain      a covariance whose unknowns have the names that fit_spin and fit_light give them,
 //             about `state`; b/a and c/b change moments where `moments_of_shape` says so. Periods
 //             are 0 where the regime has none; their errors are NaN where the motion is a
-//             degenerate one, infinite where the data do not determine them.
+//             degenerate one. Errors are infinite of what depends on an unknown that the data do
+//             not determine, those of the pole then both; a correlation with it is NaN.
 // Accuracy    first order in the errors; budget spin_figures in tests/budgets/fit.hpp.
 // Errors      DomainError as FreeRotation; for a state without momentum.
 // Cost        one preparation with dual numbers: some hundred microseconds.

@@ -45,9 +45,8 @@ struct FoundSpin {
 };
 
 struct FitReport {
-  SpinFit problem;  // from the start of the file, with errors as they were given
-  // Torques and jumps; none of free rotation. It refers to the scenario.
-  std::optional<SpinDrive> drive;
+  SpinFit problem;                 // from the start of the file, with errors as they were given
+  std::optional<SpinDrive> drive;  // torques and jumps; none of free rotation
   ReadObservations observed;
   std::vector<FoundSpin> solutions;  // by what they cost
   std::int64_t starts = 1;

@@ -31,8 +31,7 @@ struct FitDrive {
   std::vector<SpinJump> jumps;
 };
 
-// The torques of a scenario of kind "fit" with what of them is unknown, and its jumps. The scenario
-// must outlive it.
+// The torques of a scenario of kind "fit" with what of them is unknown, and its jumps.
 SpinDrive spin_drive(const Scenario& scenario);
 
 }  // namespace v0

@@ -145,12 +145,8 @@ SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
     about.start = residuals.state(found.result.x);
     driven = residuals.drive(found.result.x);
     about.error_factor = problem.error_factor;
-    // On a bound there is no start for another round.
     const bool is_far = size_of_turn(fit, found.result.x) > far_turn;
-    if (!is_far || !found.result.bound.empty() ||
-        found.result.end == LeastSquaresResult::End::no_value) {
-      break;
-    }
+    if (!is_far || found.result.end == LeastSquaresResult::End::no_value) break;
   }
   found.result.iterations = iterations;
   found.result.evaluations = evaluations;

@@ -66,11 +66,12 @@ class ConvexFitter {
         [this](int most_iterations) { return problem(most_iterations); },
         [this](const std::vector<double>& x) { move(x); }};
     int left = fit_.most_iterations;
-    for (int round = 0; round < most_rounds && left > 0; ++round) {
+    for (int round = 1;; ++round) {
       found_.notes.clear();
       detail::settle(turning, left, first->curves().groups(), found_);
       left -= found_.result.iterations;
-      if (fit_.moments != MomentSource::shape || !found_.is_found() || !moments_change()) break;
+      if (fit_.moments != MomentSource::shape || !found_.is_found()) break;
+      if (!goes_on(round, left)) break;
     }
     found_.result.iterations = fit_.most_iterations - left;
     if (found_.result.end == LeastSquaresResult::End::no_value) return;
@@ -122,13 +123,30 @@ class ConvexFitter {
     b.law = at->law_at(x);
   }
 
-  // Takes the moments of the body that was found; whether they are others.
-  bool moments_change() {
-    const ShapeInertia now = shape_inertia(found_.body);
+  // Whether the body that was found has other moments than it was fitted with, and another round is
+  // left for them: then they are taken.
+  bool goes_on(int round, int left) {
+    LeastSquaresResult& result = found_.result;
+    ShapeInertia now{};
+    try {
+      now = shape_inertia(found_.body);
+    } catch (const DomainError& error) {  // facets that close no body
+      result.end = LeastSquaresResult::End::no_descent;
+      result.sentence =
+          std::string("not converged: no moments follow from the shape: ") + error.what();
+      return false;
+    }
     Mat3& T = found_.body.spin.inertia_F;
     const double change =
         std::max(std::abs(now.Ixx - T(0, 0) / T(2, 2)), std::abs(now.Iyy - T(1, 1) / T(2, 2)));
     if (change <= same_moments) return false;
+    if (round == most_rounds || left <= 0) {
+      result.end = LeastSquaresResult::End::iteration_limit;
+      result.sentence = "not converged: the moments of the shape did not come to rest in " +
+                        std::to_string(round) + (round == 1 ? " round" : " rounds") +
+                        (left <= 0 ? "; allow more iterations" : "; take smaller facets");
+      return false;
+    }
     T = Mat3::identity();
     T(0, 0) = now.Ixx;
     T(1, 1) = now.Iyy;

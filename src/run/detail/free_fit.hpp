@@ -7,7 +7,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// ScenarioError unless nothing acts on the body and its state is relative to inertial axes.
+// For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
+// and the state is relative to inertial axes.
 void require_free_fit(const Scenario& scenario);
 
 }  // namespace detail

@@ -53,18 +53,19 @@ std::string value_text(const Value& value, const std::map<std::size_t, double>& 
 std::optional<SpinDrive> drive_of(const Scenario& scenario) {
   const Rotation& rotation = scenario.rotation();
   const FitDrive& plan = require_fit(scenario).drive;
-  if (rotation.damper)
-    refuse(scenario.document.checked->values, "perturbation[0].kind", scenario.document.path,
-           "expected no damper: a fit knows no state of one");
-  if (rotation.kinds.empty() && plan.jumps.empty()) return std::nullopt;
+  if (rotation.damper) {
+    const auto place = std::ranges::find(rotation.kinds, "kane-damper") - rotation.kinds.begin();
+    refuse(scenario.document.checked->values, "perturbation[" + std::to_string(place) + "].kind",
+           scenario.document.path, "expected no damper: a fit knows no state of one");
+  }
+  if (rotation.kinds.empty() && plan.jumps.empty() && plan.parameters.empty()) return std::nullopt;
   return spin_drive(scenario);
 }
 
 SpinSolution solved(const FitReport& report, const SpinFit& fit, const SpinSolution* from) {
   if (!report.drive) return fit_spin(fit);
-  const bool goes_on = from != nullptr && from->result.bound.empty();
   return fit_driven_spin(
-      fit, goes_on ? solved_drive(report.problem, *report.drive, *from) : *report.drive);
+      fit, from != nullptr ? solved_drive(report.problem, *report.drive, *from) : *report.drive);
 }
 
 std::vector<PredictedAttitude> predicted_by(const FitReport& report, const SpinSolution& solution,

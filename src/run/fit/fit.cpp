@@ -134,13 +134,24 @@ class Solutions {
     if (!(raw.degrees_of_freedom >= least_freedom) || !(raw.result.chi_square > 0.0))
       return std::nullopt;
     SpinFit again = problem_;
-    // a fit does not begin on a bound
-    again.start = raw.result.bound.empty() ? raw.state : start_of(plan_, problem_.start, of.start);
+    again.start = raw.state;
     again.scales_errors = true;
     try {
       SpinSolution found = detail::solved(report_, again, &raw);
       if (found.is_found()) return found;
-    } catch (const DomainError&) {  // nearer to a bound than a start may be
+    } catch (const DomainError&) {  // a state that is no start
+      return scaled_from_its_start(of, again);
+    }
+    return std::nullopt;
+  }
+
+  // From the start that led to it, where that leads to it again.
+  std::optional<SpinSolution> scaled_from_its_start(const FoundSpin& of, SpinFit again) const {
+    again.start = start_of(plan_, problem_.start, of.start);
+    try {
+      SpinSolution found = detail::solved(report_, again);
+      if (found.is_found() && are_same(report_, of.raw, found)) return found;
+    } catch (const DomainError&) {  // errors are as they were given
     }
     return std::nullopt;
   }

@@ -130,19 +130,24 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
                                fit_numbers(scenario, report, solution), path);
 }
 
-std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
-  const SpinSolution& raw = report.solutions.at(solution).raw;
-  const SpinState state = detail::last_state(report, raw);
+std::string detail::text_from_state(const Scenario& scenario, const FitReport& report,
+                                    const SpinSolution& raw, const SpinState& state) {
   std::vector<ScenarioChange> changes = detail::without_observations(scenario);
   add_body(scenario, report, state, changes);
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
   detail::add_rows_of(scenario, times_of(report.observed.seen), changes);
   detail::add_torques(scenario, report, raw, changes);
+  return changed_text(scenario.document.text, changes);
+}
+
+std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
+  const SpinSolution& raw = report.solutions.at(solution).raw;
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + "\n" +
-         detail::jump_comment(scenario, report) + changed_text(scenario.document.text, changes);
+         detail::jump_comment(scenario, report) +
+         detail::text_from_state(scenario, report, raw, detail::last_state(report, raw));
 }
 
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,

@@ -38,14 +38,16 @@ std::string number_or_dash(const std::optional<double>& x, const char* form) {
   return x ? fmt::format(fmt::runtime(form), *x) : std::string("-");
 }
 
-// What a reader knows a spin state by, from the scenario of the solution.
+// What a reader knows a spin state by, from the scenario of the solution: at t = 0, before jumps.
 constexpr std::string_view shown_lines[] = {"mode", "precession_period", "rotation_period",
                                             "short_axis_period", "pole"};
 
 std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& report,
                                      std::size_t solution) {
-  const Scenario made = scenario_from_text(solution_text(scenario, report, solution),
-                                           scenario.document.path, *scenario.document.kinds);
+  const SpinSolution& raw = report.solutions[solution].raw;
+  const Scenario made =
+      scenario_from_text(detail::text_from_state(scenario, report, raw, raw.state),
+                         scenario.document.path, *scenario.document.kinds);
   std::vector<SummaryLine> lines = summary(made);
   std::erase_if(lines, [](const SummaryLine& line) {
     return std::find(std::begin(shown_lines), std::end(shown_lines), line.key) ==
@@ -146,6 +148,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
                              units.from_core(raw.attitude_rms, Dimension::angle), units.angle()));
   if (found.scaled)
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
+  if (report.drive && !report.drive->jumps.empty()) text += "at t = 0, before the jumps:\n";
   add_fit_line(text, "phi, theta, psi", euler_text(scenario, raw.state.q));
   text += summary_table(state_lines(scenario, report, place));
   text += error_lines(scenario, found);

@@ -164,14 +164,25 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
   }
 }
 
+void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
+  const Observation& of = plan_of(scenario).observations.at(table);
+  if ((of.kind == Observation::Kind::light_curve) == is_light) return;
+  detail::refuse(scenario.document.checked->values,
+                 "observation[" + std::to_string(table) + "].kind", scenario.document.path,
+                 is_light ? "expected \"light-curve\"; what else is seen is simulated by simulated"
+                          : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
+                            "simulated by simulated_light");
+}
+
 }  // namespace
 
 Snapshots simulated(const Scenario& scenario, std::size_t table) {
+  require_light(scenario, table, false);
   return rows_of(plan_of(scenario), table, motion_of(scenario));
 }
 
 std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table) {
-  static_cast<void>(plan_of(scenario));
+  require_light(scenario, table, true);
   return detail::simulated_sessions(scenario, table, motion_of(scenario));
 }
 

@@ -98,8 +98,9 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
     const double own = sum_of(curves[i]) / static_cast<double>(curves[i].points.size());
     for (std::size_t k = 0; k < curves[i].points.size(); ++k) {
       LightPoint& p = curves[i].points[k];
-      p.flux /= of.is_calibrated ? mean : own;
-      p.sigma = *of.sigma;
+      const double unit = of.is_calibrated ? mean : own;
+      p.flux /= unit;
+      p.sigma = *of.sigma * (own / unit);  // a part of the mean of its session, as it is read
       p.flux += noise.at(rows[i][k], {p.sigma, 0.0, 0.0}).x;
     }
   }

@@ -100,8 +100,10 @@ SpinDrive spin_drive(const Scenario& scenario) {
     drive.terms = [terms = scenario.rotation().terms](std::span<const double>) { return terms; };
     return drive;
   }
-  const auto base = std::make_shared<const detail::PreparedBase>(scenario, keys);
-  drive.terms = [base](std::span<const double> numbers) {
+  // a base refers to its scenario, and the drive may outlive that of the caller
+  const auto own = std::make_shared<const Scenario>(scenario);
+  const auto base = std::make_shared<const detail::PreparedBase>(*own, keys);
+  drive.terms = [own, base](std::span<const double> numbers) {
     return detail::rotation_of(base->experiment(numbers)).terms;
   };
   return drive;

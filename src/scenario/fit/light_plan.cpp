@@ -111,6 +111,14 @@ void require_words(const FitContext& at, bool of_light) {
            "expected no products: the axes of the ellipsoid are principal ones");
   if (!array_paths(at.values, "free.prior").empty())
     refuse(at, "free.prior[0].kind", "expected no prior: a fit of light curves takes none");
+  if (is_explicit(at.values, "fit.within"))
+    refuse(at, "fit.within", "expected none with light curves; fit.within_factor is theirs");
+  if (is_explicit(at.values, "fit.rate_spread"))
+    refuse(at, "fit.rate_spread", "expected none with light curves: a search has rates of periods");
+  if (is_explicit(at.values, "fit.starts") && word(at.values, "fit.from") != "search")
+    refuse(at, "fit.starts",
+           "expected fit.from = \"search\" as well: light curves are fitted from one start "
+           "otherwise");
 }
 
 LightPlan light_plan(const FitContext& at, const Rotation& rotation) {

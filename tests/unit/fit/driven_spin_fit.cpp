@@ -134,6 +134,25 @@ TEST(FitDrivenSpin, FindsWhatIsExact) {
   }
 }
 
+// With a number held on its bound, from near and from more than a radian away.
+TEST(FitDrivenSpin, TurnsFarWithANumberOnItsBound) {
+  const Truth truth = braked();
+  oracle::Draw draw(23, 0);
+  SpinFit fit = seen_of(truth, draw, 0.05);
+  SpinDrive drive = truth.drive;
+  drive.parameters[0].low = drive.parameters[0].start = 6e-3;  // above the truth
+  const SpinSolution near = fit_driven_spin(fit, drive);
+  ASSERT_TRUE(near.is_found()) << near.result.sentence;
+  ASSERT_FALSE(near.result.bound.empty());
+  fit.start.q = normalized(fit.start.q * detail::turn_by({0.0, 0.0, 1.2}));
+  const SpinSolution far = fit_driven_spin(fit, drive);
+  ASSERT_TRUE(far.is_found()) << far.result.sentence;
+  EXPECT_EQ(far.result.bound, near.result.bound);
+  EXPECT_LE(mahalanobis(near.covariance, unknowns_at(fit, drive, near.state, far),
+                        unknowns_at(fit, drive, near.state, near)),
+            budget::fit_same);
+}
+
 TEST(FitDrivenSpin, ErrorsAreWhatTheySay) {
   const Truth truths[] = {pushed(), braked(), passed(), hit()};
   double distance = 0.0, freedom = 0.0;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,52 @@ TEST(SpinFigures, ErrorsAreDerivativesInBothModes) {
 TEST(SpinFigures, ErrorsAreDerivativesOfTensors) {
   expect_differences({0.0, attitude_of_all, {2.4, 0.9, 0.3}, tensor(0.5, 0.9, 0.06, -0.04, 0.05)},
                      11);
+}
+
+// As covariance() has it of unknowns of which one is undetermined.
+UnknownsCovariance open_in(std::size_t open) {
+  UnknownsCovariance c;
+  c.names.assign(names.begin(), names.begin() + 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      const bool any = i == open || j == open;
+      const double undefined = i == j ? std::numeric_limits<double>::infinity()
+                                      : std::numeric_limits<double>::quiet_NaN();
+      c.matrix.push_back(any ? undefined : i == j ? 1e-4 : 1e-6);
+    }
+  }
+  return c;
+}
+
+TEST(SpinFigures, WhatDependsOnAnOpenUnknownHasNoError) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const SpinState s{0.0, attitude_of_all, {2.4, 0.9, 0.3}, tensor(0.4, 0.88, 0.0, 0.0, 0.0)};
+  const SpinFigures of_rate = spin_figures(s, open_in(3));
+  EXPECT_EQ(of_rate.precession_error, infinite);
+  EXPECT_EQ(of_rate.rotation_error, infinite);
+  EXPECT_TRUE(std::isnan(of_rate.correlation));
+  const SpinFigures of_turn = spin_figures(s, open_in(2));
+  for (const SpinFigures& f : {of_rate, of_turn}) {
+    EXPECT_EQ(f.pole_major, infinite);
+    EXPECT_EQ(f.pole_minor, infinite);
+    EXPECT_NEAR(norm(f.major_I), 1.0, budget::spin_figures);
+  }
+  // periods do not depend on turns: as if there were no such unknown
+  UnknownsCovariance rest;
+  rest.names.assign(names.begin() + 3, names.begin() + 6);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) rest.matrix.push_back(i == j ? 1e-4 : 1e-6);
+  const SpinFigures known = spin_figures(s, rest);
+  EXPECT_EQ(of_turn.precession_error, known.precession_error);
+  EXPECT_EQ(of_turn.rotation_error, known.rotation_error);
+  EXPECT_EQ(of_turn.correlation, known.correlation);
+}
+
+TEST(SpinFigures, WithoutACovarianceNoErrorIsZero) {
+  const SpinState s{0.0, attitude_of_all, {2.4, 0.9, 0.3}, tensor(0.4, 0.88, 0.0, 0.0, 0.0)};
+  const SpinFigures f = spin_figures(s, {{"w_x"}, {std::numeric_limits<double>::quiet_NaN()}, {}});
+  for (const double x : {f.precession_error, f.rotation_error, f.pole_major, f.pole_minor})
+    EXPECT_TRUE(std::isnan(x)) << x;
 }
 
 TEST(SpinFigures, MomentsFollowTheShape) {
