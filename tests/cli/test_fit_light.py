@@ -210,6 +210,14 @@ def test_a_scan_has_a_landscape(run, night, fit_file, tmp_path):
     assert (tmp_path / "l.h5").exists()
 
 
+def test_a_landscape_without_a_scan_is_refused_before_the_fit(run, night, tmp_path):
+    out = tmp_path / "landscape.csv"
+    done = run("fit", night, "--landscape", out, "--json")
+    assert done.returncode != 0 and not done.stdout and not out.exists()
+    assert "--landscape: no scan is made" in done.stderr
+    assert 'expected fit.from = "search" without fit.periods' in done.stderr
+
+
 def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):
     """Two sessions of one table, each as parts of its mean, and the same calibrated."""
     table = NIGHT + 'session_column = ["session"]\n'
