@@ -104,11 +104,17 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
 
 // A search is stopped as the system does it: nothing is written before its end.
 void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
+  const LightPlan& plan = require_fit(scenario).light;
+  const bool scans = plan.searches && plan.periods.empty();
+  if (!options.landscape.empty() && !scans)
+    throw DomainError(scenario.document.name +
+                      ": --landscape: no scan is made, and there is no landscape; expected "
+                      "fit.from = \"search\" without fit.periods");
   LightFitOptions how;
   how.threads = threads_of(options);
   std::optional<ProgressLine> progress;
   constexpr double whole = 100.0;
-  if (require_fit(scenario).light.searches) {
+  if (plan.searches) {
     progress.emplace(static_cast<std::int64_t>(whole), "hundredths of the scan", 0);
     how.progress = [&progress](const std::string& stage, double part) {
       if (stage != "scan")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-# A start on a bound is put as far inside it, of the room between bounds or of the unknown's size.
+# A start on a bound is put as far inside it: of the room between bounds, of 1 where one is open.
 INSIDE = 1e-3
 
 

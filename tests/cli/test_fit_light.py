@@ -160,6 +160,18 @@ def test_a_light_curve_is_fitted_from_a_start_nearby(run, night, tmp_path):
     assert "81 points of 1 light curve, relative" in text and "P_phi (long axis)" in text
 
 
+def test_as_many_unknowns_as_points_leave_no_scaled_errors(run, fit_file, tmp_path):
+    """9 points, 8 unknowns and a factor: nothing is left to scale errors by."""
+    head = TUMBLER.replace("stop = 120\ncount = 81", "stop = 31\ncount = 9")
+    path = fit_file(NIGHT.replace("0.02", "1e-5"), FREE, head=head)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    solution, = fitted(run, path)["solutions"]
+    assert abs(solution["degrees_of_freedom"]) < 0.5
+    assert "error_factor" not in solution and solution["pole"]["scaled_error_major"] is None
+    assert not any("scaled_error" in one for one in solution["unknowns"].values())
+    assert "errors scaled by" not in run("fit", path).stdout
+
+
 def test_columns_of_vectors_are_those_of_the_keys(run, night, fit_file):
     given = fitted(run, night)["solutions"][0]
     read = fitted(run, fit_file(SEEN_NIGHT, FREE, head=TUMBLER, name="read.toml"))["solutions"][0]
@@ -208,6 +220,14 @@ def test_a_scan_has_a_landscape(run, night, fit_file, tmp_path):
     assert_allclose(grid, grid.T, rtol=budgets.cli_landscape)
     assert chi["f1"][0] == pytest.approx(1 / 30) and chi["f2"][-1] <= 1 / 5
     assert (tmp_path / "l.h5").exists()
+
+
+def test_a_landscape_without_a_scan_is_refused_before_the_fit(run, night, tmp_path):
+    out = tmp_path / "landscape.csv"
+    done = run("fit", night, "--landscape", out, "--json")
+    assert done.returncode != 0 and not done.stdout and not out.exists()
+    assert "--landscape: no scan is made" in done.stderr
+    assert 'expected fit.from = "search" without fit.periods' in done.stderr
 
 
 def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):

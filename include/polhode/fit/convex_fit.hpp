@@ -14,8 +14,8 @@
 // Domain      axes F are principal: inertia_F is diagonal. MomentSource::fit: moments of their own,
 //             about those of the start to moments_error; start: those stay; shape: those of an even
 //             filling of the body that is found, from round to round; they need small facets (rows
-//             12) to come to rest. A convex body that has the
-//             light of a hollow one is a model of it, no more.
+//             12) to come to rest, and where they do not the fit has not converged. A convex body
+//             that has the light of a hollow one is a model of it, no more.
 // Accuracy    derivatives: budget surface_bend in tests/budgets/fit.hpp; errors: covariance.hpp,
 //             under this regularisation alone. Facets bend the light where they pass a terminator,
 //             so that a fit comes to rest beside the least: converged is nearer than one standard

@@ -4,11 +4,12 @@
 // Equations   Minkowski's theorem: areas A_j > 0 on normals n_j that do not lie in a half space,
 //             with sum A_j n_j = 0, are those of one convex polyhedron. Its distances h_j of facets
 //             from an inner point are the least of sum A_j h_j at a given volume (Little 1983;
-//             Lamberg & Kaasalainen 2001): Newton's method for ln sum A_j h_j - (1/3) ln V, whose
-//             derivatives are the areas dV/dh_j and, of those, edge lengths over sines of angles.
+//             Lamberg & Kaasalainen 2001); there the areas a_j = dV/dh_j are proportional to A_j.
+//             Newton's method for a(h) = A, da_j/dh_k the edge lengths over sines of angles.
+// Corrections none.
 // Units       areas in any unit of length squared, vertices in that of length.
-// Domain      closure to a part in 1e-6 is asked for of nobody: what sum A_j n_j is off 0 is taken
-//             from the areas, each by its part along the sum, before the body is looked for.
+// Domain      areas need not close exactly: what sum A_j n_j is off 0 is taken from the areas, each
+//             by its part along the sum, before the body is looked for.
 // Accuracy    budget convex_areas: areas of the mesh, of the total. The origin is the centre of
 //             mass of an even filling.
 // Errors      DomainError for numbers of areas and normals that differ, areas that are not

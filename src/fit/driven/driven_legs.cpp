@@ -2,6 +2,7 @@
 #include "fit/driven/driven_legs.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace polhode {
@@ -34,7 +35,10 @@ std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
         if (side * t > side * t0 && side * t < last) ends.emplace_back(side * t, std::nullopt);
       }
     }
-    std::ranges::sort(ends);
+    // At one time: backwards first the jumps, so that no leg with its observations comes before.
+    std::ranges::sort(ends, {}, [&](const auto& end) {
+      return std::tuple(end.first, side < 0.0 && !end.second, end.second);
+    });
     ends.emplace_back(last, std::nullopt);
     double from = side * t0;
     std::size_t next = 0;

@@ -127,6 +127,8 @@ void for_readings(Regime mode, const FourierTerm& first, const FourierTerm& seco
 
 std::vector<LikelyPeriods> likely_periods(const FourierFit& fit) {
   std::vector<FourierTerm> terms = fit.terms;
+  // a line without power is no line
+  std::erase_if(terms, [](const FourierTerm& t) { return !(power(t) > 0.0); });
   std::ranges::stable_sort(terms, std::ranges::greater{}, power);
   double total = 0.0;
   for (const FourierTerm& t : terms) total += power(t);

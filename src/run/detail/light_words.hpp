@@ -15,6 +15,9 @@ const char* mode_word(Regime mode);  // "SAM", "LAM", or what else it is
 const char* beside_word(const FoundLight& found);
 const char* image_word(LightImage image);
 
+// By what errors are scaled; NaN where the data leave no degree of freedom or no residual.
+double scale_of(const LightOutcome& found);
+
 // Where a direction along the axes of the state points, in rad: longitude or right ascension, 0 to
 // 2 pi, and latitude or declination.
 struct SkyPlace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The solutions of a fit of light curves for programs.
+#include <cmath>
+
 #include "run/detail/light_words.hpp"
 #include "text/json.hpp"
 
@@ -108,12 +110,15 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   json.key("sentence").value(one.sentence.empty() ? s.result.sentence : one.sentence);
   json.key("chi_square").value(s.result.chi_square);
   json.key("degrees_of_freedom").value(s.degrees_of_freedom);
-  json.key("error_factor").value(s.error_factor());
+  if (const double scale = detail::scale_of(s); std::isfinite(scale))
+    json.key("error_factor").value(scale);
   json.key("starts").value(whole(one.starts));
   json.key("iterations").value(static_cast<std::int64_t>(s.result.iterations));
   json.key("mode").value(detail::mode_word(s.periods.mode));
-  add_with_errors(json, "precession_period", f.precession_period);
-  add_with_errors(json, "rotation_period", f.rotation_period);
+  if (s.periods.precession_period > 0.0) {
+    add_with_errors(json, "precession_period", f.precession_period);
+    add_with_errors(json, "rotation_period", f.rotation_period);
+  }
   add_pole(json, scenario, f);
   json.key("shape").begin_object();
   json.key("b/a").value(s.body.shape.b / s.body.shape.a);

@@ -36,6 +36,11 @@ std::string with_errors(const WithErrors& x) {
                      error_text(x.error), error_text(x.scaled_error));
 }
 
+// "-" where a motion has none: it is steady, or on the separatrix.
+std::string period_text(const WithErrors& period) {
+  return period.value > 0.0 ? number_text(period.value, period.error) : std::string("-");
+}
+
 double period_of(const Scenario& scenario, double frequency) {
   return scenario.units().from_core(1.0 / frequency, Dimension::time);
 }
@@ -132,8 +137,7 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
     text += fmt::format(
         "{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n", i + 1,
         one.solution.result.chi_square, detail::mode_word(one.solution.periods.mode),
-        number_text(f.precession_period.value, f.precession_period.error),
-        number_text(f.rotation_period.value, f.rotation_period.error), f.pole.longitude,
+        period_text(f.precession_period), period_text(f.rotation_period), f.pole.longitude,
         f.pole.latitude, body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
   }
 }
@@ -161,7 +165,8 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
   add_fit_line(text, "chi-square",
                fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
                            s.degrees_of_freedom));
-  add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", s.error_factor()));
+  if (const double scale = detail::scale_of(s); std::isfinite(scale))
+    add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {
     add_fit_line(text, "P_phi (long axis)", with_errors(f.precession_period));

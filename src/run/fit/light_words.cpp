@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "polhode/math/real.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -52,6 +53,12 @@ const char* image_word(LightImage image) {
                                : "none";
 }
 
+double scale_of(const LightOutcome& found) {
+  constexpr double least_freedom = 0.5;
+  const bool has = found.degrees_of_freedom >= least_freedom && found.result.chi_square > 0.0;
+  return has ? found.error_factor() : std::numeric_limits<double>::quiet_NaN();
+}
+
 SkyPlace sky_place(const Vec3& d) {
   const double longitude = std::atan2(d.y, d.x);
   return {longitude < 0.0 ? longitude + 2.0 * pi<double>() : longitude,
@@ -62,7 +69,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
-  const double scale = s.error_factor();
+  const double scale = scale_of(s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
     return WithErrors{units.from_core(value, d), units.from_core(error, d),
@@ -96,7 +103,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   std::vector<double> value = light_unknowns_at(report.unknowns, about, found.body);
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double scale = found.error_factor();
+  const double scale = detail::scale_of(found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string& name = found.covariance.names.at(i);

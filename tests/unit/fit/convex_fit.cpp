@@ -194,6 +194,43 @@ TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
   EXPECT_EQ(fit_convex_of_periods(search, how, 1, 1).size(), 1u);
 }
 
+// A fit that ends with moments that are not those of its shape has not converged; its own are
+// those it was made with.
+TEST(ConvexFit, SaysWhereMomentsAreNotAtRest) {
+  ConvexFit fit;
+  fit.curves = light_of(egg(), 60, 0.01);
+  fit.start = in_short_axis_mode;
+  fit.degree = 3;
+  fit.rows = 4;
+  fit.moments = MomentSource::start;
+  const ConvexSolution once = fit_convex(fit);
+  ASSERT_TRUE(once.is_found()) << once.result.sentence;
+  fit.moments = MomentSource::shape;
+  fit.most_iterations = once.result.iterations;
+  const ConvexSolution found = fit_convex(fit);
+  EXPECT_EQ(found.result.end, LeastSquaresResult::End::iteration_limit);
+  EXPECT_THAT(found.result.sentence, HasSubstr("moments of the shape did not come to rest"));
+  EXPECT_EQ(found.body.spin.inertia_F(0, 0), once.body.spin.inertia_F(0, 0));
+  EXPECT_EQ(found.result.chi_square, once.result.chi_square);
+}
+
+// Areas that are far from closed have no body and no moments: said of the fit, not thrown.
+TEST(ConvexFit, SaysWhereTheShapeHasNoMoments) {
+  BrightConvex open = egg();
+  open.coefficients[2] += 2.5;  // l = 1
+  EXPECT_THAT(message_of([&] { static_cast<void>(open.mesh()); }), HasSubstr("too far from 0"));
+  ConvexFit fit;
+  fit.curves = light_of(open, 150, 0.005);
+  fit.start = in_short_axis_mode;
+  fit.degree = 4;
+  fit.rows = 5;
+  fit.closure_error = fit.axes_error = fit.roughness_error = 1e3;
+  fit.moments = MomentSource::shape;
+  const ConvexSolution found = fit_convex(fit);
+  EXPECT_EQ(found.result.end, LeastSquaresResult::End::no_descent) << found.result.sentence;
+  EXPECT_THAT(found.result.sentence, HasSubstr("the shape that was found has no moments: "));
+}
+
 TEST(MeshFit, FindsTheSpinOfAConvexMesh) {
   const FacetShape mesh = globe(8, [](const Vec3& v) { return Vec3{1.2 * v.x, v.y, 0.6 * v.z}; });
   const BrightMesh truth{in_short_axis_mode.spin, ShadedMesh(mesh), Scattering::mixed(0.2)};

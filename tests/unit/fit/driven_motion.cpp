@@ -11,6 +11,7 @@
 #include "budgets.hpp"
 #include "driven_cases.hpp"
 #include "fit/detail/spin_motion.hpp"
+#include "fit/driven/driven_legs.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
@@ -253,6 +254,30 @@ TEST(DrivenMotion, WithoutDriveItIsFree) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     EXPECT_LE(norm(attitude_residual((*points)[i].q, free[i].q)), budget::fit_driven_motion);
   }
+}
+
+// Where a torque has an edge at the time of a jump, what is seen then is before the jump on both
+// ways.
+TEST(DrivenLegs, SeeBeforeTheJumpWhereATorqueHasAnEdge) {
+  struct Edged : ConstantTorque {
+    std::vector<double> breakpoints() const { return {-3.0, 2.0}; }
+  };
+  const std::vector<AnyPerturbation> terms{{"edged", Edged{ConstantTorque::in_body({0, 0, 1})}}};
+  const std::vector<SpinJump> jumps{{"a", -3.0, SpinJump::Of::rate, {}},
+                                    {"b", 2.0, SpinJump::Of::rate, {}}};
+  const std::vector<double> times{-5.0, -3.0, 2.0, 4.0};
+  double undone = 0.0;
+  std::size_t seen = 0;
+  for (const detail::DrivenLeg& leg : detail::driven_legs(times, 0.0, jumps, terms)) {
+    if (leg.is_first) undone = 0.0;
+    for (std::size_t i = 0; i < leg.asked; ++i) {
+      const double t = leg.times[i];
+      ++seen;
+      EXPECT_EQ(undone, t == -3.0 || t == -5.0 || t == 4.0 ? 1.0 : 0.0) << t;
+    }
+    if (leg.jump) undone += 1.0;
+  }
+  EXPECT_EQ(seen, times.size());
 }
 
 }  // namespace
