@@ -215,8 +215,9 @@ class ScenarioSolution:
 
     def __repr__(self) -> str:
         lines = [" ".join(text for text in cells if text) for cells in self._cells()]
-        head = f"chi-square {self.chi_square:.4g} on {self.degrees_of_freedom:.4g}"
-        return "\n".join([f"<{type(self).__name__}: {head}", *(f"  {line}" for line in lines)]) + ">"
+        numbers = f"chi-square {self.chi_square:.4g} on {self.degrees_of_freedom:.4g}"
+        head = f"<{type(self).__name__}: {numbers}"
+        return "\n".join([head, *(f"  {line}" for line in lines)]) + ">"
 
     def _cells(self) -> list[tuple[str, str, str, str]]:
         return [

@@ -181,7 +181,8 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.threads = options.threads;
   std::mutex mutex;
   std::size_t begun = 0;
-  const auto of = static_cast<double>(how.starts + how.finalists * how.periods.size());
+  const std::size_t fits = std::min(how.starts, how.finalists * how.periods.size());
+  const auto of = static_cast<double>(how.starts + fits);
   how.between = [&] {
     if (options.stop && options.stop())
       throw FitStopped(scenario.document.name + ": stopped in the search");
@@ -190,6 +191,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
     if (options.progress) options.progress("search", std::min(part, 1.0));
   };
   LightSearchResult found = search_light(how);
+  if (options.progress) options.progress("search", 1.0);
   report.starts = how.starts;
   report.finalists = found.finalists;
   report.converged = found.converged;
