@@ -102,7 +102,6 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
     print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
 }
 
-// A search is stopped as the system does it: nothing is written before its end.
 void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   const LightPlan& plan = require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
@@ -112,18 +111,27 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
                       "fit.from = \"search\" without fit.periods");
   LightFitOptions how;
   how.threads = threads_of(options);
+  const StopSignals signals;
+  how.stop = [] { return StopSignals::came() != 0; };
   std::optional<ProgressLine> progress;
-  constexpr double whole = 100.0;
-  if (plan.searches) {
-    progress.emplace(static_cast<std::int64_t>(whole), "hundredths of the scan", 0);
-    how.progress = [&progress](const std::string& stage, double part) {
-      if (stage != "scan")
-        progress.reset();
-      else if (progress)
-        (*progress)(whole* part);
-    };
+  std::string shown;
+  how.progress = [&](const std::string& stage, double part) {
+    constexpr double whole = 100.0;
+    if (stage != shown) {
+      progress.reset();
+      progress.emplace(static_cast<std::int64_t>(whole), "hundredths of the " + stage, 0);
+      shown = stage;
+    }
+    const double done = whole * part;
+    (*progress)(done);
+  };
+  LightReport report;
+  try {
+    report = fit_light_scenario(scenario, how);
+  } catch (const FitStopped& stopped) {
+    progress.reset();
+    throw Interrupted(StopSignals::came(), stopped.what());
   }
-  const LightReport report = fit_light_scenario(scenario, how);
   progress.reset();
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
   if (!report.is_found())

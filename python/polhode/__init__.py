@@ -18,7 +18,15 @@ from polhode._signatures import (
 from polhode._summary import Summary
 from polhode.argument_fit import ArgumentFit, argument_fit
 from polhode.ensembles import EnsembleResults, ensemble
-from polhode.fits import FitNumber, FitResiduals, FitResults, ScenarioSolution, fit, simulate
+from polhode.fits import (
+    FitNumber,
+    FitResiduals,
+    FitResults,
+    LightScenarioSolution,
+    ScenarioSolution,
+    fit,
+    simulate,
+)
 from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
@@ -73,6 +81,7 @@ __all__ = [
     "HarmonicFit",
     "LightCurve",
     "LightResiduals",
+    "LightScenarioSolution",
     "LightSearchResult",
     "LightSolution",
     "MapResults",

@@ -15,6 +15,14 @@ from polhode import _core, _tables
 from polhode._columns import Columns
 from polhode._notebook import html_rows
 from polhode._observed import whole
+from polhode.light_fits import (
+    BrightEllipsoid,
+    FoundLight,
+    LightCurve,
+    LightResiduals,
+    found_light,
+)
+from polhode.scans import FourierScan, scan_of
 from polhode.spin_fits import SpinResiduals, SpinState
 
 if TYPE_CHECKING:
@@ -95,10 +103,8 @@ class ScenarioSolution:
     @property
     def covariance(self) -> Array:
         """(P, P), with errors as they were given, in products of the units of the unknowns."""
-        rows = self._found["covariance_core"]
-        matrix = np.array([[np.inf if x is None else x for x in row] for row in rows], dtype=float)
-        units = self._results.scenario.units
-        factors = np.array([_factor(units, name) for name in self.names])
+        matrix = _matrix(self._found["covariance_core"])
+        factors = self._factors(matrix)
         return matrix * np.outer(factors, factors)
 
     @property
@@ -109,9 +115,17 @@ class ScenarioSolution:
         if found is None:
             return None
         n = len(self.names)
-        units = self._results.scenario.units
-        factors = np.array([_factor(units, name) for name in self.names])
+        factors = self._factors(_matrix(self._found["covariance_core"]))
         return np.asarray(found["covariance"]).reshape(n, n) * np.outer(factors, factors)
+
+    def _factors(self, matrix: Array) -> Array:
+        """One of each unknown as the core has it, in its unit here."""
+        units = self._results.scenario.units
+        numbers = self.unknowns.values()
+        return np.array([
+            _factor(units, name, number.error, error)
+            for name, number, error in zip(self.names, numbers, np.sqrt(np.diag(matrix)))
+        ])
 
     @property
     def correlations(self) -> Array:
@@ -176,14 +190,16 @@ class ScenarioSolution:
 
     def residual_function(
         self, scaled: bool = False, epoch: float | None = None
-    ) -> SpinResiduals:
+    ) -> SpinResiduals | LightResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
         radians and the scenario's unit of time, turns about the attitude that was found.
 
         scaled : with errors of data that make chi-square per degree of freedom 1.
         epoch : when the attitude and the rate are those of the unknowns. None: midway between the
             first and the last observation, where they depend least on each other; 0 where the
-            scenario has priors of them, which hold there. `f.state(x)` has it as t0."""
+            scenario has priors of them, which hold there. `f.state(x)` has it as t0.
+
+        ValueError for a fit with torques or jumps."""
         at = None if epoch is None else float(_core._number(epoch, "epoch"))
         problem = self._results._compiled.problem(self._place, bool(scaled), at)
         return SpinResiduals._of(problem.residuals())
@@ -199,8 +215,9 @@ class ScenarioSolution:
 
     def __repr__(self) -> str:
         lines = [" ".join(text for text in cells if text) for cells in self._cells()]
-        head = f"chi-square {self.chi_square:.4g} on {self.degrees_of_freedom:.4g}"
-        return "\n".join([f"<ScenarioSolution: {head}", *(f"  {line}" for line in lines)]) + ">"
+        numbers = f"chi-square {self.chi_square:.4g} on {self.degrees_of_freedom:.4g}"
+        head = f"<{type(self).__name__}: {numbers}"
+        return "\n".join([head, *(f"  {line}" for line in lines)]) + ">"
 
     def _cells(self) -> list[tuple[str, str, str, str]]:
         return [
@@ -213,6 +230,74 @@ class ScenarioSolution:
         ]  # fmt: skip
 
 
+class LightScenarioSolution(ScenarioSolution):
+    """One of the solutions of FitResults of light curves: a ScenarioSolution, and what search_light
+    says of it. Figures of light curves take it."""
+
+    @property
+    def light(self) -> FoundLight:
+        """What search_light would return, in radians and the scenario's unit of time: body, mode,
+        periods, pole, what it is beside earlier solutions, `model` of the curves."""
+        return found_light(self._results._compiled.raw(self._place))
+
+    @property
+    def body(self) -> BrightEllipsoid:
+        """Spin state and shape; its t0 is the middle of the light curves."""
+        return self.light.body
+
+    @property
+    def state(self) -> SpinState:
+        """That of the body: radians and the scenario's unit of time."""
+        return self.body.spin
+
+    @property
+    def unknowns(self) -> dict[str, FitNumber]:
+        """FitNumber by name; without a start of the file `start` is the value."""
+        return {
+            name: _of_light(one)
+            for name, one in self._found["unknowns"].items()
+        }  # fmt: skip
+
+    @property
+    def precession_period(self) -> FitNumber:
+        """P_phi of the long axis; 0 where the regime has none."""
+        return _of_light(self._found["precession_period"])
+
+    @property
+    def rotation_period(self) -> FitNumber:
+        """P_psi; 0 where the regime has none."""
+        return _of_light(self._found["rotation_period"])
+
+    @property
+    def scaled_covariance(self) -> Array | None:
+        """The same with scaled errors; None without degrees of freedom."""
+        factor = self.error_factor
+        return None if factor is None else factor**2 * self.covariance
+
+    def residual_function(
+        self, scaled: bool = False, epoch: float | None = None
+    ) -> LightResiduals:
+        """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
+        radians and the scenario's unit of time, turns about the attitude that was found.
+
+        scaled : with errors that make chi-square per degree of freedom 1.
+        epoch : None; it is the middle of the light curves."""
+        if epoch is not None:
+            raise ValueError(
+                f"epoch: got {epoch!r}; expected None: it is the middle of the light curves"
+            )
+        problem = self._results._compiled.problem(self._place, bool(scaled))
+        return LightResiduals._of(problem.residuals())
+
+
+def _of_light(one: Mapping[str, Any]) -> FitNumber:
+    """Errors scale, values stay."""
+    given = {key: np.inf if value is None else value for key, value in one.items()}
+    value = given["value"]
+    scaled = {"scaled_value": value} if "scaled_error" in given else {}
+    return FitNumber(**{"start": value, **scaled, **given})
+
+
 class FitResults:
     """What a fit of a scenario found: solutions by chi-square. Made by polhode.fit.
 
@@ -222,9 +307,9 @@ class FitResults:
     def __init__(self, scenario: Scenario, compiled: Any) -> None:
         self._scenario, self._compiled = scenario, compiled
         self._report: dict[str, Any] = json.loads(compiled.json)
-        self._solutions = [
-            ScenarioSolution(self, k) for k in range(len(self._report["solutions"]))
-        ]
+        of_light = self._report.get("observed") == "light-curves"
+        kind: type[ScenarioSolution] = LightScenarioSolution if of_light else ScenarioSolution
+        self._solutions = [kind(self, k) for k in range(len(self._report["solutions"]))]
 
     @property
     def scenario(self) -> Scenario:
@@ -237,13 +322,30 @@ class FitResults:
         return list(self._solutions)
 
     @property
+    def curves(self) -> list[LightCurve]:
+        """What was observed, of light curves; else none."""
+        return [LightCurve._of(parts) for parts in getattr(self._compiled, "curves", ())]
+
+    @property
+    def scan(self) -> FourierScan | None:
+        """The landscape of a search with its minima, which figures.scan_landscape draws; None where
+        no scan was made."""
+        found = getattr(self._compiled, "scan", None)
+        if found is None:
+            return None
+        return scan_of(found, self._report["scan"]["order"], self._report["points"])
+
+    @property
     def starts(self) -> int:
         """How many there were."""
         return self._report["starts"]
 
     @property
     def failed(self) -> int:
-        """Starts from which nothing converged."""
+        """Starts from which nothing converged; of light curves those that were fitted to the
+        end."""
+        if "finalists" in self._report:
+            return self._report["finalists"] - self._report["converged"]
         return self._report.get("failed", 0)
 
     @property
@@ -291,11 +393,18 @@ class FitResults:
         return "".join(parts)
 
 
-def _factor(units: Any, name: str) -> float:
-    """One radian, or one rad per unit of time, in the units of an unknown."""
+def _matrix(rows: Any) -> Array:
+    return np.array([[np.inf if x is None else x for x in row] for row in rows], dtype=float)
+
+
+def _factor(units: Any, name: str, error: float, core_error: float) -> float:
+    """One radian, or one rad per unit of time, in the units of an unknown; of jumps, whose unit is
+    that of their kind, by their errors."""
     if name.startswith("turn_"):
         return units.from_core(1.0, "angle")
-    return units.from_core(1.0, "rate") if name.startswith("w_") else 1.0
+    if name.startswith("w_"):
+        return units.from_core(1.0, "rate")
+    return error / core_error if 0.0 < core_error < np.inf else 1.0
 
 
 def _loaded(scenario: Scenario | Path, function: str) -> Scenario:
@@ -313,6 +422,7 @@ def fit(
     *,
     starts: int | None = None,
     seed: int | None = None,
+    threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> FitResults:
     """From what was observed to spin states with their uncertainty: what `polhode fit` does.
@@ -322,12 +432,16 @@ def fit(
     scenario : a Scenario of kind "fit", or the path of its file; the files of its tables
         [[observation]] lie next to it.
     starts, seed : of the table [fit], where they are not None.
-    progress : called with the starts that are done and their number; what it raises ends the fit.
+    threads : starts, or parts of a scan, at a time; the result does not depend on it. None: as many
+        as there are processors.
+    progress : called with the starts that are done and their number, of light curves with
+        thousandths of the work and 1000; what it raises ends the fit.
 
     Returns
     -------
     FitResults
-        Without solutions where nothing converged: `.failure` says what to try.
+        Without solutions where nothing converged: `.failure` says what to try. Of light curves
+        `.scan` and `.curves`, too, and solutions are LightScenarioSolution.
 
     ScenarioError (a ValueError) for a scenario that is no fit and for a mistake in a file of
     observations, with its line; OSError for a file that is not there. Ctrl-C ends it between two
@@ -341,7 +455,9 @@ def fit(
     }
     if changes:
         of = of.replace({f"fit.{key}": value for key, value in changes.items()})
-    return FitResults(of, _core._fit_scenario(of._file, progress))
+    count = whole(_core._hardware_threads() if threads is None else threads, "threads")
+    made = _core._fit_light_scenario if _core._observes_light(of._file) else _core._fit_scenario
+    return FitResults(of, made(of._file, count, progress))
 
 
 def simulate(scenario: Scenario | Path, folder: Path, *, overwrite: bool = False) -> list[str]:

@@ -88,6 +88,11 @@ class LightCurve:
     def _parts(self) -> tuple[str, bool, Array]:
         return self._name, self._calibrated, self._table
 
+    @classmethod
+    def _of(cls, parts: Any) -> LightCurve:
+        name, calibrated, table = parts
+        return cls(*table.T[:3], table[:, 3:6], table[:, 6:9], name=name, calibrated=calibrated)
+
 
 def curve_parts(curves: Any) -> list[tuple[str, bool, Array]]:
     given = [curves] if isinstance(curves, LightCurve) else list(curves)
@@ -229,6 +234,13 @@ def _light_parts(found: Mapping[str, Any]) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def found_light(found: Mapping[str, Any]) -> FoundLight:
+    return FoundLight(
+        **_light_parts(found), starts=found["starts"], beside=found["beside"], of=found["of"],
+        relation=found["relation"],
+    )  # fmt: skip
+
+
 def _light_problem(
     start: Any, curves: Any, shape: Any, moments: Any, multiple: Any, loss: Any, iterations: Any
 ) -> Any:
@@ -296,6 +308,12 @@ class LightResiduals(ResidualFunction):
     ) -> None:
         problem = _light_problem(start, curves, shape, moments, multiple, loss, 1)
         super().__init__(problem.residuals())
+
+    @classmethod
+    def _of(cls, compiled: Any) -> LightResiduals:
+        made = object.__new__(cls)
+        ResidualFunction.__init__(made, compiled)
+        return made
 
     def state(self, x: ArrayLike) -> BrightEllipsoid:
         """The body at x."""
@@ -365,13 +383,7 @@ def search_light(
         whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
         whole(threads, "threads"),
     )  # fmt: skip
-    solutions = [
-        FoundLight(
-            **_light_parts(one), starts=one["starts"], beside=one["beside"], of=one["of"],
-            relation=one["relation"],
-        )
-        for one in found["solutions"]
-    ]
+    solutions = [found_light(one) for one in found["solutions"]]
     return LightSearchResult(
         solutions, wanted, found["chi_square_of_periods"], found["starts"], found["finalists"],
         found["converged"], found["notes"],

@@ -53,7 +53,7 @@ class PeriodLabel(NamedTuple):
 class FourierScan:
     """Chi-square of two-dimensional Fourier series by two frequencies, and its minima.
 
-    Made by fourier_scan; figures.scan_landscape draws it.
+    Made by fourier_scan, and by polhode.fit of light curves; figures.scan_landscape draws it.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class FourierScan:
     points: int
     _compiled: Any = None
 
-    def periods(self, pairs: int = 5, labels: int = 60) -> list[tuple[str, float, float]]:
+    def periods(self, pairs: int = 5, labels: int = 20) -> list[tuple[str, float, float]]:
         """(mode, P_phi, P_psi) that the lowest minima may be of an ellipsoid, for search_light:
         of `pairs` of them, each with the most likely `labels`. Minima that are not resolved or lie
         at the edge are left out."""
@@ -155,11 +155,12 @@ def fourier_scan(
         parts, first, second, n, one_of(quantity, "quantity", ("flux", "log_flux")) == "log_flux",
         whole(minima, "minima"), whole(threads, "threads"),
     )  # fmt: skip
-    points = sum(len(table) for *_, table in parts)
-    return FourierScan(
-        found.f1, found.f2, found.chi_square, [ScanMinimum(**m) for m in found.minima], n, points,
-        found,
-    )  # fmt: skip
+    return scan_of(found, n, sum(len(table) for *_, table in parts))
+
+
+def scan_of(found: Any, order: int, points: int) -> FourierScan:
+    minima = [ScanMinimum(**m) for m in found.minima]
+    return FourierScan(found.f1, found.f2, found.chi_square, minima, order, points, found)
 
 
 def _grid(

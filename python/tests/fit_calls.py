@@ -59,7 +59,7 @@ def of_fits():
         "fit_spin": (polhode.fit_spin, {"error_factor": 1.0, "most_iterations": 20}, start),
         "SpinSolution.predicted": (found.predicted, {"times": TIMES}, {}),
         "posterior": (quietly(polhode.posterior), few, {"of": f}),
-        "fit": (polhode.fit, {"starts": 1, "seed": 1}, {"scenario": TOUTATIS}),
+        "fit": (polhode.fit, {"starts": 1, "seed": 1, "threads": 1}, {"scenario": TOUTATIS}),
         "ScenarioSolution.residual_function": (best.residual_function, {"epoch": 30.0}, {}),
         "ScenarioSolution.sample": (
             quietly(best.sample), {"epoch": 30.0}, {"draws": 4, "chains": 1, "warm_up": 3},

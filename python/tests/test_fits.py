@@ -57,6 +57,19 @@ def seen_of(state, noise=0.0, seed=3):
     return polhode.Snapshots(attitudes=(TIMES, q, noise or SIGMA))
 
 
+DRIVEN = """
+[[perturbation]]
+kind = "constant-torque"
+torque = [0.02, 0, -0.05]
+[[free.parameter]]
+key = "perturbation[0].torque[2]"
+[[free.jump]]
+kind = "rate"
+t = 30
+change = [0.5, -1, 2]
+"""
+
+
 @pytest.fixture(scope="module")
 def toutatis():
     return polhode.fit(TOUTATIS)
@@ -135,6 +148,29 @@ def test_what_is_simulated_is_found_again(tmp_path):
     again = polhode.fit(path, starts=2, seed=5)
     assert again.starts == 2
     assert_allclose(again[0].chi_square, found[0].chi_square, rtol=budgets.fit_exact)
+
+
+def test_torques_and_jumps_are_unknowns(tmp_path):
+    path = tmp_path / "driven.toml"
+    path.write_text(TUMBLER + DRIVEN, encoding="utf-8")
+    polhode.simulate(path, tmp_path)
+    found = polhode.fit(path)
+    (one,) = found
+    assert one.names[8:] == ("perturbation[0].torque[2]", *(f"jump[0].change[{k}]" for k in "012"))
+    truth = [-0.05, 0.5, -1.0, 2.0]
+    for name, value in zip(one.names[8:], truth):
+        assert abs(one.unknowns[name].value - value) < budgets.python_fit_off * (
+            one.unknowns[name].error)
+    assert one.unknowns["jump[0].change[1]"].unit == "deg/h"
+    errors = [one.unknowns[name].error for name in one.names]
+    assert_allclose(np.sqrt(np.diag(one.covariance)), errors)
+    assert_allclose(np.sqrt(np.diag(one.scaled_covariance)),
+                    [one.unknowns[name].scaled_error for name in one.names])
+    assert "free" not in one.text and one.scenario.with_columns(["q"]).run().outcome.ok
+    assert len(one.residuals["t"]) == 41 and found.curves == [] and found.scan is None
+    for call in (one.residual_function, one.sample):
+        with pytest.raises(ValueError, match="got a fit with torques or jumps; expected one of"):
+            call()
 
 
 def test_what_progress_raises_ends_a_fit(tmp_path):

@@ -3,6 +3,9 @@
 is refused."""
 
 import json
+import signal
+import subprocess
+import time
 
 import budgets
 import numpy
@@ -371,3 +374,17 @@ def test_words_of_light_need_light(run, fit_file, tmp_path):
     attitudes = NIGHT[:NIGHT.index("to_sun")].replace("light-curve", "attitude") + "sigma = 2\n"
     assert "expected attitude, rate, moments, products" in refused(
         run, fit_file(attitudes, FREE, head=TUMBLER))
+
+
+def test_a_search_is_stopped(night, polhode):
+    """Ctrl-C ends it between two starts."""
+    process = subprocess.Popen(
+        [polhode, "fit", night, "--set", 'fit.from="search"', "--set", "fit.starts=10000000",
+         "--set", 'fit.periods=[{ mode="LAM", precession_period=12, rotation_period=20 }]'],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )
+    time.sleep(1.5)
+    process.send_signal(signal.SIGINT)
+    out, error = process.communicate(timeout=60)
+    assert process.returncode == 128 + signal.SIGINT and out == ""
+    assert "stopped in the search" in error

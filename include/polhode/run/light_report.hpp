@@ -58,7 +58,8 @@ struct LightReport {
 // Whether light curves are what the scenario observed.
 bool observes_light(const Scenario& scenario);
 
-// What goes on meanwhile, for people: "scan", "search".
+// What goes on meanwhile, for people: "scan", "search"; one call after the other. `stop` is asked
+// in any of the threads.
 struct LightFitOptions {
   int threads = 1;
   std::function<void(const std::string& stage, double part)> progress = {};

@@ -221,6 +221,7 @@ void bind_fit(nb::module_& m) {
   bind_light_fit(m);
   bind_scan(m);
   bind_scenario_fit(m);
+  bind_light_scenario_fit(m);
 }
 
 }  // namespace polhode::python

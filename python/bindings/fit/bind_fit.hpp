@@ -24,6 +24,7 @@ void bind_spin_fit(nb::module_& m);
 void bind_light_fit(nb::module_& m);
 void bind_scan(nb::module_& m);
 void bind_scenario_fit(nb::module_& m);
+void bind_light_scenario_fit(nb::module_& m);
 
 // Residuals of a fit, and what the unknowns say of the state.
 struct PythonResiduals {

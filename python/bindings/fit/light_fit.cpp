@@ -2,6 +2,8 @@
 // Fits of light curves: one start, and many.
 #include "polhode/fit/light_fit.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "fit/bind_fit.hpp"
@@ -101,15 +103,7 @@ const char* beside_word(FoundLight::Beside beside) {
 nb::dict search_dict(const LightSearchResult& result) {
   nb::dict d;
   nb::list solutions;
-  for (const FoundLight& f : result.solutions) {
-    nb::dict one = light_dict(f.solution);
-    one["place_of_periods"] = f.periods;
-    one["starts"] = f.starts;
-    one["beside"] = beside_word(f.beside);
-    one["of"] = f.of;
-    one["relation"] = f.sentence;
-    solutions.append(one);
-  }
+  for (const FoundLight& f : result.solutions) solutions.append(found_dict(f));
   d["solutions"] = solutions;
   d["chi_square_of_periods"] = array_of(std::span<const double>(result.chi_square_of_periods));
   d["starts"] = result.starts;
@@ -160,6 +154,32 @@ nb::dict light_dict(const LightSolution& found) {
   d["periods"] = period_parts(found.periods);
   d["pole"] = array_of(found.pole);
   return d;
+}
+
+nb::dict found_dict(const FoundLight& found) {
+  nb::dict d = light_dict(found.solution);
+  d["place_of_periods"] = found.periods;
+  d["starts"] = found.starts;
+  d["beside"] = beside_word(found.beside);
+  d["of"] = found.of;
+  d["relation"] = found.sentence;
+  return d;
+}
+
+nb::list curves_parts(const std::vector<LightCurve>& curves) {
+  nb::list list;
+  for (const LightCurve& curve : curves) {
+    Result table({curve.points.size(), 9});
+    double* x = table.at(0);
+    for (const LightPoint& p : curve.points) {
+      const double row[] = {
+          p.t,        p.flux,          p.sigma,         p.to_sun.x,     p.to_sun.y,
+          p.to_sun.z, p.to_observer.x, p.to_observer.y, p.to_observer.z};
+      x = std::copy(std::begin(row), std::end(row), x);
+    }
+    list.append(nb::make_tuple(curve.name, curve.is_calibrated, table.take()));
+  }
+  return list;
 }
 
 std::vector<LightCurve> light_curves_of(const nb::list& curves) {

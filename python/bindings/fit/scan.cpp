@@ -4,6 +4,7 @@
 
 #include "fit/bind_fit.hpp"
 #include "fit/light_curves.hpp"
+#include "fit/scan_found.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/fit/light_search.hpp"
@@ -14,11 +15,6 @@
 namespace polhode::python {
 
 namespace {
-
-struct ScanFound {
-  Landscape landscape;
-  std::vector<ScanMinimum> minima;
-};
 
 nb::dict advice_of(const nb::list& curves, std::size_t order) {
   const ScanAdvice a = scan_advice(light_curves_of(curves), order);

@@ -11,6 +11,8 @@
 #include "fit/spin_problem.hpp"
 #include "io/io_parts.hpp"
 #include "io/work_loop.hpp"
+#include "motion/samples.hpp"
+#include "polhode/ensemble/cells.hpp"
 #include "polhode/run/fit.hpp"
 #include "polhode/run/simulate.hpp"
 
@@ -18,20 +20,21 @@ namespace polhode::python {
 
 namespace {
 
-// A fit and what it left.
+// A fit and what it left; torques in the report refer to the scenario, which stays where it is.
 struct ScenarioFit {
-  Scenario scenario;
+  std::shared_ptr<const Scenario> scenario;
   FitReport report;
 };
 
-ScenarioFit fit_of(const Scenario& scenario, nb::handle progress) {
-  ScenarioFit fit{scenario, {}};
+ScenarioFit fit_of(const Scenario& scenario, int threads, nb::handle progress) {
+  ScenarioFit fit{std::make_shared<const Scenario>(scenario), {}};
   const std::int64_t starts = require_fit(scenario).starts;
   WorkLoop loop("the fit was stopped", progress);
   FitOptions options;
+  options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
   options.progress = [&loop](std::int64_t done) { loop.reach(done); };
-  loop.do_work(starts, [&] { fit.report = fit_scenario(fit.scenario, options); });
+  loop.do_work(starts, [&] { fit.report = fit_scenario(*fit.scenario, options); });
   return fit;
 }
 
@@ -58,7 +61,7 @@ Scenario keeping(const Scenario& scenario, Kept& kept) {
 }
 
 nb::tuple residual_rows(const ScenarioFit& fit, std::size_t solution) {
-  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
+  return kept_rows(*fit.scenario, [&](const Scenario& scenario, const std::string& path) {
     write_residuals(scenario, fit.report, solution, path);
   });
 }
@@ -91,6 +94,9 @@ bool may_move(const SpinFit& fit) {
 // one of the attitude, along a curve.
 SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled,
                        const std::optional<double>& epoch) {
+  if (fit.report.drive)
+    throw nb::value_error(
+        "residual_function: got a fit with torques or jumps; expected one of free rotation");
   const FoundSpin& found = fit.report.solutions.at(solution);
   SpinProblem problem{fit.report.problem};
   const bool has_scaled = scaled && found.scaled;
@@ -129,10 +135,10 @@ nb::tuple kept_rows(const Scenario& scenario,
 
 void bind_scenario_fit(nb::module_& m) {
   nb::class_<ScenarioFit>(m, "_ScenarioFit")
-      .def_prop_ro("json", [](const ScenarioFit& f) { return fit_json(f.scenario, f.report); })
-      .def_prop_ro("text", [](const ScenarioFit& f) { return fit_text(f.scenario, f.report); })
+      .def_prop_ro("json", [](const ScenarioFit& f) { return fit_json(*f.scenario, f.report); })
+      .def_prop_ro("text", [](const ScenarioFit& f) { return fit_text(*f.scenario, f.report); })
       .def("solution_text", [](const ScenarioFit& f,
-                               std::size_t k) { return solution_text(f.scenario, f.report, k); })
+                               std::size_t k) { return solution_text(*f.scenario, f.report, k); })
       .def("residuals", residual_rows)
       .def("problem", problem_at, "solution"_a, "scaled"_a, "epoch"_a.none())
       .def("raw", [](const ScenarioFit& f,
@@ -142,7 +148,8 @@ void bind_scenario_fit(nb::module_& m) {
         if (!found.scaled) return nb::none();
         return solution_dict(*found.scaled);
       });
-  m.def("_fit_scenario", fit_of, "scenario"_a, "progress"_a.none());
+  m.def("_fit_scenario", fit_of, "scenario"_a, "threads"_a, "progress"_a.none());
+  m.def("_hardware_threads", hardware_threads);
   m.def("_simulate", [](const Scenario& scenario, nb::handle folder, bool may_replace) {
     return write_simulation(scenario, path_text(folder), may_replace);
   });

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import BrightEllipsoid, LightSolution
+from polhode import BrightEllipsoid, LightScenarioSolution, LightSolution
 from polhode._core import _number, _numbers
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, new_figure, panels, styled
 
@@ -26,7 +26,7 @@ DARK = 0.07
 
 @styled
 def body_as_seen(
-    body: LightSolution | BrightEllipsoid,
+    body: LightSolution | LightScenarioSolution | BrightEllipsoid,
     times: ArrayLike,
     to_sun: ArrayLike,
     to_observer: ArrayLike,
@@ -39,7 +39,8 @@ def body_as_seen(
 
     Parameters
     ----------
-    body : a solution of fit_light or search_light, or a BrightEllipsoid; it moves freely.
+    body : a solution of fit_light, search_light or polhode.fit, or a BrightEllipsoid; it
+        moves freely.
     times : (N,).
     to_sun, to_observer : (3,) or (N, 3), from the body, along inertial axes.
     ax : N Axes, or None for a new figure.
@@ -50,7 +51,7 @@ def body_as_seen(
     An array (N,) of Axes. The third inertial axis is up. Brightness is on one scale in all
     pictures, whose brightest hundredth is white; the arrow points to where the Sun is on the sky,
     and is not there where that is behind the observer or the body."""
-    bright = body.body if isinstance(body, LightSolution) else body
+    bright = body.body if isinstance(body, (LightSolution, LightScenarioSolution)) else body
     if not isinstance(bright, BrightEllipsoid):
         raise TypeError(f"body_as_seen: got {body!r}; expected a solution or a BrightEllipsoid")
     at = np.atleast_1d(np.asarray(_numbers(times, "times"), float))

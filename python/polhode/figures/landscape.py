@@ -24,7 +24,7 @@ def scan_landscape(
 
     Parameters
     ----------
-    scan : what fourier_scan returned.
+    scan : what fourier_scan returned, or `.scan` of what polhode.fit returned.
     minima : how many of the lowest are marked, with their place in the list from 1; a cross stands
         for one that is not resolved or lies at the edge.
     unit : of time, for the labels.

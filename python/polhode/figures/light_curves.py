@@ -8,7 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from polhode import BrightEllipsoid, LightCurve, LightSolution, model_fluxes
+from polhode import (
+    BrightEllipsoid,
+    LightCurve,
+    LightScenarioSolution,
+    LightSolution,
+    model_fluxes,
+)
 from polhode._core import _number
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, panels, series, styled
 
@@ -23,7 +29,7 @@ PANEL = 2.0
 @styled
 def light_curve_fit(
     curves: LightCurve | Iterable[LightCurve],
-    model: LightSolution | BrightEllipsoid,
+    model: LightSolution | LightScenarioSolution | BrightEllipsoid,
     ax: Any = None,
     *,
     unit: str = "",
@@ -34,7 +40,7 @@ def light_curve_fit(
     Parameters
     ----------
     curves : LightCurve, one or several: what was fitted.
-    model : a solution of fit_light or search_light, or a BrightEllipsoid.
+    model : a solution of fit_light, search_light or polhode.fit, or a BrightEllipsoid.
     ax : two Axes for each session, that of fluxes first, or None for a new figure.
     unit : of time, for the labels. scale : how many of it are a unit of time of the curves.
 
@@ -45,7 +51,7 @@ def light_curve_fit(
 
     TypeError for what is no light curve."""
     sessions = [curves] if isinstance(curves, LightCurve) else list(curves)
-    body = model.body if isinstance(model, LightSolution) else model
+    body = model.body if isinstance(model, (LightSolution, LightScenarioSolution)) else model
     scale = float(_number(scale, "scale"))
     axes = _axes(ax, len(sessions))
     for (above, below), curve, at_points in zip(axes, sessions, model_fluxes(body, sessions)):

@@ -65,6 +65,7 @@ def pole_sky(
 def pole_and_covariance(solution: Any, scaled: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """The pole (3,), of length 1, and the covariance (3, 3) of its direction that unknowns leave.
     """
+    solution = getattr(solution, "light", solution)  # of a scenario
     state, names, covariance, scale = _spin_of(solution)
     pole = _pole(state)
     by = np.zeros((3, len(names)))

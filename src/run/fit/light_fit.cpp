@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "polhode/error.hpp"
@@ -109,10 +110,12 @@ class Scan {
   Landscape landscape_of(const FrequencyGrid& grid) const {
     const std::size_t n = grid.count;
     Landscape all{grid, grid, FourierOrders::pair(plan_.order), std::vector<double>(n * n), 0};
-    const ScanOptions how{.order = plan_.order, .threads = options_.threads};
-    for (std::size_t row = 0; row < n; row += rows_at_a_time) {
+    ScanOptions how{.order = plan_.order, .threads = options_.threads};
+    how.between = [this] {
       if (options_.stop && options_.stop())
         throw FitStopped(scenario_.document.name + ": stopped in the scan");
+    };
+    for (std::size_t row = 0; row < n; row += rows_at_a_time) {
       const std::size_t rows = std::min(rows_at_a_time, n - row);
       const FrequencyGrid first{grid.at(row), grid.step, rows},
           second{grid.at(row), grid.step, n - row};
@@ -176,7 +179,19 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
   how.seed = plan.seed;
   how.threads = options.threads;
+  std::mutex mutex;
+  std::size_t begun = 0;
+  const std::size_t fits = std::min(how.starts, how.finalists * how.periods.size());
+  const auto of = static_cast<double>(how.starts + fits);
+  how.between = [&] {
+    if (options.stop && options.stop())
+      throw FitStopped(scenario.document.name + ": stopped in the search");
+    const std::lock_guard<std::mutex> lock(mutex);
+    const double part = static_cast<double>(begun++) / of;  // and images after them
+    if (options.progress) options.progress("search", std::min(part, 1.0));
+  };
   LightSearchResult found = search_light(how);
+  if (options.progress) options.progress("search", 1.0);
   report.starts = how.starts;
   report.finalists = found.finalists;
   report.converged = found.converged;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Fits of scenarios that observed light curves: the same methods as those of snapshots.
+#include <utility>
+
+#include "fit/bind_fit.hpp"
+#include "fit/kept_rows.hpp"
+#include "fit/light_curves.hpp"
+#include "fit/light_problem.hpp"
+#include "fit/scan_found.hpp"
+#include "io/work_loop.hpp"
+#include "motion/samples.hpp"
+#include "polhode/run/light_report.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+struct LightScenarioFit {
+  Scenario scenario;
+  LightReport report;
+};
+
+constexpr std::int64_t parts = 1000;  // of the work, that progress counts
+
+LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle progress) {
+  LightScenarioFit fit{scenario, {}};
+  // a scan and the search after it take about as long
+  const double scan = require_fit(scenario).light.periods.empty() ? 0.5 : 0.0;
+  WorkLoop loop("the fit was stopped", progress);
+  LightFitOptions options;
+  options.threads = checked_threads(threads);
+  options.stop = [&loop] { return loop.is_stopped(); };
+  options.progress = [&loop, scan](const std::string& stage, double part) {
+    const double done = stage == "scan" ? scan * part : scan + (1.0 - scan) * part;
+    loop.reach(static_cast<std::int64_t>(done * static_cast<double>(parts)));
+  };
+  loop.do_work(parts, [&] { fit.report = fit_light_scenario(fit.scenario, options); });
+  return fit;
+}
+
+nb::tuple light_rows(const LightScenarioFit& fit, std::size_t solution) {
+  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
+    write_light_residuals(scenario, fit.report, solution, path);
+  });
+}
+
+// None without a scan.
+nb::object scan_of(const LightScenarioFit& fit) {
+  if (!fit.report.scan) return nb::none();
+  return nb::cast(ScanFound{fit.report.scan->landscape, fit.report.scan->minima});
+}
+
+// The fit as it begins at a solution; errors are those that it has scaled, where asked for.
+LightFit light_problem_at(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
+  const LightSolution& from = fit.report.solutions.at(solution).solution;
+  LightFit problem{fit.report.observed.curves, from.body, fit.report.unknowns,
+                   require_fit(fit.scenario).loss};
+  const double factor = from.error_factor();
+  if (scaled && factor > 0.0)
+    for (LightCurve& curve : problem.curves)
+      for (LightPoint& point : curve.points) point.sigma *= factor;
+  return problem;
+}
+
+}  // namespace
+
+void bind_light_scenario_fit(nb::module_& m) {
+  using F = LightScenarioFit;
+  nb::class_<F>(m, "_LightScenarioFit")
+      .def_prop_ro("json", [](const F& f) { return light_json(f.scenario, f.report); })
+      .def_prop_ro("text", [](const F& f) { return light_text(f.scenario, f.report); })
+      .def_prop_ro("scan", scan_of)
+      .def_prop_ro("curves", [](const F& f) { return curves_parts(f.report.observed.curves); })
+      .def("solution_text",
+           [](const F& f, std::size_t k) { return light_solution_text(f.scenario, f.report, k); })
+      .def("residuals", light_rows)
+      .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
+      .def("problem", light_problem_at);
+  m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());
+  m.def("_observes_light", observes_light);
+}
+
+}  // namespace polhode::python
