@@ -122,6 +122,10 @@ test("a link that was cut is named, and the last good picture stays", async () =
     [link.replace(/I=[^&]*/, "I=1,2,9"), /^I: .*\(1, 2, 9\).*/],
     [link.replace(/epoch=[^&]*/, "epoch=soon"), /^epoch: got "soon"; expected a finite number$/],
     ["#nonsense", /^v: missing; expected 1/],
+    [
+      link.replace(/units=[^&]*/, `units=s;${encodeURIComponent("<img src=x onerror=hit=1>")}`),
+      /^units: got .*expected names of a unit of time and one of moment/,
+    ],
   ];
   for (const [cut, expected] of cuts) {
     await page.evaluate((hash) => (location.hash = hash), cut);
@@ -129,10 +133,25 @@ test("a link that was cut is named, and the last good picture stays", async () =
     assert.match(await text(page, "#link-error"), expected);
     assert.deepEqual(await state(page), good);
   }
+  assert.equal(await page.evaluate(() => "hit" in window || document.querySelector("img") !== null), false);
   await page.fill("#link-field", link);
   await page.click("#link-try");
   assert.equal(await page.isVisible("#link-trouble"), false);
   assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("no script but the page's own runs in it", async () => {
+  const { page, errors } = await opened(browser);
+  await page.evaluate(() => {
+    document.body.insertAdjacentHTML("beforeend", '<img src="data:," onerror="window.hit = 1">');
+    const script = document.createElement("script");
+    script.textContent = "window.hit = 2";
+    document.body.append(script);
+  });
+  await page.waitForTimeout(200);
+  assert.equal(await page.evaluate(() => "hit" in window), false);
+  assert.ok(errors.every((error) => /Content Security Policy/.test(error)) && errors.length >= 2);
   await page.close();
 });
 
@@ -286,10 +305,10 @@ test("the tour goes through six steps", async () => {
 });
 
 test("axe finds nothing serious, light and dark, wide and narrow", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+  const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
   for (const look of [{}, { dark: true }, { width: 390, height: 844 }]) {
     const { page } = await opened(browser, look);
-    await page.addScriptTag({ path: axe });
+    await page.evaluate(axe); // the page itself would let no other script in
     const serious = async () => {
       const { violations } = await page.evaluate(() => window.axe.run());
       return violations
