@@ -141,6 +141,58 @@ test("a link that was cut is named, and the last good picture stays", async () =
   await page.close();
 });
 
+test("what a view refuses leaves all as it was, with the sentence where it was asked for", async () => {
+  const { page, errors } = await opened(browser);
+  await choose(page, "figure-1");
+  const good = await page.evaluate(() => window.explorer.scene);
+  const same = async () => {
+    assert.deepEqual(await page.evaluate(() => window.explorer.scene), good);
+    assert.equal(await page.evaluate(() => window.explorer.state.g.every(Number.isFinite)), true);
+  };
+  await page.click("#copies-open");
+  const link = (await page.inputValue("#copy-text")).replace(/^[^#]*/, "");
+  await page.click("#copies [data-close]");
+  for (const bad of [
+    link.replace("&end=", "&frame=0,0,0,0.1&end="),
+    link.replace(/I=[^&]*/, "I=1,1,1").replace("friction=off", "friction=on"),
+  ]) {
+    await page.evaluate((hash) => (location.hash = hash), bad);
+    await page.waitForFunction((l) => document.getElementById("link-field").value === l, bad);
+    assert.notEqual(await text(page, "#link-error"), "");
+    await same();
+  }
+  await page.click("#link-drop");
+  await page.evaluate(() => window.explorer.change({ moments: [1, 1, 1] }));
+  await page.locator("#friction").click();
+  await page.waitForSelector("#body-trouble:not([hidden])");
+  assert.equal(await page.isChecked("#friction"), false);
+  await page.evaluate((moments) => window.explorer.change({ moments }), good.moments);
+  await page.locator("#friction").click();
+  assert.equal(await page.isChecked("#friction"), true);
+  assert.equal(await page.isVisible("#body-trouble"), false);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("osculating elements go over the ends of a turn without a stroke across the plane", async () => {
+  const { page, errors } = await opened(browser);
+  for (const id of ["figure-1", "toutatis", "wing-nut"]) {
+    await choose(page, id);
+    const widest = await page.evaluate(() => {
+      const { explorer, plane } = window;
+      const rate = 0.2 / explorer.model.turn;
+      explorer.change({ precession: { axis: [1, 0.3, 1], rate } });
+      const rows = plane.osculating;
+      let widest = 0;
+      for (let i = 2; i < rows.length; i += 2) widest = Math.max(widest, Math.abs(rows[i] - rows[i - 2]));
+      return widest;
+    });
+    assert.ok(widest <= Math.PI, `${id}: ${widest}`);
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("no script but the page's own runs in it", async () => {
   const { page, errors } = await opened(browser);
   await page.evaluate(() => {
