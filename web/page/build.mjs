@@ -3,6 +3,7 @@
 // Builds the explorer as one file that needs no server: scripts, styles and the core are in it.
 //
 //     node web/page/build.mjs [OUT]      into web/dist/page, and a copy into OUT; prints the sizes
+import { createHash } from "node:crypto";
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -39,11 +40,25 @@ export async function page({
   const code = script.outputFiles[0].text.replaceAll("</script", "<\\/script");
   const html = (await readFile(resolve(here, "index.html"), "utf8"))
     .replace("/* style.css */", () => style.outputFiles[0].text)
-    .replace("/* main.ts */", () => code);
+    .replace("/* main.ts */", () => code)
+    .replace("POLICY", policy(code));
   await mkdir(out, { recursive: true });
   const file = resolve(out, "index.html");
   await writeFile(file, html);
   return { file, bytes: html.length, gzipped: gzipSync(html, { level: 9 }).length };
+}
+
+/** The page runs this one script and asks no server for anything: what a link brings cannot run. */
+function policy(code) {
+  const hash = createHash("sha256").update(code).digest("base64");
+  return [
+    "default-src 'none'",
+    `script-src 'sha256-${hash}' 'wasm-unsafe-eval'`,
+    "style-src 'unsafe-inline'",
+    "img-src data:",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join("; ");
 }
 
 /** The core as gzipped bytes: as text they would grow by a third, and shrink no more. */

@@ -29,19 +29,23 @@ export class Explorer {
     for (const listener of this.listeners) listener(change, this);
   }
 
-  /** Changes parts of the scene. DomainError for a body or a state that there is not. */
+  /** Changes parts of the scene. DomainError for a body, a state or a frame that there is not. */
   change(parts: Partial<Scene>): void {
-    const scene = { ...this.scene, ...parts };
-    if (MOTION.some((key) => scene[key] !== this.scene[key])) {
-      const model = new Model(scene);
-      this.model.motion.dispose();
-      this.model = model;
-      this.scene = scene;
+    const { scene, model } = this;
+    const next = { ...scene, ...parts };
+    const moved = MOTION.some((key) => next[key] !== scene[key]);
+    const fresh = moved ? new Model(next) : model;
+    [this.scene, this.model] = [next, fresh];
+    try {
+      this.tell(moved ? "motion" : "looks");
+    } catch (error) {
+      // The views compute curves of their own, and these can be refused, too.
+      [this.scene, this.model] = [scene, model];
+      if (moved) fresh.motion.dispose();
       this.tell("motion");
-    } else {
-      this.scene = scene;
-      this.tell("looks");
+      throw error;
     }
+    if (moved) model.motion.dispose();
   }
 
   /** Another state at the time that is shown: the motion goes on from it. */
@@ -68,7 +72,8 @@ export class Explorer {
     this.tell("looks");
   }
 
-  /** The next (1) or the last (-1) time at which the momentum crosses the plane of axes 1 and 3. */
+  /** The next (1) or the last (-1) time at which the momentum crosses the plane of the least and
+   *  the greatest axis. */
   flipFrom(t: number, way: 1 | -1): number {
     const { flips, motion } = this.model;
     if (!Number.isFinite(flips.every)) return NaN;

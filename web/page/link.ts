@@ -7,6 +7,8 @@ import { OVERLAYS, SHAPES, type Direction, type Scene } from "./scene.js";
 const VERSION = "1";
 /** Stands last: a link without it was cut. */
 const LAST = "all";
+/** What the name of a unit is written with: it goes into the page, and into the copies. */
+const UNIT = /^[A-Za-z0-9 */^.()-]{1,24}$/;
 
 export class LinkError extends Error {}
 
@@ -44,8 +46,11 @@ export function fromLink(link: string): Scene {
   if (fields.get("v") !== VERSION) {
     throw new LinkError(`v: ${got(fields.get("v"))}; expected ${VERSION}: no link of this page`);
   }
-  const [time = "", moment = ""] = text(fields, "units").split(";");
-  if (!time || !moment) throw wrong(fields, "units", "a unit of time and one of moment, s;kg m2");
+  const named = text(fields, "units").split(";");
+  if (named.length !== 2 || !named.every((name) => UNIT.test(name))) {
+    throw wrong(fields, "units", "names of a unit of time and one of moment, s;kg m2");
+  }
+  const [time, moment] = named as [string, string];
   const moments = numbers(fields, "I", 3) as unknown as Vec3;
   refused("I", () => new Body(...moments));
   const q = numbers(fields, "q", 4) as unknown as Quaternion;

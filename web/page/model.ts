@@ -104,9 +104,12 @@ export function osculatingPlane(model: Model, precession: Precession, count = 14
     precessingFrame: precession,
     tolerance: 1e-9,
   });
+  if (run.ended) throw new Error(run.ended);
   const rows = new Float64Array((2 * run.osculating.length) / 6);
   for (let i = 0; 2 * i < rows.length; ++i) {
-    rows[2 * i] = run.osculating[6 * i]!;
+    const l = run.osculating[6 * i]!; // within a turn: followed over its ends, or strokes cross the plane
+    const last = i === 0 ? l : rows[2 * i - 2]!;
+    rows[2 * i] = l + 2 * Math.PI * Math.round((last - l) / (2 * Math.PI));
     rows[2 * i + 1] = run.osculating[6 * i + 3]!;
   }
   return rows;
@@ -126,6 +129,7 @@ export function frictionPath(model: Model, count = 2401): Float64Array {
     internalDamping: dampingOfWobble(body, 3 * swing, momentum),
     tolerance: 1e-8,
   });
+  if (run.ended) throw new Error(run.ended);
   const size = 7;
   const rows = new Float64Array((3 * run.states.length) / size);
   for (let i = 0; 3 * i < rows.length; ++i) {

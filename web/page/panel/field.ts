@@ -63,7 +63,7 @@ export class NumberField {
   }
 
   set units(text: string) {
-    this.unit.innerHTML = pretty(text);
+    this.unit.replaceChildren(...pretty(text));
   }
 
   /** True while a reader types here, or corrects what was refused. */
@@ -108,7 +108,13 @@ export class NumberField {
   }
 }
 
-/** "kg m2/s" with its exponents raised. */
-export function pretty(unit: string): string {
-  return unit.replace(/([a-z])(\d)/g, "$1<sup>$2</sup>").replace(/deg/g, "°").replace(/°\//, "°/");
+/** "kg m2/s" with its exponents raised. Built as nodes: a unit may come from a link. */
+export function pretty(unit: string): (string | HTMLElement)[] {
+  const parts = unit.replace(/\bdeg\b/g, "°").split(/(?<=[a-z])(\d)/);
+  return parts.map((part, index) => {
+    if (index % 2 === 0) return part;
+    const raised = document.createElement("sup");
+    raised.textContent = part;
+    return raised;
+  });
 }

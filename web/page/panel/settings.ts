@@ -24,6 +24,7 @@ export class Settings {
   private readonly overlay: HTMLSelectElement;
   private readonly friction: HTMLInputElement;
   private readonly phase: HTMLElement;
+  private readonly trouble: HTMLElement;
 
   constructor(
     root: Document,
@@ -60,6 +61,7 @@ export class Settings {
     place("sun").append(light("sun", 0), light("sun", 1));
     place("observer").append(light("observer", 0), light("observer", 1));
     this.phase = place("phase");
+    this.trouble = place("body-trouble");
 
     this.rate = new NumberField(
       { symbol: "μ", label: "rate at which the frame precesses" },
@@ -84,17 +86,30 @@ export class Settings {
     this.shape = place("shape") as HTMLSelectElement;
     this.shape.addEventListener("change", () => {
       const shape = SHAPES.find((name) => name === this.shape.value) as Shape;
-      explorer.change({ shape });
+      this.ask({ shape });
     });
     this.overlay = place("overlay") as HTMLSelectElement;
     this.overlay.addEventListener("change", () => {
       const overlay = OVERLAYS.find((name) => name === this.overlay.value) as Overlay;
-      explorer.change({ overlay });
+      this.ask({ overlay });
     });
     this.friction = place("friction") as HTMLInputElement;
     this.friction.addEventListener("change", () => {
-      explorer.change({ friction: this.friction.checked });
+      this.ask({ friction: this.friction.checked });
     });
+    this.show();
+  }
+
+  /** What a list or a box asks for. Refused, it stands as before, with the sentence below it. */
+  private ask(parts: Partial<Scene>): void {
+    let reason = "";
+    try {
+      this.explorer.change(parts);
+    } catch (error) {
+      reason = (error as Error).message;
+    }
+    this.trouble.textContent = reason;
+    this.trouble.hidden = reason === "";
     this.show();
   }
 

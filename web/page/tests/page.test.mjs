@@ -122,6 +122,10 @@ test("a link that was cut is named, and the last good picture stays", async () =
     [link.replace(/I=[^&]*/, "I=1,2,9"), /^I: .*\(1, 2, 9\).*/],
     [link.replace(/epoch=[^&]*/, "epoch=soon"), /^epoch: got "soon"; expected a finite number$/],
     ["#nonsense", /^v: missing; expected 1/],
+    [
+      link.replace(/units=[^&]*/, `units=s;${encodeURIComponent("<img src=x onerror=hit=1>")}`),
+      /^units: got .*expected names of a unit of time and one of moment/,
+    ],
   ];
   for (const [cut, expected] of cuts) {
     await page.evaluate((hash) => (location.hash = hash), cut);
@@ -129,10 +133,77 @@ test("a link that was cut is named, and the last good picture stays", async () =
     assert.match(await text(page, "#link-error"), expected);
     assert.deepEqual(await state(page), good);
   }
+  assert.equal(await page.evaluate(() => "hit" in window || document.querySelector("img") !== null), false);
   await page.fill("#link-field", link);
   await page.click("#link-try");
   assert.equal(await page.isVisible("#link-trouble"), false);
   assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("what a view refuses leaves all as it was, with the sentence where it was asked for", async () => {
+  const { page, errors } = await opened(browser);
+  await choose(page, "figure-1");
+  const good = await page.evaluate(() => window.explorer.scene);
+  const same = async () => {
+    assert.deepEqual(await page.evaluate(() => window.explorer.scene), good);
+    assert.equal(await page.evaluate(() => window.explorer.state.g.every(Number.isFinite)), true);
+  };
+  await page.click("#copies-open");
+  const link = (await page.inputValue("#copy-text")).replace(/^[^#]*/, "");
+  await page.click("#copies [data-close]");
+  for (const bad of [
+    link.replace("&end=", "&frame=0,0,0,0.1&end="),
+    link.replace(/I=[^&]*/, "I=1,1,1").replace("friction=off", "friction=on"),
+  ]) {
+    await page.evaluate((hash) => (location.hash = hash), bad);
+    await page.waitForFunction((l) => document.getElementById("link-field").value === l, bad);
+    assert.notEqual(await text(page, "#link-error"), "");
+    await same();
+  }
+  await page.click("#link-drop");
+  await page.evaluate(() => window.explorer.change({ moments: [1, 1, 1] }));
+  await page.locator("#friction").click();
+  await page.waitForSelector("#body-trouble:not([hidden])");
+  assert.equal(await page.isChecked("#friction"), false);
+  await page.evaluate((moments) => window.explorer.change({ moments }), good.moments);
+  await page.locator("#friction").click();
+  assert.equal(await page.isChecked("#friction"), true);
+  assert.equal(await page.isVisible("#body-trouble"), false);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("osculating elements go over the ends of a turn without a stroke across the plane", async () => {
+  const { page, errors } = await opened(browser);
+  for (const id of ["figure-1", "toutatis", "wing-nut"]) {
+    await choose(page, id);
+    const widest = await page.evaluate(() => {
+      const { explorer, plane } = window;
+      const rate = 0.2 / explorer.model.turn;
+      explorer.change({ precession: { axis: [1, 0.3, 1], rate } });
+      const rows = plane.osculating;
+      let widest = 0;
+      for (let i = 2; i < rows.length; i += 2) widest = Math.max(widest, Math.abs(rows[i] - rows[i - 2]));
+      return widest;
+    });
+    assert.ok(widest <= Math.PI, `${id}: ${widest}`);
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("no script but the page's own runs in it", async () => {
+  const { page, errors } = await opened(browser);
+  await page.evaluate(() => {
+    document.body.insertAdjacentHTML("beforeend", '<img src="data:," onerror="window.hit = 1">');
+    const script = document.createElement("script");
+    script.textContent = "window.hit = 2";
+    document.body.append(script);
+  });
+  await page.waitForTimeout(200);
+  assert.equal(await page.evaluate(() => "hit" in window), false);
+  assert.ok(errors.every((error) => /Content Security Policy/.test(error)) && errors.length >= 2);
   await page.close();
 });
 
@@ -286,10 +357,10 @@ test("the tour goes through six steps", async () => {
 });
 
 test("axe finds nothing serious, light and dark, wide and narrow", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+  const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
   for (const look of [{}, { dark: true }, { width: 390, height: 844 }]) {
     const { page } = await opened(browser, look);
-    await page.addScriptTag({ path: axe });
+    await page.evaluate(axe); // the page itself would let no other script in
     const serious = async () => {
       const { violations } = await page.evaluate(() => window.axe.run());
       return violations
