@@ -139,16 +139,17 @@ NO_FMA := GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2
 
 web: build/release/build.ninja ## The explorer and its npm package: WebAssembly, tests in Node and a browser, page
 	tools/install-deps --web
-	cd web && npm ci --silent --ignore-scripts --no-audit --no-fund
+	cd web && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund
 	$(MAKE) -C web/core -j $(CORES)
 	cd web && npm run --silent build
 	cmake --build build/release --target web_answers
 	@mkdir -p build/web
 	$(NO_FMA) build/release/web/web_answers > build/web/answers.json
 	cd web && npm test --silent
-	@if [ -f web/page/build.mjs ]; then cd web && npm run --silent page -- ../$(EXPLORER) && \
-	  npm run --silent page-test; fi
+	cd web && npm run --silent page -- ../$(EXPLORER)
+	cd web && CHROMIUM="$${CHROMIUM:-$$(command -v chromium || command -v chromium-browser)}" \
+	  npm run --silent page-test
 	cd web && npm pack --silent --pack-destination ../build/web
 
-clean: ## Remove build/ (keeps .venv)
-	rm -rf build
+clean: ## Remove build/ and web/dist/ (keeps .venv and web/node_modules)
+	rm -rf build web/dist

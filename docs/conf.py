@@ -42,9 +42,6 @@ extensions = [
     "references",
     "script_pages",
 ]
-# What `make web` has built stays in the folder of the site; its page says so.
-if (ROOT / "build/site/explorer/index.html").exists():
-    tags.add("explorer")  # noqa: F821  (Sphinx gives it)
 
 source_suffix = {".md": "markdown", ".py": "script"}
 exclude_patterns = ["conf.py", "examples/figures/*"]
@@ -102,3 +99,9 @@ html_theme_options = {
     ],
 }
 html_sidebars = {"index": [], "references": ["sidebar-nav-bs"]}
+
+
+def setup(app):
+    # `make web` builds the explorer into the folder of the site; where it is, its page links it.
+    if (pathlib.Path(app.outdir) / "explorer/index.html").exists():
+        app.tags.add("explorer")

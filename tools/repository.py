@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The address of the repository: pyproject.toml sets it, README.md and CITATION.cff repeat it, the
-site reads it.
+"""The address of the repository: pyproject.toml sets it, README.md, CITATION.cff and
+web/package.json repeat it, the site reads it.
 
     tools/repository.py       prints it, and the files that say another
     tools/repository.py URL   writes another into all of them"""
@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PLACES = {
     "pyproject.toml": re.compile(r'(?<=^Repository = ")[^"]+', re.MULTILINE),
     "CITATION.cff": re.compile(r'(?<=^repository-code: ")[^"]+', re.MULTILINE),
+    "web/package.json": re.compile(r'(?<="url": ")[^"]+'),
     "README.md": re.compile(r"(?<=^git clone )\S+", re.MULTILINE),
 }
 

@@ -93,12 +93,14 @@ std::string time_text(double t) {
   return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, t).ptr);
 }
 
-// Steps up to t; false, with a sentence kept, where there is none.
-bool reaches(Solver& solver, double t) {
+// Steps up to t, of which so many are left; false, with a sentence kept, where that does not do.
+bool reaches(Solver& solver, double t, double& left) {
   while (solver.time().hi != t) {
-    if (solver.advance(t) == StepOutcome::made) continue;
+    const bool is_spent = !(left-- > 0.0);
+    if (!is_spent && solver.advance(t) == StepOutcome::made) continue;
     keep_refusal("the motion ends at t = " + time_text(solver.time().hi) +
-                 ": no step from there is short enough; give a larger tolerance");
+                 (is_spent ? ": it takes more steps than it may"
+                           : ": no step from there is short enough; give a larger tolerance"));
     return false;
   }
   return true;
@@ -135,9 +137,10 @@ int polhode_integrate(const double* x, uint32_t count, double* rows) {
     const Values y{q.w, q.x, q.y, q.z, x[7], x[8], x[9]};
     Solver solver(rotor, error_size, start, y,
                   {method.tolerance, method.first_step, rotor.time_scale()});
+    double left = x[27];
     for (uint32_t k = 0; k < count; ++k) {
       const double t = start + span * (static_cast<double>(k) / (count - 1));
-      if (!reaches(solver, t)) return;
+      if (!reaches(solver, t, left)) return;
       const RotorState s = state(solver.state().y.data());
       rows = rotor.row(t, {normalized(s.q), s.g}, rows);
       ++made;

@@ -132,8 +132,8 @@ POLHODE_WEB(double) polhode_phase_angle(const double* to_sun, const double* to_o
 
 // moments (3), state (7), start, stop, tolerance; gravity gradient: gm (0: none), pericentre,
 // eccentricity, inclination, node, argument, mean anomaly, epoch; internal damping k, linear
-// damping d; axis of a precessing frame (3) and its rate: 27 numbers.
-#define POLHODE_PROBLEM_SIZE 27
+// damping d; axis of a precessing frame (3) and its rate; most steps: 28 numbers.
+#define POLHODE_PROBLEM_SIZE 28
 // Time, state (7), energy, kinetic energy, Andoyer's variables of the canonical (6) and of the
 // osculating momentum (6).
 #define POLHODE_SAMPLE_SIZE 22

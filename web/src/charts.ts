@@ -88,18 +88,19 @@ export interface Tumbler {
 
 // The numbers of polhode_web.h.
 const ANDOYER = 0, EULER = 1, EULER_RATES = 2, POINCARE = 3, ROLL_PITCH_YAW = 4, EULER_ANGLES = 5, MATRIX = 6;
+const SIZES = [6, 6, 6, 8, 3, 3, 9];
 export const SERRET = 0, SADOV = 1, TUMBLER = 2;
 
 const ONE: Vec3 = [1, 1, 1];
 const STILL: Vec3 = [0, 0, 0];
 
 function to(chart: number, count: number, s: RotorState, moments: Vec3 = ONE): number[] {
-  const at = args(...moments, ...s.q, ...s.g);
+  const at = args(10, ...moments, ...s.q, ...s.g);
   checked("to_chart", chart, at, at + 24, results());
   return result(count);
 }
 function from(chart: number, numbers: readonly number[], moments: Vec3 = ONE): RotorState {
-  const at = args(...moments, ...numbers);
+  const at = args(3 + SIZES[chart]!, ...moments, ...numbers);
   checked("from_chart", chart, at, at + 24, results());
   return stateResult();
 }
@@ -163,7 +164,7 @@ const modeNumber = (mode: Mode): number => (mode === "long_axis" ? 1 : 0);
 const modeOf = (number: number): Mode => (number === 1 ? "long_axis" : "short_axis");
 
 function fromMotionChart(body: Body, chart: number, numbers: readonly number[], t: number): RotorState {
-  const at = args(...body.moments, ...numbers);
+  const at = args(chart === TUMBLER ? 13 : 11, ...body.moments, ...numbers);
   checked("from_motion_chart", chart, at, at + 24, t, results());
   return stateResult();
 }
@@ -214,6 +215,6 @@ export function longAxisPeriod(shortAxisPeriod: number, rotationPeriod: number):
 }
 /** The least P_psi / P_phi that the body has in a mode. */
 export function leastPeriodRatio(body: Body, mode: Mode): number {
-  checked("least_period_ratio", args(...body.moments), modeNumber(mode), results());
+  checked("least_period_ratio", args(3, ...body.moments), modeNumber(mode), results());
   return result(1)[0]!;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Polhodes on the sphere of the momentum, and in Andoyer's plane.
-import { args, call, filled } from "./module.js";
+import { args, call, filled, numbersOf } from "./module.js";
 import type { Mode } from "./charts.js";
 import type { Body } from "./state.js";
 
@@ -56,8 +56,8 @@ function curveOf(
   body: Body,
 ): { energy: number; points: Float64Array } {
   let twice = NaN;
-  const rows = filled(3 * points, undefined, (address) => {
-    twice = fill(address, args(...body.moments));
+  const rows = filled(numbersOf(points, 3, 2), undefined, (address) => {
+    twice = fill(address, args(3, ...body.moments));
   });
   return { energy: twice / 2, points: rows };
 }
@@ -68,5 +68,5 @@ export function andoyerPlane(momenta: Float64Array): Float64Array {
   const fill = (address: number, input: number): void => {
     call("andoyer_plane", input, count, address);
   };
-  return filled(2 * count, undefined, fill, momenta);
+  return filled(numbersOf(count, 2), undefined, fill, momenta);
 }

@@ -13,13 +13,13 @@ export interface Light {
 
 /** Brightness in one attitude, in units of semi-axis squared. */
 export function brightness(light: Light, q: Quaternion): number {
-  const at = args(...light.semiAxes, ...light.toSun, ...light.toObserver, ...q);
+  const at = args(13, ...light.semiAxes, ...light.toSun, ...light.toObserver, ...q);
   return call("brightness", at, at + 72);
 }
 
 /** The angle Sun, body, observer, rad. */
 export function phaseAngle(toSun: Vec3, toObserver: Vec3): number {
-  const at = args(...toSun, ...toObserver);
+  const at = args(6, ...toSun, ...toObserver);
   return call("phase_angle", at, at + 24);
 }
 

@@ -105,8 +105,12 @@ export function checked(name: string, ...values: number[]): void {
   if (call(name, ...values) !== 0) throw new DomainError(refusal());
 }
 
-/** Where arguments lie for one call: the numbers, and after them room for results. */
-export function args(...values: readonly number[]): number {
+/** Where arguments lie for one call: so many numbers, and after them room for results. */
+export function args(count: number, ...values: readonly number[]): number {
+  if (values.length !== count)
+    throw new RangeError(
+      `polhode: got ${values.length} numbers, expected ${count}; vectors have 3, quaternions 4, matrices 9`,
+    );
   new Float64Array(core().memory.buffer, desk, ROOM).set(values);
   return desk;
 }
@@ -121,8 +125,11 @@ export function setResult(index: number, value: number): void {
   new Float64Array(core().memory.buffer, results(), ROOM)[index] = value;
 }
 
+// Numbers that fill the memory of the module, 2 GB.
+const MOST = 2 ** 28;
+
 function allocate(numbers: number): number {
-  const address = call("allocate", 8 * numbers);
+  const address = numbers > MOST ? 0 : call("allocate", 8 * numbers);
   if (address === 0) throw new RangeError(`polhode: no memory for ${numbers} numbers`);
   return address;
 }
@@ -132,6 +139,14 @@ export const release = (address: number): void => {
 
 // Room for rows, kept between calls: a picture asks for as many again.
 let rows = { address: 0, size: 0 };
+
+/** How many numbers `rows` rows of `size` have; RangeError for what counts no rows. */
+export function numbersOf(rows: number, size: number, least = 0): number {
+  const most = Math.floor(MOST / size);
+  if (!Number.isInteger(rows) || rows < least || rows > most)
+    throw new RangeError(`polhode: got a count of ${rows}, expected a whole number from ${least} to ${most}`);
+  return rows * size;
+}
 
 /** Lets `fill` write `count` numbers at an address, with `input` before them where there is some, and
  *  copies what it says it wrote (all, unless it returns a number) into `out` or a new array. */

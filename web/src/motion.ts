@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact torque-free motion.
-import { DomainError, args, call, checked, filled, refusal, result, results } from "./module.js";
+import { DomainError, args, call, checked, filled, numbersOf, refusal, result, results } from "./module.js";
 import type { Sadov, Serret, Tumbler } from "./charts.js";
 import { SADOV, SERRET, TUMBLER, sadovOf, serretOf, tumblerOf } from "./charts.js";
 import type { Light } from "./light.js";
@@ -64,7 +64,7 @@ export class FreeRotation {
 
   /** DomainError for a state that is not finite, q = 0, or a body of other moments than bodies have. */
   constructor(body: Body, state: RotorState, t0 = 0) {
-    const at = args(...body.moments, ...state.q, ...state.g);
+    const at = args(10, ...body.moments, ...state.q, ...state.g);
     this.#handle = call("motion_of", at, at + 24, t0);
     if (this.#handle === 0) throw new DomainError(refusal());
     forgotten.register(this, this.#handle, this);
@@ -122,14 +122,14 @@ export class FreeRotation {
   /** Brightness of an ellipsoid that scatters by the law of Lommel and Seeliger, one number a time, in
    *  units of semi-axis squared. */
   lightCurve(light: Light, times: Times, out?: Float64Array): Float64Array {
-    return this.#rows(BRIGHTNESS, 1, times, out, args(...light.semiAxes, ...light.toSun, ...light.toObserver));
+    return this.#rows(BRIGHTNESS, 1, times, out, args(9, ...light.semiAxes, ...light.toSun, ...light.toObserver));
   }
 
   #rows(kind: number, size: number, times: Times, out: Float64Array | undefined, light = 0): Float64Array {
     const motion = this.#motion;
     if (isGrid(times)) {
       const { start, step, count } = times;
-      return filled(size * count, out, (address) => {
+      return filled(numbersOf(count, size), out, (address) => {
         checked("motion_rows", motion, kind, 0, start, step, count, light, address);
       });
     }
@@ -137,13 +137,13 @@ export class FreeRotation {
     const fill = (address: number, input: number): void => {
       checked("motion_rows", motion, kind, input, 0, 0, count, light, address);
     };
-    return filled(size * count, out, fill, times);
+    return filled(numbersOf(count, size), out, fill, times);
   }
 
   /** The closed curve of the momentum in the body through this state: rows of 3, the last equal to the
-   *  first. One row where it stands still; on the separatrix from one end to the other. */
+   *  first, at least 2. One row where it stands still; on the separatrix from one end to the other. */
   polhode(points = 257): Float64Array {
-    return filled(3 * points, undefined, (address) => 3 * call("motion_curve", this.#motion, points, address));
+    return filled(numbersOf(points, 3, 2), undefined, (address) => 3 * call("motion_curve", this.#motion, points, address));
   }
 
   /** Times from start to stop, at most `most`, at which the momentum along the middle axis changes its
@@ -151,7 +151,7 @@ export class FreeRotation {
   flips(start: number, stop: number, most = 1000): { readonly times: Float64Array; readonly every: number } {
     const interval = results();
     let count = 0;
-    const times = filled(most, undefined, (address) => {
+    const times = filled(numbersOf(most, 1), undefined, (address) => {
       count = call("motion_flips", this.#motion, start, stop, most, address, interval);
       return Math.max(count, 0);
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Motion under a gravity gradient, under damping, in a precessing frame.
-import { DomainError, args, call, checked, filled, refusal, result, results } from "./module.js";
+import { DomainError, args, call, checked, filled, numbersOf, refusal, result, results } from "./module.js";
 import { STATE_SIZE } from "./motion.js";
 import type { Body, RotorState, Vec3 } from "./state.js";
 
@@ -36,6 +36,8 @@ export interface Perturbed {
   readonly precessingFrame?: { readonly axis: Vec3; readonly rate: number };
   /** Of the local error of a step; 1e-12. */
   readonly tolerance?: number;
+  /** Of the whole run, which ends there; each sample takes at least one. 200,000, some seconds. */
+  readonly mostSteps?: number;
 }
 
 export interface Trajectory {
@@ -53,7 +55,7 @@ export interface Trajectory {
   readonly ended: string;
 }
 
-const PROBLEM_SIZE = 27, SAMPLE_SIZE = 22;
+const PROBLEM_SIZE = 28, SAMPLE_SIZE = 22;
 
 /** The motion with terms, integrated. DomainError for what the library refuses. */
 export function integrate(problem: Perturbed): Trajectory {
@@ -63,12 +65,11 @@ export function integrate(problem: Perturbed): Trajectory {
     ...body.moments, ...state.q, ...state.g, start, stop, problem.tolerance ?? 1e-12,
     ...(orbit === undefined ? [0, 0, 0, 0, 0, 0, 0, 0] : elements(orbit)),
     problem.internalDamping ?? 0, problem.linearDamping ?? 0,
-    ...(frame?.axis ?? [0, 0, 1]), frame?.rate ?? 0,
+    ...(frame?.axis ?? [0, 0, 1]), frame?.rate ?? 0, problem.mostSteps ?? 200_000,
   ];
-  if (numbers.length !== PROBLEM_SIZE) throw new RangeError("integrate: vectors have 3 numbers, quaternions 4");
   let made = 0;
-  const rows = filled(SAMPLE_SIZE * count, undefined, (address) => {
-    made = call("integrate", args(...numbers), count, address);
+  const rows = filled(numbersOf(count, SAMPLE_SIZE, 2), undefined, (address) => {
+    made = call("integrate", args(PROBLEM_SIZE, ...numbers), count, address);
     return SAMPLE_SIZE * Math.max(made, 0);
   });
   if (made < 0) throw new DomainError(refusal());
@@ -96,6 +97,6 @@ function elements(orbit: KeplerOrbit): number[] {
 
 /** The k of internal damping with which a small wobble falls by e in `time` at the momentum G. */
 export function dampingOfWobble(body: Body, time: number, G: number): number {
-  checked("damping_of_wobble", args(...body.moments), time, G, results());
+  checked("damping_of_wobble", args(3, ...body.moments), time, G, results());
   return result(1)[0]!;
 }

@@ -34,7 +34,7 @@ export class Body {
 
   /** DomainError for moments that no body has. */
   constructor(I1: number, I2: number, I3: number) {
-    checked("body", args(I1, I2, I3));
+    checked("body", args(3, I1, I2, I3));
     const moments: Vec3 = [I1, I2, I3];
     this.moments = moments;
     const order = [0, 1, 2].sort((i, j) => moments[i]! - moments[j]!);
@@ -43,13 +43,13 @@ export class Body {
 
   /** The ellipsoid of constant density with these semi-axes along axes 1, 2, 3. */
   static ofEllipsoid(semiAxes: Vec3, mass = 1): Body {
-    checked("ellipsoid_moments", args(...semiAxes), mass, results());
+    checked("ellipsoid_moments", args(3, ...semiAxes), mass, results());
     return new Body(...vector(result(3)));
   }
 
   /** Semi-axes of the ellipsoid of constant density and this mass that has these moments. */
   semiAxes(mass = 1): Vec3 {
-    call("semi_axes", args(...this.moments), mass, results());
+    call("semi_axes", args(3, ...this.moments), mass, results());
     return vector(result(3));
   }
 }
@@ -64,18 +64,18 @@ export function rotorStateInertial(body: Body, q: Quaternion, omegaInertial: Vec
 }
 /** A state as it was typed: DomainError unless it is finite and q is not 0; q scaled to length 1. */
 export function checkedState(state: RotorState): RotorState {
-  const at = args(...state.q, ...state.g);
+  const at = args(7, ...state.q, ...state.g);
   checked("checked_state", at, results());
   return stateResult();
 }
 function ofRate(body: Body, q: Quaternion, omega: Vec3, isInertial: number): RotorState {
-  const at = args(...body.moments, ...q, ...omega);
+  const at = args(10, ...body.moments, ...q, ...omega);
   checked("state_of_rate", at, at + 24, at + 56, isInertial, results());
   return stateResult();
 }
 
 function derived(moments: Vec3, s: RotorState): number[] {
-  const at = args(...moments, ...s.q, ...s.g);
+  const at = args(10, ...moments, ...s.q, ...s.g);
   call("derived", at, at + 24, results());
   return result(10);
 }
@@ -88,7 +88,7 @@ export const kineticEnergy = (body: Body, s: RotorState): number => derived(body
 /** For dragging the momentum in the body: the state whose body momentum points along `direction` (any
  *  length but 0), with the same |g| and the same momentum in space; the attitude makes the least turn. */
 export function withMomentumAlong(s: RotorState, direction: Vec3): RotorState {
-  const at = args(...s.q, ...s.g, ...direction);
+  const at = args(10, ...s.q, ...s.g, ...direction);
   checked("momentum_along", at, at + 56, results());
   return stateResult();
 }

@@ -123,7 +123,7 @@ int main() {
   const Numbers problem{17023.3, 124825.7, 129112.2, 0.9, 0.1,    -0.3,  0.2,
                         100.0,   6000.0,   900.0,    0.0, 6000.0, 1e-12, 3.986004418e14,
                         7.1e6,   0.001,    1.7,      0.3, 0.2,    0.1,   0.0,
-                        1e-9,    0.0,      0.0,      0.0, 1.0,    2e-7};
+                        1e-9,    0.0,      0.0,      0.0, 1.0,    2e-7,  2e5};
   Numbers rows(POLHODE_SAMPLE_SIZE * 25);
   const int made = polhode_integrate(problem.data(), 25, rows.data());
   rows.resize(static_cast<std::size_t>(made < 0 ? 0 : made) * POLHODE_SAMPLE_SIZE);

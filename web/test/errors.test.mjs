@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  Body, DomainError, FreeRotation, checkedState, fromAndoyer, fromEuler, fromTumbler, integrate, leastPeriodRatio,
-  longAxisPeriod, rotorState, withMomentumAlong,
+  Body, DomainError, FreeRotation, andoyerPlane, checkedState, fromAndoyer, fromEuler, fromMatrix, fromTumbler,
+  integrate, leastPeriodRatio, longAxisPeriod, phaseAngle, polhodes, rotorState, separatrix, withMomentumAlong,
 } from "polhode";
 
 const REST = { q: [1, 0, 0, 0], g: [0, 0, 0] };
@@ -72,6 +72,58 @@ test("perturbed motion", () => {
   refuses(() => integrate({ ...problem, gravityGradient: { gm: 1, pericentre: 1, eccentricity: 1 } }), /parabola/);
   refuses(() => integrate({ ...problem, start: Infinity }), /inf/);
   refuses(() => integrate({ ...problem, stop: NaN }), /stop/);
+});
+
+// Each term finite, each run longer than anyone waits.
+test("a run that needs too many steps ends, and says where", () => {
+  const body = new Body(1, 2, 2.5);
+  const problem = { body, state: { q: [1, 0, 0, 0], g: [1, 0.5, 2] }, stop: 100, count: 5 };
+  for (const more of [
+    { precessingFrame: { axis: [0, 0, 1], rate: 1e12 } },
+    { internalDamping: 0.01, stop: 1e12 },
+    { gravityGradient: { gm: 1e20, pericentre: 1, eccentricity: 0.5 } },
+  ]) {
+    const run = integrate({ ...problem, ...more, mostSteps: 10_000 });
+    assert.match(run.ended, /^the motion ends at t = [0-9.e+-]+: it takes more steps than it may$/);
+    assert.equal(run.times.length, 1);
+    assert.equal(run.states.length, 7);
+  }
+  const none = integrate({ ...problem, count: 101, precessingFrame: { axis: [0, 0, 1], rate: 1e12 }, mostSteps: 0 });
+  assert.equal(none.times.length, 1);
+  assert.equal(integrate({ ...problem, count: 3 }).ended, "");
+});
+
+test("counts that count no rows, and vectors of a wrong length", () => {
+  const motion = new FreeRotation(new Body(1, 2, 2.5), { q: [1, 0, 0, 0], g: [1, 0.5, 2] });
+  const grid = (count) => motion.states({ start: 0, step: 1, count });
+  const problem = { body: motion.body, state: motion.initialState, stop: 10 };
+  const count = (call, said) =>
+    assert.throws(call, { name: "RangeError", message: `polhode: got a count of ${said}` });
+  count(() => grid(-1), "-1, expected a whole number from 0 to 38347922");
+  count(() => grid(2.5), "2.5, expected a whole number from 0 to 38347922");
+  count(() => grid(NaN), "NaN, expected a whole number from 0 to 38347922");
+  count(() => grid(2 ** 29), "536870912, expected a whole number from 0 to 38347922");
+  for (const points of [0, 1, -1]) {
+    const said = `${points}, expected a whole number from 2 to 89478485`;
+    count(() => motion.polhode(points), said);
+    count(() => polhodes(motion.body, 1, 4, points), said);
+    count(() => separatrix(motion.body, 1, points), said);
+  }
+  count(() => motion.flips(0, 1, -1), "-1, expected a whole number from 0 to 268435456");
+  for (const few of [-1, 1]) count(() => integrate({ ...problem, count: few }), `${few}, expected a whole number from 2 to 12201611`);
+  count(() => andoyerPlane(new Float64Array(4)), "1.3333333333333333, expected a whole number from 0 to 134217728");
+  assert.equal(grid(0).length, 0);
+  assert.equal(motion.polhode(2).length, 6);
+
+  const length = (call, got, expected) =>
+    assert.throws(call, (error) => error instanceof RangeError && error.message.startsWith(`polhode: got ${got} numbers, expected ${expected}; `));
+  length(() => new FreeRotation(motion.body, { q: [1, 0, 0], g: [1, 0.5, 2] }), 9, 10);
+  length(() => checkedState({ q: [1, 0, 0, 0], g: [1, 0.5] }), 6, 7);
+  length(() => rotorState(motion.body, [1, 0, 0, 0], [1, 0]), 9, 10);
+  length(() => fromMatrix([1, 0, 0, 0, 1, 0]), 9, 12);
+  length(() => phaseAngle([1, 0, 0], [1]), 4, 6);
+  length(() => integrate({ ...problem, count: 2, state: { q: [1, 0, 0], g: [1, 0.5, 2] } }), 27, 28);
+  assert.ok(Math.abs(motion.at(0).g[2] - 2) < 1e-14);
 });
 
 test("the module goes on after a refusal", () => {

@@ -14,6 +14,18 @@ const native = JSON.parse(readFileSync(file, "utf8"), (_, x) => (typeof x === "s
 const GRID = { start: 0.25, step: 0.375, count: 20 };
 const LIGHT = { semiAxes: [1.3, 1.0, 0.7], toSun: [1.0, 0.1, 0.2], toObserver: [0.8, -0.5, 0.1] };
 
+const REGIMES = ["rest", "steady", "short_axis", "long_axis", "separatrix"];
+/** What a motion knows of itself, in the order of polhode_motion_summary. */
+function summary(motion) {
+  const { longLeast, longMost, shortLeast, shortMost } = motion.tumblingAngles();
+  return flat([
+    REGIMES.indexOf(motion.regime), motion.momentum, motion.energy, motion.modulus.m, motion.modulus.m1,
+    motion.separatrixDistance, motion.polhodePeriod, motion.precessionRateLong, motion.precessionRateShort,
+    motion.circulationAction, motion.momentumDirection, motion.sadovFrequencies().nL, motion.sadovFrequencies().nG,
+    longLeast, longMost, shortLeast, shortMost,
+  ]);
+}
+
 /** What the package answers, in the order of answers.cpp. */
 function answers({ moments, q0, omega0, times }) {
   const body = new Body(...moments);
@@ -29,6 +41,7 @@ function answers({ moments, q0, omega0, times }) {
   };
   const all = {
     state: flat(state),
+    summary: summary(motion),
     at: times.flatMap((t) => flat(motion.at(t))),
     rows: motion.states(times),
     grid: motion.states({ start: 0.25, step: 0.375, count: 300 }),
@@ -87,7 +100,12 @@ test("what follows from states by arithmetic has the bits of the library", () =>
 test("charts differ by what sines and angles of two C libraries differ by", () => {
   const charts = compared("charts", ["andoyer", "to_andoyer", "to_euler", "to_euler_rates", "to_poincare", "to_roll_pitch_yaw"]);
   assert.ok(charts.ulps <= 2, charts.where);
-  compared("brightness, flow charts, curves", ["brightness", "serret", "sadov", "tumbler", "curve"]);
+});
+
+test("periods, brightness, flow charts and curves as well", () => {
+  const found = compared("summary, brightness, flow charts, curves", ["summary", "brightness", "serret", "sadov", "tumbler", "curve"]);
+  assert.ok(found.numbers > 6000, `${found.numbers}`);
+  assert.ok(found.ulps <= 4, found.where);
 });
 
 test("states are exact", () => {

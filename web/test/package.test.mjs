@@ -56,6 +56,15 @@ test("10,000 states of a frame take less than 4 ms", () => {
   assert.ok(grid < 4 && list < 4, `${grid} ${list}`);
 });
 
+test("the package has its licence, what it is, and the core alone", () => {
+  const said = execFileSync("npm", ["pack", "--dry-run", "--json", "--ignore-scripts"], { cwd: web, encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] });
+  const files = JSON.parse(said)[0].files.map(({ path }) => path);
+  for (const needed of ["LICENSE", "README.md", "package.json", "dist/polhode.wasm", "dist/polhode.js", "dist/core.d.ts"])
+    assert.ok(files.includes(needed), `${needed} of ${files}`);
+  assert.deepEqual(files.filter((file) => !/^(LICENSE|README\.md|package\.json|dist\/\w+\.(js|d\.ts|wasm))$/.test(file)), []);
+  assert.equal(readFileSync(join(web, "LICENSE"), "utf8"), readFileSync(join(web, "../LICENSE"), "utf8"));
+});
+
 test("npm pack makes a package that works where it is installed", () => {
   const folder = mkdtempSync(join(tmpdir(), "polhode-"));
   const npm = (args, cwd) => execFileSync("npm", [...args, "--silent", "--offline", "--no-audit", "--no-fund"], { cwd, encoding: "utf8" });
