@@ -25,7 +25,7 @@ inline constexpr double fit_driven_motion = 2e-13, fit_driven_derivatives = 1e-1
 inline constexpr double fit_driven_exact = 1e-8;  // from exact observations
 // Mahalanobis distance of what two starts come to.
 inline constexpr double fit_same = 1e-3;
-inline constexpr double fit_encounter = 0.1;      // rad, what a flyby does to a tumbler
+inline constexpr double fit_encounter = 0.1;  // rad, what a flyby does to a tumbler
 
 // --- spin states from exact observations; a probability over fixed seeds ---
 inline constexpr double fit_exact = 1e-9, fit_improbable = 1e-2;

@@ -268,10 +268,10 @@ def test_errors_are_parts_of_the_mean_of_a_session(run, fit_file, tmp_path):
 
     whole = light("whole", sigma="1e-9")
     at = numpy.sort(whole["t"][[whole["flux"].argmin(), whole["flux"].argmax()]])
-    sessions = f"[simulate]\nsessions = [{at[0] - 2}, {at[0] + 2}, {at[1] - 2}, {at[1] + 2}]\n"
+    sessions = f"[simulate]\nsessions = [{at[0] - 1}, {at[0] + 1}, {at[1] - 1}, {at[1] + 1}]\n"
     noisy = light("noisy", "calibrated = true\n", sessions)
     own = light("own", sessions)
-    clean = light("clean", "calibrated = true\n", sessions, sigma="1e-9")
+    clean = light("clean", "calibrated = true\n", sessions, sigma="1e-15")
     means = []
     for k in (1, 2):
         one = noisy["session"] == k
@@ -351,8 +351,8 @@ def test_bad_light_is_refused(run, fit_file, tmp_path, data, change, expected):
     (FREE + "[fit]\nstarts = 5\n", 'expected fit.from = "search" as well'),
     (FREE + '[[free.jump]]\nkind = "rate"\nt = 50\nchange = [0, 0, 1]\n',
      "free.jump[0].kind: got \"rate\"; expected none: light curves are fitted in free rotation"),
-    (FREE + '[[surface]]\narea = "2 m2"\nnormal = [0, 0, 1]\n[[free.parameter]]\n'
-     'key = "surface[0].area"\n', "free.parameter[0].key"),
+    (FREE + "[[surface]]\narea = 2\nposition = [0, 0, 1]\nnormal = [0, 0, 1]\n"
+     '[[free.parameter]]\nkey = "surface[0].area"\n', "free.parameter[0].key"),
     (FREE + ("[[observation]]\nkind = \"attitude\"\nfile = \"a\"\ntimes = \"at-body\"\n"
              "sigma = 1\n"), "expected light curves alone"),
 ])

@@ -182,7 +182,7 @@ def test_a_jump_is_found(run, fit_file, tmp_path):
     # the text is of t = 0, as the numbers are, and the scenario of what comes after the jump
     text = run("fit", path).stdout
     assert "at t = 0, before the jumps:\n" in text
-    period, = (line for line in text.splitlines() if line.startswith("P_phi"))
+    period, = (line for line in text.splitlines() if "P_phi (long axis)" in line)
     json_period = fitted(run, path)["precession_period"]["value"]
     assert f"{json_period:.6g}" in period, period
     later = json.loads(run("info", out, "--json").stdout)["precession_period"]["value"]
@@ -240,7 +240,7 @@ def test_a_damper_is_refused(run, fit_file, tmp_path):
 
 def test_a_parameter_without_a_torque_is_open(run, fit_file, tmp_path):
     """A surface that no perturbation looks at: its area is an unknown all the same."""
-    surface = ('[[surface]]\narea = "2 m2"\nnormal = [0, 0, 1]\n'
+    surface = ('[[surface]]\narea = "2 m2"\nposition = [0, 0, 1]\nnormal = [0, 0, 1]\n'
                '[[free.parameter]]\nkey = "surface[0].area"\n')
     path = fit_file(surface)
     assert run("simulate", path, "--into", tmp_path).returncode == 0

@@ -161,19 +161,6 @@ TEST(ConvexFit, SaysThatMomentsDidNotRest) {
   EXPECT_EQ(found.body.spin.inertia_F(0, 0), still.body.spin.inertia_F(0, 0));
 }
 
-TEST(ConvexFit, SaysThatAShapeHasNoMoments) {
-  ConvexFit fit = small_fit();
-  fit.moments = MomentSource::shape;
-  fit.closure_error = 1e6;
-  fit.axes_error = 1e6;
-  fit.roughness_error = 1e6;
-  fit.most_iterations = 400;
-  fit.curves[0].points.resize(40);  // little is known of its facets
-  const ConvexSolution found = fit_convex(fit);
-  EXPECT_FALSE(found.is_found());
-  EXPECT_THAT(found.result.sentence, HasSubstr("no moments follow from the shape: convex_body: "));
-}
-
 TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
   const std::vector<LightCurve> curves = light_of(egg(), 60, 0.01);
   LightSearchResult search;
