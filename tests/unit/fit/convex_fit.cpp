@@ -133,6 +133,47 @@ TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
   EXPECT_NEAR(own.Iyy, tied.body.spin.inertia_F(1, 1), budget::convex_moments);
 }
 
+ConvexFit small_fit() {
+  ConvexFit fit;
+  fit.curves = light_of(egg(), 60, 0.01);
+  fit.start = in_short_axis_mode;
+  fit.degree = 3;
+  fit.rows = 4;
+  return fit;
+}
+
+// Moments that follow the shape, with iterations for one round alone: the body keeps those that it
+// was fitted with, and is no solution.
+TEST(ConvexFit, SaysThatMomentsDidNotRest) {
+  ConvexFit fit = small_fit();
+  fit.moments = MomentSource::start;
+  const ConvexSolution still = fit_convex(fit);
+  ASSERT_TRUE(still.is_found()) << still.result.sentence;
+  fit.moments = MomentSource::shape;
+  fit.most_iterations = still.result.iterations;
+  const ConvexSolution found = fit_convex(fit);
+  EXPECT_FALSE(found.is_found());
+  EXPECT_EQ(found.result.end, LeastSquaresResult::End::iteration_limit);
+  EXPECT_EQ(found.result.sentence,
+            "not converged: the moments of the shape did not come to rest in 1 round; allow more "
+            "iterations");
+  EXPECT_EQ(found.body.coefficients, still.body.coefficients);
+  EXPECT_EQ(found.body.spin.inertia_F(0, 0), still.body.spin.inertia_F(0, 0));
+}
+
+TEST(ConvexFit, SaysThatAShapeHasNoMoments) {
+  ConvexFit fit = small_fit();
+  fit.moments = MomentSource::shape;
+  fit.closure_error = 1e6;
+  fit.axes_error = 1e6;
+  fit.roughness_error = 1e6;
+  fit.most_iterations = 400;
+  fit.curves[0].points.resize(40);  // little is known of its facets
+  const ConvexSolution found = fit_convex(fit);
+  EXPECT_FALSE(found.is_found());
+  EXPECT_THAT(found.result.sentence, HasSubstr("no moments follow from the shape: convex_body: "));
+}
+
 TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
   const std::vector<LightCurve> curves = light_of(egg(), 60, 0.01);
   LightSearchResult search;
