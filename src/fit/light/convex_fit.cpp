@@ -6,7 +6,6 @@
 #include <memory>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "fit/detail/convex_surface.hpp"
 #include "fit/detail/light_outcome.hpp"
@@ -72,7 +71,7 @@ class ConvexFitter {
       detail::settle(turning, left, first->curves().groups(), found_);
       left -= found_.result.iterations;
       if (fit_.moments != MomentSource::shape || !found_.is_found()) break;
-      if (!goes_on_with_moments(round, left)) break;
+      if (!goes_on(round, left)) break;
     }
     found_.result.iterations = fit_.most_iterations - left;
     if (found_.result.end == LeastSquaresResult::End::no_value) return;
@@ -124,37 +123,34 @@ class ConvexFitter {
     b.law = at->law_at(x);
   }
 
-  // Takes the moments of the body that was found where they are others and there is a round to fit
-  // them; a fit that ends keeps the moments it was made with.
-  bool goes_on_with_moments(int rounds, int left) {
-    using enum LeastSquaresResult::End;
+  // Whether the body that was found has other moments than it was fitted with, and another round is
+  // left for them: then they are taken.
+  bool goes_on(int round, int left) {
+    LeastSquaresResult& result = found_.result;
     ShapeInertia now{};
     try {
       now = shape_inertia(found_.body);
-    } catch (const DomainError& e) {
-      ends(no_descent,
-           std::string("not converged: the shape that was found has no moments: ") + e.what());
+    } catch (const DomainError& error) {  // facets that close no body
+      result.end = LeastSquaresResult::End::no_descent;
+      result.sentence =
+          std::string("not converged: no moments follow from the shape: ") + error.what();
       return false;
     }
     Mat3& T = found_.body.spin.inertia_F;
     const double change =
         std::max(std::abs(now.Ixx - T(0, 0) / T(2, 2)), std::abs(now.Iyy - T(1, 1) / T(2, 2)));
     if (change <= same_moments) return false;
-    if (rounds == most_rounds || left <= 0) {
-      ends(iteration_limit, "not converged: the moments of the shape did not come to rest in " +
-                                std::to_string(rounds) + (rounds == 1 ? " round" : " rounds") +
-                                "; expected more iterations, or smaller facets");
+    if (round == most_rounds || left <= 0) {
+      result.end = LeastSquaresResult::End::iteration_limit;
+      result.sentence = "not converged: the moments of the shape did not come to rest in " +
+                        std::to_string(round) + (round == 1 ? " round" : " rounds") +
+                        (left <= 0 ? "; allow more iterations" : "; take smaller facets");
       return false;
     }
     T = Mat3::identity();
     T(0, 0) = now.Ixx;
     T(1, 1) = now.Iyy;
     return true;
-  }
-
-  void ends(LeastSquaresResult::End end, std::string sentence) {
-    found_.result.end = end;
-    found_.result.sentence = std::move(sentence);
   }
 
   const ConvexFit& fit_;
